@@ -1,0 +1,43 @@
+"""crankstar tells how a piston engine shakes, why, and what to do about it.
+
+    Engine -> Motion -> Spectrum -> Balance -> Remedy / Views
+
+An `Engine` is a frozen description in SI units. Pure functions turn it into the motion of its parts, the motion into one
+spectrum of force, couple, roll and torque per part, and the sum of the parts into a `Balance`. Views only read. A thing is
+a record, a way of looking at it is a function, an engine type is data, and imports point downward. Top to bottom:
+
+| module | one line |
+|---|---|
+| `cli` | verbs only; no logic |
+| `tables` | a Balance and an Engine as tables for the terminal and the notebook |
+| `answer` | the machine-readable answer: the public JSON object, CSV |
+| `catalog/` | engines as TOML, one file each, each number with its source |
+| `files/` | Engine <-> TOML/JSON, JSON Schema, a sentence for every mistake, starter files |
+| `units` | text <-> SI; the only user of pint |
+| `balance` | Engine -> Balance: spectra per part, per cylinder, per bank, total; batches of engines as arrays |
+| `firing` | dead centres, firing angles and intervals; orders that do not fit |
+| `layouts` | inline, vee, boxer, tandem, opposed, radial: functions that write Engines |
+| `arrangement` | cylinders put on pins, and what a short file says of all of them, to an Engine |
+| `motion` | exact motion of pins, rods and pistons, its harmonics; the series in lambda beside them |
+| `engine` | frozen records: Engine, Shaft, Throw, Weight, Cylinder, Rod; their checks |
+| `quantity` | what a number or text in a record is: dimension, unit of example, limits |
+| `phasor` | spectra over crank order: add, shift, scale, evaluate, ellipse, peak |
+
+>>> import crankstar
+>>> engine = crankstar.load("v8-flat-plane")
+>>> crankstar.total(crankstar.balance(engine)).force.orders[:2].tolist()
+[1.0, 2.0]
+"""
+
+from crankstar.balance import Balance, Reference, balance, grouped, of_parts, total
+from crankstar.catalog import load, names
+from crankstar.engine import Cylinder, Engine, EngineError, Rod, Shaft, Throw, Weight
+from crankstar.files import EngineFileError
+from crankstar.firing import Firing, dead_centres, firing
+
+__version__ = "0.1.0"
+
+__all__ = [
+    "Balance", "Cylinder", "Engine", "EngineError", "EngineFileError", "Firing", "Reference", "Rod", "Shaft", "Throw",
+    "Weight", "balance", "dead_centres", "firing", "grouped", "load", "names", "of_parts", "total",
+]

@@ -1,0 +1,84 @@
+"""The machine-readable answer: a Balance as the public JSON object, versioned, and as CSV."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Sequence
+from math import pi
+from typing import Any
+
+import numpy as np
+
+from crankstar import phasor
+from crankstar.balance import Balance, Totals, total
+from crankstar.phasor import Spectrum
+
+FORMAT = 1
+GREATEST_DEFAULT_ORDER = 6.0
+SIGNIFICANT = 1e-9
+
+
+def orders_present(result: Balance, *, highest: float = GREATEST_DEFAULT_ORDER) -> tuple[float, ...]:
+    """The orders up to `highest` at which any part pushes, even where the sum of all is nothing; at least the first."""
+    sizes = [_sizes(spectrum) for spectrum in (result.force, result.couple, result.roll)]
+    shown = np.any([size > SIGNIFICANT * size.max(initial=0.0) for size in sizes], axis=0)
+    return tuple(result.force.orders[shown & (result.force.orders <= highest)].tolist()) or (1.0,)
+
+
+def _sizes(spectrum: Spectrum) -> np.ndarray:
+    return (np.abs(spectrum.forward) + np.abs(spectrum.backward)).max(axis=0, initial=0.0)
+
+
+def tree(name: str, result: Balance, *, orders: Sequence[float] | None = None) -> dict[str, Any]:
+    """The public JSON object. Pairs are [up, right] for force and couple, [real, imaginary] of Re(c exp(i k theta)) for roll.
+
+    Without a speed, or for an engine without masses or sizes, `speed_rpm` is null and the units are those of m r w^2.
+    """
+    wanted = tuple(orders) if orders else orders_present(result)
+    sums = Totals(*(phasor.selected(spectrum, wanted) for spectrum in total(result)))
+    out: dict[str, Any] = {
+        "format": FORMAT,
+        "engine": name,
+        "speed_rpm": None if result.speed is None else float(f"{result.speed * 30 / pi:.12g}"),
+        "reference_z": result.reference.z,
+    }
+    if result.reference.up or result.reference.right:
+        out |= {"reference_up": result.reference.up, "reference_right": result.reference.right}
+    out["units"] = result.units._asdict()
+    out["orders"] = [
+        {
+            "order": order,
+            "force": {"forward": _pair(sums.force.forward[i]), "backward": _pair(sums.force.backward[i])},
+            "couple": {"forward": _pair(sums.couple.forward[i]), "backward": _pair(sums.couple.backward[i])},
+            "roll": _pair(phasor.amplitude(sums.roll)[i]),
+        }
+        for i, order in enumerate(wanted)
+    ]
+    return out
+
+
+def _pair(value: complex) -> list[float]:
+    return [float(value.real) + 0.0, float(value.imag) + 0.0]
+
+
+def csv_text(name: str, result: Balance, *, orders: Sequence[float] | None = None) -> str:
+    """The same numbers as CSV, a row per order, units in the header."""
+    answer = tree(name, result, orders=orders)
+    units = answer["units"]
+    header = ["engine", "speed_rpm", "order"]
+    for quantity in ("force", "couple"):
+        header += [f"{quantity}_{turn}_{way} [{units[quantity]}]" for turn in ("forward", "backward") for way in ("up", "right")]
+    header += [f"roll_{part} [{units['roll']}]" for part in ("real", "imaginary")]
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\n")
+    writer.writerow(header)
+    for row in answer["orders"]:
+        numbers = [x for q in ("force", "couple") for turn in ("forward", "backward") for x in row[q][turn]]
+        writer.writerow([_plain(name), answer["speed_rpm"], row["order"], *numbers, *row["roll"]])
+    return out.getvalue()
+
+
+def _plain(name: str) -> str:
+    """A name that a spreadsheet does not take for a formula."""
+    return "'" + name if name[:1] in ("=", "+", "-", "@") else name

@@ -1,0 +1,314 @@
+"""From places to an Engine: what a short engine file says of all cylinders, and cylinders put on pins by a layout.
+
+A layout (module `layouts`) only says where each cylinder stands and on which pin its rod works; here sizes and their
+overrides are looked up, the crankshafts are turned so that the first cylinder is at top dead centre at theta = 0, z is
+counted from the middle of the cylinders' span, and what is not known is named.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from math import pi
+from typing import Annotated
+
+from pydantic import Field
+
+from crankstar import motion
+from crankstar.engine import (
+    GREATEST_CYLINDERS,
+    Articulation,
+    Cylinder,
+    Engine,
+    EngineError,
+    Fault,
+    Identity,
+    Provenance,
+    Record,
+    Rod,
+    Shaft,
+    Throw,
+    Weight,
+)
+from crankstar.quantity import Angle, Length, Line, Mass, Number, Ordinal, Position, Size, Unknown
+
+ASSUMED_ROD_RATIO = 4.0
+"""Rod length over crank radius where a file gives neither rod length nor ratio; the output says so."""
+
+
+class Sizes(Record):
+    """What a cylinder is like. Without a stroke lengths are in crank radii, without a mass masses are in its own."""
+
+    bore: Size | None = Field(default=None, description="cylinder diameter")
+    stroke: Size | None = Field(default=None, description="twice the crank radius")
+    rod_length: Size | None = Field(default=None, description="connecting rod between centres")
+    rod_ratio: Annotated[Number, Field(gt=1)] | None = Field(
+        default=None, description="rod length over crank radius, l/r, instead of rod_length; 4 if neither is given"
+    )
+    offset: Length = Field(default=0.0, description="the cylinder axis passes this far clockwise of the shaft axis")
+    reciprocating_mass: Mass | None = Field(default=None, description="piston, pin, rings, rod small end")
+    rotating_mass: Mass = Field(
+        default=0.0, description="rod big end and unbalanced crank pin, at crank radius, per cylinder (at the knuckle pin of a slave rod)"
+    )
+    rod: Rod | None = Field(default=None, description="the rod as a rigid body, instead of shares in the two masses")
+
+
+class Override(Sizes):
+    """What is different about one cylinder: anything of [cylinder], and its place."""
+
+    number: Ordinal = Field(description="of the cylinder that differs")
+    offset: Length | None = Field(default=None, description="as in [cylinder]")  # pyright: ignore[reportIncompatibleVariableOverride]
+    rotating_mass: Mass | None = Field(default=None, description="as in [cylinder]")  # pyright: ignore[reportIncompatibleVariableOverride]
+    bearing: Angle | None = Field(default=None, description="where the cylinder points, clockwise from up")
+    z: Position | None = Field(default=None, description="middle of the cylinder, positive to the front")
+    bank: Line | None = Field(default=None, description="name of the bank it belongs to")
+    articulated: Articulation | None = Field(default=None, description="the rod sits on a knuckle pin of another rod")
+
+
+class Basis(Identity):
+    """Everything of a short engine file but its layout."""
+
+    cylinder: Sizes = Field(default=Sizes(), description="all cylinders alike")
+    cylinders: tuple[Override, ...] = Field(default=(), max_length=GREATEST_CYLINDERS, description="what is different, one by one")
+    balance_factor: Annotated[Number, Field(ge=0, le=2)] | None = Field(
+        default=None,
+        description="a counterweight opposite each pin: all of its rotating mass and this share of its reciprocating mass",
+    )
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where a cylinder is put: its shaft, its pin (a key and an angle from the shaft's pin 1), bearing, z and the rest."""
+
+    number: int
+    shaft: int
+    pin: int
+    pin_angle: float
+    bearing: float
+    z: float
+    bank: str | None = None
+    offset: float | None = None
+    chamber: int | None = None
+    articulated: Articulation | None = None
+    slave_rod_length: float | None = None
+
+
+@dataclass(frozen=True)
+class ShaftPlace:
+    """Where a crankshaft lies (m, or crank radii), how fast it turns, and by how much its first cylinder lags, radians."""
+
+    name: str = "crank"
+    up: float = 0.0
+    right: float = 0.0
+    speed_ratio: Fraction = Fraction(1)
+    lag: float = 0.0
+
+
+@dataclass(frozen=True)
+class _Known:
+    """The sizes of one cylinder with nothing left open; masses of a rigid rod shared out in `reciprocating`, `rotating`."""
+
+    bore: float | None
+    radius: float
+    rod_length: float
+    offset: float
+    mass: float
+    rotating_mass: float
+    rod: Rod | None
+
+    @property
+    def reciprocating(self) -> float:
+        return self.mass + (self.rod.mass * self.rod.centre / self.rod_length if self.rod else 0.0)
+
+    @property
+    def rotating(self) -> float:
+        return self.rotating_mass + (self.rod.mass * (1 - self.rod.centre / self.rod_length) if self.rod else 0.0)
+
+
+def assembled(
+    basis: Basis, places: list[Place], shafts: list[ShaftPlace], *, pitch: float | None, pitch_needed: bool = True
+) -> Engine:
+    """Cylinders and throws from their places: sizes, dead centres, z about the middle, counterweights.
+
+    `pitch` is the bore pitch; without one, where it was needed, z is counted in it. Raises EngineError.
+    """
+    faults = list(_misplaced(basis, places))
+    if faults:
+        raise EngineError(faults)
+    middle = (min(place.z for place in places) + max(place.z for place in places)) / 2
+    sizes = {place.number: _sizes(basis, place) for place in places}
+    unknown = _relative(basis, pitch_unknown=pitch is None and (pitch_needed or basis.cylinder.stroke is None), places=places)
+    cylinders: list[Cylinder] = []
+    turning: list[Shaft] = []
+    for index, shaft in enumerate(shafts):
+        pins = _pins([replace(place, z=place.z - middle) for place in places if place.shaft == index])
+        throws = _throws(basis, pins, sizes, shaft)
+        turning.append(
+            Shaft(
+                name=shaft.name, speed_ratio=shaft.speed_ratio, up=shaft.up, right=shaft.right, throws=throws,
+                weights=_weights(basis, pins, sizes, throws),
+            )
+        )
+        cylinders += [_cylinder(p, sizes[p.number], shaft.name, slot) for slot, pin in enumerate(pins, 1) for p in pin]
+    identity = {key: getattr(basis, key) for key in Identity.model_fields}
+    return Engine(
+        **identity | {"provenance": _assumed(basis) | basis.provenance},
+        relative=unknown,
+        bore_pitch=1.0 if "pitch" in unknown else pitch,
+        shafts=tuple(turning),
+        cylinders=_overridden(basis, sorted(cylinders, key=lambda cylinder: cylinder.number)),
+    )
+
+
+def _misplaced(basis: Basis, places: list[Place]) -> Iterator[Fault]:
+    listed = Counter(place.number for place in places)
+    for number, times in sorted(listed.items()):
+        if times > 1:
+            yield Fault(("layout",), f"cylinder {number} is placed {times} times; number each cylinder once")
+    overridden = Counter(other.number for other in basis.cylinders)
+    for index, other in enumerate(basis.cylinders):
+        here = ("cylinders", index, "number")
+        if other.number not in listed:
+            yield Fault(here, f"there is no cylinder {other.number} to override; the layout has {', '.join(map(str, sorted(listed)))}")
+        elif overridden[other.number] > 1:
+            yield Fault(here, f"cylinder {other.number} is overridden more than once; put all of it in one [[cylinders]]")
+
+
+def _assumed(basis: Basis) -> dict[str, Provenance]:
+    """What the layout had to assume, said where a reader looks for provenance."""
+    if basis.cylinder.rod_length is not None or basis.cylinder.rod_ratio is not None:
+        return {}
+    return {
+        "cylinder.rod_length": Provenance(
+            status="placeholder", source=f"neither rod_length nor rod_ratio given: rod ratio l/r = {ASSUMED_ROD_RATIO:g} assumed"
+        )
+    }
+
+
+def _sizes(basis: Basis, place: Place) -> _Known:
+    given = {key: getattr(basis.cylinder, key) for key in Sizes.model_fields}
+    if place.offset is not None:
+        given["offset"] = place.offset
+    own = next((other for other in basis.cylinders if other.number == place.number), None)
+    different = {} if own is None else {k: getattr(own, k) for k in Sizes.model_fields if getattr(own, k) is not None}
+    if "rod_ratio" in different and "rod_length" not in different:
+        given["rod_length"] = None
+    given |= different
+    radius = 1.0 if given["stroke"] is None else given["stroke"] / 2
+    ratio = ASSUMED_ROD_RATIO if given["rod_ratio"] is None else given["rod_ratio"]
+    length = ratio * radius if given["rod_length"] is None else given["rod_length"]
+    if place.articulated is not None and (own is None or own.rod_length is None):
+        length = length - place.articulated.radius if place.slave_rod_length is None else place.slave_rod_length
+        if length <= 0:
+            raise EngineError([Fault(("layout", "knuckle_radius"), "is not shorter than the rod; knuckle pins sit on the master rod")])
+    return _Known(
+        bore=given["bore"],
+        radius=radius,
+        rod_length=length,
+        offset=given["offset"],
+        mass=1.0 if given["reciprocating_mass"] is None else given["reciprocating_mass"],
+        rotating_mass=given["rotating_mass"],
+        rod=given["rod"],
+    )
+
+
+def _relative(basis: Basis, *, pitch_unknown: bool, places: list[Place]) -> tuple[Unknown, ...]:
+    spread = len({place.z for place in places}) > 1
+    unknown: list[tuple[Unknown, bool]] = [
+        ("mass", basis.cylinder.reciprocating_mass is None),
+        ("radius", basis.cylinder.stroke is None),
+        ("pitch", pitch_unknown and spread),
+    ]
+    return tuple(name for name, missing in unknown if missing)
+
+
+def _pins(places: list[Place]) -> list[list[Place]]:
+    """The cylinders of each crank pin, pins from front to rear."""
+    pins: dict[int, list[Place]] = {}
+    for place in places:
+        pins.setdefault(place.pin, []).append(place)
+    return sorted(pins.values(), key=lambda sharing: -_middle(sharing))
+
+
+def _middle(sharing: list[Place]) -> float:
+    return sum(place.z for place in sharing) / len(sharing)
+
+
+def _throws(basis: Basis, pins: list[list[Place]], sizes: dict[int, _Known], shaft: ShaftPlace) -> tuple[Throw, ...]:
+    """The shaft's throws, turned so that its first cylinder is at top dead centre after `lag`."""
+    first = min((place for pin in pins for place in pin), key=lambda place: place.number)
+    size = sizes[first.number]
+    sense = 1 if basis.rotation == "clockwise" else -1
+    reaches = abs(size.offset) < size.radius + size.rod_length
+    advance = (
+        motion.dead_centre(crank_radius=size.radius, rod_length=size.rod_length, offset=size.offset) if reaches else 0.0
+    )
+    base = first.bearing + advance - first.pin_angle - sense * float(shaft.speed_ratio) * shaft.lag
+    throws: list[Throw] = []
+    for sharing in pins:
+        radii = {sizes[place.number].radius for place in sharing}
+        if len(radii) > 1:
+            numbers = ", ".join(str(place.number) for place in sharing)
+            raise EngineError([Fault(("cylinders",), f"cylinders {numbers} share a crank pin but differ in stroke")])
+        throws.append(
+            Throw(
+                angle=_wrapped(base + sharing[0].pin_angle),
+                radius=radii.pop(),
+                z=_middle(sharing),
+                rotating_mass=sum(sizes[place.number].rotating_mass for place in sharing if place.articulated is None),
+            )
+        )
+    return tuple(throws)
+
+
+def _wrapped(angle: float) -> float:
+    """The same bearing in (-pi, pi]."""
+    return pi - (pi - angle) % (2 * pi)
+
+
+def _weights(
+    basis: Basis, pins: list[list[Place]], sizes: dict[int, _Known], throws: tuple[Throw, ...]
+) -> tuple[Weight, ...]:
+    """A counterweight opposite each pin: its rotating mass and `balance_factor` of its reciprocating mass, at crank radius."""
+    if basis.balance_factor is None:
+        return ()
+    weights: list[Weight] = []
+    for sharing, throw in zip(pins, throws, strict=True):
+        on_pin = [sizes[place.number] for place in sharing]
+        mass = sum(size.rotating + basis.balance_factor * size.reciprocating for size in on_pin)
+        if mass > 0:
+            weights.append(Weight(unbalance=mass * throw.radius, angle=_wrapped(throw.angle + pi), z=throw.z))
+    return tuple(weights)
+
+
+def _cylinder(place: Place, size: _Known, shaft: str, throw: int) -> Cylinder:
+    return Cylinder(
+        number=place.number,
+        shaft=shaft,
+        throw=throw,
+        bearing=_wrapped(place.bearing),
+        z=place.z,
+        offset=size.offset,
+        bore=size.bore,
+        rod_length=size.rod_length,
+        reciprocating_mass=size.mass,
+        big_end_mass=size.rotating_mass if place.articulated else 0.0,
+        rod=size.rod,
+        articulated=place.articulated,
+        chamber=place.chamber,
+        bank=place.bank,
+    )
+
+
+def _overridden(basis: Basis, cylinders: list[Cylinder]) -> tuple[Cylinder, ...]:
+    """The cylinders with what their overrides say of bearing, place, bank and articulation."""
+    own = {other.number: other for other in basis.cylinders}
+    changed: list[Cylinder] = []
+    for cylinder in cylinders:
+        other = own.get(cylinder.number)
+        keys = ("bearing", "z", "bank", "articulated")
+        update = {key: getattr(other, key) for key in keys if other and getattr(other, key) is not None}
+        changed.append(cylinder.model_copy(update=update))
+    return tuple(changed)

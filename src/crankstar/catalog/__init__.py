@@ -1,0 +1,48 @@
+"""The catalog: real and textbook engines as TOML, one file each, each number with its source."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from difflib import get_close_matches
+from pathlib import Path
+from typing import Any
+
+from crankstar.engine import Engine
+from crankstar.files import EngineFileError, Problem, read
+
+_FOLDER = Path(__file__).parent
+
+
+def names() -> tuple[str, ...]:
+    """The names of all engines in the catalog, in alphabetical order."""
+    return tuple(sorted(path.stem for path in _FOLDER.glob("*.toml")))
+
+
+def path_of(name: str) -> Path | None:
+    """The file of a catalog engine, or None if there is none of that name."""
+    return _FOLDER / f"{name}.toml" if name in names() else None
+
+
+def load(name: str | Path, *, changes: Mapping[str, Any] | None = None) -> Engine:
+    """An engine from the catalog by its name, or from a file by its path ("-": standard input).
+
+    A catalog name comes first; say ./NAME for a file that is called the same. `changes` sets values by key path.
+    Raises EngineFileError.
+    """
+    found = path_of(str(name))
+    if found is None and not _looks_like_a_file(name):
+        near = get_close_matches(str(name), names(), 3)
+        told = f"did you mean {' or '.join(near)}?" if near else "`crankstar list` names the engines of the catalog"
+        shown = "".join(letter if letter.isprintable() else "?" for letter in str(name)[:100])
+        raise EngineFileError(shown, [Problem("", f"there is no such engine in the catalog, and no such file; {told}")])
+    return read(found or name, name=str(name) if found else None, changes=changes)
+
+
+def _looks_like_a_file(name: str | Path) -> bool:
+    text = str(name)
+    if isinstance(name, Path) or text == "-" or "/" in text or "\\" in text or text.endswith((".toml", ".json")):
+        return True
+    try:
+        return Path(text).exists()
+    except (OSError, ValueError):
+        return False

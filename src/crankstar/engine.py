@@ -1,0 +1,374 @@
+"""Frozen records that describe a piston engine in SI units, and the checks that make a description possible.
+
+Bearings and positions are those of the clock plane: `up` and `right` seen from the front, angles clockwise from
+up, z positive to the front. The checks here need no motion: what only the moving engine shows (a slave rod that cannot reach, a firing order that does not fit) is found by `motion` and `firing`.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+from math import lcm
+from typing import Any, Literal, NamedTuple
+
+from pydantic import BaseModel, ConfigDict, Field, model_validator
+
+from crankstar.quantity import (
+    Angle,
+    Cycle,
+    Inertia,
+    Length,
+    Line,
+    Mass,
+    MovingMass,
+    Ordinal,
+    Pitch,
+    Position,
+    Rotation,
+    Size,
+    Speed,
+    SpeedRatio,
+    Status,
+    Text,
+    Unbalance,
+    Unknown,
+)
+
+MINIMUM_CLEARANCE = 1.001
+"""Least rod length over (crank radius + |offset|): nearer to locking, forces run away and no real engine is there."""
+
+GREATEST_CYLINDERS = 256
+GREATEST_TURNS = 2000
+"""Turns of the reference shaft after which all geared shafts must be back at the start."""
+
+
+class Fault(NamedTuple):
+    """One thing wrong with an engine: where (keys and indices, as in an engine file), what, and what would be right."""
+
+    path: tuple[str | int, ...]
+    message: str
+    geometric: bool = False
+
+
+class EngineError(ValueError):
+    """An engine that cannot be; carries every fault found, not only the first."""
+
+    def __init__(self, faults: list[Fault]) -> None:
+        self.faults = faults
+        super().__init__("\n".join(f"{where(fault.path)}: {fault.message}" for fault in faults))
+
+
+def where(path: tuple[str | int, ...]) -> str:
+    """A key path as text: ('shaft', 0, 'throw', 2, 'radius') is 'shaft[1].throw[3].radius', counting from one."""
+    text = ""
+    for key in path:
+        text += f"[{key + 1}]" if isinstance(key, int) else f".{key}" if text else key
+    return text or "the file"
+
+
+class Record(BaseModel):
+    """What all records share: frozen, no unknown keys, names or file keys accepted."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", validate_by_name=True, validate_by_alias=True)
+
+
+class Rod(Record):
+    """A connecting rod as a rigid body: mass, centre of mass as distance from the big end, inertia about that centre."""
+
+    mass: MovingMass = Field(description="mass of the whole rod")
+    centre: Length = Field(description="from the big end to the centre of mass, along the rod")
+    inertia: Inertia = Field(default=0.0, description="moment of inertia about the centre of mass")
+
+
+class Articulation(Record):
+    """A knuckle pin on another cylinder's rod: the big end of an articulated (slave) rod sits on it."""
+
+    master: Ordinal = Field(description="number of the cylinder whose rod carries the knuckle pin")
+    radius: Size = Field(description="from the crank pin to the knuckle pin")
+    angle: Angle = Field(description="from the master rod to the knuckle pin, about the crank pin, clockwise")
+
+
+class Throw(Record):
+    """A crank throw: bearing of its pin at theta = 0, crank radius, place of the pin, rotating mass at the crank radius."""
+
+    angle: Angle = Field(description="bearing of the pin at theta = 0, clockwise from up")
+    radius: Size = Field(description="crank radius, half the stroke")
+    z: Position = Field(default=0.0, description="middle of the pin, positive to the front")
+    rotating_mass: Mass = Field(default=0.0, description="unbalanced crank pin and rod big ends, at crank radius")
+
+
+class Weight(Record):
+    """A counterweight, eccentric or balance weight on a shaft; its unbalance is mass times radius."""
+
+    unbalance: Unbalance = Field(description="mass times radius of its centre")
+    angle: Angle = Field(description="bearing at theta = 0, clockwise from up")
+    z: Position = Field(default=0.0, description="place along the shaft, positive to the front")
+
+
+class Shaft(Record):
+    """A shaft parallel to the reference crankshaft, geared to it; the first one is the reference crankshaft."""
+
+    name: Line = Field(description="by which cylinders refer to it")
+    speed_ratio: SpeedRatio = Field(
+        default=Fraction(1), description="turns per turn of the reference shaft; negative turns the other way"
+    )
+    up: Length = Field(default=0.0, description="height of its axis over the reference shaft")
+    right: Length = Field(default=0.0, description="its axis to the right of the reference shaft, seen from the front")
+    throws: tuple[Throw, ...] = Field(default=(), alias="throw")
+    weights: tuple[Weight, ...] = Field(default=(), alias="weight")
+
+
+class Cylinder(Record):
+    """A cylinder with its piston and rod; `throw` counts from one on `shaft`."""
+
+    number: Ordinal = Field(description="unique; cylinder 1 is the frontmost")
+    shaft: Line = Field(description="name of the shaft its rod works on")
+    throw: Ordinal = Field(description="which throw of that shaft, counted from 1")
+    bearing: Angle = Field(default=0.0, description="where the cylinder points, clockwise from up")
+    z: Position = Field(default=0.0, description="middle of the cylinder, positive to the front")
+    offset: Length = Field(default=0.0, description="its axis passes this far clockwise of the shaft axis")
+    bore: Size | None = Field(default=None, description="cylinder diameter")
+    rod_length: Size = Field(description="connecting rod between centres")
+    reciprocating_mass: Mass = Field(description="piston, pin, rings; and the rod's small end unless `rod` is given")
+    big_end_mass: Mass = Field(
+        default=0.0, description="rod mass carried by the pin of its big end, where it is not in the throw's (slave rods)"
+    )
+    rod: Rod | None = Field(default=None, description="the rod as a rigid body, instead of shares in the two masses")
+    articulated: Articulation | None = Field(default=None, description="the rod sits on a knuckle pin of another rod")
+    chamber: Ordinal | None = Field(
+        default=None, description="combustion chamber; pistons with the same one share it; the cylinder's own number if left out"
+    )
+    bank: Line | None = Field(default=None, description="name of the bank it belongs to")
+
+
+class Provenance(Record):
+    """Where a value of an engine file comes from."""
+
+    status: Status = Field(description="published: read in a source; computed; unverified: from memory; placeholder: a guess")
+    source: Text = Field(default="", description="where it was read, or how it was computed")
+
+
+class Identity(Record):
+    """What an engine file says of the engine as a whole, in both forms."""
+
+    format: Literal[1] = Field(default=1, description="version of the file format")
+    name: Line
+    cycle: Cycle = Field(default="four-stroke")
+    rotation: Rotation = Field(default="clockwise", description="of the reference crankshaft, seen from the front")
+    firing_order: tuple[Ordinal, ...] = Field(
+        default=(), max_length=GREATEST_CYLINDERS, description="combustion chambers in the order in which they fire"
+    )
+    firing_angles: tuple[Angle, ...] | None = Field(
+        default=None, max_length=GREATEST_CYLINDERS,
+        description="crank angle of each firing, as listed; only where the order leaves a choice",
+    )
+    speed: Speed | None = Field(default=None, description="the speed at which to quote forces")
+    source: Text = Field(default="", description="where the numbers come from")
+    notes: Text = Field(default="", description="anything a reader should know")
+    provenance: dict[Line, Provenance] = Field(default={}, max_length=1000, description="by key path: where each value comes from")
+
+
+class Engine(Identity):
+    """A piston engine: shafts with throws and weights, cylinders on them. Always valid: an impossible one raises.
+
+    `relative` names what is not known and therefore counted in its own unit: masses in the first cylinder's
+    reciprocating mass, lengths across the crankshaft in its crank radius, lengths along it in bore pitches.
+    """
+
+    relative: tuple[Unknown, ...] = Field(
+        default=(), description="what is not known, and so given as bare numbers in units of itself"
+    )
+    bore_pitch: Pitch | None = Field(default=None, description="the length a in which couples are counted when normalised")
+    shafts: tuple[Shaft, ...] = Field(alias="shaft", min_length=1, max_length=32)
+    cylinders: tuple[Cylinder, ...] = Field(min_length=1, max_length=GREATEST_CYLINDERS)
+
+    @model_validator(mode="after")
+    def _possible(self) -> Engine:
+        faults = list(_faults(self))
+        if faults:
+            raise EngineError(faults)
+        return self
+
+    @property
+    def sense(self) -> int:
+        """+1 if the reference crankshaft turns clockwise seen from the front, else -1."""
+        return 1 if self.rotation == "clockwise" else -1
+
+    @property
+    def cycle_angle(self) -> float:
+        """Degrees of the reference crankshaft in one working cycle: 360 or 720."""
+        return 360.0 if self.cycle == "two-stroke" else 720.0
+
+    @property
+    def chambers(self) -> dict[int, tuple[Cylinder, ...]]:
+        """The cylinders of each combustion chamber, by its number, in order of first mention."""
+        groups: dict[int, tuple[Cylinder, ...]] = {}
+        for cylinder in self.cylinders:
+            number = cylinder.chamber or cylinder.number
+            groups[number] = (*groups.get(number, ()), cylinder)
+        return groups
+
+    @property
+    def banks(self) -> dict[str, tuple[int, ...]]:
+        """The cylinder numbers of each bank; cylinders that name none are grouped by shaft and bearing."""
+        groups: dict[Any, list[int]] = {}
+        for cylinder in self.cylinders:
+            key = cylinder.bank or (cylinder.shaft, round(cylinder.bearing, 9))
+            groups.setdefault(key, []).append(cylinder.number)
+        names = {key: key if isinstance(key, str) else f"bank {place}" for place, key in enumerate(groups, 1)}
+        return {names[key]: tuple(numbers) for key, numbers in groups.items()}
+
+    def shaft(self, name: str) -> Shaft:
+        """The shaft of that name."""
+        return next(shaft for shaft in self.shafts if shaft.name == name)
+
+    def throw(self, cylinder: Cylinder) -> Throw:
+        """The throw on which a cylinder's rod, or its master's, works."""
+        return self.shaft(cylinder.shaft).throws[cylinder.throw - 1]
+
+    @property
+    def first(self) -> Cylinder:
+        """The cylinder whose mass, crank radius and harmonics are the units of normalised results: the lowest number."""
+        return min(self.cylinders, key=lambda cylinder: cylinder.number)
+
+    @property
+    def pitch(self) -> float:
+        """The length a in which normalised couples are counted, m.
+
+        `bore_pitch`; where none is given the closest spacing within a bank, else of any two cylinders, else 1 m.
+        """
+        if self.bore_pitch is not None:
+            return self.bore_pitch
+        places = {cylinder.number: cylinder.z for cylinder in self.cylinders}
+        for groups in (self.banks.values(), [tuple(places)]):
+            gaps = [gap for numbers in groups for gap in _gaps([places[number] for number in numbers])]
+            if gaps:
+                return min(gaps)
+        return 1.0
+
+
+def _gaps(places: list[float]) -> list[float]:
+    ordered = sorted(places)
+    return [b - a for a, b in zip(ordered, ordered[1:], strict=False) if b - a > 1e-9]
+
+
+def _faults(engine: Engine) -> Iterator[Fault]:
+    yield from _shaft_faults(engine)
+    yield from _cylinder_faults(engine)
+    yield from _firing_faults(engine)
+    if len(set(engine.relative)) != len(engine.relative):
+        yield Fault(("relative",), "names the same thing twice; name each once")
+
+
+def _shaft_faults(engine: Engine) -> Iterator[Fault]:
+    names = Counter(shaft.name for shaft in engine.shafts)
+    for index, shaft in enumerate(engine.shafts):
+        if names[shaft.name] > 1:
+            yield Fault(("shaft", index, "name"), f'"{shaft.name}" names {names[shaft.name]} shafts; give each its own name')
+    if engine.shafts[0].speed_ratio != 1:
+        yield Fault(
+            ("shaft", 0, "speed_ratio"),
+            f"is {engine.shafts[0].speed_ratio}; the first shaft is the reference crankshaft, its ratio is 1 "
+            '(use rotation = "counter-clockwise" for one that turns the other way)',
+        )
+    if engine.shafts[0].up or engine.shafts[0].right:
+        yield Fault(("shaft", 0), "the first shaft is the reference crankshaft: its up and right are 0")
+    turns = lcm(*(shaft.speed_ratio.denominator for shaft in engine.shafts))
+    if turns > GREATEST_TURNS:
+        yield Fault(
+            ("shaft",), f"the geared shafts are back at the start only after {turns} turns; up to {GREATEST_TURNS} are allowed"
+        )
+
+
+def _cylinder_faults(engine: Engine) -> Iterator[Fault]:
+    shafts = {shaft.name: shaft for shaft in engine.shafts}
+    numbers = Counter(cylinder.number for cylinder in engine.cylinders)
+    by_number = {cylinder.number: cylinder for cylinder in engine.cylinders}
+    if "mass" not in engine.relative and not any(c.reciprocating_mass or c.rod for c in engine.cylinders):
+        yield Fault(("cylinders",), 'no cylinder has a reciprocating mass; give it, or say relative = ["mass"] and count in it')
+    for index, cylinder in enumerate(engine.cylinders):
+        here = ("cylinders", index)
+        if numbers[cylinder.number] > 1:
+            yield Fault((*here, "number"), f"cylinder {cylinder.number} is there {numbers[cylinder.number]} times; number each once")
+        shaft = shafts.get(cylinder.shaft)
+        if shaft is None:
+            yield Fault((*here, "shaft"), f'there is no shaft "{cylinder.shaft}"; there are: {", ".join(shafts)}')
+        elif cylinder.throw > len(shaft.throws):
+            count = f"throws 1 to {len(shaft.throws)}" if shaft.throws else "no throws"
+            yield Fault((*here, "throw"), f'is {cylinder.throw}, but shaft "{shaft.name}" has {count}')
+        elif cylinder.articulated is None:
+            yield from _reach_faults(here, cylinder, shaft.throws[cylinder.throw - 1].radius)
+        if cylinder.articulated is not None:
+            yield from _articulation_faults(here, cylinder, by_number)
+    for number, pistons in engine.chambers.items():
+        ratios = {abs(shafts[piston.shaft].speed_ratio) for piston in pistons if piston.shaft in shafts}
+        if len(pistons) > 2 or len(ratios) > 1:
+            count = f"{len(pistons)} pistons" if len(pistons) > 2 else "pistons on shafts of different speed"
+            yield Fault(("cylinders",), f"combustion chamber {number} has {count}; one or two of equal speed can share a chamber")
+
+
+def _reach_faults(here: tuple[str | int, ...], cylinder: Cylinder, radius: float) -> Iterator[Fault]:
+    reach = radius + abs(cylinder.offset)
+    if cylinder.rod_length < MINIMUM_CLEARANCE * reach:
+        offset = f" + offset {abs(cylinder.offset):.6g}" if cylinder.offset else ""
+        yield Fault(
+            (*here, "rod_length"),
+            f"the rod is too short to turn: {cylinder.rod_length:.6g} against crank radius {radius:.6g}{offset} "
+            f"(in m, or in crank radii); it must be longer than {MINIMUM_CLEARANCE * reach:.6g}",
+            geometric=True,
+        )
+
+
+def _articulation_faults(
+    here: tuple[str | int, ...], cylinder: Cylinder, by_number: Mapping[int, Cylinder]
+) -> Iterator[Fault]:
+    path = (*here, "articulated", "master")
+    seen = [cylinder.number]
+    link: Cylinder | None = cylinder
+    while link is not None and link.articulated is not None:
+        master = link.articulated.master
+        if master not in by_number:
+            if link is cylinder:
+                yield Fault(path, f"there is no cylinder {master}; there are: {_listed(sorted(by_number))}")
+            return
+        if master in seen:
+            if master == cylinder.number:  # tell a loop where it closes, not from its tail
+                chain = " on ".join(str(number) for number in [*seen, master])
+                tell = "on itself" if len(seen) == 1 else f"in a loop ({chain})"
+                yield Fault(path, f"cylinder {cylinder.number} is articulated {tell}; one rod of a group must sit on the crank pin")
+            return
+        seen.append(master)
+        link = by_number[master]
+    root = by_number[seen[-1]]
+    if (root.shaft, root.throw) != (cylinder.shaft, cylinder.throw):
+        yield Fault(
+            here, f'works on shaft "{cylinder.shaft}" throw {cylinder.throw}, its master on "{root.shaft}" throw {root.throw}; '
+            "they must be the same"
+        )
+
+
+def _firing_faults(engine: Engine) -> Iterator[Fault]:
+    order, chambers = engine.firing_order, set(engine.chambers)
+    path = ("firing_order",)
+    if engine.firing_angles is not None and len(engine.firing_angles) != len(order):
+        yield Fault(
+            ("firing_angles",), f"has {len(engine.firing_angles)} angles for {len(order)} firings; give one for each, in the same order"
+        )
+    if not order:
+        return
+    repeated = sorted(number for number, count in Counter(order).items() if count > 1)
+    foreign, missing = sorted(set(order) - chambers), sorted(chambers - set(order))
+    if repeated:
+        yield Fault(path, f"{_listed(repeated)} fires more than once; each fires once a cycle")
+    if foreign:
+        yield Fault(path, f"there is no cylinder {_listed(foreign)}; the engine has {_listed(sorted(chambers))}")
+    if missing:
+        yield Fault(path, f"cylinder {_listed(missing)} is missing; every one of {_listed(sorted(chambers))} must fire")
+
+
+def _listed(numbers: list[int]) -> str:
+    if len(numbers) > 12:
+        return ", ".join(map(str, numbers[:10])) + f", ... ({len(numbers)} in all)"
+    return ", ".join(map(str, numbers))
+

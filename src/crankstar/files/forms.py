@@ -1,0 +1,103 @@
+"""The two forms of an engine file as records: the explicit one is the Engine itself, a short one has a layout.
+
+The `[layout]` table of a short file holds the keyword arguments of a layout function; its record is made from the
+function's signature, so that a new layout needs no second description.
+"""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Iterable, Mapping
+from functools import lru_cache
+from typing import Annotated, Any, Literal, get_args, get_type_hints
+
+from pydantic import Field, create_model
+from pydantic.fields import FieldInfo
+
+from crankstar.arrangement import Basis
+from crankstar.engine import Engine, Record
+from crankstar.layouts import LAYOUTS
+from crankstar.quantity import Quantity
+
+
+def is_explicit(tree: Mapping[str, Any]) -> bool:
+    """Whether a tree is in the explicit form: shafts rather than a layout."""
+    return "layout" not in tree and "cylinder" not in tree and ("shaft" in tree or "shafts" in tree)
+
+
+@lru_cache(maxsize=16)
+def short_form(kind: str | None) -> type[Record]:
+    """The record of a short file with a layout of that kind; with None, one that takes any layout table."""
+    if kind is None:
+        return create_model("Short", __base__=Basis, layout=(Annotated[Any, Field()], {}))
+    function = LAYOUTS[kind]
+    hints = get_type_hints(function, include_extras=True)
+    arguments = {name: p for name, p in inspect.signature(function).parameters.items() if p.kind is p.KEYWORD_ONLY}
+    notes = dict(_argument_notes(inspect.getdoc(function) or "", arguments))
+    fields: dict[str, Any] = {"type": (Literal[kind], ...)}  # pyright: ignore[reportInvalidTypeForm]
+    for name, parameter in arguments.items():
+        default = ... if parameter.default is parameter.empty else parameter.default
+        fields[name] = (hints[name], Field(default=default, description=notes.get(name)))
+    layout = create_model(kind.capitalize(), __base__=Record, __doc__=_summary(function), **fields)
+    return create_model(f"Short{kind.capitalize()}", __base__=Basis, __doc__=_summary(function), layout=(layout, ...))
+
+
+def form_of(tree: Mapping[str, Any]) -> type[Record]:
+    """The record a tree should fit."""
+    if is_explicit(tree):
+        return Engine
+    layout = tree.get("layout")
+    kind = layout.get("type") if isinstance(layout, dict) else None
+    return short_form(kind if isinstance(kind, str) and kind in LAYOUTS else None)
+
+
+def _summary(function: Any) -> str:
+    return (inspect.getdoc(function) or "").split("\n")[0]
+
+
+def _argument_notes(doc: str, names: Iterable[str]) -> Iterable[tuple[str, str]]:
+    """For each argument the first sentence of the docstring that names it in backquotes."""
+    sentences = " ".join(doc.split(">>>")[0].split()).split(". ")
+    for name in names:
+        for sentence in sentences:
+            if f"`{name}`" in sentence:
+                yield name, sentence.strip().rstrip(".") + "."
+                break
+
+
+def field_at(model: type[Record], path: Iterable[str | int]) -> FieldInfo | None:
+    """The field of a record, or of the records in it, that a key path of a file leads to."""
+    record: type[Record] | None = model
+    info: FieldInfo | None = None
+    for key in path:
+        if isinstance(key, int):
+            continue
+        info = by_key(record).get(key) if record else None
+        record = record_in(info.annotation) if info else None
+    return info
+
+
+def by_key(record: type[Record]) -> dict[str, FieldInfo]:
+    """The fields of a record by the keys they have in files."""
+    return {info.alias or name: info for name, info in record.model_fields.items()}
+
+
+def record_in(annotation: Any) -> type[Record] | None:
+    """The record a type is or holds: Throw for tuple[Throw, ...]."""
+    if isinstance(annotation, type) and issubclass(annotation, Record):
+        return annotation
+    return next((found for part in get_args(annotation) if (found := record_in(part)) is not None), None)
+
+
+def quantity_of(info: FieldInfo) -> Quantity | None:
+    """What a field measures, if it measures anything."""
+    own = (mark for mark in info.metadata if isinstance(mark, Quantity))
+    return next(own, None) or _quantity_in(info.annotation)
+
+
+def _quantity_in(annotation: Any) -> Quantity | None:
+    for part in (*getattr(annotation, "__metadata__", ()), *get_args(annotation)):
+        found = part if isinstance(part, Quantity) else _quantity_in(part)
+        if found is not None:
+            return found
+    return None

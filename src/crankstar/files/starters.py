@@ -1,0 +1,132 @@
+"""Commented engine files to begin with, one for each layout: what `crankstar new` writes."""
+
+from __future__ import annotations
+
+_HEAD = """\
+# An engine file of crankstar. Check it with:   crankstar check FILE
+# See what it does with:                        crankstar analyze FILE
+# A value is text with a unit ("82.5 mm", "3.25 in", "650 g", "90 deg", "6000 rpm") or a bare SI number.
+# Angles are bearings: 0 is up, clockwise seen from the front of the engine. Leave out what you do not know:
+# without masses or sizes the results are in units of m r w^2.
+format = 1
+name = "{name}"
+cycle = "{cycle}"            # or "{other}"
+rotation = "clockwise"            # of the crankshaft, seen from the front; or "counter-clockwise"
+firing_order = {order}
+speed = "{speed}"                # the speed at which to quote forces
+# balance_factor = 0.5            # a counterweight on each throw: its rotating mass and this share of its reciprocating mass
+source = ""                       # where the numbers come from
+
+[cylinder]                        # all cylinders alike
+bore = "{bore}"
+stroke = "{stroke}"
+rod_length = "{rod}"              # between centres; or rod_ratio = 3.5 (rod length over crank radius)
+reciprocating_mass = "{mass}"     # piston, pin, rings and the rod's small end
+rotating_mass = "{rotating}"      # the rod's big end and unbalanced crank pin, at crank radius, per cylinder
+# offset = "0 mm"                 # the cylinder axis passes this far clockwise of the crankshaft's
+# rod = {{ mass = "0.6 kg", centre = "40 mm", inertia = "0.002 kg*m^2" }}   # instead: the rod as a rigid body
+"""
+
+_TAIL = """
+# [[cylinders]]                   # what is different about one of them
+# number = 1
+# reciprocating_mass = "655 g"
+
+# [provenance]                    # where each value comes from: published, computed, unverified or placeholder
+# "cylinder.bore" = { status = "published", source = "workshop manual, page 12" }
+"""
+
+_FOUR = {"cycle": "four-stroke", "other": "two-stroke", "bore": "87.5 mm", "stroke": "82.5 mm", "rod": "146 mm"}
+_FOUR |= {"mass": "650 g", "rotating": "700 g", "speed": "6000 rpm"}
+_TWO = {"cycle": "two-stroke", "other": "four-stroke", "bore": "54 mm", "stroke": "54.4 mm", "rod": "110 mm"}
+_TWO |= {"mass": "280 g", "rotating": "300 g", "speed": "10000 rpm"}
+_STAR = {**_FOUR, "bore": "146 mm", "stroke": "160 mm", "rod": "310 mm", "mass": "3.2 kg", "rotating": "2.5 kg", "speed": "2200 rpm"}
+_HEAVY = {**_TWO, "bore": "105 mm", "stroke": "160 mm", "rod": "270 mm", "mass": "3 kg", "rotating": "3 kg", "speed": "2200 rpm"}
+
+_BODIES: dict[str, tuple[dict[str, str], str]] = {
+    "inline": (
+        {**_FOUR, "name": "my in-line four", "order": "[1, 3, 4, 2]"},
+        """
+[layout]
+type = "inline"
+throws = ["0 deg", "180 deg", "180 deg", "0 deg"]   # from pin 1, clockwise; left out: evenly spaced from the firing order
+bore_pitch = "91 mm"              # or positions = ["0 mm", "91 mm", ...], distances behind cylinder 1
+# bearing = "0 deg"               # a slanted engine
+""",
+    ),
+    "vee": (
+        {**_FOUR, "name": "my V8", "order": "[1, 8, 4, 3, 6, 5, 7, 2]"},
+        """
+[layout]
+type = "vee"
+banks = [                         # as many as there are: a W has three or four; cylinders from front to rear
+  { bearing = "45 deg", cylinders = [1, 3, 5, 7] },
+  { bearing = "-45 deg", cylinders = [2, 4, 6, 8] },
+]
+throws = ["0 deg", "90 deg", "-90 deg", "180 deg"]   # one for each pin, or one for each cylinder; from pin 1, clockwise
+bore_pitch = "105.5 mm"
+bank_offset = "21 mm"             # how far the first bank stands in front of the second; 0 for fork-and-blade rods
+# pin_split = "30 deg"            # split pins: the second bank's are turned clockwise by this
+""",
+    ),
+    "boxer": (
+        {**_FOUR, "name": "my boxer four", "order": "[1, 3, 2, 4]"},
+        """
+[layout]
+type = "boxer"                    # each pair on two pins 180 deg apart; a 180 deg V with shared pins is a vee
+banks = [
+  { bearing = "90 deg", cylinders = [1, 3] },
+  { bearing = "-90 deg", cylinders = [2, 4] },
+]
+throws = ["0 deg", "180 deg"]     # the pins of the first bank, from pin 1, clockwise
+bore_pitch = "113 mm"
+bank_offset = "46 mm"             # how far the first bank stands in front of the second
+""",
+    ),
+    "tandem": (
+        {**_TWO, "name": "my tandem twin", "order": "[1, 2]"},
+        """
+[layout]
+type = "tandem"                   # several crankshafts geared together: tandem, U, square four, H
+[[layout.cranks]]
+name = "front"
+banks = [{ bearing = "0 deg", cylinders = [1] }]
+throws = ["0 deg"]                # from this crankshaft's own pin 1, clockwise
+[[layout.cranks]]
+name = "rear"
+right = "90 mm"                   # its axis to the right of the first, seen from the front; up = "..." for height
+speed_ratio = -1                  # turns per turn of the first; negative turns the other way; "29/31" for teeth
+lag = "180 deg"                   # its first cylinder reaches top dead centre this much later
+banks = [{ bearing = "0 deg", cylinders = [2] }]
+throws = ["0 deg"]
+""",
+    ),
+    "opposed": (
+        {**_HEAVY, "name": "my opposed-piston three", "order": "[1, 3, 2]"},
+        """
+[layout]
+type = "opposed"                  # two pistons in each cylinder; cylinder k has pistons k and n + k
+throws = ["0 deg", "120 deg", "240 deg"]   # of the first crankshaft, from pin 1, clockwise
+crank_distance = "860 mm"
+lag = "11 deg"                    # the second crankshaft follows by this
+speed_ratio = 1                   # -1: it turns the other way
+bore_pitch = "150 mm"
+""",
+    ),
+    "radial": (
+        {**_STAR, "name": "my radial nine", "order": "[1, 3, 5, 7, 9, 2, 4, 6, 8]"},
+        """
+[layout]
+type = "radial"
+knuckle_radius = "60 mm"          # slave rods on knuckle pins of a master rod; leave out for rods all on the crank pin
+# slave_rod_length = "240 mm"     # the master's rod_length less the knuckle radius if left out
+rows = [{ cylinders = [1, 2, 3, 4, 5, 6, 7, 8, 9], bearing = "0 deg", throw = "0 deg", master = 1 }]
+# row_pitch = "150 mm"            # for more than one row
+""",
+    ),
+}
+
+STARTERS: dict[str, str] = {
+    kind: _HEAD.format(**values) + body + _TAIL for kind, (values, body) in _BODIES.items()
+}
+"""By layout: the text of a commented engine file that is a real engine as it stands."""

@@ -1,0 +1,69 @@
+"""Engines written: the explicit form as TOML with units, and the JSON Schema of both forms."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+import tomli_w
+from pydantic import TypeAdapter
+
+from crankstar import units
+from crankstar.engine import Engine, Record
+from crankstar.files.forms import quantity_of, short_form
+from crankstar.layouts import LAYOUTS
+
+SCHEMA_DIALECT = "https://json-schema.org/draft/2020-12/schema"
+
+
+def explicit(engine: Engine) -> dict[str, Any]:
+    """The tree of an engine in the explicit form, quantities as text with units; what is not set is left out."""
+    return _tree(engine, relative=frozenset(engine.relative))
+
+
+def toml(engine: Engine) -> str:
+    """An engine as a TOML file in the explicit form; reading it gives the same engine."""
+    return re.sub(r"\[\n((?: {4}[^\n]{1,30},\n)+)\]", _on_one_line, tomli_w.dumps(explicit(engine)))
+
+
+def _on_one_line(found: re.Match[str]) -> str:
+    items = [line.strip() for line in found.group(1).splitlines()]
+    return "[" + " ".join(items).rstrip(",") + "]"
+
+
+def _tree(record: Record, *, relative: frozenset[str]) -> dict[str, Any]:
+    out: dict[str, Any] = {}
+    for name, info in type(record).model_fields.items():
+        value = getattr(record, name)
+        if name != "format" and not info.is_required() and value == info.default:
+            continue
+        out[info.alias or name] = _written(value, quantity_of(info), relative)
+    return out
+
+
+def _written(value: Any, quantity: Any, relative: frozenset[str]) -> Any:
+    if isinstance(value, Record):
+        return _tree(value, relative=relative)
+    if isinstance(value, tuple):
+        return [_written(item, quantity, relative) for item in value]
+    if isinstance(value, dict):
+        return {key: _written(item, None, relative) for key, item in value.items()}
+    if quantity is not None and not quantity.relative_to & relative:
+        return units.text(value, quantity)
+    if isinstance(value, float):
+        return float(f"{value:.15g}")
+    return value if isinstance(value, int | str) else str(value)
+
+
+def schema() -> dict[str, Any]:
+    """The JSON Schema of engine files, short (by layout) or explicit, with the unit and meaning of every key."""
+    models = [Engine, *(short_form(kind) for kind in LAYOUTS)]
+    whole = TypeAdapter(_union(models)).json_schema(by_alias=True)
+    return {"$schema": SCHEMA_DIALECT, "title": "crankstar engine file", "description": (__doc__ or "").split("\n")[0], **whole}
+
+
+def _union(models: list[type[Record]]) -> Any:
+    union: Any = models[0]
+    for model in models[1:]:
+        union = union | model
+    return union

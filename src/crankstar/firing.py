@@ -1,0 +1,243 @@
+"""When each combustion chamber can fire: dead centres from the geometry, firing angles and intervals from the order.
+
+A chamber fires at a top dead centre, where its volume is least: for one piston where the piston is farthest out, for
+two that share a chamber where the sum of bore area times outward travel is greatest. In one cycle (one turn of a
+two-stroke engine, two of a four-stroke one) each fires once. A firing order fits when such dead centres can be found
+one after the other within one cycle; where there is a choice, the most even intervals are taken.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import inf
+from typing import NamedTuple
+
+import numpy as np
+
+from crankstar import motion
+from crankstar.engine import Engine, EngineError, Fault
+
+SAME_ANGLE = 1e-6
+"""Degrees: dead centres closer than this are simultaneous."""
+ANGLE_TOLERANCE = 1.0
+"""Degrees by which a firing angle written in a file may miss the dead centre it names."""
+
+
+class DeadCentre(NamedTuple):
+    """The top dead centre of a chamber: crank angle in degrees of the reference shaft, and how often it comes round."""
+
+    angle_deg: float
+    period_deg: float
+
+
+@dataclass(frozen=True)
+class Firing:
+    """The chambers in firing order, the crank angle of each firing (degrees, ascending), and the interval to the next."""
+
+    order: tuple[int, ...]
+    angles_deg: tuple[float, ...]
+    intervals_deg: tuple[float, ...]
+    cycle_deg: float
+
+    @property
+    def even(self) -> bool:
+        """Whether all intervals are equal, to a thousandth of a degree."""
+        return max(self.intervals_deg) - min(self.intervals_deg) < 1e-3
+
+
+def dead_centres(engine: Engine) -> dict[int, DeadCentre]:
+    """Top dead centre of each combustion chamber, in degrees of the reference crankshaft from 0 up to its period."""
+    links = motion.linkage(engine)
+    place = {cylinder.number: index for index, cylinder in enumerate(engine.cylinders)}
+    root = motion.roots(links.master)
+    lag = np.array([engine.throw(c).angle - engine.cylinders[root[i]].bearing for i, c in enumerate(engine.cylinders)])
+    ratio = np.array([float(engine.shaft(c.shaft).speed_ratio) * engine.sense for c in engine.cylinders])
+    area = np.array([1.0 if c.bore is None else c.bore**2 for c in engine.cylinders])
+    return {
+        number: _dead_centre(links, [place[c.number] for c in pistons], lag, ratio, area)
+        for number, pistons in engine.chambers.items()
+    }
+
+
+def _dead_centre(
+    links: motion.Linkage, pistons: list[int], lag: np.ndarray, ratio: np.ndarray, area: np.ndarray
+) -> DeadCentre:
+    """Search a grid over one turn of the pistons' own shaft, then Newton's method on the outward travel's derivative."""
+    speed = abs(float(ratio[pistons[0]]))
+    grid = np.arange(360) * (2 * np.pi / 360)
+    travel, _, _ = _outward(links, pistons, grid / speed, lag, ratio, area)
+    theta = float(grid[np.argmax(travel)]) / speed
+    for _ in range(20):
+        _, slope, bend = (float(part[0]) for part in _outward(links, pistons, np.array([theta]), lag, ratio, area))
+        step = -slope / bend if bend < 0 else 0.0
+        theta += float(np.clip(step, -0.02 / speed, 0.02 / speed))
+        if abs(step) < 1e-15:
+            break
+    turn = 360.0 / speed
+    angle = float(np.degrees(theta)) % turn
+    return DeadCentre(0.0 if min(angle, turn - angle) < SAME_ANGLE / 100 else angle, turn)
+
+
+def _outward(
+    links: motion.Linkage, pistons: list[int], theta: np.ndarray, lag: np.ndarray, ratio: np.ndarray, area: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Bore area times outward travel of a chamber's pistons over theta, with its first two derivatives."""
+    total = [np.zeros_like(theta) for _ in range(3)]
+    for index in pistons:
+        chain = motion.chain(links, index)
+        moved = motion.rods(motion.parted(links, chain), ratio[index] * theta + lag[index])
+        axis = np.exp(1j * links.bearing[index])
+        for power, (target, path) in enumerate(zip(total, moved.piston, strict=True)):
+            target += area[index] * ratio[index] ** power * (path[-1] / axis).real
+    return total[0], total[1], total[2]
+
+
+def firing(engine: Engine) -> Firing:
+    """When each chamber fires. Raises EngineError, with the table of dead centres, where the order does not fit."""
+    faults = unfit(engine)
+    if faults:
+        raise EngineError(faults)
+    centres = dead_centres(engine)
+    angles = _given_angles(engine) if engine.firing_angles else _evenest(engine.firing_order, centres, engine.cycle_angle)
+    if not angles:
+        return Firing((), (), (), engine.cycle_angle)
+    following = [*angles[1:], angles[0] + engine.cycle_angle]
+    intervals = tuple(round(b - a, 9) for a, b in zip(angles, following, strict=True))
+    return Firing(engine.firing_order, tuple(angles), intervals, engine.cycle_angle)
+
+
+def unfit(engine: Engine) -> list[Fault]:
+    """Why the firing order cannot be: empty if it can (or if there is none)."""
+    if not engine.firing_order:
+        return []
+    centres = dead_centres(engine)
+    if engine.firing_angles:
+        return _wrong_angles(engine, centres)
+    if _evenest(engine.firing_order, centres, engine.cycle_angle) is not None:
+        return []
+    order = "-".join(map(str, engine.firing_order))
+    table = ", ".join(f"{number}: {centre.angle_deg:.4g}" for number, centre in sorted(centres.items()))
+    message = (
+        f"{order} cannot be fired in one cycle of {engine.cycle_angle:.0f} deg by this geometry. "
+        f"Top dead centres, in degrees after cylinder {engine.first.number} would be at its own: {table}. "
+        + _hint(engine, centres)
+    )
+    return [Fault(("firing_order",), message, geometric=True)]
+
+
+def _hint(engine: Engine, centres: dict[int, DeadCentre]) -> str:
+    """What would make the order fit: the banks or the rotation mirrored, or a firing angle for those that coincide."""
+
+    def fits(other: dict[int, DeadCentre]) -> bool:
+        return _evenest(engine.firing_order, other, engine.cycle_angle) is not None
+
+    found: list[str] = []
+    if len({round(c.bearing, 9) for c in engine.cylinders}) > 1 and fits(dead_centres(with_banks_mirrored(engine))):
+        sides = "; ".join(
+            f"{', '.join(map(str, numbers))} at bearing {-np.degrees(_bearing(engine, numbers[0])):+.4g} deg"
+            for numbers in engine.banks.values()
+        )
+        found.append(f"with the banks on the other sides ({sides}: 'left' may be the driver's, not the viewer's)")
+    mirrored = with_rotation_reversed(engine)
+    if fits(dead_centres(mirrored)):
+        found.append(f'with the crankshaft turning the other way (rotation = "{mirrored.rotation}")')
+    if found:
+        return "It would fit " + ", or ".join(found) + "."
+    together = _simultaneous(centres, engine.cycle_angle)
+    if together:
+        return f"Cylinders {together} are at dead centre together; if they are meant to fire together, say so with firing_angles."
+    return "Check the order, the throws and the bearings."
+
+
+def _bearing(engine: Engine, number: int) -> float:
+    return next(c.bearing for c in engine.cylinders if c.number == number) or 0.0
+
+
+def _simultaneous(centres: dict[int, DeadCentre], cycle: float) -> str:
+    """Chambers that share a dead centre more often than the cycle has turns to part them."""
+    by_angle: dict[int, list[int]] = {}
+    for number, centre in centres.items():
+        by_angle.setdefault(round(centre.angle_deg * 1000), []).append(number)
+    crowded = [numbers for numbers in by_angle.values() if len(numbers) > cycle / centres[numbers[0]].period_deg + 1e-9]
+    return "; ".join(" and ".join(map(str, sorted(numbers))) for numbers in crowded)
+
+
+def with_banks_mirrored(engine: Engine) -> Engine:
+    """The engine with every bank on the other side and the crank turned so that the first cylinder keeps its dead centre."""
+    turn = -2 * engine.first.bearing
+    shafts = tuple(
+        shaft.model_copy(update={"throws": tuple(t.model_copy(update={"angle": t.angle + turn}) for t in shaft.throws)})
+        for shaft in engine.shafts
+    )
+    cylinders = tuple(c.model_copy(update={"bearing": -c.bearing}) for c in engine.cylinders)
+    return engine.model_copy(update={"shafts": shafts, "cylinders": cylinders})
+
+
+def with_rotation_reversed(engine: Engine) -> Engine:
+    """The same engine turning the other way."""
+    other = "counter-clockwise" if engine.rotation == "clockwise" else "clockwise"
+    return engine.model_copy(update={"rotation": other})
+
+
+def _evenest(order: tuple[int, ...], centres: dict[int, DeadCentre], cycle: float) -> list[float] | None:
+    """Firing angles for an order, strictly ascending within one cycle, with the least sum of squared intervals; None if there are none.
+
+    Dynamic programming over which of its dead centres in the cycle each chamber fires at.
+    """
+    if not order:
+        return []
+    first = centres[order[0]].angle_deg
+    reach: dict[float, tuple[float, list[float]]] = {first: (0.0, [first])}
+    for number in order[1:]:
+        centre = centres[number]
+        start = centre.angle_deg + centre.period_deg * np.ceil((first - centre.angle_deg) / centre.period_deg - 1e-12)
+        choices = np.arange(start, first + cycle - SAME_ANGLE, centre.period_deg)
+        extended: dict[float, tuple[float, list[float]]] = {}
+        for choice in map(float, choices):
+            best = min(
+                ((cost + (choice - last) ** 2, path) for last, (cost, path) in reach.items() if choice > last + SAME_ANGLE),
+                default=(inf, []),
+                key=lambda item: item[0],
+            )
+            if best[1]:
+                extended[choice] = (best[0], [*best[1], choice])
+        reach = extended
+    closed = [(cost + (first + cycle - last) ** 2, path) for last, (cost, path) in reach.items()]
+    return min(closed, key=lambda item: item[0])[1] if closed else None
+
+
+def _given_angles(engine: Engine) -> list[float]:
+    """The firing angles of the file, moved onto the dead centres they name."""
+    centres = dead_centres(engine)
+    angles: list[float] = []
+    for number, given in zip(engine.firing_order, np.degrees(engine.firing_angles or ()), strict=True):
+        centre = centres[number]
+        turns = round((float(given) - centre.angle_deg) / centre.period_deg)
+        angles.append(centre.angle_deg + turns * centre.period_deg)
+    return angles
+
+
+def _wrong_angles(engine: Engine, centres: dict[int, DeadCentre]) -> list[Fault]:
+    faults: list[Fault] = []
+    given = [float(angle) for angle in np.degrees(engine.firing_angles or ())]
+    for index, (number, written, exact) in enumerate(zip(engine.firing_order, given, _given_angles(engine), strict=True)):
+        if abs(written - exact) > ANGLE_TOLERANCE:
+            centre = centres[number]
+            faults.append(
+                Fault(
+                    ("firing_angles", index),
+                    f"is {written:.6g} deg, but cylinder {number} is at top dead centre at {centre.angle_deg:.6g} deg "
+                    f"and every {centre.period_deg:.4g} deg from there",
+                    geometric=True,
+                )
+            )
+    exact = _given_angles(engine)
+    if not faults and (exact != sorted(exact) or exact[-1] - exact[0] >= engine.cycle_angle - SAME_ANGLE):
+        faults.append(
+            Fault(
+                ("firing_angles",),
+                f"must ascend and stay within one cycle of {engine.cycle_angle:.0f} deg, in the order of firing_order",
+                geometric=True,
+            )
+        )
+    return faults

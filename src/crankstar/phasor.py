@@ -1,0 +1,211 @@
+"""Spectra over crank order: a periodic vector in the clock plane as pairs of turning vectors.
+
+A vector in the clock plane (seen from the front of the engine) is the complex number
+`up + i*right`. A periodic one is a sum over orders k of
+
+    forward_k * exp(+i s k theta)  +  backward_k * exp(-i s k theta)
+
+with theta the angle of the reference crankshaft in its own direction of rotation and s = +1 for
+a crankshaft that turns clockwise, -1 for one that turns the other way. So *forward* always turns
+with the crankshaft. A real signal (a roll, a torque) is the same thing with s = 1 and
+backward = conj(forward); its amplitude c in `Re(c exp(i k theta))` is forward + conj(backward).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from math import lcm
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Complex = NDArray[np.complex128]
+Real = NDArray[np.float64]
+
+ROUNDING = 1e-13
+"""A sum smaller than this share of the magnitudes it was added up from is rounding error."""
+
+
+@dataclass(frozen=True)
+class Spectrum:
+    """Turning vectors by order: `orders` [n] ascending; `forward`, `backward` [..., n]; `sense` +1 or -1."""
+
+    orders: Real
+    forward: Complex
+    backward: Complex
+    sense: int = 1
+
+    def __getitem__(self, index: object) -> Spectrum:
+        """The same spectrum for some of the leading axis: one part, or several."""
+        return replace(self, forward=self.forward[index], backward=self.backward[index])  # pyright: ignore[reportArgumentType, reportCallIssue]
+
+
+class Ellipse(NamedTuple):
+    """The path of one order's vector over a turn: semi-axes, bearing of the long one (radians in (-pi/2, pi/2]), sense.
+
+    `sense` is +1 where the vector turns with the crankshaft, -1 against it, 0 on a straight line or a point.
+    """
+
+    semi_major: float
+    semi_minor: float
+    bearing: float
+    sense: int
+
+
+class Peak(NamedTuple):
+    """The greatest length of a vector over its period, the crank angle at which it is reached (radians), and the vector there."""
+
+    value: float
+    theta: float
+    vector: complex
+
+
+def real_signal(orders: Real, amplitude: Complex) -> Spectrum:
+    """The spectrum of the real signal `Re(sum amplitude_k exp(i k theta))`."""
+    return Spectrum(orders, amplitude / 2, np.conj(amplitude) / 2)
+
+
+def amplitude(spectrum: Spectrum) -> Complex:
+    """The complex amplitude c of a real signal `Re(c exp(i k theta))`, [..., n]."""
+    return spectrum.forward + np.conj(spectrum.backward)
+
+
+def total(spectrum: Spectrum) -> Spectrum:
+    """The sum over the last leading axis (the parts), with what is only rounding error set to zero.
+
+    >>> two = Spectrum(np.array([1.0]), np.array([[1.0 + 0j], [-1.0 + 1e-17j]]), np.zeros((2, 1), complex))
+    >>> total(two).forward
+    array([0.+0.j])
+    """
+
+    def added(values: Complex) -> Complex:
+        scale = ROUNDING * np.maximum(np.abs(spectrum.forward), np.abs(spectrum.backward)).sum(axis=-2)
+        out = values.sum(axis=-2)
+        out = np.where(np.abs(out.real) <= scale, 0.0, out.real) + 1j * np.where(np.abs(out.imag) <= scale, 0.0, out.imag)
+        return out
+
+    return replace(spectrum, forward=added(spectrum.forward), backward=added(spectrum.backward))
+
+
+def scaled(spectrum: Spectrum, factor: ArrayLike) -> Spectrum:
+    """The spectrum with every vector multiplied by `factor` (a number, or an array that broadcasts to [..., n])."""
+    return replace(spectrum, forward=spectrum.forward * factor, backward=spectrum.backward * factor)
+
+
+def turned(spectrum: Spectrum, bearing: float) -> Spectrum:
+    """The spectrum with every vector turned clockwise by `bearing` radians."""
+    return scaled(spectrum, np.exp(1j * bearing))
+
+
+def shifted(spectrum: Spectrum, theta: float) -> Spectrum:
+    """The spectrum of the same signal `theta` radians of crank angle later: value(x) becomes value(x - theta)."""
+    phase = np.exp(-1j * spectrum.sense * spectrum.orders * theta)
+    return replace(spectrum, forward=spectrum.forward * phase, backward=spectrum.backward / phase)
+
+
+def selected(spectrum: Spectrum, orders: ArrayLike) -> Spectrum:
+    """The spectrum at the given orders, in the order given; one that is not there is zero."""
+    wanted = np.atleast_1d(np.asarray(orders, float))
+    hits = np.isclose(spectrum.orders[None, :], wanted[:, None], rtol=0, atol=1e-9)
+
+    def picked(values: Complex) -> Complex:
+        return np.einsum("...n,mn->...m", values, hits.astype(float)) + 0j
+
+    return replace(spectrum, orders=wanted, forward=picked(spectrum.forward), backward=picked(spectrum.backward))
+
+
+def value(spectrum: Spectrum, theta: ArrayLike) -> Complex:
+    """The vector at the crank angles `theta` (radians, any shape): `up + i*right`, shape [..., *theta.shape].
+
+    >>> circle = Spectrum(np.array([1.0]), np.array([2.0 + 0j]), np.array([0j]))
+    >>> complex(np.round(value(circle, np.pi / 2), 12))  # a quarter turn on, it points right
+    2j
+    """
+    angles = np.asarray(theta, float)
+    phase = np.exp(1j * spectrum.sense * spectrum.orders[:, None] * angles.reshape(1, -1))
+    flat = spectrum.forward @ phase + spectrum.backward @ np.conj(phase)
+    return flat.reshape(flat.shape[:-1] + angles.shape)
+
+
+def vertical(spectrum: Spectrum) -> Complex:
+    """Complex amplitude c of the upward component of each order, `Re(c exp(i k theta))`, [..., n]."""
+    forward, backward = _by_exponent(spectrum)
+    return forward + np.conj(backward)
+
+
+def horizontal(spectrum: Spectrum) -> Complex:
+    """Complex amplitude c of the rightward component of each order, `Re(c exp(i k theta))`, [..., n]."""
+    forward, backward = _by_exponent(spectrum)
+    return -1j * (forward - np.conj(backward))
+
+
+def _by_exponent(spectrum: Spectrum) -> tuple[Complex, Complex]:
+    if spectrum.sense > 0:
+        return spectrum.forward, spectrum.backward
+    return spectrum.backward, spectrum.forward
+
+
+def ellipse(forward: complex, backward: complex) -> Ellipse:
+    """The ellipse two counter-rotating vectors draw: semi-axes |f|+|b| and ||f|-|b||.
+
+    >>> ellipse(1.0, 1.0)
+    Ellipse(semi_major=2.0, semi_minor=0.0, bearing=0.0, sense=0)
+    >>> ellipse(1.5j, 0.5j).bearing == np.pi / 2  # both point right at once: that is the long axis
+    True
+    """
+    with_crank, against = abs(forward), abs(backward)
+    line = abs(with_crank - against) <= ROUNDING * (with_crank + against)
+    sense = 0 if line else int(np.sign(with_crank - against))
+    bearing = 0.0
+    if min(with_crank, against) > ROUNDING * max(with_crank, against):
+        bearing = float(np.angle(forward) + np.angle(backward)) / 2
+        bearing = np.pi / 2 - (np.pi / 2 - bearing) % np.pi  # an axis has no head: keep (-pi/2, pi/2]
+        bearing = 0.0 if abs(bearing) < ROUNDING else float(bearing)
+    return Ellipse(float(with_crank + against), 0.0 if line else float(abs(with_crank - against)), bearing, sense)
+
+
+def period(spectrum: Spectrum) -> int:
+    """Turns of the reference crankshaft after which the signal repeats: the common denominator of the orders."""
+    return lcm(*(Fraction(order).limit_denominator(10_000).denominator for order in spectrum.orders.tolist()), 1)
+
+
+def peak(spectrum: Spectrum) -> Peak:
+    """The greatest length of the vector over its period, to machine precision: a grid, then Newton's method on |v|^2."""
+    if spectrum.orders.size == 0 or not (np.any(spectrum.forward) or np.any(spectrum.backward)):
+        return Peak(0.0, 0.0, 0j)
+    turns = period(spectrum)
+    points = min(turns * 16 * (int(spectrum.orders[-1]) + 4), 400_000)
+    grid = np.arange(points) * (2 * np.pi * turns / points)
+    lengths = np.abs(value(spectrum, grid))
+    # The first of several equal peaks, not whichever rounding favours.
+    theta = float(grid[np.argmax(lengths >= lengths.max() * (1 - 1e-9))])
+    first = replace(spectrum, forward=spectrum.forward * 1j, backward=spectrum.backward * -1j)
+    velocity = scaled(first, spectrum.sense * spectrum.orders)
+    acceleration = scaled(spectrum, -(spectrum.orders**2))
+    start, step = theta, 2 * np.pi * turns / points
+    for _ in range(8):
+        here, slope, bend = (complex(value(part, theta)) for part in (spectrum, velocity, acceleration))
+        gradient = (here.conjugate() * slope).real
+        curvature = abs(slope) ** 2 + (here.conjugate() * bend).real
+        if curvature >= 0 or abs(gradient) <= 1e-15 * abs(here) ** 2:
+            break  # flat (a circle) or already there
+        theta = float(np.clip(theta - gradient / curvature, start - step, start + step))
+    here = complex(value(spectrum, theta))
+    period_angle = 2 * np.pi * turns
+    theta %= period_angle
+    return Peak(abs(here), 0.0 if min(theta, period_angle - theta) < 1e-9 else theta, here)
+
+
+def from_samples(samples: Complex, *, sense: int = 1) -> Spectrum:
+    """The spectrum of a signal sampled at N equal steps over one turn, [..., N]; orders 0 to N/2 - 1."""
+    count = samples.shape[-1]
+    coefficients = np.fft.fft(samples, axis=-1) / count
+    orders = np.arange(count // 2)
+    with_theta, against_theta = coefficients[..., orders], coefficients[..., -orders]
+    against_theta = np.where(orders == 0, 0.0, against_theta)
+    forward, backward = (with_theta, against_theta) if sense > 0 else (against_theta, with_theta)
+    if sense < 0:
+        forward, backward = forward + np.where(orders == 0, backward, 0), np.where(orders == 0, 0, backward)
+    return Spectrum(orders.astype(float), forward, backward, sense)

@@ -1,0 +1,112 @@
+"""What a number or a text in a record is: the physical quantities with their units of example, and printable text.
+
+A `Quantity` marks a number as having a dimension. The file reader asks it which unit to expect, the JSON Schema says it,
+and in an engine whose masses or sizes are not known `relative_to` tells what the number is counted in instead.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Annotated, Any, Literal
+
+from pydantic import AfterValidator, BeforeValidator, Field, PlainSerializer, WithJsonSchema
+from pydantic_core import core_schema
+
+GREATEST_TEETH = 1000
+"""Greatest numerator and denominator of a speed ratio: teeth of a gear."""
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """Marks a number as a physical quantity of a dimension; `relative_to` names what it is counted in when that is not known.
+
+    A validation context `{"reader": f}` lets f(value, quantity) turn text such as "82.5 mm" into the SI number.
+    """
+
+    dimension: str
+    example: str
+    relative_to: frozenset[str] = frozenset()
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: Any) -> core_schema.CoreSchema:
+        """Put the reader of the validation context, if there is one, before the check of the number."""
+
+        def read(value: Any, info: core_schema.ValidationInfo) -> Any:
+            reader = (info.context or {}).get("reader")
+            return value if reader is None else reader(value, self)
+
+        return core_schema.with_info_before_validator_function(read, handler(source))
+
+    def __get_pydantic_json_schema__(self, schema: Any, handler: Any) -> dict[str, Any]:
+        """In a file the quantity is text with a unit, or a bare SI number."""
+        number = handler(schema)
+        text = {"type": "string", "description": f"a number with a unit of {self.dimension}", "examples": [self.example]}
+        return {"anyOf": [text, number]}
+
+
+_ACROSS = frozenset({"radius"})
+_ALONG = frozenset({"pitch"})
+_MASS = frozenset({"mass"})
+Number = Annotated[float, Field(strict=True, allow_inf_nan=False)]
+Angle = Annotated[Number, Quantity("angle", "90 deg")]
+Length = Annotated[Number, Quantity("length", "82.5 mm", _ACROSS)]
+Size = Annotated[Number, Field(gt=0), Quantity("length", "82.5 mm", _ACROSS)]
+Position = Annotated[Number, Quantity("length along the crankshaft", "105.5 mm", _ALONG)]
+Pitch = Annotated[Number, Field(gt=0), Quantity("length along the crankshaft", "105.5 mm", _ALONG)]
+Mass = Annotated[Number, Field(ge=0), Quantity("mass", "650 g", _MASS)]
+MovingMass = Annotated[Number, Field(gt=0), Quantity("mass", "650 g", _MASS)]
+Inertia = Annotated[Number, Field(ge=0), Quantity("moment of inertia", "0.002 kg*m^2", _MASS | _ACROSS)]
+Unbalance = Annotated[Number, Field(ge=0), Quantity("unbalance", "0.02 kg*m", _MASS | _ACROSS)]
+Speed = Annotated[Number, Field(gt=0), Quantity("rotational speed", "6000 rpm")]
+Ordinal = Annotated[int, Field(strict=True, ge=1, le=10_000)]
+
+CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u2028\u2029\u202a-\u202e\u2066-\u2069]")
+
+
+def _printable(text: str) -> str:
+    found = CONTROL.search(text)
+    if found:
+        raise ValueError(f"contains the control character U+{ord(found.group()):04X}; use printable text")
+    return text
+
+
+def _line(text: str) -> str:
+    if not text.strip():
+        raise ValueError("is empty; give it some text")
+    if "\n" in text or "\t" in text:
+        raise ValueError("must be a single line without tabs")
+    return text
+
+
+def _ratio(value: Any) -> Any:
+    """A speed ratio from a whole number, a fraction as text ("-29/31") or a decimal that is one."""
+    example = 'use a whole number or a ratio of teeth such as "29/31", negative for the other way round'
+    if isinstance(value, bool) or not isinstance(value, int | float | str | Fraction):
+        raise ValueError(f"is not a speed ratio; {example}")
+    if isinstance(value, str) and (len(value) > 20 or not re.fullmatch(r"\s*[-+]?\d+(\.\d+|\s*[/:]\s*\d+)?\s*", value)):
+        raise ValueError(f"is not a speed ratio; {example}")
+    try:
+        exact = Fraction(re.sub(r"\s", "", value).replace(":", "/")) if isinstance(value, str) else Fraction(value)
+    except (ValueError, ZeroDivisionError, OverflowError):
+        raise ValueError(f"is not a speed ratio; {example}") from None
+    ratio = exact.limit_denominator(GREATEST_TEETH)
+    if exact == 0:
+        raise ValueError("is 0: a shaft that stands still is not part of the engine; leave it out")
+    if abs(ratio - exact) > Fraction(1, 10**9) or not 0 < abs(ratio.numerator) <= GREATEST_TEETH:
+        raise ValueError(f"is not a ratio of two numbers of teeth up to {GREATEST_TEETH}; {example}")
+    return ratio
+
+
+Text = Annotated[str, Field(max_length=10_000), AfterValidator(_printable)]
+Line = Annotated[str, Field(max_length=200), AfterValidator(_printable), AfterValidator(_line)]
+SpeedRatio = Annotated[
+    Fraction,
+    BeforeValidator(_ratio),
+    PlainSerializer(str, when_used="json"),
+    WithJsonSchema({"anyOf": [{"type": "number"}, {"type": "string", "pattern": r"^\s*[-+]?\d+(\.\d+|\s*[/:]\s*\d+)?\s*$"}]}),
+]
+Cycle = Literal["two-stroke", "four-stroke"]
+Rotation = Literal["clockwise", "counter-clockwise"]
+Unknown = Literal["mass", "radius", "pitch"]
+Status = Literal["published", "computed", "unverified", "placeholder"]
