@@ -29,15 +29,45 @@ a record, a way of looking at it is a function, an engine type is data, and impo
 [1.0, 2.0]
 """
 
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
 from crankstar.balance import Balance, Reference, balance, grouped, of_parts, total
-from crankstar.catalog import load, names
 from crankstar.engine import Cylinder, Engine, EngineError, Rod, Shaft, Throw, Weight
-from crankstar.files import EngineFileError
-from crankstar.firing import Firing, dead_centres, firing
+
+if TYPE_CHECKING:
+    from crankstar.catalog import load, names
+    from crankstar.files import EngineFileError
 
 __version__ = "0.1.0"
 
 __all__ = [
-    "Balance", "Cylinder", "Engine", "EngineError", "EngineFileError", "Firing", "Reference", "Rod", "Shaft", "Throw",
-    "Weight", "balance", "dead_centres", "firing", "grouped", "load", "names", "of_parts", "total",
+    "Balance",
+    "Cylinder",
+    "Engine",
+    "EngineError",
+    "EngineFileError",
+    "Reference",
+    "Rod",
+    "Shaft",
+    "Throw",
+    "Weight",
+    "balance",
+    "grouped",
+    "load",
+    "names",
+    "of_parts",
+    "total",
 ]
+
+
+_LATE = {"load": "crankstar.catalog", "names": "crankstar.catalog", "EngineFileError": "crankstar.files"}
+
+
+def __getattr__(name: str) -> Any:
+    """What reads files is loaded when it is first asked for, so that `import crankstar` is numpy and pydantic only."""
+    if name not in _LATE:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(_LATE[name]), name)

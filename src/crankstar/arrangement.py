@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import pi
-from typing import Annotated
+from typing import Annotated, Any
 
 from pydantic import Field
 
@@ -50,7 +50,8 @@ class Sizes(Record):
     offset: Length = Field(default=0.0, description="the cylinder axis passes this far clockwise of the shaft axis")
     reciprocating_mass: Mass | None = Field(default=None, description="piston, pin, rings, rod small end")
     rotating_mass: Mass = Field(
-        default=0.0, description="rod big end and unbalanced crank pin, at crank radius, per cylinder (at the knuckle pin of a slave rod)"
+        default=0.0,
+        description="rod big end and unbalanced crank pin, at crank radius, per cylinder (at the knuckle pin of a slave rod)",
     )
     rod: Rod | None = Field(default=None, description="the rod as a rigid body, instead of shares in the two masses")
 
@@ -147,14 +148,19 @@ def assembled(
         throws = _throws(basis, pins, sizes, shaft)
         turning.append(
             Shaft(
-                name=shaft.name, speed_ratio=shaft.speed_ratio, up=shaft.up, right=shaft.right, throws=throws,
+                name=shaft.name,
+                speed_ratio=shaft.speed_ratio,
+                up=shaft.up,
+                right=shaft.right,
+                throws=throws,
                 weights=_weights(basis, pins, sizes, throws),
             )
         )
         cylinders += [_cylinder(p, sizes[p.number], shaft.name, slot) for slot, pin in enumerate(pins, 1) for p in pin]
-    identity = {key: getattr(basis, key) for key in Identity.model_fields}
+    identity: dict[str, Any] = {key: getattr(basis, key) for key in Identity.model_fields}
+    identity["provenance"] = _assumed(basis) | basis.provenance
     return Engine(
-        **identity | {"provenance": _assumed(basis) | basis.provenance},
+        **identity,
         relative=unknown,
         bore_pitch=1.0 if "pitch" in unknown else pitch,
         shafts=tuple(turning),
@@ -171,7 +177,9 @@ def _misplaced(basis: Basis, places: list[Place]) -> Iterator[Fault]:
     for index, other in enumerate(basis.cylinders):
         here = ("cylinders", index, "number")
         if other.number not in listed:
-            yield Fault(here, f"there is no cylinder {other.number} to override; the layout has {', '.join(map(str, sorted(listed)))}")
+            yield Fault(
+                here, f"there is no cylinder {other.number} to override; the layout has {', '.join(map(str, sorted(listed)))}"
+            )
         elif overridden[other.number] > 1:
             yield Fault(here, f"cylinder {other.number} is overridden more than once; put all of it in one [[cylinders]]")
 
@@ -202,7 +210,9 @@ def _sizes(basis: Basis, place: Place) -> _Known:
     if place.articulated is not None and (own is None or own.rod_length is None):
         length = length - place.articulated.radius if place.slave_rod_length is None else place.slave_rod_length
         if length <= 0:
-            raise EngineError([Fault(("layout", "knuckle_radius"), "is not shorter than the rod; knuckle pins sit on the master rod")])
+            raise EngineError(
+                [Fault(("layout", "knuckle_radius"), "is not shorter than the rod; knuckle pins sit on the master rod")]
+            )
     return _Known(
         bore=given["bore"],
         radius=radius,
@@ -242,9 +252,7 @@ def _throws(basis: Basis, pins: list[list[Place]], sizes: dict[int, _Known], sha
     size = sizes[first.number]
     sense = 1 if basis.rotation == "clockwise" else -1
     reaches = abs(size.offset) < size.radius + size.rod_length
-    advance = (
-        motion.dead_centre(crank_radius=size.radius, rod_length=size.rod_length, offset=size.offset) if reaches else 0.0
-    )
+    advance = motion.dead_centre(crank_radius=size.radius, rod_length=size.rod_length, offset=size.offset) if reaches else 0.0
     base = first.bearing + advance - first.pin_angle - sense * float(shaft.speed_ratio) * shaft.lag
     throws: list[Throw] = []
     for sharing in pins:
@@ -268,9 +276,7 @@ def _wrapped(angle: float) -> float:
     return pi - (pi - angle) % (2 * pi)
 
 
-def _weights(
-    basis: Basis, pins: list[list[Place]], sizes: dict[int, _Known], throws: tuple[Throw, ...]
-) -> tuple[Weight, ...]:
+def _weights(basis: Basis, pins: list[list[Place]], sizes: dict[int, _Known], throws: tuple[Throw, ...]) -> tuple[Weight, ...]:
     """A counterweight opposite each pin: its rotating mass and `balance_factor` of its reciprocating mass, at crank radius."""
     if basis.balance_factor is None:
         return ()

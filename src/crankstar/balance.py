@@ -103,9 +103,9 @@ class Balance:
 
     def _repr_html_(self) -> str:
         """The table of orders, in a notebook."""
-        from crankstar import tables  # noqa: PLC0415 - a view; loaded only where a notebook asks
+        from crankstar import tables, wording
 
-        return tables.html(tables.orders(self))
+        return wording.html(tables.orders(self))
 
 
 class Totals(NamedTuple):
@@ -174,8 +174,10 @@ def parts(engine: Engine) -> tuple[Part, ...]:
     bank = {number: name for name, numbers in engine.banks.items() for number in numbers}
     moving: list[Part] = []
     kinds: list[Kind] = ["piston"]
-    kinds += ["rod"] if any(cylinder.rod for cylinder in engine.cylinders) else []
-    kinds += ["big end"] if any(cylinder.big_end_mass for cylinder in engine.cylinders) else []
+    if any(cylinder.rod for cylinder in engine.cylinders):
+        kinds.append("rod")
+    if any(cylinder.big_end_mass for cylinder in engine.cylinders):
+        kinds.append("big end")
     for kind in kinds:
         moving += [Part(kind, c.shaft, c.number, bank[c.number]) for c in engine.cylinders]
     turning = [Part("throw", shaft.name) for shaft in engine.shafts for _ in shaft.throws]
@@ -216,13 +218,23 @@ def mechanism(engine: Engine) -> Mechanism:
 
 
 class _Harmonics(NamedTuple):
-    """What a unit mass (or unit inertia) at each rod does, in its group's frame: [..., cylinder, k - 1] for k = 1, 2, ...
+    """What a unit mass (or unit inertia) at each rod does in its group's frame: [..., cylinder, k - 1], k = 1, 2, ...
 
-    Force `with_angle` exp(i k psi) + `against_angle` exp(-i k psi); roll about the own shaft axis and dT/dpsi as `Re(c exp(i k psi))`.
+    Force `with_angle` exp(i k psi) + `against_angle` exp(-i k psi); roll about the own shaft axis and dT/dpsi as
+    `Re(c exp(i k psi))`.
     """
 
     with_angle: Complex
     against_angle: Complex
+    roll: Complex
+    energy: Complex
+
+
+class _Vectors(NamedTuple):
+    """What bodies do in the engine's frame, [..., part, order]: force, roll about the own shaft, dT/dtheta."""
+
+    forward: Complex
+    backward: Complex
     roll: Complex
     energy: Complex
 
@@ -234,9 +246,7 @@ class _Columns(NamedTuple):
     of_shaft: tuple[np.ndarray, ...]
 
 
-def spectra(
-    machine: Mechanism, *, reference: Reference | None = None, orders: Sequence[float] | None = None
-) -> Totals:
+def spectra(machine: Mechanism, *, reference: Reference | None = None, orders: Sequence[float] | None = None) -> Totals:
     """Force, couple, roll and torque [..., part, order] at 1 rad/s, of one engine or of a batch of them.
 
     Parts: piston, rod and big end of every cylinder, then the rotors. `orders` keeps only those crank orders.
@@ -276,14 +286,14 @@ def _bodies(machine: Mechanism) -> list[list[tuple[_Harmonics, Real]]]:
 
 
 def _of_mass(path: motion.Path) -> _Harmonics:
-    roll = -(np.conj(path.place) * path.second).imag
-    energy = (np.conj(path.first) * path.second).real
+    roll = -np.imag(np.conj(path.place) * path.second)
+    energy = np.real(np.conj(path.first) * path.second)
     return _transformed(-path.second, roll, energy)
 
 
 def _of_inertia(direction: motion.Path) -> _Harmonics:
-    rate = (np.conj(direction.place) * direction.first).imag
-    bend = (np.conj(direction.place) * direction.second).imag
+    rate = np.imag(np.conj(direction.place) * direction.first)
+    bend = np.imag(np.conj(direction.place) * direction.second)
     return _transformed(np.zeros_like(direction.place), -bend, rate * bend)
 
 
@@ -319,14 +329,12 @@ def _columns(machine: Mechanism, highest: int, wanted: Sequence[float] | None) -
     return _Columns(present / common, tuple(np.where(hit, place, -1) for place, hit in zip(places, hits, strict=True)))
 
 
-def _placed(
-    machine: Mechanism, columns: _Columns, unit: _Harmonics, amount: Real
-) -> tuple[Complex, Complex, Complex, Complex]:
+def _placed(machine: Mechanism, columns: _Columns, unit: _Harmonics, amount: Real) -> _Vectors:
     """Unit harmonics turned into the engine's frame, given their phase, speed and mass, in the columns of their orders."""
     lag = machine.throw_angle - machine.bearing
     frame = np.exp(1j * machine.bearing) * amount
     shape = (*np.broadcast_shapes(lag.shape, frame.shape, unit.roll.shape[:-1]), columns.orders.size)
-    out = tuple(np.zeros(shape, complex) for _ in range(4))
+    out = _Vectors(*(np.zeros(shape, complex) for _ in range(4)))
     shafts = np.array(machine.cylinder_shaft)
     for index, (above, below) in enumerate(machine.ratios):
         at = np.nonzero(shafts == index)[0]
@@ -348,10 +356,10 @@ def _placed(
             roll, energy = np.conj(roll), np.conj(energy)
         for target, values in zip(out, (with_angle, against, roll, energy), strict=True):
             target[..., at[:, None], column[k]] = values
-    return out  # pyright: ignore[reportReturnType]
+    return out
 
 
-def _rotors(machine: Mechanism, columns: _Columns) -> tuple[Complex, Complex, Complex, Complex]:
+def _rotors(machine: Mechanism, columns: _Columns) -> _Vectors:
     """Throws and weights: a vector that turns with its shaft, once a turn of it, and no more."""
     vector = machine.unbalance * np.exp(1j * machine.unbalance_angle)
     forward = np.zeros((*vector.shape, columns.orders.size), complex)
@@ -362,11 +370,11 @@ def _rotors(machine: Mechanism, columns: _Columns) -> tuple[Complex, Complex, Co
         if column >= 0:
             target = forward if above > 0 else backward
             target[..., row, column] = vector[..., row] * (above / below) ** 2
-    return forward, backward, none, none
+    return _Vectors(forward, backward, none, none)
 
 
-def _sum(pieces: list[tuple[Complex, Complex, Complex, Complex]]) -> tuple[Complex, ...]:
-    return tuple(sum(values[1:], values[0]) for values in zip(*pieces, strict=True))
+def _sum(pieces: Sequence[_Vectors]) -> _Vectors:
+    return _Vectors(*(np.sum(values, axis=0) for values in zip(*pieces, strict=True)))
 
 
 def _stacked(arrays: list, *, axis: int) -> np.ndarray:

@@ -1,7 +1,8 @@
 """Frozen records that describe a piston engine in SI units, and the checks that make a description possible.
 
-Bearings and positions are those of the clock plane: `up` and `right` seen from the front, angles clockwise from
-up, z positive to the front. The checks here need no motion: what only the moving engine shows (a slave rod that cannot reach, a firing order that does not fit) is found by `motion` and `firing`.
+Bearings and positions are those of the clock plane: `up` and `right` seen from the front, angles clockwise from up, z
+positive to the front. The checks here need no motion: what only the moving engine shows (a slave rod that cannot reach,
+a firing order that does not fit) is found by `motion` and `firing`.
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
+from itertools import pairwise
 from math import lcm
 from typing import Any, Literal, NamedTuple
 
@@ -70,7 +72,7 @@ def where(path: tuple[str | int, ...]) -> str:
 class Record(BaseModel):
     """What all records share: frozen, no unknown keys, names or file keys accepted."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid", validate_by_name=True, validate_by_alias=True)
+    model_config = ConfigDict(frozen=True, extra="forbid", validate_by_name=True, validate_by_alias=True, defer_build=True)
 
 
 class Rod(Record):
@@ -115,8 +117,8 @@ class Shaft(Record):
     )
     up: Length = Field(default=0.0, description="height of its axis over the reference shaft")
     right: Length = Field(default=0.0, description="its axis to the right of the reference shaft, seen from the front")
-    throws: tuple[Throw, ...] = Field(default=(), alias="throw")
-    weights: tuple[Weight, ...] = Field(default=(), alias="weight")
+    throws: tuple[Throw, ...] = Field(default=(), validation_alias="throw", serialization_alias="throw")
+    weights: tuple[Weight, ...] = Field(default=(), validation_alias="weight", serialization_alias="weight")
 
 
 class Cylinder(Record):
@@ -160,7 +162,8 @@ class Identity(Record):
         default=(), max_length=GREATEST_CYLINDERS, description="combustion chambers in the order in which they fire"
     )
     firing_angles: tuple[Angle, ...] | None = Field(
-        default=None, max_length=GREATEST_CYLINDERS,
+        default=None,
+        max_length=GREATEST_CYLINDERS,
         description="crank angle of each firing, as listed; only where the order leaves a choice",
     )
     speed: Speed | None = Field(default=None, description="the speed at which to quote forces")
@@ -180,7 +183,7 @@ class Engine(Identity):
         default=(), description="what is not known, and so given as bare numbers in units of itself"
     )
     bore_pitch: Pitch | None = Field(default=None, description="the length a in which couples are counted when normalised")
-    shafts: tuple[Shaft, ...] = Field(alias="shaft", min_length=1, max_length=32)
+    shafts: tuple[Shaft, ...] = Field(validation_alias="shaft", serialization_alias="shaft", min_length=1, max_length=32)
     cylinders: tuple[Cylinder, ...] = Field(min_length=1, max_length=GREATEST_CYLINDERS)
 
     @model_validator(mode="after")
@@ -189,6 +192,12 @@ class Engine(Identity):
         if faults:
             raise EngineError(faults)
         return self
+
+    def _repr_html_(self) -> str:
+        """The engine as tables, in a notebook."""
+        from crankstar import description, wording
+
+        return wording.html(description.description(self))
 
     @property
     def sense(self) -> int:
@@ -250,7 +259,7 @@ class Engine(Identity):
 
 def _gaps(places: list[float]) -> list[float]:
     ordered = sorted(places)
-    return [b - a for a, b in zip(ordered, ordered[1:], strict=False) if b - a > 1e-9]
+    return [b - a for a, b in pairwise(ordered) if b - a > 1e-9]
 
 
 def _faults(engine: Engine) -> Iterator[Fault]:
@@ -290,7 +299,9 @@ def _cylinder_faults(engine: Engine) -> Iterator[Fault]:
     for index, cylinder in enumerate(engine.cylinders):
         here = ("cylinders", index)
         if numbers[cylinder.number] > 1:
-            yield Fault((*here, "number"), f"cylinder {cylinder.number} is there {numbers[cylinder.number]} times; number each once")
+            yield Fault(
+                (*here, "number"), f"cylinder {cylinder.number} is there {numbers[cylinder.number]} times; number each once"
+            )
         shaft = shafts.get(cylinder.shaft)
         if shaft is None:
             yield Fault((*here, "shaft"), f'there is no shaft "{cylinder.shaft}"; there are: {", ".join(shafts)}')
@@ -320,9 +331,7 @@ def _reach_faults(here: tuple[str | int, ...], cylinder: Cylinder, radius: float
         )
 
 
-def _articulation_faults(
-    here: tuple[str | int, ...], cylinder: Cylinder, by_number: Mapping[int, Cylinder]
-) -> Iterator[Fault]:
+def _articulation_faults(here: tuple[str | int, ...], cylinder: Cylinder, by_number: Mapping[int, Cylinder]) -> Iterator[Fault]:
     path = (*here, "articulated", "master")
     seen = [cylinder.number]
     link: Cylinder | None = cylinder
@@ -343,8 +352,9 @@ def _articulation_faults(
     root = by_number[seen[-1]]
     if (root.shaft, root.throw) != (cylinder.shaft, cylinder.throw):
         yield Fault(
-            here, f'works on shaft "{cylinder.shaft}" throw {cylinder.throw}, its master on "{root.shaft}" throw {root.throw}; '
-            "they must be the same"
+            here,
+            f'works on shaft "{cylinder.shaft}" throw {cylinder.throw}, its master on "{root.shaft}" throw {root.throw}; '
+            "they must be the same",
         )
 
 
@@ -353,7 +363,8 @@ def _firing_faults(engine: Engine) -> Iterator[Fault]:
     path = ("firing_order",)
     if engine.firing_angles is not None and len(engine.firing_angles) != len(order):
         yield Fault(
-            ("firing_angles",), f"has {len(engine.firing_angles)} angles for {len(order)} firings; give one for each, in the same order"
+            ("firing_angles",),
+            f"has {len(engine.firing_angles)} angles for {len(order)} firings; give one for each, in the same order",
         )
     if not order:
         return
@@ -371,4 +382,3 @@ def _listed(numbers: list[int]) -> str:
     if len(numbers) > 12:
         return ", ".join(map(str, numbers[:10])) + f", ... ({len(numbers)} in all)"
     return ", ".join(map(str, numbers))
-

@@ -59,9 +59,7 @@ def dead_centres(engine: Engine) -> dict[int, DeadCentre]:
     }
 
 
-def _dead_centre(
-    links: motion.Linkage, pistons: list[int], lag: np.ndarray, ratio: np.ndarray, area: np.ndarray
-) -> DeadCentre:
+def _dead_centre(links: motion.Linkage, pistons: list[int], lag: np.ndarray, ratio: np.ndarray, area: np.ndarray) -> DeadCentre:
     """Search a grid over one turn of the pistons' own shaft, then Newton's method on the outward travel's derivative."""
     speed = abs(float(ratio[pistons[0]]))
     grid = np.arange(360) * (2 * np.pi / 360)
@@ -88,7 +86,7 @@ def _outward(
         moved = motion.rods(motion.parted(links, chain), ratio[index] * theta + lag[index])
         axis = np.exp(1j * links.bearing[index])
         for power, (target, path) in enumerate(zip(total, moved.piston, strict=True)):
-            target += area[index] * ratio[index] ** power * (path[-1] / axis).real
+            np.add(target, area[index] * ratio[index] ** power * (path[-1] / axis).real, out=target)
     return total[0], total[1], total[2]
 
 
@@ -119,8 +117,7 @@ def unfit(engine: Engine) -> list[Fault]:
     table = ", ".join(f"{number}: {centre.angle_deg:.4g}" for number, centre in sorted(centres.items()))
     message = (
         f"{order} cannot be fired in one cycle of {engine.cycle_angle:.0f} deg by this geometry. "
-        f"Top dead centres, in degrees after cylinder {engine.first.number} would be at its own: {table}. "
-        + _hint(engine, centres)
+        f"Top dead centres, in degrees after cylinder {engine.first.number} would be at its own: {table}. " + _hint(engine, centres)
     )
     return [Fault(("firing_order",), message, geometric=True)]
 
@@ -180,7 +177,7 @@ def with_rotation_reversed(engine: Engine) -> Engine:
 
 
 def _evenest(order: tuple[int, ...], centres: dict[int, DeadCentre], cycle: float) -> list[float] | None:
-    """Firing angles for an order, strictly ascending within one cycle, with the least sum of squared intervals; None if there are none.
+    """Firing angles for an order, strictly ascending within a cycle, with the least sum of squared intervals; or None.
 
     Dynamic programming over which of its dead centres in the cycle each chamber fires at.
     """

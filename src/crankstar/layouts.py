@@ -12,6 +12,7 @@ from cmath import rect
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from itertools import pairwise
 from math import pi
 from typing import Annotated
 
@@ -40,7 +41,9 @@ class Crank(Record):
     up: Length = Field(default=0.0, description="height over the first crankshaft")
     right: Length = Field(default=0.0, description="to the right of the first crankshaft, seen from the front")
     speed_ratio: SpeedRatio = Field(default=Fraction(1), description="turns per turn of the first; negative turns the other way")
-    lag: Angle = Field(default=0.0, description="turn of the first crankshaft after which this one's first cylinder is at top dead centre")
+    lag: Angle = Field(
+        default=0.0, description="turn of the first crankshaft after which this one's first cylinder is at top dead centre"
+    )
     banks: tuple[Bank, ...] = Field(min_length=1, max_length=32)
     throws: tuple[Angle, ...] = Field(default=(0.0,), min_length=1, description="from its own pin 1, clockwise")
 
@@ -75,8 +78,8 @@ def inline(
     behind cylinder 1 where the pitch is not even.
 
     >>> three = inline(Basis(name="triple", cycle="two-stroke", firing_order=(1, 3, 2)))
-    >>> [round(throw.angle * 180 / pi) for throw in three.shafts[0].throws]  # pins 2 and 3 follow by 240 and 120 deg
-    [0, 120, 240]
+    >>> [round(throw.angle * 180 / pi) for throw in three.shafts[0].throws]  # pin 3 follows by 120 deg
+    [0, 120, -120]
     """
     if throws is None:
         order = basis.firing_order
@@ -112,9 +115,7 @@ def vee(
     cylinders: one each, by cylinder number. `bank_offset`: how far each bank stands in front of the next.
     """
     crank = Crank(banks=banks, throws=throws)
-    return _arranged(
-        basis, (crank,), bore_pitch=bore_pitch, bank_offset=bank_offset, pin_split=pin_split, positions=positions
-    )
+    return _arranged(basis, (crank,), bore_pitch=bore_pitch, bank_offset=bank_offset, pin_split=pin_split, positions=positions)
 
 
 def boxer(
@@ -132,9 +133,7 @@ def boxer(
     """
     if len(banks) != 2:
         raise _fault("banks", f"a boxer has two banks, opposite each other; here are {len(banks)}")
-    return vee(
-        basis, banks=banks, throws=throws, bore_pitch=bore_pitch, bank_offset=bank_offset, pin_split=pi, positions=positions
-    )
+    return vee(basis, banks=banks, throws=throws, bore_pitch=bore_pitch, bank_offset=bank_offset, pin_split=pi, positions=positions)
 
 
 def tandem(
@@ -173,8 +172,13 @@ def opposed(
     cranks = (
         Crank(name="first", banks=(first,), throws=throws),
         Crank(
-            name="second", banks=(second,), throws=tuple(other * angle for angle in throws), speed_ratio=speed_ratio, lag=lag,
-            up=axis.real, right=axis.imag,
+            name="second",
+            banks=(second,),
+            throws=tuple(other * angle for angle in throws),
+            speed_ratio=speed_ratio,
+            lag=lag,
+            up=axis.real,
+            right=axis.imag,
         ),
     )
     return _arranged(
@@ -208,8 +212,14 @@ def radial(
                 link = Articulation(master=master, radius=knuckle_radius, angle=(slot - row.cylinders.index(master)) * step)
             places.append(
                 Place(
-                    number, shaft=0, pin=index, pin_angle=row.throw, bearing=row.bearing + slot * step,
-                    z=-index * (row_pitch if row_pitch is not None else 1.0), bank=f"row {index + 1}", articulated=link,
+                    number,
+                    shaft=0,
+                    pin=index,
+                    pin_angle=row.throw,
+                    bearing=row.bearing + slot * step,
+                    z=-index * (row_pitch if row_pitch is not None else 1.0),
+                    bank=f"row {index + 1}",
+                    articulated=link,
                     slave_rod_length=slave_rod_length,
                 )
             )
@@ -233,7 +243,9 @@ def _arranged(
         at = ("cranks", shaft) if len(cranks) > 1 and not sharing_chambers else ()
         faults += [Fault(("layout", *at, *path), message) for path, message in _bank_faults(crank, positions)]
         if not faults:
-            places += _row_places(shaft, crank, bore_pitch=bore_pitch, bank_offset=bank_offset, pin_split=pin_split, positions=positions)
+            places += _row_places(
+                shaft, crank, bore_pitch=bore_pitch, bank_offset=bank_offset, pin_split=pin_split, positions=positions
+            )
     if faults:
         raise EngineError(faults)
     if sharing_chambers:
@@ -252,7 +264,7 @@ def _arranged(
 
 def _least_gap(positions: Sequence[float]) -> float | None:
     ordered = sorted(positions)
-    return min((b - a for a, b in zip(ordered, ordered[1:], strict=False) if b > a), default=None)
+    return min((b - a for a, b in pairwise(ordered) if b > a), default=None)
 
 
 def _bank_faults(crank: Crank, positions: Sequence[float] | None) -> Iterable[tuple[tuple[str | int, ...], str]]:

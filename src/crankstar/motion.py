@@ -49,7 +49,7 @@ class Linkage:
 
 
 class Path(NamedTuple):
-    """A point's place in the clock plane (m) or a rod's direction, with its first two derivatives by psi: [..., cylinder, sample]."""
+    """A point's place in the clock plane (m) or a rod's direction, and two derivatives by psi: [..., cylinder, sample]."""
 
     place: Complex
     first: Complex
@@ -137,7 +137,9 @@ def _levels(master: tuple[int, ...]) -> tuple[tuple[int, ...], ...]:
 
 def _reached(links: Linkage, at: list[int] | slice, joint: Path) -> Rods:
     """From the big-end pins to the piston pins of the same cylinders."""
-    shape = joint.place.shape[:-1] if isinstance(at, slice) else np.broadcast_shapes(*(np.shape(getattr(links, n)) for n in _ARRAYS))
+    shape = (
+        joint.place.shape[:-1] if isinstance(at, slice) else np.broadcast_shapes(*(np.shape(getattr(links, n)) for n in _ARRAYS))
+    )
     axis = np.exp(1j * _picked(links.bearing, shape, at))
     offset, length = _picked(links.offset, shape, at), _picked(links.rod_length, shape, at)
     along = [part / axis for part in joint]
@@ -149,9 +151,7 @@ def _reached(links: Linkage, at: list[int] | slice, joint: Path) -> Rods:
     # s^2 = l^2 - y^2, so s s' = -y y' and s s'' = -(y'^2 + y y'') - s'^2
     rate = -across * along[1].imag / height
     bend = -(along[1].imag ** 2 + across * along[2].imag + rate**2) / height
-    piston = Path(
-        axis * (along[0].real + height + 1j * offset), axis * (along[1].real + rate), axis * (along[2].real + bend)
-    )
+    piston = Path(axis * (along[0].real + height + 1j * offset), axis * (along[1].real + rate), axis * (along[2].real + bend))
     return Rods(joint, piston, Path(*((p - q) / length for p, q in zip(piston, joint, strict=True))))
 
 
@@ -222,9 +222,8 @@ def chain(links: Linkage, index: int) -> list[int]:
 
 
 def parted(links: Linkage, chain: list[int]) -> Linkage:
-    return Linkage(
-        **{name: getattr(links, name)[..., chain] for name in _ARRAYS}, master=tuple(range(-1, len(chain) - 1))
-    )
+    """The rods of one chain only, from the crank pin outward."""
+    return Linkage(**{name: getattr(links, name)[..., chain] for name in _ARRAYS}, master=tuple(range(-1, len(chain) - 1)))
 
 
 def checked(engine: Engine) -> Engine:

@@ -16,13 +16,14 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import lcm
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-Complex = NDArray[np.complex128]
-Real = NDArray[np.float64]
+# Arrays of complex and of real numbers; numpy's own types do not follow broadcasting and mixed arithmetic.
+Complex = NDArray[Any]
+Real = NDArray[Any]
 
 ROUNDING = 1e-13
 """A sum smaller than this share of the magnitudes it was added up from is rounding error."""
@@ -83,15 +84,15 @@ def total(spectrum: Spectrum) -> Spectrum:
     def added(values: Complex) -> Complex:
         scale = ROUNDING * np.maximum(np.abs(spectrum.forward), np.abs(spectrum.backward)).sum(axis=-2)
         out = values.sum(axis=-2)
-        out = np.where(np.abs(out.real) <= scale, 0.0, out.real) + 1j * np.where(np.abs(out.imag) <= scale, 0.0, out.imag)
-        return out
+        return np.where(np.abs(out.real) <= scale, 0.0, out.real) + 1j * np.where(np.abs(out.imag) <= scale, 0.0, out.imag)
 
     return replace(spectrum, forward=added(spectrum.forward), backward=added(spectrum.backward))
 
 
 def scaled(spectrum: Spectrum, factor: ArrayLike) -> Spectrum:
     """The spectrum with every vector multiplied by `factor` (a number, or an array that broadcasts to [..., n])."""
-    return replace(spectrum, forward=spectrum.forward * factor, backward=spectrum.backward * factor)
+    factors = np.asarray(factor)
+    return replace(spectrum, forward=spectrum.forward * factors, backward=spectrum.backward * factors)
 
 
 def turned(spectrum: Spectrum, bearing: float) -> Spectrum:

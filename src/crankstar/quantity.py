@@ -49,16 +49,20 @@ _ACROSS = frozenset({"radius"})
 _ALONG = frozenset({"pitch"})
 _MASS = frozenset({"mass"})
 Number = Annotated[float, Field(strict=True, allow_inf_nan=False)]
-Angle = Annotated[Number, Quantity("angle", "90 deg")]
-Length = Annotated[Number, Quantity("length", "82.5 mm", _ACROSS)]
-Size = Annotated[Number, Field(gt=0), Quantity("length", "82.5 mm", _ACROSS)]
-Position = Annotated[Number, Quantity("length along the crankshaft", "105.5 mm", _ALONG)]
-Pitch = Annotated[Number, Field(gt=0), Quantity("length along the crankshaft", "105.5 mm", _ALONG)]
+ANGLE = Quantity("angle", "90 deg")
+LENGTH = Quantity("length", "82.5 mm", _ACROSS)
+POSITION = Quantity("length along the crankshaft", "105.5 mm", _ALONG)
+SPEED = Quantity("rotational speed", "6000 rpm")
+Angle = Annotated[Number, ANGLE]
+Length = Annotated[Number, LENGTH]
+Size = Annotated[Number, Field(gt=0), LENGTH]
+Position = Annotated[Number, POSITION]
+Pitch = Annotated[Number, Field(gt=0), POSITION]
 Mass = Annotated[Number, Field(ge=0), Quantity("mass", "650 g", _MASS)]
 MovingMass = Annotated[Number, Field(gt=0), Quantity("mass", "650 g", _MASS)]
 Inertia = Annotated[Number, Field(ge=0), Quantity("moment of inertia", "0.002 kg*m^2", _MASS | _ACROSS)]
 Unbalance = Annotated[Number, Field(ge=0), Quantity("unbalance", "0.02 kg*m", _MASS | _ACROSS)]
-Speed = Annotated[Number, Field(gt=0), Quantity("rotational speed", "6000 rpm")]
+Speed = Annotated[Number, Field(gt=0), SPEED]
 Ordinal = Annotated[int, Field(strict=True, ge=1, le=10_000)]
 
 CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u2028\u2029\u202a-\u202e\u2066-\u2069]")

@@ -9,11 +9,12 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from functools import lru_cache
-from typing import Any
-
-import pint
+from typing import TYPE_CHECKING, Any
 
 from crankstar.quantity import Quantity
+
+if TYPE_CHECKING:
+    import pint
 
 _DEFINITIONS = """
 metre = [length] = m
@@ -139,8 +140,10 @@ def _factor(unit: str, value: str, quantity: Quantity) -> float:
 
 
 @lru_cache(maxsize=1)
-def _registry() -> pint.UnitRegistry[float]:
-    registry: pint.UnitRegistry[float] = pint.UnitRegistry(None)
+def _registry() -> pint.UnitRegistry:
+    import pint
+
+    registry: pint.UnitRegistry = pint.UnitRegistry(None)  # pyright: ignore[reportArgumentType]
     registry.load_definitions(_DEFINITIONS.strip().splitlines())
     return registry
 
@@ -153,18 +156,20 @@ def _unit(unit: str) -> tuple[str, float]:
     registry = _registry()
     try:
         parsed = registry.parse_units(unit.replace(" ", ""))
-        base = (1 * parsed).to_base_units()
-    except (pint.PintError, ValueError, TypeError, KeyError, AttributeError):
+        base: Any = registry.Quantity(1.0, parsed).to_base_units()
+    except AttributeError:  # what pint raises for an unknown unit is one
         raise ValueError(unit) from None
     return str(base.units), float(base.magnitude)
 
 
 def _plausible(number: float, value: Any, quantity: Quantity) -> float:
     _, article, greatest_bare, greatest = _KINDS[quantity.dimension]
-    bare = not isinstance(value, str) or _NUMBER.fullmatch(value) is not None and not _NUMBER.fullmatch(value).group(2)  # pyright: ignore[reportOptionalMemberAccess]
+    bare = not isinstance(value, str) or (_NUMBER.fullmatch(value) is not None and not _NUMBER.fullmatch(value).group(2))  # pyright: ignore[reportOptionalMemberAccess]
     if bare and abs(number) > greatest_bare:
         unit = _si_name(quantity)
-        raise ValueError(f'{value} has no unit, and {number:g} {unit} cannot be meant; write it with one, such as "{quantity.example}"')
+        raise ValueError(
+            f'{value} has no unit, and {number:g} {unit} cannot be meant; write it with one, such as "{quantity.example}"'
+        )
     if abs(number) > greatest:
         raise ValueError(f'"{value}" is too large for {article} of an engine; {quantity.example} is the order of size expected')
     if 0 < abs(number) < _SMALLEST and quantity.dimension not in ("angle", "moment of inertia", "unbalance"):

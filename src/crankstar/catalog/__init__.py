@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import tomllib
 from collections.abc import Mapping
 from difflib import get_close_matches
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from crankstar.engine import Engine
 from crankstar.files import EngineFileError, Problem, read
@@ -46,3 +47,26 @@ def _looks_like_a_file(name: str | Path) -> bool:
         return Path(text).exists()
     except (OSError, ValueError):
         return False
+
+
+class Summary(NamedTuple):
+    """What a list of engines says of one."""
+
+    name: str
+    title: str
+    layout: str
+    cylinders: int
+    cycle: str
+
+
+def summaries() -> tuple[Summary, ...]:
+    """A summary of every engine in the catalog, without building them."""
+    return tuple(_summary(name) for name in names())
+
+
+def _summary(name: str) -> Summary:
+    tree = tomllib.loads((_FOLDER / f"{name}.toml").read_text(encoding="utf-8"))
+    layout = tree.get("layout", {}).get("type", "explicit")
+    order = tree.get("firing_order", ())
+    count = len(order) or len(tree.get("cylinders", ()))
+    return Summary(name, tree["name"], layout, count, tree.get("cycle", "four-stroke"))

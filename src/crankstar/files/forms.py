@@ -34,7 +34,7 @@ def short_form(kind: str | None) -> type[Record]:
     hints = get_type_hints(function, include_extras=True)
     arguments = {name: p for name, p in inspect.signature(function).parameters.items() if p.kind is p.KEYWORD_ONLY}
     notes = dict(_argument_notes(inspect.getdoc(function) or "", arguments))
-    fields: dict[str, Any] = {"type": (Literal[kind], ...)}  # pyright: ignore[reportInvalidTypeForm]
+    fields: dict[str, Any] = {"type": (Literal[kind], ...)}
     for name, parameter in arguments.items():
         default = ... if parameter.default is parameter.empty else parameter.default
         fields[name] = (hints[name], Field(default=default, description=notes.get(name)))
@@ -57,7 +57,7 @@ def _summary(function: Any) -> str:
 
 def _argument_notes(doc: str, names: Iterable[str]) -> Iterable[tuple[str, str]]:
     """For each argument the first sentence of the docstring that names it in backquotes."""
-    sentences = " ".join(doc.split(">>>")[0].split()).split(". ")
+    sentences = " ".join(doc.split(">>>", maxsplit=1)[0].split()).split(". ")
     for name in names:
         for sentence in sentences:
             if f"`{name}`" in sentence:
@@ -79,7 +79,7 @@ def field_at(model: type[Record], path: Iterable[str | int]) -> FieldInfo | None
 
 def by_key(record: type[Record]) -> dict[str, FieldInfo]:
     """The fields of a record by the keys they have in files."""
-    return {info.alias or name: info for name, info in record.model_fields.items()}
+    return {str(info.validation_alias or name): info for name, info in record.model_fields.items()}
 
 
 def record_in(annotation: Any) -> type[Record] | None:

@@ -19,14 +19,16 @@ from typing import Any, NamedTuple
 
 from pydantic import ValidationError
 
-from crankstar import firing, motion, units
+from crankstar import motion, units
 from crankstar.engine import Engine, EngineError, Fault, Record, where
 from crankstar.files.forms import form_of, is_explicit
 from crankstar.files.mistakes import Tree, faults_of, mended, seen_as
+from crankstar.firing import unfit
 from crankstar.layouts import LAYOUTS
 
 GREATEST_FILE = 1_000_000
 """Bytes: a hundred times the longest real engine file."""
+
 
 class Problem(NamedTuple):
     """One mistake of an engine file: the key path it is at, and what was seen and would be right."""
@@ -72,10 +74,7 @@ def _shown_name(path: str | Path) -> str:
 
 def _text(path: str | Path, name: str) -> str:
     try:
-        if str(path) == "-":
-            raw = sys.stdin.buffer.read(GREATEST_FILE + 1)
-        else:
-            raw = _bytes(Path(path), name)
+        raw = sys.stdin.buffer.read(GREATEST_FILE + 1) if str(path) == "-" else _bytes(Path(path), name)
     except FileNotFoundError:
         raise _refused(name, "there is no such file; `crankstar list` names the engines of the catalog") from None
     except OSError as error:
@@ -131,7 +130,7 @@ def engine_of(tree: Tree, *, name: str = "the engine", changes: Mapping[str, Any
     draft = _explicit(tree) if explicit else _short(tree)
     engine, faults = draft.engine, draft.faults
     if engine is not None and not faults:
-        faults = motion.unreachable(engine) or firing.unfit(engine)
+        faults = motion.unreachable(engine) or unfit(engine)
     if faults or engine is None:
         raise EngineFileError(name, _problems(tree, faults, explicit=explicit))
     return engine
@@ -152,7 +151,9 @@ def _changed(tree: Tree, changes: Mapping[str, Any], name: str) -> Tree:
 
 def _explicit(tree: Tree) -> _Draft:
     known = _listed(tree.get("relative"))
-    return _built(tree, relative=frozenset(name for name in ("mass", "radius", "pitch") if name in known), then=lambda engine: engine)
+    return _built(
+        tree, relative=frozenset(name for name in ("mass", "radius", "pitch") if name in known), then=lambda engine: engine
+    )
 
 
 def _listed(value: Any) -> list[Any]:

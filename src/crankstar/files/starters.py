@@ -40,7 +40,15 @@ _FOUR = {"cycle": "four-stroke", "other": "two-stroke", "bore": "87.5 mm", "stro
 _FOUR |= {"mass": "650 g", "rotating": "700 g", "speed": "6000 rpm"}
 _TWO = {"cycle": "two-stroke", "other": "four-stroke", "bore": "54 mm", "stroke": "54.4 mm", "rod": "110 mm"}
 _TWO |= {"mass": "280 g", "rotating": "300 g", "speed": "10000 rpm"}
-_STAR = {**_FOUR, "bore": "146 mm", "stroke": "160 mm", "rod": "310 mm", "mass": "3.2 kg", "rotating": "2.5 kg", "speed": "2200 rpm"}
+_STAR = {
+    **_FOUR,
+    "bore": "146 mm",
+    "stroke": "160 mm",
+    "rod": "310 mm",
+    "mass": "3.2 kg",
+    "rotating": "2.5 kg",
+    "speed": "2200 rpm",
+}
 _HEAVY = {**_TWO, "bore": "105 mm", "stroke": "160 mm", "rod": "270 mm", "mass": "3 kg", "rotating": "3 kg", "speed": "2200 rpm"}
 
 _BODIES: dict[str, tuple[dict[str, str], str]] = {
@@ -126,7 +134,5 @@ rows = [{ cylinders = [1, 2, 3, 4, 5, 6, 7, 8, 9], bearing = "0 deg", throw = "0
     ),
 }
 
-STARTERS: dict[str, str] = {
-    kind: _HEAD.format(**values) + body + _TAIL for kind, (values, body) in _BODIES.items()
-}
+STARTERS: dict[str, str] = {kind: _HEAD.format(**values) + body + _TAIL for kind, (values, body) in _BODIES.items()}
 """By layout: the text of a commented engine file that is a real engine as it stands."""

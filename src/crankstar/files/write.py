@@ -37,7 +37,7 @@ def _tree(record: Record, *, relative: frozenset[str]) -> dict[str, Any]:
         value = getattr(record, name)
         if name != "format" and not info.is_required() and value == info.default:
             continue
-        out[info.alias or name] = _written(value, quantity_of(info), relative)
+        out[str(info.validation_alias or name)] = _written(value, quantity_of(info), relative)
     return out
 
 

@@ -1,0 +1,348 @@
+"""The command line: verbs only. Every verb reads engines, asks a function, prints what it gives."""
+
+from __future__ import annotations
+
+import os
+import sys
+import tempfile
+from collections.abc import Sequence
+from importlib.metadata import version
+from math import isfinite
+from pathlib import Path
+from typing import Annotated, Any, NoReturn
+
+from cyclopts import App, CycloptsError, Parameter
+
+from crankstar.balance import Reference
+from crankstar.catalog import load
+from crankstar.engine import Engine
+from crankstar.files import EngineFileError
+from crankstar.quantity import CONTROL
+
+app = App(
+    name="crankstar",
+    help="How a piston engine shakes, why, and what to do about it. ENGINE is a name from the catalog or a file in TOML or "
+    "JSON; - reads standard input.",
+    version=lambda: version("crankstar"),
+    help_format="plaintext",
+    result_action="return_value",
+)
+app.register_install_completion_command(help="Install completion of commands and options for this shell.")
+
+
+class RequestError(ValueError):
+    """A request that cannot be met, as one sentence that says what would be right."""
+
+
+def main(arguments: Sequence[str] | None = None) -> None:
+    """Run the command line and leave the process: 0 done, 2 a bad request or file."""
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):
+            stream.reconfigure(errors="replace")  # pyright: ignore[reportAttributeAccessIssue]
+    try:
+        code = app(arguments, exit_on_error=False, print_error=False) or 0
+        sys.stdout.flush()
+    except CycloptsError as error:
+        code = _refuse(_told(error))
+    except (RequestError, EngineFileError) as error:
+        code = _refuse(str(error))
+    except BrokenPipeError:
+        # The reader of the pipe has what it wanted; the interpreter must not complain when it closes.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        code = 0
+    except KeyboardInterrupt:
+        code = 130
+    sys.exit(code)
+
+
+def _told(error: CycloptsError) -> str:
+    text = CONTROL.sub("?", str(error)).strip()
+    return f"{text}\nSee: crankstar --help"
+
+
+def _refuse(message: str) -> int:
+    sys.stderr.write(f"crankstar: {message}\n")
+    return 2
+
+
+EngineName = Annotated[str, Parameter(help="a name from the catalog, a file, or - for standard input")]
+Speed = Annotated[
+    str | None, Parameter(name="--speed", help='crank speed with its unit, as in "6000 rpm"; else the speed in the file')
+]
+Orders = Annotated[str | None, Parameter(name="--orders", help="crank orders, as in 1,2,4,6 or all; else those up to 6 that occur")]
+ReferencePoint = Annotated[
+    str | None,
+    Parameter(
+        name="--reference",
+        help='point for couples and rolls: "z" or "z, up, right" with units, from the middle of the crankshaft, as in "-120 mm" '
+        "(else the middle of the cylinders' span)",
+    ),
+]
+Output = Annotated[
+    str | None, Parameter(name=["--output", "-o"], help="write to this file instead; it is replaced only when all went well")
+]
+Settings = Annotated[
+    list[str] | None,
+    Parameter(
+        name="--set",
+        help='change a value of the file, as in --set layout.bore_pitch="100 mm" --set balance_factor=0.5',
+        negative=(),
+    ),
+]
+
+
+@app.command(name="list")
+def list_engines(
+    *,
+    cylinders: Annotated[int | None, Parameter(help="only engines with so many cylinders")] = None,
+    layout: Annotated[
+        str | None, Parameter(help="only engines of this layout: inline, vee, boxer, tandem, opposed, radial, explicit")
+    ] = None,
+) -> None:
+    """List the engines of the catalog."""
+    from crankstar.catalog import summaries
+    from crankstar.description import catalog_table
+
+    rows = summaries()
+    kinds = sorted({row.layout for row in rows})
+    if layout is not None and layout not in kinds:
+        raise RequestError(f"--layout {layout}: there is no such layout in the catalog; there are: {', '.join(kinds)}")
+    found = [row for row in rows if cylinders in (None, row.cylinders) and layout in (None, row.layout)]
+    if not found:
+        raise RequestError("no engine of the catalog is like that; `crankstar list` shows all")
+    _print(catalog_table(found))
+
+
+@app.command
+def show(
+    engine: EngineName,
+    /,
+    *,
+    explicit: Annotated[bool, Parameter(help="as a complete engine file in the explicit form", negative=())] = False,
+    settings: Settings = None,
+    output: Output = None,
+) -> None:
+    """Show an engine: throws, cylinders, dead centres, firing, and where each value comes from."""
+    from crankstar.description import description
+    from crankstar.files import toml
+
+    loaded = _loaded(engine, settings)
+    if explicit:
+        _write(toml(loaded), output)
+    else:
+        _print(description(loaded), output)
+
+
+@app.command
+def analyze(
+    engine: EngineName,
+    /,
+    *,
+    speed: Speed = None,
+    orders: Orders = None,
+    reference: ReferencePoint = None,
+    settings: Settings = None,
+    json: Annotated[bool, Parameter(help="the machine-readable answer, one object", negative=())] = False,
+    csv: Annotated[bool, Parameter(help="the same numbers, a row per order", negative=())] = False,
+    output: Output = None,
+) -> None:
+    """Inertia forces, couples and rolling moments of an engine, order by order."""
+    from crankstar import answer
+    from crankstar.balance import balance
+
+    if json and csv:
+        raise RequestError("--json and --csv: ask for one of them")
+    loaded = _loaded(engine, settings)
+    at = _speed(speed)
+    point = _reference(reference, loaded)
+    if json or csv:
+        result = balance(loaded, speed=loaded.speed if at is None else at, reference=point)
+        wanted = _orders(orders, result.force.orders.tolist())
+        if csv:
+            _write(answer.csv_text(loaded.name, result, orders=wanted), output)
+        else:
+            _write(_json(answer.tree(loaded.name, result, orders=wanted)), output)
+        return
+    from crankstar.tables import analysis, report
+
+    shown = analysis(loaded, speed=at, reference=point)
+    wanted = _orders(orders, shown.normalised.force.orders.tolist())
+    _print(report(shown._replace(orders=tuple(wanted)) if wanted else shown), output)
+
+
+@app.command
+def compare(
+    first: EngineName, second: EngineName, /, *others: EngineName, speed: Speed = None, orders: Orders = None, output: Output = None
+) -> None:
+    """Several engines side by side: the greatest force, couple and roll of each order."""
+    from crankstar.tables import analysis, comparison
+
+    at = _speed(speed)
+    shown = [analysis(_loaded(name, None), speed=at) for name in (first, second, *others)]
+    wanted = _orders(orders, shown[0].normalised.force.orders.tolist())
+    _print(comparison([one._replace(orders=tuple(wanted)) for one in shown] if wanted else shown), output)
+
+
+@app.command
+def check(*files: Annotated[str, Parameter(help="engine files, or names from the catalog")]) -> int:
+    """Check engine files: every mistake in each, in one go."""
+    from rich.text import Text
+
+    if not files:
+        raise RequestError("check: name at least one engine file")
+    failed = 0
+    for name in files:
+        try:
+            loaded = load(name)
+        except EngineFileError as error:
+            failed += 1
+            sys.stderr.write(f"{error}\n")
+        else:
+            count = len(loaded.cylinders)
+            shown = CONTROL.sub("?", name)
+            _print(Text(f"{shown}: good ({loaded.name}, {count} piston{'s' if count > 1 else ''})"))
+    return 2 if failed else 0
+
+
+@app.command
+def new(
+    layout: Annotated[str, Parameter(help="inline, vee, boxer, tandem, opposed or radial")],
+    /,
+    *,
+    output: Output = None,
+    force: Annotated[bool, Parameter(help="overwrite a file that is there", negative=())] = False,
+) -> None:
+    """Write a commented engine file to begin with."""
+    from crankstar.files.starters import STARTERS
+
+    if layout not in STARTERS:
+        raise RequestError(f"there is no layout {CONTROL.sub('?', layout)!r}; there are: {', '.join(STARTERS)}")
+    if output is not None and output != "-" and not force and Path(output).exists():
+        raise RequestError(f"{output}: is there already; --force overwrites it")
+    _write(STARTERS[layout], output)
+
+
+@app.command
+def schema(*, output: Output = None) -> None:
+    """Print the JSON Schema of engine files; editors complete and check with it."""
+    from crankstar.files import schema as file_schema
+
+    _write(_json(file_schema()), output)
+
+
+def _loaded(name: str, settings: list[str] | None) -> Engine:
+    return load(name, changes=dict(_setting(text) for text in settings or []))
+
+
+def _setting(text: str) -> tuple[str, Any]:
+    """A --set argument: a key path and a value, which is TOML where it can be read so, else text."""
+    import tomllib
+
+    path, equals, value = text.partition("=")
+    if not equals or not path.strip():
+        raise RequestError(f'--set {text}: give a key path and a value, as in --set layout.bore_pitch="100 mm"')
+    try:
+        return path.strip(), tomllib.loads(f"value = {value}")["value"]
+    except (tomllib.TOMLDecodeError, RecursionError):
+        return path.strip(), value
+
+
+def _speed(text: str | None) -> float | None:
+    from crankstar import units
+    from crankstar.quantity import SPEED
+
+    if text is None:
+        return None
+    try:
+        speed = units.si(text, SPEED)
+    except ValueError as error:
+        raise RequestError(f"--speed: {error}") from None
+    if speed <= 0:
+        raise RequestError(f'--speed: "{text}" must be greater than 0, such as "{SPEED.example}"')
+    return speed
+
+
+def _orders(text: str | None, present: list[float]) -> list[float] | None:
+    if text is None:
+        return None
+    if text.strip() == "all":
+        return present
+    try:
+        wanted = [float(part) for part in text.split(",") if part.strip()]
+    except ValueError:
+        wanted = []
+    if not wanted or not all(isfinite(order) and 0 < order <= 1000 for order in wanted) or len(wanted) > 200:
+        raise RequestError(
+            f"--orders {CONTROL.sub('?', text)}: give numbers from above 0 up to 1000 with commas, as in 1,2,4,6, or all"
+        )
+    return list(dict.fromkeys(wanted))
+
+
+def _reference(text: str | None, engine: Engine) -> Reference | None:
+    from crankstar import units
+    from crankstar.quantity import LENGTH, POSITION
+
+    if text is None:
+        return None
+    parts = [part.strip() for part in text.split(",")]
+    example = 'as in "-120 mm" (z) or "0 mm, 35 mm, 0 mm" (z, up, right)'
+    if len(parts) not in (1, 3):
+        raise RequestError(f"--reference {CONTROL.sub('?', text)}: give z, or z, up and right, {example}")
+    read = units.reader(frozenset(engine.relative))
+    marks = [POSITION, LENGTH, LENGTH]
+    try:
+        return Reference(*(read(part, mark) for part, mark in zip(parts, marks, strict=False)))
+    except ValueError as error:
+        raise RequestError(f"--reference: {error}, {example}") from None
+
+
+def _json(tree: dict[str, Any]) -> str:
+    import json
+
+    return json.dumps(tree, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def _print(renderable: Any, output: str | None = None) -> None:
+    """To the terminal in its width and colours, plain where it is piped; or to a file, plain."""
+    from io import StringIO
+
+    from rich.console import Console
+
+    if output is None:
+        console = Console(highlight=False)
+        Console(highlight=False, markup=False, width=None if console.is_terminal else 140).print(renderable)
+        return
+    text = StringIO()
+    Console(file=text, highlight=False, markup=False, width=140, force_terminal=False).print(renderable)
+    _write(text.getvalue(), output)
+
+
+def _write(text: str, output: str | None) -> None:
+    """To standard output, or to a file that appears whole or not at all."""
+    if output in (None, "-"):
+        sys.stdout.write(text)
+        return
+    target = Path(output)
+    try:
+        if target.is_dir():
+            _unwritable(output, "is a directory")
+        handle, draft = tempfile.mkstemp(dir=target.resolve().parent, prefix=f".{target.name[:50]}.")
+        try:
+            with os.fdopen(handle, "w", encoding="utf-8") as file:
+                file.write(text)
+            mask = os.umask(0)
+            os.umask(mask)
+            Path(draft).chmod(target.stat().st_mode & 0o777 if target.exists() else 0o666 & ~mask)
+            Path(draft).replace(target)
+        except BaseException:
+            Path(draft).unlink(missing_ok=True)
+            raise
+    except OSError as error:
+        _unwritable(output, error.strerror or str(error))
+    except ValueError:
+        _unwritable(output, "is not a name a file can have")
+
+
+def _unwritable(output: str, reason: str) -> NoReturn:
+    shown = CONTROL.sub("?", output)
+    raise RequestError(f"{shown}: cannot be written ({reason}); nothing was changed. Name another place with -o, or leave it out")

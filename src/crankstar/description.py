@@ -1,0 +1,112 @@
+"""An Engine as tables: its shafts, throws, weights and cylinders, dead centres, and where each value comes from."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import degrees
+
+from rich.console import Group, RenderableType
+from rich.text import Text
+
+from crankstar.catalog import Summary
+from crankstar.engine import Engine
+from crankstar.firing import dead_centres
+from crankstar.wording import heading, number, table, titled
+
+
+def description(engine: Engine) -> RenderableType:
+    """An engine as its records: shafts, throws, weights, cylinders, dead centres and where each value comes from."""
+    blocks: list[RenderableType] = [heading(engine)]
+    if engine.relative:
+        unit = {"mass": "masses in m", "radius": "lengths across the crankshaft in r", "pitch": "lengths along it in a"}
+        blocks.append(Text("not known, so counted in units of themselves: " + ", ".join(unit[name] for name in engine.relative)))
+    blocks += [_rotors(engine), _cylinders(engine)]
+    for title, body in (("source", engine.source), ("notes", engine.notes)):
+        if body:
+            blocks.append(Text(f"{title}: {body}"))
+    if engine.provenance:
+        out = table("value", "status", "source", left=("value", "status", "source"))
+        for path, origin in engine.provenance.items():
+            style = "yellow" if origin.status in ("unverified", "placeholder") else ""
+            out.add_row(Text(path), Text(origin.status, style=style), Text(origin.source))
+        blocks.append(titled("Where the values come from", out))
+    return Group(*blocks)
+
+
+def _rotors(engine: Engine) -> RenderableType:
+    across, along, mass = _lengths(engine)
+    unbalance = f"unbalance\n[{mass[1]} {'m' if across[1] == 'mm' else 'r'}]"
+    heads = (
+        "shaft",
+        "part",
+        "bearing at θ = 0\n[deg]",
+        f"radius\n[{across[1]}]",
+        f"z\n[{along[1]}]",
+        f"rotating mass\n[{mass[1]}]",
+    )
+    out = table(*heads, unbalance, left=("shaft", "part"))
+    for shaft in engine.shafts:
+        label = f"{shaft.name} (ratio {shaft.speed_ratio})" if shaft.speed_ratio != 1 else shaft.name
+        if shaft.up or shaft.right:
+            label += f", {number(shaft.up * across[0])} up, {number(shaft.right * across[0])} right"
+        for place, throw in enumerate(shaft.throws, 1):
+            size = [number(throw.radius * across[0]), number(throw.z * along[0], 1.0), number(throw.rotating_mass * mass[0])]
+            out.add_row(
+                Text(label),
+                f"throw {place}",
+                number(degrees(throw.angle), 180.0),
+                *size,
+                number(throw.rotating_mass * throw.radius),
+            )
+        for place, weight in enumerate(shaft.weights, 1):
+            row = [number(degrees(weight.angle), 180.0), "", number(weight.z * along[0], 1.0), "", number(weight.unbalance)]
+            out.add_row(Text(label), f"weight {place}", *row)
+    return titled("Shafts, throws and weights", out)
+
+
+def _cylinders(engine: Engine) -> RenderableType:
+    across, along, mass = _lengths(engine)
+    centres = dead_centres(engine)
+    heads = [
+        "number",
+        "bank",
+        "shaft, throw",
+        "bearing\n[deg]",
+        f"z\n[{along[1]}]",
+        f"offset\n[{across[1]}]",
+        f"bore\n[{across[1]}]",
+    ]
+    heads += [f"rod\n[{across[1]}]", f"reciprocating\n[{mass[1]}]", "top dead centre\n[deg]"]
+    out = table(*heads, left=("bank", "shaft, throw"))
+    banks = {place: name for name, numbers in engine.banks.items() for place in numbers}
+    for cylinder in engine.cylinders:
+        link = cylinder.articulated
+        seat = f"{cylinder.shaft}, {cylinder.throw}" + (f" (slave of {link.master})" if link else "")
+        out.add_row(
+            str(cylinder.number),
+            Text(banks[cylinder.number]),
+            Text(seat),
+            number(degrees(cylinder.bearing), 180.0),
+            number(cylinder.z * along[0], 1.0),
+            number(cylinder.offset * across[0], 1.0),
+            "" if cylinder.bore is None else number(cylinder.bore * across[0]),
+            number(cylinder.rod_length * across[0]),
+            number(cylinder.reciprocating_mass * mass[0]),
+            number(centres[cylinder.chamber or cylinder.number].angle_deg, 360.0),
+        )
+    return titled("Cylinders", out)
+
+
+def _lengths(engine: Engine) -> tuple[tuple[float, str], tuple[float, str], tuple[float, str]]:
+    """Factor and unit for lengths across and along the crankshaft, and for masses."""
+    across = (1.0, "r") if "radius" in engine.relative else (1000.0, "mm")
+    along = (1.0, "a") if "pitch" in engine.relative else (1000.0, "mm")
+    return across, along, (1.0, "m") if "mass" in engine.relative else (1.0, "kg")
+
+
+def catalog_table(rows: Sequence[Summary]) -> RenderableType:
+    """The engines of the catalog: the name by which commands know them, what they are, and where the numbers are from."""
+    out = table("name", "engine", "layout", "cylinders", "cycle", left=("name", "engine", "layout", "cycle"))
+    for row in rows:
+        out.add_row(Text(row.name, style="bold"), Text(row.title), row.layout, str(row.cylinders), row.cycle)
+    return Group(out, Text(f"{len(rows)} engines; crankstar analyze NAME"))

@@ -1,0 +1,226 @@
+"""A Balance and an Engine as tables: what an engineer reads at a glance, in a terminal or a notebook.
+
+An amplitude a with a phase p stands for `a cos(k theta + p)`, theta the crank angle from top dead centre of cylinder 1.
+Normalised numbers are counted in m r w^2 A_k (force) and m r w^2 A_k a (couple), A_k being the harmonic of the first
+cylinder's piston, so that they are the sums of the textbook's vector stars.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from math import degrees, pi
+from typing import NamedTuple
+
+import numpy as np
+from rich.console import Group, RenderableType
+from rich.text import Text
+
+from crankstar import motion, phasor
+from crankstar.answer import orders_present
+from crankstar.balance import Balance, Reference, Totals, balance, total
+from crankstar.engine import Engine
+from crankstar.firing import firing
+from crankstar.phasor import Spectrum
+from crankstar.quantity import CONTROL
+from crankstar.wording import NEGLIGIBLE, firing_sentence, heading, number, shape, table, titled, unit_text, wave
+
+
+class Analysis(NamedTuple):
+    """An engine with its Balance: normalised, and in newtons at a speed where that can be."""
+
+    engine: Engine
+    normalised: Balance
+    real: Balance | None
+    orders: tuple[float, ...]
+
+
+def analysis(
+    engine: Engine, *, speed: float | None, reference: Reference | None = None, orders: Sequence[float] | None = None
+) -> Analysis:
+    """What `analyze` shows: at `speed` (rad/s), else at the engine's own."""
+    speed = engine.speed if speed is None else speed
+    normalised = balance(engine, reference=reference)
+    real = balance(engine, speed=speed, reference=reference) if speed is not None else None
+    if real is not None and real.units == normalised.units:
+        real = None
+    return Analysis(engine, normalised, real, tuple(orders) if orders else orders_present(normalised))
+
+
+def report(shown: Analysis) -> RenderableType:
+    """The whole answer of `analyze`."""
+    sums = total(shown.normalised)
+    real = total(shown.real) if shown.real else None
+    blocks: list[RenderableType] = [heading(shown.engine), _conditions(shown)]
+    blocks.append(_vectors("force", shown, sums.force, real.force if real else None))
+    blocks.append(_vectors("couple", shown, sums.couple, real.couple if real else None))
+    blocks.append(_turning(shown, sums, real))
+    blocks.append(_remarks(shown, sums, real))
+    return Group(*blocks)
+
+
+def _conditions(shown: Analysis) -> RenderableType:
+    engine, point = shown.engine, shown.normalised.reference
+    along = "a" if "pitch" in engine.relative else "mm"
+    across = "r" if "radius" in engine.relative else "mm"
+    scale = {"mm": 1000.0, "a": 1.0, "r": 1.0}
+    place = f"z = {number(point.z * scale[along])} {along}"
+    if point.up or point.right:
+        up, right = number(point.up * scale[across]), number(point.right * scale[across])
+        place += f", {up} {across} up, {right} {across} right of the crank axis"
+    lines = [f"couples and rolls about {place}; an amplitude a ∠ p means a cos(kθ + p)"]
+    if shown.real is not None and shown.real.speed is not None:
+        lines.append(f"forces at {number(shown.real.speed * 30 / pi)} rpm")
+    elif "mass" in engine.relative or "radius" in engine.relative:
+        missing = " and ".join(name for key, name in (("mass", "masses"), ("radius", "sizes")) if key in engine.relative)
+        lines.append(f"no {missing} known: results in units of m r ω², the same at every speed")
+    else:
+        lines.append('results in units of m r ω²; for newtons say at what speed, as in --speed "6000 rpm"')
+    doubtful = [path for path, where in engine.provenance.items() if where.status in ("unverified", "placeholder")]
+    text = Text("\n".join(lines), style="dim")
+    if doubtful:
+        text.append(f"\nunverified: {', '.join(doubtful)} (crankstar show tells where each value comes from)", style="yellow")
+    return text
+
+
+def harmonic(engine: Engine, order: float) -> complex:
+    """A_k of the first cylinder's piston, so that `Re(A_k exp(i k theta))` has its phase; zero where it has none."""
+    first = engine.first
+    if order != int(order) or first.articulated is not None:
+        return 0j
+    found = motion.piston_harmonics(crank_radius=engine.throw(first).radius, rod_length=first.rod_length, offset=first.offset)
+    size = complex(found[int(order)]) if order < found.size else 0j
+    if abs(size) < motion.TAIL * 10:
+        return 0j
+    return size if engine.sense > 0 else size.conjugate()
+
+
+def _vectors(quantity: str, shown: Analysis, plain: Spectrum, real: Spectrum | None) -> RenderableType:
+    unit = "m r ω² Aₖ" if quantity == "force" else "m r ω² Aₖ a"
+    heads = ["order", "Aₖ", f"up\n[{unit}]", f"right\n[{unit}]", "path over a turn", f"greatest\n[{unit}]"]
+    if real is not None and shown.real is not None:
+        heads.append(f"greatest\n[{unit_text(getattr(shown.real.units, quantity))}]")
+    out = table(*heads, left=["path over a turn"])
+    factors = [harmonic(shown.engine, order) or 1.0 for order in shown.orders]
+    picked = _divided(phasor.selected(plain, shown.orders), np.array(factors))
+    largest = _largest(picked)
+    for row, (order, factor) in enumerate(zip(shown.orders, factors, strict=True)):
+        path = phasor.ellipse(complex(picked.forward[row]), complex(picked.backward[row]))
+        up, right = phasor.vertical(picked)[row], phasor.horizontal(picked)[row]
+        cells = [number(order), _harmonic_text(factor), wave(up, largest), wave(right, largest), shape(path, largest)]
+        cells.append(number(path.semi_major, largest))
+        if real is not None:
+            cells.append("0" if cells[-1] == "0" else number(_size(real, order)))
+        out.add_row(*cells)
+    return titled(f"{quantity.capitalize()} on the block", out)
+
+
+def _divided(spectrum: Spectrum, factors: np.ndarray) -> Spectrum:
+    """The spectrum with the complex amplitude of each order, up or right, divided by a factor."""
+    turn = factors if spectrum.sense > 0 else np.conj(factors)
+    return replace(spectrum, forward=spectrum.forward / turn, backward=spectrum.backward / np.conj(turn))
+
+
+def _harmonic_text(factor: complex) -> str:
+    if factor == 1.0 or abs(factor.imag) <= NEGLIGIBLE * abs(factor):
+        return number(factor.real)
+    return number(abs(factor))
+
+
+def _size(spectrum: Spectrum, order: float) -> float:
+    one = phasor.selected(spectrum, [order])
+    return abs(complex(one.forward[0])) + abs(complex(one.backward[0]))
+
+
+def _largest(spectrum: Spectrum) -> float:
+    return float(np.max(np.abs(spectrum.forward) + np.abs(spectrum.backward), initial=0.0)) or 1.0
+
+
+def _turning(shown: Analysis, sums: Totals, real: Totals | None) -> RenderableType:
+    """Roll and inertia torque: real signals, so amplitude and phase are all there is."""
+    heads = ["order"]
+    for name in ("roll", "torque"):
+        heads.append(f"{name}\n[m r² ω²]")
+        heads += [f"{name}\n[N m]"] if real is not None else []
+    out = table(*heads)
+    for row, order in enumerate(shown.orders):
+        cells = [number(order)]
+        for name in ("roll", "torque"):
+            signal = phasor.selected(getattr(sums, name), shown.orders)
+            cells.append(wave(phasor.amplitude(signal)[row], _largest(getattr(sums, name))))
+            if real is not None:
+                cells.append("0" if cells[-1] == "0" else number(_size(getattr(real, name), order)))
+        out.add_row(*cells)
+    return titled("Roll of block and driveline (clockwise), and inertia torque on the crankshaft (in its direction)", out)
+
+
+def _remarks(shown: Analysis, sums: Totals, real: Totals | None) -> Text:
+    """The peaks over a turn, and what a crank counterweight could take away."""
+    text = Text("\n")
+    units = shown.real.units if shown.real else shown.normalised.units
+    for name in ("force", "couple"):
+        top = phasor.peak(getattr(real or sums, name))
+        if top.value > NEGLIGIBLE:
+            at = f"at {number(degrees(top.theta))} deg, towards bearing {number(degrees(np.angle(top.vector)), 180.0)} deg"
+            text.append(f"Peak {name} of all orders: {number(top.value)} {unit_text(getattr(units, name))} {at}.\n")
+        else:
+            text.append(f"No {name} of any order.\n")
+    torque = phasor.peak((real or sums).torque)
+    text.append(f"Peak inertia torque: {number(torque.value)} {unit_text(units.roll)}.\n")
+    for name in ("force", "couple"):
+        text.append(_removable(name, getattr(sums, name)))
+    text.rstrip()
+    return text
+
+
+def _removable(name: str, spectrum: Spectrum) -> str:
+    """First order: the forward vector is what counterweights on the crankshaft can cancel."""
+    first = phasor.selected(spectrum, [1.0])
+    forward, backward = abs(complex(first.forward[0])), abs(complex(first.backward[0]))
+    scale = NEGLIGIBLE * _largest(spectrum)
+    if forward <= scale and backward <= scale:
+        return f"First-order {name}: none.\n"
+    if forward <= scale:
+        return f"First-order {name}: {number(backward)} turning against the crankshaft; no crank counterweight can remove it.\n"
+    left = f"leaving {number(backward)} turning against it" if backward > scale else "leaving nothing"
+    return f"First-order {name}: crank counterweights can remove the {number(forward)} that turns with the crankshaft, {left}.\n"
+
+
+def orders(result: Balance) -> RenderableType:
+    """The orders of a Balance as it is counted: forward and backward vectors and roll."""
+    wanted = orders_present(result)
+    sums = Totals(*(phasor.selected(spectrum, wanted) for spectrum in total(result)))
+    heads = ["order"]
+    for name in ("force", "couple"):
+        unit = unit_text(getattr(result.units, name))
+        heads += [f"{name}\nforward [{unit}]", f"{name}\nbackward [{unit}]", f"{name} path"]
+    out = table(*heads, f"roll\n[{unit_text(result.units.roll)}]", left=["force path", "couple path"])
+    for row, order in enumerate(wanted):
+        cells = [number(order)]
+        for spectrum in (sums.force, sums.couple):
+            pair = complex(spectrum.forward[row]), complex(spectrum.backward[row])
+            cells += [*(wave(value, _largest(spectrum)) for value in pair), shape(phasor.ellipse(*pair), _largest(spectrum))]
+        out.add_row(*cells, wave(phasor.amplitude(sums.roll)[row], _largest(sums.roll)))
+    return titled("" if result.speed is None else f"at {number(result.speed * 30 / pi)} rpm", out)
+
+
+def comparison(shown: Sequence[Analysis]) -> RenderableType:
+    """Several engines side by side: the greatest force, couple, roll and torque of each order, and the peaks over a turn."""
+    real = all(one.real is not None for one in shown)
+    results = [one.real if real and one.real else one.normalised for one in shown]
+    sums = [total(result) for result in results]
+    out = table("", *(CONTROL.sub("?", one.engine.name) for one in shown), left=[""])
+    wanted = sorted({order for one in shown for order in one.orders})
+    for name in Totals._fields:
+        units = dict.fromkeys(unit_text(getattr(result.units, "roll" if name == "torque" else name)) for result in results)
+        for order in wanted:
+            row = [number(_size(getattr(one, name), order), _largest(getattr(one, name))) for one in sums]
+            out.add_row(f"{name}, order {number(order)} [{' or '.join(units)}]", *row)
+        tops = [number(phasor.peak(getattr(one, name)).value) for one in sums]
+        out.add_row(f"{name}, peak of all orders", *tops, style="bold", end_section=True)
+    fires = [firing_sentence(firing(one.engine)) if one.engine.firing_order else "no order given" for one in shown]
+    out.add_row("firing", *fires)
+    speeds = dict.fromkeys(number(result.speed * 30 / pi) for result in results if result.speed is not None)
+    return titled(
+        "Greatest value of each order, " + (f"at {' and '.join(speeds)} rpm" if real else "each engine in its own m r ω²"), out
+    )

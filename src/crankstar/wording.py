@@ -1,0 +1,100 @@
+"""Numbers, amplitudes, paths and firing orders as an engineer writes them, and tables in one style."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from io import StringIO
+from math import degrees
+
+import numpy as np
+from rich import box
+from rich.console import Console, Group, RenderableType
+from rich.table import Table
+from rich.text import Text
+
+from crankstar import phasor
+from crankstar.engine import Engine
+from crankstar.firing import Firing, firing
+
+NEGLIGIBLE = 1e-9
+"""A number smaller than this share of the largest beside it is written as 0."""
+
+
+def heading(engine: Engine) -> RenderableType:
+    """Name, cycle, rotation, firing order with its intervals."""
+    count = len(engine.chambers)
+    pistons = f", {len(engine.cylinders)} pistons" if len(engine.cylinders) != count else ""
+    lines = [Text(engine.name, style="bold")]
+    lines.append(
+        Text(f"{engine.cycle}, {count} cylinder{'s' if count > 1 else ''}{pistons}, turning {engine.rotation} seen from the front")
+    )
+    if engine.firing_order:
+        lines.append(Text(firing_sentence(firing(engine))))
+    return Group(*lines)
+
+
+def firing_sentence(fired: Firing) -> str:
+    """The firing order and its intervals: `fires 1-3-4-2 every 180 deg`."""
+    order = "-".join(map(str, fired.order))
+    if fired.even:
+        return f"fires {order} every {number(fired.intervals_deg[0])} deg"
+    return f"fires {order} at intervals of {'-'.join(number(x, digits=4) for x in fired.intervals_deg)} deg"
+
+
+def wave(value: complex, largest: float = 0.0) -> str:
+    """A complex amplitude as `a ∠ p°`."""
+    size = abs(complex(value))
+    if size <= NEGLIGIBLE * largest or size == 0:
+        return "0"
+    phase = round(degrees(np.angle(value)), 2)
+    return f"{number(size)} ∠ {0.0 if phase == 0 else 180.0 if phase == -180 else phase:g}°"
+
+
+def shape(path: phasor.Ellipse, largest: float = 0.0) -> str:
+    """An ellipse in words: circle, line or ellipse, its bearing, and which way it is run through."""
+    if path.semi_major <= NEGLIGIBLE * largest or path.semi_major == 0:
+        return "none"
+    way = "with the crank" if path.sense > 0 else "against the crank"
+    bearing = round(degrees(path.bearing), 2)
+    bearing = 90.0 if bearing == -90 else bearing + 0.0
+    if path.semi_minor <= NEGLIGIBLE * path.semi_major:
+        names = {0.0: "vertical line", 90.0: "horizontal line"}
+        return names.get(bearing, f"line at {bearing:g}°")
+    if path.semi_major - path.semi_minor <= NEGLIGIBLE * path.semi_major:
+        return f"circle {way}"
+    return f"ellipse {path.semi_minor / path.semi_major:.3g}:1 at {bearing:g}°, {way}"
+
+
+def number(value: float, largest: float = 0.0, *, digits: int = 5) -> str:
+    """A number to five figures, without an exponent where it can be done, and 0 where it is nothing beside `largest`."""
+    value = float(value)
+    if abs(value) <= NEGLIGIBLE * largest or value == 0:
+        return "0"
+    if 1e5 <= abs(value) < 1e9:
+        return f"{value:.0f}"
+    return f"{value:.{digits}g}"
+
+
+def html(renderable: RenderableType) -> str:
+    """A renderable as HTML for a notebook; every text in it is escaped."""
+    console = Console(record=True, file=StringIO(), width=140, force_jupyter=False, markup=False)
+    console.print(renderable)
+    return console.export_html(inline_styles=True, code_format="<pre style='line-height:1.3'>{code}</pre>")
+
+
+def unit_text(unit: str) -> str:
+    """A unit of a Balance in print: m r² ω² for m*r^2*w^2."""
+    return unit.replace("w^2", "ω²").replace("r^2", "r²").replace("*", " ")
+
+
+def table(*heads: str, left: Sequence[str] = ()) -> Table:
+    """An empty table with these heads, numbers to the right, the heads in `left` to the left."""
+    out = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False, header_style="")
+    for head in heads:
+        out.add_column(Text(head), justify="left" if head in left else "right", overflow="fold", vertical="top")
+    return out
+
+
+def titled(title: str, body: RenderableType) -> RenderableType:
+    """A table under its title, with a blank line before it."""
+    return Group(Text(), Text(title, style="bold"), body)
