@@ -9,12 +9,14 @@ a record, a way of looking at it is a function, an engine type is data, and impo
 | module | one line |
 |---|---|
 | `cli` | verbs only; no logic |
-| `tables` | a Balance and an Engine as tables for the terminal and the notebook |
+| `tables`, `description` | a Balance, an Engine as tables for the terminal and the notebook |
+| `wording` | numbers, amplitudes, paths and firing orders as an engineer writes them |
 | `answer` | the machine-readable answer: the public JSON object, CSV |
 | `catalog/` | engines as TOML, one file each, each number with its source |
 | `files/` | Engine <-> TOML/JSON, JSON Schema, a sentence for every mistake, starter files |
 | `units` | text <-> SI; the only user of pint |
-| `balance` | Engine -> Balance: spectra per part, per cylinder, per bank, total; batches of engines as arrays |
+| `balance` | Engine -> Balance: what every part does to the block, by cylinder, bank, shaft, in all; units |
+| `mechanism` | an engine, or a batch, as arrays; the laws of force, couple, roll and torque, and their spectra |
 | `firing` | dead centres, firing angles and intervals; orders that do not fit |
 | `layouts` | inline, vee, boxer, tandem, opposed, radial: functions that write Engines |
 | `arrangement` | cylinders put on pins, and what a short file says of all of them, to an Engine |
@@ -34,8 +36,9 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from crankstar.balance import Balance, Reference, balance, grouped, of_parts, total
+from crankstar.balance import Balance, balance, grouped, of_parts, total
 from crankstar.engine import Cylinder, Engine, EngineError, Rod, Shaft, Throw, Weight
+from crankstar.mechanism import Mechanism, Reference, Totals
 
 if TYPE_CHECKING:
     from crankstar.catalog import load, names
@@ -49,10 +52,12 @@ __all__ = [
     "Engine",
     "EngineError",
     "EngineFileError",
+    "Mechanism",
     "Reference",
     "Rod",
     "Shaft",
     "Throw",
+    "Totals",
     "Weight",
     "balance",
     "grouped",

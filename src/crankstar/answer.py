@@ -11,7 +11,8 @@ from typing import Any
 import numpy as np
 
 from crankstar import phasor
-from crankstar.balance import Balance, Totals, total
+from crankstar.balance import Balance, total
+from crankstar.mechanism import Totals
 from crankstar.phasor import Spectrum
 
 FORMAT = 1

@@ -1,43 +1,22 @@
-"""Engine -> Balance: the spectrum of inertia force, couple, roll and torque of every moving part.
+"""Engine -> Balance: force, couple, roll and torque of every part of an engine, labelled, about a point, in units.
 
-Each body pushes on the block with minus the rate of change of its momentum, at constant crank speed w:
-
-    force  = -m P''                        N, in the clock plane, P the place of its centre of mass
-    couple = (z - z0) * force              N m, in the plane in which it acts, about the plane z = z0
-    roll   = Im(conj(P - P0) force) - I b'' N m, clockwise about the axis through P0, b the turn of the body
-
-and asks of the crankshaft the torque that changes its kinetic energy T; what it gives the crankshaft is
-
-    torque = -dT/dtheta                    N m, positive in the direction of rotation
-
-`roll` is minus the rate of change of the angular momentum of all moving bodies: what block and driveline take together.
-A block whose driveline stands on its own foundation, or whose flywheel carries the torque, feels `roll - sense * torque`.
-
-Results are counted in N and N m at a speed, or, without one, in units of m r w^2 with m and r of the first cylinder.
+The laws and their signs are those of `mechanism`; here the parts get their names (cylinder, bank, shaft), the sums are
+taken, and numbers are counted: in N and N m at a speed, or, without one, in units of m r w^2 with m and r of the first
+cylinder.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
-from math import lcm
 from typing import Literal, NamedTuple
 
-import numpy as np
-
-from crankstar import motion, phasor
+from crankstar import phasor
 from crankstar.engine import Engine
-from crankstar.phasor import Complex, Real, Spectrum
+from crankstar.mechanism import Reference, Totals, mechanism, spectra
+from crankstar.phasor import Spectrum
 
 Kind = Literal["piston", "rod", "big end", "throw", "weight"]
-
-
-class Reference(NamedTuple):
-    """The point about which couple (z) and roll (up, right) are taken, m or relative units."""
-
-    z: float
-    up: float = 0.0
-    right: float = 0.0
+Grouping = Literal["kind", "cylinder", "bank", "shaft"]
 
 
 class Units(NamedTuple):
@@ -55,34 +34,6 @@ class Part(NamedTuple):
     shaft: str
     cylinder: int | None = None
     bank: str | None = None
-
-
-@dataclass(frozen=True)
-class Mechanism:
-    """An engine as arrays, SI units; any array may have leading axes, which are then a batch of engines.
-
-    Per cylinder [..., C]: `links` (the rods), masses, `throw_angle` and `bearing` of the group's root, `z`, and the index
-    of the shaft. Per rotor [..., R], the throws first and then the weights: unbalance (kg m), angle, z, index of the shaft.
-    Per shaft [S]: signed speed ratio numerators and denominators; [..., S]: place `up + i*right`.
-    """
-
-    links: motion.Linkage
-    throw_angle: Real
-    bearing: Real
-    z: Real
-    reciprocating_mass: Real
-    big_end_mass: Real
-    rod_mass: Real
-    rod_centre: Real
-    rod_inertia: Real
-    cylinder_shaft: tuple[int, ...]
-    unbalance: Real
-    unbalance_angle: Real
-    unbalance_z: Real
-    rotor_shaft: tuple[int, ...]
-    ratios: tuple[tuple[int, int], ...]
-    place: Complex
-    sense: int
 
 
 @dataclass(frozen=True)
@@ -108,15 +59,6 @@ class Balance:
         return wording.html(tables.orders(self))
 
 
-class Totals(NamedTuple):
-    """Force, couple, roll and torque of a whole engine or of some of its parts."""
-
-    force: Spectrum
-    couple: Spectrum
-    roll: Spectrum
-    torque: Spectrum
-
-
 def default_reference(engine: Engine) -> Reference:
     """The middle of the cylinders' span, on the reference crank axis."""
     places = [cylinder.z for cylinder in engine.cylinders]
@@ -129,11 +71,9 @@ def balance(engine: Engine, *, speed: float | None = None, reference: Reference 
     An engine whose masses or sizes are not known is always counted in these units.
 
     >>> from crankstar.catalog import load
-    >>> flat = balance(load("v8-flat-plane"))
-    >>> second = phasor.selected(total(flat).force, 2)
-    >>> star = motion.piston_harmonics(crank_radius=1, rod_length=4)[2].real
-    >>> float(np.round(abs(phasor.horizontal(second)[0]) / star / 4, 9))  # sqrt(2): a horizontal line
-    1.414213562
+    >>> second = phasor.selected(total(balance(load("v8-flat-plane"))).force, 2)
+    >>> print(abs(phasor.vertical(second)), abs(phasor.horizontal(second)).round(6))  # a horizontal line of 4 sqrt(2) A_2
+    [0.] [1.436983]
     """
     reference = reference or default_reference(engine)
     raw = spectra(mechanism(engine), reference=reference)
@@ -185,208 +125,9 @@ def parts(engine: Engine) -> tuple[Part, ...]:
     return (*moving, *turning, *weights)
 
 
-def mechanism(engine: Engine) -> Mechanism:
-    """An engine as arrays."""
-    cylinders, shafts = engine.cylinders, engine.shafts
-    index = {shaft.name: place for place, shaft in enumerate(shafts)}
-    links = motion.linkage(engine)
-    root = [cylinders[place] for place in motion.roots(links.master)]
-    bodies = [(c.rod.mass, c.rod.centre, c.rod.inertia) if c.rod else (0.0, 0.0, 0.0) for c in cylinders]
-    rod_mass, rod_centre, rod_inertia = np.array(bodies).T
-    throws = [(t.rotating_mass * t.radius, t.angle, t.z, i) for i, s in enumerate(shafts) for t in s.throws]
-    weights = [(w.unbalance, w.angle, w.z, i) for i, s in enumerate(shafts) for w in s.weights]
-    unbalance, angle, z, rotor_shaft = zip(*throws + weights, strict=True)
-    return Mechanism(
-        links=links,
-        throw_angle=np.array([engine.throw(c).angle for c in cylinders]),
-        bearing=np.array([c.bearing for c in root]),
-        z=np.array([c.z for c in cylinders]),
-        reciprocating_mass=np.array([c.reciprocating_mass for c in cylinders]),
-        big_end_mass=np.array([c.big_end_mass for c in cylinders]),
-        rod_mass=rod_mass,
-        rod_centre=rod_centre,
-        rod_inertia=rod_inertia,
-        cylinder_shaft=tuple(index[c.shaft] for c in cylinders),
-        unbalance=np.array(unbalance),
-        unbalance_angle=np.array(angle),
-        unbalance_z=np.array(z),
-        rotor_shaft=rotor_shaft,
-        ratios=tuple((s.speed_ratio.numerator, s.speed_ratio.denominator) for s in shafts),
-        place=np.array([complex(s.up, s.right) for s in shafts]),
-        sense=engine.sense,
-    )
-
-
-class _Harmonics(NamedTuple):
-    """What a unit mass (or unit inertia) at each rod does in its group's frame: [..., cylinder, k - 1], k = 1, 2, ...
-
-    Force `with_angle` exp(i k psi) + `against_angle` exp(-i k psi); roll about the own shaft axis and dT/dpsi as
-    `Re(c exp(i k psi))`.
-    """
-
-    with_angle: Complex
-    against_angle: Complex
-    roll: Complex
-    energy: Complex
-
-
-class _Vectors(NamedTuple):
-    """What bodies do in the engine's frame, [..., part, order]: force, roll about the own shaft, dT/dtheta."""
-
-    forward: Complex
-    backward: Complex
-    roll: Complex
-    energy: Complex
-
-
-class _Columns(NamedTuple):
-    """The orders of a result, and for each shaft the columns its harmonics 1, 2, ... go to (-1: not wanted)."""
-
-    orders: Real
-    of_shaft: tuple[np.ndarray, ...]
-
-
-def spectra(machine: Mechanism, *, reference: Reference | None = None, orders: Sequence[float] | None = None) -> Totals:
-    """Force, couple, roll and torque [..., part, order] at 1 rad/s, of one engine or of a batch of them.
-
-    Parts: piston, rod and big end of every cylinder, then the rotors. `orders` keeps only those crank orders.
-    """
-    reference = reference or Reference(0.0)
-    bodies = _bodies(machine)
-    highest = max(_significant(unit) for unit, _ in bodies[0])
-    columns = _columns(machine, highest, orders)
-    pieces = [_sum([_placed(machine, columns, unit, amount) for unit, amount in body]) for body in bodies]
-    pieces.append(_rotors(machine, columns))
-    forward, backward, roll, energy = (_stacked([piece[i] for piece in pieces], axis=-2) for i in range(4))
-    z = _stacked([machine.z] * len(bodies) + [machine.unbalance_z], axis=-1)[..., None] - reference.z
-    shaft = [*machine.cylinder_shaft] * len(bodies) + [*machine.rotor_shaft]
-    arm = (machine.place - complex(reference.up, reference.right))[..., shaft][..., None]
-    force = Spectrum(columns.orders, forward, backward, machine.sense)
-    # Im(conj(P) F): the rightward component of F once everything is turned by conj(P)
-    lever = phasor.horizontal(phasor.scaled(force, np.conj(arm)))
-    return Totals(
-        force=force,
-        couple=phasor.scaled(force, z),
-        roll=phasor.real_signal(columns.orders, roll + lever),
-        torque=phasor.real_signal(columns.orders, -energy),
-    )
-
-
-def _bodies(machine: Mechanism) -> list[list[tuple[_Harmonics, Real]]]:
-    """For pistons, rods and big ends, if there are any: unit harmonics and the masses (or inertias) that go with them."""
-    moved = motion.resolved(machine.links)
-    bodies = [[(_of_mass(moved.piston), machine.reciprocating_mass)]]
-    if np.any(machine.rod_mass):
-        share = (machine.rod_centre / machine.links.rod_length)[..., None]
-        centre = motion.Path(*(q + share * (p - q) for p, q in zip(moved.piston, moved.big_end, strict=True)))
-        bodies.append([(_of_mass(centre), machine.rod_mass), (_of_inertia(moved.direction), machine.rod_inertia)])
-    if np.any(machine.big_end_mass):
-        bodies.append([(_of_mass(moved.big_end), machine.big_end_mass)])
-    return bodies
-
-
-def _of_mass(path: motion.Path) -> _Harmonics:
-    roll = -np.imag(np.conj(path.place) * path.second)
-    energy = np.real(np.conj(path.first) * path.second)
-    return _transformed(-path.second, roll, energy)
-
-
-def _of_inertia(direction: motion.Path) -> _Harmonics:
-    rate = np.imag(np.conj(direction.place) * direction.first)
-    bend = np.imag(np.conj(direction.place) * direction.second)
-    return _transformed(np.zeros_like(direction.place), -bend, rate * bend)
-
-
-def _transformed(force: Complex, roll: Real, energy: Real) -> _Harmonics:
-    count = force.shape[-1]
-    k = np.arange(1, count // 2)
-    coefficients = np.fft.fft(force, axis=-1) / count
-    return _Harmonics(
-        coefficients[..., k],
-        coefficients[..., -k],
-        2 * np.fft.rfft(roll, axis=-1)[..., k] / count,
-        2 * np.fft.rfft(energy, axis=-1)[..., k] / count,
-    )
-
-
-def _significant(unit: _Harmonics) -> int:
-    """The highest harmonic that stands out of rounding."""
-    size = np.abs(np.stack([*unit])).reshape(4, -1, unit.roll.shape[-1]).max(axis=1)
-    return int(np.max(np.nonzero(size > motion.TAIL * size.max())[1], initial=0)) + 1
-
-
-def _columns(machine: Mechanism, highest: int, wanted: Sequence[float] | None) -> _Columns:
-    """Orders as whole multiples of 1/D, D the common denominator of the shafts' speeds."""
-    common = lcm(*(below for _, below in machine.ratios))
-    steps = [abs(above) * (common // below) for above, below in machine.ratios]
-    with_pistons = set(machine.cylinder_shaft)
-    keys = [np.arange(1, (highest if i in with_pistons else 1) + 1) * step for i, step in enumerate(steps)]
-    present = np.unique(np.concatenate(keys))
-    if wanted is not None:
-        present = np.unique(np.round(np.asarray(wanted, float) * common, 6))
-    places = [np.searchsorted(present, key) for key in keys]
-    hits = [np.append(present, -1)[place] == key for place, key in zip(places, keys, strict=True)]
-    return _Columns(present / common, tuple(np.where(hit, place, -1) for place, hit in zip(places, hits, strict=True)))
-
-
-def _placed(machine: Mechanism, columns: _Columns, unit: _Harmonics, amount: Real) -> _Vectors:
-    """Unit harmonics turned into the engine's frame, given their phase, speed and mass, in the columns of their orders."""
-    lag = machine.throw_angle - machine.bearing
-    frame = np.exp(1j * machine.bearing) * amount
-    shape = (*np.broadcast_shapes(lag.shape, frame.shape, unit.roll.shape[:-1]), columns.orders.size)
-    out = _Vectors(*(np.zeros(shape, complex) for _ in range(4)))
-    shafts = np.array(machine.cylinder_shaft)
-    for index, (above, below) in enumerate(machine.ratios):
-        at = np.nonzero(shafts == index)[0]
-        if not at.size:
-            continue
-        column = columns.of_shaft[index]
-        k = np.nonzero(column >= 0)[0]
-        speed = above / below
-        turn = np.exp(1j * lag[..., at, None] * (k + 1))
-        scale = speed**2 * frame[..., at, None]
-        weight = speed**2 * amount[..., at, None]
-        with_angle = scale * turn * unit.with_angle[..., at, :][..., k]
-        against = scale * np.conj(turn) * unit.against_angle[..., at, :][..., k]
-        roll = weight * turn * unit.roll[..., at, :][..., k]
-        energy = machine.sense * speed * weight * turn * unit.energy[..., at, :][..., k]
-        if speed < 0:
-            with_angle, against = against, with_angle
-        if machine.sense * speed < 0:
-            roll, energy = np.conj(roll), np.conj(energy)
-        for target, values in zip(out, (with_angle, against, roll, energy), strict=True):
-            target[..., at[:, None], column[k]] = values
-    return out
-
-
-def _rotors(machine: Mechanism, columns: _Columns) -> _Vectors:
-    """Throws and weights: a vector that turns with its shaft, once a turn of it, and no more."""
-    vector = machine.unbalance * np.exp(1j * machine.unbalance_angle)
-    forward = np.zeros((*vector.shape, columns.orders.size), complex)
-    backward, none = forward.copy(), np.zeros((vector.shape[-1], columns.orders.size), complex)
-    for row, shaft in enumerate(machine.rotor_shaft):
-        above, below = machine.ratios[shaft]
-        column = columns.of_shaft[shaft][0]
-        if column >= 0:
-            target = forward if above > 0 else backward
-            target[..., row, column] = vector[..., row] * (above / below) ** 2
-    return _Vectors(forward, backward, none, none)
-
-
-def _sum(pieces: Sequence[_Vectors]) -> _Vectors:
-    return _Vectors(*(np.sum(values, axis=0) for values in zip(*pieces, strict=True)))
-
-
-def _stacked(arrays: list, *, axis: int) -> np.ndarray:
-    """Arrays one after the other along a trailing axis, their leading axes broadcast to each other."""
-    trailing = -axis
-    lead = np.broadcast_shapes(*(np.shape(array)[:-trailing] for array in arrays))
-    return np.concatenate([np.broadcast_to(array, lead + np.shape(array)[-trailing:]) for array in arrays], axis=axis)
-
-
-def total(result: Balance | Totals) -> Totals:
+def total(result: Balance) -> Totals:
     """The whole engine: the sum of its parts, with what is only rounding error set to zero."""
-    return Totals(*(phasor.total(getattr(result, name)) for name in Totals._fields))
+    return of_parts(result)
 
 
 def of_parts(result: Balance, **wanted: object) -> Totals:
@@ -395,7 +136,7 @@ def of_parts(result: Balance, **wanted: object) -> Totals:
     return Totals(*(phasor.total(getattr(result, name)[rows, :]) for name in Totals._fields))
 
 
-def grouped(result: Balance, by: Literal["kind", "cylinder", "bank", "shaft"]) -> dict[object, Totals]:
+def grouped(result: Balance, by: Grouping) -> dict[object, Totals]:
     """The sums by one label, in order of first appearance; under None what has no such label."""
     labels = dict.fromkeys(getattr(part, by) for part in result.parts)
     return {label: of_parts(result, **{by: label}) for label in labels}

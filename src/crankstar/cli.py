@@ -13,10 +13,10 @@ from typing import Annotated, Any, NoReturn
 
 from cyclopts import App, CycloptsError, Parameter
 
-from crankstar.balance import Reference
 from crankstar.catalog import load
 from crankstar.engine import Engine
 from crankstar.files import EngineFileError
+from crankstar.mechanism import Reference
 from crankstar.quantity import CONTROL
 
 app = App(
@@ -28,6 +28,10 @@ app = App(
     result_action="return_value",
 )
 app.register_install_completion_command(help="Install completion of commands and options for this shell.")
+
+
+WIDE, PIPED = 92, 140
+"""Columns from which a table shows everything, and columns when there is no terminal."""
 
 
 class RequestError(ValueError):
@@ -78,6 +82,7 @@ ReferencePoint = Annotated[
         "(else the middle of the cylinders' span)",
     ),
 ]
+Angles = Annotated[str | None, Parameter(name="--at", help='also all orders together at these crank angles, as in "0 deg, 90 deg"')]
 Output = Annotated[
     str | None, Parameter(name=["--output", "-o"], help="write to this file instead; it is replaced only when all went well")
 ]
@@ -142,6 +147,8 @@ def analyze(
     orders: Orders = None,
     reference: ReferencePoint = None,
     settings: Settings = None,
+    at: Angles = None,
+    by: Annotated[str | None, Parameter(help="also the share of each: cylinder, bank, shaft or kind (of part)")] = None,
     json: Annotated[bool, Parameter(help="the machine-readable answer, one object", negative=())] = False,
     csv: Annotated[bool, Parameter(help="the same numbers, a row per order", negative=())] = False,
     output: Output = None,
@@ -153,10 +160,10 @@ def analyze(
     if json and csv:
         raise RequestError("--json and --csv: ask for one of them")
     loaded = _loaded(engine, settings)
-    at = _speed(speed)
+    turning = _speed(speed)
     point = _reference(reference, loaded)
     if json or csv:
-        result = balance(loaded, speed=loaded.speed if at is None else at, reference=point)
+        result = balance(loaded, speed=loaded.speed if turning is None else turning, reference=point)
         wanted = _orders(orders, result.force.orders.tolist())
         if csv:
             _write(answer.csv_text(loaded.name, result, orders=wanted), output)
@@ -165,9 +172,10 @@ def analyze(
         return
     from crankstar.tables import analysis, report
 
-    shown = analysis(loaded, speed=at, reference=point)
+    shown = analysis(loaded, speed=turning, reference=point)
     wanted = _orders(orders, shown.normalised.force.orders.tolist())
-    _print(report(shown._replace(orders=tuple(wanted)) if wanted else shown), output)
+    shown = shown._replace(orders=tuple(wanted)) if wanted else shown
+    _print(report(shown, wide=output is not None or _width() >= WIDE, angles=_angles(at), by=_grouping(by)), output)
 
 
 @app.command
@@ -278,6 +286,26 @@ def _orders(text: str | None, present: list[float]) -> list[float] | None:
     return list(dict.fromkeys(wanted))
 
 
+def _angles(text: str | None) -> list[float]:
+    from crankstar import units
+    from crankstar.quantity import ANGLE
+
+    try:
+        return [units.si(part.strip(), ANGLE) for part in (text or "").split(",") if part.strip()]
+    except ValueError as error:
+        raise RequestError(f"--at: {error}") from None
+
+
+def _grouping(text: str | None) -> Any:
+    from typing import get_args
+
+    from crankstar.balance import Grouping
+
+    if text is not None and text not in get_args(Grouping):
+        raise RequestError(f"--by {CONTROL.sub('?', text)}: it can be {', '.join(get_args(Grouping))}")
+    return text
+
+
 def _reference(text: str | None, engine: Engine) -> Reference | None:
     from crankstar import units
     from crankstar.quantity import LENGTH, POSITION
@@ -302,6 +330,14 @@ def _json(tree: dict[str, Any]) -> str:
     return json.dumps(tree, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
 
 
+def _width() -> int:
+    """Columns of the terminal, or of what it is piped into."""
+    from rich.console import Console
+
+    console = Console()
+    return console.width if console.is_terminal else PIPED
+
+
 def _print(renderable: Any, output: str | None = None) -> None:
     """To the terminal in its width and colours, plain where it is piped; or to a file, plain."""
     from io import StringIO
@@ -309,11 +345,10 @@ def _print(renderable: Any, output: str | None = None) -> None:
     from rich.console import Console
 
     if output is None:
-        console = Console(highlight=False)
-        Console(highlight=False, markup=False, width=None if console.is_terminal else 140).print(renderable)
+        Console(highlight=False, markup=False, width=_width()).print(renderable)
         return
     text = StringIO()
-    Console(file=text, highlight=False, markup=False, width=140, force_terminal=False).print(renderable)
+    Console(file=text, highlight=False, markup=False, width=PIPED, force_terminal=False).print(renderable)
     _write(text.getvalue(), output)
 
 

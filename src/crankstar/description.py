@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+from cmath import phase
 from collections.abc import Sequence
 from math import degrees
 
 from rich.console import Group, RenderableType
 from rich.text import Text
 
+from crankstar import motion
 from crankstar.catalog import Summary
 from crankstar.engine import Engine
 from crankstar.firing import dead_centres
 from crankstar.wording import heading, number, table, titled
+
+HIGHEST_HARMONIC, SMALLEST_HARMONIC = 8, 1e-12
 
 
 def description(engine: Engine) -> RenderableType:
@@ -20,7 +24,7 @@ def description(engine: Engine) -> RenderableType:
     if engine.relative:
         unit = {"mass": "masses in m", "radius": "lengths across the crankshaft in r", "pitch": "lengths along it in a"}
         blocks.append(Text("not known, so counted in units of themselves: " + ", ".join(unit[name] for name in engine.relative)))
-    blocks += [_rotors(engine), _cylinders(engine)]
+    blocks += [_rotors(engine), _cylinders(engine), _harmonics(engine)]
     for title, body in (("source", engine.source), ("notes", engine.notes)):
         if body:
             blocks.append(Text(f"{title}: {body}"))
@@ -95,6 +99,27 @@ def _cylinders(engine: Engine) -> RenderableType:
             number(centres[cylinder.chamber or cylinder.number].angle_deg, 360.0),
         )
     return titled("Cylinders", out)
+
+
+def _harmonics(engine: Engine) -> RenderableType:
+    """The harmonics of the first cylinder's piston, exact, and from the textbook's series in lambda where there is one."""
+    first = engine.first
+    radius = engine.throw(first).radius
+    if first.articulated is not None:
+        return Text()
+    exact = motion.piston_harmonics(crank_radius=radius, rod_length=first.rod_length, offset=first.offset)
+    ratio = radius / first.rod_length
+    out = table("order", "Aₖ exact", "phase [deg]" if first.offset else "series to λ⁷")
+    for order in range(1, min(HIGHEST_HARMONIC, exact.size - 1) + 1):
+        size = complex(exact[order])
+        if abs(size) < SMALLEST_HARMONIC:
+            continue
+        if first.offset:
+            out.add_row(str(order), f"{abs(size):.10g}", f"{degrees(phase(size)):.2f}")
+        else:
+            out.add_row(str(order), f"{size.real:.10g}", f"{float(motion.series(order, ratio=ratio)):.10g}")
+    title = f"Piston of cylinder {first.number}: force m r ω² Σ Aₖ cos kψ, λ = r/l = {number(ratio)}"
+    return titled(title + (f", offset {number(first.offset / radius)} r" if first.offset else ""), out)
 
 
 def _lengths(engine: Engine) -> tuple[tuple[float, str], tuple[float, str], tuple[float, str]]:

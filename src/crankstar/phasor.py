@@ -80,11 +80,12 @@ def total(spectrum: Spectrum) -> Spectrum:
     >>> total(two).forward
     array([0.+0.j])
     """
+    size = np.maximum(np.abs(spectrum.forward), np.abs(spectrum.backward))
+    noise = ROUNDING * np.einsum("...pn->...n", size)
 
     def added(values: Complex) -> Complex:
-        scale = ROUNDING * np.maximum(np.abs(spectrum.forward), np.abs(spectrum.backward)).sum(axis=-2)
-        out = values.sum(axis=-2)
-        return np.where(np.abs(out.real) <= scale, 0.0, out.real) + 1j * np.where(np.abs(out.imag) <= scale, 0.0, out.imag)
+        out = np.einsum("...pn->...n", values)
+        return np.where(np.abs(out.real) <= noise, 0.0, out.real) + 1j * np.where(np.abs(out.imag) <= noise, 0.0, out.imag)
 
     return replace(spectrum, forward=added(spectrum.forward), backward=added(spectrum.backward))
 

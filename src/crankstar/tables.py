@@ -18,12 +18,13 @@ from rich.text import Text
 
 from crankstar import motion, phasor
 from crankstar.answer import orders_present
-from crankstar.balance import Balance, Reference, Totals, balance, total
+from crankstar.balance import Balance, Grouping, balance, grouped, total
 from crankstar.engine import Engine
 from crankstar.firing import firing
+from crankstar.mechanism import Reference, Totals
 from crankstar.phasor import Spectrum
 from crankstar.quantity import CONTROL
-from crankstar.wording import NEGLIGIBLE, firing_sentence, heading, number, shape, table, titled, unit_text, wave
+from crankstar.wording import NEGLIGIBLE, bearing_text, firing_sentence, heading, number, shape, table, titled, unit_text, wave
 
 
 class Analysis(NamedTuple):
@@ -47,14 +48,18 @@ def analysis(
     return Analysis(engine, normalised, real, tuple(orders) if orders else orders_present(normalised))
 
 
-def report(shown: Analysis) -> RenderableType:
-    """The whole answer of `analyze`."""
+def report(shown: Analysis, *, wide: bool = True, angles: Sequence[float] = (), by: Grouping | None = None) -> RenderableType:
+    """The whole answer of `analyze`; `angles` (radians) and `by` add the sums at crank angles and the shares of groups."""
     sums = total(shown.normalised)
     real = total(shown.real) if shown.real else None
     blocks: list[RenderableType] = [heading(shown.engine), _conditions(shown)]
-    blocks.append(_vectors("force", shown, sums.force, real.force if real else None))
-    blocks.append(_vectors("couple", shown, sums.couple, real.couple if real else None))
+    blocks.append(_vectors("force", shown, sums.force, real.force if real else None, wide=wide))
+    blocks.append(_vectors("couple", shown, sums.couple, real.couple if real else None, wide=wide))
     blocks.append(_turning(shown, sums, real))
+    if by is not None:
+        blocks.append(_shares(shown, by))
+    if angles:
+        blocks.append(_moments_in_time(shown, real or sums, angles))
     blocks.append(_remarks(shown, sums, real))
     return Group(*blocks)
 
@@ -95,24 +100,27 @@ def harmonic(engine: Engine, order: float) -> complex:
     return size if engine.sense > 0 else size.conjugate()
 
 
-def _vectors(quantity: str, shown: Analysis, plain: Spectrum, real: Spectrum | None) -> RenderableType:
+def _vectors(quantity: str, shown: Analysis, plain: Spectrum, real: Spectrum | None, *, wide: bool) -> RenderableType:
+    """Order by order: up and right, the path over a turn, its greatest value; in a narrow terminal only what matters most."""
     unit = "m r ω² Aₖ" if quantity == "force" else "m r ω² Aₖ a"
-    heads = ["order", "Aₖ", f"up\n[{unit}]", f"right\n[{unit}]", "path over a turn", f"greatest\n[{unit}]"]
-    if real is not None and shown.real is not None:
-        heads.append(f"greatest\n[{unit_text(getattr(shown.real.units, quantity))}]")
-    out = table(*heads, left=["path over a turn"])
+    actual = f"[{unit_text(getattr(shown.real.units, quantity))}]" if real is not None and shown.real is not None else ""
     factors = [harmonic(shown.engine, order) or 1.0 for order in shown.orders]
     picked = _divided(phasor.selected(plain, shown.orders), np.array(factors))
     largest = _largest(picked)
+    heads = ["order", "Aₖ", "up", "right", "path over a turn", "greatest", actual]
+    rows: list[list[str]] = []
     for row, (order, factor) in enumerate(zip(shown.orders, factors, strict=True)):
         path = phasor.ellipse(complex(picked.forward[row]), complex(picked.backward[row]))
         up, right = phasor.vertical(picked)[row], phasor.horizontal(picked)[row]
-        cells = [number(order), _harmonic_text(factor), wave(up, largest), wave(right, largest), shape(path, largest)]
-        cells.append(number(path.semi_major, largest))
-        if real is not None:
-            cells.append("0" if cells[-1] == "0" else number(_size(real, order)))
-        out.add_row(*cells)
-    return titled(f"{quantity.capitalize()} on the block", out)
+        greatest = number(path.semi_major, largest)
+        cells = [number(order), _harmonic_text(factor), wave(up, largest), wave(right, largest), shape(path, largest), greatest]
+        rows.append([*cells, "" if real is None else "0" if greatest == "0" else number(_size(real, order))])
+    left_out = ({6} if real is None else set()) | (set() if wide else {1, 5} if real is not None else {1})
+    kept = [place for place in range(len(heads)) if place not in left_out]
+    out = table(*(heads[place] for place in kept), left=["path over a turn"])
+    for cells in rows:
+        out.add_row(*(cells[place] for place in kept), style="dim" if cells[5] == "0" else None)
+    return titled(f"{quantity.capitalize()} on the block, in {unit}" + (f", and in {actual.strip('[]')}" if actual else ""), out)
 
 
 def _divided(spectrum: Spectrum, factors: np.ndarray) -> Spectrum:
@@ -140,8 +148,7 @@ def _turning(shown: Analysis, sums: Totals, real: Totals | None) -> RenderableTy
     """Roll and inertia torque: real signals, so amplitude and phase are all there is."""
     heads = ["order"]
     for name in ("roll", "torque"):
-        heads.append(f"{name}\n[m r² ω²]")
-        heads += [f"{name}\n[N m]"] if real is not None else []
+        heads += [name, "[N m]"] if real is not None else [name]
     out = table(*heads)
     for row, order in enumerate(shown.orders):
         cells = [number(order)]
@@ -151,7 +158,35 @@ def _turning(shown: Analysis, sums: Totals, real: Totals | None) -> RenderableTy
             if real is not None:
                 cells.append("0" if cells[-1] == "0" else number(_size(getattr(real, name), order)))
         out.add_row(*cells)
-    return titled("Roll of block and driveline (clockwise), and inertia torque on the crankshaft (in its direction)", out)
+    unit = "m r² ω²" + (", and in N m" if real is not None else "")
+    return titled(f"Roll of the whole, clockwise; inertia torque on the crankshaft, in its direction; in {unit}", out)
+
+
+def _shares(shown: Analysis, by: Grouping) -> RenderableType:
+    """The greatest force, couple and roll of each order for every group of parts: who pushes, before the sums cancel."""
+    result = shown.real or shown.normalised
+    units = [unit_text(unit) for unit in result.units]
+    heads = [f"{name} {number(order)}" for name in ("force", "couple", "roll") for order in shown.orders]
+    out = table(by, *heads, left=[by])
+    for label, sums in grouped(result, by).items():
+        cells = [number(_size(getattr(sums, name), order)) for name in ("force", "couple", "roll") for order in shown.orders]
+        out.add_row("of the shafts" if label is None else str(label), *cells)
+    return titled(f"Greatest value of each order by {by}, force in {units[0]}, couple in {units[1]}, roll in {units[2]}", out)
+
+
+def _moments_in_time(shown: Analysis, sums: Totals, angles: Sequence[float]) -> RenderableType:
+    """Force, couple, roll and torque of all orders together at given crank angles."""
+    units = [unit_text(unit) for unit in (shown.real or shown.normalised).units]
+    out = table("θ [deg]", "force up", "right", "in all", "couple up", "right", "in all", "roll", "torque")
+    tops = {name: phasor.peak(getattr(sums, name)).value for name in Totals._fields}
+    for angle in angles:
+        cells = [number(degrees(angle), 360.0)]
+        for name in ("force", "couple"):
+            vector = complex(phasor.value(getattr(sums, name), angle))
+            cells += [number(part, tops[name]) for part in (vector.real, vector.imag, abs(vector))]
+        cells += [number(complex(phasor.value(getattr(sums, name), angle)).real, tops[name]) for name in ("roll", "torque")]
+        out.add_row(*cells)
+    return titled(f"All orders together at these crank angles, force in {units[0]}, couple in {units[1]}, roll in {units[2]}", out)
 
 
 def _remarks(shown: Analysis, sums: Totals, real: Totals | None) -> Text:
@@ -161,7 +196,7 @@ def _remarks(shown: Analysis, sums: Totals, real: Totals | None) -> Text:
     for name in ("force", "couple"):
         top = phasor.peak(getattr(real or sums, name))
         if top.value > NEGLIGIBLE:
-            at = f"at {number(degrees(top.theta))} deg, towards bearing {number(degrees(np.angle(top.vector)), 180.0)} deg"
+            at = f"at {number(degrees(top.theta))} deg, towards bearing {bearing_text(top.vector)} deg"
             text.append(f"Peak {name} of all orders: {number(top.value)} {unit_text(getattr(units, name))} {at}.\n")
         else:
             text.append(f"No {name} of any order.\n")

@@ -82,6 +82,12 @@ def html(renderable: RenderableType) -> str:
     return console.export_html(inline_styles=True, code_format="<pre style='line-height:1.3'>{code}</pre>")
 
 
+def bearing_text(vector: complex) -> str:
+    """The bearing of a vector in degrees, in (-180, 180]."""
+    bearing = round(degrees(np.angle(vector)), 3)
+    return number(180.0 if bearing == -180 else bearing, 180.0)
+
+
 def unit_text(unit: str) -> str:
     """A unit of a Balance in print: m r² ω² for m*r^2*w^2."""
     return unit.replace("w^2", "ω²").replace("r^2", "r²").replace("*", " ")
@@ -89,9 +95,9 @@ def unit_text(unit: str) -> str:
 
 def table(*heads: str, left: Sequence[str] = ()) -> Table:
     """An empty table with these heads, numbers to the right, the heads in `left` to the left."""
-    out = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False, header_style="")
+    out = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False, header_style="", padding=(0, 1), collapse_padding=True)
     for head in heads:
-        out.add_column(Text(head), justify="left" if head in left else "right", overflow="fold", vertical="top")
+        out.add_column(Text(head), justify="left" if head in left else "right", overflow="fold", no_wrap=head not in left)
     return out
 
 

@@ -1,0 +1,113 @@
+"""What crankstar costs: start-up, a Balance by number of cylinders, batches. `make bench` prints it; --write puts it in the docs.
+
+Times are medians of several runs in one go on whatever machine this is; only ratios and orders of size travel.
+"""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from collections.abc import Callable
+from dataclasses import replace
+from fractions import Fraction
+from math import pi
+from pathlib import Path
+from statistics import median
+from time import perf_counter
+
+import numpy as np
+
+from crankstar import balance, load, total
+from crankstar.arrangement import Basis, Sizes
+from crankstar.engine import Engine
+from crankstar.layouts import Bank, Crank, Row, inline, radial, tandem, vee
+from crankstar.mechanism import mechanism, totals
+
+PAGE = Path(__file__).parent.parent / "docs" / "performance.md"
+START, END = "<!-- table: benchmarks -->", "<!-- end: benchmarks -->"
+SIZES = Sizes(bore=0.0875, stroke=0.0825, rod_length=0.146, reciprocating_mass=0.65, rotating_mass=0.7)
+VARIANTS = 100_000
+
+
+def engines() -> dict[str, Engine]:
+    """One engine for each number of cylinders in the budget, and one with geared shafts."""
+    basis = Basis(name="benchmark", cylinder=SIZES)
+    turn = 2 * pi
+    six = [k * turn / 3 for k in (0, 1, 2, 2, 1, 0)]
+    stars = tuple(Row(cylinders=tuple(range(7 * k + 1, 7 * k + 8)), throw=k * turn / 4) for k in range(4))
+    pair = tuple(
+        Crank(banks=(Bank(cylinders=(2 * k + 1, 2 * k + 2)),), throws=(0.0, pi), right=0.1 * k, speed_ratio=Fraction(31, 29) ** k)
+        for k in range(2)
+    )
+    eight = (Bank(bearing=-pi / 4, cylinders=(1, 3, 5, 7)), Bank(bearing=pi / 4, cylinders=(2, 4, 6, 8)))
+    twelve = (Bank(bearing=-pi / 6, cylinders=tuple(range(1, 12, 2))), Bank(bearing=pi / 6, cylinders=tuple(range(2, 13, 2))))
+    return {
+        "1 cylinder": inline(basis, throws=(0.0,)),
+        "4, in line": inline(basis, throws=(0.0, pi, pi, 0.0), bore_pitch=0.1),
+        "8, V": vee(basis, banks=eight, throws=(0.0, pi / 2, -pi / 2, pi), bore_pitch=0.1, bank_offset=0.02),
+        "12, V": vee(basis, banks=twelve, throws=tuple(six), bore_pitch=0.1),
+        "28, four stars with slave rods": radial(basis, rows=stars, row_pitch=0.2, knuckle_radius=0.03),
+        "4, two shafts geared 31:29": tandem(basis, cranks=pair, bore_pitch=0.1),
+    }
+
+
+def timed(work: Callable[[], object], *, runs: int) -> float:
+    """The median time of some runs, in seconds, after one that is not counted."""
+    work()
+    times: list[float] = []
+    for _ in range(runs):
+        start = perf_counter()
+        work()
+        times.append(perf_counter() - start)
+    return median(times)
+
+
+def whole_process(*words: str) -> float:
+    """The median time of a whole process, in seconds."""
+    return timed(lambda: subprocess.run([sys.executable, *words], check=True, capture_output=True), runs=9)
+
+
+def batch_rate() -> float:
+    """Variants of a V8 a second: throw angles and reciprocating masses as arrays, orders 1, 2, 4, 6."""
+    engine = engines()["8, V"]
+    machine = mechanism(engine)
+    random = np.random.default_rng(1)
+    throws = random.uniform(-pi, pi, (VARIANTS, 4))
+    varied = replace(
+        machine,
+        throw_angle=throws[:, [cylinder.throw - 1 for cylinder in engine.cylinders]],
+        unbalance_angle=throws,
+        reciprocating_mass=machine.reciprocating_mass * random.uniform(0.9, 1.1, (VARIANTS, 8)),
+    )
+    return VARIANTS / timed(lambda: totals(varied, orders=(1, 2, 4, 6)), runs=3)
+
+
+def rows() -> list[tuple[str, str, str]]:
+    """What is measured, the figure, and the budget where there is one."""
+    module = ("-m", "crankstar", "analyze", "v8-flat-plane")
+    out = [
+        ("python alone", f"{whole_process('-c', 'pass'):.3f} s", ""),
+        ("import numpy, pydantic", f"{whole_process('-c', 'import numpy; from pydantic import BaseModel'):.3f} s", ""),
+        ("import crankstar", f"{whole_process('-c', 'import crankstar'):.3f} s", "0.15 s"),
+        ("crankstar analyze v8-flat-plane", f"{whole_process(*module):.3f} s", "0.6 s"),
+    ]
+    for name, engine in engines().items():
+        seconds = timed(lambda engine=engine: total(balance(engine)), runs=101)
+        count = len(engine.cylinders)
+        out.append((f"Balance, {name}", f"{seconds * 1e3:.2f} ms ({seconds / count * 1e6:.0f} us a cylinder)", "2 ms" if count == 12 else ""))
+    out.append((f"batch of {VARIANTS:,} V8s", f"{batch_rate():,.0f} engines/s", ""))
+    return out
+
+
+def main() -> None:
+    """Measure, print, and with --write put the table in the docs."""
+    lines = ["| what | median | budget |", "|---|---|---|", *(f"| {' | '.join(row)} |" for row in rows())]
+    print("\n".join(lines))
+    if "--write" in sys.argv:
+        before, rest = PAGE.read_text(encoding="utf-8").split(START)
+        after = rest.split(END)[-1]
+        PAGE.write_text(f"{before}{START}\n\n" + "\n".join(lines) + f"\n\n{END}{after}", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,382 @@
+"""Random engines that can be: of every layout, and of any shafts, throws, weights and cylinders at all (hypothesis strategies).
+
+They are possible by construction: a rod is as long as its crank radius, its offset and the knuckle pins under it could ever
+need. Numbers are rounded to a millionth, so that none is absurdly small.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from math import ceil, pi, radians
+from typing import Any, NamedTuple
+
+from hypothesis import strategies as st
+
+from crankstar import firing
+from crankstar.arrangement import ASSUMED_ROD_RATIO, Basis, Override, Sizes
+from crankstar.engine import Articulation, Cylinder, Engine, Provenance, Rod, Shaft, Throw, Weight
+from crankstar.layouts import LAYOUTS, Bank, Crank, Row
+
+Draw = Callable[[st.SearchStrategy[Any]], Any]
+
+LEAST_CLEARANCE = 1.02
+
+
+def number(low: float, high: float) -> st.SearchStrategy[float]:
+    """Numbers to six decimals: nothing far smaller than anything an engine has."""
+    return st.floats(low, high).map(lambda value: round(value, 6))
+
+
+def maybe(strategy: st.SearchStrategy[Any], otherwise: Any = None) -> st.SearchStrategy[Any]:
+    return st.just(otherwise) | strategy
+
+
+ANGLES = st.sampled_from([0.0, pi / 2, pi, -pi / 2, pi / 4, 2 * pi / 3, -pi / 3]) | number(-pi, pi)
+RADII = number(0.01, 0.2)
+PLACES = number(-1.0, 1.0)
+MASSES = number(0.05, 20.0)
+RATIOS = [Fraction(r) for r in ("1", "-1", "2", "-2", "1/2", "-1/2", "3/2", "-2/3", "4/3", "3", "-1/3")]
+SPEEDS = number(1.0, 1500.0)
+ROTATIONS = st.sampled_from(["clockwise", "counter-clockwise"])
+CYCLES = st.sampled_from(["two-stroke", "four-stroke"])
+CLEARANCES = st.sampled_from([LEAST_CLEARANCE, 1.05, 2.5, 4.0, 50.0]) | number(LEAST_CLEARANCE, 6.0)
+"""Rod length over the longest that it could have to span."""
+TEXTS = st.sampled_from(["a book", "工場の図面", 'two\nlines, "quoted" \\ and a tab\there'])
+
+
+@st.composite
+def rigid_rods(draw: Draw, length: float) -> Rod:
+    mass = draw(number(0.05, 5.0))
+    return Rod(mass=mass, centre=draw(number(-0.3, 1.3)) * length, inertia=mass * length**2 * draw(maybe(number(0.01, 0.5), 0.0)))
+
+
+@st.composite
+def shafts(draw: Draw, name: str, ratio: Fraction, *, least_throws: int) -> Shaft:
+    first = name == "shaft 0"
+    throw = st.builds(Throw, angle=ANGLES, radius=RADII, z=PLACES, rotating_mass=maybe(MASSES, 0.0))
+    weight = st.builds(Weight, unbalance=number(0.0, 0.5), angle=ANGLES, z=PLACES)
+    throws = draw(st.lists(throw, min_size=least_throws, max_size=4))
+    weights = draw(st.lists(weight, max_size=3))
+    up, right = (0.0 if first else draw(PLACES) for _ in range(2))
+    return Shaft.model_validate(
+        {"name": name, "speed_ratio": ratio, "up": up, "right": right, "throws": throws, "weights": weights}
+    )
+
+
+@st.composite
+def speed_ratios(draw: Draw) -> list[Fraction]:
+    """One to four shafts; the common period stays within 31 turns."""
+    teeth = draw(st.sampled_from([1, 1, 2, 3, 5, 31]))
+    others = st.sampled_from([r for r in RATIOS if teeth % r.denominator == 0])
+    odd = st.builds(Fraction, st.integers(1, 2 * teeth).flatmap(lambda n: st.sampled_from([n, -n])), st.just(teeth))
+    return [Fraction(1), *draw(st.lists(others | odd, max_size=3))]
+
+
+class _Pin(NamedTuple):
+    """Where a rod may sit: a crank pin, or a knuckle pin once a master is there, and how far it can be from the shaft."""
+
+    shaft: str
+    throw: int
+    radius: float
+
+
+@st.composite
+def _cylinders(draw: Draw, engine_shafts: Sequence[Shaft]) -> list[Cylinder]:
+    pins = [_Pin(s.name, slot, t.radius) for s in engine_shafts for slot, t in enumerate(s.throws, 1)]
+    numbers = draw(st.permutations(range(1, draw(st.integers(1, 6)) + 1)))
+    made: list[Cylinder] = []
+    reach: dict[int, float] = {}
+    for index, own in enumerate(numbers):
+        master = draw(maybe(st.sampled_from(made))) if made else None
+        link = None
+        if master is None:
+            pin = draw(st.sampled_from(pins))
+            reach[own] = pin.radius
+        else:
+            pin = _Pin(master.shaft, master.throw, next(p.radius for p in pins if (p.shaft, p.throw) == (master.shaft, master.throw)))
+            link = Articulation(master=master.number, radius=draw(number(0.1, 0.8)) * pin.radius, angle=draw(ANGLES))
+            reach[own] = reach[master.number] + link.radius
+        offset = draw(maybe(number(-0.9, 0.9), 0.0)) * pin.radius
+        length = (reach[own] + abs(offset)) * draw(CLEARANCES)
+        made.append(
+            Cylinder(
+                number=own,
+                shaft=pin.shaft,
+                throw=pin.throw,
+                bearing=draw(ANGLES),
+                z=draw(PLACES),
+                offset=offset,
+                bore=draw(maybe(number(0.02, 0.5))),
+                rod_length=length,
+                reciprocating_mass=draw(MASSES if index == 0 else maybe(MASSES, 0.0)),
+                big_end_mass=draw(maybe(MASSES, 0.0)),
+                rod=draw(maybe(rigid_rods(length))),
+                articulated=link,
+                bank=draw(maybe(st.sampled_from(["left", "right"]))),
+            )
+        )
+    return made
+
+
+def _shared(draw: Draw, cylinders: list[Cylinder], engine_shafts: Sequence[Shaft]) -> list[Cylinder]:
+    """Perhaps one pair of pistons with a combustion chamber in common."""
+    speed = {s.name: abs(s.speed_ratio) for s in engine_shafts}
+    pairs = [(a, b) for a in cylinders for b in cylinders if a.number < b.number and speed[a.shaft] == speed[b.shaft]]
+    pair = draw(maybe(st.sampled_from(pairs))) if pairs else None
+    if pair is None:
+        return cylinders
+    chamber = draw(st.sampled_from([pair[0].number, 1000]))
+    return [c.model_copy(update={"chamber": chamber}) if c in pair else c for c in cylinders]
+
+
+def fired(engine: Engine, *, with_angles: bool) -> Engine:
+    """The engine with its chambers firing in the order of their dead centres, if that fits in one cycle; else as it is."""
+    centres = firing.dead_centres(engine)
+    order = tuple(sorted(centres, key=lambda chamber: centres[chamber].angle_deg))
+    update: dict[str, Any] = {"firing_order": order}
+    if with_angles:
+        update["firing_angles"] = tuple(radians(centres[chamber].angle_deg) for chamber in order)
+    changed = engine.model_copy(update=update)
+    return engine if firing.unfit(changed) else changed
+
+
+@st.composite
+def engines(draw: Draw, *, known: bool = False, max_shafts: int = 4) -> Engine:
+    """Any engine at all, written shaft by shaft and cylinder by cylinder; `known` leaves nothing relative."""
+    ratios = draw(speed_ratios())[:max_shafts]
+    bearer = draw(st.integers(0, len(ratios) - 1))
+    turning = [draw(shafts(f"shaft {i}", ratio, least_throws=int(i == bearer))) for i, ratio in enumerate(ratios)]
+    cylinders = _shared(draw, draw(_cylinders(turning)), turning)
+    provenance = st.builds(
+        Provenance, status=st.sampled_from(["published", "computed", "unverified", "placeholder"]), source=TEXTS | st.just("")
+    )
+    engine = Engine.model_validate(
+        {
+            "name": draw(st.sampled_from(["engine", "двигатель [1]"])),
+            "cycle": draw(CYCLES),
+            "rotation": draw(ROTATIONS),
+            "speed": draw(maybe(SPEEDS)),
+            "source": draw(TEXTS | st.just("")),
+            "notes": draw(TEXTS | st.just("")),
+            "provenance": draw(st.dictionaries(st.sampled_from(["speed", "shaft[1].throw[1].radius"]), provenance, max_size=2)),
+            "relative": () if known else draw(st.just(()) | st.permutations(["mass", "radius", "pitch"]).map(lambda w: tuple(w[:2]))),
+            "bore_pitch": draw(maybe(number(0.02, 0.5))),
+            "shafts": turning,
+            "cylinders": draw(st.permutations(cylinders)),
+        }
+    )
+    return fired(engine, with_angles=draw(st.booleans())) if draw(st.booleans()) else engine
+
+
+class _Size(NamedTuple):
+    """What the cylinders of a layout are drawn from: crank radius, the greatest offset, the knuckle radius of slave rods."""
+
+    radius: float
+    offset: float
+    knuckle: float = 0.0
+    known: bool = True
+
+    @property
+    def reach(self) -> float:
+        return LEAST_CLEARANCE * (self.radius + self.offset + self.knuckle)
+
+
+@st.composite
+def _size(draw: Draw, *, knuckle: float = 0.0) -> _Size:
+    """`knuckle` in crank radii. Without a known stroke the crank radius is 1."""
+    known = draw(st.sampled_from([True, True, False]))
+    radius = draw(RADII) if known else 1.0
+    return _Size(radius, draw(maybe(st.just(0.4), 0.0)) * radius, knuckle * radius, known)
+
+
+def _offsets(size: _Size) -> st.SearchStrategy[float]:
+    return number(-1.0, 1.0).map(lambda share: share * size.offset)
+
+
+@st.composite
+def _bases(draw: Draw, numbers: Sequence[int], size: _Size, *, order: Sequence[int] = (), own_stroke: bool = False, **overrides: Any) -> Basis:
+    length = (size.reach + size.knuckle) * draw(CLEARANCES)
+    ratio = (size.reach + size.knuckle) / size.radius * draw(CLEARANCES)
+    rod = draw(st.sampled_from([{"rod_length": length}, {"rod_ratio": ratio}, {}]))
+    whole = rod.get("rod_length", rod.get("rod_ratio", ASSUMED_ROD_RATIO) * size.radius)
+    cylinder = Sizes(
+        bore=draw(maybe(number(0.02, 0.5))),
+        stroke=2 * size.radius if size.known else None,
+        offset=draw(_offsets(size)),
+        reciprocating_mass=draw(maybe(MASSES)),
+        rotating_mass=draw(maybe(MASSES, 0.0)),
+        rod=draw(maybe(rigid_rods(whole))),
+        **rod,
+    )
+    different = draw(st.lists(st.sampled_from(numbers), unique=True, max_size=2))
+    return Basis(
+        name="engine",
+        cycle=draw(CYCLES),
+        rotation=draw(ROTATIONS),
+        firing_order=tuple(order),
+        speed=draw(maybe(SPEEDS)),
+        cylinder=cylinder,
+        cylinders=tuple(draw(_overrides(other, size, whole, own_stroke=own_stroke)) for other in different if other not in overrides)
+        + tuple(Override(number=int(key), **value) for key, value in overrides.items()),
+        balance_factor=draw(maybe(number(0.0, 2.0))),
+    )
+
+
+@st.composite
+def _overrides(draw: Draw, other: int, size: _Size, whole: float, *, own_stroke: bool) -> Override:
+    longer = {"rod_length": whole * draw(number(1.0, 1.5))}
+    shorter_stroke = {"stroke": 2 * size.radius * draw(number(0.5, 1.0)), "rod_length": whole}
+    return Override(
+        number=other,
+        offset=draw(maybe(_offsets(size))),
+        reciprocating_mass=draw(maybe(MASSES)),
+        rotating_mass=draw(maybe(MASSES)),
+        rod=draw(maybe(rigid_rods(whole))),
+        bearing=draw(maybe(ANGLES)),
+        z=draw(maybe(PLACES)),
+        bank=draw(maybe(st.just("other"))),
+        **draw(st.sampled_from([{}, longer, *([shorter_stroke] if own_stroke and size.known else [])])),
+    )
+
+
+@st.composite
+def _pitches(draw: Draw, count: int) -> dict[str, Any]:
+    """A bore pitch, none, or uneven positions."""
+    gaps = draw(st.lists(number(0.05, 0.5), min_size=count, max_size=count))
+    positions = tuple(sum(gaps[:place]) for place in range(count))
+    return draw(st.sampled_from([{"bore_pitch": 0.11}, {}, {"positions": positions}]))
+
+
+@st.composite
+def inline_engines(draw: Draw) -> Engine:
+    count = draw(st.integers(1, 6))
+    numbers = tuple(range(1, count + 1))
+    throws = draw(maybe(st.tuples(*[ANGLES] * count)))
+    order = draw(st.permutations(numbers)) if throws is None else ()
+    basis = draw(_bases(numbers, draw(_size()), order=order, own_stroke=True))
+    return LAYOUTS["inline"](basis, throws=throws, bearing=draw(ANGLES), **draw(_pitches(count)))
+
+
+@st.composite
+def _banks(draw: Draw, bearings: Sequence[float], size: _Size, *, of: int, first: int = 1, own_pins: bool = True) -> tuple[Bank, ...]:
+    count = len(bearings)
+    numbers = draw(st.permutations(range(first, first + of * count)))
+    return tuple(
+        Bank(
+            bearing=bearing,
+            cylinders=tuple(sorted(numbers[index * of : (index + 1) * of])),
+            name=draw(maybe(st.just(f"bank of {index}"))),
+            offset=draw(maybe(_offsets(size))),
+            set_back=draw(maybe(number(-0.1, 0.1))),
+            pin_angle=draw(maybe(ANGLES)) if own_pins else None,
+        )
+        for index, bearing in enumerate(bearings)
+    )
+
+
+@st.composite
+def vee_engines(draw: Draw) -> Engine:
+    """V, VR, W: shared or split pins, a throw for each cylinder, or a fork of articulated rods on each shared pin."""
+    per_bank = draw(st.integers(1, 4))
+    size = draw(_size(knuckle=0.3))
+    bearings = draw(st.lists(ANGLES, min_size=2, max_size=4 if per_bank < 3 else 2))
+    style = draw(st.sampled_from(["shared", "split", "single", "articulated"]))
+    banks = draw(_banks(bearings, size, of=per_bank, own_pins=style == "split"))
+    numbers = [n for bank in banks for n in bank.cylinders]
+    throws = draw(st.tuples(*[ANGLES] * (len(numbers) if style == "single" else per_bank)))
+    slaves = {}
+    if style == "articulated":
+        link = {"radius": size.knuckle, "angle": draw(ANGLES)}
+        pairs = zip(banks[0].cylinders, banks[1].cylinders, strict=True)
+        slaves = {str(slave): {"articulated": Articulation(master=master, **link)} for master, slave in pairs}
+    return LAYOUTS["vee"](
+        draw(_bases([n for n in numbers if str(n) not in slaves], size, **slaves)),
+        banks=banks,
+        throws=throws,
+        bank_offset=draw(maybe(number(-0.1, 0.1), 0.0)),
+        pin_split=draw(ANGLES) if style == "split" else 0.0,
+        **draw(_pitches(per_bank)),
+    )
+
+
+@st.composite
+def boxer_engines(draw: Draw) -> Engine:
+    per_bank, bearing, size = draw(st.integers(1, 3)), draw(ANGLES), draw(_size())
+    return LAYOUTS["boxer"](
+        draw(_bases(range(1, 2 * per_bank + 1), size)),
+        banks=draw(_banks([bearing, bearing + pi], size, of=per_bank, own_pins=False)),
+        throws=draw(st.tuples(*[ANGLES] * per_bank)),
+        bank_offset=draw(maybe(number(-0.1, 0.1), 0.0)),
+        **draw(_pitches(per_bank)),
+    )
+
+
+@st.composite
+def tandem_engines(draw: Draw) -> Engine:
+    size, per_bank = draw(_size()), draw(st.integers(1, 2))
+    cranks: list[Crank] = []
+    for index in range(draw(st.integers(2, 3))):
+        bearings = draw(st.lists(ANGLES, min_size=1, max_size=2))
+        first = 1 + sum(len(bank.cylinders) for crank in cranks for bank in crank.banks)
+        banks = draw(_banks(bearings, size, of=per_bank, first=first))
+        place = {} if index == 0 else {"up": draw(PLACES), "right": draw(PLACES), "speed_ratio": draw(st.sampled_from(RATIOS))}
+        throws = draw(st.tuples(*[ANGLES] * draw(st.sampled_from([per_bank, per_bank * len(bearings)]))))
+        cranks.append(Crank(banks=banks, throws=throws, lag=draw(maybe(ANGLES, 0.0)), **place))
+    count = sum(len(bank.cylinders) for crank in cranks for bank in crank.banks)
+    return LAYOUTS["tandem"](
+        draw(_bases(range(1, count + 1), size)),
+        cranks=tuple(cranks),
+        bank_offset=draw(maybe(number(-0.1, 0.1), 0.0)),
+        **draw(_pitches(per_bank)),
+    )
+
+
+@st.composite
+def opposed_engines(draw: Draw) -> Engine:
+    count = draw(st.integers(1, 3))
+    return LAYOUTS["opposed"](
+        draw(_bases(range(1, 2 * count + 1), draw(_size()))),
+        throws=draw(st.tuples(*[ANGLES] * count)),
+        crank_distance=draw(number(0.3, 3.0)),
+        lag=draw(maybe(ANGLES, 0.0)),
+        speed_ratio=draw(st.sampled_from([Fraction(1), Fraction(-1)])),
+        bearing=draw(ANGLES),
+        **draw(_pitches(count)),
+    )
+
+
+@st.composite
+def radial_engines(draw: Draw) -> Engine:
+    """Stars of one or more rows, all rods on the crank pin or slave rods on a master."""
+    articulated = draw(st.booleans())
+    size = draw(_size(knuckle=0.5 if articulated else 0.0))
+    rows: list[Row] = []
+    for _ in range(draw(st.integers(1, 3))):
+        first = 1 + sum(len(row.cylinders) for row in rows)
+        numbers = draw(st.permutations(range(first, first + draw(st.integers(1, 5)))))
+        rows.append(
+            Row(cylinders=tuple(numbers), bearing=draw(ANGLES), throw=draw(ANGLES), master=draw(maybe(st.sampled_from(numbers))))
+        )
+    count = sum(len(row.cylinders) for row in rows)
+    return LAYOUTS["radial"](
+        draw(_bases(range(1, count + 1), size)),
+        rows=tuple(rows),
+        row_pitch=draw(maybe(number(0.05, 0.5))),
+        knuckle_radius=size.knuckle if articulated else None,
+        slave_rod_length=draw(maybe(st.just(ceil(size.reach * 1e4) / 1e4))) if articulated else None,
+    )
+
+
+OF_LAYOUT: dict[str, st.SearchStrategy[Engine]] = {
+    "inline": inline_engines(),
+    "vee": vee_engines(),
+    "boxer": boxer_engines(),
+    "tandem": tandem_engines(),
+    "opposed": opposed_engines(),
+    "radial": radial_engines(),
+}
+"""Engines by the layout function that writes them."""
+
+OF_ANY_KIND: dict[str, st.SearchStrategy[Engine]] = {"explicit": engines(), **OF_LAYOUT}
+"""The engines of every layout, and explicit ones."""
