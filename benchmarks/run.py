@@ -17,7 +17,7 @@ from time import perf_counter
 
 import numpy as np
 
-from crankstar import balance, load, total
+from crankstar import balance, total
 from crankstar.arrangement import Basis, Sizes
 from crankstar.engine import Engine
 from crankstar.layouts import Bank, Crank, Row, inline, radial, tandem, vee
@@ -94,7 +94,13 @@ def rows() -> list[tuple[str, str, str]]:
     for name, engine in engines().items():
         seconds = timed(lambda engine=engine: total(balance(engine)), runs=101)
         count = len(engine.cylinders)
-        out.append((f"Balance, {name}", f"{seconds * 1e3:.2f} ms ({seconds / count * 1e6:.0f} us a cylinder)", "2 ms" if count == 12 else ""))
+        out.append(
+            (
+                f"Balance, {name}",
+                f"{seconds * 1e3:.2f} ms ({seconds / count * 1e6:.0f} us a cylinder)",
+                "2 ms" if count == 12 else "",
+            )
+        )
     out.append((f"batch of {VARIANTS:,} V8s", f"{batch_rate():,.0f} engines/s", ""))
     return out
 

@@ -71,18 +71,28 @@ def _refuse(message: str) -> int:
 
 EngineName = Annotated[str, Parameter(help="a name from the catalog, a file, or - for standard input")]
 Speed = Annotated[
-    str | None, Parameter(name="--speed", help='crank speed with its unit, as in "6000 rpm"; else the speed in the file')
+    str | None,
+    Parameter(
+        name="--speed", allow_leading_hyphen=True, help='crank speed with its unit, as in "6000 rpm"; else the speed in the file'
+    ),
 ]
-Orders = Annotated[str | None, Parameter(name="--orders", help="crank orders, as in 1,2,4,6 or all; else those up to 6 that occur")]
+Orders = Annotated[
+    str | None,
+    Parameter(name="--orders", allow_leading_hyphen=True, help="crank orders, as in 1,2,4,6 or all; else those up to 6 that occur"),
+]
 ReferencePoint = Annotated[
     str | None,
     Parameter(
         name="--reference",
-        help='point for couples and rolls: "z" or "z, up, right" with units, from the middle of the crankshaft, as in "-120 mm" '
-        "(else the middle of the cylinders' span)",
+        allow_leading_hyphen=True,
+        help='point for couples and rolls: z, or z, up and right, as in "-120 mm" or "0 mm, 35 mm, 0 mm"; z as in crankstar show '
+        "(else the middle of the cylinders' span, on the crank axis)",
     ),
 ]
-Angles = Annotated[str | None, Parameter(name="--at", help='also all orders together at these crank angles, as in "0 deg, 90 deg"')]
+Angles = Annotated[
+    str | None,
+    Parameter(name="--at", allow_leading_hyphen=True, help='also all orders together at these crank angles, as in "0 deg, 90 deg"'),
+]
 Output = Annotated[
     str | None, Parameter(name=["--output", "-o"], help="write to this file instead; it is replaced only when all went well")
 ]
@@ -326,8 +336,11 @@ def _reference(text: str | None, engine: Engine) -> Reference | None:
 
 def _json(tree: dict[str, Any]) -> str:
     import json
+    import re
 
-    return json.dumps(tree, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+    text = json.dumps(tree, indent=1, ensure_ascii=False, allow_nan=False)
+    # A pair of numbers on one line. A raw line break cannot stand inside a string, so no name is touched.
+    return re.sub(r"\[\n\s+([-+.\de]+),\n\s+([-+.\de]+)\n\s+\]", r"[\1, \2]", text) + "\n"
 
 
 def _width() -> int:

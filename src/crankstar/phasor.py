@@ -178,11 +178,10 @@ def peak(spectrum: Spectrum) -> Peak:
     if spectrum.orders.size == 0 or not (np.any(spectrum.forward) or np.any(spectrum.backward)):
         return Peak(0.0, 0.0, 0j)
     turns = period(spectrum)
-    points = min(turns * 16 * (int(spectrum.orders[-1]) + 4), 400_000)
-    grid = np.arange(points) * (2 * np.pi * turns / points)
-    lengths = np.abs(value(spectrum, grid))
+    lengths = np.abs(_over_period(spectrum, turns))
+    points = lengths.size
     # The first of several equal peaks, not whichever rounding favours.
-    theta = float(grid[np.argmax(lengths >= lengths.max() * (1 - 1e-9))])
+    theta = int(np.argmax(lengths >= lengths.max() * (1 - 1e-9))) * (2 * np.pi * turns / points)
     first = replace(spectrum, forward=spectrum.forward * 1j, backward=spectrum.backward * -1j)
     velocity = scaled(first, spectrum.sense * spectrum.orders)
     acceleration = scaled(spectrum, -(spectrum.orders**2))
@@ -198,6 +197,16 @@ def peak(spectrum: Spectrum) -> Peak:
     period_angle = 2 * np.pi * turns
     theta %= period_angle
     return Peak(abs(here), 0.0 if min(theta, period_angle - theta) < 1e-9 else theta, here)
+
+
+def _over_period(spectrum: Spectrum, turns: int) -> Complex:
+    """The vector at equal steps over the whole period, finely enough for its highest order, by Fourier transform."""
+    places = np.round(spectrum.orders * turns).astype(int)
+    fine = 16 if places[-1] * 16 < 1 << 22 else 4
+    coefficients = np.zeros(fine * (int(places[-1]) + 4), complex)
+    np.add.at(coefficients, spectrum.sense * places, spectrum.forward)
+    np.add.at(coefficients, -spectrum.sense * places, spectrum.backward)
+    return np.fft.ifft(coefficients) * coefficients.size
 
 
 def from_samples(samples: Complex, *, sense: int = 1) -> Spectrum:

@@ -65,7 +65,7 @@ Unbalance = Annotated[Number, Field(ge=0), Quantity("unbalance", "0.02 kg*m", _M
 Speed = Annotated[Number, Field(gt=0), SPEED]
 Ordinal = Annotated[int, Field(strict=True, ge=1, le=10_000)]
 
-CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u2028\u2029\u202a-\u202e\u2066-\u2069]")
+CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u2028\u2029\u202a-\u202e\u2066-\u2069\ud800-\udfff]")
 
 
 def _printable(text: str) -> str:
