@@ -10,8 +10,10 @@ RUN_ONLY := $(VENV)/.installed
 demo: $(RUN_ONLY)
 	@echo "== What the catalog holds (crankstar list)"
 	@$(BIN)/crankstar list
-	@echo "== A real engine: the four-cylinder cross-plane motorcycle engine (crankstar analyze yamaha-r1-crossplane)"
-	@$(BIN)/crankstar analyze yamaha-r1-crossplane --speed "12500 rpm"
+	@echo
+	@echo "== A real engine, an in-line five (crankstar analyze audi-25-tfsi)"
+	@$(BIN)/crankstar analyze audi-25-tfsi
+	@echo
 	@echo "== Next: crankstar new vee > mine.toml; edit it; crankstar analyze mine.toml   (the command is $(BIN)/crankstar)"
 
 test: $(READY) lint docs

@@ -184,7 +184,7 @@ def analyze(
 
     shown = analysis(loaded, speed=turning, reference=point)
     wanted = _orders(orders, shown.normalised.force.orders.tolist())
-    shown = shown._replace(orders=tuple(wanted)) if wanted else shown
+    shown = shown._replace(orders=tuple(wanted), turning=tuple(wanted)) if wanted else shown
     _print(report(shown, wide=output is not None or _width() >= WIDE, angles=_angles(at), by=_grouping(by)), output)
 
 

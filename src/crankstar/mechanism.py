@@ -177,33 +177,46 @@ def _bodies(machine: Mechanism) -> list[list[tuple[_Harmonics, Real]]]:
 
 
 def _of_mass(path: motion.Path) -> _Harmonics:
+    """Force -P'', roll Im(conj(P) force) and dT/dpsi = Re(conj(P') P'') of a unit mass."""
     roll = -np.imag(np.conj(path.place) * path.second)
     energy = np.real(np.conj(path.first) * path.second)
-    return _transformed(-path.second, roll, energy)
+    place, first, second = (_greatest(part) for part in path)
+    return _Harmonics(*_vector(-path.second, second), _signal(roll, place * second), _signal(energy, first * second))
 
 
 def _of_inertia(direction: motion.Path) -> _Harmonics:
+    """Roll -b'' and dT/dpsi = b' b'' of a unit moment of inertia that turns with a rod, b its bearing."""
     rate = np.imag(np.conj(direction.place) * direction.first)
     bend = np.imag(np.conj(direction.place) * direction.second)
-    return _transformed(np.zeros_like(direction.place), -bend, rate * bend)
+    first, second = _greatest(direction.first), _greatest(direction.second)
+    none = np.zeros_like(direction.place)
+    return _Harmonics(*_vector(none, second), _signal(-bend, second), _signal(rate * bend, first * second))
 
 
-def _transformed(force: Complex, roll: Real, energy: Real) -> _Harmonics:
-    count = force.shape[-1]
+def _greatest(values: Complex) -> Real:
+    return np.abs(values).max(axis=-1, keepdims=True)
+
+
+def _vector(samples: Complex, scale: Real) -> tuple[Complex, Complex]:
+    """Coefficients of exp(i k psi) and exp(-i k psi), k = 1, 2, ...; what is rounding beside `scale` is zero."""
+    count = samples.shape[-1]
     k = np.arange(1, count // 2)
-    coefficients = np.fft.fft(force, axis=-1) / count
-    return _Harmonics(
-        coefficients[..., k],
-        coefficients[..., -k],
-        2 * np.fft.rfft(roll, axis=-1)[..., k] / count,
-        2 * np.fft.rfft(energy, axis=-1)[..., k] / count,
-    )
+    coefficients = np.fft.fft(samples, axis=-1) / count
+    coefficients = np.where(np.abs(coefficients) > motion.TAIL * scale, coefficients, 0.0)
+    return coefficients[..., k], coefficients[..., -k]
+
+
+def _signal(samples: Real, scale: Real) -> Complex:
+    """Amplitudes c of `Re(c exp(i k psi))`, k = 1, 2, ...; what is rounding beside `scale` is zero."""
+    count = samples.shape[-1]
+    amplitudes = 2 * np.fft.rfft(samples, axis=-1)[..., 1 : count // 2] / count
+    return np.where(np.abs(amplitudes) > motion.TAIL * scale, amplitudes, 0.0)
 
 
 def _significant(unit: _Harmonics) -> int:
-    """The highest harmonic that stands out of rounding."""
-    size = np.abs(np.stack([*unit])).reshape(4, -1, unit.roll.shape[-1]).max(axis=1)
-    return int(np.max(np.nonzero(size > motion.TAIL * size.max())[1], initial=0)) + 1
+    """The highest harmonic that is not rounding."""
+    present = np.any([np.any(values.reshape(-1, values.shape[-1]), axis=0) for values in unit], axis=0)
+    return int(np.max(np.nonzero(present)[0], initial=0)) + 1
 
 
 def _columns(machine: Mechanism, highest: int, wanted: Sequence[float] | None) -> _Columns:

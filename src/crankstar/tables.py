@@ -17,7 +17,7 @@ from rich.console import Group, RenderableType
 from rich.text import Text
 
 from crankstar import motion, phasor
-from crankstar.answer import orders_present
+from crankstar.answer import GREATEST_DEFAULT_ORDER, orders_present
 from crankstar.balance import Balance, Grouping, balance, grouped, total
 from crankstar.engine import Engine
 from crankstar.firing import firing
@@ -28,24 +28,34 @@ from crankstar.wording import NEGLIGIBLE, bearing_text, firing_sentence, heading
 
 
 class Analysis(NamedTuple):
-    """An engine with its Balance: normalised, and in newtons at a speed where that can be."""
+    """An engine with its Balance, normalised, and in newtons at a speed where that can be; the orders to show.
+
+    `turning` are the orders for roll and torque, which has more of them than force and couple.
+    """
 
     engine: Engine
     normalised: Balance
     real: Balance | None
     orders: tuple[float, ...]
+    turning: tuple[float, ...]
 
 
-def analysis(
-    engine: Engine, *, speed: float | None, reference: Reference | None = None, orders: Sequence[float] | None = None
-) -> Analysis:
+def analysis(engine: Engine, *, speed: float | None, reference: Reference | None = None) -> Analysis:
     """What `analyze` shows: at `speed` (rad/s), else at the engine's own."""
     speed = engine.speed if speed is None else speed
     normalised = balance(engine, reference=reference)
     real = balance(engine, speed=speed, reference=reference) if speed is not None else None
     if real is not None and real.units == normalised.units:
         real = None
-    return Analysis(engine, normalised, real, tuple(orders) if orders else orders_present(normalised))
+    wanted = orders_present(normalised)
+    return Analysis(engine, normalised, real, wanted, tuple(sorted({*wanted, *_torque_orders(normalised)})))
+
+
+def _torque_orders(result: Balance) -> list[float]:
+    sums = total(result)
+    sizes = np.maximum(np.abs(phasor.amplitude(sums.torque)), np.abs(phasor.amplitude(sums.roll)))
+    present = (sizes > NEGLIGIBLE * sizes.max(initial=0.0)) & (sums.torque.orders <= GREATEST_DEFAULT_ORDER)
+    return sums.torque.orders[present].tolist()
 
 
 def report(shown: Analysis, *, wide: bool = True, angles: Sequence[float] = (), by: Grouping | None = None) -> RenderableType:
@@ -104,8 +114,8 @@ def _vectors(quantity: str, shown: Analysis, plain: Spectrum, real: Spectrum | N
     """Order by order: up and right, the path over a turn, its greatest value; in a narrow terminal only what matters most."""
     unit = "m r ω² Aₖ" if quantity == "force" else "m r ω² Aₖ a"
     actual = f"[{unit_text(getattr(shown.real.units, quantity))}]" if real is not None and shown.real is not None else ""
-    factors = [harmonic(shown.engine, order) or 1.0 for order in shown.orders]
-    picked = _divided(phasor.selected(plain, shown.orders), np.array(factors))
+    factors = [harmonic(shown.engine, order) for order in shown.orders]
+    picked = _divided(phasor.selected(plain, shown.orders), np.array([factor or 1.0 for factor in factors]))
     largest = _largest(picked)
     heads = ["order", "Aₖ", "up", "right", "path over a turn", "greatest", actual]
     rows: list[list[str]] = []
@@ -130,7 +140,9 @@ def _divided(spectrum: Spectrum, factors: np.ndarray) -> Spectrum:
 
 
 def _harmonic_text(factor: complex) -> str:
-    if factor == 1.0 or abs(factor.imag) <= NEGLIGIBLE * abs(factor):
+    if factor == 0:
+        return "-"
+    if abs(factor.imag) <= NEGLIGIBLE * abs(factor):
         return number(factor.real)
     return number(abs(factor))
 
@@ -150,10 +162,10 @@ def _turning(shown: Analysis, sums: Totals, real: Totals | None) -> RenderableTy
     for name in ("roll", "torque"):
         heads += [name, "[N m]"] if real is not None else [name]
     out = table(*heads)
-    for row, order in enumerate(shown.orders):
+    for row, order in enumerate(shown.turning):
         cells = [number(order)]
         for name in ("roll", "torque"):
-            signal = phasor.selected(getattr(sums, name), shown.orders)
+            signal = phasor.selected(getattr(sums, name), shown.turning)
             cells.append(wave(phasor.amplitude(signal)[row], _largest(getattr(sums, name))))
             if real is not None:
                 cells.append("0" if cells[-1] == "0" else number(_size(getattr(real, name), order)))

@@ -60,7 +60,7 @@ def test_the_lag_of_a_second_crankshaft_is_that_of_its_dead_centre_whichever_way
             Crank(banks=(Bank(cylinders=(1,)),)),
             Crank(banks=(Bank(bearing=0.3, cylinders=(2,)),), right=3.0, speed_ratio=ratio, lag=radians(100)),  # pyright: ignore[reportArgumentType]
         )
-        engine = tandem(Basis(name="x", cycle="two-stroke", rotation=rotation), cranks=cranks)  # pyright: ignore[reportArgumentType]
+        engine = tandem(Basis(name="x", cycle="two-stroke", rotation=rotation), cranks=cranks)
         assert dead_centres(engine)[2].angle_deg == pytest.approx(100)
 
 

@@ -68,5 +68,5 @@ def _summary(name: str) -> Summary:
     tree = tomllib.loads((_FOLDER / f"{name}.toml").read_text(encoding="utf-8"))
     layout = tree.get("layout", {}).get("type", "explicit")
     order = tree.get("firing_order", ())
-    count = len(order) or len(tree.get("cylinders", ()))
+    count = len(order) or len(load(name).chambers)
     return Summary(name, tree["name"], layout, count, tree.get("cycle", "four-stroke"))

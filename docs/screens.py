@@ -1,0 +1,64 @@
+"""The screens in the documents: what a page says a command prints is what it prints.
+
+In a block of kind `console` a line `$ command` is what is typed, and the lines under it are what appears. The engine files of
+the page that have a title (```toml title="mine.toml") lie in the directory where the commands run. `python docs/screens.py`
+brings all pages up to date; a test compares them.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).parent.parent
+CONSOLE = re.compile(r"^```console\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+FILE = re.compile(r'^```toml title="([\w.-]+)"\n(.*?)^```$', re.MULTILINE | re.DOTALL)
+
+
+def pages() -> list[Path]:
+    """The documents in which people read: those at the top, and those of the site."""
+    return [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]
+
+
+def up_to_date(text: str) -> str:
+    """The text of a page with every screen as it is now."""
+    if not CONSOLE.search(text):
+        return text
+    with tempfile.TemporaryDirectory() as folder:
+        for name, content in FILE.findall(text):
+            (Path(folder) / name).write_text(content, encoding="utf-8")
+        return CONSOLE.sub(lambda found: f"```console\n{_screen(found.group(1), Path(folder))}```", text)
+
+
+def _screen(block: str, folder: Path) -> str:
+    commands = [line.removeprefix("$ ") for line in block.splitlines() if line.startswith("$ ")]
+    return "".join(f"$ {command}\n{printed(command, folder)}" for command in commands)
+
+
+def printed(command: str, folder: Path) -> str:
+    """What a shell shows of a command, errors included, without spaces at the ends of lines."""
+    here = os.pathsep.join((str(Path(sys.executable).parent), os.environ.get("PATH", "")))
+    environment = {"PATH": here, "HOME": str(folder), "PYTHONUTF8": "1"}
+    done = subprocess.run(  # noqa: S602 - our own documents
+        command, shell=True, cwd=folder, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False
+    )
+    lines = [line.rstrip() for line in done.stdout.decode("utf-8").splitlines()]
+    return "".join(f"{line}\n" for line in lines)
+
+
+def main() -> None:
+    """Bring every page up to date, and say which have changed."""
+    for page in pages():
+        before = page.read_text(encoding="utf-8")
+        after = up_to_date(before)
+        if after != before:
+            page.write_text(after, encoding="utf-8")
+            print(f"changed: {page.relative_to(ROOT)}")
+
+
+if __name__ == "__main__":
+    main()
