@@ -15,7 +15,7 @@ from typing import Any, Literal, get_args, get_origin
 from pydantic.fields import FieldInfo
 
 from crankstar import engine, layouts
-from crankstar.arrangement import Basis, Override, Sizes
+from crankstar.arrangement import Override, Sizes
 from crankstar.engine import Record
 from crankstar.files.forms import by_key, quantity_of, record_in, short_form
 
@@ -30,7 +30,7 @@ def _layout(kind: str) -> type[Record]:
 
 
 TABLES: dict[str, type[Record]] = {
-    "short": Basis,
+    "short": short_form(None),
     "cylinder": Sizes,
     "override": Override,
     "rod": engine.Rod,
@@ -52,11 +52,7 @@ _BANKS = "the rows of cylinders, front bank first; see [a bank](#a-bank)"
 _POSITIONS = "distances of the cylinders of a bank behind its first, where the pitch is not even"
 _PITCH = "distance of neighbouring cylinders of a bank along the crankshaft; the unit `a` of normalised couples"
 MEANINGS: dict[tuple[str, str], str] = {
-    ("short", "name"): "what the engine is called in tables",
-    ("short", "cycle"): "whether each cylinder fires once a turn or once in two",
     ("short", "layout"): "how the cylinders are arranged; one of the tables below",
-    ("explicit", "name"): "what the engine is called in tables",
-    ("explicit", "cycle"): "whether each cylinder fires once a turn or once in two",
     ("explicit", "shaft"): "the shafts, the reference crankshaft first; see [a shaft](#a-shaft)",
     ("explicit", "cylinders"): "the cylinders; see [a cylinder](#a-cylinder-in-the-explicit-form)",
     ("shaft", "throw"): "its crank throws; see [a throw](#a-throw)",
@@ -64,12 +60,18 @@ MEANINGS: dict[tuple[str, str], str] = {
     ("bank", "name"): "by which results name it; `bank 1`, `bank 2`, ... if left out",
     ("crank", "name"): "by which results name it; `crank 1`, `crank 2`, ... if left out",
     ("crank", "banks"): "its rows of cylinders; see [a bank](#a-bank)",
+    ("inline", "throws"): "from pin 1, clockwise, front to rear; if left out, evenly spaced ones as the firing order needs",
+    ("inline", "positions"): "distances behind cylinder 1, where the pitch is not even",
     ("inline", "bearing"): "where the cylinders point, clockwise from up: a slanted or a lying engine",
     ("inline", "bore_pitch"): _PITCH,
     ("vee", "banks"): _BANKS,
+    ("vee", "throws"): "from pin 1, clockwise: one for each pin of a bank, or one for each cylinder by its number",
     ("vee", "bore_pitch"): _PITCH,
+    ("vee", "bank_offset"): "how far each bank stands in front of the next; 0 for fork-and-blade rods",
+    ("vee", "pin_split"): "split pins: how far the pins of each bank are turned clockwise from those of the bank before",
     ("vee", "positions"): _POSITIONS,
     ("boxer", "banks"): "two of them, opposite each other; see [a bank](#a-bank)",
+    ("boxer", "throws"): "of the first bank, from pin 1, clockwise",
     ("boxer", "bore_pitch"): _PITCH,
     ("boxer", "bank_offset"): "how far the first bank stands in front of the second",
     ("boxer", "positions"): _POSITIONS,
@@ -78,15 +80,21 @@ MEANINGS: dict[tuple[str, str], str] = {
     ("tandem", "bank_offset"): "how far each bank of a crankshaft stands in front of its next",
     ("tandem", "positions"): _POSITIONS,
     ("opposed", "throws"): "of the first crankshaft, from its pin 1, clockwise, one for each cylinder",
+    ("opposed", "crank_distance"): "from the first crankshaft to the second",
+    ("opposed", "lag"): "turn of the first crankshaft by which the second follows",
+    ("opposed", "bearing"): "where the second crankshaft stands from the first, clockwise from up",
     ("opposed", "speed_ratio"): "of the second crankshaft; -1 if it turns the other way",
     ("opposed", "bore_pitch"): _PITCH,
     ("opposed", "positions"): _POSITIONS,
     ("radial", "rows"): "the stars, the front one first; see [a row](#a-row)",
+    ("radial", "knuckle_radius"): "from crank pin to the knuckle pins of slave rods; if left out, all rods sit on the crank pin",
+    ("radial", "slave_rod_length"): "between centres; the master's rod less the knuckle radius if left out",
     ("radial", "row_pitch"): "distance of neighbouring rows along the crankshaft; the unit `a` of normalised couples",
 }
-"""What the records leave to the page to say. A test asks that none of it is said there as well."""
+"""What the records leave to the page to say, and arguments of layouts whose docstring speaks of several at once."""
 
 MARK = re.compile(r"^<!-- (keys|figure|sources): ?([\w. /-]*?) ?-->$", re.MULTILINE)
+CITATION = re.compile(r"\[(@[\w-]+(?:; ?@[\w-]+)*)\]")
 
 
 def on_page_markdown(markdown: str, **_: Any) -> str:
@@ -97,14 +105,14 @@ def on_page_markdown(markdown: str, **_: Any) -> str:
 def filled(markdown: str) -> str:
     """A page with its markers replaced by what they stand for."""
     makers = {"keys": table, "figure": figure, "sources": sources}
-    return MARK.sub(lambda found: makers[found.group(1)](found.group(2)), markdown)
+    return CITATION.sub(cited, MARK.sub(lambda found: makers[found.group(1)](found.group(2)), markdown))
 
 
 def table(name: str) -> str:
     """The keys of one table of an engine file: value, default, meaning."""
     lines = ["| key | value | default | meaning |", "|---|---|---|---|"]
     for key, info in by_key(TABLES[name]).items():
-        meaning = info.description or MEANINGS.get((name, key), "")
+        meaning = MEANINGS.get((name, key)) or info.description or ""
         lines.append(f"| `{key}` | {_value(info)} | {_default(info)} | {_layout_kind(info) or meaning} |")
     return "\n".join(lines).replace("`layout.type`", "`type`")
 
@@ -122,7 +130,7 @@ def _value(info: FieldInfo) -> str:
         kind = "a length" if quantity.dimension == "length" else quantity.dimension
         kind = kind.removeprefix("a ") + ("s" if many and not kind.endswith("crankshaft") else "")
         kind = kind.replace("length along", "lengths along") if many else kind
-        return f"{many}{kind}, `{quantity.example}`"
+        return f'{many}{kind}, `["{quantity.example}", ...]`' if many else f'{kind}, `"{quantity.example}"`'
     if (choices := _choices(info.annotation)) != ():
         return many + " or ".join(f'`"{choice}"`' if isinstance(choice, str) else f"`{choice}`" for choice in choices)
     if record_in(info.annotation) is not None:
@@ -150,6 +158,8 @@ def _default(info: FieldInfo) -> str:
         return "-"
     if isinstance(value, tuple):
         return "`[" + ", ".join(f"{item:g}" for item in value) + "]`"
+    if isinstance(value, str):
+        return f'`"{value}"`'
     return f"`{value:g}`" if isinstance(value, float) else f"`{value}`"
 
 
@@ -160,17 +170,29 @@ def figure(path: str) -> str:
 
 
 def sources(path: str) -> str:
-    """A bibliography as a list, each entry under its key."""
+    """A bibliography as a list, each entry with an anchor of its key."""
     lines: list[str] = []
     for key, fields in entries((HERE / path).read_text(encoding="utf-8")).items():
-        title = f"*{escape(fields['title'])}*"
-        where = [fields[name] for name in ("journal", "publisher", "howpublished", "note") if name in fields]
-        if "volume" in fields:
-            where[0] += f" {fields['volume']}" + (f"({fields['number']})" if "number" in fields else "")
-        where += [f"p. {fields['pages'].replace('--', '-')}"] if "pages" in fields else []
-        parts = [fields["author"].replace(" and ", ", "), title, *map(escape, where), fields.get("year", "")]
-        lines.append(f"`{key}` {{ #{key} }}\n:   " + ". ".join(part for part in parts if part) + ".\n")
+        parts = [fields["author"].replace(" and ", ", "), f"*{escape(fields['title'])}*"]
+        parts += [escape(fields[name]) for name in ("publisher", "howpublished", "note") if name in fields]
+        if "journal" in fields:
+            parts.append(f"{fields['journal']} {fields['volume']}({fields['number']}), p. {fields['pages'].replace('--', '-')}")
+        parts += [fields["year"]] if "year" in fields else []
+        lines.append(f'* <a id="{key}"></a>**{label(key)}**: {". ".join(parts)}.')
     return "\n".join(lines)
+
+
+def cited(found: re.Match[str]) -> str:
+    """Keys of the bibliography in a text, `[@taylor1985; @norton]`, as links to their entries."""
+    keys = [key.strip().removeprefix("@") for key in found.group(1).split(";")]
+    return "(" + "; ".join(f"[{label(key)}](references.md#{key})" for key in keys) + ")"
+
+
+def label(key: str) -> str:
+    """How a source is called in a text: taylor1985 is Taylor 1985."""
+    name, year = re.fullmatch(r"(.*?)(\d{4})?", key).groups()  # pyright: ignore[reportOptionalMemberAccess]
+    shown = {"denhartog": "Den Hartog", "v8cross": "V8 cross-plane page", "kr250": "KR250 essay", "yamamoto": "V8 flat-plane page"}
+    return " ".join(filter(None, (shown.get(name, name.capitalize()), year)))
 
 
 def entries(bibliography: str) -> dict[str, dict[str, str]]:

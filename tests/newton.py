@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from crankstar.balance import Reference
+from crankstar.mechanism import Reference
 from crankstar.engine import Cylinder, Engine, Shaft
 
 FINEST = 8192

@@ -195,7 +195,7 @@ def _offsets(size: _Size) -> st.SearchStrategy[float]:
 
 
 @st.composite
-def _bases(draw: Draw, numbers: Sequence[int], size: _Size, *, order: Sequence[int] = (), own_stroke: bool = False, **overrides: Any) -> Basis:
+def _bases(draw: Draw, numbers: Sequence[int], size: _Size, *, order: Sequence[int] = (), own_stroke: bool = False, moved: bool = True, **overrides: Any) -> Basis:
     length = (size.reach + size.knuckle) * draw(CLEARANCES)
     ratio = (size.reach + size.knuckle) / size.radius * draw(CLEARANCES)
     rod = draw(st.sampled_from([{"rod_length": length}, {"rod_ratio": ratio}, {}]))
@@ -217,14 +217,14 @@ def _bases(draw: Draw, numbers: Sequence[int], size: _Size, *, order: Sequence[i
         firing_order=tuple(order),
         speed=draw(maybe(SPEEDS)),
         cylinder=cylinder,
-        cylinders=tuple(draw(_overrides(other, size, whole, own_stroke=own_stroke)) for other in different if other not in overrides)
+        cylinders=tuple(draw(_overrides(other, size, whole, own_stroke=own_stroke, moved=moved)) for other in different if other not in overrides)
         + tuple(Override(number=int(key), **value) for key, value in overrides.items()),
         balance_factor=draw(maybe(number(0.0, 2.0))),
     )
 
 
 @st.composite
-def _overrides(draw: Draw, other: int, size: _Size, whole: float, *, own_stroke: bool) -> Override:
+def _overrides(draw: Draw, other: int, size: _Size, whole: float, *, own_stroke: bool, moved: bool) -> Override:
     longer = {"rod_length": whole * draw(number(1.0, 1.5))}
     shorter_stroke = {"stroke": 2 * size.radius * draw(number(0.5, 1.0)), "rod_length": whole}
     return Override(
@@ -233,8 +233,8 @@ def _overrides(draw: Draw, other: int, size: _Size, whole: float, *, own_stroke:
         reciprocating_mass=draw(maybe(MASSES)),
         rotating_mass=draw(maybe(MASSES)),
         rod=draw(maybe(rigid_rods(whole))),
-        bearing=draw(maybe(ANGLES)),
-        z=draw(maybe(PLACES)),
+        bearing=draw(maybe(ANGLES)) if moved else None,
+        z=draw(maybe(PLACES)) if moved else None,
         bank=draw(maybe(st.just("other"))),
         **draw(st.sampled_from([{}, longer, *([shorter_stroke] if own_stroke and size.known else [])])),
     )
@@ -249,12 +249,12 @@ def _pitches(draw: Draw, count: int) -> dict[str, Any]:
 
 
 @st.composite
-def inline_engines(draw: Draw) -> Engine:
+def inline_engines(draw: Draw, *, moved: bool = True) -> Engine:
     count = draw(st.integers(1, 6))
     numbers = tuple(range(1, count + 1))
     throws = draw(maybe(st.tuples(*[ANGLES] * count)))
     order = draw(st.permutations(numbers)) if throws is None else ()
-    basis = draw(_bases(numbers, draw(_size()), order=order, own_stroke=True))
+    basis = draw(_bases(numbers, draw(_size()), order=order, own_stroke=True, moved=moved))
     return LAYOUTS["inline"](basis, throws=throws, bearing=draw(ANGLES), **draw(_pitches(count)))
 
 
@@ -276,7 +276,7 @@ def _banks(draw: Draw, bearings: Sequence[float], size: _Size, *, of: int, first
 
 
 @st.composite
-def vee_engines(draw: Draw) -> Engine:
+def vee_engines(draw: Draw, *, moved: bool = True) -> Engine:
     """V, VR, W: shared or split pins, a throw for each cylinder, or a fork of articulated rods on each shared pin."""
     per_bank = draw(st.integers(1, 4))
     size = draw(_size(knuckle=0.3))
@@ -291,7 +291,7 @@ def vee_engines(draw: Draw) -> Engine:
         pairs = zip(banks[0].cylinders, banks[1].cylinders, strict=True)
         slaves = {str(slave): {"articulated": Articulation(master=master, **link)} for master, slave in pairs}
     return LAYOUTS["vee"](
-        draw(_bases([n for n in numbers if str(n) not in slaves], size, **slaves)),
+        draw(_bases([n for n in numbers if str(n) not in slaves], size, moved=moved, **slaves)),
         banks=banks,
         throws=throws,
         bank_offset=draw(maybe(number(-0.1, 0.1), 0.0)),
@@ -301,10 +301,10 @@ def vee_engines(draw: Draw) -> Engine:
 
 
 @st.composite
-def boxer_engines(draw: Draw) -> Engine:
+def boxer_engines(draw: Draw, *, moved: bool = True) -> Engine:
     per_bank, bearing, size = draw(st.integers(1, 3)), draw(ANGLES), draw(_size())
     return LAYOUTS["boxer"](
-        draw(_bases(range(1, 2 * per_bank + 1), size)),
+        draw(_bases(range(1, 2 * per_bank + 1), size, moved=moved)),
         banks=draw(_banks([bearing, bearing + pi], size, of=per_bank, own_pins=False)),
         throws=draw(st.tuples(*[ANGLES] * per_bank)),
         bank_offset=draw(maybe(number(-0.1, 0.1), 0.0)),
@@ -313,7 +313,7 @@ def boxer_engines(draw: Draw) -> Engine:
 
 
 @st.composite
-def tandem_engines(draw: Draw) -> Engine:
+def tandem_engines(draw: Draw, *, moved: bool = True) -> Engine:
     size, per_bank = draw(_size()), draw(st.integers(1, 2))
     cranks: list[Crank] = []
     for index in range(draw(st.integers(2, 3))):
@@ -322,10 +322,10 @@ def tandem_engines(draw: Draw) -> Engine:
         banks = draw(_banks(bearings, size, of=per_bank, first=first))
         place = {} if index == 0 else {"up": draw(PLACES), "right": draw(PLACES), "speed_ratio": draw(st.sampled_from(RATIOS))}
         throws = draw(st.tuples(*[ANGLES] * draw(st.sampled_from([per_bank, per_bank * len(bearings)]))))
-        cranks.append(Crank(banks=banks, throws=throws, lag=draw(maybe(ANGLES, 0.0)), **place))
+        cranks.append(Crank(banks=banks, throws=throws, lag=draw(maybe(ANGLES, 0.0)) if index or moved else 0.0, **place))
     count = sum(len(bank.cylinders) for crank in cranks for bank in crank.banks)
     return LAYOUTS["tandem"](
-        draw(_bases(range(1, count + 1), size)),
+        draw(_bases(range(1, count + 1), size, moved=moved)),
         cranks=tuple(cranks),
         bank_offset=draw(maybe(number(-0.1, 0.1), 0.0)),
         **draw(_pitches(per_bank)),
@@ -333,10 +333,10 @@ def tandem_engines(draw: Draw) -> Engine:
 
 
 @st.composite
-def opposed_engines(draw: Draw) -> Engine:
+def opposed_engines(draw: Draw, *, moved: bool = True) -> Engine:
     count = draw(st.integers(1, 3))
     return LAYOUTS["opposed"](
-        draw(_bases(range(1, 2 * count + 1), draw(_size()))),
+        draw(_bases(range(1, 2 * count + 1), draw(_size()), moved=moved)),
         throws=draw(st.tuples(*[ANGLES] * count)),
         crank_distance=draw(number(0.3, 3.0)),
         lag=draw(maybe(ANGLES, 0.0)),
@@ -347,7 +347,7 @@ def opposed_engines(draw: Draw) -> Engine:
 
 
 @st.composite
-def radial_engines(draw: Draw) -> Engine:
+def radial_engines(draw: Draw, *, moved: bool = True) -> Engine:
     """Stars of one or more rows, all rods on the crank pin or slave rods on a master."""
     articulated = draw(st.booleans())
     size = draw(_size(knuckle=0.5 if articulated else 0.0))
@@ -360,7 +360,7 @@ def radial_engines(draw: Draw) -> Engine:
         )
     count = sum(len(row.cylinders) for row in rows)
     return LAYOUTS["radial"](
-        draw(_bases(range(1, count + 1), size)),
+        draw(_bases(range(1, count + 1), size, moved=moved)),
         rows=tuple(rows),
         row_pitch=draw(maybe(number(0.05, 0.5))),
         knuckle_radius=size.knuckle if articulated else None,
@@ -368,15 +368,21 @@ def radial_engines(draw: Draw) -> Engine:
     )
 
 
-OF_LAYOUT: dict[str, st.SearchStrategy[Engine]] = {
-    "inline": inline_engines(),
-    "vee": vee_engines(),
-    "boxer": boxer_engines(),
-    "tandem": tandem_engines(),
-    "opposed": opposed_engines(),
-    "radial": radial_engines(),
+_WRITTEN_BY: dict[str, Callable[..., st.SearchStrategy[Engine]]] = {
+    "inline": inline_engines,
+    "vee": vee_engines,
+    "boxer": boxer_engines,
+    "tandem": tandem_engines,
+    "opposed": opposed_engines,
+    "radial": radial_engines,
 }
-"""Engines by the layout function that writes them."""
 
+
+def of_layout(name: str, *, moved: bool = True) -> st.SearchStrategy[Engine]:
+    """Engines that a layout function writes; unless `moved`, each cylinder stays where the layout puts it."""
+    return _WRITTEN_BY[name](moved=moved)
+
+
+OF_LAYOUT = {name: of_layout(name) for name in _WRITTEN_BY}
 OF_ANY_KIND: dict[str, st.SearchStrategy[Engine]] = {"explicit": engines(), **OF_LAYOUT}
 """The engines of every layout, and explicit ones."""

@@ -9,6 +9,7 @@ a record, a way of looking at it is a function, an engine type is data, and impo
 | module | one line |
 |---|---|
 | `cli` | verbs only; no logic |
+| `output` | where results go: terminal, pipe, or a file that appears whole or not at all |
 | `tables`, `description` | a Balance, an Engine as tables for the terminal and the notebook |
 | `wording` | numbers, amplitudes, paths and firing orders as an engineer writes them |
 | `answer` | the machine-readable answer: the public JSON object, CSV |
@@ -22,6 +23,7 @@ a record, a way of looking at it is a function, an engine type is data, and impo
 | `arrangement` | cylinders put on pins, and what a short file says of all of them, to an Engine |
 | `motion` | exact motion of pins, rods and pistons, its harmonics; the series in lambda beside them |
 | `engine` | frozen records: Engine, Shaft, Throw, Weight, Cylinder, Rod; their checks |
+| `fault` | what is wrong with an engine: each fault with its place, and the words to say it in |
 | `quantity` | what a number or text in a record is: dimension, unit of example, limits |
 | `phasor` | spectra over crank order: add, shift, scale, evaluate, ellipse, peak |
 

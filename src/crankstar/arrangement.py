@@ -11,7 +11,7 @@ from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from math import pi
+from math import pi, radians
 from typing import Annotated, Any
 
 from pydantic import Field
@@ -32,6 +32,7 @@ from crankstar.engine import (
     Throw,
     Weight,
 )
+from crankstar.firing import dead_centres
 from crankstar.quantity import Angle, Length, Line, Mass, Number, Ordinal, Position, Size, Unknown
 
 ASSUMED_ROD_RATIO = 4.0
@@ -73,6 +74,9 @@ class Basis(Identity):
 
     cylinder: Sizes = Field(default=Sizes(), description="all cylinders alike")
     cylinders: tuple[Override, ...] = Field(default=(), max_length=GREATEST_CYLINDERS, description="what is different, one by one")
+    relative: tuple[Unknown, ...] = Field(
+        default=(), description="what is not known, and so given as bare numbers in units of itself; added to what is left out"
+    )
     balance_factor: Annotated[Number, Field(ge=0, le=2)] | None = Field(
         default=None,
         description="a counterweight opposite each pin: all of its rotating mass and this share of its reciprocating mass",
@@ -159,13 +163,31 @@ def assembled(
         cylinders += [_cylinder(p, sizes[p.number], shaft.name, slot) for slot, pin in enumerate(pins, 1) for p in pin]
     identity: dict[str, Any] = {key: getattr(basis, key) for key in Identity.model_fields}
     identity["provenance"] = _assumed(basis) | basis.provenance
-    return Engine(
+    engine = Engine(
         **identity,
         relative=unknown,
-        bore_pitch=1.0 if "pitch" in unknown else pitch,
+        bore_pitch=1.0 if "pitch" in unknown and pitch is None else pitch,
         shafts=tuple(turning),
         cylinders=_overridden(basis, sorted(cylinders, key=lambda cylinder: cylinder.number)),
     )
+    return _timed(engine) if engine.first.articulated else engine
+
+
+def _timed(engine: Engine) -> Engine:
+    """The engine turned to the first cylinder's true dead centre, where its slave rod makes that hard to know beforehand."""
+    if motion.unreachable(engine):
+        return engine
+    ahead = engine.sense * radians(dead_centres(engine)[engine.first.chamber or engine.first.number].angle_deg)
+
+    def turned(shaft: Shaft) -> Shaft:
+        by = ahead * float(shaft.speed_ratio)
+        parts = {
+            name: tuple(part.model_copy(update={"angle": _wrapped(part.angle + by)}) for part in getattr(shaft, name))
+            for name in ("throws", "weights")
+        }
+        return shaft.model_copy(update=parts)
+
+    return engine.model_copy(update={"shafts": tuple(turned(shaft) for shaft in engine.shafts)})
 
 
 def _misplaced(basis: Basis, places: list[Place]) -> Iterator[Fault]:
@@ -227,9 +249,9 @@ def _sizes(basis: Basis, place: Place) -> _Known:
 def _relative(basis: Basis, *, pitch_unknown: bool, places: list[Place]) -> tuple[Unknown, ...]:
     spread = len({place.z for place in places}) > 1
     unknown: list[tuple[Unknown, bool]] = [
-        ("mass", basis.cylinder.reciprocating_mass is None),
-        ("radius", basis.cylinder.stroke is None),
-        ("pitch", pitch_unknown and spread),
+        ("mass", basis.cylinder.reciprocating_mass is None or "mass" in basis.relative),
+        ("radius", basis.cylinder.stroke is None or "radius" in basis.relative),
+        ("pitch", spread and (pitch_unknown or "pitch" in basis.relative)),
     ]
     return tuple(name for name, missing in unknown if missing)
 

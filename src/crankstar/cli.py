@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-import os
 import sys
-import tempfile
 from collections.abc import Sequence
 from importlib.metadata import version
 from math import isfinite
-from pathlib import Path
-from typing import Annotated, Any, NoReturn
+from typing import Annotated, Any
 
-from cyclopts import App, CycloptsError, Parameter
+from cyclopts import App, CycloptsError, Parameter, UnusedCliTokensError
 
 from crankstar.catalog import load
 from crankstar.engine import Engine
-from crankstar.files import EngineFileError
+from crankstar.files import STANDARD_INPUT, EngineFileError
 from crankstar.mechanism import Reference
-from crankstar.quantity import CONTROL
+from crankstar.output import OutputError, abandon, complain, display, is_file, terminal_width, write
+from crankstar.quantity import one_line, seen
 
 app = App(
     name="crankstar",
@@ -26,12 +24,13 @@ app = App(
     version=lambda: version("crankstar"),
     help_format="plaintext",
     result_action="return_value",
+    suppress_keyboard_interrupt=False,
 )
 app.register_install_completion_command(help="Install completion of commands and options for this shell.")
 
 
-WIDE, PIPED = 92, 140
-"""Columns from which a table shows everything, and columns when there is no terminal."""
+WIDE = 92
+"""Columns from which a table shows everything."""
 
 
 class RequestError(ValueError):
@@ -39,33 +38,49 @@ class RequestError(ValueError):
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
-    """Run the command line and leave the process: 0 done, 2 a bad request or file."""
+    """Run the command line and leave the process: 0 done, 2 a bad request or file, 130 interrupted."""
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(errors="replace")  # pyright: ignore[reportAttributeAccessIssue]
     try:
-        code = app(arguments, exit_on_error=False, print_error=False) or 0
-        sys.stdout.flush()
+        code = app(_spelt_out(sys.argv[1:] if arguments is None else arguments), exit_on_error=False, print_error=False) or 0
+        if sys.stdout is not None:
+            sys.stdout.flush()
     except CycloptsError as error:
         code = _refuse(_told(error))
-    except (RequestError, EngineFileError) as error:
+    except (RequestError, OutputError, EngineFileError) as error:
         code = _refuse(str(error))
-    except BrokenPipeError:
-        # The reader of the pipe has what it wanted; the interpreter must not complain when it closes.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        code = 0
+    except (BrokenPipeError, SystemExit):  # the latter is how rich says it
+        code = 0  # the reader of the pipe has what it wanted
+    except OSError as error:
+        place = "standard output" if error.filename is None else one_line(str(error.filename))
+        code = _refuse(f"{place}: cannot be written ({error.strerror or error}); make room, or name another file with -o")
+    except MemoryError:
+        code = _refuse("there is not enough memory for this engine; take fewer cylinders, or longer rods")
     except KeyboardInterrupt:
         code = 130
+    abandon()
     sys.exit(code)
 
 
+def _spelt_out(arguments: Sequence[str]) -> list[str]:
+    """Arguments with the lone hyphen as a file name; the parser would take it for an option."""
+    pairs = zip(["", *arguments], arguments, strict=False)
+    named = {"-o": "/dev/stdout", "--output": "/dev/stdout"}
+    return [named.get(before, STANDARD_INPUT) if word == "-" else word for before, word in pairs]
+
+
 def _told(error: CycloptsError) -> str:
-    text = CONTROL.sub("?", str(error)).strip()
-    return f"{text}\nSee: crankstar --help"
+    """What is wrong with the words of a command line, and where to read on."""
+    text = one_line(str(error).strip(), longest=300).replace("into int", "into a whole number").replace("into bool", "into yes or no")
+    if isinstance(error, UnusedCliTokensError):
+        text = f"too many arguments: {', '.join(map(seen, error.unused_tokens or ()))}"
+    command = " ".join(["crankstar", *(error.command_chain or ())])
+    return f"{text}\nSee: {command} --help"
 
 
 def _refuse(message: str) -> int:
-    sys.stderr.write(f"crankstar: {message}\n")
+    complain(f"crankstar: {message}")
     return 2
 
 
@@ -121,11 +136,11 @@ def list_engines(
     rows = summaries()
     kinds = sorted({row.layout for row in rows})
     if layout is not None and layout not in kinds:
-        raise RequestError(f"--layout {layout}: there is no such layout in the catalog; there are: {', '.join(kinds)}")
+        raise RequestError(f"--layout {one_line(layout)}: there is no such layout in the catalog; there are: {', '.join(kinds)}")
     found = [row for row in rows if cylinders in (None, row.cylinders) and layout in (None, row.layout)]
     if not found:
         raise RequestError("no engine of the catalog is like that; `crankstar list` shows all")
-    _print(catalog_table(found))
+    display(catalog_table(found))
 
 
 @app.command
@@ -143,9 +158,9 @@ def show(
 
     loaded = _loaded(engine, settings)
     if explicit:
-        _write(toml(loaded), output)
+        write(toml(loaded), output)
     else:
-        _print(description(loaded), output)
+        display(description(loaded), output)
 
 
 @app.command
@@ -176,16 +191,16 @@ def analyze(
         result = balance(loaded, speed=loaded.speed if turning is None else turning, reference=point)
         wanted = _orders(orders, result.force.orders.tolist())
         if csv:
-            _write(answer.csv_text(loaded.name, result, orders=wanted), output)
+            write(answer.csv_text(loaded.name, result, orders=wanted), output)
         else:
-            _write(_json(answer.tree(loaded.name, result, orders=wanted)), output)
+            write(_json(answer.tree(loaded.name, result, orders=wanted)), output)
         return
     from crankstar.tables import analysis, report
 
     shown = analysis(loaded, speed=turning, reference=point)
     wanted = _orders(orders, shown.normalised.force.orders.tolist())
     shown = shown._replace(orders=tuple(wanted), turning=tuple(wanted)) if wanted else shown
-    _print(report(shown, wide=output is not None or _width() >= WIDE, angles=_angles(at), by=_grouping(by)), output)
+    display(report(shown, wide=output is not None or terminal_width() >= WIDE, angles=_angles(at), by=_grouping(by)), output)
 
 
 @app.command
@@ -198,7 +213,7 @@ def compare(
     at = _speed(speed)
     shown = [analysis(_loaded(name, None), speed=at) for name in (first, second, *others)]
     wanted = _orders(orders, shown[0].normalised.force.orders.tolist())
-    _print(comparison([one._replace(orders=tuple(wanted)) for one in shown] if wanted else shown), output)
+    display(comparison([one._replace(orders=tuple(wanted), turning=tuple(wanted)) for one in shown] if wanted else shown), output)
 
 
 @app.command
@@ -214,11 +229,11 @@ def check(*files: Annotated[str, Parameter(help="engine files, or names from the
             loaded = load(name)
         except EngineFileError as error:
             failed += 1
-            sys.stderr.write(f"{error}\n")
+            complain(str(error))
         else:
             count = len(loaded.cylinders)
-            shown = CONTROL.sub("?", name)
-            _print(Text(f"{shown}: good ({loaded.name}, {count} piston{'s' if count > 1 else ''})"))
+            shown = "standard input" if name == STANDARD_INPUT else one_line(name)
+            display(Text(f"{shown}: good ({loaded.name}, {count} piston{'s' if count > 1 else ''})"))
     return 2 if failed else 0
 
 
@@ -234,10 +249,10 @@ def new(
     from crankstar.files.starters import STARTERS
 
     if layout not in STARTERS:
-        raise RequestError(f"there is no layout {CONTROL.sub('?', layout)!r}; there are: {', '.join(STARTERS)}")
-    if output is not None and output != "-" and not force and Path(output).exists():
-        raise RequestError(f"{output}: is there already; --force overwrites it")
-    _write(STARTERS[layout], output)
+        raise RequestError(f"there is no layout {seen(layout)}; there are: {', '.join(STARTERS)}")
+    if output is not None and not force and is_file(output):
+        raise RequestError(f"{one_line(output)}: is there already; --force overwrites it")
+    write(STARTERS[layout], output)
 
 
 @app.command
@@ -245,7 +260,7 @@ def schema(*, output: Output = None) -> None:
     """Print the JSON Schema of engine files; editors complete and check with it."""
     from crankstar.files import schema as file_schema
 
-    _write(_json(file_schema()), output)
+    write(_json(file_schema()), output)
 
 
 def _loaded(name: str, settings: list[str] | None) -> Engine:
@@ -258,10 +273,10 @@ def _setting(text: str) -> tuple[str, Any]:
 
     path, equals, value = text.partition("=")
     if not equals or not path.strip():
-        raise RequestError(f'--set {text}: give a key path and a value, as in --set layout.bore_pitch="100 mm"')
+        raise RequestError(f'--set {one_line(text)}: give a key path and a value, as in --set layout.bore_pitch="100 mm"')
     try:
         return path.strip(), tomllib.loads(f"value = {value}")["value"]
-    except (tomllib.TOMLDecodeError, RecursionError):
+    except (ValueError, RecursionError):  # not TOML, or a number of thousands of digits
         return path.strip(), value
 
 
@@ -276,7 +291,7 @@ def _speed(text: str | None) -> float | None:
     except ValueError as error:
         raise RequestError(f"--speed: {error}") from None
     if speed <= 0:
-        raise RequestError(f'--speed: "{text}" must be greater than 0, such as "{SPEED.example}"')
+        raise RequestError(f'--speed: is {seen(text)}; it must be greater than 0, such as "{SPEED.example}"')
     return speed
 
 
@@ -290,9 +305,7 @@ def _orders(text: str | None, present: list[float]) -> list[float] | None:
     except ValueError:
         wanted = []
     if not wanted or not all(isfinite(order) and 0 < order <= 1000 for order in wanted) or len(wanted) > 200:
-        raise RequestError(
-            f"--orders {CONTROL.sub('?', text)}: give numbers from above 0 up to 1000 with commas, as in 1,2,4,6, or all"
-        )
+        raise RequestError(f"--orders {one_line(text)}: give numbers from above 0 up to 1000 with commas, as in 1,2,4,6, or all")
     return list(dict.fromkeys(wanted))
 
 
@@ -312,7 +325,7 @@ def _grouping(text: str | None) -> Any:
     from crankstar.balance import Grouping
 
     if text is not None and text not in get_args(Grouping):
-        raise RequestError(f"--by {CONTROL.sub('?', text)}: it can be {', '.join(get_args(Grouping))}")
+        raise RequestError(f"--by {one_line(text)}: it can be {', '.join(get_args(Grouping))}")
     return text
 
 
@@ -325,7 +338,7 @@ def _reference(text: str | None, engine: Engine) -> Reference | None:
     parts = [part.strip() for part in text.split(",")]
     example = 'as in "-120 mm" (z) or "0 mm, 35 mm, 0 mm" (z, up, right)'
     if len(parts) not in (1, 3):
-        raise RequestError(f"--reference {CONTROL.sub('?', text)}: give z, or z, up and right, {example}")
+        raise RequestError(f"--reference {one_line(text)}: give z, or z, up and right, {example}")
     read = units.reader(frozenset(engine.relative))
     marks = [POSITION, LENGTH, LENGTH]
     try:
@@ -341,56 +354,3 @@ def _json(tree: dict[str, Any]) -> str:
     text = json.dumps(tree, indent=1, ensure_ascii=False, allow_nan=False)
     # A pair of numbers on one line. A raw line break cannot stand inside a string, so no name is touched.
     return re.sub(r"\[\n\s+([-+.\de]+),\n\s+([-+.\de]+)\n\s+\]", r"[\1, \2]", text) + "\n"
-
-
-def _width() -> int:
-    """Columns of the terminal, or of what it is piped into."""
-    from rich.console import Console
-
-    console = Console()
-    return console.width if console.is_terminal else PIPED
-
-
-def _print(renderable: Any, output: str | None = None) -> None:
-    """To the terminal in its width and colours, plain where it is piped; or to a file, plain."""
-    from io import StringIO
-
-    from rich.console import Console
-
-    if output is None:
-        Console(highlight=False, markup=False, width=_width()).print(renderable)
-        return
-    text = StringIO()
-    Console(file=text, highlight=False, markup=False, width=PIPED, force_terminal=False).print(renderable)
-    _write(text.getvalue(), output)
-
-
-def _write(text: str, output: str | None) -> None:
-    """To standard output, or to a file that appears whole or not at all."""
-    if output in (None, "-"):
-        sys.stdout.write(text)
-        return
-    target = Path(output)
-    try:
-        if target.is_dir():
-            _unwritable(output, "is a directory")
-        handle, draft = tempfile.mkstemp(dir=target.resolve().parent, prefix=f".{target.name[:50]}.")
-        try:
-            with os.fdopen(handle, "w", encoding="utf-8") as file:
-                file.write(text)
-            mask = os.umask(0)
-            os.umask(mask)
-            Path(draft).chmod(target.stat().st_mode & 0o777 if target.exists() else 0o666 & ~mask)
-            Path(draft).replace(target)
-        except BaseException:
-            Path(draft).unlink(missing_ok=True)
-            raise
-    except OSError as error:
-        _unwritable(output, error.strerror or str(error))
-    except ValueError:
-        _unwritable(output, "is not a name a file can have")
-
-
-def _unwritable(output: str, reason: str) -> NoReturn:
-    shown = CONTROL.sub("?", output)
-    raise RequestError(f"{shown}: cannot be written ({reason}); nothing was changed. Name another place with -o, or leave it out")

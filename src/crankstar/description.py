@@ -29,7 +29,8 @@ def description(engine: Engine) -> RenderableType:
         if body:
             blocks.append(Text(f"{title}: {body}"))
     if engine.provenance:
-        out = table("value", "status", "source", left=("value", "status", "source"))
+        heads = ("value", "status", "source")
+        out = table(*heads, left=heads, folded=("source",))
         for path, origin in engine.provenance.items():
             style = "yellow" if origin.status in ("unverified", "placeholder") else ""
             out.add_row(Text(path), Text(origin.status, style=style), Text(origin.source))

@@ -12,10 +12,11 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from itertools import pairwise
 from math import lcm
-from typing import Any, Literal, NamedTuple
+from typing import Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
+from crankstar.fault import EngineError, Fault, counted, cylinders, listed
 from crankstar.quantity import (
     Angle,
     Cycle,
@@ -35,38 +36,20 @@ from crankstar.quantity import (
     Text,
     Unbalance,
     Unknown,
+    seen,
 )
 
 MINIMUM_CLEARANCE = 1.001
 """Least rod length over (crank radius + |offset|): nearer to locking, forces run away and no real engine is there."""
 
 GREATEST_CYLINDERS = 256
+GREATEST_SHAFTS = 16
+GREATEST_THROWS = 256
+"""Throws of one shaft; weights as well."""
+GREATEST_CHAIN = 8
+"""Rods one on the other: real engines have one on a master; a longer chain is a mistake, and dear to follow."""
 GREATEST_TURNS = 2000
 """Turns of the reference shaft after which all geared shafts must be back at the start."""
-
-
-class Fault(NamedTuple):
-    """One thing wrong with an engine: where (keys and indices, as in an engine file), what, and what would be right."""
-
-    path: tuple[str | int, ...]
-    message: str
-    geometric: bool = False
-
-
-class EngineError(ValueError):
-    """An engine that cannot be; carries every fault found, not only the first."""
-
-    def __init__(self, faults: list[Fault]) -> None:
-        self.faults = faults
-        super().__init__("\n".join(f"{where(fault.path)}: {fault.message}" for fault in faults))
-
-
-def where(path: tuple[str | int, ...]) -> str:
-    """A key path as text: ('shaft', 0, 'throw', 2, 'radius') is 'shaft[1].throw[3].radius', counting from one."""
-    text = ""
-    for key in path:
-        text += f"[{key + 1}]" if isinstance(key, int) else f".{key}" if text else key
-    return text or "the file"
 
 
 class Record(BaseModel):
@@ -117,8 +100,10 @@ class Shaft(Record):
     )
     up: Length = Field(default=0.0, description="height of its axis over the reference shaft")
     right: Length = Field(default=0.0, description="its axis to the right of the reference shaft, seen from the front")
-    throws: tuple[Throw, ...] = Field(default=(), validation_alias="throw", serialization_alias="throw")
-    weights: tuple[Weight, ...] = Field(default=(), validation_alias="weight", serialization_alias="weight")
+    throws: tuple[Throw, ...] = Field(default=(), validation_alias="throw", serialization_alias="throw", max_length=GREATEST_THROWS)
+    weights: tuple[Weight, ...] = Field(
+        default=(), validation_alias="weight", serialization_alias="weight", max_length=GREATEST_THROWS
+    )
 
 
 class Cylinder(Record):
@@ -155,11 +140,14 @@ class Identity(Record):
     """What an engine file says of the engine as a whole, in both forms."""
 
     format: Literal[1] = Field(default=1, description="version of the file format")
-    name: Line
-    cycle: Cycle = Field(default="four-stroke")
+    name: Line = Field(examples=["V8, cross-plane, 90 deg"], description="of the engine, on one line")
+    cycle: Cycle = Field(default="four-stroke", description="two-stroke: one turn of the crankshaft; four-stroke: two")
     rotation: Rotation = Field(default="clockwise", description="of the reference crankshaft, seen from the front")
     firing_order: tuple[Ordinal, ...] = Field(
-        default=(), max_length=GREATEST_CYLINDERS, description="combustion chambers in the order in which they fire"
+        default=(),
+        max_length=GREATEST_CYLINDERS,
+        examples=[[1, 3, 4, 2]],
+        description="combustion chambers in the order in which they fire",
     )
     firing_angles: tuple[Angle, ...] | None = Field(
         default=None,
@@ -183,7 +171,9 @@ class Engine(Identity):
         default=(), description="what is not known, and so given as bare numbers in units of itself"
     )
     bore_pitch: Pitch | None = Field(default=None, description="the length a in which couples are counted when normalised")
-    shafts: tuple[Shaft, ...] = Field(validation_alias="shaft", serialization_alias="shaft", min_length=1, max_length=32)
+    shafts: tuple[Shaft, ...] = Field(
+        validation_alias="shaft", serialization_alias="shaft", min_length=1, max_length=GREATEST_SHAFTS
+    )
     cylinders: tuple[Cylinder, ...] = Field(min_length=1, max_length=GREATEST_CYLINDERS)
 
     @model_validator(mode="after")
@@ -203,6 +193,11 @@ class Engine(Identity):
     def sense(self) -> int:
         """+1 if the reference crankshaft turns clockwise seen from the front, else -1."""
         return 1 if self.rotation == "clockwise" else -1
+
+    @property
+    def across(self) -> str:
+        """What lengths across the crankshaft are counted in: m, or crank radii."""
+        return "crank radii" if "radius" in self.relative else "m"
 
     @property
     def cycle_angle(self) -> float:
@@ -295,21 +290,23 @@ def _cylinder_faults(engine: Engine) -> Iterator[Fault]:
     numbers = Counter(cylinder.number for cylinder in engine.cylinders)
     by_number = {cylinder.number: cylinder for cylinder in engine.cylinders}
     if "mass" not in engine.relative and not any(c.reciprocating_mass or c.rod for c in engine.cylinders):
-        yield Fault(("cylinders",), 'no cylinder has a reciprocating mass; give it, or say relative = ["mass"] and count in it')
+        place = ("cylinders", 0, "reciprocating_mass")
+        message = 'is 0, and no cylinder has a piston of any mass; a mass is needed, such as "650 g"'
+        yield Fault(place, message, engine.cylinders[0].number)
     for index, cylinder in enumerate(engine.cylinders):
         here = ("cylinders", index)
         if numbers[cylinder.number] > 1:
             yield Fault(
-                (*here, "number"), f"cylinder {cylinder.number} is there {numbers[cylinder.number]} times; number each once"
+                (*here, "number"), f"is {cylinder.number}, as for {numbers[cylinder.number]} cylinders; give each its own number"
             )
         shaft = shafts.get(cylinder.shaft)
         if shaft is None:
-            yield Fault((*here, "shaft"), f'there is no shaft "{cylinder.shaft}"; there are: {", ".join(shafts)}')
+            yield Fault((*here, "shaft"), f"is {seen(cylinder.shaft)}, and there is no such shaft; there are: {', '.join(shafts)}")
         elif cylinder.throw > len(shaft.throws):
             count = f"throws 1 to {len(shaft.throws)}" if shaft.throws else "no throws"
-            yield Fault((*here, "throw"), f'is {cylinder.throw}, but shaft "{shaft.name}" has {count}')
+            yield Fault((*here, "throw"), f"is {cylinder.throw}, but shaft {seen(shaft.name)} has {count}")
         elif cylinder.articulated is None:
-            yield from _reach_faults(here, cylinder, shaft.throws[cylinder.throw - 1].radius)
+            yield from _reach_faults(here, cylinder, shaft.throws[cylinder.throw - 1].radius, engine.across)
         if cylinder.articulated is not None:
             yield from _articulation_faults(here, cylinder, by_number)
     for number, pistons in engine.chambers.items():
@@ -319,66 +316,68 @@ def _cylinder_faults(engine: Engine) -> Iterator[Fault]:
             yield Fault(("cylinders",), f"combustion chamber {number} has {count}; one or two of equal speed can share a chamber")
 
 
-def _reach_faults(here: tuple[str | int, ...], cylinder: Cylinder, radius: float) -> Iterator[Fault]:
+def _reach_faults(here: tuple[str | int, ...], cylinder: Cylinder, radius: float, unit: str) -> Iterator[Fault]:
     reach = radius + abs(cylinder.offset)
     if cylinder.rod_length < MINIMUM_CLEARANCE * reach:
-        offset = f" + offset {abs(cylinder.offset):.6g}" if cylinder.offset else ""
+        offset = f" + offset {abs(cylinder.offset):.6g} {unit}" if cylinder.offset else ""
         yield Fault(
             (*here, "rod_length"),
-            f"the rod is too short to turn: {cylinder.rod_length:.6g} against crank radius {radius:.6g}{offset} "
-            f"(in m, or in crank radii); it must be longer than {MINIMUM_CLEARANCE * reach:.6g}",
-            geometric=True,
+            f"is {cylinder.rod_length:.6g} {unit}, and the rod is too short to turn with crank radius {radius:.6g} {unit}{offset}; "
+            f"at least {MINIMUM_CLEARANCE * reach:.6g} {unit} is needed",
+            cylinder.number,
         )
 
 
 def _articulation_faults(here: tuple[str | int, ...], cylinder: Cylinder, by_number: Mapping[int, Cylinder]) -> Iterator[Fault]:
     path = (*here, "articulated", "master")
-    seen = [cylinder.number]
+    seen_before = [cylinder.number]
     link: Cylinder | None = cylinder
     while link is not None and link.articulated is not None:
         master = link.articulated.master
         if master not in by_number:
             if link is cylinder:
-                yield Fault(path, f"there is no cylinder {master}; there are: {_listed(sorted(by_number))}")
+                message = f"is {master}, and there is no such cylinder; there are: {listed(sorted(by_number))}"
+                yield Fault(path, message, cylinder.number)
             return
-        if master in seen:
-            if master == cylinder.number:  # tell a loop where it closes, not from its tail
-                chain = " on ".join(str(number) for number in [*seen, master])
-                tell = "on itself" if len(seen) == 1 else f"in a loop ({chain})"
-                yield Fault(path, f"cylinder {cylinder.number} is articulated {tell}; one rod of a group must sit on the crank pin")
+        if master in seen_before:
+            if master == cylinder.number == min(seen_before):  # tell of a loop once, and where it closes
+                yield Fault(path, f"is {link.articulated.master}: {_loop(seen_before)}", cylinder.number)
             return
-        seen.append(master)
+        seen_before.append(master)
         link = by_number[master]
-    root = by_number[seen[-1]]
+    if len(seen_before) > GREATEST_CHAIN:
+        message = f"leads over {len(seen_before)} rods to the crank pin; at most {GREATEST_CHAIN} can sit one on the other"
+        yield Fault(path, message, cylinder.number)
+    root = by_number[seen_before[-1]]
     if (root.shaft, root.throw) != (cylinder.shaft, cylinder.throw):
         yield Fault(
             here,
-            f'works on shaft "{cylinder.shaft}" throw {cylinder.throw}, its master on "{root.shaft}" throw {root.throw}; '
+            f"works on shaft {seen(cylinder.shaft)} throw {cylinder.throw}, its master on {seen(root.shaft)} throw {root.throw}; "
             "they must be the same",
+            cylinder.number,
         )
+
+
+def _loop(numbers: list[int]) -> str:
+    first = numbers[0]
+    chain = " on ".join(str(number) for number in [*numbers[:GREATEST_CHAIN], first])
+    tell = "on itself" if len(numbers) == 1 else f"in a loop ({chain if len(numbers) <= GREATEST_CHAIN else f'of {len(numbers)}'})"
+    return f"cylinder {first} is articulated {tell}; one rod of a group must sit on the crank pin"
 
 
 def _firing_faults(engine: Engine) -> Iterator[Fault]:
     order, chambers = engine.firing_order, set(engine.chambers)
     path = ("firing_order",)
     if engine.firing_angles is not None and len(engine.firing_angles) != len(order):
-        yield Fault(
-            ("firing_angles",),
-            f"has {len(engine.firing_angles)} angles for {len(order)} firings; give one for each, in the same order",
-        )
+        angles, firings = counted(len(engine.firing_angles), "angle"), counted(len(order), "firing")
+        yield Fault(("firing_angles",), f"lists {angles} for {firings} in firing_order; give one for each, in the same order")
     if not order:
         return
     repeated = sorted(number for number, count in Counter(order).items() if count > 1)
     foreign, missing = sorted(set(order) - chambers), sorted(chambers - set(order))
     if repeated:
-        yield Fault(path, f"{_listed(repeated)} fires more than once; each fires once a cycle")
+        yield Fault(path, f"has {cylinders(repeated)} more than once; each fires once a cycle")
     if foreign:
-        yield Fault(path, f"there is no cylinder {_listed(foreign)}; the engine has {_listed(sorted(chambers))}")
+        yield Fault(path, f"has {cylinders(foreign)}, and there is no such cylinder; there are: {listed(sorted(chambers))}")
     if missing:
-        yield Fault(path, f"cylinder {_listed(missing)} is missing; every one of {_listed(sorted(chambers))} must fire")
-
-
-def _listed(numbers: list[int]) -> str:
-    if len(numbers) > 12:
-        return ", ".join(map(str, numbers[:10])) + f", ... ({len(numbers)} in all)"
-    return ", ".join(map(str, numbers))
+        yield Fault(path, f"misses {cylinders(missing)}; each of {listed(sorted(chambers))} must fire")

@@ -114,12 +114,12 @@ def unfit(engine: Engine) -> list[Fault]:
     if _evenest(engine.firing_order, centres, engine.cycle_angle) is not None:
         return []
     order = "-".join(map(str, engine.firing_order))
-    table = ", ".join(f"{number}: {centre.angle_deg:.4g}" for number, centre in sorted(centres.items()))
+    table = ", ".join(f"{number} at {centre.angle_deg:.4g}" for number, centre in sorted(centres.items()))
     message = (
-        f"{order} cannot be fired in one cycle of {engine.cycle_angle:.0f} deg by this geometry. "
-        f"Top dead centres, in degrees after cylinder {engine.first.number} would be at its own: {table}. " + _hint(engine, centres)
+        f"is {order}, which this geometry cannot fire in one cycle of {engine.cycle_angle:.0f} deg. "
+        f"Top dead centres, in degrees of crank angle: {table}. " + _hint(engine, centres)
     )
-    return [Fault(("firing_order",), message, geometric=True)]
+    return [Fault(("firing_order",), message)]
 
 
 def _hint(engine: Engine, centres: dict[int, DeadCentre]) -> str:
@@ -184,23 +184,25 @@ def _evenest(order: tuple[int, ...], centres: dict[int, DeadCentre], cycle: floa
     if not order:
         return []
     first = centres[order[0]].angle_deg
-    reach: dict[float, tuple[float, list[float]]] = {first: (0.0, [first])}
+    reached, cost = np.array([first]), np.zeros(1)
+    steps: list[tuple[np.ndarray, np.ndarray]] = []
     for number in order[1:]:
         centre = centres[number]
         start = centre.angle_deg + centre.period_deg * np.ceil((first - centre.angle_deg) / centre.period_deg - 1e-12)
         choices = np.arange(start, first + cycle - SAME_ANGLE, centre.period_deg)
-        extended: dict[float, tuple[float, list[float]]] = {}
-        for choice in map(float, choices):
-            best = min(
-                ((cost + (choice - last) ** 2, path) for last, (cost, path) in reach.items() if choice > last + SAME_ANGLE),
-                default=(inf, []),
-                key=lambda item: item[0],
-            )
-            if best[1]:
-                extended[choice] = (best[0], [*best[1], choice])
-        reach = extended
-    closed = [(cost + (first + cycle - last) ** 2, path) for last, (cost, path) in reach.items()]
-    return min(closed, key=lambda item: item[0])[1] if closed else None
+        interval = choices[:, None] - reached
+        costs = np.where(interval > SAME_ANGLE, cost + interval**2, inf)
+        possible = np.isfinite(costs).any(axis=1)
+        if not possible.any():
+            return None
+        steps.append((reached, costs[possible].argmin(axis=1)))
+        reached, cost = choices[possible], costs[possible].min(axis=1)
+    at = int(np.argmin(cost + (first + cycle - reached) ** 2))
+    angles = [float(reached[at])]
+    for before, came_from in reversed(steps):
+        at = int(came_from[at])
+        angles.insert(0, float(before[at]))
+    return angles
 
 
 def _given_angles(engine: Engine) -> list[float]:
@@ -223,18 +225,14 @@ def _wrong_angles(engine: Engine, centres: dict[int, DeadCentre]) -> list[Fault]
             faults.append(
                 Fault(
                     ("firing_angles", index),
-                    f"is {written:.6g} deg, but cylinder {number} is at top dead centre at {centre.angle_deg:.6g} deg "
-                    f"and every {centre.period_deg:.4g} deg from there",
-                    geometric=True,
+                    f"is {written:.6g} deg; cylinder {number} is at top dead centre at {centre.angle_deg:.6g} deg "
+                    f"and every {centre.period_deg:.4g} deg from there, {exact:.6g} deg is the nearest",
                 )
             )
     exact = _given_angles(engine)
     if not faults and (exact != sorted(exact) or exact[-1] - exact[0] >= engine.cycle_angle - SAME_ANGLE):
-        faults.append(
-            Fault(
-                ("firing_angles",),
-                f"must ascend and stay within one cycle of {engine.cycle_angle:.0f} deg, in the order of firing_order",
-                geometric=True,
-            )
+        told = (
+            f"is not in order; the angles must ascend within one cycle of {engine.cycle_angle:.0f} deg, as firing_order lists them"
         )
+        faults.append(Fault(("firing_angles",), told))
     return faults

@@ -8,18 +8,18 @@ measured from pin 1, are clockwise seen from the front, whichever way the engine
 
 from __future__ import annotations
 
-from cmath import rect
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
-from math import pi
+from math import cos, pi, sin
 from typing import Annotated
 
 from pydantic import Field
 
 from crankstar.arrangement import Basis, Place, ShaftPlace, assembled
 from crankstar.engine import GREATEST_CYLINDERS, Articulation, Engine, EngineError, Fault, Record
+from crankstar.phasor import ROUNDING
 from crankstar.quantity import Angle, Length, Line, Ordinal, Pitch, Position, Size, SpeedRatio
 
 
@@ -167,7 +167,7 @@ def opposed(
     count = len(throws)
     first = Bank(bearing=bearing, cylinders=tuple(range(1, count + 1)), name="first crankshaft")
     second = Bank(bearing=bearing + pi, cylinders=tuple(range(count + 1, 2 * count + 1)), name="second crankshaft")
-    axis = rect(crank_distance, bearing)
+    up, right = crank_distance * cos(bearing), crank_distance * sin(bearing)
     other = -1 if speed_ratio < 0 else 1
     cranks = (
         Crank(name="first", banks=(first,), throws=throws),
@@ -177,13 +177,18 @@ def opposed(
             throws=tuple(other * angle for angle in throws),
             speed_ratio=speed_ratio,
             lag=lag,
-            up=axis.real,
-            right=axis.imag,
+            up=_exact(up, crank_distance),
+            right=_exact(right, crank_distance),
         ),
     )
     return _arranged(
         basis, cranks, bore_pitch=bore_pitch, bank_offset=0.0, pin_split=0.0, positions=positions, sharing_chambers=True
     )
+
+
+def _exact(part: float, whole: float) -> float:
+    """A component of a length without what rounding left of cos 90 deg."""
+    return 0.0 if abs(part) < ROUNDING * whole else part
 
 
 def radial(

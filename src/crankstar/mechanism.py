@@ -155,6 +155,7 @@ def spectra(machine: Mechanism, *, reference: Reference | None = None, orders: S
     force = Spectrum(columns.orders, forward, backward, machine.sense)
     # Im(conj(P) F): the rightward component of F once everything is turned by conj(P)
     lever = phasor.horizontal(phasor.scaled(force, np.conj(arm)))
+    lever = np.where(np.abs(lever) > motion.TAIL * np.abs(arm) * (np.abs(forward) + np.abs(backward)), lever, 0.0)
     return Totals(
         force=force,
         couple=phasor.scaled(force, z),
@@ -199,11 +200,9 @@ def _greatest(values: Complex) -> Real:
 
 def _vector(samples: Complex, scale: Real) -> tuple[Complex, Complex]:
     """Coefficients of exp(i k psi) and exp(-i k psi), k = 1, 2, ...; what is rounding beside `scale` is zero."""
-    count = samples.shape[-1]
-    k = np.arange(1, count // 2)
-    coefficients = np.fft.fft(samples, axis=-1) / count
-    coefficients = np.where(np.abs(coefficients) > motion.TAIL * scale, coefficients, 0.0)
-    return coefficients[..., k], coefficients[..., -k]
+    # Up and right apart, so that a force along an axis stays exactly on it.
+    up, right = (_signal(part, scale) / 2 for part in (samples.real, samples.imag))
+    return up + 1j * right, np.conj(up) + 1j * np.conj(right)
 
 
 def _signal(samples: Real, scale: Real) -> Complex:

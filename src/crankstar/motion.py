@@ -202,13 +202,10 @@ def unreachable(engine: Engine) -> list[Fault]:
             axis = np.exp(1j * links.bearing[index])
             reach = float(np.max(np.abs((moved.big_end.place[-1] / axis).imag - cylinder.offset)))
         if reach is None or cylinder.rod_length < MINIMUM_CLEARANCE * reach:
-            need = "" if reach is None else f"; it must be longer than {MINIMUM_CLEARANCE * reach:.6g}"
+            need = "make it longer" if reach is None else f"at least {MINIMUM_CLEARANCE * reach:.6g} {engine.across} is needed"
+            message = f"is {cylinder.rod_length:.6g} {engine.across}, and the articulated rod is too short to reach its cylinder"
             faults.append(
-                Fault(
-                    ("cylinders", index, "rod_length"),
-                    f"the articulated rod is too short to reach its cylinder over the whole turn: {cylinder.rod_length:.6g}{need}",
-                    geometric=True,
-                )
+                Fault(("cylinders", index, "rod_length"), f"{message} over the whole turn; {need}", cylinder=cylinder.number)
             )
     return faults
 

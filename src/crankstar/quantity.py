@@ -16,6 +16,8 @@ from pydantic_core import core_schema
 
 GREATEST_TEETH = 1000
 """Greatest numerator and denominator of a speed ratio: teeth of a gear."""
+GREATEST_RATIO = 50
+"""Greatest speed ratio, up or down: many times that of any shaft in an engine."""
 
 
 @dataclass(frozen=True)
@@ -65,7 +67,38 @@ Unbalance = Annotated[Number, Field(ge=0), Quantity("unbalance", "0.02 kg*m", _M
 Speed = Annotated[Number, Field(gt=0), SPEED]
 Ordinal = Annotated[int, Field(strict=True, ge=1, le=10_000)]
 
-CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u2028\u2029\u202a-\u202e\u2066-\u2069\ud800-\udfff]")
+CONTROL = re.compile(
+    r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200b\u200e\u200f\u2028-\u202e\u2060-\u2069\ud800-\udfff\ufeff\ufff9-\ufffb\U000e0000-\U000e007f]"
+)
+"""What no text in an engine file may hold: control characters, changes of writing direction, what cannot be seen."""
+
+
+def one_line(text: str, *, longest: int = 200) -> str:
+    r"""Text from outside as a message can quote it: cut where it is long, on one line, nothing in it but what prints.
+
+    >>> one_line("red \x1b[31m\n")
+    'red ?[31m?'
+    """
+    cut = text if len(text) <= longest else text[: longest - 3] + "..."
+    return "".join(letter if letter.isprintable() else "?" for letter in cut)
+
+
+def seen(value: Any) -> str:
+    """A value of a file as a message quotes it: text in quotation marks, `a table` or `a list` for what holds more.
+
+    >>> seen("82.5 mm"), seen([1, 2]), seen(True), seen(7)
+    ('"82.5 mm"', 'a list', 'true', '7')
+    """
+    named = {dict: "a table", list: "a list", tuple: "a list", type(None): "null"}.get(type(value))
+    if named is not None:
+        return named
+    if isinstance(value, str):
+        return f'"{one_line(value, longest=60)}"'
+    try:
+        text = str(value)
+    except ValueError:  # Python does not write whole numbers of thousands of digits
+        return "a number of thousands of digits"
+    return one_line(text.lower() if isinstance(value, bool) else text, longest=60)
 
 
 def _printable(text: str) -> str:
@@ -85,20 +118,26 @@ def _line(text: str) -> str:
 
 def _ratio(value: Any) -> Any:
     """A speed ratio from a whole number, a fraction as text ("-29/31") or a decimal that is one."""
-    example = 'use a whole number or a ratio of teeth such as "29/31", negative for the other way round'
+    told = f'is {seen(value)}; a whole number or a ratio of teeth is needed, such as "29/31", negative for the other way round'
     if isinstance(value, bool) or not isinstance(value, int | float | str | Fraction):
-        raise ValueError(f"is not a speed ratio; {example}")
+        raise ValueError(told)
     if isinstance(value, str) and (len(value) > 20 or not re.fullmatch(r"\s*[-+]?\d+(\.\d+|\s*[/:]\s*\d+)?\s*", value)):
-        raise ValueError(f"is not a speed ratio; {example}")
+        raise ValueError(told)
     try:
         exact = Fraction(re.sub(r"\s", "", value).replace(":", "/")) if isinstance(value, str) else Fraction(value)
     except (ValueError, ZeroDivisionError, OverflowError):
-        raise ValueError(f"is not a speed ratio; {example}") from None
-    ratio = exact.limit_denominator(GREATEST_TEETH)
+        raise ValueError(told) from None
     if exact == 0:
-        raise ValueError("is 0: a shaft that stands still is not part of the engine; leave it out")
+        raise ValueError("is 0; a shaft that stands still is not part of the engine, leave it out")
+    ratio = exact.limit_denominator(GREATEST_TEETH)
     if abs(ratio - exact) > Fraction(1, 10**9) or not 0 < abs(ratio.numerator) <= GREATEST_TEETH:
-        raise ValueError(f"is not a ratio of two numbers of teeth up to {GREATEST_TEETH}; {example}")
+        raise ValueError(
+            f'is {seen(value)}, not a ratio of two numbers of teeth up to {GREATEST_TEETH}; write it as one, such as "1/3"'
+        )
+    if not Fraction(1, GREATEST_RATIO) <= abs(ratio) <= GREATEST_RATIO:
+        raise ValueError(
+            f"is {seen(value)}; the shafts of an engine turn at most {GREATEST_RATIO} times faster or slower than each other"
+        )
     return ratio
 
 

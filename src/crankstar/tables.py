@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from math import degrees, pi
+from textwrap import fill
 from typing import NamedTuple
 
 import numpy as np
@@ -25,6 +26,9 @@ from crankstar.mechanism import Reference, Totals
 from crankstar.phasor import Spectrum
 from crankstar.quantity import CONTROL
 from crankstar.wording import NEGLIGIBLE, bearing_text, firing_sentence, heading, number, shape, table, titled, unit_text, wave
+
+COLUMN = 18
+"""Letters in a column of a comparison."""
 
 
 class Analysis(NamedTuple):
@@ -207,17 +211,23 @@ def _remarks(shown: Analysis, sums: Totals, real: Totals | None) -> Text:
     units = shown.real.units if shown.real else shown.normalised.units
     for name in ("force", "couple"):
         top = phasor.peak(getattr(real or sums, name))
-        if top.value > NEGLIGIBLE:
+        if top.value > NEGLIGIBLE * _pushed(getattr(shown.real or shown.normalised, name)):
             at = f"at {number(degrees(top.theta))} deg, towards bearing {bearing_text(top.vector)} deg"
             text.append(f"Peak {name} of all orders: {number(top.value)} {unit_text(getattr(units, name))} {at}.\n")
         else:
             text.append(f"No {name} of any order.\n")
-    torque = phasor.peak((real or sums).torque)
-    text.append(f"Peak inertia torque: {number(torque.value)} {unit_text(units.roll)}.\n")
+    torque = phasor.peak((real or sums).torque).value
+    some = torque > NEGLIGIBLE * _pushed((shown.real or shown.normalised).torque)
+    text.append(f"Peak inertia torque: {number(torque)} {unit_text(units.roll)}.\n" if some else "No inertia torque of any order.\n")
     for name in ("force", "couple"):
         text.append(_removable(name, getattr(sums, name)))
     text.rstrip()
     return text
+
+
+def _pushed(parts: Spectrum) -> float:
+    """What the parts push all together, without regard to direction: the measure of what is nothing beside it."""
+    return float((np.abs(parts.forward) + np.abs(parts.backward)).sum(axis=0).max(initial=0.0))
 
 
 def _removable(name: str, spectrum: Spectrum) -> str:
@@ -256,9 +266,10 @@ def comparison(shown: Sequence[Analysis]) -> RenderableType:
     real = all(one.real is not None for one in shown)
     results = [one.real if real and one.real else one.normalised for one in shown]
     sums = [total(result) for result in results]
-    out = table("", *(CONTROL.sub("?", one.engine.name) for one in shown), left=[""])
-    wanted = sorted({order for one in shown for order in one.orders})
+    out = table("", *(fill(CONTROL.sub("?", one.engine.name), COLUMN) for one in shown), left=[""])
     for name in Totals._fields:
+        turning = name in ("roll", "torque")
+        wanted = sorted({order for one in shown for order in (one.turning if turning else one.orders)})
         units = dict.fromkeys(unit_text(getattr(result.units, "roll" if name == "torque" else name)) for result in results)
         for order in wanted:
             row = [number(_size(getattr(one, name), order), _largest(getattr(one, name))) for one in sums]
@@ -266,7 +277,7 @@ def comparison(shown: Sequence[Analysis]) -> RenderableType:
         tops = [number(phasor.peak(getattr(one, name)).value) for one in sums]
         out.add_row(f"{name}, peak of all orders", *tops, style="bold", end_section=True)
     fires = [firing_sentence(firing(one.engine)) if one.engine.firing_order else "no order given" for one in shown]
-    out.add_row("firing", *fires)
+    out.add_row("firing", *(fill(text, COLUMN, break_on_hyphens=True) for text in fires))
     speeds = dict.fromkeys(number(result.speed * 30 / pi) for result in results if result.speed is not None)
     return titled(
         "Greatest value of each order, " + (f"at {' and '.join(speeds)} rpm" if real else "each engine in its own m r ω²"), out

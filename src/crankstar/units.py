@@ -7,11 +7,11 @@ angles), and is refused where nobody can have meant that: a stroke of 82.5 m, an
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from crankstar.quantity import Quantity
+from crankstar.quantity import Quantity, seen
 
 if TYPE_CHECKING:
     import pint
@@ -39,19 +39,49 @@ hertz = 6.283185307179586 * radian / second = Hz
 """
 
 _NUMBER = re.compile(r"\s*([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d{1,3})?)\s*(.*?)\s*", re.DOTALL)
-_UNIT = re.compile(r"[A-Za-z]{1,12}(?:\^-?[1-4])?(?:\s*[*/]\s*[A-Za-z]{1,12}(?:\^-?[1-4])?){0,3}")
+_UNIT = re.compile(r"[A-Za-z]{1,12}(?:\^-?[1-4])?(?:[*/][A-Za-z]{1,12}(?:\^-?[1-4])?){0,3}")
+_REVOLUTIONS = {"1/min", "r/min", "min^-1"}
+"""What a rotational speed in revolutions per minute is also written in."""
 
-# Per dimension: SI unit, the plural a sentence needs, the greatest bare number anyone can have meant, and the greatest at all.
-_KINDS: dict[str, tuple[str, str, float, float]] = {
-    "angle": ("radian", "an angle", 6.2832, 1e4),
-    "length": ("metre", "a length", 5.0, 100.0),
-    "length along the crankshaft": ("metre", "a length", 50.0, 1000.0),
-    "mass": ("kilogram", "a mass", 100.0, 1e6),
-    "moment of inertia": ("kilogram*metre^2", "a moment of inertia", 100.0, 1e7),
-    "unbalance": ("kilogram*metre", "an unbalance", 100.0, 1e7),
-    "rotational speed": ("radian/second", "a rotational speed", 0.0, 2e4),
-}
+_SPELLINGS = str.maketrans(
+    {"\u00b0": " deg", "\u00b2": "^2", "\u00b7": "*", "\u22c5": "*", "\u00b5": "u", "\u03bc": "u", "\u2212": "-"}
+)
+_LONGEST = 60
+"""Letters: a longer text is no number with a unit."""
+_GREATEST_NUMBER = 1e300
+
+
+class _Kind(NamedTuple):
+    """A dimension: its SI unit, its name in a sentence, the short unit, the greatest bare number, greatest and least at all."""
+
+    unit: str
+    article: str
+    short: str
+    greatest_bare: float
+    greatest: float
+    least: float
+
+
 _SMALLEST = 1e-7
+_KINDS = {
+    "angle": _Kind("radian", "an angle", "rad", 6.2832, 1e4, 0.0),
+    "length": _Kind("metre", "a length", "m", 5.0, 100.0, _SMALLEST),
+    "length along the crankshaft": _Kind("metre", "a length", "m", 50.0, 1000.0, _SMALLEST),
+    "mass": _Kind("kilogram", "a mass", "kg", 100.0, 1e6, _SMALLEST),
+    "moment of inertia": _Kind("kilogram*metre^2", "a moment of inertia", "kg*m^2", 100.0, 1e7, 0.0),
+    "unbalance": _Kind("kilogram*metre", "an unbalance", "kg*m", 100.0, 1e7, 0.0),
+    "rotational speed": _Kind("radian/second", "a rotational speed", "rad/s", 0.0, 2e4, _SMALLEST),
+}
+_OTHERS = {
+    "metre^2": "an area",
+    "metre^3": "a volume",
+    "second": "a time",
+    "metre/second": "a speed along a line",
+    "metre/second^2": "an acceleration",
+    "kilogram/metre^3": "a density",
+    "kilogram*metre/second^2": "a force",
+    "kilogram/metre": "a mass per length",
+}
 _SHOWN = {
     "angle": (57.29577951308232, "deg"),
     "length": (1000.0, "mm"),
@@ -66,16 +96,28 @@ _SHOWN = {
 def si(value: Any, quantity: Quantity) -> float:
     """The SI number of a value from a file; raises ValueError with a sentence that says what would be right.
 
-    >>> from crankstar.engine import Throw
     >>> round(si("3.25 in", Quantity("length", "82.5 mm")), 6)
     0.08255
+    >>> si("82 kg", Quantity("length", "82.5 mm"))
+    Traceback (most recent call last):
+    ValueError: is "82 kg", a mass; a length is needed, such as "82.5 mm"
     """
-    number, _ = _read(value, quantity)
-    return _plausible(number, value, quantity)
+    number, has_unit = _read(value, quantity)
+    kind = _KINDS[quantity.dimension]
+    if not has_unit and abs(number) > kind.greatest_bare:
+        raise ValueError(f"is {seen(value)} without a unit, and {number:g} {kind.short} cannot be meant; {_needed(quantity)}")
+    if abs(number) > kind.greatest:
+        raise ValueError(f"is {seen(value)}, too large for an engine; {_needed(quantity)}")
+    if 0 < abs(number) < kind.least:
+        raise ValueError(f"is {seen(value)}, too small for an engine; {_needed(quantity)}")
+    return number
 
 
-def reader(relative: frozenset[str]) -> Callable[[Any, Quantity], float]:
-    """The reader of one file's values; what is in `relative` is not known and must be a bare number, in units of itself."""
+def reader(relative: frozenset[str], *, instead: str = "or give that") -> Callable[[Any, Quantity], float]:
+    """The reader of one file's values; what is in `relative` is not known and must be a bare number, in units of itself.
+
+    `instead` says what else than a bare number would help; in it `{name}` stands for what is not known.
+    """
 
     def read(value: Any, quantity: Quantity) -> float:
         missing = quantity.relative_to & relative
@@ -83,14 +125,17 @@ def reader(relative: frozenset[str]) -> Callable[[Any, Quantity], float]:
             return si(value, quantity)
         number, has_unit = _read(value, quantity)
         if has_unit and number != 0:
-            raise ValueError(f'is "{value}", but {_MISSING[min(missing)]}; give a bare number, or give that')
-        if abs(number) > 1e6 or 0 < abs(number) < _SMALLEST:
-            raise ValueError(f"is {number:g}, out of all proportion")
+            raise ValueError(
+                f"is {seen(value)}, but {_MISSING[min(missing)]}; give a bare number, {instead.format(name=min(missing))}"
+            )
+        if abs(number) > _GREATEST_RELATIVE or 0 < abs(number) < _SMALLEST:
+            raise ValueError(f"is {seen(value)}, out of all proportion; a bare number is needed, such as 1")
         return number
 
     return read
 
 
+_GREATEST_RELATIVE = 1e6
 _MISSING = {
     "radius": "no stroke is known, so that lengths across the crankshaft are counted in crank radii",
     "pitch": "no bore pitch is known, so that lengths along the crankshaft are counted in bore pitches",
@@ -98,45 +143,52 @@ _MISSING = {
 }
 
 
+def _needed(quantity: Quantity) -> str:
+    return f'{_KINDS[quantity.dimension].article} is needed, such as "{quantity.example}"'
+
+
 def _read(value: Any, quantity: Quantity) -> tuple[float, bool]:
     """The SI number and whether it had a unit."""
-    _, article, _, _ = _KINDS[quantity.dimension]
-    wanted = f'{article} is needed, such as "{quantity.example}"'
     if isinstance(value, bool) or not isinstance(value, int | float | str):
-        raise ValueError(f"is not a number; {wanted}")
+        raise ValueError(f"is {seen(value)}; {_needed(quantity)}")
     if not isinstance(value, str):
-        if abs(value) > 1e300:
-            raise ValueError(f"is too large; {wanted}")
-        number = float(value)
-        if number != number:
-            raise ValueError(f"is not a number; {wanted}")
-        return number, False
-    text = value.replace("\u00b0", " deg").replace("\u00b2", "^2").replace("\u00b7", "*").replace("\u00b5", "u").replace("**", "^")
-    found = _NUMBER.fullmatch(text) if len(text) <= 60 else None
+        if not abs(value) <= _GREATEST_NUMBER:
+            raise ValueError(f"is {seen(value)}; {_needed(quantity)}")
+        return float(value), False
+    text = value.translate(_SPELLINGS).replace("**", "^")
+    found = _NUMBER.fullmatch(text) if len(text) <= _LONGEST else None
     if found is None:
-        shown = value if len(value) <= 40 else value[:37] + "..."
-        raise ValueError(f'"{shown}" is not a number with a unit; {wanted}')
+        raise ValueError(f"is {seen(value)}, not a number with a unit; {_needed(quantity)}")
     number, unit = float(found.group(1)), found.group(2)
     if re.match(r",\d", unit):
-        raise ValueError(f'"{value}": use a decimal point, as in "{quantity.example}"')
-    if abs(number) == float("inf"):
-        raise ValueError(f'"{value}" is too large; {wanted}')
-    if not unit:
-        return number, False
-    return number * _factor(unit, value, quantity), True
+        raise ValueError(f'is {seen(value)}; write numbers with a decimal point and no other commas, as in "{quantity.example}"')
+    if abs(number) > _GREATEST_NUMBER:
+        raise ValueError(f"is {seen(value)}, too large for an engine; {_needed(quantity)}")
+    return (number * _factor(unit, value, quantity), True) if unit else (number, False)
 
 
 def _factor(unit: str, value: str, quantity: Quantity) -> float:
-    target, article, _, _ = _KINDS[quantity.dimension]
-    wanted = f'{article} is needed, such as "{quantity.example}"'
+    """What one of `unit` is in SI; raises ValueError where it is not known or measures something else."""
     try:
         dimensions, factor = _unit(unit)
     except ValueError:
-        raise ValueError(f'"{value}": the unit "{unit}" is not known; {wanted}') from None
-    if dimensions != _unit(target)[0]:
-        actual = next((a for t, a, _, _ in _KINDS.values() if _unit(t)[0] == dimensions), None)
-        raise ValueError(f'"{value}" is {actual or "something else"}; {wanted}')
+        near = {name.lower(): name for name in _names()}.get(unit.lower())
+        meant = f' (did you mean "{near}"?)' if near else ""
+        raise ValueError(f"is {seen(value)}, whose unit {seen(unit)} is not known{meant}; {_needed(quantity)}") from None
+    if dimensions != _unit(_KINDS[quantity.dimension].unit)[0]:
+        article = next((kind.article for kind in _KINDS.values() if _unit(kind.unit)[0] == dimensions), None)
+        article = article or next(
+            (name for unit, name in _OTHERS.items() if _unit(unit)[0] == dimensions), "another kind of quantity"
+        )
+        raise ValueError(f"is {seen(value)}, {article}; {_needed(quantity)}")
     return factor
+
+
+def _names() -> Iterator[str]:
+    """The names of all units, as they are written."""
+    for line in _DEFINITIONS.strip().splitlines():
+        name, _, *others = line.split(" = ")
+        yield from (name, *others)
 
 
 @lru_cache(maxsize=1)
@@ -151,35 +203,18 @@ def _registry() -> pint.UnitRegistry:
 @lru_cache(maxsize=512)
 def _unit(unit: str) -> tuple[str, float]:
     """Dimensions and factor to SI of a unit; angles are told apart from plain numbers."""
-    if not _UNIT.fullmatch(unit):
+    spelt = re.sub(r"\s*([*/^])\s*", r"\1", unit)
+    spelt = re.sub(r"([A-Za-z])(-?[1-4])", r"\1^\2", re.sub(r"\s+", "*", spelt))  # "kg m2" is kg*m^2
+    spelt = "rpm" if spelt in _REVOLUTIONS else spelt
+    if not _UNIT.fullmatch(spelt):
         raise ValueError(unit)
     registry = _registry()
     try:
-        parsed = registry.parse_units(unit.replace(" ", ""))
+        parsed = registry.parse_units(spelt)
         base: Any = registry.Quantity(1.0, parsed).to_base_units()
     except AttributeError:  # what pint raises for an unknown unit is one
         raise ValueError(unit) from None
     return str(base.units), float(base.magnitude)
-
-
-def _plausible(number: float, value: Any, quantity: Quantity) -> float:
-    _, article, greatest_bare, greatest = _KINDS[quantity.dimension]
-    bare = not isinstance(value, str) or (_NUMBER.fullmatch(value) is not None and not _NUMBER.fullmatch(value).group(2))  # pyright: ignore[reportOptionalMemberAccess]
-    if bare and abs(number) > greatest_bare:
-        unit = _si_name(quantity)
-        raise ValueError(
-            f'{value} has no unit, and {number:g} {unit} cannot be meant; write it with one, such as "{quantity.example}"'
-        )
-    if abs(number) > greatest:
-        raise ValueError(f'"{value}" is too large for {article} of an engine; {quantity.example} is the order of size expected')
-    if 0 < abs(number) < _SMALLEST and quantity.dimension not in ("angle", "moment of inertia", "unbalance"):
-        raise ValueError(f'"{value}" is too small for {article} of an engine; {quantity.example} is the order of size expected')
-    return number
-
-
-def _si_name(quantity: Quantity) -> str:
-    short = {"radian": "rad", "metre": "m", "kilogram": "kg", "radian/second": "rad/s"}
-    return short.get(_KINDS[quantity.dimension][0], _KINDS[quantity.dimension][0])
 
 
 def text(number: float, quantity: Quantity, *, digits: int = 15) -> str:

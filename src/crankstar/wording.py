@@ -93,14 +93,26 @@ def unit_text(unit: str) -> str:
     return unit.replace("w^2", "ω²").replace("r^2", "r²").replace("*", " ")
 
 
-def table(*heads: str, left: Sequence[str] = ()) -> Table:
-    """An empty table with these heads, numbers to the right, the heads in `left` to the left."""
+def table(*heads: str, left: Sequence[str] = (), folded: Sequence[str] = ()) -> Table:
+    """An empty table with these heads, numbers to the right, the heads in `left` to the left.
+
+    Only the columns in `folded` give way where the table is too wide: a number is never cut.
+    """
     out = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False, header_style="", padding=(0, 1), collapse_padding=True)
     for head in heads:
-        out.add_column(Text(head), justify="left" if head in left else "right", overflow="fold", no_wrap=head not in left)
+        out.add_column(Text(head), justify="left" if head in left else "right", overflow="fold", no_wrap=head not in folded)
     return out
 
 
 def titled(title: str, body: RenderableType) -> RenderableType:
     """A table under its title, with a blank line before it."""
     return Group(Text(), Text(title, style="bold"), body)
+
+
+def least_width(renderable: RenderableType, console: Console) -> int:
+    """The columns a renderable needs so that no number in its tables is cut."""
+    if isinstance(renderable, Group):
+        return max((least_width(part, console) for part in renderable.renderables), default=0)
+    if isinstance(renderable, Table) and all(column.no_wrap for column in renderable.columns):
+        return console.measure(renderable, options=console.options.update(max_width=10_000)).maximum
+    return 0

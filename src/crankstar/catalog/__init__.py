@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 
 from crankstar.engine import Engine
 from crankstar.files import EngineFileError, Problem, read
+from crankstar.quantity import one_line, seen
 
 _FOLDER = Path(__file__).parent
 
@@ -34,7 +35,7 @@ def load(name: str | Path, *, changes: Mapping[str, Any] | None = None) -> Engin
     if found is None and not _looks_like_a_file(name):
         near = get_close_matches(str(name), names(), 3)
         told = f"did you mean {' or '.join(near)}?" if near else "`crankstar list` names the engines of the catalog"
-        shown = "".join(letter if letter.isprintable() else "?" for letter in str(name)[:100])
+        shown = one_line(str(name), longest=100) if str(name).strip() else seen(str(name))
         raise EngineFileError(shown, [Problem("", f"there is no such engine in the catalog, and no such file; {told}")])
     return read(found or name, name=str(name) if found else None, changes=changes)
 
@@ -44,7 +45,7 @@ def _looks_like_a_file(name: str | Path) -> bool:
     if isinstance(name, Path) or text == "-" or "/" in text or "\\" in text or text.endswith((".toml", ".json")):
         return True
     try:
-        return Path(text).exists()
+        return bool(text) and Path(text).exists()
     except (OSError, ValueError):
         return False
 

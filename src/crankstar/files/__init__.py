@@ -9,7 +9,7 @@
 | `starters` | commented files to begin with |
 """
 
-from crankstar.files.read import EngineFileError, Problem, engine_of, read, tree_of
+from crankstar.files.read import STANDARD_INPUT, EngineFileError, Problem, engine_of, read, tree_of
 from crankstar.files.write import explicit, schema, toml
 
-__all__ = ["EngineFileError", "Problem", "engine_of", "explicit", "read", "schema", "toml", "tree_of"]
+__all__ = ["STANDARD_INPUT", "EngineFileError", "Problem", "engine_of", "explicit", "read", "schema", "toml", "tree_of"]

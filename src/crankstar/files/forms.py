@@ -7,9 +7,11 @@ function's signature, so that a new layout needs no second description.
 from __future__ import annotations
 
 import inspect
+import json
 from collections.abc import Iterable, Mapping
+from fractions import Fraction
 from functools import lru_cache
-from typing import Annotated, Any, Literal, get_args, get_type_hints
+from typing import Annotated, Any, Literal, get_args, get_origin, get_type_hints
 
 from pydantic import Field, create_model
 from pydantic.fields import FieldInfo
@@ -21,8 +23,8 @@ from crankstar.quantity import Quantity
 
 
 def is_explicit(tree: Mapping[str, Any]) -> bool:
-    """Whether a tree is in the explicit form: shafts rather than a layout."""
-    return "layout" not in tree and "cylinder" not in tree and ("shaft" in tree or "shafts" in tree)
+    """Whether a tree is in the explicit form: shafts, and cylinders on them, rather than a layout."""
+    return not {"layout", "cylinder"} & tree.keys() and bool({"shaft", "shafts", "cylinders"} & tree.keys())
 
 
 @lru_cache(maxsize=16)
@@ -101,3 +103,28 @@ def _quantity_in(annotation: Any) -> Quantity | None:
         if found is not None:
             return found
     return None
+
+
+def example(info: FieldInfo, *, entry: bool = False) -> str:
+    """A value a field could have, as TOML writes it, or with `entry` one of its list; empty where there is none to give."""
+    if info.examples and not entry:
+        return json.dumps(info.examples[0], ensure_ascii=False)
+    sample = _sample(info.annotation, quantity_of(info))
+    return sample[1:-1] if entry and sample.startswith("[") else sample
+
+
+def _sample(annotation: Any, quantity: Quantity | None) -> str:
+    origin, parts = get_origin(annotation), get_args(annotation)
+    if origin is tuple:
+        return f"[{_sample(parts[0], quantity)}]"
+    if origin is dict:
+        return f"{{ key = {_sample(parts[1], None)} }}"
+    if origin is Literal:
+        return json.dumps(parts[0])
+    if parts:
+        return _sample(parts[0], quantity)  # what is annotated, or the first of a union
+    if isinstance(annotation, type) and issubclass(annotation, Record):
+        required = {key: info for key, info in by_key(annotation).items() if info.is_required()}
+        return "{ " + ", ".join(f"{key} = {example(info)}" for key, info in required.items()) + " }"
+    plain = {int: "1", float: "1.5", str: '"a name"', Fraction: '"29/31"'}
+    return f'"{quantity.example}"' if quantity else plain.get(annotation, "")

@@ -2,117 +2,159 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator
 from difflib import get_close_matches
 from typing import Any
 
 from pydantic import ValidationError
 
-from crankstar.engine import EngineError, Fault, Record
-from crankstar.files.forms import by_key, field_at, quantity_of, record_in
+from crankstar.engine import Record
+from crankstar.fault import EngineError, Fault, counted
+from crankstar.files.forms import by_key, example, field_at, quantity_of, record_in
+from crankstar.quantity import seen
 
 Tree = dict[str, Any]
+Path = tuple[str | int, ...]
+
+_NEEDED = {
+    "int_type": "a whole number",
+    "int_from_float": "a whole number",
+    "int_parsing_size": "a whole number",
+    "float_type": "a number",
+    "finite_number": "a finite number",
+    "string_type": "text",
+    "string_unicode": "text of whole characters",
+    "tuple_type": "a list",
+    "dict_type": "a table",
+    "model_type": "a table",
+    "model_attributes_type": "a table",
+}
 
 
-def faults_of(error: ValidationError, model: type[Record]) -> list[Fault]:
-    """Every mistake of a validation, as key path and sentence."""
+def faults_of(error: ValidationError, model: type[Record], tree: Tree, *, under: Path = ()) -> list[Fault]:
+    """Every mistake of a validation, as key path and sentence; `under` is where in the file that which was validated stands."""
     faults: list[Fault] = []
-    for mistake in error.errors():
+    for mistake in _mistakes(error):
         cause = mistake.get("ctx", {}).get("error")
         if isinstance(cause, EngineError):
             faults += cause.faults
         else:
-            faults.append(Fault(_path(mistake), _sentence(mistake, _path(mistake), model)))
+            path = (*under, *_path(mistake))
+            faults.append(Fault(path, _sentence(mistake, path, model, tree)))
     return faults
 
 
-def _path(mistake: Any) -> tuple[str | int, ...]:
-    return tuple(mistake["loc"])
+def _mistakes(error: ValidationError) -> Iterator[Any]:
+    """What a validation found, but for lists that are too short only because entries in them are mistaken."""
+    for mistake in error.errors(include_url=False):
+        if mistake["type"] != "too_short" or len(mistake["input"]) < mistake.get("ctx", {})["min_length"]:
+            yield mistake
 
 
-def _sentence(mistake: Any, path: tuple[str | int, ...], model: type[Record]) -> str:
+def _path(mistake: Any) -> Path:
+    return tuple(key for key in mistake["loc"] if key != "[key]")
+
+
+def _sentence(mistake: Any, path: Path, model: type[Record], tree: Tree) -> str:
     """What a validation error of pydantic means, said to the one who wrote the file."""
-    kind, seen, context = mistake["type"], mistake["input"], mistake.get("ctx", {})
+    kind, context = mistake["type"], mistake.get("ctx", {})
     if kind == "extra_forbidden":
-        return "unknown key" + _alternatives(str(path[-1]), _keys_at(model, path[:-1]))
+        return "unknown key; " + _meant(str(path[-1]), path[:-1], model)
     if kind == "value_error":
         return str(context["error"])
-    need = {
-        "missing": "is missing" + _example(model, path),
-        "greater_than": f"is {seen_as(seen)}; it must be greater than {context.get('gt'):g}" if "gt" in context else "",
-        "greater_than_equal": f"is {seen_as(seen)}; it must be at least {context.get('ge'):g}" if "ge" in context else "",
-        "less_than_equal": f"is {seen_as(seen)}; it must be at most {context.get('le'):g}" if "le" in context else "",
-        "finite_number": f"is {seen_as(seen)}; a finite number is needed",
-        "literal_error": f"is {seen_as(seen)}; it can be {context.get('expected', '')}".replace("'", '"'),
-        "too_long": f"has {context.get('actual_length')} entries; at most {context.get('max_length')} are allowed",
-        "too_short": f"has {context.get('actual_length')} entries; at least {context.get('min_length')} are needed",
-        "string_too_long": f"is longer than {context.get('max_length')} letters",
-        "int_type": f"is {seen_as(seen)}; a whole number is needed",
-        "int_from_float": f"is {seen_as(seen)}; a whole number is needed",
-        "float_type": f"is {seen_as(seen)}; a number is needed",
-        "string_type": f"is {seen_as(seen)}; text is needed",
-        "tuple_type": f"is {seen_as(seen)}; a list is needed",
-        "dict_type": f"is {seen_as(seen)}; a table is needed",
-        "model_type": f"is {seen_as(seen)}; a table is needed",
-        "model_attributes_type": f"is {seen_as(seen)}; a table is needed",
+    if kind == "invalid_key":
+        return f"has the key {seen(mistake['input'])}; keys are text of whole characters"
+    value, info = seen(_at(tree, path, mistake["input"])), field_at(model, path)
+    sample = example(info, entry=bool(path) and isinstance(path[-1], int)) if info else ""
+    if kind == "tuple_type" and len(path) == 1 and info and record_in(info.annotation):
+        return f"is {value}; a list of tables is needed, each of them headed [[{path[0]}]]"
+    if kind in _NEEDED:
+        return f"is {value}; {_NEEDED[kind]} is needed" + (f", such as {sample}" if sample else "")
+    such = f", such as {sample}" if info and quantity_of(info) else ""
+    least = context.get("min_length")
+    told = {
+        "missing": "is missing" + (f"; give it, as in {path[-1]} = {sample}" if sample else ""),
+        "greater_than": f"is {value}; it must be greater than {_bound(context.get('gt'))}{such}",
+        "greater_than_equal": f"is {value}; it must be at least {_bound(context.get('ge'))}{such}",
+        "less_than_equal": f"is {value}; it must be at most {_bound(context.get('le'))}{such}",
+        "literal_error": f"is {value}; it can be {context.get('expected', '')}".replace("'", '"'),
+        "too_long": f"has {_size(mistake)}; at most {context.get('max_length')} are allowed",
+        "too_short": f"has {_size(mistake)}; at least {least} {'is' if least == 1 else 'are'} needed",
+        "string_too_long": f"has {_size(mistake, 'letter')}; at most {context.get('max_length')} are allowed",
     }
-    return need.get(kind) or f"is {seen_as(seen)}; {mistake['msg']}"
+    return told.get(kind) or f"is {value}; {mistake['msg']}"
 
 
-def seen_as(value: Any) -> str:
-    """A value of a file as it can be quoted: short, on one line, printable."""
-    if isinstance(value, dict):
-        return "a table"
-    if isinstance(value, list | tuple):
-        return "a list"
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    text = f'"{value}"' if isinstance(value, str) else f"{value}"
-    text = "".join(letter if letter.isprintable() else "?" for letter in text)
-    return text if len(text) <= 60 else text[:57] + "..."
+def _bound(limit: Any) -> str:
+    return "" if limit is None else f"{limit:g}"
 
 
-def _alternatives(key: str, keys: list[str]) -> str:
-    near = get_close_matches(key, keys, 1, 0.6)
-    return f'; did you mean "{near[0]}"?' if near else f"; there are: {', '.join(sorted(keys))}"
+def _size(mistake: Any, of: str = "entry") -> str:
+    count = len(mistake["input"]) if hasattr(mistake["input"], "__len__") else 0
+    return "no entries" if count == 0 else counted(count, of).replace("entrys", "entries")
 
 
-def _keys_at(model: type[Record], path: tuple[str | int, ...]) -> list[str]:
-    """The keys a table of the file may have: those of the record that stands at that place."""
-    info = field_at(model, path)
-    record = record_in(info.annotation) if info else model if not path else None
-    return list(by_key(record)) if record else []
-
-
-def _example(model: type[Record], path: tuple[str | int, ...]) -> str:
-    info = field_at(model, path)
-    quantity = quantity_of(info) if info else None
-    return f'; give it, as in {path[-1]} = "{quantity.example}"' if quantity else ""
-
-
-def mended(tree: Tree, error: ValidationError, model: type[Record]) -> Tree:
-    """A copy of the tree in which what was mistaken is left out, or replaced where something must stand."""
-    out: Tree = _copied(tree)
-    for mistake in error.errors():
-        path = _path(mistake)
-        table: Any = out
-        for key in path[:-1]:
-            table = table[key] if _has(table, key) else None
-        info = field_at(model, path)
-        quantity = quantity_of(info) if info else None
-        last = path[-1] if path else None
-        if isinstance(table, dict) and (info is None or not info.is_required()):
-            table.pop(last, None)
-        elif isinstance(table, dict) or _has(table, last):
-            table[last] = 1.0 if quantity else "text" if info is not None and info.annotation is str else 1
-    return out
+def _at(tree: Any, path: Path, otherwise: Any = None) -> Any:
+    """What stands at a key path of a tree."""
+    for key in path:
+        if not _has(tree, key):
+            return otherwise
+        tree = tree[key]
+    return tree
 
 
 def _has(table: Any, key: Any) -> bool:
     return key in table if isinstance(table, dict) else isinstance(table, list) and isinstance(key, int) and key < len(table)
 
 
-def _copied(value: Any) -> Any:
-    if isinstance(value, Mapping):
-        return {key: _copied(item) for key, item in value.items()}
-    return [_copied(item) for item in value] if isinstance(value, list) else value
+def _meant(key: str, path: Path, model: type[Record]) -> str:
+    """What was probably meant by an unknown key: one spelt like it, or the same one in another table."""
+    keys = _keys_at(model, path)
+    near = _near(key, keys)
+    if near:
+        return f'did you mean "{near}"?'
+    if path and key in by_key(model):
+        return "it belongs at the top of the file, above the first [table]"
+    tables = {name: record_in(info.annotation) for name, info in by_key(model).items()}
+    home = next((name for name, table in tables.items() if table and key in by_key(table)), None)
+    return f"it belongs in {home}" if home else f"there are: {', '.join(keys)}"
+
+
+def _keys_at(model: type[Record], path: Path) -> list[str]:
+    """The keys a table of the file may have: those of the record that stands at that place."""
+    info = field_at(model, path)
+    record = record_in(info.annotation) if info else model if not path else None
+    return sorted(by_key(record)) if record else []
+
+
+def _near(key: str, keys: list[str]) -> str | None:
+    return next(iter(get_close_matches(key[:60], keys, 1, 0.6)), None)
+
+
+def mended(tree: Tree, error: ValidationError, model: type[Record], *, number: int) -> Tree:
+    """A copy of the tree in which slips of the pen are put right, and what else is mistaken is left out or replaced.
+
+    What replaces it comes from `number`, so that the faults two mendings have in common do not hang on it.
+    """
+    out: Tree = copied(tree)
+    for place, mistake in enumerate(_mistakes(error)):
+        path = _path(mistake)
+        table, last = _at(out, path[:-1]), path[-1] if path else None
+        info = field_at(model, path)
+        quantity = quantity_of(info) if info else None
+        measured = quantity is not None and quantity.dimension != "rotational speed"
+        if isinstance(table, dict) and (info is None or not (info.is_required() or measured)):
+            value, meant = table.pop(last, None), _near(str(last), _keys_at(model, path[:-1]))
+            if mistake["type"] == "extra_forbidden" and meant is not None:
+                table.setdefault(meant, value)
+        elif isinstance(table, dict) or _has(table, last):
+            text = info is not None and info.annotation is str
+            table[last] = number / 9000 if measured else f"text {number}" if text else number + place % 400
+    return out
+
+
+def copied(value: Any) -> Any:
+    """A copy of a tree, tables and lists and all in them."""
+    if isinstance(value, dict):
+        return {key: copied(item) for key, item in value.items()}
+    return [copied(item) for item in value] if isinstance(value, list | tuple) else value

@@ -1,0 +1,139 @@
+"""Where results go: the terminal in its width and colours, a pipe, or a file that appears whole or not at all."""
+
+from __future__ import annotations
+
+import os
+import stat
+import sys
+import tempfile
+from contextlib import suppress
+from io import StringIO
+from pathlib import Path
+from typing import Any, NoReturn
+
+from crankstar.quantity import one_line, seen
+
+PIPED = 140
+"""Columns where there is no terminal."""
+
+
+class OutputError(ValueError):
+    """A place that cannot be written to, as one sentence that says what would be right."""
+
+
+def terminal_width() -> int:
+    """Columns of the terminal, or of what it is piped into."""
+    from rich.console import Console
+
+    console = Console()
+    return console.width if console.is_terminal else PIPED
+
+
+def display(renderable: Any, place: str | None = None) -> None:
+    """Print to the terminal in its width and colours, plain where it is piped; or to a file, plain."""
+    from rich.console import Console
+
+    from crankstar.wording import least_width
+
+    text = StringIO()
+    plain = {} if place is None else {"file": text, "force_terminal": False}
+    console = Console(highlight=False, markup=False, width=terminal_width() if place is None else PIPED, **plain)
+    # A table that is too wide runs over the edge of the terminal; its numbers are not cut.
+    console.width = max(console.width, least_width(renderable, console))
+    if place is None:
+        _opened()
+    console.print(renderable, crop=False)
+    if place is not None:
+        write(text.getvalue(), place)
+
+
+def write(text: str, place: str | None) -> None:
+    """Write to standard output, or to a file that appears whole or not at all. Raises OutputError."""
+    if place in (None, "-"):
+        _opened()
+        sys.stdout.write(text)
+        return
+    try:
+        mode = _mode(place)
+        if mode is not None and stat.S_ISDIR(mode):
+            _refuse(place, "is a directory")
+        if mode is None or stat.S_ISREG(mode):
+            _replace(Path(place).resolve(), text)
+        else:
+            _pour(place, text)
+    except OSError as error:
+        _refuse(place, error.strerror or str(error))
+    except (ValueError, RuntimeError) as error:
+        if isinstance(error, OutputError):
+            raise
+        _refuse(place, "is not a name a file can have")
+
+
+def is_file(place: str) -> bool:
+    """Whether a file that would be overwritten is there."""
+    with suppress(OSError, ValueError):
+        return stat.S_ISREG(_mode(place) or 0)
+    return False
+
+
+def _opened() -> None:
+    if sys.stdout is None:
+        raise OutputError("standard output is closed; name a file with -o")
+
+
+def _mode(place: str) -> int | None:
+    """What kind of file is there, None if none."""
+    try:
+        return Path(place).stat().st_mode
+    except FileNotFoundError:
+        return None
+
+
+def _replace(target: Path, text: str) -> None:
+    """Put a file beside the target in its place, once all of it is written; links to the target stay links to it."""
+    there = target.exists()
+    if there and not os.access(target, os.W_OK):
+        _refuse(str(target), "is write-protected")
+    handle, draft = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name[:50]}.")
+    try:
+        with os.fdopen(handle, "w", encoding="utf-8", errors="replace") as file:
+            file.write(text)
+        mask = os.umask(0)
+        os.umask(mask)
+        Path(draft).chmod(target.stat().st_mode & 0o777 if there else 0o666 & ~mask)
+        Path(draft).replace(target)
+    except BaseException:
+        Path(draft).unlink(missing_ok=True)
+        raise
+
+
+def _pour(place: str, text: str) -> None:
+    """Write into a device or a pipe, which cannot be replaced, without waiting for anyone to open its other end."""
+    handle = os.open(place, os.O_WRONLY | os.O_NONBLOCK)
+    os.set_blocking(handle, True)
+    with os.fdopen(handle, "w", encoding="utf-8", errors="replace") as file:
+        file.write(text)
+
+
+def _refuse(place: str, reason: str) -> NoReturn:
+    told = f"{one_line(place) or seen(place)}: cannot be written ({reason}); nothing was changed"
+    raise OutputError(f"{told}. Name another place with -o, or leave it out")
+
+
+def complain(text: str) -> None:
+    """Write lines to standard error, if there is one."""
+    with suppress(OSError, ValueError):
+        if sys.stderr is not None:
+            sys.stderr.write(f"{text}\n")
+            sys.stderr.flush()
+
+
+def abandon() -> None:
+    """Send nowhere what cannot be written: a reader has gone, a disk is full, and the interpreter must not complain of it."""
+    for stream in (sys.stdout, sys.stderr):
+        if stream is None:
+            continue
+        try:
+            stream.flush()
+        except OSError:
+            os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())

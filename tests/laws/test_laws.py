@@ -1,0 +1,473 @@
+"""What must hold of any engine whatever its numbers: mechanics is linear in masses and knows no up, left, or first."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from itertools import cycle
+from math import pi
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import Phase, given, settings
+from hypothesis import strategies as st
+
+from crankstar import engine as records
+from crankstar import phasor
+from crankstar.balance import Reference, Totals, balance, default_reference, grouped, of_parts, total
+from crankstar.engine import Cylinder, Engine, Record, Shaft, Throw, Weight
+from crankstar.files import engine_of, toml, tree_of
+from crankstar.layouts import LAYOUTS
+from crankstar.phasor import Spectrum
+from tests.strategies import ANGLES, OF_ANY_KIND, OF_LAYOUT, PLACES, SPEEDS, engines, number
+
+TOLERANCE = 1e-11
+"""Of the largest part; a moment counts at least as much as the largest force at the longest arm from the reference."""
+
+KNOWN = engines(known=True)
+ONE_SHAFT = engines(known=True, max_shafts=1)
+REFERENCES = st.builds(Reference, PLACES, PLACES, PLACES)
+FACTORS = number(0.2, 5.0)
+THETA = np.random.default_rng(2).uniform(0, 100, 97)
+
+Update = Callable[[Any], dict[str, Any]]
+
+
+def unchanged(_: Any) -> dict[str, Any]:
+    return {}
+
+
+def remade(
+    engine: Engine,
+    *,
+    shaft: Update = unchanged,
+    throw: Update = unchanged,
+    weight: Update = unchanged,
+    cylinder: Update = unchanged,
+    **own: Any,
+) -> Engine:
+    """A copy with other fields in every record of a kind."""
+    shafts = tuple(
+        s.model_copy(
+            update={
+                "throws": tuple(t.model_copy(update=throw(t)) for t in s.throws),
+                "weights": tuple(w.model_copy(update=weight(w)) for w in s.weights),
+                **shaft(s),
+            }
+        )
+        for s in engine.shafts
+    )
+    cylinders = tuple(c.model_copy(update=cylinder(c)) for c in engine.cylinders)
+    return engine.model_copy(update={"shafts": shafts, "cylinders": cylinders, **own})
+
+
+def felt(engine: Engine, reference: Reference = Reference(0.0), speed: float = 1.0) -> Totals:
+    return total(balance(engine, speed=speed, reference=reference))
+
+
+def mapped(function: Callable[[Spectrum], Spectrum], whole: Totals) -> Totals:
+    return Totals(*(function(part) for part in whole))
+
+
+def sizes(engine: Engine, reference: Reference = Reference(0.0), speed: float = 1.0) -> Totals:
+    """How large force, couple, roll and torque of a single part become at most, as plain numbers."""
+
+    def most(spectrum: Spectrum) -> float:
+        return float((np.abs(spectrum.forward) + np.abs(spectrum.backward)).sum(axis=-1).max())
+
+    force, couple, roll, torque = (most(getattr(balance(engine, speed=speed, reference=reference), name)) for name in Totals._fields)
+    bodies = [*engine.cylinders, *(rotor for shaft in engine.shafts for rotor in (*shaft.throws, *shaft.weights))]
+    along = max(abs(body.z - reference.z) for body in bodies)
+    across = max(abs(complex(s.up - reference.up, s.right - reference.right)) for s in engine.shafts)
+    radius = max(throw.radius for shaft in engine.shafts for throw in shaft.throws)
+    return Totals(*map(np.float64, (force, max(couple, force * along), max(roll, force * (across + radius)), max(torque, force * radius))))  # pyright: ignore[reportArgumentType]
+
+
+def assert_alike(found: Totals, expected: Totals, scale: Totals) -> None:
+    """The same vectors and moments at any crank angle."""
+    for name in Totals._fields:
+        ours, theirs = (phasor.value(getattr(whole, name), THETA) for whole in (found, expected))
+        wrong, largest = np.abs(ours - theirs).max(), getattr(scale, name)
+        assert wrong <= TOLERANCE * largest, f"{name}: {wrong:.3g} wrong, largest part {largest:.3g}"
+
+
+def multiplied(whole: Totals, factor: float) -> Totals:
+    return mapped(lambda part: phasor.scaled(part, factor), whole)
+
+
+def of_masses(engine: Engine, share: Callable[[], float]) -> Engine:
+    """Each mass multiplied by its own share."""
+
+    def rod(c: Cylinder) -> dict[str, Any]:
+        if c.rod is None:
+            return {}
+        return {"rod": c.rod.model_copy(update={"mass": c.rod.mass * share(), "inertia": c.rod.inertia * share()})}
+
+    return remade(
+        engine,
+        throw=lambda t: {"rotating_mass": t.rotating_mass * share()},
+        weight=lambda w: {"unbalance": w.unbalance * share()},
+        cylinder=lambda c: {
+            "reciprocating_mass": c.reciprocating_mass * share(),
+            "big_end_mass": c.big_end_mass * share(),
+            **rod(c),
+        },
+    )
+
+
+def added(one: Totals, other: Totals) -> Totals:
+    """The sum of two totals of the same engine."""
+
+    def both(a: Spectrum, b: Spectrum) -> Spectrum:
+        orders = np.union1d(a.orders, b.orders)
+        a, b = phasor.selected(a, orders), phasor.selected(b, orders)
+        return replace(a, forward=a.forward + b.forward, backward=a.backward + b.backward)
+
+    return Totals(*(both(a, b) for a, b in zip(one, other, strict=True)))
+
+
+@given(KNOWN, st.lists(number(0.1, 0.9), min_size=1, max_size=7), REFERENCES)
+def test_masses_add(engine: Engine, shares: list[float], reference: Reference) -> None:
+    some, rest = cycle(shares), cycle(shares)
+    parted = [of_masses(engine, lambda: next(some)), of_masses(engine, lambda: 1 - next(rest))]
+    assert_alike(
+        added(*(felt(part, reference) for part in parted)), felt(engine, reference), sizes(engine, reference)
+    )
+
+
+@given(ONE_SHAFT, ANGLES)
+def test_turning_all_throws_turns_order_k_by_k_times_the_angle(engine: Engine, phi: float) -> None:
+    ahead = remade(engine, throw=lambda t: {"angle": t.angle + phi}, weight=lambda w: {"angle": w.angle + phi})
+    before, after, scale = felt(engine), felt(ahead), sizes(engine)
+    orders = np.intersect1d(before.force.orders, after.force.orders)
+    for name in ("force", "couple"):
+        old, new = (phasor.selected(getattr(whole, name), orders) for whole in (before, after))
+        assert np.abs(new.forward - old.forward * np.exp(1j * orders * phi)).max() <= TOLERANCE * getattr(scale, name)
+        assert np.abs(new.backward - old.backward * np.exp(-1j * orders * phi)).max() <= TOLERANCE * getattr(scale, name)
+    assert_alike(after, mapped(lambda part: phasor.shifted(part, -engine.sense * phi), before), scale)
+
+
+@given(KNOWN, ANGLES, REFERENCES)
+def test_shafts_turned_as_their_gears_turn_them_are_the_same_engine_at_another_angle(engine: Engine, delta: float, reference: Reference) -> None:
+    def later(s: Shaft) -> dict[str, Any]:
+        turn = engine.sense * float(s.speed_ratio) * delta
+        return {
+            "throws": tuple(t.model_copy(update={"angle": t.angle + turn}) for t in s.throws),
+            "weights": tuple(w.model_copy(update={"angle": w.angle + turn}) for w in s.weights),
+        }
+
+    after = felt(remade(engine, shaft=later), reference)
+    assert_alike(after, mapped(lambda part: phasor.shifted(part, -delta), felt(engine, reference)), sizes(engine, reference))
+
+
+@given(KNOWN, ANGLES, REFERENCES)
+def test_turning_the_whole_engine_turns_its_vectors_and_leaves_its_moments(engine: Engine, bearing: float, reference: Reference) -> None:
+    turn = np.exp(1j * bearing)
+
+    def carried(up: float, right: float) -> dict[str, float]:
+        place = complex(up, right) * turn
+        return {"up": place.real, "right": place.imag}
+
+    leaning = remade(
+        engine,
+        shaft=lambda s: carried(s.up, s.right),
+        throw=lambda t: {"angle": t.angle + bearing},
+        weight=lambda w: {"angle": w.angle + bearing},
+        cylinder=lambda c: {"bearing": c.bearing + bearing},
+    )
+    upright = felt(engine, reference)
+    expected = upright._replace(force=phasor.turned(upright.force, bearing), couple=phasor.turned(upright.couple, bearing))
+    found = felt(leaning, reference._replace(**carried(reference.up, reference.right)))
+    assert_alike(found, expected, sizes(engine, reference))
+
+
+def opposite(engine: Engine) -> str:
+    return "counter-clockwise" if engine.rotation == "clockwise" else "clockwise"
+
+
+def mirrored(engine: Engine) -> Engine:
+    """Left and right exchanged."""
+
+    def other_side(c: Cylinder) -> dict[str, Any]:
+        link = c.articulated and c.articulated.model_copy(update={"angle": -c.articulated.angle})
+        return {"bearing": -c.bearing, "offset": -c.offset, "articulated": link}
+
+    return remade(
+        engine,
+        shaft=lambda s: {"right": -s.right},
+        throw=lambda t: {"angle": -t.angle},
+        weight=lambda w: {"angle": -w.angle},
+        cylinder=other_side,
+        rotation=opposite(engine),
+    )
+
+
+@given(KNOWN, REFERENCES)
+def test_in_the_mirror_vectors_change_sides_and_rolls_their_sign(engine: Engine, reference: Reference) -> None:
+    before = felt(engine, reference)
+    after = felt(mirrored(engine), reference._replace(right=-reference.right))
+    scale = sizes(engine, reference)
+    for name in ("force", "couple"):
+        old, new, largest = (getattr(whole, name) for whole in (before, after, scale))
+        assert np.abs(phasor.value(new, THETA) - np.conj(phasor.value(old, THETA))).max() <= TOLERANCE * largest
+        orders = np.intersect1d(old.orders, new.orders)
+        assert np.abs(phasor.selected(new, orders).forward - np.conj(phasor.selected(old, orders).forward)).max() <= TOLERANCE * largest
+    assert np.abs(phasor.value(after.roll, THETA) + phasor.value(before.roll, THETA)).max() <= TOLERANCE * scale.roll
+    assert np.abs(phasor.value(after.torque, THETA) - phasor.value(before.torque, THETA)).max() <= TOLERANCE * scale.torque
+
+
+@given(KNOWN, REFERENCES)
+def test_an_engine_run_backwards_goes_through_the_same_forces_backwards(engine: Engine, reference: Reference) -> None:
+    before, after = felt(engine, reference), felt(remade(engine, rotation=opposite(engine)), reference)
+    scale = sizes(engine, reference)
+    for name in ("force", "couple", "roll"):  # what comes from accelerations is even in time
+        then, now = phasor.value(getattr(before, name), -THETA), phasor.value(getattr(after, name), THETA)
+        assert np.abs(now - then).max() <= TOLERANCE * getattr(scale, name)
+    assert np.abs(phasor.value(after.torque, THETA) + phasor.value(before.torque, -THETA)).max() <= TOLERANCE * scale.torque
+
+
+@given(KNOWN, REFERENCES, REFERENCES)
+def test_moments_about_another_point_differ_by_the_arm_times_the_force(engine: Engine, here: Reference, there: Reference) -> None:
+    first, second = felt(engine, here), felt(engine, there)
+    scale = Totals(*(max(pair) for pair in zip(sizes(engine, here), sizes(engine, there), strict=True)))
+    force, couple, roll = (phasor.value(part, THETA) for part in first[:3])
+    assert np.abs(phasor.value(second.force, THETA) - force).max() <= TOLERANCE * scale.force
+    assert np.abs(phasor.value(second.torque, THETA) - phasor.value(first.torque, THETA)).max() <= TOLERANCE * scale.torque
+    expected = couple - (there.z - here.z) * force
+    assert np.abs(phasor.value(second.couple, THETA) - expected).max() <= TOLERANCE * scale.couple
+    up, right = there.up - here.up, there.right - here.right
+    expected = roll - (up * force.imag - right * force.real)
+    assert np.abs(phasor.value(second.roll, THETA) - expected).max() <= TOLERANCE * scale.roll
+
+
+@given(KNOWN)
+def test_the_reference_left_out_is_the_middle_of_the_cylinders(engine: Engine) -> None:
+    places = sorted(cylinder.z for cylinder in engine.cylinders)
+    middle = Reference((places[0] + places[-1]) / 2, 0.0, 0.0)
+    assert default_reference(engine) == middle
+    assert balance(engine).reference == middle
+    assert_alike(total(balance(engine, speed=1.0)), felt(engine, middle), sizes(engine, middle))
+
+
+@given(KNOWN, FACTORS, FACTORS, SPEEDS, REFERENCES)
+def test_forces_grow_with_mass_length_and_speed_squared(
+    engine: Engine, heavier: float, longer: float, speed: float, reference: Reference
+) -> None:
+    def larger(c: Cylinder) -> dict[str, Any]:
+        rod, link = c.rod, c.articulated
+        if rod:
+            update = {"mass": rod.mass * heavier, "centre": rod.centre * longer, "inertia": rod.inertia * heavier * longer**2}
+            rod = rod.model_copy(update=update)
+        if link:
+            link = link.model_copy(update={"radius": link.radius * longer})
+        return {
+            **{name: getattr(c, name) * longer for name in ("z", "offset", "rod_length")},
+            "reciprocating_mass": c.reciprocating_mass * heavier,
+            "big_end_mass": c.big_end_mass * heavier,
+            "rod": rod,
+            "articulated": link,
+        }
+
+    large = remade(
+        engine,
+        shaft=lambda s: {"up": s.up * longer, "right": s.right * longer},
+        throw=lambda t: {"radius": t.radius * longer, "z": t.z * longer, "rotating_mass": t.rotating_mass * heavier},
+        weight=lambda w: {"unbalance": w.unbalance * heavier * longer, "z": w.z * longer},
+        cylinder=larger,
+        bore_pitch=engine.pitch * longer,
+    )
+    small, scale = felt(engine, reference), sizes(engine, reference)
+    afar = Reference(*(place * longer for place in reference))
+    factors = [heavier * longer * speed**2 * longer**extra for extra in (0, 1, 1, 1)]
+    expected, largest = (
+        Totals(*(phasor.scaled(part, f) for part, f in zip(small, factors, strict=True))),
+        Totals(*(size * f for size, f in zip(scale, factors, strict=True))),
+    )
+    assert_alike(felt(large, afar, speed), expected, largest)
+    if engine.first.reciprocating_mass or engine.first.rod:  # counted in m r w^2 the two engines are one
+        units = (unit / speed**2 for unit in units_of(engine, speed))
+        one, other = total(balance(engine, reference=reference)), total(balance(large, reference=afar))
+        assert_alike(other, one, Totals(*(size / unit for size, unit in zip(scale, units, strict=True))))
+
+
+def units_of(engine: Engine, speed: float) -> tuple[float, float, float, float]:
+    """m r w^2 and so on, of the first cylinder; of 1 kg where that has no mass."""
+    first = min(engine.cylinders, key=lambda cylinder: cylinder.number)
+    mass, radius = first.reciprocating_mass or (first.rod.mass if first.rod else 1.0), engine.throw(first).radius
+    force = mass * radius * speed**2
+    return force, force * engine.pitch, force * radius, force * radius
+
+
+@given(KNOWN, SPEEDS, REFERENCES)
+def test_newtons_are_units_of_m_r_w_squared(engine: Engine, speed: float, reference: Reference) -> None:
+    relative = engine.model_copy(update={"relative": ("mass", "radius", "pitch")})
+    counted, in_newtons = total(balance(relative, speed=speed, reference=reference)), felt(engine, reference, speed)
+    whole = Totals(*(phasor.scaled(part, unit) for part, unit in zip(counted, units_of(engine, speed), strict=True)))
+    assert_alike(whole, in_newtons, sizes(engine, reference, speed))
+
+
+@pytest.mark.parametrize("kind", OF_ANY_KIND)
+@settings(max_examples=10)
+@given(data=st.data())
+def test_the_whole_is_the_sum_of_its_parts_however_they_are_grouped(kind: str, data: st.DataObject) -> None:
+    engine = data.draw(OF_ANY_KIND[kind])
+    result = balance(engine)
+    whole, rows = total(result), len(result.parts)
+    assert all(len(getattr(result, name).forward) == rows for name in Totals._fields)
+    scale = Totals(*(np.abs(getattr(result, name).forward).max() + np.abs(getattr(result, name).backward).max() for name in Totals._fields))
+    for by in ("kind", "cylinder", "bank", "shaft"):
+        groups = grouped(result, by)
+        assert set(groups) == {getattr(part, by) for part in result.parts}
+        for name in Totals._fields:
+            summed = sum(getattr(group, name).forward for group in groups.values())
+            assert np.abs(summed - getattr(whole, name).forward).max() <= 1e-11 * getattr(scale, name) * rows
+            summed = sum(getattr(group, name).backward for group in groups.values())
+            assert np.abs(summed - getattr(whole, name).backward).max() <= 1e-11 * getattr(scale, name) * rows
+    for shaft in engine.shafts:
+        of_shaft, there = of_parts(result, shaft=shaft.name), [part.shaft == shaft.name for part in result.parts]
+        assert np.abs(of_shaft.force.forward - result.force.forward[there].sum(axis=0)).max() <= 1e-11 * scale.force * rows
+
+
+@pytest.mark.parametrize("kind", OF_ANY_KIND)
+@settings(max_examples=10)
+@given(data=st.data())
+def test_orders_ascend_from_above_zero_and_fall_off_to_rounding(kind: str, data: st.DataObject) -> None:
+    engine = data.draw(OF_ANY_KIND[kind])
+    result = balance(engine, reference=Reference(0.0))
+    orders = result.force.orders
+    assert orders[0] > 0
+    assert np.all(np.diff(orders) > 0)
+    for name in Totals._fields:
+        spectrum = getattr(result, name)
+        assert np.all(np.isfinite(spectrum.forward))
+        assert np.all(np.isfinite(spectrum.backward))
+    highest = np.abs(result.force.forward[:, -1]) + np.abs(result.force.backward[:, -1])
+    assert len(orders) == 1 or highest.max() <= 1e-13 * np.abs(result.force.forward).max() + 1e-13 * np.abs(result.force.backward).max()
+
+
+@given(KNOWN, REFERENCES, st.randoms(use_true_random=False))
+def test_in_what_order_things_are_listed_does_not_matter(engine: Engine, reference: Reference, chance: Any) -> None:
+    def shuffled(things: Sequence[Any]) -> tuple[Any, ...]:
+        return tuple(chance.sample(list(things), len(things)))
+
+    first, *others = engine.shafts
+    renumbered = {s.name: shuffled(range(len(s.throws))) for s in engine.shafts}
+    shafts = [
+        s.model_copy(update={"throws": tuple(s.throws[i] for i in renumbered[s.name]), "weights": shuffled(s.weights)})
+        for s in (first, *shuffled(others))
+    ]
+    cylinders = [c.model_copy(update={"throw": renumbered[c.shaft].index(c.throw - 1) + 1}) for c in shuffled(engine.cylinders)]
+    mixed = Engine.model_validate({**dict(engine), "shafts": shafts, "cylinders": cylinders})
+    assert_alike(felt(mixed, reference), felt(engine, reference), sizes(engine, reference))
+
+
+@given(KNOWN, REFERENCES)
+def test_a_counterweight_opposite_each_rotating_mass_cancels_it(engine: Engine, reference: Reference) -> None:
+    def cured(s: Shaft) -> dict[str, Any]:
+        against = [Weight(unbalance=t.rotating_mass * t.radius, angle=t.angle + pi, z=t.z) for t in s.throws]
+        against += [w.model_copy(update={"angle": w.angle - pi}) for w in s.weights]
+        return {"weights": (*s.weights, *against)}
+
+    bare = remade(engine, throw=lambda _: {"rotating_mass": 0.0}, shaft=lambda s: {"weights": ()})
+    without_rotors = remade(bare, shaft=lambda s: {"throws": tuple(t.model_copy(update={"rotating_mass": 0.0}) for t in s.throws)})
+    assert_alike(felt(remade(engine, shaft=lambda s: {**cured(s), "throws": s.throws}), reference), felt(without_rotors, reference), sizes(engine, reference))
+
+
+@given(KNOWN, st.lists(number(0.05, 0.95), min_size=1, max_size=5), REFERENCES)
+def test_a_rod_whose_inertia_is_that_of_two_masses_at_its_ends_is_those_two_masses(
+    engine: Engine, shares: list[float], reference: Reference
+) -> None:
+    first, second = cycle(shares), cycle(shares)
+
+    def rigid(c: Cylinder) -> dict[str, Any]:
+        a, mass = next(first) * c.rod_length, 0.5 + c.number
+        return {"rod": {"mass": mass, "centre": a, "inertia": mass * a * (c.rod_length - a)}}
+
+    def parted(c: Cylinder) -> dict[str, Any]:
+        share, mass = next(second), 0.5 + c.number
+        return {
+            "reciprocating_mass": c.reciprocating_mass + mass * share,
+            "big_end_mass": c.big_end_mass + mass * (1 - share),
+            "rod": None,
+        }
+
+    as_body = remade(engine, cylinder=lambda c: {"rod": records.Rod(**rigid(c)["rod"])})
+    assert_alike(felt(remade(engine, cylinder=parted), reference), felt(as_body, reference), sizes(as_body, reference))
+
+
+@given(ONE_SHAFT, st.sampled_from(["2", "-1", "-3/2", "29/31", "1/2"]).map(Fraction))
+def test_a_shaft_geared_at_a_ratio_does_the_same_at_that_ratio_times_the_orders(engine: Engine, ratio: Fraction) -> None:
+    (shaft,) = engine.shafts
+    crank = Shaft(name="reference")
+    geared = engine.model_copy(update={"shafts": (crank, shaft.model_copy(update={"speed_ratio": ratio}))})
+    own, found, scale, speed = felt(engine), felt(geared), sizes(engine), float(ratio)
+    assert np.allclose(found.force.orders[found.force.orders > 1e-9], np.union1d(own.force.orders * abs(speed), [1.0]), atol=1e-12)
+    for name, power in (("force", 2), ("couple", 2), ("roll", 2), ("torque", 3)):
+        slow, fast = phasor.value(getattr(own, name), speed * THETA), phasor.value(getattr(found, name), THETA)
+        assert np.abs(fast - speed**power * slow).max() <= 10 * TOLERANCE * max(1, abs(speed) ** power) * getattr(scale, name)
+
+
+@given(engines())
+def test_an_engine_written_to_a_file_and_read_again_shakes_as_before(engine: Engine) -> None:
+    again = engine_of(tree_of(toml(engine)))
+    reference = Reference(0.1)
+    before, after = (total(balance(e, speed=100.0, reference=reference)) for e in (engine, again))
+    assert (again.relative, again.first.number, again.banks, again.chambers.keys()) == (
+        engine.relative, engine.first.number, engine.banks, engine.chambers.keys()
+    )
+    scale = [max(1e-300, (np.abs(part.forward).sum(axis=-1) + np.abs(part.backward).sum(axis=-1)).max()) for part in balance(engine, speed=100.0, reference=reference).__dict__.values() if isinstance(part, Spectrum)]
+    for old, new, largest in zip(before, after, scale, strict=True):
+        assert np.abs(phasor.value(old, THETA) - phasor.value(new, THETA)).max() <= 1e-9 * largest
+
+
+@pytest.mark.parametrize("rod_ratio", [1.002, 1.02, 1.2, 2.0, 4.0, 50.0])
+def test_spectra_converge_for_any_rod(rod_ratio: float) -> None:
+    shaft = Shaft.model_validate({"name": "crank", "throw": [{"angle": 0.3, "radius": 1.0}]})
+    only = Cylinder(number=1, shaft="crank", throw=1, rod_length=rod_ratio, reciprocating_mass=1.0)
+    found = total(balance(Engine.model_validate({"name": "one", "shafts": [shaft], "cylinders": [only]})))
+    theta = np.linspace(0, 2 * pi, 1000)
+    psi, s = theta + 0.3, np.sin(theta + 0.3)
+    root = np.sqrt(rod_ratio**2 - s**2)
+    expected = np.cos(psi) + np.cos(2 * psi) / root + s**2 * np.cos(psi) ** 2 / root**3
+    force = phasor.value(found.force, theta)
+    assert np.abs(force - expected).max() <= 1e-10 * np.abs(expected).max()
+    assert np.abs(found.force.forward[-1]) <= 1e-13
+    assert len(found.force.orders) <= 60 / np.arccosh(rod_ratio) + 10
+
+
+def test_every_layout_has_a_strategy() -> None:
+    assert set(OF_LAYOUT) == set(LAYOUTS)
+
+
+EXEMPT = {("Engine", "format"): "has one value only"}
+
+
+def test_every_option_of_every_record_occurs_in_the_random_engines() -> None:
+    seen: list[Record] = []
+
+    @settings(max_examples=200, derandomize=True, database=None, phases=[Phase.generate])
+    @given(engines())
+    def collected(engine: Engine) -> None:
+        seen.extend(all_records(engine))
+
+    collected()
+    kinds = [kind for kind in vars(records).values() if isinstance(kind, type) and issubclass(kind, Record) and kind is not Record]
+    for kind in kinds:
+        if kind is records.Identity:
+            continue  # an Engine has all it has
+        made = [record for record in seen if type(record) is kind]
+        for name, field in kind.model_fields.items():
+            values = {repr(getattr(record, name)) for record in made}
+            usual = 0 if field.is_required() else sum(value != repr(field.get_default(call_default_factory=True)) for value in values)
+            assert (kind.__name__, name) in EXEMPT or (len(values) > 1 if field.is_required() else usual), (kind, name)
+
+
+def all_records(record: Record) -> list[Record]:
+    found = [record]
+    for name in type(record).model_fields:
+        value = getattr(record, name)
+        items = value if isinstance(value, tuple) else value.values() if isinstance(value, dict) else [value]
+        found += [inner for item in items if isinstance(item, Record) for inner in all_records(item)]
+    return found

@@ -1,0 +1,277 @@
+"""The documents say what is so: their screens, sessions, engine files, tables of keys, links and figures are checked here.
+
+That the pages build is checked by `make docs`, strictly.
+"""
+
+from __future__ import annotations
+
+import doctest
+import importlib.util
+import os
+import re
+import sys
+import tomllib
+from fractions import Fraction
+from pathlib import Path
+from types import ModuleType
+from typing import get_args
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+
+import crankstar
+from crankstar import cli, motion, units
+from crankstar.balance import Grouping
+from crankstar.engine import Engine, Record
+from crankstar.files import EngineFileError, engine_of
+from crankstar.files.forms import by_key, record_in, short_form
+from crankstar.layouts import LAYOUTS
+from crankstar.quantity import ANGLE, LENGTH, POSITION, SPEED, Quantity
+
+ROOT = Path(__file__).parents[2]
+DOCS = ROOT / "docs"
+
+
+def script(name: str) -> ModuleType:
+    """One of the scripts of the documents, which are no package."""
+    spec = importlib.util.spec_from_file_location(f"docs_{name}", DOCS / f"{name}.py")
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+screens, hooks, doctests = script("screens"), script("hooks"), script("doctests")
+PAGES: list[Path] = screens.pages()
+EVERY_PAGE = pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+WRONG_ON_PURPOSE = {"mistakes.toml", "wrong-side.toml"}
+
+
+def text_of(name: str) -> str:
+    return (ROOT / name).read_text(encoding="utf-8")
+
+
+def fences(page: Path, kind: str) -> list[str]:
+    return re.findall(rf"^```{kind}[^\n]*\n(.*?)^```$", page.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+
+
+@EVERY_PAGE
+def test_every_screen_is_what_the_command_prints(page: Path) -> None:
+    """If this fails, look whether the program or the page is wrong; `python docs/screens.py` brings the pages up to date."""
+    written = page.read_text(encoding="utf-8")
+    assert screens.alike(screens.up_to_date(written)) == screens.alike(written)
+
+
+@EVERY_PAGE
+def test_every_python_session_is_what_python_prints(page: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PATH", str(Path(sys.executable).parent) + os.pathsep + os.environ["PATH"])
+    session = "\n".join(fences(page, "pycon"))
+    test = doctest.DocTestParser().get_doctest(session, {}, page.name, str(page), 0)
+    said: list[str] = []
+    doctest.DocTestRunner(optionflags=doctest.ELLIPSIS).run(test, out=said.append)
+    assert "".join(said) == ""
+
+
+def test_readme_has_a_session_and_a_screen() -> None:
+    readme = ROOT / "README.md"
+    assert 6 <= sum(line.startswith(">>>") for block in fences(readme, "pycon") for line in block.splitlines()) <= 12
+    assert any("crankstar analyze v8-flat-plane" in block for block in fences(readme, "console"))
+
+
+@EVERY_PAGE
+def test_every_engine_file_in_the_documents_loads(page: Path) -> None:
+    named = dict(screens.FILE.findall(page.read_text(encoding="utf-8")))
+    for name, content in named.items():
+        if name not in WRONG_ON_PURPOSE:
+            assert isinstance(engine_of(tomllib.loads(content), name=name), Engine)
+            continue
+        with pytest.raises(EngineFileError):
+            engine_of(tomllib.loads(content), name=name)
+
+
+def test_the_part_of_a_file_that_shows_provenance_fits_a_file() -> None:
+    (part,) = [block for block in fences(DOCS / "engine-files.md", "toml") if block.startswith("[provenance]")]
+    whole = tomllib.loads(dict(screens.FILE.findall(text_of("docs/engine-files.md")))["my-v8.toml"] + part)
+    assert engine_of(whole).provenance["cylinder.bore"].status == "published"
+
+
+def records(start: type[Record]) -> set[type[Record]]:
+    """A record and all that can stand in it."""
+    inner = {record_in(info.annotation) for info in by_key(start).values()} - {None, start}
+    return {start}.union(*(records(record) for record in inner if record is not None))
+
+
+def every_record() -> set[type[Record]]:
+    kinds = [Engine, *map(short_form, LAYOUTS)]
+    whole = set().union(*(records(kind) for kind in kinds))
+    return {record for record in whole if record not in map(short_form, LAYOUTS)} | {short_form(None)}
+
+
+def test_every_table_of_an_engine_file_has_its_keys_on_the_page() -> None:
+    shown = {hooks.TABLES[name] for kind, name in hooks.MARK.findall(text_of("docs/engine-files.md")) if kind == "keys"}
+    assert shown == every_record()
+
+
+@pytest.mark.parametrize("name", hooks.TABLES)
+def test_every_key_is_there_with_value_default_and_meaning(name: str) -> None:
+    rows = [row.strip("| ").split(" | ") for row in hooks.table(name).splitlines()[2:]]
+    assert [row[0].strip("`") for row in rows] == list(by_key(hooks.TABLES[name]))
+    assert all(len(row) == 4 and all(cell.strip() for cell in row) for row in rows)
+
+
+def test_what_a_record_says_of_its_keys_is_not_said_again() -> None:
+    said = {(name, key) for name, key in hooks.MEANINGS if name not in LAYOUTS and by_key(hooks.TABLES[name])[key].description}
+    assert said == set()
+
+
+def test_every_unit_on_the_page_is_understood() -> None:
+    marks = {
+        "length": LENGTH,
+        "mass": Quantity("mass", "650 g"),
+        "angle": ANGLE,
+        "rotational speed": SPEED,
+        "unbalance": Quantity("unbalance", "0.02 kg*m"),
+        "moment of inertia": Quantity("moment of inertia", "0.002 kg*m^2"),
+    }
+    rows = re.findall(
+        r"^\| ([\w ]+) \| (`[^|]+) \|$", text_of("docs/engine-files.md").split("## Values and units")[1], re.MULTILINE
+    )
+    listed = {kind: re.findall(r"`([^`]+)`", names) for kind, names in rows if kind in marks}
+    assert set(listed) == set(marks)
+    for kind, names in listed.items():
+        assert all(units.si(f"1 {unit}", marks[kind]) > 0 for unit in names)
+    assert units.si("1 µm", LENGTH) == pytest.approx(1e-6)
+    assert units.si("90°", ANGLE) == pytest.approx(units.si("90 deg", ANGLE))
+    assert units.si("2 g·mm", marks["unbalance"]) == pytest.approx(2e-6)
+    assert units.si("2 kg·m²", marks["moment of inertia"]) == pytest.approx(2.0)
+
+
+@pytest.mark.parametrize("bare", [82.5, -90.0])
+def test_a_bare_number_nobody_can_have_meant_is_refused(bare: float) -> None:
+    for mark in (LENGTH, ANGLE, POSITION, SPEED):
+        with pytest.raises(ValueError, match="without a unit"):
+            units.si(bare, mark)
+
+
+def anchors(page: Path) -> set[str]:
+    """The places in a page that a link can go to: its headings, and names given by hand."""
+    written = hooks.filled(page.read_text(encoding="utf-8"))
+    prose = re.sub(r"^```.*?^```$", "", written, flags=re.MULTILINE | re.DOTALL)
+    headings = re.findall(r"^#+ (.+)$", prose, re.MULTILINE)
+    slugs = {re.sub(r"[\s-]+", "-", re.sub(r"[^\w\s-]", "", heading).strip().lower()) for heading in headings}
+    return slugs | set(re.findall(r'<a id="([\w-]+)">', prose))
+
+
+@EVERY_PAGE
+def test_every_link_between_documents_goes_somewhere(page: Path) -> None:
+    written = page.read_text(encoding="utf-8")
+    for target in re.findall(r"\]\(([^)\s]+)\)", hooks.filled(written) if page.parent == DOCS else written):
+        if "://" in target:
+            continue
+        path, _, place = target.partition("#")
+        there = (page.parent / path) if path else page
+        assert there.exists(), target
+        assert not place or place in anchors(there), target
+
+
+def test_every_page_is_in_the_table_of_contents() -> None:
+    listed = re.findall(r"^  - .+: ([\w-]+\.md)$", text_of("mkdocs.yml"), re.MULTILINE)
+    assert sorted(listed) == sorted(page.name for page in DOCS.glob("*.md"))
+
+
+def test_every_source_cited_is_in_the_bibliography() -> None:
+    known = set(hooks.entries(text_of("docs/references.bib")))
+    cited = {key for page in PAGES for key in re.findall(r"@([\w-]+)", "".join(hooks.CITATION.findall(page.read_text("utf-8"))))}
+    assert cited <= known
+    assert len(known) == text_of("docs/references.bib").count("\n@")
+
+
+@pytest.mark.parametrize("page", [ROOT / "README.md", DOCS / "command-line.md"], ids=lambda page: page.name)
+def test_the_table_of_commands_names_every_command(page: Path) -> None:
+    rows = re.findall(r"^\| `crankstar (\w+)", page.read_text(encoding="utf-8"), re.MULTILINE)
+    assert sorted(rows) == sorted(name for name in cli.app if not name.startswith("-"))
+
+
+def test_the_page_of_the_command_line_names_every_option_of_analyze() -> None:
+    arguments = cli.app["analyze"].assemble_argument_collection()
+    options = {name for argument in arguments for name in argument.names if name.startswith("--")}
+    page = text_of("docs/command-line.md")
+    assert {name for name in options - {"--output"} if name not in page} == set()
+    assert all(f"`{kind}`" in page or f"--by {kind}" in page for kind in get_args(Grouping))
+
+
+MINUS = "\N{MINUS SIGN}"
+SUPERSCRIPT = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789")
+
+
+def terms(series: str) -> dict[int, Fraction]:
+    """The powers of λ in a series as the page prints it, and their factors."""
+    overall = -1 if series.startswith(f"{MINUS}(") else 1
+    out: dict[int, Fraction] = {}
+    for sign, factor, power, below in re.findall(rf"({MINUS}?)\s?(\d*)λ([⁰¹²³⁴-⁹]?)(?:/(\d+))?", series.removeprefix(f"{MINUS}(")):
+        out[int(power.translate(SUPERSCRIPT) or 1)] = (-1 if sign else 1) * overall * Fraction(int(factor or 1), int(below or 1))
+    return out
+
+
+def test_the_series_on_the_page_of_theory_is_the_exact_one() -> None:
+    rows = dict(re.findall(r"^\| (\d) \| (.*λ.*) \|$", text_of("docs/theory.md"), re.MULTILINE))
+    assert sorted(rows) == ["2", "4", "6", "8"]
+    for order, series in rows.items():
+        exact = {power: motion.series_coefficient(int(order), power) for power in range(8)}
+        assert terms(series) == {power: value for power, value in exact.items() if value}
+
+
+def test_the_numbers_on_the_page_of_theory_are_so() -> None:
+    at_four = np.real(motion.piston_harmonics(crank_radius=1, rod_length=4))
+    assert [f"{at_four[k]:.2g}" for k in (4, 6)] == ["-0.0041", "7.4e-05"]
+    assert all(0.016 < abs(at_four[k + 2] / at_four[k]) < 0.0185 for k in (2, 4, 6, 8))
+    assert 1 - 0.25 / at_four[2] == pytest.approx(0.016, abs=5e-4)
+    at_three = motion.piston_harmonics(crank_radius=1, rod_length=3)[2].real
+    assert 1 - float(motion.series(2, ratio=1 / 3)) / at_three == pytest.approx(7e-6, rel=0.05)
+
+
+def test_the_figure_can_be_read_by_those_who_do_not_see_it() -> None:
+    drawing = ElementTree.parse(DOCS / "figures" / "frame.svg").getroot()  # noqa: S314 - our own
+    space = "{http://www.w3.org/2000/svg}"
+    assert drawing.get("role") == "img"
+    labels = (drawing.get("aria-labelledby") or "").split()
+    assert labels == [part.get("id") for part in (drawing.find(f"{space}title"), drawing.find(f"{space}desc")) if part is not None]
+    assert "figures/frame.svg" in text_of("docs/conventions.md")
+
+
+def test_nothing_on_a_page_comes_from_another_place() -> None:
+    """The pages can be read without a network: no fonts, scripts or pictures from elsewhere."""
+    assert "font: false" in text_of("mkdocs.yml")
+    assert "extra_javascript" not in text_of("mkdocs.yml")
+    for path in (*PAGES, DOCS / "figures" / "frame.svg", DOCS / "stylesheets" / "extra.css"):
+        written = path.read_text(encoding="utf-8")
+        assert not re.search(r'!\[[^\]]*\]\(\w+://|(?:src|xlink:href)="\w+://|url\(["\']?\w+://|@import', written)
+
+
+def test_the_version_is_the_same_everywhere() -> None:
+    assert tomllib.loads(text_of("pyproject.toml"))["project"]["version"] == crankstar.__version__
+    assert re.search(r"^version: (.+)$", text_of("CITATION.cff"), re.MULTILINE).group(1) == crankstar.__version__  # pyright: ignore[reportOptionalMemberAccess]
+    assert f"## [{crankstar.__version__}]" in text_of("CHANGELOG.md")
+
+
+def test_every_command_of_make_that_is_promised_is_there() -> None:
+    targets = set(re.findall(r"^([\w-]+):", text_of("Makefile"), re.MULTILINE))
+    promised = {name for page in PAGES for name in re.findall(r"\bmake ([a-z-]+)\b", page.read_text("utf-8"))}
+    assert {name for name in promised if name in ("demo", "test", "test-long", "docs", "bench", "lint")} <= targets
+
+
+def test_doctests_of_docstrings_become_sessions() -> None:
+    shown = doctests.fenced("A sentence.\n\n>>> 1 + 1\n2\n\nAnother.")
+    assert shown == "A sentence.\n\n```pycon\n>>> 1 + 1\n2\n```\n\nAnother."
+
+
+def test_the_answer_of_make_demo_is_of_an_engine_in_the_catalog() -> None:
+    used = re.findall(r"^\t@\$\(BIN\)/crankstar (?:analyze|show) ([\w-]+)", text_of("Makefile"), re.MULTILINE)
+    assert used
+    assert set(used) <= set(crankstar.names())
+
+
+def test_screens_reports_what_a_command_complains_of(tmp_path: Path) -> None:
+    assert screens.printed("crankstar check nothing.toml; echo $?", tmp_path).splitlines()[-1] == "2"
