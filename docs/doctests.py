@@ -1,4 +1,4 @@
-"""Doctests in the docstrings shown as Python sessions, wherever in the text they stand."""
+"""Doctests in the docstrings shown as Python examples, wherever in the text they stand."""
 
 from __future__ import annotations
 

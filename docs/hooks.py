@@ -111,7 +111,7 @@ def filled(markdown: str) -> str:
 def table(name: str) -> str:
     """The keys of one table of an engine file: value, default, meaning."""
     lines = ["| key | value | default | meaning |", "|---|---|---|---|"]
-    for key, info in by_key(TABLES[name]).items():
+    for key, info in sorted(by_key(TABLES[name]).items(), key=lambda item: not item[1].is_required()):
         meaning = MEANINGS.get((name, key)) or info.description or ""
         lines.append(f"| `{key}` | {_value(info)} | {_default(info)} | {_layout_kind(info) or meaning} |")
     return "\n".join(lines).replace("`layout.type`", "`type`")

@@ -13,9 +13,10 @@ from math import lcm
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from crankstar.mechanism import Reference
 from crankstar.engine import Cylinder, Engine, Shaft
+from crankstar.mechanism import Reference
 
 FINEST = 8192
 """Steps in a turn of the reference shaft."""
@@ -24,12 +25,13 @@ PI = np.arctan2(np.longdouble(0), np.longdouble(-1))
 RESOLVED = max(1e-12, 1e6 * float(np.finfo(np.longdouble).eps))
 """A grid is fine enough when the end of every spectrum is below this share of its greatest coefficient."""
 
-Array = np.ndarray[Any, np.dtype[np.longdouble]]
+Array = NDArray[Any]
+"""Of long doubles."""
 
 
 @dataclass(frozen=True)
 class Body:
-    """A rigid body: where it belongs; its mass, its centre relative to its shaft (N, 2), that shaft's place, z; inertia and turn."""
+    """A rigid body: where it belongs, its mass, its centre relative to its shaft (N, 2), the place of that; inertia and turn."""
 
     kind: str
     shaft: str
@@ -43,7 +45,7 @@ class Body:
 
 
 class Push(NamedTuple):
-    """What one body does to the block, at every angle: force (N, 3), moment about the reference (N, 3), torque on the crankshaft (N,)."""
+    """What a body does to the block at each angle: force and moment about the reference (N, 3); torque on the crankshaft (N,)."""
 
     force: Array
     moment: Array

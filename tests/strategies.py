@@ -94,7 +94,7 @@ def _cylinders(draw: Draw, engine_shafts: Sequence[Shaft]) -> list[Cylinder]:
             pin = draw(st.sampled_from(pins))
             reach[own] = pin.radius
         else:
-            pin = _Pin(master.shaft, master.throw, next(p.radius for p in pins if (p.shaft, p.throw) == (master.shaft, master.throw)))
+            pin = next(pin for pin in pins if (pin.shaft, pin.throw) == (master.shaft, master.throw))
             link = Articulation(master=master.number, radius=draw(number(0.1, 0.8)) * pin.radius, angle=draw(ANGLES))
             reach[own] = reach[master.number] + link.radius
         offset = draw(maybe(number(-0.9, 0.9), 0.0)) * pin.radius
@@ -148,19 +148,18 @@ def engines(draw: Draw, *, known: bool = False, max_shafts: int = 4) -> Engine:
     bearer = draw(st.integers(0, len(ratios) - 1))
     turning = [draw(shafts(f"shaft {i}", ratio, least_throws=int(i == bearer))) for i, ratio in enumerate(ratios)]
     cylinders = _shared(draw, draw(_cylinders(turning)), turning)
-    provenance = st.builds(
-        Provenance, status=st.sampled_from(["published", "computed", "unverified", "placeholder"]), source=TEXTS | st.just("")
-    )
+    status = st.sampled_from(["published", "computed", "unverified", "placeholder"])
+    provenance = st.builds(Provenance, status=status, source=maybe(TEXTS, ""))
     engine = Engine.model_validate(
         {
             "name": draw(st.sampled_from(["engine", "двигатель [1]"])),
             "cycle": draw(CYCLES),
             "rotation": draw(ROTATIONS),
             "speed": draw(maybe(SPEEDS)),
-            "source": draw(TEXTS | st.just("")),
-            "notes": draw(TEXTS | st.just("")),
+            "source": draw(maybe(TEXTS, "")),
+            "notes": draw(maybe(TEXTS, "")),
             "provenance": draw(st.dictionaries(st.sampled_from(["speed", "shaft[1].throw[1].radius"]), provenance, max_size=2)),
-            "relative": () if known else draw(st.just(()) | st.permutations(["mass", "radius", "pitch"]).map(lambda w: tuple(w[:2]))),
+            "relative": () if known else draw(st.lists(st.sampled_from(["mass", "radius", "pitch"]), unique=True, max_size=3)),
             "bore_pitch": draw(maybe(number(0.02, 0.5))),
             "shafts": turning,
             "cylinders": draw(st.permutations(cylinders)),
@@ -195,7 +194,16 @@ def _offsets(size: _Size) -> st.SearchStrategy[float]:
 
 
 @st.composite
-def _bases(draw: Draw, numbers: Sequence[int], size: _Size, *, order: Sequence[int] = (), own_stroke: bool = False, moved: bool = True, **overrides: Any) -> Basis:
+def _bases(
+    draw: Draw,
+    numbers: Sequence[int],
+    size: _Size,
+    *,
+    order: Sequence[int] = (),
+    own_stroke: bool = False,
+    moved: bool = True,
+    further: Sequence[Override] = (),
+) -> Basis:
     length = (size.reach + size.knuckle) * draw(CLEARANCES)
     ratio = (size.reach + size.knuckle) / size.radius * draw(CLEARANCES)
     rod = draw(st.sampled_from([{"rod_length": length}, {"rod_ratio": ratio}, {}]))
@@ -217,18 +225,17 @@ def _bases(draw: Draw, numbers: Sequence[int], size: _Size, *, order: Sequence[i
         firing_order=tuple(order),
         speed=draw(maybe(SPEEDS)),
         cylinder=cylinder,
-        cylinders=tuple(draw(_overrides(other, size, whole, own_stroke=own_stroke, moved=moved)) for other in different if other not in overrides)
-        + tuple(Override(number=int(key), **value) for key, value in overrides.items()),
+        cylinders=(*(draw(_overrides(n, size, whole, own_stroke=own_stroke, moved=moved)) for n in different), *further),
         balance_factor=draw(maybe(number(0.0, 2.0))),
     )
 
 
 @st.composite
-def _overrides(draw: Draw, other: int, size: _Size, whole: float, *, own_stroke: bool, moved: bool) -> Override:
+def _overrides(draw: Draw, own: int, size: _Size, whole: float, *, own_stroke: bool, moved: bool) -> Override:
     longer = {"rod_length": whole * draw(number(1.0, 1.5))}
     shorter_stroke = {"stroke": 2 * size.radius * draw(number(0.5, 1.0)), "rod_length": whole}
     return Override(
-        number=other,
+        number=own,
         offset=draw(maybe(_offsets(size))),
         reciprocating_mass=draw(maybe(MASSES)),
         rotating_mass=draw(maybe(MASSES)),
@@ -259,7 +266,9 @@ def inline_engines(draw: Draw, *, moved: bool = True) -> Engine:
 
 
 @st.composite
-def _banks(draw: Draw, bearings: Sequence[float], size: _Size, *, of: int, first: int = 1, own_pins: bool = True) -> tuple[Bank, ...]:
+def _banks(
+    draw: Draw, bearings: Sequence[float], size: _Size, *, of: int, first: int = 1, own_pins: bool = False
+) -> tuple[Bank, ...]:
     count = len(bearings)
     numbers = draw(st.permutations(range(first, first + of * count)))
     return tuple(
@@ -285,13 +294,15 @@ def vee_engines(draw: Draw, *, moved: bool = True) -> Engine:
     banks = draw(_banks(bearings, size, of=per_bank, own_pins=style == "split"))
     numbers = [n for bank in banks for n in bank.cylinders]
     throws = draw(st.tuples(*[ANGLES] * (len(numbers) if style == "single" else per_bank)))
-    slaves = {}
+    slaves: list[Override] = []
     if style == "articulated":
-        link = {"radius": size.knuckle, "angle": draw(ANGLES)}
-        pairs = zip(banks[0].cylinders, banks[1].cylinders, strict=True)
-        slaves = {str(slave): {"articulated": Articulation(master=master, **link)} for master, slave in pairs}
+        angle = draw(ANGLES)
+        for master, slave in zip(banks[0].cylinders, banks[1].cylinders, strict=True):
+            link = Articulation(master=master, radius=size.knuckle, angle=angle)
+            slaves.append(Override(number=slave, articulated=link))
+    others = [n for n in numbers if n not in {slave.number for slave in slaves}]
     return LAYOUTS["vee"](
-        draw(_bases([n for n in numbers if str(n) not in slaves], size, moved=moved, **slaves)),
+        draw(_bases(others, size, moved=moved, further=slaves)),
         banks=banks,
         throws=throws,
         bank_offset=draw(maybe(number(-0.1, 0.1), 0.0)),
@@ -305,7 +316,7 @@ def boxer_engines(draw: Draw, *, moved: bool = True) -> Engine:
     per_bank, bearing, size = draw(st.integers(1, 3)), draw(ANGLES), draw(_size())
     return LAYOUTS["boxer"](
         draw(_bases(range(1, 2 * per_bank + 1), size, moved=moved)),
-        banks=draw(_banks([bearing, bearing + pi], size, of=per_bank, own_pins=False)),
+        banks=draw(_banks([bearing, bearing + pi], size, of=per_bank)),
         throws=draw(st.tuples(*[ANGLES] * per_bank)),
         bank_offset=draw(maybe(number(-0.1, 0.1), 0.0)),
         **draw(_pitches(per_bank)),
@@ -319,7 +330,7 @@ def tandem_engines(draw: Draw, *, moved: bool = True) -> Engine:
     for index in range(draw(st.integers(2, 3))):
         bearings = draw(st.lists(ANGLES, min_size=1, max_size=2))
         first = 1 + sum(len(bank.cylinders) for crank in cranks for bank in crank.banks)
-        banks = draw(_banks(bearings, size, of=per_bank, first=first))
+        banks = draw(_banks(bearings, size, of=per_bank, first=first, own_pins=True))
         place = {} if index == 0 else {"up": draw(PLACES), "right": draw(PLACES), "speed_ratio": draw(st.sampled_from(RATIOS))}
         throws = draw(st.tuples(*[ANGLES] * draw(st.sampled_from([per_bank, per_bank * len(bearings)]))))
         cranks.append(Crank(banks=banks, throws=throws, lag=draw(maybe(ANGLES, 0.0)) if index or moved else 0.0, **place))

@@ -163,6 +163,18 @@ def test_a_shaft_that_turns_the_other_way_is_all_backward() -> None:
 
 
 @ROTATIONS
+def test_a_cylinder_on_a_shaft_that_turns_the_other_way_follows_that_shaft(rotation: str) -> None:
+    """Its pin stands at the right at theta = 0; the shaft turns it up, if the reference crankshaft turns clockwise."""
+    plain = engine(rotation=rotation)
+    second = Shaft(name="second", speed_ratio=Fraction(-1), throws=(Throw(angle=pi / 2, radius=RADIUS),))
+    other = plain.cylinders[0].model_copy(update={"number": 2, "shaft": "second"})
+    geared = plain.model_copy(update={"shafts": (*plain.shafts, second), "cylinders": (*plain.cylinders, other)})
+    top = 90 if rotation == "clockwise" else 270
+    assert dead_centres(geared)[2].angle_deg == pytest.approx(top)
+    assert at(of_parts(balance(geared, speed=SPEED), cylinder=2).force, top) == pytest.approx(FORCE * (1 + RADIUS / ROD), rel=1e-9)
+
+
+@ROTATIONS
 def test_a_piston_that_gains_speed_after_top_dead_centre_holds_the_crankshaft_back(rotation: str) -> None:
     torque = total(balance(engine(rotation=rotation), speed=SPEED)).torque
     assert at(torque, 30).real < 0  # against the direction of rotation

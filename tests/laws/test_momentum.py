@@ -10,12 +10,12 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.newton import Push, Road, road
+from tests.strategies import OF_ANY_KIND, PLACES, SPEEDS
 
 from crankstar import phasor
 from crankstar.balance import Reference, Totals, balance, grouped, total
-from crankstar.engine import Cylinder, Engine, Shaft, Throw, Weight
-from tests.newton import Push, Road, road
-from tests.strategies import OF_ANY_KIND, PLACES, SPEEDS
+from crankstar.engine import Cylinder, Engine, Shaft
 
 TOLERANCE = 1e-9
 """Of the largest part; a moment counts at least as much as the largest force at the largest crank radius."""
@@ -35,7 +35,7 @@ def units_of(engine: Engine, speed: float) -> Scale:
     """N and N m where masses and sizes are known, else m r w^2 of the first cylinder; couples per pitch where that is not known."""
     if "mass" not in engine.relative and "radius" not in engine.relative:
         return Scale(1.0, engine.pitch if "pitch" in engine.relative else 1.0, 1.0)
-    first = sorted(engine.cylinders, key=lambda cylinder: cylinder.number)[0]
+    first = min(engine.cylinders, key=lambda cylinder: cylinder.number)
     shaft = next(shaft for shaft in engine.shafts if shaft.name == first.shaft)
     mass, radius = first.reciprocating_mass, shaft.throws[first.throw - 1].radius
     mass = mass or (first.rod.mass if first.rod else 1.0)
@@ -104,7 +104,9 @@ def test_the_block_of_hundreds_of_engines_feels_it(kind: str, data: st.DataObjec
     assert_momentum(data.draw(OF_ANY_KIND[kind]), reference=reference, speed=speed)
 
 
-def single(*, rotation: str = "clockwise", reciprocating_mass: float = 0.0, throw: Any = None, weight: Any = None, **cylinder: Any) -> Engine:
+def single(
+    *, rotation: str = "clockwise", reciprocating_mass: float = 0.0, throw: Any = None, weight: Any = None, **cylinder: Any
+) -> Engine:
     """One cylinder with a crank radius of 1 m and a rod of 4 m, at first without any mass."""
     shaft = Shaft.model_validate(
         {"name": "crank", "throw": [{"angle": 0.0, "radius": 1.0, **(throw or {})}], "weight": [weight] if weight else []}

@@ -10,6 +10,8 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.newton import PI, Rate, placed
+from tests.strategies import ANGLES, engines, number, of_layout
 
 from crankstar import motion, phasor
 from crankstar.balance import balance, total
@@ -17,14 +19,12 @@ from crankstar.engine import Articulation, Cylinder, Engine, Rod, Shaft, Weight
 from crankstar.layouts import LAYOUTS
 from crankstar.mechanism import Mechanism, Reference, Totals, mechanism, spectra, totals
 from crankstar.phasor import Spectrum
-from tests.newton import PI, Rate, placed
-from tests.strategies import ANGLES, of_layout, engines, number
 
 AROUND = np.arange(1 << 14, dtype=np.longdouble) * (2 * PI / (1 << 14))
 
 
 def harmonics_by_quadrature(rod_ratio: float, offset: float) -> np.ndarray:
-    """A_k as k^2 times the Fourier coefficient of the piston's travel x(psi), by the trapezoidal rule: nothing is differentiated."""
+    """A_k as k^2 times the Fourier coefficient of the piston's travel x(psi), by the trapezoidal rule: no derivative is taken."""
     across = np.sin(AROUND) - np.longdouble(offset)
     travel = np.cos(AROUND) + np.sqrt(np.longdouble(rod_ratio) ** 2 - across**2)
     coefficients = 2 * np.fft.rfft(travel) / travel.size
@@ -32,7 +32,7 @@ def harmonics_by_quadrature(rod_ratio: float, offset: float) -> np.ndarray:
 
 
 def series_by_expansion(order: int, highest_power: int) -> list[Fraction]:
-    """The coefficients of A_order by powers of lambda, from cos(psi) + sqrt(1/lambda^2 - sin(psi)^2) as polynomials in exp(i psi)."""
+    """A_order by powers of lambda, from cos(psi) + sqrt(1/lambda^2 - sin(psi)^2) as polynomials in exp(i psi)."""
     found = [Fraction(0)] * (highest_power + 1)
     if order == 1:
         found[0] = Fraction(1)
@@ -62,10 +62,13 @@ def test_the_harmonics_of_a_piston_are_those_of_its_travel(clearance: float, off
 
 
 @given(number(1.002, 20.0), number(-0.9, 0.9), number(0.01, 10.0))
-def test_harmonics_know_no_unit_of_length_and_an_offset_to_the_other_side_conjugates_them(clearance: float, offset: float, unit: float) -> None:
+def test_harmonics_know_no_unit_of_length_and_an_offset_to_the_other_side_conjugates_them(
+    clearance: float, offset: float, unit: float
+) -> None:
     rod_length = clearance * (1 + abs(offset))
     one, large, mirrored = (
-        motion.piston_harmonics(crank_radius=u, rod_length=rod_length * u, offset=e * u) for u, e in ((1, offset), (unit, offset), (1, -offset))
+        motion.piston_harmonics(crank_radius=u, rod_length=rod_length * u, offset=e * u)
+        for u, e in ((1, offset), (unit, offset), (1, -offset))
     )
     count = min(map(len, (one, large, mirrored)))
     assert np.abs(one[:count] - large[:count]).max() <= 1e-11 * np.abs(one).max()
@@ -99,7 +102,12 @@ def test_rods_are_where_circles_cut_axes_and_move_as_they_stand(engine: Engine) 
         first = engine.cylinders[root[index]]
         turn = np.exp(1j * first.bearing)
         # The crank angle at which the throw stands psi clockwise of its root's cylinder, whatever gear it has.
-        own = engine.model_copy(update={"rotation": "clockwise", "shafts": tuple(s.model_copy(update={"speed_ratio": Fraction(1)}) for s in engine.shafts)})
+        own = engine.model_copy(
+            update={
+                "rotation": "clockwise",
+                "shafts": tuple(s.model_copy(update={"speed_ratio": Fraction(1)}) for s in engine.shafts),
+            }
+        )
         theta = psi - engine.throw(cylinder).angle + first.bearing
         pin, piston, leaning = placed(own, cylinder, theta.astype(np.longdouble))
         size = np.abs(piston).max()
@@ -114,12 +122,21 @@ def test_rods_are_where_circles_cut_axes_and_move_as_they_stand(engine: Engine) 
 
 
 @given(number(0.3, 1.3), number(0.05, 0.9), ANGLES, ANGLES, number(-0.5, 0.5))
-def test_a_slave_rod_is_refused_just_when_its_circle_does_not_meet_its_axis(length: float, knuckle: float, angle: float, bearing: float, offset: float) -> None:
+def test_a_slave_rod_is_refused_just_when_its_circle_does_not_meet_its_axis(
+    length: float, knuckle: float, angle: float, bearing: float, offset: float
+) -> None:
     shaft = Shaft.model_validate({"name": "crank", "throw": [{"angle": 0.0, "radius": 1.0}]})
     master = Cylinder(number=1, shaft="crank", throw=1, rod_length=4.0, reciprocating_mass=1.0)
     link = Articulation(master=1, radius=knuckle, angle=angle)
     slave = Cylinder(
-        number=2, shaft="crank", throw=1, bearing=bearing, offset=offset, rod_length=length, reciprocating_mass=1.0, articulated=link
+        number=2,
+        shaft="crank",
+        throw=1,
+        bearing=bearing,
+        offset=offset,
+        rod_length=length,
+        reciprocating_mass=1.0,
+        articulated=link,
     )
     engine = Engine.model_validate({"name": "pair", "shafts": [shaft], "cylinders": [master, slave]})
     theta = np.arange(3600) * (2 * np.pi / 3600)
@@ -150,11 +167,11 @@ def test_a_spectrum_is_a_sum_of_turning_vectors_whose_parts_are_real_signals(spe
     turning = spectrum.sense * spectrum.orders[:, None] * THETA
     expected = spectrum.forward @ np.exp(1j * turning) + spectrum.backward @ np.exp(-1j * turning)
     assert np.abs(phasor.value(spectrum, THETA) - expected).max() < 1e-13
-    angle = spectrum.orders[:, None] * THETA
-    for amplitudes, component in ((phasor.vertical(spectrum), expected.real), (phasor.horizontal(spectrum), expected.imag)):
-        assert np.abs((amplitudes[:, None] * np.exp(1j * angle)).real.sum(axis=0) - component).max() < 1e-13
+    ahead = np.exp(1j * spectrum.orders[:, None] * THETA)
+    assert np.abs(np.real(phasor.vertical(spectrum) @ ahead) - np.real(expected)).max() < 1e-13
+    assert np.abs(np.real(phasor.horizontal(spectrum) @ ahead) - np.imag(expected)).max() < 1e-13
     real = phasor.real_signal(spectrum.orders, spectrum.forward)
-    assert np.abs(phasor.value(real, THETA) - (spectrum.forward[:, None] * np.exp(1j * angle)).real.sum(axis=0)).max() < 1e-13
+    assert np.abs(phasor.value(real, THETA) - np.real(spectrum.forward @ ahead)).max() < 1e-13
     assert np.allclose(phasor.amplitude(real), spectrum.forward, atol=1e-15)
 
 
@@ -231,10 +248,18 @@ def test_the_peak_of_shafts_of_29_and_31_teeth_is_found_in_the_turn_where_they_m
     weight = Weight(unbalance=1.0, angle=0.0)
     shafts = [
         Shaft.model_validate({"name": "crank", "throw": [{"angle": 0.0, "radius": 1.0}], "weight": [weight]}),
-        Shaft.model_validate({"name": "other", "speed_ratio": "-29/31", "weight": [weight.model_copy(update={"angle": 2.0, "unbalance": 31**2 / 29**2})]}),
+        Shaft.model_validate(
+            {
+                "name": "other",
+                "speed_ratio": "-29/31",
+                "weight": [weight.model_copy(update={"angle": 2.0, "unbalance": 31**2 / 29**2})],
+            }
+        ),
     ]
     only = Cylinder(number=1, shaft="crank", throw=1, rod_length=4.0, reciprocating_mass=1e-12)
-    force = total(balance(Engine.model_validate({"name": "gears", "relative": ["mass"], "shafts": shafts, "cylinders": [only]}))).force
+    force = total(
+        balance(Engine.model_validate({"name": "gears", "relative": ["mass"], "shafts": shafts, "cylinders": [only]}))
+    ).force
     assert phasor.period(force) == 31
     # theta and 2 - 29/31 theta meet where 60/31 theta = 2 + 2 pi n.
     meeting = [(2 + 2 * np.pi * n) * 31 / 60 for n in range(60)]
@@ -284,7 +309,11 @@ def picked(machine: Mechanism, at: tuple[int, ...]) -> Mechanism:
     """One engine of a batch."""
 
     def own(record: Any) -> dict[str, Any]:
-        return {name: np.array(values[at]) for name, values in vars(record).items() if isinstance(values, np.ndarray) and values.ndim > 1}
+        return {
+            name: np.array(values[at])
+            for name, values in vars(record).items()
+            if isinstance(values, np.ndarray) and values.ndim > 1
+        }
 
     return replace(machine, links=replace(machine.links, **own(machine.links)), **own(machine))
 

@@ -1,4 +1,4 @@
-"""The documents say what is so: their screens, sessions, engine files, tables of keys, links and figures are checked here.
+"""The documents say what is so: their screens, Python examples, engine files, tables of keys, links and figures are checked here.
 
 That the pages build is checked by `make docs`, strictly.
 """
@@ -65,16 +65,16 @@ def test_every_screen_is_what_the_command_prints(page: Path) -> None:
 
 
 @EVERY_PAGE
-def test_every_python_session_is_what_python_prints(page: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_every_python_example_prints_what_it_says(page: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PATH", str(Path(sys.executable).parent) + os.pathsep + os.environ["PATH"])
-    session = "\n".join(fences(page, "pycon"))
-    test = doctest.DocTestParser().get_doctest(session, {}, page.name, str(page), 0)
+    examples = "\n".join(fences(page, "pycon"))
+    test = doctest.DocTestParser().get_doctest(examples, {}, page.name, str(page), 0)
     said: list[str] = []
     doctest.DocTestRunner(optionflags=doctest.ELLIPSIS).run(test, out=said.append)
     assert "".join(said) == ""
 
 
-def test_readme_has_a_session_and_a_screen() -> None:
+def test_readme_has_python_and_a_screen() -> None:
     readme = ROOT / "README.md"
     assert 6 <= sum(line.startswith(">>>") for block in fences(readme, "pycon") for line in block.splitlines()) <= 12
     assert any("crankstar analyze v8-flat-plane" in block for block in fences(readme, "console"))
@@ -117,7 +117,7 @@ def test_every_table_of_an_engine_file_has_its_keys_on_the_page() -> None:
 @pytest.mark.parametrize("name", hooks.TABLES)
 def test_every_key_is_there_with_value_default_and_meaning(name: str) -> None:
     rows = [row.strip("| ").split(" | ") for row in hooks.table(name).splitlines()[2:]]
-    assert [row[0].strip("`") for row in rows] == list(by_key(hooks.TABLES[name]))
+    assert sorted(row[0].strip("`") for row in rows) == sorted(by_key(hooks.TABLES[name]))
     assert all(len(row) == 4 and all(cell.strip() for cell in row) for row in rows)
 
 
@@ -262,7 +262,7 @@ def test_every_command_of_make_that_is_promised_is_there() -> None:
     assert {name for name in promised if name in ("demo", "test", "test-long", "docs", "bench", "lint")} <= targets
 
 
-def test_doctests_of_docstrings_become_sessions() -> None:
+def test_doctests_of_docstrings_become_blocks() -> None:
     shown = doctests.fenced("A sentence.\n\n>>> 1 + 1\n2\n\nAnother.")
     assert shown == "A sentence.\n\n```pycon\n>>> 1 + 1\n2\n```\n\nAnother."
 

@@ -218,9 +218,13 @@ def _changed(tree: Tree, changes: Mapping[str, Any], name: str) -> Tree:
 
 
 def _explicit(tree: Tree) -> _Draft:
+    return _built(tree, Engine, _relative(tree), lambda engine: engine, instead="or take {name} out of relative")
+
+
+def _relative(tree: Tree) -> frozenset[str]:
+    """What a file says is not known."""
     told = _listed(tree.get("relative"))
-    relative = frozenset(name for name in ("mass", "radius", "pitch") if name in told)
-    return _built(tree, Engine, relative, lambda engine: engine, instead="or take {name} out of relative")
+    return frozenset(name for name in ("mass", "radius", "pitch") if name in told)
 
 
 def _listed(value: Any) -> list[Any]:
@@ -233,7 +237,7 @@ def _short(tree: Tree) -> _Draft:
     tree = {key: value for key, value in tree.items() if key not in other}
     layout = tree.get("layout")
     told = [*(Fault((key,), mixed) for key in other), *_layout_faults(layout)]
-    relative = _unknown(tree)
+    relative = _unknown(tree) | _relative(tree)
     draft = _built(
         tree, form_of(tree), relative, None if _layout_faults(layout) else partial(_laid_out, relative), instead="or give that"
     )
