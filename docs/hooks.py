@@ -48,50 +48,16 @@ TABLES: dict[str, type[Record]] = {
 }
 """By the name a marker gives it: the record of one table of an engine file."""
 
-_BANKS = "the rows of cylinders, front bank first; see [a bank](#a-bank)"
-_POSITIONS = "distances of the cylinders of a bank behind its first, where the pitch is not even"
-_PITCH = "distance of neighbouring cylinders of a bank along the crankshaft; the unit `a` of normalised couples"
-MEANINGS: dict[tuple[str, str], str] = {
-    ("short", "layout"): "how the cylinders are arranged; one of the tables below",
-    ("explicit", "shaft"): "the shafts, the reference crankshaft first; see [a shaft](#a-shaft)",
-    ("explicit", "cylinders"): "the cylinders; see [a cylinder](#a-cylinder-in-the-explicit-form)",
-    ("shaft", "throw"): "its crank throws; see [a throw](#a-throw)",
-    ("shaft", "weight"): "its counterweights and balance weights; see [a weight](#a-weight)",
-    ("bank", "name"): "by which results name it; `bank 1`, `bank 2`, ... if left out",
-    ("crank", "name"): "by which results name it; `crank 1`, `crank 2`, ... if left out",
-    ("crank", "banks"): "its rows of cylinders; see [a bank](#a-bank)",
-    ("inline", "throws"): "from pin 1, clockwise, front to rear; if left out, evenly spaced ones as the firing order needs",
-    ("inline", "positions"): "distances behind cylinder 1, where the pitch is not even",
-    ("inline", "bearing"): "where the cylinders point, clockwise from up: a slanted or a lying engine",
-    ("inline", "bore_pitch"): _PITCH,
-    ("vee", "banks"): _BANKS,
-    ("vee", "throws"): "from pin 1, clockwise: one for each pin of a bank, or one for each cylinder by its number",
-    ("vee", "bore_pitch"): _PITCH,
-    ("vee", "bank_offset"): "how far each bank stands in front of the next; 0 for fork-and-blade rods",
-    ("vee", "pin_split"): "split pins: how far the pins of each bank are turned clockwise from those of the bank before",
-    ("vee", "positions"): _POSITIONS,
-    ("boxer", "banks"): "two of them, opposite each other; see [a bank](#a-bank)",
-    ("boxer", "throws"): "of the first bank, from pin 1, clockwise",
-    ("boxer", "bore_pitch"): _PITCH,
-    ("boxer", "bank_offset"): "how far the first bank stands in front of the second",
-    ("boxer", "positions"): _POSITIONS,
-    ("tandem", "cranks"): "two to sixteen crankshafts, the reference crankshaft first; see [a crank](#a-crank)",
-    ("tandem", "bore_pitch"): _PITCH,
-    ("tandem", "bank_offset"): "how far each bank of a crankshaft stands in front of its next",
-    ("tandem", "positions"): _POSITIONS,
-    ("opposed", "throws"): "of the first crankshaft, from its pin 1, clockwise, one for each cylinder",
-    ("opposed", "crank_distance"): "from the first crankshaft to the second",
-    ("opposed", "lag"): "turn of the first crankshaft by which the second follows",
-    ("opposed", "bearing"): "where the second crankshaft stands from the first, clockwise from up",
-    ("opposed", "speed_ratio"): "of the second crankshaft; -1 if it turns the other way",
-    ("opposed", "bore_pitch"): _PITCH,
-    ("opposed", "positions"): _POSITIONS,
-    ("radial", "rows"): "the stars, the front one first; see [a row](#a-row)",
-    ("radial", "knuckle_radius"): "from crank pin to the knuckle pins of slave rods; if left out, all rods sit on the crank pin",
-    ("radial", "slave_rod_length"): "between centres; the master's rod less the knuckle radius if left out",
-    ("radial", "row_pitch"): "distance of neighbouring rows along the crankshaft; the unit `a` of normalised couples",
+SECTIONS: dict[type[Record], str] = {
+    layouts.Bank: "[a bank](#a-bank)",
+    layouts.Crank: "[a crank](#a-crank)",
+    layouts.Row: "[a row](#a-row)",
+    engine.Shaft: "[a shaft](#a-shaft)",
+    engine.Throw: "[a throw](#a-throw)",
+    engine.Weight: "[a weight](#a-weight)",
+    engine.Cylinder: "[a cylinder](#a-cylinder-in-the-explicit-form)",
 }
-"""What the records leave to the page to say, and arguments of layouts whose docstring speaks of several at once."""
+"""Where the page describes the tables that other tables hold."""
 
 MARK = re.compile(r"^<!-- (keys|figure|sources): ?([\w. /-]*?) ?-->$", re.MULTILINE)
 CITATION = re.compile(r"\[(@[\w-]+(?:; ?@[\w-]+)*)\]")
@@ -112,14 +78,10 @@ def table(name: str) -> str:
     """The keys of one table of an engine file: value, default, meaning."""
     lines = ["| key | value | default | meaning |", "|---|---|---|---|"]
     for key, info in sorted(by_key(TABLES[name]).items(), key=lambda item: not item[1].is_required()):
-        meaning = MEANINGS.get((name, key)) or info.description or ""
-        lines.append(f"| `{key}` | {_value(info)} | {_default(info)} | {_layout_kind(info) or meaning} |")
+        inner = SECTIONS.get(record_in(info.annotation) or Record)
+        meaning = (info.description or "") + (f"; see {inner}" if inner else "")
+        lines.append(f"| `{key}` | {_value(info)} | {_default(info)} | {meaning} |")
     return "\n".join(lines).replace("`layout.type`", "`type`")
-
-
-def _layout_kind(info: FieldInfo) -> str:
-    choices = get_args(info.annotation) if get_origin(info.annotation) is Literal else ()
-    return "names the layout" if choices and choices[0] in layouts.LAYOUTS else ""
 
 
 def _value(info: FieldInfo) -> str:

@@ -281,7 +281,8 @@ def _throws(basis: Basis, pins: list[list[Place]], sizes: dict[int, _Known], sha
         radii = {sizes[place.number].radius for place in sharing}
         if len(radii) > 1:
             numbers = ", ".join(str(place.number) for place in sharing)
-            raise EngineError([Fault(("cylinders",), f"cylinders {numbers} share a crank pin but differ in stroke")])
+            told = f"cylinders {numbers} share a crank pin but differ in stroke; give them the same, or pins of their own"
+            raise EngineError([Fault(("cylinders",), told)])
         throws.append(
             Throw(
                 angle=_wrapped(base + sharing[0].pin_angle),

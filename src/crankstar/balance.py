@@ -86,7 +86,7 @@ def balance(engine: Engine, *, speed: float | None = None, reference: Reference 
         torque=phasor.scaled(raw.torque, scale.roll),
         reference=reference,
         units=units,
-        speed=speed,
+        speed=speed if units.force == "N" else None,
     )
 
 

@@ -72,7 +72,8 @@ def _spelt_out(arguments: Sequence[str]) -> list[str]:
 
 def _told(error: CycloptsError) -> str:
     """What is wrong with the words of a command line, and where to read on."""
-    text = one_line(str(error).strip(), longest=300).replace("into int", "into a whole number").replace("into bool", "into yes or no")
+    text = one_line(str(error).strip(), longest=300)
+    text = text.replace("into int", "into a whole number").replace("into bool", "into yes or no")
     if isinstance(error, UnusedCliTokensError):
         text = f"too many arguments: {', '.join(map(seen, error.unused_tokens or ()))}"
     command = " ".join(["crankstar", *(error.command_chain or ())])

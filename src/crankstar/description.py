@@ -135,4 +135,4 @@ def catalog_table(rows: Sequence[Summary]) -> RenderableType:
     out = table("name", "engine", "layout", "cylinders", "cycle", left=("name", "engine", "layout", "cycle"))
     for row in rows:
         out.add_row(Text(row.name, style="bold"), Text(row.title), row.layout, str(row.cylinders), row.cycle)
-    return Group(out, Text(f"{len(rows)} engines; crankstar analyze NAME"))
+    return Group(out, Text(f"{len(rows)} engine{'s' if len(rows) > 1 else ''}; crankstar analyze NAME"))

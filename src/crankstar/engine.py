@@ -100,9 +100,19 @@ class Shaft(Record):
     )
     up: Length = Field(default=0.0, description="height of its axis over the reference shaft")
     right: Length = Field(default=0.0, description="its axis to the right of the reference shaft, seen from the front")
-    throws: tuple[Throw, ...] = Field(default=(), validation_alias="throw", serialization_alias="throw", max_length=GREATEST_THROWS)
+    throws: tuple[Throw, ...] = Field(
+        default=(),
+        validation_alias="throw",
+        serialization_alias="throw",
+        max_length=GREATEST_THROWS,
+        description="its crank throws",
+    )
     weights: tuple[Weight, ...] = Field(
-        default=(), validation_alias="weight", serialization_alias="weight", max_length=GREATEST_THROWS
+        default=(),
+        validation_alias="weight",
+        serialization_alias="weight",
+        max_length=GREATEST_THROWS,
+        description="its counterweights and balance weights",
     )
 
 
@@ -172,9 +182,15 @@ class Engine(Identity):
     )
     bore_pitch: Pitch | None = Field(default=None, description="the length a in which couples are counted when normalised")
     shafts: tuple[Shaft, ...] = Field(
-        validation_alias="shaft", serialization_alias="shaft", min_length=1, max_length=GREATEST_SHAFTS
+        validation_alias="shaft",
+        serialization_alias="shaft",
+        min_length=1,
+        max_length=GREATEST_SHAFTS,
+        description="the shafts, the reference crankshaft first",
     )
-    cylinders: tuple[Cylinder, ...] = Field(min_length=1, max_length=GREATEST_CYLINDERS)
+    cylinders: tuple[Cylinder, ...] = Field(
+        min_length=1, max_length=GREATEST_CYLINDERS, description="pistons, rods and where they work"
+    )
 
     @model_validator(mode="after")
     def _possible(self) -> Engine:
@@ -303,8 +319,9 @@ def _cylinder_faults(engine: Engine) -> Iterator[Fault]:
         if shaft is None:
             yield Fault((*here, "shaft"), f"is {seen(cylinder.shaft)}, and there is no such shaft; there are: {', '.join(shafts)}")
         elif cylinder.throw > len(shaft.throws):
-            count = f"throws 1 to {len(shaft.throws)}" if shaft.throws else "no throws"
-            yield Fault((*here, "throw"), f"is {cylinder.throw}, but shaft {seen(shaft.name)} has {count}")
+            there = f"throws 1 to {len(shaft.throws)}" if shaft.throws else "no throws"
+            message = f"is {cylinder.throw}, but shaft {seen(shaft.name)} has {there}; name one of them, or add a [[shaft.throw]]"
+            yield Fault((*here, "throw"), message)
         elif cylinder.articulated is None:
             yield from _reach_faults(here, cylinder, shaft.throws[cylinder.throw - 1].radius, engine.across)
         if cylinder.articulated is not None:

@@ -19,6 +19,7 @@ from pydantic import Field
 
 from crankstar.arrangement import Basis, Place, ShaftPlace, assembled
 from crankstar.engine import GREATEST_CYLINDERS, Articulation, Engine, EngineError, Fault, Record
+from crankstar.fault import listed
 from crankstar.phasor import ROUNDING
 from crankstar.quantity import Angle, Length, Line, Ordinal, Pitch, Position, Size, SpeedRatio
 
@@ -28,7 +29,7 @@ class Bank(Record):
 
     bearing: Angle = Field(default=0.0, description="where the cylinders point, clockwise from up")
     cylinders: tuple[Ordinal, ...] = Field(min_length=1, max_length=GREATEST_CYLINDERS, description="numbers from front to rear")
-    name: Line | None = Field(default=None)
+    name: Line | None = Field(default=None, description="by which results name it; bank 1, bank 2, ... if left out")
     offset: Length | None = Field(default=None, description="of this bank's axes, clockwise of the shaft axis")
     set_back: Position | None = Field(default=None, description="how far this bank stands behind the first")
     pin_angle: Angle | None = Field(default=None, description="how far its pins are turned clockwise from the first bank's")
@@ -37,14 +38,14 @@ class Bank(Record):
 class Crank(Record):
     """One of several crankshafts, with its banks; the first is the reference crankshaft."""
 
-    name: Line | None = Field(default=None)
+    name: Line | None = Field(default=None, description="by which results name it; crank 1, crank 2, ... if left out")
     up: Length = Field(default=0.0, description="height over the first crankshaft")
     right: Length = Field(default=0.0, description="to the right of the first crankshaft, seen from the front")
     speed_ratio: SpeedRatio = Field(default=Fraction(1), description="turns per turn of the first; negative turns the other way")
     lag: Angle = Field(
         default=0.0, description="turn of the first crankshaft after which this one's first cylinder is at top dead centre"
     )
-    banks: tuple[Bank, ...] = Field(min_length=1, max_length=32)
+    banks: tuple[Bank, ...] = Field(min_length=1, max_length=32, description="its rows of cylinders")
     throws: tuple[Angle, ...] = Field(default=(0.0,), min_length=1, description="from its own pin 1, clockwise")
 
 
@@ -58,19 +59,32 @@ class Row(Record):
 
 
 Throws = Annotated[tuple[Angle, ...], Field(max_length=GREATEST_CYLINDERS)]
-Positions = Annotated[tuple[Position, ...], Field(max_length=GREATEST_CYLINDERS)]
-Banks = Annotated[tuple[Bank, ...], Field(min_length=1, max_length=32)]
-Rows = Annotated[tuple[Row, ...], Field(min_length=1, max_length=32)]
-Cranks = Annotated[tuple[Crank, ...], Field(min_length=2, max_length=16)]
+Positions = Annotated[
+    Annotated[tuple[Position, ...], Field(max_length=GREATEST_CYLINDERS)] | None,
+    Field(description="distances of the cylinders of a bank behind its first, where the pitch is not even"),
+]
+BorePitch = Annotated[
+    Pitch | None,
+    Field(description="distance of neighbouring cylinders of a bank along the crankshaft; the unit a of normalised couples"),
+]
+BankOffset = Annotated[Position, Field(description="how far each bank stands in front of the next; 0 for fork-and-blade rods")]
+Banks = Annotated[tuple[Bank, ...], Field(min_length=1, max_length=32, description="the rows of cylinders, front bank first")]
+Rows = Annotated[tuple[Row, ...], Field(min_length=1, max_length=32, description="the stars, the front one first")]
+Cranks = Annotated[
+    tuple[Crank, ...], Field(min_length=2, max_length=16, description="the crankshafts, the reference crankshaft first")
+]
 
 
 def inline(
     basis: Basis,
     *,
-    throws: Throws | None = None,
-    bearing: Angle = 0.0,
-    bore_pitch: Pitch | None = None,
-    positions: Positions | None = None,
+    throws: Annotated[
+        Throws | None,
+        Field(description="from pin 1, clockwise, front to rear; left out, evenly spaced ones as the firing order needs"),
+    ] = None,
+    bearing: Annotated[Angle, Field(description="where the cylinders point, clockwise from up: a slanted or a lying engine")] = 0.0,
+    bore_pitch: BorePitch = None,
+    positions: Positions = None,
 ) -> Engine:
     """Cylinders 1, 2, ... in a row from front to rear, one throw each.
 
@@ -102,11 +116,15 @@ def vee(
     basis: Basis,
     *,
     banks: Banks,
-    throws: Throws,
-    bore_pitch: Pitch | None = None,
-    bank_offset: Position = 0.0,
-    pin_split: Angle = 0.0,
-    positions: Positions | None = None,
+    throws: Annotated[
+        Throws, Field(description="from pin 1, clockwise: one for each pin of a bank, or one for each cylinder by its number")
+    ],
+    bore_pitch: BorePitch = None,
+    bank_offset: BankOffset = 0.0,
+    pin_split: Annotated[
+        Angle, Field(description="split pins: how far the pins of each bank are turned clockwise from those of the bank before")
+    ] = 0.0,
+    positions: Positions = None,
 ) -> Engine:
     """Any number of banks on one crankshaft: V, VR, W, X, flat.
 
@@ -122,10 +140,10 @@ def boxer(
     basis: Basis,
     *,
     banks: Banks,
-    throws: Throws,
-    bore_pitch: Pitch | None = None,
-    bank_offset: Position = 0.0,
-    positions: Positions | None = None,
+    throws: Annotated[Throws, Field(description="of the first bank, from pin 1, clockwise")],
+    bore_pitch: BorePitch = None,
+    bank_offset: BankOffset = 0.0,
+    positions: Positions = None,
 ) -> Engine:
     """Two banks opposite each other whose pistons move in and out together: each pair on two pins 180 deg apart.
 
@@ -137,12 +155,7 @@ def boxer(
 
 
 def tandem(
-    basis: Basis,
-    *,
-    cranks: Cranks,
-    bore_pitch: Pitch | None = None,
-    bank_offset: Position = 0.0,
-    positions: Positions | None = None,
+    basis: Basis, *, cranks: Cranks, bore_pitch: BorePitch = None, bank_offset: BankOffset = 0.0, positions: Positions = None
 ) -> Engine:
     """Several crankshafts geared together, each with its banks: tandem twins, U, square four, H, delta."""
     return _arranged(basis, cranks, bore_pitch=bore_pitch, bank_offset=bank_offset, pin_split=0.0, positions=positions)
@@ -151,13 +164,13 @@ def tandem(
 def opposed(
     basis: Basis,
     *,
-    throws: Throws,
-    crank_distance: Size,
-    lag: Angle = 0.0,
-    speed_ratio: SpeedRatio = Fraction(1),
-    bearing: Angle = 0.0,
-    bore_pitch: Pitch | None = None,
-    positions: Positions | None = None,
+    throws: Annotated[Throws, Field(description="of the first crankshaft, from its pin 1, clockwise, one for each cylinder")],
+    crank_distance: Annotated[Size, Field(description="from the first crankshaft to the second")],
+    lag: Annotated[Angle, Field(description="turn of the first crankshaft by which the second follows")] = 0.0,
+    speed_ratio: Annotated[SpeedRatio, Field(description="of the second crankshaft; -1 if it turns the other way")] = Fraction(1),
+    bearing: Annotated[Angle, Field(description="where the second crankshaft stands from the first, clockwise from up")] = 0.0,
+    bore_pitch: BorePitch = None,
+    positions: Positions = None,
 ) -> Engine:
     """Two pistons in each cylinder, working on crankshafts at its two ends.
 
@@ -195,9 +208,15 @@ def radial(
     basis: Basis,
     *,
     rows: Rows,
-    row_pitch: Pitch | None = None,
-    knuckle_radius: Size | None = None,
-    slave_rod_length: Size | None = None,
+    row_pitch: Annotated[
+        Pitch | None, Field(description="distance of neighbouring rows along the crankshaft; the unit a of normalised couples")
+    ] = None,
+    knuckle_radius: Annotated[
+        Size | None, Field(description="from crank pin to the knuckle pins of slave rods; left out, all rods sit on the crank pin")
+    ] = None,
+    slave_rod_length: Annotated[
+        Size | None, Field(description="between centres; the master's rod less the knuckle radius if left out")
+    ] = None,
 ) -> Engine:
     """Stars of evenly spaced cylinders round a crank pin, the numbers of each row clockwise.
 
@@ -209,7 +228,8 @@ def radial(
     for index, row in enumerate(rows):
         master = row.cylinders[0] if row.master is None else row.master
         if master not in row.cylinders:
-            raise _fault("rows", f"the master rod is said to be in cylinder {master}, which is not in that row", index, "master")
+            message = f"is {master}, and there is no such cylinder in the row; there are: {listed(list(row.cylinders))}"
+            raise _fault("rows", message, index, "master")
         step = 2 * pi / len(row.cylinders)
         for slot, number in enumerate(row.cylinders):
             link = None

@@ -201,7 +201,7 @@ def _greatest(values: Complex) -> Real:
 def _vector(samples: Complex, scale: Real) -> tuple[Complex, Complex]:
     """Coefficients of exp(i k psi) and exp(-i k psi), k = 1, 2, ...; what is rounding beside `scale` is zero."""
     # Up and right apart, so that a force along an axis stays exactly on it.
-    up, right = (_signal(part, scale) / 2 for part in (samples.real, samples.imag))
+    up, right = (_signal(part, scale) / 2 for part in (np.real(samples), np.imag(samples)))
     return up + 1j * right, np.conj(up) + 1j * np.conj(right)
 
 

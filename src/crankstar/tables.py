@@ -218,7 +218,9 @@ def _remarks(shown: Analysis, sums: Totals, real: Totals | None) -> Text:
             text.append(f"No {name} of any order.\n")
     torque = phasor.peak((real or sums).torque).value
     some = torque > NEGLIGIBLE * _pushed((shown.real or shown.normalised).torque)
-    text.append(f"Peak inertia torque: {number(torque)} {unit_text(units.roll)}.\n" if some else "No inertia torque of any order.\n")
+    text.append(
+        f"Peak inertia torque: {number(torque)} {unit_text(units.roll)}.\n" if some else "No inertia torque of any order.\n"
+    )
     for name in ("force", "couple"):
         text.append(_removable(name, getattr(sums, name)))
     text.rstrip()

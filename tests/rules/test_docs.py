@@ -121,11 +121,6 @@ def test_every_key_is_there_with_value_default_and_meaning(name: str) -> None:
     assert all(len(row) == 4 and all(cell.strip() for cell in row) for row in rows)
 
 
-def test_what_a_record_says_of_its_keys_is_not_said_again() -> None:
-    said = {(name, key) for name, key in hooks.MEANINGS if name not in LAYOUTS and by_key(hooks.TABLES[name])[key].description}
-    assert said == set()
-
-
 def test_every_unit_on_the_page_is_understood() -> None:
     marks = {
         "length": LENGTH,

@@ -31,17 +31,19 @@ def is_explicit(tree: Mapping[str, Any]) -> bool:
 def short_form(kind: str | None) -> type[Record]:
     """The record of a short file with a layout of that kind; with None, one that takes any layout table."""
     if kind is None:
-        return create_model("Short", __base__=Basis, layout=(Annotated[Any, Field()], {}))
+        return create_model(
+            "Short", __base__=Basis, layout=(Annotated[Any, Field(description="how the cylinders are arranged")], {})
+        )
     function = LAYOUTS[kind]
     hints = get_type_hints(function, include_extras=True)
     arguments = {name: p for name, p in inspect.signature(function).parameters.items() if p.kind is p.KEYWORD_ONLY}
-    notes = dict(_argument_notes(inspect.getdoc(function) or "", arguments))
-    fields: dict[str, Any] = {"type": (Literal[kind], ...)}
+    fields: dict[str, Any] = {"type": (Annotated[Literal[kind], Field(description="names the layout")], ...)}
     for name, parameter in arguments.items():
         default = ... if parameter.default is parameter.empty else parameter.default
-        fields[name] = (hints[name], Field(default=default, description=notes.get(name)))
+        fields[name] = (hints[name], default)
     layout = create_model(kind.capitalize(), __base__=Record, __doc__=_summary(function), **fields)
-    return create_model(f"Short{kind.capitalize()}", __base__=Basis, __doc__=_summary(function), layout=(layout, ...))
+    said: Any = Annotated[layout, Field(description="how the cylinders are arranged")]
+    return create_model(f"Short{kind.capitalize()}", __base__=Basis, __doc__=_summary(function), layout=(said, ...))
 
 
 def form_of(tree: Mapping[str, Any]) -> type[Record]:
@@ -57,25 +59,18 @@ def _summary(function: Any) -> str:
     return (inspect.getdoc(function) or "").split("\n")[0]
 
 
-def _argument_notes(doc: str, names: Iterable[str]) -> Iterable[tuple[str, str]]:
-    """For each argument the first sentence of the docstring that names it in backquotes."""
-    sentences = " ".join(doc.split(">>>", maxsplit=1)[0].split()).split(". ")
-    for name in names:
-        for sentence in sentences:
-            if f"`{name}`" in sentence:
-                yield name, sentence.strip().rstrip(".") + "."
-                break
-
-
 def field_at(model: type[Record], path: Iterable[str | int]) -> FieldInfo | None:
     """The field of a record, or of the records in it, that a key path of a file leads to."""
     record: type[Record] | None = model
     info: FieldInfo | None = None
+    free = False
     for key in path:
-        if isinstance(key, int):
+        if isinstance(key, int) or free:
+            free = False
             continue
         info = by_key(record).get(key) if record else None
         record = record_in(info.annotation) if info else None
+        free = info is not None and get_origin(info.annotation) is dict  # whose own keys are free
     return info
 
 

@@ -237,7 +237,7 @@ def _short(tree: Tree) -> _Draft:
     tree = {key: value for key, value in tree.items() if key not in other}
     layout = tree.get("layout")
     told = [*(Fault((key,), mixed) for key in other), *_layout_faults(layout)]
-    relative = _unknown(tree) | _relative(tree)
+    relative = _unknown(tree)
     draft = _built(
         tree, form_of(tree), relative, None if _layout_faults(layout) else partial(_laid_out, relative), instead="or give that"
     )
@@ -267,8 +267,7 @@ def _unknown(tree: Tree) -> frozenset[str]:
     along = any(_tells(layout, key) for key in ("bore_pitch", "positions", "row_pitch"))
     along = along or any(isinstance(value, str) for value in (layout.get("bank_offset"), *(bank.get("set_back") for bank in banks)))
     unknown = {"mass": not _tells(cylinder, "reciprocating_mass"), "radius": not _tells(cylinder, "stroke"), "pitch": not along}
-    declared = [name for name in unknown if name in _listed(tree.get("relative"))]
-    return frozenset([*declared, *(name for name, missing in unknown.items() if missing)])
+    return _relative(tree) | {name for name, missing in unknown.items() if missing}
 
 
 def _tells(table: Tree, key: str) -> bool:

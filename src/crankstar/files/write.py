@@ -13,6 +13,7 @@ from crankstar.engine import Engine, Record
 from crankstar.files.forms import quantity_of, short_form
 from crankstar.layouts import LAYOUTS
 
+DESCRIPTION = "An engine file of crankstar: the short form, by layout, or the explicit form with shafts and cylinders."
 SCHEMA_DIALECT = "https://json-schema.org/draft/2020-12/schema"
 
 
@@ -59,7 +60,7 @@ def schema() -> dict[str, Any]:
     """The JSON Schema of engine files, short (by layout) or explicit, with the unit and meaning of every key."""
     models = [Engine, *(short_form(kind) for kind in LAYOUTS)]
     whole = TypeAdapter(_union(models)).json_schema(by_alias=True)
-    return {"$schema": SCHEMA_DIALECT, "title": "crankstar engine file", "description": (__doc__ or "").split("\n")[0], **whole}
+    return {"$schema": SCHEMA_DIALECT, "title": "crankstar engine file", "description": DESCRIPTION, **whole}
 
 
 def _union(models: list[type[Record]]) -> Any:
