@@ -226,6 +226,7 @@ def _bases(
         speed=draw(maybe(SPEEDS)),
         cylinder=cylinder,
         cylinders=(*(draw(_overrides(n, size, whole, own_stroke=own_stroke, moved=moved)) for n in different), *further),
+        relative=draw(maybe(st.lists(st.sampled_from(["mass", "radius", "pitch"]), unique=True, max_size=2), ())),
         balance_factor=draw(maybe(number(0.0, 2.0))),
     )
 

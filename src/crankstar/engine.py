@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
-from itertools import pairwise
+from itertools import count, pairwise
 from math import lcm
 from typing import Any, Literal
 
@@ -18,6 +18,8 @@ from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from crankstar.fault import EngineError, Fault, counted, cylinders, listed
 from crankstar.quantity import (
+    GREATEST_LENGTH,
+    GREATEST_RELATIVE,
     Angle,
     Cycle,
     Inertia,
@@ -236,7 +238,8 @@ class Engine(Identity):
         for cylinder in self.cylinders:
             key = cylinder.bank or (cylinder.shaft, round(cylinder.bearing, 9))
             groups.setdefault(key, []).append(cylinder.number)
-        names = {key: key if isinstance(key, str) else f"bank {place}" for place, key in enumerate(groups, 1)}
+        free = (name for name in (f"bank {place}" for place in count(1)) if name not in groups)
+        names = {key: key if isinstance(key, str) else next(free) for key in groups}
         return {names[key]: tuple(numbers) for key, numbers in groups.items()}
 
     def shaft(self, name: str) -> Shaft:
@@ -293,7 +296,7 @@ def _shaft_faults(engine: Engine) -> Iterator[Fault]:
             '(use rotation = "counter-clockwise" for one that turns the other way)',
         )
     if engine.shafts[0].up or engine.shafts[0].right:
-        yield Fault(("shaft", 0), "the first shaft is the reference crankshaft: its up and right are 0")
+        yield Fault(("shaft", 0), "is not at 0, 0; the first shaft is the reference crankshaft, leave its up and right out")
     turns = lcm(*(shaft.speed_ratio.denominator for shaft in engine.shafts))
     if turns > GREATEST_TURNS:
         yield Fault(
@@ -343,6 +346,10 @@ def _reach_faults(here: tuple[str | int, ...], cylinder: Cylinder, radius: float
             f"at least {MINIMUM_CLEARANCE * reach:.6g} {unit} is needed",
             cylinder.number,
         )
+    greatest = GREATEST_RELATIVE if unit != "m" else GREATEST_LENGTH
+    if cylinder.rod_length > greatest:
+        message = f"is {cylinder.rod_length:.6g} {unit}, too long for an engine; at most {greatest:g} {unit} can be"
+        yield Fault((*here, "rod_length"), message, cylinder.number)
 
 
 def _articulation_faults(here: tuple[str | int, ...], cylinder: Cylinder, by_number: Mapping[int, Cylinder]) -> Iterator[Fault]:

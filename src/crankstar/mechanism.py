@@ -21,6 +21,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import reduce
 from math import lcm
 from typing import NamedTuple
 
@@ -144,7 +145,7 @@ def spectra(machine: Mechanism, *, reference: Reference | None = None, orders: S
     """
     reference = reference or Reference(0.0)
     bodies = _bodies(machine)
-    highest = max(_significant(unit) for unit, _ in bodies[0])
+    highest = max(_significant(unit) for body in bodies for unit, _ in body)
     columns = _columns(machine, highest, orders)
     pieces = [_sum([_placed(machine, columns, unit, amount) for unit, amount in body]) for body in bodies]
     pieces.append(_rotors(machine, columns))
@@ -277,7 +278,7 @@ def _rotors(machine: Mechanism, columns: _Columns) -> _Vectors:
 
 
 def _sum(pieces: Sequence[_Vectors]) -> _Vectors:
-    return _Vectors(*(np.sum(values, axis=0) for values in zip(*pieces, strict=True)))
+    return _Vectors(*(reduce(np.add, values) for values in zip(*pieces, strict=True)))
 
 
 def _stacked(arrays: list, *, axis: int) -> np.ndarray:
@@ -310,13 +311,18 @@ def totals(machine: Mechanism, *, orders: Sequence[float], reference: Reference 
 
         own = replace(machine.links, **{name: part(values) for name, values in links.items()})
         one = replace(machine, links=own, **{name: part(values) for name, values in arrays.items()})
-        pieces.append(total(spectra(one, reference=reference, orders=orders)))
+        sums = total(spectra(one, reference=reference, orders=orders))
+        pieces.append(Totals(*(_spread(spectrum, min(block, length - start)) for spectrum in sums)))
     return Totals(*(_joined([getattr(piece, name) for piece in pieces]) for name in Totals._fields))
 
 
+def _spread(spectrum: Spectrum, count: int) -> Spectrum:
+    """The sums of a block with their leading axis, also where nothing that was varied reaches them."""
+    shape = (count, spectrum.orders.size)
+    forward, backward = (np.broadcast_to(values, shape) for values in (spectrum.forward, spectrum.backward))
+    return replace(spectrum, forward=forward, backward=backward)
+
+
 def _joined(pieces: list[Spectrum]) -> Spectrum:
-    return replace(
-        pieces[0],
-        forward=np.concatenate([piece.forward for piece in pieces]),
-        backward=np.concatenate([piece.backward for piece in pieces]),
-    )
+    forward, backward = (np.concatenate([getattr(piece, name) for piece in pieces]) for name in ("forward", "backward"))
+    return replace(pieces[0], forward=forward, backward=backward)

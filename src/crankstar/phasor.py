@@ -174,39 +174,62 @@ def period(spectrum: Spectrum) -> int:
 
 
 def peak(spectrum: Spectrum) -> Peak:
-    """The greatest length of the vector over its period, to machine precision: a grid, then Newton's method on |v|^2."""
+    """The greatest length of the vector over its period, to machine precision; the first of several equal ones.
+
+    A grid finds every place where it could be, Newton's method on |v|^2 goes from each of them to its summit.
+    """
     if spectrum.orders.size == 0 or not (np.any(spectrum.forward) or np.any(spectrum.backward)):
         return Peak(0.0, 0.0, 0j)
-    turns = period(spectrum)
-    lengths = np.abs(_over_period(spectrum, turns))
-    points = lengths.size
-    # The first of several equal peaks, not whichever rounding favours.
-    theta = int(np.argmax(lengths >= lengths.max() * (1 - 1e-9))) * (2 * np.pi * turns / points)
-    first = replace(spectrum, forward=spectrum.forward * 1j, backward=spectrum.backward * -1j)
-    velocity = scaled(first, spectrum.sense * spectrum.orders)
-    acceleration = scaled(spectrum, -(spectrum.orders**2))
-    start, step = theta, 2 * np.pi * turns / points
-    for _ in range(8):
-        here, slope, bend = (complex(value(part, theta)) for part in (spectrum, velocity, acceleration))
-        gradient = (here.conjugate() * slope).real
-        curvature = abs(slope) ** 2 + (here.conjugate() * bend).real
-        if curvature >= 0 or abs(gradient) <= 1e-15 * abs(here) ** 2:
-            break  # flat (a circle) or already there
-        theta = float(np.clip(theta - gradient / curvature, start - step, start + step))
-    here = complex(value(spectrum, theta))
-    period_angle = 2 * np.pi * turns
-    theta %= period_angle
-    return Peak(abs(here), 0.0 if min(theta, period_angle - theta) < 1e-9 else theta, here)
+    period_angle = 2 * np.pi * period(spectrum)
+    lengths = np.abs(_over_period(spectrum))
+    step = period_angle / lengths.size
+    theta = _summits(spectrum, _candidates(lengths) * step, step) % period_angle
+    theta = np.where(period_angle - theta < 1e-9, 0.0, theta)
+    found = np.abs(value(spectrum, theta))
+    # Equal peaks differ by rounding, and by how near Newton's method came: take the first of them.
+    first = float(np.min(theta[found >= found.max() * (1 - 1e-9)]))
+    here = complex(value(spectrum, first))
+    return Peak(abs(here), 0.0 if first < 1e-9 else first, here)
 
 
-def _over_period(spectrum: Spectrum, turns: int) -> Complex:
+POINTS, POINTS_AT_MOST = 16, 1 << 22
+"""Samples to one turn of the highest order, and in all: beyond that, a quarter of them must do."""
+CANDIDATES = 256
+
+
+def _over_period(spectrum: Spectrum) -> Complex:
     """The vector at equal steps over the whole period, finely enough for its highest order, by Fourier transform."""
-    places = np.round(spectrum.orders * turns).astype(int)
-    fine = 16 if places[-1] * 16 < 1 << 22 else 4
-    coefficients = np.zeros(fine * (int(places[-1]) + 4), complex)
+    places = np.round(spectrum.orders * period(spectrum)).astype(int)
+    highest = int(places.max()) + 4
+    coefficients = np.zeros((POINTS if highest * POINTS < POINTS_AT_MOST else POINTS // 4) * highest, complex)
     np.add.at(coefficients, spectrum.sense * places, spectrum.forward)
     np.add.at(coefficients, -spectrum.sense * places, spectrum.backward)
     return np.fft.ifft(coefficients) * coefficients.size
+
+
+def _candidates(lengths: Real) -> NDArray[np.int_]:
+    """The samples next to which the highest peak may stand: local maxima not far below the highest, and the first highest."""
+    local = (lengths >= np.roll(lengths, 1)) & (lengths >= np.roll(lengths, -1)) & (lengths >= 0.85 * lengths.max())
+    strongest = np.flatnonzero(local)
+    strongest = strongest[np.argsort(-lengths[strongest], kind="stable")][:CANDIDATES]
+    return np.unique(np.append(strongest, np.argmax(lengths >= lengths.max() * (1 - 1e-9))))
+
+
+def _summits(spectrum: Spectrum, starts: Real, step: float) -> Real:
+    """Newton's method on the derivative of |v|^2 from each start, kept within one step of it."""
+    velocity = Spectrum(spectrum.orders, 1j * spectrum.forward, -1j * spectrum.backward, spectrum.sense)
+    velocity = scaled(velocity, spectrum.sense * spectrum.orders)
+    acceleration = scaled(spectrum, -(spectrum.orders**2))
+    theta = starts.astype(float)
+    for _ in range(8):
+        here, slope, bend = (value(part, theta) for part in (spectrum, velocity, acceleration))
+        gradient = np.real(np.conj(here) * slope)
+        curvature = np.abs(slope) ** 2 + np.real(np.conj(here) * bend)
+        # Where it is flat (a circle) there is no summit to go to.
+        steep = (curvature < 0) & (np.abs(gradient) > 1e-15 * np.abs(here) ** 2)
+        move = np.where(steep, gradient / np.where(steep, curvature, 1.0), 0.0)
+        theta = np.clip(theta - move, starts - step, starts + step)
+    return theta
 
 
 def from_samples(samples: Complex, *, sense: int = 1) -> Spectrum:

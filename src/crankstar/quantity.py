@@ -16,6 +16,10 @@ from pydantic_core import core_schema
 
 GREATEST_TEETH = 1000
 """Greatest numerator and denominator of a speed ratio: teeth of a gear."""
+GREATEST_LENGTH = 100.0
+"""Metres: greater than any part of any engine."""
+GREATEST_RELATIVE = 1e6
+"""Greatest bare number where lengths or masses are counted in units of themselves."""
 GREATEST_RATIO = 50
 """Greatest speed ratio, up or down: many times that of any shaft in an engine."""
 

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from crankstar.quantity import Quantity, seen
+from crankstar.quantity import GREATEST_LENGTH, GREATEST_RELATIVE, Quantity, seen
 
 if TYPE_CHECKING:
     import pint
@@ -65,7 +65,7 @@ class _Kind(NamedTuple):
 _SMALLEST = 1e-7
 _KINDS = {
     "angle": _Kind("radian", "an angle", "rad", 6.2832, 1e4, 0.0),
-    "length": _Kind("metre", "a length", "m", 5.0, 100.0, _SMALLEST),
+    "length": _Kind("metre", "a length", "m", 5.0, GREATEST_LENGTH, _SMALLEST),
     "length along the crankshaft": _Kind("metre", "a length", "m", 50.0, 1000.0, _SMALLEST),
     "mass": _Kind("kilogram", "a mass", "kg", 100.0, 1e6, _SMALLEST),
     "moment of inertia": _Kind("kilogram*metre^2", "a moment of inertia", "kg*m^2", 100.0, 1e7, 0.0),
@@ -128,14 +128,13 @@ def reader(relative: frozenset[str], *, instead: str = "or give that") -> Callab
             raise ValueError(
                 f"is {seen(value)}, but {_MISSING[min(missing)]}; give a bare number, {instead.format(name=min(missing))}"
             )
-        if abs(number) > _GREATEST_RELATIVE or 0 < abs(number) < _SMALLEST:
+        if abs(number) > GREATEST_RELATIVE or 0 < abs(number) < _SMALLEST:
             raise ValueError(f"is {seen(value)}, out of all proportion; a bare number is needed, such as 1")
         return number
 
     return read
 
 
-_GREATEST_RELATIVE = 1e6
 _MISSING = {
     "radius": "no stroke is known, so that lengths across the crankshaft are counted in crank radii",
     "pitch": "no bore pitch is known, so that lengths along the crankshaft are counted in bore pitches",

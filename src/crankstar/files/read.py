@@ -289,7 +289,7 @@ def _built(
     """Check a tree against its record and build the engine; with mistakes in it, add what mended copies show."""
     context = {"reader": units.reader(relative, instead=instead)}
     try:
-        record = model.model_validate(tree, context=context)
+        record = model.model_validate(tree, context=context, by_alias=True, by_name=False)
     except ValidationError as error:
         faults = faults_of(error, model, tree)
         if then is not None:
@@ -312,7 +312,7 @@ _MENDINGS = (9000, 9500)
 def _made(tree: Tree, model: type[Record], context: dict[str, Any], then: Callable[[Any], Engine]) -> list[Fault]:
     """The faults that only the whole engine of a mended tree shows: orders, indices, numbering."""
     try:
-        then(model.model_validate(tree, context=context))
+        then(model.model_validate(tree, context=context, by_alias=True, by_name=False))
     except EngineError as error:
         return error.faults
     except ValidationError as error:
