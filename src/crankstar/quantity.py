@@ -116,7 +116,7 @@ def _line(text: str) -> str:
     if not text.strip():
         raise ValueError("is empty; give it some text")
     if "\n" in text or "\t" in text:
-        raise ValueError("must be a single line without tabs")
+        raise ValueError("has line breaks or tabs; give it on one line")
     return text
 
 

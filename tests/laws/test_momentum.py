@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.newton import Push, Road, road
-from tests.strategies import OF_ANY_KIND, PLACES, SPEEDS
+from tests.strategies import OF_ANY_KIND, PLACES, SPEEDS, engines
 
 from crankstar import phasor
 from crankstar.balance import Reference, Totals, balance, grouped, total
@@ -98,10 +98,17 @@ def test_the_block_feels_the_rate_of_change_of_momentum(kind: str, data: st.Data
 
 @pytest.mark.long
 @pytest.mark.parametrize("kind", OF_ANY_KIND)
-@settings(max_examples=400)
+@settings(max_examples=150)
 @given(data=st.data(), reference=REFERENCES, speed=SPEEDS)
-def test_the_block_of_hundreds_of_engines_feels_it(kind: str, data: st.DataObject, reference: Reference, speed: float) -> None:
+def test_the_block_of_every_layout_feels_it(kind: str, data: st.DataObject, reference: Reference, speed: float) -> None:
     assert_momentum(data.draw(OF_ANY_KIND[kind]), reference=reference, speed=speed)
+
+
+@pytest.mark.long
+@settings(max_examples=500)
+@given(engines(), REFERENCES, SPEEDS)
+def test_the_block_of_hundreds_of_engines_feels_it(engine: Engine, reference: Reference, speed: float) -> None:
+    assert_momentum(engine, reference=reference, speed=speed)
 
 
 def single(

@@ -231,6 +231,11 @@ def test_no_sample_is_longer_than_the_peak(engine: Engine) -> None:
         assert_peak(phasor.selected(spectrum, spectrum.orders[:40]))
 
 
+@given(SPECTRA)
+def test_no_sample_of_any_spectrum_is_longer_than_its_peak(spectrum: Spectrum) -> None:
+    assert_peak(spectrum)
+
+
 def test_the_higher_of_two_nearly_equal_peaks_is_found() -> None:
     forward, backward = np.array([0.5 + 0.2j, -1.5 + 0.5j]), np.array([-1.6 + 0.9j, 0.6 - 1.2j])
     assert_peak(Spectrum(np.array([1.0, 2.0]), forward, backward))  # 4.618653, not 4.614653

@@ -154,7 +154,7 @@ def mended(tree: Tree, error: ValidationError, model: type[Record], *, number: i
 
 
 def copied(value: Any) -> Any:
-    """A copy of a tree, tables and lists and all in them."""
+    """A copy of a tree, tables and lists and all in them; a key whose value is null is left out."""
     if isinstance(value, dict):
-        return {key: copied(item) for key, item in value.items()}
+        return {key: copied(item) for key, item in value.items() if item is not None}
     return [copied(item) for item in value] if isinstance(value, list | tuple) else value

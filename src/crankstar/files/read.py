@@ -166,8 +166,7 @@ def _line_told(text: str, told: str) -> str:
 
 def engine_of(tree: Tree, *, name: str = "the engine", changes: Mapping[str, Any] | None = None) -> Engine:
     """The engine of a tree, in the short or the explicit form. Raises EngineFileError with every mistake in it."""
-    tree = _bounded(tree, name)
-    tree = _bounded(_changed(tree, changes, name), name) if changes else tree
+    tree = _bounded(_changed(_bounded(tree, name), changes or {}, name), name)
     explicit = is_explicit(tree)
     draft = _explicit(tree) if explicit else _short(tree)
     engine, faults = draft.engine, draft.faults
@@ -202,19 +201,35 @@ def _bounded(tree: Any, name: str) -> Tree:
 
 
 def _changed(tree: Tree, changes: Mapping[str, Any], name: str) -> Tree:
+    """The tree with values set by key path, in the notation of the messages: `layout.banks[1].bearing`, counted from one."""
     out = copied(tree)
     for path, value in changes.items():
-        *way, last = path.split(".")
+        way = _keys(path)
         table: Any = out
         for place, key in enumerate(way):
-            if key in table and not isinstance(table[key], dict):
-                whole = one_line(".".join(way[: place + 1]), longest=60)
-                raise EngineFileError(
-                    name, [Problem(one_line(path), f"cannot be set; {whole} is not a table, give the whole of it")]
-                )
-            table = table.setdefault(key, {})
-        table[last] = value
+            if not _can_hold(table, key):
+                whole = one_line(where(tuple(way[:place])), longest=60)
+                raise EngineFileError(name, [Problem(one_line(path), f"cannot be set; {whole} is {_holding(table)}")])
+            if place == len(way) - 1:
+                table[key] = value
+            else:
+                table = table[key] if isinstance(key, int) else table.setdefault(key, {})
     return out
+
+
+def _keys(path: str) -> list[str | int]:
+    """The keys of a path: names, and places in lists counted from nought."""
+    return [int(index) - 1 if index else key for key, index in re.findall(r"([^.\[\]]+)(?![^\[]*\])|\[(\d{1,6})\]", path)] or [path]
+
+
+def _can_hold(table: Any, key: str | int) -> bool:
+    return isinstance(table, dict) if isinstance(key, str) else isinstance(table, list) and 0 <= key < len(table)
+
+
+def _holding(table: Any) -> str:
+    if isinstance(table, list):
+        return f"a list of {len(table)}; name one of them by its place, as in [1], or give the whole of it"
+    return "not a list" if isinstance(table, dict) else "not a table; give the whole of it"
 
 
 def _explicit(tree: Tree) -> _Draft:
