@@ -191,6 +191,11 @@ def _timed(engine: Engine) -> Engine:
 
 
 def _misplaced(basis: Basis, places: list[Place]) -> Iterator[Fault]:
+    told: list[tuple[tuple[str | int, ...], Sizes]] = [(("cylinder",), basis.cylinder)]
+    told += [(("cylinders", index), other) for index, other in enumerate(basis.cylinders)]
+    for path, sizes in told:
+        if sizes.rod_length is not None and sizes.rod_ratio is not None:
+            yield Fault((*path, "rod_ratio"), "is given beside rod_length, and one of them follows from the other; keep one")
     listed = Counter(place.number for place in places)
     for number, times in sorted(listed.items()):
         if times > 1:

@@ -100,6 +100,9 @@ def inline(
         if not order or sorted(order) != list(range(1, len(order) + 1)):
             raise _fault("throws", "give the throws, or a firing_order of cylinders 1, 2, ... from which evenly spaced ones follow")
         throws = _even_throws(basis, order)
+    if basis.firing_order and len(basis.firing_order) != len(throws):
+        told = f"has {len(throws)} angles, but {len(basis.firing_order)} cylinders fire; give one angle for each cylinder"
+        raise _fault("throws", told)
     bank = Bank(bearing=bearing, cylinders=tuple(range(1, len(throws) + 1)))
     return vee(basis, banks=(bank,), throws=throws, bore_pitch=bore_pitch, positions=positions)
 
@@ -151,6 +154,11 @@ def boxer(
     """
     if len(banks) != 2:
         raise _fault("banks", f"a boxer has two banks, opposite each other; here are {len(banks)}")
+    if len(throws) != len(banks[0].cylinders):
+        told = (
+            f"has {len(throws)} angles; give {len(banks[0].cylinders)}, the pins of the first bank (the second bank's are opposite)"
+        )
+        raise _fault("throws", told)
     return vee(basis, banks=banks, throws=throws, bore_pitch=bore_pitch, bank_offset=bank_offset, pin_split=pi, positions=positions)
 
 

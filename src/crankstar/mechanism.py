@@ -288,6 +288,16 @@ def _stacked(arrays: list, *, axis: int) -> np.ndarray:
     return np.concatenate([np.broadcast_to(array, lead + np.shape(array)[-trailing:]) for array in arrays], axis=axis)
 
 
+def block_roll(sums: Totals) -> Spectrum:
+    """What the block alone feels when a flywheel, or a driveline on its own foundation, takes the torque: roll - sense * torque.
+
+    With one crankshaft and about its axis it is the moment of the pistons' side thrust; clockwise, N m.
+    """
+    sense = sums.force.sense
+    torque = phasor.scaled(sums.torque, -sense)
+    return replace(sums.roll, forward=sums.roll.forward + torque.forward, backward=sums.roll.backward + torque.backward)
+
+
 def total(parts: Totals) -> Totals:
     """The sum of the parts, with what is only rounding error set to zero."""
     return Totals(*(phasor.total(spectrum) for spectrum in parts))

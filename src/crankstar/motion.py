@@ -13,7 +13,7 @@ number of samples that machine precision needs is known beforehand and checked a
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import lru_cache
 from math import acosh, asin, comb
@@ -193,20 +193,21 @@ def unreachable(engine: Engine) -> list[Fault]:
     for index, cylinder in enumerate(engine.cylinders):
         if cylinder.articulated is None:
             continue
+        way = parted(links, chain(links, index))
+        # However long the rod is, its big end goes the same way.
+        long_enough = 10 * (np.sum(way.crank_radius + way.rod_length + way.knuckle_radius) + abs(cylinder.offset))
         try:
-            way = chain(links, index)
-            moved = rods(parted(links, way), psi)
+            moved = rods(replace(way, rod_length=np.append(way.rod_length[:-1], long_enough)), psi)
         except ValueError:
-            reach = None
-        else:
-            axis = np.exp(1j * links.bearing[index])
-            reach = float(np.max(np.abs((moved.big_end.place[-1] / axis).imag - cylinder.offset)))
-        if reach is None or cylinder.rod_length < MINIMUM_CLEARANCE * reach:
-            need = "make it longer" if reach is None else f"at least {MINIMUM_CLEARANCE * reach:.6g} {engine.across} is needed"
-            message = f"is {cylinder.rod_length:.6g} {engine.across}, and the articulated rod is too short to reach its cylinder"
-            faults.append(
-                Fault(("cylinders", index, "rod_length"), f"{message} over the whole turn; {need}", cylinder=cylinder.number)
+            continue  # its master's rod is too short, which is told of that
+        axis = np.exp(1j * links.bearing[index])
+        reach = float(np.max(np.abs((moved.big_end.place[-1] / axis).imag - cylinder.offset)))
+        if cylinder.rod_length < MINIMUM_CLEARANCE * reach:
+            message = (
+                f"is {cylinder.rod_length:.6g} {engine.across}, and the articulated rod is too short to reach its cylinder over "
+                f"the whole turn; at least {MINIMUM_CLEARANCE * reach:.6g} {engine.across} is needed"
             )
+            faults.append(Fault(("cylinders", index, "rod_length"), message, cylinder=cylinder.number))
     return faults
 
 

@@ -22,7 +22,7 @@ from crankstar.answer import GREATEST_DEFAULT_ORDER, orders_present
 from crankstar.balance import Balance, Grouping, balance, grouped, total
 from crankstar.engine import Engine
 from crankstar.firing import firing
-from crankstar.mechanism import Reference, Totals
+from crankstar.mechanism import Reference, Totals, block_roll
 from crankstar.phasor import Spectrum
 from crankstar.quantity import CONTROL
 from crankstar.wording import NEGLIGIBLE, bearing_text, firing_sentence, heading, number, shape, table, titled, unit_text, wave
@@ -64,8 +64,8 @@ def _torque_orders(result: Balance) -> list[float]:
 
 def report(shown: Analysis, *, wide: bool = True, angles: Sequence[float] = (), by: Grouping | None = None) -> RenderableType:
     """The whole answer of `analyze`; `angles` (radians) and `by` add the sums at crank angles and the shares of groups."""
-    sums = total(shown.normalised)
-    real = total(shown.real) if shown.real else None
+    sums = _summed(shown.normalised)
+    real = _summed(shown.real) if shown.real else None
     blocks: list[RenderableType] = [heading(shown.engine), _conditions(shown)]
     blocks.append(_vectors("force", shown, sums.force, real.force if real else None, wide=wide))
     blocks.append(_vectors("couple", shown, sums.couple, real.couple if real else None, wide=wide))
@@ -79,27 +79,50 @@ def report(shown: Analysis, *, wide: bool = True, angles: Sequence[float] = (), 
 
 
 def _conditions(shown: Analysis) -> RenderableType:
+    """What the numbers are counted in, about which point, at what speed, and what is not certain."""
+    engine = shown.engine
+    lines = [f"couples and rolls about {_point(shown)}; an amplitude a ∠ p means a cos(kθ + p)"]
+    units = _units(engine)
+    if shown.real is not None and shown.real.speed is not None:
+        lines.append(f"forces at {number(shown.real.speed * 30 / pi)} rpm" + units)
+    elif "mass" in engine.relative or "radius" in engine.relative:
+        missing = " and ".join(name for key, name in (("mass", "masses"), ("radius", "sizes")) if key in engine.relative)
+        lines.append(f"no {missing} known: results in units of m r ω², the same at every speed{units}")
+    else:
+        lines.append(f'results in units of m r ω²{units}; for newtons say at what speed, as in --speed "6000 rpm"')
+    text = Text("\n".join(lines), style="dim")
+    doubtful = unverified(engine)
+    if doubtful:
+        text.append(f"\nunverified: {', '.join(doubtful)} (crankstar show tells where each value comes from)", style="yellow")
+    return text
+
+
+def unverified(engine: Engine) -> list[str]:
+    """The key paths of the values that nobody vouches for."""
+    return [path for path, origin in engine.provenance.items() if origin.status in ("unverified", "placeholder")]
+
+
+def _point(shown: Analysis) -> str:
+    """The reference point in words: its z, and its axis where there is more than one, or it is off that of the crankshaft."""
     engine, point = shown.engine, shown.normalised.reference
-    along = "a" if "pitch" in engine.relative else "mm"
-    across = "r" if "radius" in engine.relative else "mm"
+    along, across = ("a" if "pitch" in engine.relative else "mm"), ("r" if "radius" in engine.relative else "mm")
     scale = {"mm": 1000.0, "a": 1.0, "r": 1.0}
     place = f"z = {number(point.z * scale[along])} {along}"
     if point.up or point.right:
         up, right = number(point.up * scale[across]), number(point.right * scale[across])
-        place += f", {up} {across} up, {right} {across} right of the crank axis"
-    lines = [f"couples and rolls about {place}; an amplitude a ∠ p means a cos(kθ + p)"]
-    if shown.real is not None and shown.real.speed is not None:
-        lines.append(f"forces at {number(shown.real.speed * 30 / pi)} rpm")
-    elif "mass" in engine.relative or "radius" in engine.relative:
-        missing = " and ".join(name for key, name in (("mass", "masses"), ("radius", "sizes")) if key in engine.relative)
-        lines.append(f"no {missing} known: results in units of m r ω², the same at every speed")
-    else:
-        lines.append('results in units of m r ω²; for newtons say at what speed, as in --speed "6000 rpm"')
-    doubtful = [path for path, where in engine.provenance.items() if where.status in ("unverified", "placeholder")]
-    text = Text("\n".join(lines), style="dim")
-    if doubtful:
-        text.append(f"\nunverified: {', '.join(doubtful)} (crankstar show tells where each value comes from)", style="yellow")
-    return text
+        return f"{place}, {up} {across} up, {right} {across} right of the crank axis"
+    several = len({cylinder.shaft for cylinder in engine.cylinders}) > 1
+    return f"{place} on the axis of shaft {engine.shafts[0].name}" if several else place
+
+
+def _units(engine: Engine) -> str:
+    """How much m, r and a are, as far as they are known."""
+    first = engine.first
+    known = [("m", first.reciprocating_mass, "kg", "mass"), ("r", engine.throw(first).radius * 1000, "mm", "radius")]
+    if len({cylinder.z for cylinder in engine.cylinders}) > 1:
+        known.append(("a", engine.pitch * 1000, "mm", "pitch"))
+    said = [f"{letter} = {number(size)} {unit}" for letter, size, unit, key in known if key not in engine.relative]
+    return f" ({', '.join(said)})" if said else ""
 
 
 def harmonic(engine: Engine, order: float) -> complex:
@@ -156,26 +179,45 @@ def _size(spectrum: Spectrum, order: float) -> float:
     return abs(complex(one.forward[0])) + abs(complex(one.backward[0]))
 
 
-def _largest(spectrum: Spectrum) -> float:
-    return float(np.max(np.abs(spectrum.forward) + np.abs(spectrum.backward), initial=0.0)) or 1.0
+def _largest(spectrum: Spectrum, *, otherwise: float = 1.0) -> float:
+    return float(np.max(np.abs(spectrum.forward) + np.abs(spectrum.backward), initial=0.0)) or otherwise
 
 
 def _turning(shown: Analysis, sums: Totals, real: Totals | None) -> RenderableType:
     """Roll and inertia torque: real signals, so amplitude and phase are all there is."""
+    plain, actual = _turning_signals(sums), _turning_signals(real) if real is not None else {}
     heads = ["order"]
-    for name in ("roll", "torque"):
+    for name in plain:
         heads += [name, "[N m]"] if real is not None else [name]
     out = table(*heads)
-    for row, order in enumerate(shown.turning):
+    largest = max(_largest(signal, otherwise=0.0) for signal in plain.values()) or 1.0
+    for order in shown.turning:
         cells = [number(order)]
-        for name in ("roll", "torque"):
-            signal = phasor.selected(getattr(sums, name), shown.turning)
-            cells.append(wave(phasor.amplitude(signal)[row], _largest(getattr(sums, name))))
+        for name, signal in plain.items():
+            cells.append(wave(phasor.amplitude(phasor.selected(signal, order))[0], largest))
             if real is not None:
-                cells.append("0" if cells[-1] == "0" else number(_size(getattr(real, name), order)))
+                cells.append("0" if cells[-1] == "0" else number(_size(actual[name], order)))
         out.add_row(*cells)
     unit = "m r² ω²" + (", and in N m" if real is not None else "")
-    return titled(f"Roll of the whole, clockwise; inertia torque on the crankshaft, in its direction; in {unit}", out)
+    title = "Roll, clockwise, of the whole; of the block when a flywheel takes the torque; inertia torque on the crankshaft"
+    return titled(f"{title}; in {unit}", out)
+
+
+def _turning_signals(sums: Totals) -> dict[str, Spectrum]:
+    return {"roll": sums.roll, "roll of the block": block_roll(sums), "torque": sums.torque}
+
+
+def _summed(result: Balance) -> Totals:
+    """The sums of a Balance in which what is nothing beside the parts it was added up from is zero."""
+
+    def quiet(name: str, whole: Spectrum) -> Spectrum:
+        parts = getattr(result, name)
+        pushed = (np.abs(parts.forward) + np.abs(parts.backward)).sum(axis=0)
+        heard = np.abs(whole.forward) + np.abs(whole.backward) > NEGLIGIBLE * pushed
+        return replace(whole, forward=whole.forward * heard, backward=whole.backward * heard)
+
+    sums = total(result)
+    return Totals(*(quiet(name, getattr(sums, name)) for name in Totals._fields))
 
 
 def _shares(shown: Analysis, by: Grouping) -> RenderableType:
@@ -242,7 +284,7 @@ def _removable(name: str, spectrum: Spectrum) -> str:
     if forward <= scale:
         return f"First-order {name}: {number(backward)} turning against the crankshaft; no crank counterweight can remove it.\n"
     left = f"leaving {number(backward)} turning against it" if backward > scale else "leaving nothing"
-    return f"First-order {name}: crank counterweights can remove the {number(forward)} that turns with the crankshaft, {left}.\n"
+    return f"First-order {name}: crank counterweights can take away the {number(forward)} that turns with the crankshaft, {left}.\n"
 
 
 def orders(result: Balance) -> RenderableType:
@@ -264,23 +306,27 @@ def orders(result: Balance) -> RenderableType:
 
 
 def comparison(shown: Sequence[Analysis]) -> RenderableType:
-    """Several engines side by side: the greatest force, couple, roll and torque of each order, and the peaks over a turn."""
+    """Several engines side by side: the greatest value of each order of every quantity, and the peaks over a turn."""
     real = all(one.real is not None for one in shown)
     results = [one.real if real and one.real else one.normalised for one in shown]
-    sums = [total(result) for result in results]
+    sums = [_summed(result) for result in results]
+    signals = [{"force": one.force, "couple": one.couple, **_turning_signals(one)} for one in sums]
     out = table("", *(fill(CONTROL.sub("?", one.engine.name), COLUMN) for one in shown), left=[""])
-    for name in Totals._fields:
-        turning = name in ("roll", "torque")
-        wanted = sorted({order for one in shown for order in (one.turning if turning else one.orders)})
-        units = dict.fromkeys(unit_text(getattr(result.units, "roll" if name == "torque" else name)) for result in results)
+    for name in signals[0]:
+        plane = name in ("force", "couple")
+        wanted = sorted({order for one in shown for order in (one.orders if plane else one.turning)})
+        units = dict.fromkeys(unit_text(getattr(result.units, name if plane else "roll")) for result in results)
+        scales = [
+            max(_largest(one[other], otherwise=0.0) for other in one if plane == (other in ("force", "couple"))) for one in signals
+        ]
         for order in wanted:
-            row = [number(_size(getattr(one, name), order), _largest(getattr(one, name))) for one in sums]
+            row = [number(_size(one[name], order), scale) for one, scale in zip(signals, scales, strict=True)]
             out.add_row(f"{name}, order {number(order)} [{' or '.join(units)}]", *row)
-        tops = [number(phasor.peak(getattr(one, name)).value) for one in sums]
+        tops = [number(phasor.peak(one[name]).value) for one in signals]
         out.add_row(f"{name}, peak of all orders", *tops, style="bold", end_section=True)
     fires = [firing_sentence(firing(one.engine)) if one.engine.firing_order else "no order given" for one in shown]
     out.add_row("firing", *(fill(text, COLUMN, break_on_hyphens=True) for text in fires))
-    speeds = dict.fromkeys(number(result.speed * 30 / pi) for result in results if result.speed is not None)
-    return titled(
-        "Greatest value of each order, " + (f"at {' and '.join(speeds)} rpm" if real else "each engine in its own m r ω²"), out
-    )
+    if real:
+        out.add_row("speed [rpm]", *(number(result.speed * 30 / pi) if result.speed else "" for result in results))
+    out.add_row("unverified values", *(str(len(unverified(one.engine)) or "") for one in shown))
+    return titled("Greatest value of each order" + ("" if real else ", each engine in its own m r ω²"), out)

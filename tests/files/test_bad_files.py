@@ -6,6 +6,7 @@ import datetime
 import io
 import json
 import os
+import re
 import sys
 import tomllib
 from pathlib import Path
@@ -18,23 +19,7 @@ import crankstar
 from crankstar.files import EngineFileError, engine_of, read, tree_of
 
 STARTLING = ["\x1b[31mred", "\u202eright to left", "\u200b", "a\u200fb", "\x00", "\x9b1m", "a\u2028b", "\ufeff", "\U000e0041"]
-ODD = [
-    None,
-    True,
-    {},
-    {"a": 1},
-    [],
-    [[]],
-    [1],
-    datetime.date(2020, 1, 1),
-    datetime.time(12),
-    10**30,
-    10**400,
-    10**5000,
-    1.5,
-    "",
-    "x",
-]
+ODD = [True, {}, {"a": 1}, [], [[]], [1], datetime.date(2020, 1, 1), datetime.time(12), 10**30, 10**400, 10**5000, -1.5, "", "x"]
 ARTICULATED = {"master": 1, "radius": "20 mm", "angle": "40 deg"}
 
 
@@ -94,12 +79,8 @@ def test_an_unknown_key_is_told_with_the_one_that_was_meant(key: str, place: str
 
 
 def test_an_unknown_key_deep_inside_is_told_with_its_place() -> None:
-    assert told(SHORT.replace('{ bearing = "-45', '{ baering = "-45')) == {
-        "layout.banks[2].baering": 'unknown key; did you mean "bearing"?',
-        "firing_order": told(SHORT.replace('bearing = "-45 deg", ', ""))["firing_order"],
-    } or told(SHORT.replace('{ bearing = "-45', '{ baering = "-45')) == {
-        "layout.banks[2].baering": 'unknown key; did you mean "bearing"?'
-    }
+    text = SHORT.replace('bearing = "-45', 'baering = "-45')
+    assert told(text) == {"layout.banks[2].baering": 'unknown key; did you mean "bearing"?'}
 
 
 def test_a_key_in_the_wrong_table_is_told_where_it_belongs() -> None:
@@ -202,13 +183,20 @@ def test_a_negative_mass_is_refused_and_an_engine_without_any_as_well() -> None:
     )
 
 
+def needed(message: str) -> float:
+    """The length that a sentence says would do, m."""
+    found = re.search(r"at least ([\d.]+) m is needed$", message)
+    assert found
+    return float(found.group(1)) * (1 + 1e-5)  # it is written with six figures
+
+
 @pytest.mark.parametrize(("rod", "offset"), [("41.28 mm", "0 mm"), ("80 mm", "60 mm"), ("80 mm", "-60 mm"), ("1 mm", "0 mm")])
 def test_a_rod_shorter_than_crank_radius_and_offset_is_refused(rod: str, offset: str) -> None:
     ((place, message),) = told(spoilt(SHORT, cylinder__rod_length=rod, cylinder__offset=offset)).items()
     assert place == "cylinder.rod_length"
     assert "too short to turn with crank radius 0.04125 m" in message
-    assert message.endswith(" m is needed")
     assert ("+ offset 0.06 m" in message) == (offset != "0 mm")
+    assert told(spoilt(SHORT, cylinder__rod_length=needed(message), cylinder__offset=offset)) == {}
 
 
 def test_a_rod_too_short_for_one_cylinder_is_told_where_the_file_says_so() -> None:
@@ -225,14 +213,14 @@ def test_a_rod_longer_than_any_is_refused() -> None:
     assert "too long for an engine" in told({**tree, "cylinder": {**tree["cylinder"], "rod_ratio": 1e300}})["cylinder.rod_length"]
 
 
-@pytest.mark.parametrize(("length", "words"), [("46 mm", "make it longer"), ("70.03 mm", "at least 0.0")])
-def test_a_slave_rod_that_cannot_reach_its_cylinder_is_refused(length: str, words: str) -> None:
+@pytest.mark.parametrize("length", ["1 mm", "46 mm", "68.5 mm"])
+def test_a_slave_rod_that_cannot_reach_its_cylinder_is_refused(length: str) -> None:
     tree = spoilt(EXPLICIT, cylinders__1__throw=1, cylinders__1__rod_length=length, cylinders__1__articulated=ARTICULATED)
     tree["cylinders"][1]["articulated"] = {**ARTICULATED, "radius": "30 mm", "angle": "90 deg"}
     ((place, message),) = told(tree).items()
     assert place == "cylinders[2].rod_length"
     assert "articulated rod is too short to reach its cylinder over the whole turn" in message
-    assert words in message
+    assert told(spoilt(EXPLICIT, cylinders__1=tree["cylinders"][1] | {"rod_length": needed(message)})) == {}
 
 
 @pytest.mark.parametrize("throw", [0, -1, 3, 10_000, 10**30])
@@ -378,7 +366,7 @@ def test_a_speed_ratio_of_zero_is_refused(ratio: object) -> None:
 
 
 @pytest.mark.parametrize(
-    "ratio", ["1/0", "x", "", "--1", "1/2/3", "1e3", True, None, [1], {"a": 1}, float("nan"), float("inf"), "9" * 400]
+    "ratio", ["1/0", "x", "", "--1", "1/2/3", "1e3", True, [1], {"a": 1}, float("nan"), float("inf"), "9" * 400]
 )
 def test_what_is_no_ratio_is_refused(ratio: object) -> None:
     message = told(spoilt(EXPLICIT, shaft__1__speed_ratio=ratio))["shaft[2].speed_ratio"]
@@ -680,8 +668,8 @@ def test_values_of_odd_types_are_refused_everywhere(odd: object) -> None:
         "cylinders__0__number",
     ):
         assert problems(spoilt(EXPLICIT, **{place: odd})), place
-    assert problems(spoilt(EXPLICIT, cylinders__1__articulated=odd)) or odd is None
-    assert problems(spoilt(EXPLICIT, cylinders__1__rod=odd)) or odd is None
+    assert problems(spoilt(EXPLICIT, cylinders__1__articulated=odd))
+    assert problems(spoilt(EXPLICIT, cylinders__1__rod=odd))
     assert problems(spoilt(EXPLICIT, relative=odd)) or odd == []
     assert problems(spoilt(EXPLICIT, provenance=odd)) or odd == {}
 
@@ -764,11 +752,9 @@ def test_a_bare_ratio_out_of_all_proportion_is_refused(value: object, good: bool
     assert (told(tree) == {}) == good
 
 
-@pytest.mark.parametrize(
-    "speed", ["0 rpm", "-5 rpm", 6000, "6000", "6000 mm", "1e400 rpm", "1e6 rpm", "1e-9 rpm", "fast", None, []]
-)
+@pytest.mark.parametrize("speed", ["0 rpm", "-5 rpm", 6000, "6000", "6000 mm", "1e400 rpm", "1e6 rpm", "1e-9 rpm", "fast", []])
 def test_a_speed_that_is_none_is_refused(speed: object) -> None:
-    assert 'such as "6000 rpm"' in told(spoilt(SHORT, speed=speed))["speed"] or speed is None
+    assert 'such as "6000 rpm"' in told(spoilt(SHORT, speed=speed))["speed"]
 
 
 def test_other_values_by_key_path_are_checked_like_the_file() -> None:
@@ -780,7 +766,9 @@ def test_other_values_by_key_path_are_checked_like_the_file() -> None:
         ("layout.throws.0", "layout.throws.0"),
         ("cylinder.stroke.x", "cylinder.stroke.x"),
         ("", '""'),
-        ("cylinder..", 'cylinder.""'),
+        ("layout.throws[5]", "layout.throws[5]"),
+        ("layout.throws[0]", "layout.throws[0]"),
+        ("layout[1]", "layout[1]"),
         ("\x1b[31m", '"?[31m"'),
         ("x" * 1000, "x" * 57 + "..."),
     ]:

@@ -219,7 +219,9 @@ def _changed(tree: Tree, changes: Mapping[str, Any], name: str) -> Tree:
 
 def _keys(path: str) -> list[str | int]:
     """The keys of a path: names, and places in lists counted from nought."""
-    return [int(index) - 1 if index else key for key, index in re.findall(r"([^.\[\]]+)(?![^\[]*\])|\[(\d{1,6})\]", path)] or [path]
+    if not re.fullmatch(r"[^.\[\]]+(\.[^.\[\]]+|\[\d{1,6}\])*", path):
+        return [path]
+    return [int(index) - 1 if index else key for index, key in re.findall(r"\[(\d+)\]|([^.\[\]]+)", path)]
 
 
 def _can_hold(table: Any, key: str | int) -> bool:
