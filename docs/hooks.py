@@ -14,10 +14,10 @@ from typing import Any, Literal, get_args, get_origin
 
 from pydantic.fields import FieldInfo
 
-from crankstar import engine, layouts
+from crankstar import engine, layouts, records
 from crankstar.arrangement import Override, Sizes
-from crankstar.engine import Record
 from crankstar.files.forms import by_key, quantity_of, record_in, short_form
+from crankstar.records import Record
 
 HERE = Path(__file__).parent
 
@@ -33,18 +33,18 @@ TABLES: dict[str, type[Record]] = {
     "short": short_form(None),
     "cylinder": Sizes,
     "override": Override,
-    "rod": engine.Rod,
-    "articulated": engine.Articulation,
-    "provenance": engine.Provenance,
+    "rod": records.Rod,
+    "articulated": records.Articulation,
+    "provenance": records.Provenance,
     **{kind: _layout(kind) for kind in layouts.LAYOUTS},
     "bank": layouts.Bank,
     "crank": layouts.Crank,
     "row": layouts.Row,
     "explicit": engine.Engine,
-    "shaft": engine.Shaft,
-    "throw": engine.Throw,
-    "weight": engine.Weight,
-    "explicit cylinder": engine.Cylinder,
+    "shaft": records.Shaft,
+    "throw": records.Throw,
+    "weight": records.Weight,
+    "explicit cylinder": records.Cylinder,
 }
 """By the name a marker gives it: the record of one table of an engine file."""
 
@@ -52,10 +52,10 @@ SECTIONS: dict[type[Record], str] = {
     layouts.Bank: "[a bank](#a-bank)",
     layouts.Crank: "[a crank](#a-crank)",
     layouts.Row: "[a row](#a-row)",
-    engine.Shaft: "[a shaft](#a-shaft)",
-    engine.Throw: "[a throw](#a-throw)",
-    engine.Weight: "[a weight](#a-weight)",
-    engine.Cylinder: "[a cylinder](#a-cylinder-in-the-explicit-form)",
+    records.Shaft: "[a shaft](#a-shaft)",
+    records.Throw: "[a throw](#a-throw)",
+    records.Weight: "[a weight](#a-weight)",
+    records.Cylinder: "[a cylinder](#a-cylinder-in-the-explicit-form)",
 }
 """Where the page describes the tables that other tables hold."""
 

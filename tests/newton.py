@@ -15,8 +15,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from crankstar.engine import Cylinder, Engine, Shaft
+from crankstar.engine import Engine
 from crankstar.mechanism import Reference
+from crankstar.records import Cylinder, Shaft
 
 FINEST = 8192
 """Steps in a turn of the reference shaft."""

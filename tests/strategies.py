@@ -15,8 +15,9 @@ from hypothesis import strategies as st
 
 from crankstar import firing
 from crankstar.arrangement import ASSUMED_ROD_RATIO, Basis, Override, Sizes
-from crankstar.engine import Articulation, Cylinder, Engine, Provenance, Rod, Shaft, Throw, Weight
+from crankstar.engine import Engine
 from crankstar.layouts import LAYOUTS, Bank, Crank, Row
+from crankstar.records import Articulation, Cylinder, Provenance, Rod, Shaft, Throw, Weight
 
 Draw = Callable[[st.SearchStrategy[Any]], Any]
 

@@ -22,7 +22,8 @@ a record, a way of looking at it is a function, an engine type is data, and impo
 | `layouts` | inline, vee, boxer, tandem, opposed, radial: functions that write Engines |
 | `arrangement` | cylinders put on pins, and what a short file says of all of them, to an Engine |
 | `motion` | exact motion of pins, rods and pistons, its harmonics; the series in lambda beside them |
-| `engine` | frozen records: Engine, Shaft, Throw, Weight, Cylinder, Rod; their checks |
+| `engine` | the Engine: shafts and cylinders together, and what they must be to make one |
+| `records` | frozen records: Shaft, Throw, Weight, Cylinder, Rod, Provenance |
 | `fault` | what is wrong with an engine: each fault with its place, and the words to say it in |
 | `quantity` | what a number or text in a record is: dimension, unit of example, limits |
 | `phasor` | spectra over crank order: add, shift, scale, evaluate, ellipse, peak |
@@ -39,8 +40,10 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from crankstar.balance import Balance, balance, grouped, of_parts, total
-from crankstar.engine import Cylinder, Engine, EngineError, Rod, Shaft, Throw, Weight
+from crankstar.engine import Engine
+from crankstar.fault import EngineError
 from crankstar.mechanism import Mechanism, Reference, Totals
+from crankstar.records import Cylinder, Rod, Shaft, Throw, Weight
 
 if TYPE_CHECKING:
     from crankstar.catalog import load, names

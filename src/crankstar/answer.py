@@ -64,19 +64,20 @@ def _pair(value: complex) -> list[float]:
 
 
 def csv_text(name: str, result: Balance, *, orders: Sequence[float] | None = None) -> str:
-    """The same numbers as CSV, a row per order, units in the header."""
+    """The same numbers and the inertia torque as CSV, a row per order, units in the header."""
     answer = tree(name, result, orders=orders)
     units = answer["units"]
     header = ["engine", "speed_rpm", "order"]
     for quantity in ("force", "couple"):
         header += [f"{quantity}_{turn}_{way} [{units[quantity]}]" for turn in ("forward", "backward") for way in ("up", "right")]
-    header += [f"roll_{part} [{units['roll']}]" for part in ("real", "imaginary")]
+    header += [f"{name}_{part} [{units['roll']}]" for name in ("roll", "torque") for part in ("real", "imaginary")]
+    torque = phasor.amplitude(phasor.selected(total(result).torque, [row["order"] for row in answer["orders"]]))
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
     writer.writerow(header)
-    for row in answer["orders"]:
+    for row, moment in zip(answer["orders"], torque, strict=True):
         numbers = [x for q in ("force", "couple") for turn in ("forward", "backward") for x in row[q][turn]]
-        writer.writerow([_plain(name), answer["speed_rpm"], row["order"], *numbers, *row["roll"]])
+        writer.writerow([_plain(name), answer["speed_rpm"], row["order"], *numbers, *row["roll"], *_pair(moment)])
     return out.getvalue()
 
 

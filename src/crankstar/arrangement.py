@@ -17,23 +17,11 @@ from typing import Annotated, Any
 from pydantic import Field
 
 from crankstar import motion
-from crankstar.engine import (
-    GREATEST_CYLINDERS,
-    Articulation,
-    Cylinder,
-    Engine,
-    EngineError,
-    Fault,
-    Identity,
-    Provenance,
-    Record,
-    Rod,
-    Shaft,
-    Throw,
-    Weight,
-)
+from crankstar.engine import Engine
+from crankstar.fault import EngineError, Fault
 from crankstar.firing import dead_centres
 from crankstar.quantity import Angle, Length, Line, Mass, Number, Ordinal, Position, Size, Unknown
+from crankstar.records import GREATEST_CYLINDERS, Articulation, Cylinder, Identity, Provenance, Record, Rod, Shaft, Throw, Weight
 
 ASSUMED_ROD_RATIO = 4.0
 """Rod length over crank radius where a file gives neither rod length nor ratio; the output says so."""

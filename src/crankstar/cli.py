@@ -226,6 +226,9 @@ def check(*files: Annotated[str, Parameter(help="engine files, or names from the
     """Check engine files: every mistake in each, in one go."""
     from rich.text import Text
 
+    from crankstar.firing import firing
+    from crankstar.wording import firing_sentence
+
     if not files:
         raise RequestError("check: name at least one engine file")
     failed = 0
@@ -238,13 +241,14 @@ def check(*files: Annotated[str, Parameter(help="engine files, or names from the
         else:
             count = len(loaded.cylinders)
             shown = "standard input" if name == STANDARD_INPUT else one_line(name)
-            display(Text(f"{shown}: good ({loaded.name}, {count} piston{'s' if count > 1 else ''})"))
+            fires = f"; {firing_sentence(firing(loaded))}" if loaded.firing_order else ""
+            display(Text(f"{shown}: good ({loaded.name}, {count} piston{'s' if count > 1 else ''}{fires})"))
     return 2 if failed else 0
 
 
 @app.command
 def new(
-    layout: Annotated[str, Parameter(help="inline, vee, boxer, tandem, opposed or radial")],
+    layout: Annotated[str, Parameter(help="inline, vee, boxer, tandem, opposed, radial or explicit")],
     /,
     *,
     output: Output = None,
@@ -346,6 +350,9 @@ def _reference(text: str | None, engine: Engine) -> Reference | None:
         raise RequestError(f"--reference {one_line(text)}: give z, or z, up and right, {example}")
     read = units.reader(frozenset(engine.relative))
     marks = [POSITION, LENGTH, LENGTH]
+    for part, mark in zip(parts, marks, strict=False):
+        if units.is_bare(part) and not mark.relative_to & frozenset(engine.relative):
+            raise RequestError(f"--reference {one_line(text)}: {one_line(part)} has no unit; write it with one, {example}")
     try:
         return Reference(*(read(part, mark) for part, mark in zip(parts, marks, strict=False)))
     except ValueError as error:

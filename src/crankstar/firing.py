@@ -15,7 +15,8 @@ from typing import NamedTuple
 import numpy as np
 
 from crankstar import motion
-from crankstar.engine import Engine, EngineError, Fault
+from crankstar.engine import Engine
+from crankstar.fault import EngineError, Fault
 
 SAME_ANGLE = 1e-6
 """Degrees: dead centres closer than this are simultaneous."""

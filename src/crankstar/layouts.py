@@ -18,10 +18,11 @@ from typing import Annotated
 from pydantic import Field
 
 from crankstar.arrangement import Basis, Place, ShaftPlace, assembled
-from crankstar.engine import GREATEST_CYLINDERS, Articulation, Engine, EngineError, Fault, Record
-from crankstar.fault import listed
+from crankstar.engine import Engine
+from crankstar.fault import EngineError, Fault, listed
 from crankstar.phasor import ROUNDING
 from crankstar.quantity import Angle, Length, Line, Ordinal, Pitch, Position, Size, SpeedRatio
+from crankstar.records import GREATEST_CYLINDERS, Articulation, Record
 
 
 class Bank(Record):

@@ -22,7 +22,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from crankstar.engine import MINIMUM_CLEARANCE, Engine, EngineError, Fault
+from crankstar.engine import MINIMUM_CLEARANCE, Engine
+from crankstar.fault import EngineError, Fault
 from crankstar.phasor import Complex, Real
 
 PRECISION = 1e-16

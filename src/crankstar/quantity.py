@@ -7,7 +7,7 @@ and in an engine whose masses or sizes are not known `relative_to` tells what th
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Annotated, Any, Literal
 
@@ -28,12 +28,14 @@ GREATEST_RATIO = 50
 class Quantity:
     """Marks a number as a physical quantity of a dimension; `relative_to` names what it is counted in when that is not known.
 
+    What is smaller than `least` without being nought is a mistake; a place may be as near to nought as rounding brings it.
     A validation context `{"reader": f}` lets f(value, quantity) turn text such as "82.5 mm" into the SI number.
     """
 
     dimension: str
     example: str
     relative_to: frozenset[str] = frozenset()
+    least: float = 0.0
 
     def __get_pydantic_core_schema__(self, source: Any, handler: Any) -> core_schema.CoreSchema:
         """Put the reader of the validation context, if there is one, before the check of the number."""
@@ -51,6 +53,8 @@ class Quantity:
         return {"anyOf": [text, number]}
 
 
+LEAST = 1e-7
+"""Metres, kilograms, radians a second, or what they are counted in: smaller than any size of any engine."""
 _ACROSS = frozenset({"radius"})
 _ALONG = frozenset({"pitch"})
 _MASS = frozenset({"mass"})
@@ -58,14 +62,14 @@ Number = Annotated[float, Field(strict=True, allow_inf_nan=False)]
 ANGLE = Quantity("angle", "90 deg")
 LENGTH = Quantity("length", "82.5 mm", _ACROSS)
 POSITION = Quantity("length along the crankshaft", "105.5 mm", _ALONG)
-SPEED = Quantity("rotational speed", "6000 rpm")
+SPEED = Quantity("rotational speed", "6000 rpm", least=LEAST)
 Angle = Annotated[Number, ANGLE]
 Length = Annotated[Number, LENGTH]
-Size = Annotated[Number, Field(gt=0), LENGTH]
+Size = Annotated[Number, Field(gt=0), replace(LENGTH, least=LEAST)]
 Position = Annotated[Number, POSITION]
-Pitch = Annotated[Number, Field(gt=0), POSITION]
-Mass = Annotated[Number, Field(ge=0), Quantity("mass", "650 g", _MASS)]
-MovingMass = Annotated[Number, Field(gt=0), Quantity("mass", "650 g", _MASS)]
+Pitch = Annotated[Number, Field(gt=0), replace(POSITION, least=LEAST)]
+Mass = Annotated[Number, Field(ge=0), Quantity("mass", "650 g", _MASS, least=LEAST)]
+MovingMass = Annotated[Number, Field(gt=0), Quantity("mass", "650 g", _MASS, least=LEAST)]
 Inertia = Annotated[Number, Field(ge=0), Quantity("moment of inertia", "0.002 kg*m^2", _MASS | _ACROSS)]
 Unbalance = Annotated[Number, Field(ge=0), Quantity("unbalance", "0.02 kg*m", _MASS | _ACROSS)]
 Speed = Annotated[Number, Field(gt=0), SPEED]

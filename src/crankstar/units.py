@@ -40,7 +40,7 @@ hertz = 6.283185307179586 * radian / second = Hz
 
 _NUMBER = re.compile(r"\s*([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d{1,3})?)\s*(.*?)\s*", re.DOTALL)
 _UNIT = re.compile(r"[A-Za-z]{1,12}(?:\^-?[1-4])?(?:[*/][A-Za-z]{1,12}(?:\^-?[1-4])?){0,3}")
-_REVOLUTIONS = {"1/min", "r/min", "min^-1"}
+_REVOLUTIONS = {"1/min", "/min", "r/min", "min^-1"}
 """What a rotational speed in revolutions per minute is also written in."""
 
 _SPELLINGS = str.maketrans(
@@ -52,25 +52,23 @@ _GREATEST_NUMBER = 1e300
 
 
 class _Kind(NamedTuple):
-    """A dimension: its SI unit, its name in a sentence, the short unit, the greatest bare number, greatest and least at all."""
+    """A dimension: its SI unit, its name in a sentence, the short unit, the greatest bare number and the greatest at all."""
 
     unit: str
     article: str
     short: str
     greatest_bare: float
     greatest: float
-    least: float
 
 
-_SMALLEST = 1e-7
 _KINDS = {
-    "angle": _Kind("radian", "an angle", "rad", 6.2832, 1e4, 0.0),
-    "length": _Kind("metre", "a length", "m", 5.0, GREATEST_LENGTH, _SMALLEST),
-    "length along the crankshaft": _Kind("metre", "a length", "m", 50.0, 1000.0, _SMALLEST),
-    "mass": _Kind("kilogram", "a mass", "kg", 100.0, 1e6, _SMALLEST),
-    "moment of inertia": _Kind("kilogram*metre^2", "a moment of inertia", "kg*m^2", 100.0, 1e7, 0.0),
-    "unbalance": _Kind("kilogram*metre", "an unbalance", "kg*m", 100.0, 1e7, 0.0),
-    "rotational speed": _Kind("radian/second", "a rotational speed", "rad/s", 0.0, 2e4, _SMALLEST),
+    "angle": _Kind("radian", "an angle", "rad", 6.2832, 1e4),
+    "length": _Kind("metre", "a length", "m", 5.0, GREATEST_LENGTH),
+    "length along the crankshaft": _Kind("metre", "a length", "m", 50.0, 1000.0),
+    "mass": _Kind("kilogram", "a mass", "kg", 100.0, 1e6),
+    "moment of inertia": _Kind("kilogram*metre^2", "a moment of inertia", "kg*m^2", 100.0, 1e7),
+    "unbalance": _Kind("kilogram*metre", "an unbalance", "kg*m", 100.0, 1e7),
+    "rotational speed": _Kind("radian/second", "a rotational speed", "rad/s", 0.0, 2e4),
 }
 _OTHERS = {
     "metre^2": "an area",
@@ -108,9 +106,17 @@ def si(value: Any, quantity: Quantity) -> float:
         raise ValueError(f"is {seen(value)} without a unit, and {number:g} {kind.short} cannot be meant; {_needed(quantity)}")
     if abs(number) > kind.greatest:
         raise ValueError(f"is {seen(value)}, too large for an engine; {_needed(quantity)}")
-    if 0 < abs(number) < kind.least:
+    if 0 < abs(number) < quantity.least:
         raise ValueError(f"is {seen(value)}, too small for an engine; {_needed(quantity)}")
     return number
+
+
+def is_bare(text: str) -> bool:
+    """Whether text is a number without a unit, other than nought."""
+    try:
+        return float(text) != 0
+    except ValueError:
+        return False
 
 
 def reader(relative: frozenset[str], *, instead: str = "or give that") -> Callable[[Any, Quantity], float]:
@@ -128,7 +134,7 @@ def reader(relative: frozenset[str], *, instead: str = "or give that") -> Callab
             raise ValueError(
                 f"is {seen(value)}, but {_MISSING[min(missing)]}; give a bare number, {instead.format(name=min(missing))}"
             )
-        if abs(number) > GREATEST_RELATIVE or 0 < abs(number) < _SMALLEST:
+        if abs(number) > GREATEST_RELATIVE or 0 < abs(number) < quantity.least:
             raise ValueError(f"is {seen(value)}, out of all proportion; a bare number is needed, such as 1")
         return number
 

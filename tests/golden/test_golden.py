@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
-import build  # pyright: ignore[reportMissingImports]
+import build
 
 
 def leaves(tree: Any, path: str = "") -> dict[str, Any]:

@@ -13,11 +13,12 @@ import pytest
 from crankstar import phasor
 from crankstar.arrangement import Basis, Sizes
 from crankstar.balance import Balance, Reference, Totals, balance, of_parts, total
-from crankstar.engine import Cylinder, Engine, Shaft, Throw, Weight
+from crankstar.engine import Engine
 from crankstar.firing import dead_centres
 from crankstar.layouts import Bank, inline, vee
 from crankstar.mechanism import mechanism, spectra
 from crankstar.phasor import Spectrum
+from crankstar.records import Cylinder, Shaft, Throw, Weight
 
 MASS, RADIUS, ROD, SPEED = 0.5, 0.04, 0.14, 100.0
 FORCE = MASS * RADIUS * SPEED**2

@@ -15,7 +15,8 @@ from tests.strategies import OF_ANY_KIND, PLACES, SPEEDS, engines
 
 from crankstar import phasor
 from crankstar.balance import Reference, Totals, balance, grouped, total
-from crankstar.engine import Cylinder, Engine, Shaft
+from crankstar.engine import Engine
+from crankstar.records import Cylinder, Shaft
 
 TOLERANCE = 1e-9
 """Of the largest part; a moment counts at least as much as the largest force at the largest crank radius."""

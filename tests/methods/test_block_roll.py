@@ -29,5 +29,5 @@ def test_the_block_is_rolled_by_the_side_thrust_of_the_piston(rotation: str, off
     thrust = mass * acceleration * -across / lean
     # The pin force passes on: about the crank axis the wall's moment is height times thrust, and the offset adds nothing
     # of the axial force, which acts between rod and piston and not on the wall.
-    found = phasor.value(block_roll(total(balance(engine, speed=speed))), theta).real
+    found = np.real(phasor.value(block_roll(total(balance(engine, speed=speed))), theta))
     assert np.max(np.abs(found - height * thrust)) <= 1e-9 * np.max(np.abs(height * thrust))

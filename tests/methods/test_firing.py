@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from crankstar.arrangement import Basis, Sizes
-from crankstar.engine import Engine, EngineError
+from crankstar.engine import Engine
+from crankstar.fault import EngineError
 from crankstar.firing import DeadCentre, _evenest, dead_centres, firing, unfit
 from crankstar.layouts import Bank, Crank, Row, inline, opposed, radial, tandem, vee
 

@@ -15,10 +15,11 @@ from tests.strategies import ANGLES, engines, number, of_layout
 
 from crankstar import motion, phasor
 from crankstar.balance import balance, total
-from crankstar.engine import Articulation, Cylinder, Engine, Rod, Shaft, Weight
+from crankstar.engine import Engine
 from crankstar.layouts import LAYOUTS
 from crankstar.mechanism import Mechanism, Reference, Totals, mechanism, spectra, totals
 from crankstar.phasor import Spectrum
+from crankstar.records import Articulation, Cylinder, Rod, Shaft, Weight
 
 AROUND = np.arange(1 << 14, dtype=np.longdouble) * (2 * PI / (1 << 14))
 

@@ -23,11 +23,12 @@ import pytest
 import crankstar
 from crankstar import cli, motion, units
 from crankstar.balance import Grouping
-from crankstar.engine import Engine, Record
+from crankstar.engine import Engine
 from crankstar.files import EngineFileError, engine_of
 from crankstar.files.forms import by_key, record_in, short_form
 from crankstar.layouts import LAYOUTS
 from crankstar.quantity import ANGLE, LENGTH, POSITION, SPEED, Quantity
+from crankstar.records import Record
 
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"

@@ -17,9 +17,10 @@ from pydantic import Field, create_model
 from pydantic.fields import FieldInfo
 
 from crankstar.arrangement import Basis
-from crankstar.engine import Engine, Record
+from crankstar.engine import Engine
 from crankstar.layouts import LAYOUTS
 from crankstar.quantity import Quantity
+from crankstar.records import Record
 
 
 def is_explicit(tree: Mapping[str, Any]) -> bool:

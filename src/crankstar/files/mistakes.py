@@ -8,10 +8,10 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from crankstar.engine import Record
 from crankstar.fault import EngineError, Fault, counted
 from crankstar.files.forms import by_key, example, field_at, quantity_of, record_in
 from crankstar.quantity import seen
+from crankstar.records import Record
 
 Tree = dict[str, Any]
 Path = tuple[str | int, ...]

@@ -24,13 +24,14 @@ from pydantic import ValidationError
 
 from crankstar import motion, units
 from crankstar.arrangement import Sizes
-from crankstar.engine import Engine, Record
+from crankstar.engine import Engine
 from crankstar.fault import EngineError, Fault, counted, where
 from crankstar.files.forms import form_of, is_explicit
 from crankstar.files.mistakes import Tree, copied, faults_of, mended
 from crankstar.firing import unfit
 from crankstar.layouts import LAYOUTS
 from crankstar.quantity import one_line, seen
+from crankstar.records import Record
 
 GREATEST_FILE = 1_000_000
 """Bytes: a hundred times the longest real engine file."""

@@ -134,5 +134,73 @@ rows = [{ cylinders = [1, 2, 3, 4, 5, 6, 7, 8, 9], bearing = "0 deg", throw = "0
     ),
 }
 
-STARTERS: dict[str, str] = {kind: _HEAD.format(**values) + body + _TAIL for kind, (values, body) in _BODIES.items()}
+_EXPLICIT = """\
+# An engine file of crankstar in the explicit form: every shaft, throw, weight and cylinder. Any other file can be
+# printed in it with:   crankstar show FILE --explicit
+# Angles are bearings at theta = 0: 0 is up, clockwise seen from the front. z is positive to the front.
+format = 1
+name = "my in-line three with a balance shaft"
+cycle = "four-stroke"
+firing_order = [1, 2, 3]
+speed = "6000 rpm"
+bore_pitch = "91 mm"              # the length a in which normalised couples are counted
+
+[[shaft]]                         # the first one is the reference crankshaft
+name = "crank"
+throw = [
+  { angle = "0 deg", radius = "41.25 mm", z = "91 mm", rotating_mass = "0.7 kg" },
+  { angle = "120 deg", radius = "41.25 mm", z = "0 mm", rotating_mass = "0.7 kg" },
+  { angle = "-120 deg", radius = "41.25 mm", z = "-91 mm", rotating_mass = "0.7 kg" },
+]
+weight = [                        # counterweights: unbalance is mass times radius
+  { angle = "180 deg", unbalance = "0.04228 kg*m", z = "91 mm" },
+  { angle = "-60 deg", unbalance = "0.04228 kg*m", z = "0 mm" },
+  { angle = "60 deg", unbalance = "0.04228 kg*m", z = "-91 mm" },
+]
+
+[[shaft]]
+name = "balance shaft"
+speed_ratio = -1                  # turns per turn of the crankshaft, negative the other way; "29/31" for teeth
+right = "100 mm"                  # seen from the front; up = "..." for height
+weight = [
+  { angle = "150 deg", unbalance = "0.01161 kg*m", z = "91 mm" },
+  { angle = "-30 deg", unbalance = "0.01161 kg*m", z = "-91 mm" },
+]
+
+[[cylinders]]
+number = 1
+shaft = "crank"
+throw = 1                         # counted from 1
+bearing = "0 deg"
+z = "91 mm"
+bore = "87.5 mm"
+rod_length = "146 mm"
+reciprocating_mass = "650 g"
+
+[[cylinders]]
+number = 2
+shaft = "crank"
+throw = 2
+z = "0 mm"
+bore = "87.5 mm"
+rod_length = "146 mm"
+reciprocating_mass = "650 g"
+
+[[cylinders]]
+number = 3
+shaft = "crank"
+throw = 3
+z = "-91 mm"
+bore = "87.5 mm"
+rod_length = "146 mm"
+reciprocating_mass = "650 g"
+# offset = "0 mm"                 # the cylinder axis passes this far clockwise of the shaft's
+# rod = { mass = "0.6 kg", centre = "40 mm", inertia = "0.002 kg*m^2" }       # the rod as a rigid body
+# articulated = { master = 1, radius = "50 mm", angle = "40 deg" }            # on a knuckle pin of another rod
+"""
+
+STARTERS: dict[str, str] = {
+    **{kind: _HEAD.format(**values) + body + _TAIL for kind, (values, body) in _BODIES.items()},
+    "explicit": _EXPLICIT,
+}
 """By layout: the text of a commented engine file that is a real engine as it stands."""

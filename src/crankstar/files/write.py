@@ -9,9 +9,10 @@ import tomli_w
 from pydantic import TypeAdapter
 
 from crankstar import units
-from crankstar.engine import Engine, Record
+from crankstar.engine import Engine
 from crankstar.files.forms import quantity_of, short_form
 from crankstar.layouts import LAYOUTS
+from crankstar.records import Record
 
 DESCRIPTION = "An engine file of crankstar: the short form, by layout, or the explicit form with shafts and cylinders."
 SCHEMA_DIALECT = "https://json-schema.org/draft/2020-12/schema"

@@ -1,0 +1,153 @@
+"""The frozen records an engine is made of, in SI units: shafts, throws, weights, cylinders, rods, and who the engine is.
+
+Bearings and positions are those of the clock plane: `up` and `right` seen from the front, angles clockwise from up, z
+positive to the front. What they must be together is checked by `engine`.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Literal
+
+from pydantic import BaseModel, ConfigDict, Field
+
+from crankstar.quantity import (
+    Angle,
+    Cycle,
+    Inertia,
+    Length,
+    Line,
+    Mass,
+    MovingMass,
+    Ordinal,
+    Position,
+    Rotation,
+    Size,
+    Speed,
+    SpeedRatio,
+    Status,
+    Text,
+    Unbalance,
+)
+
+GREATEST_CYLINDERS = 256
+GREATEST_THROWS = 256
+"""Throws of one shaft; weights as well."""
+
+
+class Record(BaseModel):
+    """What all records share: frozen, no unknown keys, names or file keys accepted."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", validate_by_name=True, validate_by_alias=True, defer_build=True)
+
+
+class Rod(Record):
+    """A connecting rod as a rigid body: mass, centre of mass as distance from the big end, inertia about that centre."""
+
+    mass: MovingMass = Field(description="mass of the whole rod")
+    centre: Length = Field(description="from the big end to the centre of mass, along the rod")
+    inertia: Inertia = Field(default=0.0, description="moment of inertia about the centre of mass")
+
+
+class Articulation(Record):
+    """A knuckle pin on another cylinder's rod: the big end of an articulated (slave) rod sits on it."""
+
+    master: Ordinal = Field(description="number of the cylinder whose rod carries the knuckle pin")
+    radius: Size = Field(description="from the crank pin to the knuckle pin")
+    angle: Angle = Field(description="from the master rod to the knuckle pin, about the crank pin, clockwise")
+
+
+class Throw(Record):
+    """A crank throw: bearing of its pin at theta = 0, crank radius, place of the pin, rotating mass at the crank radius."""
+
+    angle: Angle = Field(description="bearing of the pin at theta = 0, clockwise from up")
+    radius: Size = Field(description="crank radius, half the stroke")
+    z: Position = Field(default=0.0, description="middle of the pin, positive to the front")
+    rotating_mass: Mass = Field(default=0.0, description="unbalanced crank pin and rod big ends, at crank radius")
+
+
+class Weight(Record):
+    """A counterweight, eccentric or balance weight on a shaft; its unbalance is mass times radius."""
+
+    unbalance: Unbalance = Field(description="mass times radius of its centre")
+    angle: Angle = Field(description="bearing at theta = 0, clockwise from up")
+    z: Position = Field(default=0.0, description="place along the shaft, positive to the front")
+
+
+class Shaft(Record):
+    """A shaft parallel to the reference crankshaft, geared to it; the first one is the reference crankshaft."""
+
+    name: Line = Field(description="by which cylinders refer to it")
+    speed_ratio: SpeedRatio = Field(
+        default=Fraction(1), description="turns per turn of the reference shaft; negative turns the other way"
+    )
+    up: Length = Field(default=0.0, description="height of its axis over the reference shaft")
+    right: Length = Field(default=0.0, description="its axis to the right of the reference shaft, seen from the front")
+    throws: tuple[Throw, ...] = Field(
+        default=(),
+        validation_alias="throw",
+        serialization_alias="throw",
+        max_length=GREATEST_THROWS,
+        description="its crank throws",
+    )
+    weights: tuple[Weight, ...] = Field(
+        default=(),
+        validation_alias="weight",
+        serialization_alias="weight",
+        max_length=GREATEST_THROWS,
+        description="its counterweights and balance weights",
+    )
+
+
+class Cylinder(Record):
+    """A cylinder with its piston and rod; `throw` counts from one on `shaft`."""
+
+    number: Ordinal = Field(description="unique; cylinder 1 is the frontmost")
+    shaft: Line = Field(description="name of the shaft its rod works on")
+    throw: Ordinal = Field(description="which throw of that shaft, counted from 1")
+    bearing: Angle = Field(default=0.0, description="where the cylinder points, clockwise from up")
+    z: Position = Field(default=0.0, description="middle of the cylinder, positive to the front")
+    offset: Length = Field(default=0.0, description="its axis passes this far clockwise of the shaft axis")
+    bore: Size | None = Field(default=None, description="cylinder diameter")
+    rod_length: Size = Field(description="connecting rod between centres")
+    reciprocating_mass: Mass = Field(description="piston, pin, rings; and the rod's small end unless `rod` is given")
+    big_end_mass: Mass = Field(
+        default=0.0, description="rod mass carried by the pin of its big end, where it is not in the throw's (slave rods)"
+    )
+    rod: Rod | None = Field(default=None, description="the rod as a rigid body, instead of shares in the two masses")
+    articulated: Articulation | None = Field(default=None, description="the rod sits on a knuckle pin of another rod")
+    chamber: Ordinal | None = Field(
+        default=None, description="combustion chamber; pistons with the same one share it; the cylinder's own number if left out"
+    )
+    bank: Line | None = Field(default=None, description="name of the bank it belongs to")
+
+
+class Provenance(Record):
+    """Where a value of an engine file comes from."""
+
+    status: Status = Field(description="published: read in a source; computed; unverified: from memory; placeholder: a guess")
+    source: Text = Field(default="", description="where it was read, or how it was computed")
+
+
+class Identity(Record):
+    """What an engine file says of the engine as a whole, in both forms."""
+
+    format: Literal[1] = Field(default=1, description="version of the file format")
+    name: Line = Field(examples=["V8, cross-plane, 90 deg"], description="of the engine, on one line")
+    cycle: Cycle = Field(default="four-stroke", description="two-stroke: one turn of the crankshaft; four-stroke: two")
+    rotation: Rotation = Field(default="clockwise", description="of the reference crankshaft, seen from the front")
+    firing_order: tuple[Ordinal, ...] = Field(
+        default=(),
+        max_length=GREATEST_CYLINDERS,
+        examples=[[1, 3, 4, 2]],
+        description="combustion chambers in the order in which they fire",
+    )
+    firing_angles: tuple[Angle, ...] | None = Field(
+        default=None,
+        max_length=GREATEST_CYLINDERS,
+        description="crank angle of each firing, as listed; only where the order leaves a choice",
+    )
+    speed: Speed | None = Field(default=None, description="the speed at which to quote forces")
+    source: Text = Field(default="", description="where the numbers come from")
+    notes: Text = Field(default="", description="anything a reader should know")
+    provenance: dict[Line, Provenance] = Field(default={}, max_length=1000, description="by key path: where each value comes from")
