@@ -1,17 +1,19 @@
 """Random engines that can be: of every layout, and of any shafts, throws, weights and cylinders at all (hypothesis strategies).
 
 They are possible by construction: a rod is as long as its crank radius, its offset and the knuckle pins under it could ever
-need. Numbers are rounded to a millionth, so that none is absurdly small.
+need, or some slave rods as they do need. Numbers are rounded to a millionth, so that none is absurdly small.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
-from math import ceil, pi, radians
+from math import ceil, cos, pi, radians, sin
 from typing import Any, NamedTuple
 
+import numpy as np
 from hypothesis import strategies as st
+from tests.newton import placed
 
 from crankstar import firing
 from crankstar.arrangement import ASSUMED_ROD_RATIO, Basis, Override, Sizes
@@ -83,7 +85,7 @@ class _Pin(NamedTuple):
 
 
 @st.composite
-def _cylinders(draw: Draw, engine_shafts: Sequence[Shaft]) -> list[Cylinder]:
+def _cylinders(draw: Draw, engine_shafts: Sequence[Shaft], *, tight: bool) -> list[Cylinder]:
     pins = [_Pin(s.name, slot, t.radius) for s in engine_shafts for slot, t in enumerate(s.throws, 1)]
     numbers = draw(st.permutations(range(1, draw(st.integers(1, 6)) + 1)))
     made: list[Cylinder] = []
@@ -100,24 +102,34 @@ def _cylinders(draw: Draw, engine_shafts: Sequence[Shaft]) -> list[Cylinder]:
             reach[own] = reach[master.number] + link.radius
         offset = draw(maybe(number(-0.9, 0.9), 0.0)) * pin.radius
         length = (reach[own] + abs(offset)) * draw(CLEARANCES)
-        made.append(
-            Cylinder(
-                number=own,
-                shaft=pin.shaft,
-                throw=pin.throw,
-                bearing=draw(ANGLES),
-                z=draw(PLACES),
-                offset=offset,
-                bore=draw(maybe(number(0.02, 0.5))),
-                rod_length=length,
-                reciprocating_mass=draw(MASSES if index == 0 else maybe(MASSES, 0.0)),
-                big_end_mass=draw(maybe(MASSES, 0.0)),
-                rod=draw(maybe(rigid_rods(length))),
-                articulated=link,
-                bank=draw(maybe(st.sampled_from(["left", "right"]))),
-            )
+        cylinder = Cylinder(
+            number=own,
+            shaft=pin.shaft,
+            throw=pin.throw,
+            bearing=draw(ANGLES),
+            z=draw(PLACES),
+            offset=offset,
+            bore=draw(maybe(number(0.02, 0.5))),
+            rod_length=length,
+            reciprocating_mass=draw(MASSES if index == 0 else maybe(MASSES, 0.0)),
+            big_end_mass=draw(maybe(MASSES, 0.0)),
+            rod=draw(maybe(rigid_rods(length))),
+            articulated=link,
+            bank=draw(maybe(st.sampled_from(["left", "right"]))),
         )
+        if tight and link and draw(st.booleans()):
+            needed = max(_across([*made, cylinder], engine_shafts), pin.radius / 10)
+            cylinder = cylinder.model_copy(update={"rod_length": LEAST_CLEARANCE * needed})
+        made.append(cylinder)
     return made
+
+
+def _across(cylinders: Sequence[Cylinder], engine_shafts: Sequence[Shaft]) -> float:
+    """How far the big end of the last cylinder comes from its axis."""
+    last = cylinders[-1]
+    engine = Engine.model_validate({"name": "draft", "shafts": engine_shafts, "cylinders": cylinders})
+    pin, _, _ = placed(engine, last, np.linspace(0, 2 * pi, 720) / abs(float(engine.shaft(last.shaft).speed_ratio)))
+    return float(np.abs(pin @ np.array([cos(last.bearing), -sin(last.bearing)]) - last.offset).max())
 
 
 def _shared(draw: Draw, cylinders: list[Cylinder], engine_shafts: Sequence[Shaft]) -> list[Cylinder]:
@@ -143,12 +155,15 @@ def fired(engine: Engine, *, with_angles: bool) -> Engine:
 
 
 @st.composite
-def engines(draw: Draw, *, known: bool = False, max_shafts: int = 4) -> Engine:
-    """Any engine at all, written shaft by shaft and cylinder by cylinder; `known` leaves nothing relative."""
+def engines(draw: Draw, *, known: bool = False, max_shafts: int = 4, tight: bool = True) -> Engine:
+    """Any engine at all, written shaft by shaft and cylinder by cylinder.
+
+    `known` leaves nothing relative; unless `tight`, slave rods are long enough for any other angle of their knuckle pins.
+    """
     ratios = draw(speed_ratios())[:max_shafts]
     bearer = draw(st.integers(0, len(ratios) - 1))
     turning = [draw(shafts(f"shaft {i}", ratio, least_throws=int(i == bearer))) for i, ratio in enumerate(ratios)]
-    cylinders = _shared(draw, draw(_cylinders(turning)), turning)
+    cylinders = _shared(draw, draw(_cylinders(turning, tight=tight)), turning)
     status = st.sampled_from(["published", "computed", "unverified", "placeholder"])
     provenance = st.builds(Provenance, status=status, source=maybe(TEXTS, ""))
     engine = Engine.model_validate(

@@ -23,7 +23,7 @@ from crankstar.engine import Engine
 from crankstar.files import engine_of, explicit, schema, toml, tree_of
 from crankstar.files.forms import by_key, quantity_of, record_in, short_form
 from crankstar.files.starters import STARTERS
-from crankstar.firing import firing
+from crankstar.firing import firing, unfit
 from crankstar.layouts import LAYOUTS
 from crankstar.records import Cylinder, Record, Rod, Shaft, Throw, Weight
 from crankstar.tables import analysis, report
@@ -57,6 +57,8 @@ def rewritten(engine: Engine) -> Engine:
 def test_an_engine_of_any_kind_is_the_same_written_and_read_back(kind: str) -> None:
     @given(OF_ANY_KIND[kind])
     def same(engine: Engine) -> None:
+        if unfit(engine):  # what Python may build, and a file may not say
+            engine = engine.model_copy(update={"firing_order": (), "firing_angles": None})
         assert alike(rewritten(engine), engine)
         assert engine_of(tree_of(json.dumps(explicit(engine)))) == rewritten(engine)
         assert toml(rewritten(rewritten(engine))) == toml(rewritten(engine))
@@ -97,10 +99,10 @@ def test_the_explicit_form_is_what_it_says() -> None:
 def test_the_short_form_is_what_it_says() -> None:
     engine = engine_of(tree_of(SHORT))
     assert (engine.relative, engine.pitch) == ((), 0.1055)
-    assert {cylinder.rod_length for cylinder in engine.cylinders} == {0.146}
-    assert {cylinder.bore for cylinder in engine.cylinders} == {0.0875}
-    assert {throw.radius for throw in engine.shafts[0].throws} == {0.04125}
-    assert {throw.rotating_mass for throw in engine.shafts[0].throws} == {1.4}
+    assert [cylinder.rod_length for cylinder in engine.cylinders] == pytest.approx([0.146] * 8)
+    assert [cylinder.bore for cylinder in engine.cylinders] == pytest.approx([0.0875] * 8)
+    assert [throw.radius for throw in engine.shafts[0].throws] == pytest.approx([0.04125] * 4)
+    assert [throw.rotating_mass for throw in engine.shafts[0].throws] == pytest.approx([1.4] * 4)
     by_number = {cylinder.number: cylinder for cylinder in engine.cylinders}
     assert by_number[1].z - by_number[2].z == pytest.approx(0.021)
     assert by_number[1].z - by_number[3].z == pytest.approx(0.1055)
@@ -185,7 +187,10 @@ def test_every_starter_loads_fires_and_analyzes(kind: str) -> None:
     assert len(firing(engine).intervals_deg) == len(engine.chambers)
     assert engine.relative == ()
     assert "Force on the block" in html(report(analysis(engine, speed=None)))
-    assert set(STARTERS) == set(LAYOUTS)
+
+
+def test_there_is_a_starter_for_every_layout_and_for_the_explicit_form() -> None:
+    assert set(STARTERS) == {*LAYOUTS, "explicit"}
 
 
 OPTIONS = [

@@ -457,7 +457,7 @@ def test_every_option_of_every_record_occurs_in_the_random_engines() -> None:
 
     collected()
     for kind in {Engine, *(type(record) for record in seen), *Record.__subclasses__()}:
-        if kind.__module__ not in (Engine.__module__, Record.__module__) or issubclass(Engine, kind) and kind is not Engine:
+        if kind.__module__ not in (Engine.__module__, Record.__module__) or (issubclass(Engine, kind) and kind is not Engine):
             continue  # a record of short files, or what an Engine has from its ancestors
         made = [record for record in seen if type(record) is kind]
         for name, field in kind.model_fields.items():
