@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
+from itertools import pairwise
 from math import ceil, cos, pi, radians, sin
 from typing import Any, NamedTuple
 
@@ -119,7 +120,7 @@ def _cylinders(draw: Draw, engine_shafts: Sequence[Shaft], *, tight: bool) -> li
         )
         if tight and link and draw(st.booleans()):
             needed = max(_across([*made, cylinder], engine_shafts), pin.radius / 10)
-            cylinder = cylinder.model_copy(update={"rod_length": LEAST_CLEARANCE * needed})
+            cylinder = cylinder.model_copy(update={"rod_length": needed * draw(st.sampled_from([LEAST_CLEARANCE, 1.2, 2.5]))})
         made.append(cylinder)
     return made
 
@@ -145,13 +146,15 @@ def _shared(draw: Draw, cylinders: list[Cylinder], engine_shafts: Sequence[Shaft
 
 def fired(engine: Engine, *, with_angles: bool) -> Engine:
     """The engine with its chambers firing in the order of their dead centres, if that fits in one cycle; else as it is."""
-    centres = firing.dead_centres(engine)
-    order = tuple(sorted(centres, key=lambda chamber: centres[chamber].angle_deg))
+    centres = {chamber: centre.angle_deg for chamber, centre in firing.dead_centres(engine).items()}
+    order = tuple(sorted(centres, key=centres.__getitem__))
+    angles = [centres[chamber] for chamber in order]
+    if any(b - a < 1e-3 for a, b in pairwise(angles)) or angles[-1] - angles[0] > engine.cycle_angle - 1e-3:
+        return engine
     update: dict[str, Any] = {"firing_order": order}
     if with_angles:
-        update["firing_angles"] = tuple(radians(centres[chamber].angle_deg) for chamber in order)
-    changed = engine.model_copy(update=update)
-    return engine if firing.unfit(changed) else changed
+        update["firing_angles"] = tuple(map(radians, angles))
+    return engine.model_copy(update=update)
 
 
 @st.composite

@@ -187,8 +187,6 @@ def analyze(
         raise RequestError("--json and --csv: ask for one of them")
     if (json or csv) and (at or by):
         raise RequestError("--at and --by belong to the printed tables; leave them out with --json and --csv")
-    if (json or csv) and (at is not None or by is not None):
-        raise RequestError("--at and --by: are for the table; leave them out, or --json and --csv")
     loaded = _loaded(engine, settings)
     turning = _speed(speed)
     point = _reference(reference, loaded)

@@ -17,6 +17,7 @@ import numpy as np
 from crankstar import motion
 from crankstar.engine import Engine
 from crankstar.fault import EngineError, Fault
+from crankstar.records import Cylinder
 
 SAME_ANGLE = 1e-6
 """Degrees: dead centres closer than this are simultaneous."""
@@ -167,8 +168,14 @@ def with_banks_mirrored(engine: Engine) -> Engine:
         shaft.model_copy(update={"throws": tuple(t.model_copy(update={"angle": t.angle + turn}) for t in shaft.throws)})
         for shaft in engine.shafts
     )
-    cylinders = tuple(c.model_copy(update={"bearing": -c.bearing}) for c in engine.cylinders)
-    return engine.model_copy(update={"shafts": shafts, "cylinders": cylinders})
+    return engine.model_copy(update={"shafts": shafts, "cylinders": tuple(_in_the_mirror(c) for c in engine.cylinders)})
+
+
+def _in_the_mirror(cylinder: Cylinder) -> Cylinder:
+    """A cylinder on the other side, its offset and its knuckle pin with it."""
+    link = cylinder.articulated
+    knuckle = None if link is None else link.model_copy(update={"angle": -link.angle})
+    return cylinder.model_copy(update={"bearing": -cylinder.bearing, "offset": -cylinder.offset, "articulated": knuckle})
 
 
 def with_rotation_reversed(engine: Engine) -> Engine:

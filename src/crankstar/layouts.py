@@ -99,7 +99,8 @@ def inline(
     if throws is None:
         order = basis.firing_order
         if not order or sorted(order) != list(range(1, len(order) + 1)):
-            raise _fault("throws", "give the throws, or a firing_order of cylinders 1, 2, ... from which evenly spaced ones follow")
+            message = "is missing; give it, or a firing_order of cylinders 1, 2, ... from which evenly spaced throws follow"
+            raise _fault("throws", message)
         throws = _even_throws(basis, order)
     if basis.firing_order and len(basis.firing_order) != len(throws):
         told = f"has {len(throws)} angles, but {len(basis.firing_order)} cylinders fire; give one angle for each cylinder"
