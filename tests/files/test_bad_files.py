@@ -90,6 +90,11 @@ def test_a_key_in_the_wrong_table_is_told_where_it_belongs() -> None:
     assert told('stroke = "82.5 mm"\n' + SHORT)["stroke"] == "unknown key; it belongs in cylinder"
 
 
+def test_tables_of_a_list_are_called_by_one_name_only() -> None:
+    assert told(EXPLICIT.replace("shaft.throw", "shaft.throws"))["shaft[1].throws"] == 'unknown key; did you mean "throw"?'
+    assert told(EXPLICIT.replace("[[shaft", "[[shafts"))["shafts"] == 'unknown key; did you mean "shaft"?'
+
+
 def test_a_key_like_no_other_is_told_with_all_that_there_are() -> None:
     message = told("xyzzy = 1\n" + SHORT)["xyzzy"]
     assert message.startswith("unknown key; there are: balance_factor, cycle, cylinder, cylinders, firing_angles, firing_order")

@@ -44,9 +44,9 @@ def units_of(engine: Engine, speed: float) -> Scale:
     return Scale(force, force * engine.pitch, force * radius)
 
 
-def assert_same(told: Totals, walked: Road, chosen: Sequence[int], scale: Scale, radius: float) -> None:
-    """What the package tells of some parts is what those bodies do, at 400 angles of the period."""
-    few = np.unique(np.linspace(0, len(walked.theta) - 1, 400).astype(int))
+def assert_same(told: Totals, walked: Road, chosen: Sequence[int], scale: Scale, radius: float, *, angles: int = 40) -> None:
+    """What the package tells of some parts is what those bodies do, at some angles of the period."""
+    few = np.unique(np.linspace(0, len(walked.theta) - 1, angles).astype(int))
     theta = walked.theta[few].astype(float)
     force, moment, torque = np.zeros((len(few), 3)), np.zeros((len(few), 3)), np.zeros(len(few))
     for index in chosen:
@@ -83,7 +83,7 @@ def assert_momentum(engine: Engine, *, reference: Reference, speed: float) -> No
     walked, scale = road(engine, reference=reference, speed=speed), units_of(engine, speed)
     radius = max(throw.radius for shaft in engine.shafts for throw in shaft.throws)
     result = balance(engine, speed=speed, reference=reference)
-    assert_same(total(result), walked, range(len(walked.bodies)), scale, radius)
+    assert_same(total(result), walked, range(len(walked.bodies)), scale, radius, angles=150)
     for by in ("cylinder", "shaft", "kind"):
         for label, told in grouped(result, by).items():
             chosen = [index for index, body in enumerate(walked.bodies) if getattr(body, by) == label]

@@ -11,9 +11,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.newton import PI, Rate, placed
-from tests.strategies import ANGLES, engines, number, of_layout
+from tests.strategies import ANGLES, CYCLES, ROTATIONS, engines, number, of_layout
 
 from crankstar import motion, phasor
+from crankstar.arrangement import Basis
 from crankstar.balance import balance, total
 from crankstar.engine import MINIMUM_CLEARANCE, Engine
 from crankstar.files import EngineFileError, engine_of, tree_of
@@ -414,3 +415,14 @@ def test_every_layout_stands_with_cylinder_1_at_top_dead_centre(layout: str, dat
     _, piston, _ = placed(engine, first, np.append(0, AROUND))
     travel = piston @ np.array([np.sin(first.bearing), np.cos(first.bearing)])
     assert travel[0] >= travel.max() - 1e-12 * np.abs(travel).max()
+
+
+@given(st.integers(1, 9).flatmap(lambda n: st.permutations(range(1, n + 1))), ROTATIONS, CYCLES)
+def test_throws_left_out_bring_the_cylinders_to_dead_centre_in_their_order(order: list[int], rotation: str, cycle: str) -> None:
+    basis = Basis.model_validate({"name": "in line", "rotation": rotation, "cycle": cycle, "firing_order": order})
+    engine = LAYOUTS["inline"](basis)
+    sense, turns = (1 if rotation == "clockwise" else -1), (1 if cycle == "two-stroke" else 2)
+    for cylinder in engine.cylinders:
+        theta = 2 * np.pi * turns * (order.index(cylinder.number) - order.index(1)) / len(order)
+        pin = engine.shafts[0].throws[cylinder.throw - 1].angle + sense * theta
+        assert np.exp(1j * pin) == pytest.approx(1, abs=1e-12)
