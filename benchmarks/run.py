@@ -84,12 +84,12 @@ def batch_rate() -> float:
 
 def rows() -> list[tuple[str, str, str]]:
     """What is measured, the figure, and the budget where there is one."""
-    module = ("-m", "crankstar", "analyze", "v8-flat-plane")
+    module = ("-m", "crankstar", "analyze", "v8-cross-plane")
     out = [
         ("python alone", f"{whole_process('-c', 'pass'):.3f} s", ""),
         ("import numpy, pydantic", f"{whole_process('-c', 'import numpy; from pydantic import BaseModel'):.3f} s", ""),
         ("import crankstar", f"{whole_process('-c', 'import crankstar'):.3f} s", "0.15 s"),
-        ("crankstar analyze v8-flat-plane", f"{whole_process(*module):.3f} s", "0.6 s"),
+        ("crankstar analyze v8-cross-plane", f"{whole_process(*module):.3f} s", "0.6 s"),
     ]
     for name, engine in engines().items():
         seconds = timed(lambda engine=engine: total(balance(engine)), runs=101)

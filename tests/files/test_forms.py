@@ -137,6 +137,13 @@ def test_an_override_of_what_turns_changes_its_pin() -> None:
     assert [c.rod_length for c in other_ratio.cylinders if c.number == 7] == pytest.approx([0.165])
 
 
+def test_a_bank_without_a_name_takes_none_that_is_taken() -> None:
+    tree = spoilt(EXPLICIT, cylinders__1__bank="bank 1")
+    assert engine_of(tree).banks == {"bank 2": (1,), "bank 1": (2,)}
+    assert [part.bank for part in balance(engine_of(tree)).parts[:2]] == ["bank 2", "bank 1"]
+    assert engine_of(spoilt(EXPLICIT)).banks == {"bank 1": (1, 2)}
+
+
 def test_overrides_can_give_a_rigid_rod_and_an_articulation() -> None:
     rod = {"mass": "0.6 kg", "centre": "40 mm", "inertia": "0.002 kg*m^2"}
     link = {"master": 1, "radius": "30 mm", "angle": "-90 deg"}
