@@ -541,7 +541,7 @@ def shell(script: str, folder: Path, **environment: str) -> Ran:
     done = subprocess.run(
         ["/bin/bash", "-c", f'C() {{ {quoted} "$@"; }}; {script}'],
         cwd=folder,
-        env={**os.environ, **environment},
+        env={**os.environ, "PYTHONUNBUFFERED": "", **environment},
         capture_output=True,
         timeout=60,
         check=False,
