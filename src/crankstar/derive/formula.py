@@ -1,0 +1,341 @@
+"""Formulas as small trees: what a derivation writes down, and what it comes to.
+
+A formula is written as it is built (nothing is expanded or put in order), and can be evaluated, in floating point or in
+balls that hold the true value. So what is printed is what was checked.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, fields, replace
+from fractions import Fraction
+from functools import reduce, singledispatch
+from operator import add, mul
+from typing import Any
+
+from flint import acb, arb, fmpq, fmpz
+
+
+@dataclass(frozen=True, slots=True)
+class Rational:
+    """A rational number."""
+
+    value: Fraction
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Decimal:
+    """A number known by a ball that holds it; written with `digits` figures, all of them certain."""
+
+    ball: arb
+    digits: int = 7
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Decimal) and self._key == other._key
+
+    def __hash__(self) -> int:
+        return hash(self._key)
+
+    @property
+    def _key(self) -> tuple[object, ...]:
+        return (self.ball.mid().man_exp(), self.ball.rad().man_exp(), self.digits)
+
+
+@dataclass(frozen=True, slots=True)
+class Symbol:
+    """A letter, Greek ones by name, with what stands below it."""
+
+    letter: str
+    below: str = ""
+
+    @property
+    def name(self) -> str:
+        """By which its value is looked up: `A_2`."""
+        return f"{self.letter}_{self.below}" if self.below else self.letter
+
+
+@dataclass(frozen=True, slots=True)
+class Pi:
+    """The number pi."""
+
+
+@dataclass(frozen=True, slots=True)
+class Root:
+    """A square root."""
+
+    radicand: Formula
+
+
+@dataclass(frozen=True, slots=True)
+class Power:
+    """A whole power."""
+
+    base: Formula
+    exponent: int
+
+
+@dataclass(frozen=True, slots=True)
+class Sum:
+    """Terms added as they are listed."""
+
+    terms: tuple[Formula, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Product:
+    """Factors, a rational one first if there is one."""
+
+    factors: tuple[Formula, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Ratio:
+    """A fraction of formulas."""
+
+    above: Formula
+    below: Formula
+
+
+@dataclass(frozen=True, slots=True)
+class Degrees:
+    """An angle in degrees, exact or as a decimal."""
+
+    value: Rational | Decimal
+
+
+@dataclass(frozen=True, slots=True)
+class Applied:
+    """cos, sin or atan of something."""
+
+    function: str
+    argument: Formula
+
+
+@dataclass(frozen=True, slots=True)
+class Polar:
+    """A vector of the clock plane: its length and its bearing, `length * exp(i angle)`."""
+
+    length: Formula
+    angle: Formula
+
+
+Formula = Rational | Decimal | Symbol | Pi | Root | Power | Sum | Product | Ratio | Degrees | Applied | Polar
+
+NOUGHT = Rational(Fraction(0))
+UNIT = Rational(Fraction(1))
+THETA = Symbol("theta")
+
+
+def number(value: Fraction | int) -> Rational:
+    """A rational number."""
+    return Rational(Fraction(value))
+
+
+def product(*factors: Formula | Fraction | int) -> Formula:
+    """A product with its rational factors gathered in front; zero and one are not written."""
+    flat: list[Formula] = []
+    for factor in factors:
+        one = number(factor) if isinstance(factor, (int, Fraction)) else factor
+        flat += one.factors if isinstance(one, Product) else (one,)
+    upside = [f for f in flat if isinstance(f, Decimal) and f.ball < 0]
+    if upside:
+        flat = [Decimal(-f.ball, f.digits) if f in upside else f for f in flat]
+        flat.append(Rational(Fraction((-1) ** len(upside))))
+    rational = math.prod((f.value for f in flat if isinstance(f, Rational)), start=Fraction(1))
+    roots = [f.radicand.value for f in flat if isinstance(f, Root) and isinstance(f.radicand, Rational)]
+    if len(roots) > 1:  # sqrt(2) sqrt(10) is 2 sqrt(5)
+        rest = (f for f in flat if not isinstance(f, Rational) and not (isinstance(f, Root) and isinstance(f.radicand, Rational)))
+        return product(rational, square_root(math.prod(roots, start=Fraction(1))), *rest)
+    others = tuple(f for f in flat if not isinstance(f, Rational))
+    if rational == 0 or not others:
+        return Rational(rational)
+    if rational == 1:
+        return others[0] if len(others) == 1 else Product(others)
+    return Product((Rational(rational), *others))
+
+
+def square_root(value: Fraction) -> Formula:
+    """The square root of a fraction, squares taken out: 2 sqrt(3), sqrt(10)/2. ValueError below zero."""
+    if value < 0:
+        raise ValueError("the square root of a negative number is not real")
+    outside, inside = Fraction(1, value.denominator), value.numerator * value.denominator
+    for prime, exponent in fmpz(inside).factor() if inside > 1 else ():
+        outside *= int(prime) ** (int(exponent) // 2)
+        inside //= int(prime) ** (int(exponent) // 2 * 2)
+    if inside == 0:
+        return number(0)
+    return product(outside) if inside == 1 else product(outside, Root(Rational(Fraction(inside))))
+
+
+def summed(*terms: Formula) -> Formula:
+    """A sum without its zeros."""
+    flat: list[Formula] = []
+    for term in terms:
+        flat += term.terms if isinstance(term, Sum) else (term,)
+    kept = tuple(term for term in flat if term != NOUGHT)
+    return NOUGHT if not kept else kept[0] if len(kept) == 1 else Sum(kept)
+
+
+def collected(*terms: Formula) -> Formula:
+    """A sum in which terms that differ only in a rational factor are one."""
+    factors: dict[Formula, Fraction] = {}
+    for term in (inner for outer in terms for inner in (outer.terms if isinstance(outer, Sum) else (outer,))):
+        size, rest = coefficient(term)
+        factors[rest] = factors.get(rest, Fraction(0)) + size
+    return summed(*(product(size, rest) for rest, size in factors.items()))
+
+
+def negative(formula: Formula) -> Formula:
+    """Minus a formula; of a sum, minus each of its terms."""
+    if isinstance(formula, Sum):
+        return Sum(tuple(negative(term) for term in formula.terms))
+    return product(-1, formula)
+
+
+def angle(turn: Fraction) -> Formula:
+    """A part of a full turn as a multiple of pi where that is short, else in degrees."""
+    if turn.denominator <= 48:
+        return product(2 * turn, Pi())
+    return Degrees(number(360 * turn))
+
+
+def cosine(argument: Formula) -> Formula:
+    """The cosine of a formula."""
+    return Applied("cos", argument)
+
+
+def coefficient(formula: Formula) -> tuple[Fraction, Formula]:
+    """The rational factor in front of a formula, and the rest."""
+    if isinstance(formula, Rational):
+        return formula.value, UNIT
+    if isinstance(formula, Product) and isinstance(formula.factors[0], Rational):
+        return formula.factors[0].value, product(*formula.factors[1:])
+    return Fraction(1), formula
+
+
+def has_decimal(formula: Formula) -> bool:
+    """Whether a formula holds a decimal."""
+    if isinstance(formula, (Sum, Product)):
+        return any(has_decimal(part) for part in (formula.terms if isinstance(formula, Sum) else formula.factors))
+    inner = (getattr(formula, field.name) for field in fields(formula))
+    return isinstance(formula, Decimal) or any(has_decimal(part) for part in inner if isinstance(part, Formula))
+
+
+def renamed(formula: Formula, names: Mapping[str, Formula]) -> Formula:
+    """A formula with formulas in the place of some of its symbols."""
+    if isinstance(formula, Symbol):
+        return names.get(formula.name, formula)
+    if isinstance(formula, Sum):
+        return Sum(tuple(renamed(term, names) for term in formula.terms))
+    if isinstance(formula, Product):
+        return product(*(renamed(factor, names) for factor in formula.factors))
+    inner = {field.name: getattr(formula, field.name) for field in fields(formula)}
+    changed = {name: renamed(part, names) for name, part in inner.items() if isinstance(part, Formula)}
+    return replace(formula, **changed) if changed else formula
+
+
+@dataclass(frozen=True)
+class _Kit:
+    """The arithmetic in which a formula is evaluated."""
+
+    number: Callable[[Fraction], Any]
+    ball: Callable[[arb], Any]
+    pi: Callable[[], Any]
+    functions: Mapping[str, Callable[[Any], Any]]
+    rotation: Callable[[Any], Any]
+
+
+_FLOATS = _Kit(
+    number=float,
+    ball=lambda ball: float(ball.mid()),
+    pi=lambda: math.pi,
+    functions={"cos": math.cos, "sin": math.sin, "atan": math.atan, "sqrt": math.sqrt},
+    rotation=lambda angle: complex(math.cos(angle), math.sin(angle)),
+)
+_BALLS = _Kit(
+    number=lambda value: arb(fmpq(value.numerator, value.denominator)),
+    ball=lambda ball: ball,
+    pi=arb.pi,
+    functions={"cos": arb.cos, "sin": arb.sin, "atan": arb.atan, "sqrt": arb.sqrt},
+    rotation=lambda angle: acb(angle.cos(), angle.sin()),
+)
+
+
+def value(formula: Formula, symbols: Mapping[str, float] | None = None) -> Any:
+    """What a formula comes to in floating point: real, or complex (up + i right) for a vector. KeyError without a symbol.
+
+    >>> value(product(4, Root(number(2)), cosine(THETA)), {"theta": 0.0})
+    5.656854249492381
+    """
+    return _valued(formula, symbols or {}, _FLOATS)
+
+
+def enclosed(formula: Formula, symbols: Mapping[str, arb] | None = None) -> Any:
+    """A ball that holds what a formula comes to, at the precision in force."""
+    return _valued(formula, symbols or {}, _BALLS)
+
+
+@singledispatch
+def _valued(formula: Any, symbols: Mapping[str, Any], kit: _Kit) -> Any:  # noqa: ARG001
+    raise TypeError(f"not a formula: {type(formula).__name__}")
+
+
+@_valued.register
+def _(formula: Rational, symbols: Mapping[str, Any], kit: _Kit) -> Any:  # noqa: ARG001
+    return kit.number(formula.value)
+
+
+@_valued.register
+def _(formula: Decimal, symbols: Mapping[str, Any], kit: _Kit) -> Any:  # noqa: ARG001
+    return kit.ball(formula.ball)
+
+
+@_valued.register
+def _(formula: Symbol, symbols: Mapping[str, Any], kit: _Kit) -> Any:  # noqa: ARG001
+    return symbols[formula.name]
+
+
+@_valued.register
+def _(formula: Pi, symbols: Mapping[str, Any], kit: _Kit) -> Any:  # noqa: ARG001
+    return kit.pi()
+
+
+@_valued.register
+def _(formula: Root, symbols: Mapping[str, Any], kit: _Kit) -> Any:
+    return kit.functions["sqrt"](_valued(formula.radicand, symbols, kit))
+
+
+@_valued.register
+def _(formula: Power, symbols: Mapping[str, Any], kit: _Kit) -> Any:
+    return _valued(formula.base, symbols, kit) ** formula.exponent
+
+
+@_valued.register
+def _(formula: Sum, symbols: Mapping[str, Any], kit: _Kit) -> Any:
+    return reduce(add, (_valued(term, symbols, kit) for term in formula.terms))
+
+
+@_valued.register
+def _(formula: Product, symbols: Mapping[str, Any], kit: _Kit) -> Any:
+    return reduce(mul, (_valued(factor, symbols, kit) for factor in formula.factors))
+
+
+@_valued.register
+def _(formula: Ratio, symbols: Mapping[str, Any], kit: _Kit) -> Any:
+    return _valued(formula.above, symbols, kit) / _valued(formula.below, symbols, kit)
+
+
+@_valued.register
+def _(formula: Degrees, symbols: Mapping[str, Any], kit: _Kit) -> Any:
+    return _valued(formula.value, symbols, kit) * kit.pi() / kit.number(Fraction(180))
+
+
+@_valued.register
+def _(formula: Applied, symbols: Mapping[str, Any], kit: _Kit) -> Any:
+    return kit.functions[formula.function](_valued(formula.argument, symbols, kit))
+
+
+@_valued.register
+def _(formula: Polar, symbols: Mapping[str, Any], kit: _Kit) -> Any:
+    return _valued(formula.length, symbols, kit) * kit.rotation(_valued(formula.angle, symbols, kit))

@@ -1,0 +1,104 @@
+"""Where things stand along the crankshaft, as linear forms in the bore pitch a and the bank offset b.
+
+Within a bank the cylinders stand at multiples of the pitch; by how much the front cylinder of another bank stands before
+or behind that of the first one is an offset b (b_1, b_2, ... where there are several). A shaft's throw stands in the middle
+of its cylinders, a weight at its throw. What stands elsewhere keeps its own multiple of a.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import NamedTuple
+
+from crankstar.balance import default_reference
+from crankstar.derive import meant
+from crankstar.derive.formula import Symbol
+from crankstar.derive.wave import Form, Key, form_sum
+from crankstar.engine import Engine
+from crankstar.mechanism import Reference
+
+SAME_PLACE = 1e-9
+"""Bore pitches: places closer than this are one."""
+GREATEST_STEP = 100
+"""Denominator up to which a place within a bank is a multiple of the pitch."""
+
+PITCH: Key = (Symbol("a"),)
+
+
+class Arms(NamedTuple):
+    """Distances in front of the reference plane: of cylinders by number, of throws and weights by shaft and place.
+
+    `values` gives the length of each symbol in bore pitches.
+    """
+
+    cylinder: dict[int, Form]
+    throw: dict[tuple[str, int], Form]
+    weight: dict[tuple[str, int], Form]
+    values: dict[Symbol, Fraction]
+
+
+def arms(engine: Engine, reference: Reference | None = None) -> Arms:
+    """The arms of all parts about the reference plane (the middle of the cylinders' span unless given)."""
+    pitch = engine.pitch
+    places = {cylinder.number: cylinder.z for cylinder in engine.cylinders}
+    forms, values = _cylinders(engine, pitch)
+    front, rear = max(places, key=lambda number: places[number]), min(places, key=lambda number: places[number])
+    middle = form_sum([(Fraction(1, 2), forms[front]), (Fraction(1, 2), forms[rear])])
+    centred = {number: form_sum([(Fraction(1), form), (Fraction(-1), middle)]) for number, form in forms.items()}
+    centre = (places[front] + places[rear]) / 2
+    throws = {
+        (shaft.name, index): _shared(engine, shaft.name, index, (throw.z - centre) / pitch, centred, values)
+        for shaft in engine.shafts
+        for index, throw in enumerate(shaft.throws, 1)
+    }
+    weights: dict[tuple[str, int], Form] = {}
+    for shaft in engine.shafts:
+        for index, weight in enumerate(shaft.weights, 1):
+            at = next((i for i, throw in enumerate(shaft.throws, 1) if abs(throw.z - weight.z) < SAME_PLACE * pitch), None)
+            weights[shaft.name, index] = throws[shaft.name, at] if at else _multiple((weight.z - centre) / pitch)
+    away = 0.0 if reference is None else (reference.z - default_reference(engine).z) / pitch
+    if abs(away) > SAME_PLACE:
+        symbol = Symbol("z", "0")
+        values[symbol] = meant.ratio(away)
+        moved: Form = {(symbol,): Fraction(-1)}
+        for table in (centred, throws, weights):
+            for key, form in table.items():
+                table[key] = form_sum([(Fraction(1), form), (Fraction(1), moved)])  # pyright: ignore[reportArgumentType]
+    return Arms(centred, throws, weights, values)
+
+
+def _cylinders(engine: Engine, pitch: float) -> tuple[dict[int, Form], dict[Symbol, Fraction]]:
+    """The cylinders' places before the front one of the first bank."""
+    places = {cylinder.number: cylinder.z for cylinder in engine.cylinders}
+    banks = list(engine.banks.values())
+    anchors = [max(places[number] for number in numbers) for numbers in banks]
+    shifts = [(anchor - anchors[0]) / pitch for anchor in anchors]
+    sizes = sorted({round(abs(shift), 9) for shift in shifts if abs(shift) > SAME_PLACE}, reverse=True)
+    names = [Symbol("b")] if len(sizes) == 1 else [Symbol("b", str(place)) for place in range(1, len(sizes) + 1)]
+    values = {PITCH[0]: Fraction(1)} | {name: meant.ratio(size) for name, size in zip(names, sizes, strict=True)}
+    forms: dict[int, Form] = {}
+    for numbers, anchor, shift in zip(banks, anchors, shifts, strict=True):
+        offset: dict[Key, Fraction] = {}
+        if abs(shift) > SAME_PLACE:
+            offset[(names[sizes.index(round(abs(shift), 9))],)] = Fraction(1 if shift > 0 else -1)
+        for number in numbers:
+            forms[number] = form_sum([(Fraction(1), _multiple((places[number] - anchor) / pitch)), (Fraction(1), offset)])
+    return forms, values
+
+
+def _multiple(pitches: float) -> Form:
+    near = Fraction(pitches).limit_denominator(GREATEST_STEP)
+    found = near if abs(float(near) - pitches) < SAME_PLACE / 100 else meant.ratio(pitches)
+    return {PITCH: found} if found else {}
+
+
+def _shared(
+    engine: Engine, shaft: str, throw: int, pitches: float, centred: dict[int, Form], values: dict[Symbol, Fraction]
+) -> Form:
+    """A throw's place as the mean of its cylinders', if it is that."""
+    on = [c.number for c in engine.cylinders if (c.shaft, c.throw) == (shaft, throw)]
+    if on:
+        mean = form_sum([(Fraction(1, len(on)), centred[number]) for number in on])
+        if abs(float(sum(value * values[key[0]] for key, value in mean.items())) - pitches) < SAME_PLACE:
+            return mean
+    return _multiple(pitches)

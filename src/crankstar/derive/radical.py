@@ -1,0 +1,238 @@
+"""Exact numbers in the shortest form there is: real ones in radicals, complex ones as a length and a bearing.
+
+A real number whose degree over the rationals is a power of two is a tower of square roots: with a conjugation s of order
+two, x = u + w with u = (x + s x)/2 and w = (x - s x)/2, where u and w^2 are unmoved by s and so of half the degree. Where
+another prime divides the degree (throws at sevenths, ninths or elevenths of a turn) real radicals do not exist, and the
+number is given by a decimal that encloses it, and by its minimal polynomial.
+
+The bearing of a vector z is a rational part of a turn if and only if z/conj(z) is a root of unity; else it is the
+arctangent of an exact number, beside a multiple of 45 degrees where that makes it shorter.
+"""
+
+from __future__ import annotations
+
+from cmath import phase
+from fractions import Fraction
+from functools import lru_cache
+from math import isqrt, lcm, pi
+from typing import NamedTuple
+
+from flint import arb, fmpz
+
+from crankstar.derive import cyclotomic
+from crankstar.derive.cyclotomic import DIGITS, Number
+from crankstar.derive.formula import (
+    Applied,
+    Decimal,
+    Degrees,
+    Formula,
+    Ratio,
+    Root,
+    Sum,
+    angle,
+    coefficient,
+    negative,
+    number,
+    product,
+    square_root,
+    summed,
+)
+from crankstar.derive.typeset import text
+
+LONGEST = 26
+"""Characters of a closed form that still tells a reader more than its decimal."""
+GREATEST_DEGREE = 200
+"""Degree of the field above which no closed form is sought: there is none that is short."""
+
+
+class Closed(NamedTuple):
+    """A number as a formula, and whether that is a closed form or only an enclosed decimal."""
+
+    formula: Formula
+    exact: bool
+
+
+@lru_cache(maxsize=4096)
+def closed(value: Number) -> Closed:
+    """A real number in radicals, else as an enclosed decimal.
+
+    >>> from crankstar.derive.cyclotomic import cosine
+    >>> text(closed(cosine(Fraction(1, 24))).formula), text(closed(cosine(Fraction(1, 7))).formula)
+    ('(√6 + √2)/4', '0.6234898…')
+    """
+    found = _radical(value)
+    found = None if found is None else gathered(found)
+    return Closed(found, exact=True) if found is not None and len(text(found)) <= LONGEST else Closed(_decimal(value), exact=False)
+
+
+@lru_cache(maxsize=4096)
+def length(value: Number) -> Closed:
+    """The magnitude of a complex number."""
+    square = value * value.conjugate
+    candidates = [_root_of(square)]
+    turn = bearing_turn(value)
+    if turn is not None:
+        candidates.append(_radical(value.turned(-turn)))
+    short = min((gathered(found) for found in candidates if found is not None), key=lambda found: len(text(found)), default=None)
+    if short is not None and len(text(short)) <= LONGEST:
+        return Closed(short, exact=True)
+    with cyclotomic.precision(DIGITS):
+        return Closed(Decimal(square.enclosed().real.sqrt()), exact=False)
+
+
+@lru_cache(maxsize=4096)
+def bearing_turn(value: Number) -> Fraction | None:
+    """The argument of a number other than zero as a part of a full turn in (-1/2, 1/2], None if it is not a rational one."""
+    estimate = _argument(value)
+    # z = conj(z) zeta^k, and the roots of unity of Q(zeta_N) have orders that divide N or 2N.
+    order = value.order if value.order % 2 == 0 else 2 * value.order
+    k = round(2 * estimate * order)
+    if not (value - value.conjugate.turned(Fraction(k, order))).zero:
+        return None
+    half = Fraction(k, 2 * order)
+    nearest = min(
+        (half + step for step in (Fraction(-1, 2), Fraction(0), Fraction(1, 2))), key=lambda turn: abs(float(turn) - estimate)
+    )
+    return Fraction(1, 2) - (Fraction(1, 2) - nearest) % 1
+
+
+@lru_cache(maxsize=4096)
+def bearing(value: Number) -> Closed:
+    """The argument of a complex number other than zero, in (-180, 180] degrees.
+
+    >>> from crankstar.derive.cyclotomic import ONE, root
+    >>> text(bearing(root(Fraction(1, 4)).times(3) + ONE).formula)
+    'atan 3'
+    """
+    turn = bearing_turn(value)
+    if turn is not None:
+        return Closed(angle(turn), exact=True)
+    candidates = [
+        found for eighth in (0, 1, -1, 2, -2, 3, -3, 4, -4) if (found := _arctangent(value, Fraction(eighth, 8))) is not None
+    ]
+    if candidates:
+        return Closed(min(candidates, key=lambda found: len(text(found))), exact=True)
+    with cyclotomic.precision(DIGITS):
+        return Closed(Degrees(Decimal(value.enclosed().arg() * 180 / arb.pi())), exact=False)
+
+
+def _argument(value: Number) -> float:
+    """The argument in turns, roughly; of a negative number a half."""
+    return abs(phase(found)) / (2 * pi) if (found := complex(value)).imag == 0 else phase(found) / (2 * pi)
+
+
+def _arctangent(value: Number, base: Fraction) -> Formula | None:
+    """`base` and the arctangent of something short, where the number lies within an eighth turn or so of `base`."""
+    turned = value.turned(-base)
+    if value.order > GREATEST_DEGREE:
+        return None
+    down = cyclotomic.real(turned)
+    if down.zero or complex(down).real < 0:
+        return None
+    found = _radical(cyclotomic.imaginary(turned) / down)
+    if found is None or len(text(found)) > 8:
+        return None
+    below = text(found).startswith("−")
+    if base in (Fraction(1, 2), Fraction(-1, 2)) and below != (base > 0):
+        return None  # beyond half a turn
+    part = negative(Applied("atan", negative(found))) if below else Applied("atan", found)
+    return summed(angle(base), part)
+
+
+def _decimal(value: Number) -> Decimal:
+    with cyclotomic.precision(DIGITS):
+        return Decimal(value.enclosed().real)
+
+
+def _root_of(value: Number) -> Formula | None:
+    """The square root of a positive real number, by itself or taken apart: sqrt(p + q sqrt(d)) = sqrt(u) + sqrt(v)."""
+    fraction = value.rational
+    if fraction is not None:
+        return square_root(fraction)
+    others = _conjugates(value)
+    if others is None:
+        return None
+    if len(others) == 2:
+        parts = _split(value, others)
+        if parts is not None and parts[0].rational is not None and parts[1].rational is not None:
+            p, squared = parts[0].rational, parts[1].rational
+            s = _exact_root(p * p - squared)
+            if s is not None:
+                sign = 1 if complex(value).real > float(p) else -1
+                return summed(square_root((p + s) / 2), product(sign, square_root((p - s) / 2)))
+    inner = _radical(value)
+    return None if inner is None else Root(inner)
+
+
+@lru_cache(maxsize=4096)
+def _radical(value: Number) -> Formula | None:
+    """A real number as a tower of square roots, None where there is none or none that is short."""
+    fraction = value.rational
+    if fraction is not None:
+        return number(fraction)
+    others = _conjugates(value)
+    if others is None or len(others) & (len(others) - 1) or len(others) > 8:
+        return None
+    found: list[Formula] = []
+    for other, power in others.items():
+        if other == value or other.moved(power) != value:
+            continue
+        even = (value + other).times(Fraction(1, 2))
+        odd = (value - other).times(Fraction(1, 2))
+        first, second = _radical(even), _root_of(odd * odd)
+        if first is not None and second is not None:
+            found.append(summed(*_ordered(first, second if complex(odd).real > 0 else negative(second))))
+    return min(found, key=lambda formula: len(text(formula)), default=None)
+
+
+def _ordered(first: Formula, second: Formula) -> tuple[Formula, Formula]:
+    """A positive term before a negative one."""
+    return (second, first) if text(first).startswith("−") and not text(second).startswith("−") else (first, second)
+
+
+def _conjugates(value: Number) -> dict[Number, int] | None:
+    return None if value.poly.length() > GREATEST_DEGREE or value.order > 12 * GREATEST_DEGREE else cyclotomic.conjugates(value)
+
+
+def _split(value: Number, others: dict[Number, int]) -> tuple[Number, Number] | None:
+    """The even part of a number of degree two, and the square of its odd part."""
+    other = next((one for one in others if one != value), None)
+    if other is None:
+        return None
+    odd = (value - other).times(Fraction(1, 2))
+    return (value + other).times(Fraction(1, 2)), odd * odd
+
+
+def gathered(formula: Formula) -> Formula:
+    """A sum of fractions over one denominator: (1 + sqrt(5))/4; under a root, a square one taken out of it."""
+    size, rest = coefficient(formula)
+    if isinstance(rest, Root) and size != 1:
+        return product(size, gathered(rest))
+    if isinstance(formula, Root):
+        inner, below = _numerator(formula.radicand)
+        missing = Fraction(1)
+        for prime, exponent in fmpz(below).factor() if below > 1 else ():
+            missing *= int(prime) ** (int(exponent) % 2)
+        above = Root(_over_all(inner, missing))
+        return above if below == 1 else Ratio(above, number(isqrt(int(below * missing))))
+    above, below = _numerator(formula)
+    return formula if below == 1 or not isinstance(formula, Sum) else Ratio(above, number(below))
+
+
+def _numerator(formula: Formula) -> tuple[Formula, int]:
+    """A formula times the least common denominator of its terms, and that denominator."""
+    terms = formula.terms if isinstance(formula, Sum) else (formula,)
+    below = lcm(*(coefficient(term)[0].denominator for term in terms))
+    return _over_all(formula, Fraction(below)), below
+
+
+def _over_all(formula: Formula, factor: Fraction) -> Formula:
+    terms = formula.terms if isinstance(formula, Sum) else (formula,)
+    return summed(*(product(factor, term) for term in terms))
+
+
+def _exact_root(value: Fraction) -> Fraction | None:
+    if value < 0:
+        return None
+    above, below = isqrt(value.numerator), isqrt(value.denominator)
+    return Fraction(above, below) if above * above == value.numerator and below * below == value.denominator else None

@@ -1,0 +1,86 @@
+"""A derivation as data: steps in words, each with formulas that can be evaluated, and what each must come to."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Literal
+
+from crankstar.derive.formula import Formula, Symbol
+from crankstar.derive.wave import Wave
+
+Quantity = Literal["force", "couple"]
+Kind = Literal["signal", "forward", "backward", "series", "plain"]
+
+GREATEST_ORDER = 24
+
+
+class DerivationError(ValueError):
+    """A derivation that cannot be given, as one sentence that says what can."""
+
+
+@dataclass(frozen=True)
+class Line:
+    """Formulas that are equal: `name = chain[0] = chain[1] = ...`.
+
+    A `signal` is the component along `bearing_deg` (degrees clockwise from up) of what the rows `rows` of a Balance push, at
+    crank angle theta; `forward` and `backward` are vectors. Both are counted in the unit of the derivation. A `series` is an
+    approximation, the powers of lambda up to a chosen one; a `plain` line is a definition, or a number of the real engine.
+    """
+
+    name: Formula | None
+    chain: tuple[Formula, ...]
+    kind: Kind = "plain"
+    rows: tuple[int, ...] = ()
+    bearing_deg: float = 0.0
+    label: str = ""
+    note: str = ""
+    series: tuple[int, int] | None = None
+
+
+@dataclass(frozen=True)
+class Step:
+    """What is done, in words, and the formulas."""
+
+    title: str
+    words: tuple[str, ...]
+    lines: tuple[Line, ...] = ()
+
+
+@dataclass(frozen=True)
+class Derivation:
+    """The derivation of one order of one quantity of an engine.
+
+    Numbers are counted in `m r w^2 A_j`, j = `harmonic`, or in `m r w^2` where it is None; `scale` is that A_j. `symbols` has
+    the values of all symbols but theta, lengths in bore pitches. `up` and `right` are the exact amplitudes, `forward` and
+    `backward` the vectors. `why` says why numbers are decimals, and is empty where they are exact.
+    """
+
+    engine: str
+    order: Fraction
+    quantity: Quantity
+    harmonic: int | None
+    scale: float
+    symbols: dict[str, float]
+    steps: tuple[Step, ...]
+    up: Wave
+    right: Wave
+    forward: Wave
+    backward: Wave
+    why: str
+
+    @property
+    def zero(self) -> bool:
+        """Whether there is nothing: an exact zero, or, where numbers are decimals, nothing that can be told from zero."""
+        return not self.up and not self.right
+
+    def _repr_html_(self) -> str:
+        """The derivation typeset, in a notebook."""
+        from crankstar.derive import documents
+
+        return documents.html_part(self)
+
+
+def unit_symbol(harmonic: int | None) -> Symbol:
+    """The letter for m r w^2 A_j, which each notation writes in its own way."""
+    return Symbol("C", "" if harmonic is None else str(harmonic))

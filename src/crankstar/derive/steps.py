@@ -1,0 +1,452 @@
+"""Engine -> Derivation: one order of the force or the couple, from one cylinder to the resultant.
+
+The way of the textbooks: each cylinder's cosine, the sum of each bank, its parts up and to the right, their sum; the same
+again by crank pin; what turns with the shafts; the resultant as two counter-rotating vectors and their ellipse; the real
+force. Every formula on the way can be evaluated and must come to the Balance of the parts it names.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from math import radians
+from typing import NamedTuple
+
+from crankstar.derive import cyclotomic, enclosure, positions, resultant, wave
+from crankstar.derive.bodies import Bodies, Body, armed, bodies
+from crankstar.derive.records import GREATEST_ORDER, Derivation, DerivationError, Line, Quantity, Step, unit_symbol
+from crankstar.derive.formula import THETA, Decimal, Degrees, Formula, Power, Symbol, angle, cosine, number, product, summed
+from crankstar.derive.gather import Term, gathered, lag, sum_as_product, told_once
+from crankstar.derive.radical import closed
+from crankstar.derive.typeset import text
+from crankstar.derive.wave import Form, Wave, joined
+from crankstar.engine import Engine
+from crankstar.mechanism import Reference
+
+ORDINALS = {1: "first", 2: "second", 3: "third", 4: "fourth", 5: "fifth", 6: "sixth", 8: "eighth"}
+
+
+class Row(NamedTuple):
+    """Cylinders of one bank on one shaft, which push along one line."""
+
+    name: str
+    members: tuple[Body, ...]
+    wave: Wave
+
+
+class Task(NamedTuple):
+    """What all steps know: the engine, the order, the letter of the quantity, the parts and their arms."""
+
+    engine: Engine
+    order: Fraction
+    quantity: Quantity
+    letter: str
+    found: Bodies
+    moving: tuple[Body, ...]
+    arms: positions.Arms
+
+
+def derivation(
+    engine: Engine, order: float | Fraction, quantity: Quantity = "force", *, reference: Reference | None = None, power: int = 7
+) -> Derivation:
+    """The derivation of one order of the force or the couple of an engine, step by step.
+
+    `order` is a crank order above 0 and up to 24; the couple is taken about the middle of the cylinders' span unless a
+    `reference` is given; the series of A_k goes to lambda**power. Raises DerivationError.
+
+    >>> from crankstar.catalog import load
+    >>> from crankstar.derive.typeset import text
+    >>> last = derivation(load("v8-flat-plane"), 2).steps[-2].lines
+    >>> text(last[0].chain[-1]), text(last[1].chain[-1])
+    ('0', '−4√2 cos 2θ')
+    """
+    wanted = _order(order)
+    if quantity not in ("force", "couple"):
+        raise DerivationError(f"there is no derivation of {quantity!r}; the quantity can be force or couple")
+    with cyclotomic.precision(cyclotomic.DIGITS):
+        return _derived(engine, wanted, quantity, reference, power)
+
+
+def _derived(engine: Engine, wanted: Fraction, quantity: Quantity, reference: Reference | None, power: int) -> Derivation:
+    found = _bodies(engine, wanted)
+    arms = positions.arms(engine, reference)
+    moving = found.moving if quantity == "force" else tuple(armed(body, arm_of(arms, body)) for body in found.moving)
+    task = Task(engine, wanted, quantity, "F" if quantity == "force" else "M", found, moving, arms)
+    up, right = joined(body.up for body in moving), joined(body.right for body in moving)
+    forward, backward = wave.vectors(up, right, sense=engine.sense)
+    steps = [_law(task)]
+    pistons = [body for body in moving if body.cylinder is not None]
+    if pistons:
+        steps += _by_bank(task, pistons)
+        steps += _by_pin(task, pistons)
+    turning = [body for body in moving if body.cylinder is None]
+    if turning:
+        steps += _turning(task, turning, mixed=bool(pistons))
+    values = arms.values
+    steps += resultant.steps(task.letter, wanted, up, right, forward, backward, values, rows=_rows(moving), why=found.why)
+    steps.append(resultant.real(engine, wanted, quantity, found, up, right, power=power))
+    return Derivation(
+        engine=engine.name,
+        order=wanted,
+        quantity=quantity,
+        harmonic=found.harmonic,
+        scale=_harmonic(found.harmonic, found.rod_ratio),
+        symbols=_symbols(found, arms),
+        steps=tuple(steps),
+        up=up,
+        right=right,
+        forward=forward,
+        backward=backward,
+        why=found.why,
+    )
+
+
+def _order(order: float | Fraction) -> Fraction:
+    try:
+        wanted = Fraction(order).limit_denominator(1000)
+    except (TypeError, ValueError, OverflowError):
+        raise DerivationError(f"the order is {order!r}; give a number above 0 and up to {GREATEST_ORDER}") from None
+    if not 0 < wanted <= GREATEST_ORDER or abs(float(wanted) - float(order)) > 1e-9:
+        raise DerivationError(f"the order is {float(order):g}; give a crank order above 0 and up to {GREATEST_ORDER}, such as 2")
+    return wanted
+
+
+def _bodies(engine: Engine, order: Fraction) -> Bodies:
+    try:
+        return bodies(engine, order)
+    except ValueError as error:
+        raise DerivationError(
+            f"order {float(order):g} cannot be derived: {error}; `crankstar analyze` gives it as a number"
+        ) from None
+
+
+def _harmonic(order: int | None, rod_ratio: Fraction | None) -> float:
+    if order is None or order == 1 or rod_ratio is None:
+        return 1.0
+    with cyclotomic.precision(cyclotomic.DIGITS):
+        return float(enclosure.coefficient(rod_ratio, order).mid())
+
+
+def _symbols(found: Bodies, arms: positions.Arms) -> dict[str, float]:
+    lengths = {symbol.name: float(value) for symbol, value in arms.values.items()}
+    return lengths | {symbol.name: _harmonic(order, ratio) for symbol, (order, ratio) in found.values.items()}
+
+
+def arm_of(arms: positions.Arms, body: Body) -> Form:
+    """How far in front of the reference plane a part stands."""
+    if body.cylinder is not None:
+        return arms.cylinder[body.cylinder]
+    return (arms.weight if body.name.startswith("weight") else arms.throw)[body.shaft, body.place]
+
+
+def _rows(moving: Sequence[Body]) -> tuple[int, ...]:
+    """The rows of a Balance that the parts account for; none where a rigid rod shares its row among two of them."""
+    rows = [row for body in moving for row in body.rows]
+    return () if any(not body.rows for body in moving) else tuple(rows)
+
+
+def ordinal(order: Fraction) -> str:
+    """An order in words."""
+    if order.denominator == 1:
+        return ORDINALS.get(int(order), f"{int(order)}th")
+    return f"order {order}"
+
+
+def degrees_of(turn: Fraction) -> Formula:
+    """A part of a turn in degrees, as a multiple of pi where degrees are no short decimal."""
+    return Degrees(number(360 * turn)) if 1000 % (360 * turn).denominator == 0 else angle(turn)
+
+
+def shown(turn: Fraction) -> str:
+    """A part of a turn in degrees, as text, with a sign that a reader sees."""
+    value = float(360 * turn)
+    return f"{value:.6g}°".replace("-", "−")
+
+
+def _law(task: Task) -> Step:
+    """What one cylinder does."""
+    psi, harmonic = Symbol("psi"), task.found.harmonic
+    terms: list[Formula] = [cosine(psi)]
+    highest = max(4, 2 * int(-(-task.order // 2)))
+    terms += [product(Symbol("A", str(k)), cosine(product(k, psi))) for k in range(2, min(highest, 8) + 1, 2)]
+    terms.append(Symbol("…"))
+    force = product(Symbol("m"), Symbol("r"), Power(Symbol("omega"), 2), summed(*terms))
+    law = (
+        "A piston pushes on the block along its cylinder, outwards where the cosine is positive, with the force F; "
+        "ψ is the angle of its crank from its cylinder, m its reciprocating mass."
+    )
+    words = [f"{law} (So on a centred crank with a plain rod.)" if task.found.why else law]
+    if task.found.why:
+        words.append(
+            f"Numbers below are enclosed decimals, every digit certain, and not closed forms: {task.found.why}. "
+            "What cannot be told from zero is left out; it is not proved to be zero."
+        )
+    counted = unit_symbol(harmonic)
+    arm = ", lengths along the crankshaft as letters" if task.quantity == "couple" else ""
+    words.append(f"What follows is the {ordinal(task.order)} order, counted in the unit below{arm}; θ is the crank angle.")
+    unit = Line(counted, (unit_formula(harmonic),), label="unit")
+    return Step("One cylinder", tuple(words), (Line(Symbol("F"), (force,), label="law"), unit))
+
+
+def unit_formula(harmonic: int | None) -> Formula:
+    """M r w^2 A_k in letters."""
+    factors: list[Formula] = [Symbol("m"), Symbol("r"), Power(Symbol("omega"), 2)]
+    if harmonic is not None and harmonic > 1:
+        factors.append(Symbol("A", str(harmonic)))
+    return product(*factors)
+
+
+def _banks(pistons: Sequence[Body]) -> list[Row]:
+    """Cylinders that push along one line, grouped by bank, shaft and bearing."""
+    groups: dict[tuple[str, str, float], list[Body]] = {}
+    for body in pistons:
+        groups.setdefault((body.name, body.shaft, round(body.bearing_deg, 9)), []).append(body)
+    several = {name for name, _, _ in groups if sum(1 for key in groups if key[0] == name) > 1}
+    out = []
+    for (name, _, bearing), members in groups.items():
+        title = name if len(groups) > 1 else "all"
+        out.append(
+            Row(f"{title} at {_deg(bearing)}" if name in several else title, tuple(members), joined(b.along or {} for b in members))
+        )
+    return out
+
+
+def _by_bank(task: Task, pistons: list[Body]) -> list[Step]:
+    """Every cylinder, every bank along its own line, and the banks together."""
+    steps = [_each(task, pistons)]
+    if any(body.along is None for body in pistons):
+        return [*steps, _components(task, pistons)]
+    banks = _banks(pistons)
+    if any(len(row.members) > 1 for row in banks):
+        steps.append(_sums(task, banks))
+    steps.append(_resolved(task, [(row.name, row.members, row.wave) for row in banks], pistons))
+    return steps
+
+
+def _each(task: Task, pistons: Sequence[Body]) -> Step:
+    """The cosine of each cylinder along its own axis."""
+    lines = []
+    for body in pistons:
+        told = f"cylinder {body.cylinder}" + (f" ({body.name})" if len(task.engine.banks) > 1 else "")
+        told += f", at {_deg(body.bearing_deg)}"
+        if body.dead_centre is not None:
+            told += f", top dead centre at θ = {shown(body.dead_centre)}"
+        if task.quantity == "couple":
+            told += f", arm {_written(arm_of(task.arms, body))}"
+        if body.along is None:
+            lines += _two(task, str(body.cylinder), body.up, body.right, body.rows, told)
+            continue
+        name = Symbol(task.letter, str(body.cylinder))
+        lines.append(Line(name, _own(task, body), "signal", body.rows, body.bearing_deg, told))
+    words = ["Each piston's cosine has its crest where the piston is at top dead centre."]
+    if task.quantity == "couple":
+        words.append(
+            "Each is multiplied by its arm, the distance of the cylinder in front of the reference plane; "
+            "a couple is shown in the plane in which it acts."
+        )
+    return Step("Every cylinder along its own axis", tuple(words), tuple(lines))
+
+
+def _deg(value: float) -> str:
+    return f"{value:.6g}°".replace("-", "−")
+
+
+def _written(form: Form) -> str:
+    return text(wave.form(form))
+
+
+def _own(task: Task, body: Body) -> tuple[Formula, ...]:
+    """A cylinder's cosine as k (theta - its dead centre), then with its phase."""
+    along = body.along or {}
+    if body.lag is None or body.dead_centre is None:
+        return (wave.signal(along, task.order),)
+    factors = summed(*(product(_size(amount, body.lag), *key) for key, amount in along.items()))
+    chain: list[Formula] = []
+    if body.dead_centre:
+        turned = summed(THETA, degrees_of(-body.dead_centre))
+        inside = turned if task.order == 1 else product(task.order, turned)
+        chain.append(product(factors, cosine(inside)))
+    chain.append(product(factors, cosine(wave.phased(task.order, angle(lag(body.lag))))))
+    return told_once(chain)
+
+
+def _size(amount: wave.Amount, phase: Fraction) -> Formula:
+    """The real number that stands before a cosine whose phase is known."""
+    turned = amount.turned(-phase)
+    if isinstance(turned, cyclotomic.Number):
+        return closed(turned).formula
+    raise TypeError("a rational phase belongs to an exact amount")
+
+
+def _sums(task: Task, banks: Sequence[Row]) -> Step:
+    """The cosines of each bank added up."""
+    lines: list[Line] = []
+    for row in banks:
+        name = Symbol(task.letter, row.name)
+        line_rows, bearing = _rows(row.members), row.members[0].bearing_deg
+        told = f"{row.name}, at {_deg(bearing)}"
+        terms = _terms(row.members)
+        if terms is None:
+            lines.append(Line(name, (wave.signal(row.wave, task.order),), "signal", line_rows, bearing, told))
+            continue
+        sums = gathered(terms, task.order)
+        lines.append(Line(name, sums.chain, "signal", line_rows, bearing, told, " ".join(sums.notes)))
+    many = len(banks) > 1
+    title = "Bank by bank" if many else "All cylinders"
+    words = (
+        "The cylinders of a bank push along one line, so that their cosines simply add."
+        if many
+        else ("All cylinders push along one line, so that their cosines simply add.")
+    )
+    return Step(title, (words,), tuple(lines))
+
+
+def _terms(members: Sequence[Body]) -> list[Term] | None:
+    """The cosines of cylinders with rational weights and phases; None where they have not."""
+    out: list[Term] = []
+    for body in members:
+        if body.lag is None or body.along is None or body.cylinder is None:
+            return None
+        weight: dict[wave.Key, Fraction] = {}
+        for key, amount in body.along.items():
+            turned = amount.turned(-body.lag)
+            size = turned.rational if isinstance(turned, cyclotomic.Number) else None
+            if size is None:
+                return None
+            weight[key] = size
+        out.append(Term(body.cylinder, weight, body.lag))
+    return out
+
+
+def _resolved(task: Task, groups: Sequence[tuple[str, Sequence[Body], Wave]], pistons: Sequence[Body]) -> Step:
+    """Forces along several lines, each resolved into up and right, and added."""
+    lines = []
+    for name, letter in (("up", "up"), ("right", "right")):
+        parts: list[tuple[Formula, Wave]] = []
+        for _, members, own in groups:
+            bearing = members[0].bearing
+            if bearing is None:
+                factor = _decimal_share(members[0].bearing_deg, up=name == "up")
+            else:
+                factor = closed((cyclotomic.cosine if name == "up" else cyclotomic.sine)(bearing)).formula
+            parts.append((factor, own))
+        whole = joined(getattr(body, name) for body in pistons)
+        raw = summed(*(product(factor, wave.signal(own, task.order)) for factor, own in parts))
+        chain = told_once([raw, *_paired(parts, task.order), wave.signal(whole, task.order)])
+        lines.append(Line(Symbol(task.letter, letter), chain, "signal", _rows(pistons), 0.0 if name == "up" else 90.0, name))
+    angles = sorted({round(members[0].bearing_deg, 9) for _, members, _ in groups})
+    words = ["A force along a cylinder at bearing β has the part cos β upwards and sin β to the right, seen from the front."]
+    if len(angles) == 2 and angles[0] == -angles[1]:
+        words.append(f"Here β = ±{angles[1]:g}°, half the bank angle.")
+    return Step("Upwards and to the right", tuple(words), tuple(lines))
+
+
+def _decimal_share(bearing_deg: float, *, up: bool) -> Formula:
+    with cyclotomic.precision(cyclotomic.DIGITS):
+        axis = enclosure.angle_of(radians(bearing_deg))
+        return Decimal(axis.real if up else axis.imag)
+
+
+def _paired(parts: Sequence[tuple[Formula, Wave]], order: Fraction) -> list[Formula]:
+    """Two signals of one size as a product of cosines, where that shows more than the sum."""
+    pieces = [(factor, piece) for factor, own in parts for piece in wave.pieces(own) if factor != number(0)]
+    if len(pieces) != 2:
+        return []
+    sizes = [product(factor, piece.size) for factor, piece in pieces]
+    phases = [piece.phase for _, piece in pieces]
+    if phases[0] is None or phases[1] is None:
+        return []
+    first, second = sizes
+    p, q = phases[0], phases[1]
+    if first == product(-1, second):
+        second, q = first, q + Fraction(1, 2)
+    return [sum_as_product(first, p, q, order)] if first == second and (p - q) % 1 != 0 else []
+
+
+def _two(task: Task, name: str, up: Wave, right: Wave, rows: tuple[int, ...], label: str) -> list[Line]:
+    """A push as its parts up and to the right."""
+    sides = ((up, "up", 0.0), (right, "right", 90.0))
+    return [
+        Line(Symbol(task.letter, f"{name}, {side}"), (wave.signal(own, task.order),), "signal", rows, bearing, f"{label}, {side}")
+        for own, side, bearing in sides
+    ]
+
+
+def _components(task: Task, pistons: Sequence[Body]) -> Step:
+    """Cylinders with rods that swing knuckle pins about: their parts up and right are simply added."""
+    up, right = joined(body.up for body in pistons), joined(body.right for body in pistons)
+    return Step(
+        "All cylinders", ("The parts up and to the right are added.",), tuple(_two(task, "all", up, right, _rows(pistons), "all"))
+    )
+
+
+def _by_pin(task: Task, pistons: Sequence[Body]) -> list[Step]:
+    """The same sum taken pin by pin, for engines whose banks share their pins."""
+    pins: dict[tuple[str, int], list[Body]] = {}
+    for body in pistons:
+        pins.setdefault((body.shaft, body.place), []).append(body)
+    shared = [members for members in pins.values() if len({round(b.bearing_deg, 9) for b in members}) > 1]
+    if len(pins) < 2 or len(shared) < len(pins) or any(body.along is None for body in pistons):
+        return []
+    lines: list[Line] = []
+    names: list[str] = []
+    ups: list[Wave] = []
+    rights: list[Wave] = []
+    for (shaft, place), members in pins.items():
+        name = f"pin {place}" if len(task.engine.shafts) == 1 else f"{shaft} {place}"
+        up, right = joined(b.up for b in members), joined(b.right for b in members)
+        numbers = ", ".join(str(body.cylinder) for body in members)
+        for own, side, bearing in ((up, "up", 0.0), (right, "right", 90.0)):
+            parts = [(_share(body, up=side == "up"), body.along or {}) for body in members]
+            raw = summed(*(product(factor, wave.signal(along, task.order)) for factor, along in parts))
+            chain = told_once([raw, *_paired(parts, task.order), wave.signal(own, task.order)])
+            told = f"{name}, cylinders {numbers}, {side}"
+            lines.append(Line(Symbol(task.letter, f"{name}, {side}"), chain, "signal", _rows(members), bearing, told))
+        names.append(name)
+        ups.append(up)
+        rights.append(right)
+    for parts, side, bearing in ((ups, "up", 0.0), (rights, "right", 90.0)):
+        raw = summed(*(wave.signal(part, task.order) for part in parts))
+        whole = wave.signal(joined(parts), task.order)
+        note = _cancelled(list(zip(names, parts, strict=True)))
+        chain = told_once([raw, whole])
+        lines.append(Line(Symbol(task.letter, side), chain, "signal", _rows(pistons), bearing, f"all pins, {side}", note))
+    words = ("The same sum taken another way: first the cylinders that share a crank pin, then the pins.",)
+    return [Step("The other way, pin by pin", words, tuple(lines))]
+
+
+def _share(body: Body, *, up: bool) -> Formula:
+    if body.bearing is None:
+        return _decimal_share(body.bearing_deg, up=up)
+    return closed((cyclotomic.cosine if up else cyclotomic.sine)(body.bearing)).formula
+
+
+def _cancelled(parts: Sequence[tuple[str, Wave]]) -> str:
+    """The groups that cancel in pairs, by name."""
+    rest = [(name, own) for name, own in parts if own]
+    pairs: list[str] = []
+    while rest:
+        name, own = rest.pop(0)
+        other = next((i for i, (_, far) in enumerate(rest) if not joined([own, far])), None)
+        if other is not None:
+            pairs.append(f"{name} and {rest.pop(other)[0]}")
+    return f"Cancel: {'; '.join(pairs)}." if pairs else ""
+
+
+def _turning(task: Task, turning: Sequence[Body], *, mixed: bool) -> list[Step]:
+    """What turns with the shafts: crank pins, big ends, weights."""
+    lines: list[Line] = []
+    for body in turning:
+        told = f"{body.name} of {body.shaft}"
+        if task.quantity == "couple":
+            told += f", arm {_written(arm_of(task.arms, body))}"
+        lines += _two(task, f"{body.shaft} {body.name}", body.up, body.right, body.rows, told)
+    up, right = joined(b.up for b in turning), joined(b.right for b in turning)
+    lines += _two(task, "turning", up, right, _rows(turning), "all that turns")
+    words = ("What turns with a shaft pushes, once a turn of it, towards where it is: as a vector that turns with it.",)
+    steps = [Step("What turns with the shafts", words, tuple(lines))]
+    if mixed:
+        every = task.moving
+        whole = _two(task, "all", joined(b.up for b in every), joined(b.right for b in every), _rows(every), "all")
+        steps.append(Step("Pistons and rotating masses together", (), tuple(whole)))
+    return steps
