@@ -212,9 +212,17 @@ def minimal_polynomial(number: Number) -> tuple[int, ...]:
                 (acb(0) if i == 0 else product[i - 1]) - (value * product[i] if i < len(product) else acb(0))
                 for i in range(len(product) + 1)
             ]
-        coefficients = [int(term.real.unique_fmpz()) * scale**power for power, term in enumerate(product)]
+        coefficients = [_whole(term.real) * scale**power for power, term in enumerate(product)]
     common = gcd(*coefficients)
     return tuple(value // common for value in coefficients)
+
+
+def _whole(ball: arb) -> int:
+    """The one whole number in a ball."""
+    found = ball.unique_fmpz()
+    if found is None:
+        raise ArithmeticError("a ball is too wide to hold one whole number only")
+    return int(found)
 
 
 @lru_cache(maxsize=64)

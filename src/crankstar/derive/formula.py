@@ -138,10 +138,10 @@ def product(*factors: Formula | Fraction | int) -> Formula:
     for factor in factors:
         one = number(factor) if isinstance(factor, (int, Fraction)) else factor
         flat += one.factors if isinstance(one, Product) else (one,)
-    upside = [f for f in flat if isinstance(f, Decimal) and f.ball < 0]
-    if upside:
-        flat = [Decimal(-f.ball, f.digits) if f in upside else f for f in flat]
-        flat.append(Rational(Fraction((-1) ** len(upside))))
+    below = sum(1 for f in flat if isinstance(f, Decimal) and f.ball < 0)
+    if below:
+        flat = [Decimal(-f.ball, f.digits) if isinstance(f, Decimal) and f.ball < 0 else f for f in flat]
+        flat.append(Rational(Fraction((-1) ** below)))
     rational = math.prod((f.value for f in flat if isinstance(f, Rational)), start=Fraction(1))
     roots = [f.radicand.value for f in flat if isinstance(f, Root) and isinstance(f.radicand, Rational)]
     if len(roots) > 1:  # sqrt(2) sqrt(10) is 2 sqrt(5)
@@ -212,6 +212,18 @@ def coefficient(formula: Formula) -> tuple[Fraction, Formula]:
     if isinstance(formula, Product) and isinstance(formula.factors[0], Rational):
         return formula.factors[0].value, product(*formula.factors[1:])
     return Fraction(1), formula
+
+
+def letters_of(formula: Formula) -> set[str]:
+    """The names of all symbols in a formula."""
+    if isinstance(formula, Symbol):
+        return {formula.name}
+    out: set[str] = set()
+    for field in fields(formula):
+        inner = getattr(formula, field.name)
+        for part in inner if isinstance(inner, tuple) else (inner,):
+            out |= letters_of(part) if isinstance(part, Formula) else set()
+    return out
 
 
 def has_decimal(formula: Formula) -> bool:

@@ -6,13 +6,14 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Literal
 
-from crankstar.derive.formula import Formula, Symbol
+from crankstar.derive.formula import Formula, Power, Symbol, product
 from crankstar.derive.wave import Wave
 
 Quantity = Literal["force", "couple"]
 Kind = Literal["signal", "forward", "backward", "series", "plain"]
 
 GREATEST_ORDER = 24
+ORDINALS = {1: "first", 2: "second", 3: "third", 4: "fourth", 5: "fifth", 6: "sixth", 8: "eighth"}
 
 
 class DerivationError(ValueError):
@@ -70,6 +71,12 @@ class Derivation:
     why: str
 
     @property
+    def title(self) -> str:
+        """What is derived: `Second-order force`."""
+        nth = ordinal(self.order)
+        return f"{nth}, {self.quantity}" if self.order.denominator > 1 else f"{nth}-order {self.quantity}".capitalize()
+
+    @property
     def zero(self) -> bool:
         """Whether there is nothing: an exact zero, or, where numbers are decimals, nothing that can be told from zero."""
         return not self.up and not self.right
@@ -84,3 +91,18 @@ class Derivation:
 def unit_symbol(harmonic: int | None) -> Symbol:
     """The letter for m r w^2 A_j, which each notation writes in its own way."""
     return Symbol("C", "" if harmonic is None else str(harmonic))
+
+
+def unit_formula(harmonic: int | None) -> Formula:
+    """In letters: m r w^2 A_k."""
+    factors: list[Formula] = [Symbol("m"), Symbol("r"), Power(Symbol("omega"), 2)]
+    if harmonic is not None and harmonic > 1:
+        factors.append(Symbol("A", str(harmonic)))
+    return product(*factors)
+
+
+def ordinal(order: Fraction) -> str:
+    """An order in words."""
+    if order.denominator == 1:
+        return ORDINALS.get(int(order), f"{int(order)}th")
+    return f"order {order}"

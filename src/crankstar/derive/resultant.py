@@ -13,7 +13,6 @@ from crankstar.balance import balance, total
 from crankstar.derive import cyclotomic, enclosure, wave
 from crankstar.derive.bodies import Bodies
 from crankstar.derive.cyclotomic import Number
-from crankstar.derive.records import Line, Quantity, Step, unit_symbol
 from crankstar.derive.enclosure import Ball
 from crankstar.derive.formula import (
     NOUGHT,
@@ -30,6 +29,7 @@ from crankstar.derive.formula import (
     summed,
 )
 from crankstar.derive.radical import gathered
+from crankstar.derive.records import Line, Quantity, Step, ordinal, unit_symbol
 from crankstar.derive.typeset import text
 from crankstar.derive.wave import Amount, Wave, at
 from crankstar.engine import Engine
@@ -69,7 +69,7 @@ def shape(
 ) -> tuple[tuple[str, ...], list[Line]]:
     """What path the vector runs through in a turn, decided exactly where numbers are exact; the axes of an ellipse."""
     name = "force" if letter == "F" else "couple"
-    nth = f"{name} of order {order}"
+    nth = f"{name} of order {order}" if order.denominator > 1 else f"{ordinal(order)}-order {name}"
     if not forward and not backward:
         if why:
             return (f"No {nth} that can be told from zero, to {cyclotomic.DIGITS - 5} digits.",), []
@@ -77,7 +77,7 @@ def shape(
         return (f"There is no {nth}: every sum is exactly zero{lengths}.",), []
     first, second = at(forward, values), at(backward, values)
     if first is None or second is None:
-        return _estimated(nth, order), []
+        return (f"The {nth} is a sum of parts with different harmonics; its path depends on the lengths of the rods.",), []
     if first.zero and second.zero:
         return (f"There is no {nth} with these lengths along the crankshaft: the sum is exactly zero.",), []
     if second.zero:
@@ -87,7 +87,7 @@ def shape(
         removable = " No counterweight on the crankshaft can touch it." if order == 1 else ""
         return (f"The {nth} is a circle: a vector of constant length that turns against the crank.{removable}",), []
     towards = _between(first, second)
-    if (first * first.conjugate - second * second.conjugate).zero:
+    if wave.same_length(first, second):
         return (f"The {nth} is a straight line, {towards}: two vectors of one length turn against each other.",), []
     words = f"The {nth} is an ellipse, its long axis {towards}, run through {_sense(first, second)} the crank."
     if len(forward) > 1 or len(backward) > 1 or (any(key for key in (*forward, *backward)) and set(forward) != set(backward)):
@@ -129,10 +129,6 @@ def _between(first: Amount, second: Amount) -> str:
     angle = angle - 180 if angle > 90 + 1e-9 else angle
     exact = {0.0: "vertical", 90.0: "horizontal"} if turn is not None else {}
     return exact.get(angle, f"at bearing {angle:.6g}°".replace("-", "−"))
-
-
-def _estimated(nth: str, order: Fraction) -> tuple[str, ...]:  # noqa: ARG001
-    return (f"The {nth} is a sum of parts with different harmonics; its path depends on the rods' lengths.",)
 
 
 def _algebraic(amounts: list[Amount]) -> list[str]:
@@ -190,7 +186,7 @@ def _ratio_text(value: Fraction) -> str:
 
 
 def _series(symbol: Symbol, j: int, power: int) -> Line:
-    return Line(symbol, (series(j, power, Symbol("lambda")),), "series", label=f"to the power {power} of λ", series=(j, power))
+    return Line(symbol, (series(j, power, Symbol("lambda")),), "series", label="as a series", series=(j, power))
 
 
 def series(order: int, power: int, ratio: Symbol, *, inverted: bool = False) -> Formula:

@@ -14,16 +14,24 @@ from typing import NamedTuple
 
 from crankstar.derive import cyclotomic, enclosure, positions, resultant, wave
 from crankstar.derive.bodies import Bodies, Body, armed, bodies
-from crankstar.derive.records import GREATEST_ORDER, Derivation, DerivationError, Line, Quantity, Step, unit_symbol
 from crankstar.derive.formula import THETA, Decimal, Degrees, Formula, Power, Symbol, angle, cosine, number, product, summed
 from crankstar.derive.gather import Term, gathered, lag, sum_as_product, told_once
 from crankstar.derive.radical import closed
+from crankstar.derive.records import (
+    GREATEST_ORDER,
+    Derivation,
+    DerivationError,
+    Line,
+    Quantity,
+    Step,
+    ordinal,
+    unit_formula,
+    unit_symbol,
+)
 from crankstar.derive.typeset import text
 from crankstar.derive.wave import Form, Wave, joined
 from crankstar.engine import Engine
 from crankstar.mechanism import Reference
-
-ORDINALS = {1: "first", 2: "second", 3: "third", 4: "fourth", 5: "fifth", 6: "sixth", 8: "eighth"}
 
 
 class Row(NamedTuple):
@@ -145,13 +153,6 @@ def _rows(moving: Sequence[Body]) -> tuple[int, ...]:
     return () if any(not body.rows for body in moving) else tuple(rows)
 
 
-def ordinal(order: Fraction) -> str:
-    """An order in words."""
-    if order.denominator == 1:
-        return ORDINALS.get(int(order), f"{int(order)}th")
-    return f"order {order}"
-
-
 def degrees_of(turn: Fraction) -> Formula:
     """A part of a turn in degrees, as a multiple of pi where degrees are no short decimal."""
     return Degrees(number(360 * turn)) if 1000 % (360 * turn).denominator == 0 else angle(turn)
@@ -186,14 +187,6 @@ def _law(task: Task) -> Step:
     words.append(f"What follows is the {ordinal(task.order)} order, counted in the unit below{arm}; θ is the crank angle.")
     unit = Line(counted, (unit_formula(harmonic),), label="unit")
     return Step("One cylinder", tuple(words), (Line(Symbol("F"), (force,), label="law"), unit))
-
-
-def unit_formula(harmonic: int | None) -> Formula:
-    """M r w^2 A_k in letters."""
-    factors: list[Formula] = [Symbol("m"), Symbol("r"), Power(Symbol("omega"), 2)]
-    if harmonic is not None and harmonic > 1:
-        factors.append(Symbol("A", str(harmonic)))
-    return product(*factors)
 
 
 def _banks(pistons: Sequence[Body]) -> list[Row]:

@@ -27,12 +27,21 @@ from crankstar.derive.formula import (
     Sum,
     Symbol,
     coefficient,
+    letters_of,
     product,
 )
 
 GREEK = {
     "theta": "θ", "omega": "ω", "lambda": "λ", "alpha": "α", "beta": "β", "phi": "φ", "psi": "ψ", "tau": "τ", "delta": "δ",
     "Lambda": "Λ", "Sigma": "Σ",
+}  # fmt: skip
+FIRST_UNKNOWN = 0x180
+"""The first character that LaTeX's T1 fonts do not have, but for those below."""
+_LATEX_KNOWN = {
+    "θ": r"$\theta$", "ψ": r"$\psi$", "ω": r"$\omega$", "λ": r"$\lambda$", "β": r"$\beta$", "α": r"$\alpha$", "φ": r"$\varphi$",
+    "π": r"$\pi$", "−": "$-$", "…": r"\ldots{}", "√": r"$\surd$", "∠": r"$\angle$", "′": "'", "≤": r"$\le$", "≥": r"$\ge$",
+    "⁴": "$^4$", "⁵": "$^5$", "⁶": "$^6$", "⁷": "$^7$", "⁸": "$^8$", "₀": "$_0$", "₁": "$_1$", "₂": "$_2$",
+    "₄": "$_4$", "₆": "$_6$",
 }  # fmt: skip
 _RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 _LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
@@ -73,14 +82,21 @@ def _text_symbol(letter: str, below: str) -> str:
 
 
 def _latex_symbol(letter: str, below: str) -> str:
-    name = f"\\{letter}" if letter in GREEK else letter if len(letter) == 1 else f"\\mathrm{{{latex_text(letter)}}}"
+    plain = letter.rstrip("′")
+    name = (
+        f"\\{plain}"
+        if plain in GREEK
+        else r"\ldots"
+        if plain == "…"
+        else plain
+        if len(plain) == 1
+        else f"\\mathrm{{{latex_text(plain)}}}"
+    )
+    name += "'" * (len(letter) - len(plain))
     if not below:
         return name
-    return (
-        f"{name}_{{{below}}}"
-        if below.isdigit() or (len(below) == 1 and below.isalpha())
-        else f"{name}_{{\\text{{{latex_text(below)}}}}}"
-    )
+    short = below.isdigit() or below in "+−" or (len(below) == 1 and below.isascii() and below.isalpha())
+    return f"{name}_{{{below.replace('−', '-')}}}" if short else f"{name}_{{\\text{{{latex_text(below)}}}}}"
 
 
 def _mathml_symbol(letter: str, below: str) -> str:
@@ -93,8 +109,9 @@ def _mathml_symbol(letter: str, below: str) -> str:
 
 
 def latex_text(text: str) -> str:
-    """Text with everything escaped that means something in LaTeX."""
-    return "".join(_LATEX_SPECIAL.get(char, char) for char in text)
+    """Text with everything escaped that means something in LaTeX; what its plain form cannot set is a question mark."""
+    plain = "".join(_LATEX_SPECIAL.get(char, char) for char in text)
+    return "".join(char if ord(char) < FIRST_UNKNOWN else _LATEX_KNOWN.get(char, "?") for char in plain)
 
 
 _TEXT = _Style(
@@ -254,8 +271,8 @@ def _opposite(term: Formula) -> Formula:
     if isinstance(term, Decimal):
         return Decimal(-term.ball, term.digits)
     if isinstance(term, Degrees):
-        opposite = _opposite(term.value)
-        return Degrees(opposite) if isinstance(opposite, (Rational, Decimal)) else term
+        inner = term.value
+        return Degrees(Rational(-inner.value) if isinstance(inner, Rational) else Decimal(-inner.ball, inner.digits))
     return product(-1, term)
 
 
@@ -264,7 +281,7 @@ def _product(formula: Product, style: _Style) -> str:
     size, _ = coefficient(formula)
     factors = [factor for factor in formula.factors if not isinstance(factor, Rational)]
     simple = [factor for factor in factors if isinstance(factor, (Root, Pi))]
-    longer = [factor for factor in factors if isinstance(factor, (Decimal, Ratio))]
+    longer = [factor for factor in factors if isinstance(factor, (Decimal, Ratio)) and not letters_of(factor)]
     letters = [factor for factor in factors if factor not in simple and factor not in longer]
     sign, size = (style.sign, -size) if size < 0 else ("", size)
     front = _front(size, simple, style, alone=not letters and not longer)
@@ -297,9 +314,10 @@ def _front(size: Fraction, constants: Sequence[Formula], style: _Style, *, alone
 
 
 def _grouped(formula: Formula, style: _Style) -> str:
-    """A factor of a product: a sum in brackets."""
+    """A factor of a product: a sum in brackets; in text also a fraction with letters."""
     shown = _printed(formula, style)
-    return style.bracket(shown) if isinstance(formula, Sum) else shown
+    loose = style is _TEXT and isinstance(formula, Ratio) and letters_of(formula)
+    return style.bracket(shown) if isinstance(formula, Sum) or loose else shown
 
 
 def _power(formula: Power, style: _Style) -> str:
@@ -308,16 +326,11 @@ def _power(formula: Power, style: _Style) -> str:
 
 
 def _ratio(formula: Ratio, style: _Style) -> str:
+    above, below = _printed(formula.above, style), _printed(formula.below, style)
     if style is not _TEXT:
-        return style.ratio(_printed(formula.above, style), _printed(formula.below, style))
-    return style.ratio(
-        *(_grouped(part, style) if not isinstance(part, Product) else _bare(part, style) for part in (formula.above, formula.below))
-    )
-
-
-def _bare(formula: Product, style: _Style) -> str:
-    shown = _printed(formula, style)
-    return f"({shown})" if " " in shown or "/" in shown else shown
+        return style.ratio(above, below)
+    above = f"({above})" if " " in above or "/" in above else above
+    return style.ratio(above, f"({below})" if isinstance(formula.below, (Product, Sum, Ratio)) else below)
 
 
 def _applied(formula: Applied, style: _Style) -> str:

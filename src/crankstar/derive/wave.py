@@ -92,6 +92,11 @@ def _product(first: Amount, second: Amount) -> Amount:
     return _ball(first) * _ball(second)
 
 
+def same_length(first: Amount, second: Amount) -> bool:
+    """Whether two numbers have one magnitude."""
+    return _sum([_product(first, first.conjugate), -_product(second, second.conjugate)]).zero
+
+
 def conjugated(wave: Wave) -> Wave:
     """The complex conjugate, symbols being real."""
     return {key: amount.conjugate for key, amount in wave.items()}
