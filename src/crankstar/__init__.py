@@ -9,9 +9,11 @@ a record, a way of looking at it is a function, an engine type is data, and impo
 | module | one line |
 |---|---|
 | `cli` | verbs only; no logic |
+| `request` | what the words of a command line ask for |
 | `output` | where results go: terminal, pipe, or a file that appears whole or not at all |
 | `tables`, `description` | a Balance, an Engine as tables for the terminal and the notebook |
 | `wording` | numbers, amplitudes, paths and firing orders as an engineer writes them |
+| `derive/` | exact closed forms and their derivation step by step, zeros proved; families, the six signs of balance |
 | `answer` | the machine-readable answer: the public JSON object, CSV |
 | `catalog/` | engines as TOML, one file each, each number with its source |
 | `files/` | Engine <-> TOML/JSON, JSON Schema, a sentence for every mistake, starter files |
@@ -47,6 +49,7 @@ from crankstar.records import Cylinder, Rod, Shaft, Throw, Weight
 
 if TYPE_CHECKING:
     from crankstar.catalog import load, names
+    from crankstar.derive import derivation, family, signs
     from crankstar.files import EngineFileError
 
 __version__ = "0.1.0"
@@ -65,15 +68,25 @@ __all__ = [
     "Totals",
     "Weight",
     "balance",
+    "derivation",
+    "family",
     "grouped",
     "load",
     "names",
     "of_parts",
+    "signs",
     "total",
 ]
 
 
-_LATE = {"load": "crankstar.catalog", "names": "crankstar.catalog", "EngineFileError": "crankstar.files"}
+_LATE = {
+    "load": "crankstar.catalog",
+    "names": "crankstar.catalog",
+    "EngineFileError": "crankstar.files",
+    "derivation": "crankstar.derive",
+    "family": "crankstar.derive",
+    "signs": "crankstar.derive",
+}
 
 
 def __getattr__(name: str) -> Any:

@@ -5,17 +5,17 @@ from __future__ import annotations
 import sys
 from collections.abc import Sequence
 from importlib.metadata import version
-from math import isfinite
 from typing import Annotated, Any
 
 from cyclopts import App, CycloptsError, Parameter, UnusedCliTokensError
 
+from crankstar import request
 from crankstar.catalog import load
 from crankstar.engine import Engine
 from crankstar.files import STANDARD_INPUT, EngineFileError
-from crankstar.mechanism import Reference
 from crankstar.output import OutputError, abandon, complain, display, is_file, terminal_width, write
 from crankstar.quantity import one_line, seen
+from crankstar.request import RequestError
 
 app = App(
     name="crankstar",
@@ -31,10 +31,6 @@ app.register_install_completion_command(help="Install completion of commands and
 
 WIDE = 92
 """Columns from which a table shows everything."""
-
-
-class RequestError(ValueError):
-    """A request that cannot be met, as one sentence that says what would be right."""
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
@@ -188,11 +184,11 @@ def analyze(
     if (json or csv) and (at or by):
         raise RequestError("--at and --by belong to the printed tables; leave them out with --json and --csv")
     loaded = _loaded(engine, settings)
-    turning = _speed(speed)
-    point = _reference(reference, loaded)
+    turning = request.speed(speed)
+    point = request.reference(reference, loaded)
     if json or csv:
         result = balance(loaded, speed=loaded.speed if turning is None else turning, reference=point)
-        wanted = _orders(orders, result.force.orders.tolist())
+        wanted = request.orders(orders, result.force.orders.tolist())
         if csv:
             write(answer.csv_text(loaded.name, result, orders=wanted), output)
         else:
@@ -201,9 +197,12 @@ def analyze(
     from crankstar.tables import analysis, report
 
     shown = analysis(loaded, speed=turning, reference=point)
-    wanted = _orders(orders, shown.normalised.force.orders.tolist())
+    wanted = request.orders(orders, shown.normalised.force.orders.tolist())
     shown = shown._replace(orders=tuple(wanted), turning=tuple(wanted)) if wanted else shown
-    display(report(shown, wide=output is not None or terminal_width() >= WIDE, angles=_angles(at), by=_grouping(by)), output)
+    display(
+        report(shown, wide=output is not None or terminal_width() >= WIDE, angles=request.angles(at), by=request.grouping(by)),
+        output,
+    )
 
 
 @app.command
@@ -213,10 +212,65 @@ def compare(
     """Several engines side by side: the greatest force, couple and roll of each order."""
     from crankstar.tables import analysis, comparison
 
-    at = _speed(speed)
+    at = request.speed(speed)
     shown = [analysis(_loaded(name, None), speed=at) for name in (first, second, *others)]
-    wanted = _orders(orders, shown[0].normalised.force.orders.tolist())
+    wanted = request.orders(orders, shown[0].normalised.force.orders.tolist())
     display(comparison([one._replace(orders=tuple(wanted), turning=tuple(wanted)) for one in shown] if wanted else shown), output)
+
+
+@app.command
+def derive(
+    engine: EngineName,
+    /,
+    *,
+    order: Annotated[
+        str,
+        Parameter(name=["--order", "--orders"], allow_leading_hyphen=True, help="crank orders, as in 2 or 1,2,4,6; all is 1,2,4,6"),
+    ] = "1,2",
+    quantity: Annotated[str | None, Parameter(help="force or couple; else both")] = None,
+    form: Annotated[str, Parameter(name="--format", help="text, latex, markdown or html")] = "text",
+    notation: Annotated[
+        str | None, Parameter(help="letters: crankstar (r, l, λ = r/l), stroke (S, L = l/S) or sinitsyn (P_R, C_I, C_II, l0)")
+    ] = None,
+    power: Annotated[int, Parameter(help="highest power of λ in the series of each harmonic")] = 7,
+    symbolic: Annotated[
+        str | None,
+        Parameter(help="leave a dimension open: alpha (half the bank angle), phi (crank phase of a twin), n (cylinders in a row)"),
+    ] = None,
+    signs: Annotated[bool, Parameter(help="the six signs of balance instead: P_R, M_R, P_I, M_I, P_II, M_II", negative=())] = False,
+    reference: ReferencePoint = None,
+    settings: Settings = None,
+    output: Output = None,
+) -> None:
+    """Derive the closed form of each order, step by step, exactly: from one cylinder to the resultant."""
+    from crankstar import derive as exact
+    from crankstar.derive import documents, notations
+
+    loaded = _loaded(engine, settings)
+    point = request.reference(reference, loaded)
+    forms = ["text", *documents.FORMATS]
+    if form not in forms:
+        raise RequestError(f"--format {one_line(form)}: it can be {', '.join(forms)}")
+    if not 1 <= power <= 24:
+        raise RequestError(f"--power {power}: give a power of λ from 1 to 24")
+    try:
+        letters = notations.chosen(notation or ("sinitsyn" if signs else "crankstar"))
+        if signs:
+            chapters = [exact.signs_chapter(loaded, reference=point)]
+        else:
+            chapters = []
+            for one in request.derived_orders(order):
+                for kind in request.quantities(quantity):
+                    if symbolic:
+                        chapters.append(exact.family(loaded, one, kind, symbol=symbolic))
+                    else:
+                        chapters.append(exact.derivation(loaded, one, kind, reference=point, power=power).chapter)
+    except exact.DerivationError as error:
+        raise RequestError(str(error)) from None
+    if form == "text":
+        display(documents.rendered(chapters, letters), output)
+    else:
+        write(documents.FORMATS[form](chapters, letters), output)
 
 
 @app.command
@@ -271,90 +325,7 @@ def schema(*, output: Output = None) -> None:
 
 
 def _loaded(name: str, settings: list[str] | None) -> Engine:
-    return load(name, changes=dict(_setting(text) for text in settings or []))
-
-
-def _setting(text: str) -> tuple[str, Any]:
-    """A --set argument: a key path and a value, which is TOML where it can be read so, else text."""
-    import tomllib
-
-    path, equals, value = text.partition("=")
-    if not equals or not path.strip():
-        raise RequestError(f'--set {one_line(text)}: give a key path and a value, as in --set layout.bore_pitch="100 mm"')
-    try:
-        return path.strip(), tomllib.loads(f"value = {value}")["value"]
-    except (ValueError, RecursionError):  # not TOML, or a number of thousands of digits
-        return path.strip(), value
-
-
-def _speed(text: str | None) -> float | None:
-    from crankstar import units
-    from crankstar.quantity import SPEED
-
-    if text is None:
-        return None
-    try:
-        speed = units.si(text, SPEED)
-    except ValueError as error:
-        raise RequestError(f"--speed: {error}") from None
-    if speed <= 0:
-        raise RequestError(f'--speed: is {seen(text)}; it must be greater than 0, such as "{SPEED.example}"')
-    return speed
-
-
-def _orders(text: str | None, present: list[float]) -> list[float] | None:
-    if text is None:
-        return None
-    if text.strip() == "all":
-        return present
-    try:
-        wanted = [float(part) for part in text.split(",") if part.strip()]
-    except ValueError:
-        wanted = []
-    if not wanted or not all(isfinite(order) and 0 < order <= 1000 for order in wanted) or len(wanted) > 200:
-        raise RequestError(f"--orders {one_line(text)}: give numbers from above 0 up to 1000 with commas, as in 1,2,4,6, or all")
-    return list(dict.fromkeys(wanted))
-
-
-def _angles(text: str | None) -> list[float]:
-    from crankstar import units
-    from crankstar.quantity import ANGLE
-
-    try:
-        return [units.si(part.strip(), ANGLE) for part in (text or "").split(",") if part.strip()]
-    except ValueError as error:
-        raise RequestError(f"--at: {error}") from None
-
-
-def _grouping(text: str | None) -> Any:
-    from typing import get_args
-
-    from crankstar.balance import Grouping
-
-    if text is not None and text not in get_args(Grouping):
-        raise RequestError(f"--by {one_line(text)}: it can be {', '.join(get_args(Grouping))}")
-    return text
-
-
-def _reference(text: str | None, engine: Engine) -> Reference | None:
-    from crankstar import units
-    from crankstar.quantity import LENGTH, POSITION
-
-    if text is None:
-        return None
-    parts = [part.strip() for part in text.split(",")]
-    example = 'as in "-120 mm" (z) or "0 mm, 35 mm, 0 mm" (z, up, right)'
-    if len(parts) not in (1, 3):
-        raise RequestError(f"--reference {one_line(text)}: give z, or z, up and right, {example}")
-    read = units.reader(frozenset(engine.relative))
-    marks = [POSITION, LENGTH, LENGTH]
-    for part, mark in zip(parts, marks, strict=False):
-        if units.is_bare(part) and not mark.relative_to & frozenset(engine.relative):
-            raise RequestError(f"--reference {one_line(text)}: {one_line(part)} has no unit; write it with one, {example}")
-    try:
-        return Reference(*(read(part, mark) for part, mark in zip(parts, marks, strict=False)))
-    except ValueError as error:
-        raise RequestError(f"--reference: {error}, {example}") from None
+    return load(name, changes=dict(request.setting(text) for text in settings or []))
 
 
 def _json(tree: dict[str, Any]) -> str:

@@ -4,10 +4,15 @@ Bottom to top:
 
 | module | one line |
 |---|---|
+| `documents` | chapters for the terminal, as LaTeX, Markdown, HTML |
+| `notations` | the letters of this project, of the V8 pages, of Sinitsyn |
+| `families` | closed forms with a dimension left open: bank angle, crank phase, number of cylinders |
+| `six_signs` | the six signs of balance |
 | `steps` | Engine -> Derivation: from one cylinder to the resultant |
+| `task` | what every step knows, and the lines they have in common |
 | `resultant` | closed forms of the whole engine, their ellipse, the force of the real engine |
 | `gather` | cosines added up as by hand: in phase, in pairs that cancel, in closed polygons |
-| `records` | Derivation, Step, Line |
+| `records` | Derivation, Chapter, Step, Line |
 | `bodies` | what each part does in one order, exactly or in balls |
 | `positions` | places along the crankshaft as linear forms in the bore pitch a and the bank offset b |
 | `wave` | signals whose amplitude is a linear form of exact numbers; as few cosines as there can be |
@@ -23,7 +28,9 @@ Bottom to top:
 True
 """
 
-from crankstar.derive.records import Derivation, DerivationError, Line, Step
+from crankstar.derive.families import family
+from crankstar.derive.records import Chapter, Derivation, DerivationError, Line, Step
+from crankstar.derive.six_signs import Sign, signs, signs_chapter
 from crankstar.derive.steps import derivation
 
-__all__ = ["Derivation", "DerivationError", "Line", "Step", "derivation"]
+__all__ = ["Chapter", "Derivation", "DerivationError", "Line", "Sign", "Step", "derivation", "family", "signs", "signs_chapter"]

@@ -11,8 +11,8 @@ from typing import Any
 
 from crankstar.derive import typeset
 from crankstar.derive.formula import Formula, Sum
-from crankstar.derive.notation import CRANKSTAR, Notation, legend, notated
-from crankstar.derive.records import Derivation, Line
+from crankstar.derive.notations import CRANKSTAR, Notation, legend, notated
+from crankstar.derive.records import Chapter, Line
 
 LINE = 84
 """Characters of a formula after which a long sum goes on in a new line, in LaTeX and in Markdown."""
@@ -52,22 +52,22 @@ h3 { font-size: 1.02rem; margin: 1.6rem 0 .3rem; }
 """
 
 
-def rendered(derivations: Sequence[Derivation], notation: Notation = CRANKSTAR) -> Any:
-    """Derivations for the terminal, in its width."""
+def rendered(chapters: Sequence[Chapter], notation: Notation = CRANKSTAR) -> Any:
+    """Chapters for the terminal, in its width."""
     from rich.console import Group
     from rich.padding import Padding
     from rich.table import Table
     from rich.text import Text
 
     out: list[Any] = []
-    for derivation in derivations:
-        shown = notated(derivation, notation)
-        out += [Text(f"{derivation.engine}: {shown.title}", style="bold"), Text()]
-        letters = "; ".join(f"{typeset.text(meaning.letter)}: {meaning.words}" for meaning in legend(derivation, notation))
+    for chapter in chapters:
+        shown = notated(chapter, notation)
+        out += [Text(f"{chapter.engine}: {shown.title}", style="bold"), Text()]
+        letters = "; ".join(f"{typeset.text(meaning.letter)}: {meaning.words}" for meaning in legend(chapter, notation))
         for count, step in enumerate(shown.steps, 1):
             out.append(Text(f"{count}  {step.title}", style="bold"))
             out += [Padding(Text(words), (0, 0, 0, 3)) for words in step.words]
-            if count == 1:
+            if count == 1 and letters:
                 out.append(Padding(Text(f"{letters}."), (0, 0, 0, 3)))
             table = Table.grid(padding=(0, 3, 0, 0))
             table.add_column(ratio=2, style="dim", overflow="fold")
@@ -92,13 +92,13 @@ def _equations(line: Line) -> str:
     return f"\n{' ' * max(len(lead) - 2, 0)}= ".join([lead + typeset.text(line.chain[0]), *map(typeset.text, line.chain[1:])])
 
 
-def latex(derivations: Sequence[Derivation], notation: Notation = CRANKSTAR) -> str:
+def latex(chapters: Sequence[Chapter], notation: Notation = CRANKSTAR) -> str:
     """A complete LaTeX document; needs amsmath and Latin Modern only."""
     body = [_LATEX_HEAD]
-    title = derivations[0].engine
+    title = chapters[0].engine
     body.append(f"% {title.encode('ascii', 'replace').decode()}\n\\section*{{{typeset.latex_text(title)}}}\n")
-    for derivation in derivations:
-        shown = notated(derivation, notation)
+    for chapter in chapters:
+        shown = notated(chapter, notation)
         body.append(f"\\subsection*{{{typeset.latex_text(shown.title)}}}\n")
         for count, step in enumerate(shown.steps, 1):
             body.append(f"\\paragraph{{{count}. {typeset.latex_text(step.title)}.}}\n")
@@ -106,7 +106,7 @@ def latex(derivations: Sequence[Derivation], notation: Notation = CRANKSTAR) -> 
             if count == 1:
                 letters = (
                     f"${typeset.latex(meaning.letter)}$ {typeset.latex_text(meaning.words)}"
-                    for meaning in legend(derivation, notation)
+                    for meaning in legend(chapter, notation)
                 )
                 body.append(f"\n{'; '.join(letters)}.\n")
             for line in step.lines:
@@ -142,17 +142,17 @@ def _pieces(formula: Formula) -> list[Formula]:
     return [Sum(piece) for piece in pieces]
 
 
-def markdown(derivations: Sequence[Derivation], notation: Notation = CRANKSTAR) -> str:
+def markdown(chapters: Sequence[Chapter], notation: Notation = CRANKSTAR) -> str:
     """Markdown with LaTeX formulas between double dollars, as GitHub, Jupyter and most wikis set them."""
-    body = [f"# {markdown_words(derivations[0].engine)}\n"]
-    for derivation in derivations:
-        shown = notated(derivation, notation)
+    body = [f"# {markdown_words(chapters[0].engine)}\n"]
+    for chapter in chapters:
+        shown = notated(chapter, notation)
         body.append(f"## {markdown_words(shown.title)}\n")
         for count, step in enumerate(shown.steps, 1):
             body.append(f"### {count}. {markdown_words(step.title)}\n")
             body += [f"{markdown_words(words)}\n" for words in step.words]
             if count == 1:
-                body += [f"* ${typeset.latex(meaning.letter)}$: {meaning.words}" for meaning in legend(derivation, notation)] + [""]
+                body += [f"* ${typeset.latex(meaning.letter)}$: {meaning.words}" for meaning in legend(chapter, notation)] + [""]
             for line in step.lines:
                 if line.label:
                     body.append(f"{markdown_words(line.label)}:\n")
@@ -167,10 +167,10 @@ def markdown_words(words: str) -> str:
     return "".join(f"\\{char}" if char in "\\`*_{}[]<>#|$~!" else char for char in words).replace("&", "&amp;")
 
 
-def html(derivations: Sequence[Derivation], notation: Notation = CRANKSTAR) -> str:
+def html(chapters: Sequence[Chapter], notation: Notation = CRANKSTAR) -> str:
     """A page that stands alone: no script, nothing from elsewhere, light and dark, printable."""
-    name = escape(derivations[0].engine)
-    parts = "\n".join(html_part(derivation, notation) for derivation in derivations)
+    name = escape(chapters[0].engine)
+    parts = "\n".join(html_part(chapter, notation) for chapter in chapters)
     return (
         f'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n<title>{name}</title>\n'
         f'<meta name="viewport" content="width=device-width, initial-scale=1">\n<style>{_STYLE}</style>\n</head>\n'
@@ -178,15 +178,15 @@ def html(derivations: Sequence[Derivation], notation: Notation = CRANKSTAR) -> s
     )
 
 
-def html_part(derivation: Derivation, notation: Notation = CRANKSTAR) -> str:
-    """One derivation as a part of a page."""
-    shown = notated(derivation, notation)
+def html_part(chapter: Chapter, notation: Notation = CRANKSTAR) -> str:
+    """One chapter as a part of a page."""
+    shown = notated(chapter, notation)
     out = [f'<section class="derivation">\n<h2>{escape(shown.title)}</h2>']
     for count, step in enumerate(shown.steps, 1):
         out.append(f"<h3>{count}. {escape(step.title)}</h3>")
         out += [f"<p>{escape(words)}</p>" for words in step.words]
         if count == 1:
-            rows = (f"<dt>{math(meaning.letter)}</dt><dd>{escape(meaning.words)}</dd>" for meaning in legend(derivation, notation))
+            rows = (f"<dt>{math(meaning.letter)}</dt><dd>{escape(meaning.words)}</dd>" for meaning in legend(chapter, notation))
             out.append(f"<dl>{''.join(rows)}</dl>")
         for line in step.lines:
             label = f'<div class="label">{escape(line.label)}</div>' if line.label else ""

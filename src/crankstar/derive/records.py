@@ -49,6 +49,26 @@ class Step:
 
 
 @dataclass(frozen=True)
+class Chapter:
+    """Steps under a title, to be read; counted in `m r w^2 A_j`, j = `harmonic`, or in `m r w^2` where it is None.
+
+    `symbols` has the values of the letters that have one for this engine (lengths in bore pitches, harmonics).
+    """
+
+    engine: str
+    title: str
+    harmonic: int | None
+    symbols: dict[str, float]
+    steps: tuple[Step, ...]
+
+    def _repr_html_(self) -> str:
+        """The chapter typeset, in a notebook."""
+        from crankstar.derive import documents
+
+        return documents.html_part(self)
+
+
+@dataclass(frozen=True)
 class Derivation:
     """The derivation of one order of one quantity of an engine.
 
@@ -71,10 +91,10 @@ class Derivation:
     why: str
 
     @property
-    def title(self) -> str:
-        """What is derived: `Second-order force`."""
-        nth = ordinal(self.order)
-        return f"{nth}, {self.quantity}" if self.order.denominator > 1 else f"{nth}-order {self.quantity}".capitalize()
+    def chapter(self) -> Chapter:
+        """The steps under their title, `Second-order force`."""
+        title = nth(self.order, self.quantity)
+        return Chapter(self.engine, title[0].upper() + title[1:], self.harmonic, self.symbols, self.steps)
 
     @property
     def zero(self) -> bool:
@@ -83,9 +103,7 @@ class Derivation:
 
     def _repr_html_(self) -> str:
         """The derivation typeset, in a notebook."""
-        from crankstar.derive import documents
-
-        return documents.html_part(self)
+        return self.chapter._repr_html_()
 
 
 def unit_symbol(harmonic: int | None) -> Symbol:
@@ -106,3 +124,8 @@ def ordinal(order: Fraction) -> str:
     if order.denominator == 1:
         return ORDINALS.get(int(order), f"{int(order)}th")
     return f"order {order}"
+
+
+def nth(order: Fraction, quantity: str) -> str:
+    """An order of a quantity in words: `second-order force`."""
+    return f"{ordinal(order)}-order {quantity}" if order.denominator == 1 else f"{quantity} of order {order}"

@@ -29,7 +29,7 @@ from crankstar.derive.formula import (
     summed,
 )
 from crankstar.derive.radical import gathered
-from crankstar.derive.records import Line, Quantity, Step, ordinal, unit_symbol
+from crankstar.derive.records import Line, Quantity, Step, nth, unit_symbol
 from crankstar.derive.typeset import text
 from crankstar.derive.wave import Amount, Wave, at
 from crankstar.engine import Engine
@@ -69,27 +69,27 @@ def shape(
 ) -> tuple[tuple[str, ...], list[Line]]:
     """What path the vector runs through in a turn, decided exactly where numbers are exact; the axes of an ellipse."""
     name = "force" if letter == "F" else "couple"
-    nth = f"{name} of order {order}" if order.denominator > 1 else f"{ordinal(order)}-order {name}"
+    told = nth(order, name)
     if not forward and not backward:
         if why:
-            return (f"No {nth} that can be told from zero, to {cyclotomic.DIGITS - 5} digits.",), []
+            return (f"No {told} that can be told from zero, to {cyclotomic.DIGITS - 5} digits.",), []
         lengths = ", whatever the lengths along the crankshaft" if name == "couple" else ""
-        return (f"There is no {nth}: every sum is exactly zero{lengths}.",), []
+        return (f"There is no {told}: every sum is exactly zero{lengths}.",), []
     first, second = at(forward, values), at(backward, values)
     if first is None or second is None:
-        return (f"The {nth} is a sum of parts with different harmonics; its path depends on the lengths of the rods.",), []
+        return (f"The {told} is a sum of parts with different harmonics; its path depends on the lengths of the rods.",), []
     if first.zero and second.zero:
-        return (f"There is no {nth} with these lengths along the crankshaft: the sum is exactly zero.",), []
+        return (f"There is no {told} with these lengths along the crankshaft: the sum is exactly zero.",), []
     if second.zero:
         removable = " A counterweight on the crankshaft can remove it." if order == 1 else ""
-        return (f"The {nth} is a circle: a vector of constant length that turns with the crank.{removable}",), []
+        return (f"The {told} is a circle: a vector of constant length that turns with the crank.{removable}",), []
     if first.zero:
         removable = " No counterweight on the crankshaft can touch it." if order == 1 else ""
-        return (f"The {nth} is a circle: a vector of constant length that turns against the crank.{removable}",), []
+        return (f"The {told} is a circle: a vector of constant length that turns against the crank.{removable}",), []
     towards = _between(first, second)
     if wave.same_length(first, second):
-        return (f"The {nth} is a straight line, {towards}: two vectors of one length turn against each other.",), []
-    words = f"The {nth} is an ellipse, its long axis {towards}, run through {_sense(first, second)} the crank."
+        return (f"The {told} is a straight line, {towards}: two vectors of one length turn against each other.",), []
+    words = f"The {told} is an ellipse, its long axis {towards}, run through {_sense(first, second)} the crank."
     if len(forward) > 1 or len(backward) > 1 or (any(key for key in (*forward, *backward)) and set(forward) != set(backward)):
         return (words,), []
     return (words,), _axes(letter, forward, backward, larger_first=_sense(first, second) == "with")

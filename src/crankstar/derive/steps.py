@@ -9,13 +9,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from math import radians
 from typing import NamedTuple
 
 from crankstar.derive import cyclotomic, enclosure, positions, resultant, wave
 from crankstar.derive.bodies import Bodies, Body, armed, bodies
-from crankstar.derive.formula import THETA, Decimal, Degrees, Formula, Power, Symbol, angle, cosine, number, product, summed
-from crankstar.derive.gather import Term, gathered, lag, sum_as_product, told_once
+from crankstar.derive.formula import THETA, Degrees, Formula, Power, Symbol, angle, cosine, number, product, summed
+from crankstar.derive.gather import Term, gathered, lag, told_once
 from crankstar.derive.radical import closed
 from crankstar.derive.records import (
     GREATEST_ORDER,
@@ -28,8 +27,8 @@ from crankstar.derive.records import (
     unit_formula,
     unit_symbol,
 )
-from crankstar.derive.typeset import text
-from crankstar.derive.wave import Form, Wave, joined
+from crankstar.derive.task import Task, arm_of, arm_text, degrees_text, paired, rows, share, sides
+from crankstar.derive.wave import Wave, joined
 from crankstar.engine import Engine
 from crankstar.mechanism import Reference
 
@@ -40,18 +39,6 @@ class Row(NamedTuple):
     name: str
     members: tuple[Body, ...]
     wave: Wave
-
-
-class Task(NamedTuple):
-    """What all steps know: the engine, the order, the letter of the quantity, the parts and their arms."""
-
-    engine: Engine
-    order: Fraction
-    quantity: Quantity
-    letter: str
-    found: Bodies
-    moving: tuple[Body, ...]
-    arms: positions.Arms
 
 
 def derivation(
@@ -91,7 +78,7 @@ def _derived(engine: Engine, wanted: Fraction, quantity: Quantity, reference: Re
     if turning:
         steps += _turning(task, turning, mixed=bool(pistons))
     values = arms.values
-    steps += resultant.steps(task.letter, wanted, up, right, forward, backward, values, rows=_rows(moving), why=found.why)
+    steps += resultant.steps(task.letter, wanted, up, right, forward, backward, values, rows=rows(moving), why=found.why)
     steps.append(resultant.real(engine, wanted, quantity, found, up, right, power=power))
     return Derivation(
         engine=engine.name,
@@ -140,19 +127,6 @@ def _symbols(found: Bodies, arms: positions.Arms) -> dict[str, float]:
     return lengths | {symbol.name: _harmonic(order, ratio) for symbol, (order, ratio) in found.values.items()}
 
 
-def arm_of(arms: positions.Arms, body: Body) -> Form:
-    """How far in front of the reference plane a part stands."""
-    if body.cylinder is not None:
-        return arms.cylinder[body.cylinder]
-    return (arms.weight if body.name.startswith("weight") else arms.throw)[body.shaft, body.place]
-
-
-def _rows(moving: Sequence[Body]) -> tuple[int, ...]:
-    """The rows of a Balance that the parts account for; none where a rigid rod shares its row among two of them."""
-    rows = [row for body in moving for row in body.rows]
-    return () if any(not body.rows for body in moving) else tuple(rows)
-
-
 def degrees_of(turn: Fraction) -> Formula:
     """A part of a turn in degrees, as a multiple of pi where degrees are no short decimal."""
     return Degrees(number(360 * turn)) if 1000 % (360 * turn).denominator == 0 else angle(turn)
@@ -174,7 +148,7 @@ def _law(task: Task) -> Step:
     force = product(Symbol("m"), Symbol("r"), Power(Symbol("omega"), 2), summed(*terms))
     law = (
         "A piston pushes on the block along its cylinder, outwards where the cosine is positive, with the force F; "
-        "ψ is the angle of its crank from its cylinder, m its reciprocating mass."
+        "ψ is the angle of its crank from its cylinder."
     )
     words = [f"{law} (So on a centred crank with a plain rod.)" if task.found.why else law]
     if task.found.why:
@@ -199,7 +173,11 @@ def _banks(pistons: Sequence[Body]) -> list[Row]:
     for (name, _, bearing), members in groups.items():
         title = name if len(groups) > 1 else "all"
         out.append(
-            Row(f"{title} at {_deg(bearing)}" if name in several else title, tuple(members), joined(b.along or {} for b in members))
+            Row(
+                f"{title} at {degrees_text(bearing)}" if name in several else title,
+                tuple(members),
+                joined(b.along or {} for b in members),
+            )
         )
     return out
 
@@ -221,13 +199,13 @@ def _each(task: Task, pistons: Sequence[Body]) -> Step:
     lines = []
     for body in pistons:
         told = f"cylinder {body.cylinder}" + (f" ({body.name})" if len(task.engine.banks) > 1 else "")
-        told += f", at {_deg(body.bearing_deg)}"
+        told += f", at {degrees_text(body.bearing_deg)}"
         if body.dead_centre is not None:
             told += f", top dead centre at θ = {shown(body.dead_centre)}"
         if task.quantity == "couple":
-            told += f", arm {_written(arm_of(task.arms, body))}"
+            told += f", arm {arm_text(arm_of(task.arms, body))}"
         if body.along is None:
-            lines += _two(task, str(body.cylinder), body.up, body.right, body.rows, told)
+            lines += sides(task, str(body.cylinder), body.up, body.right, body.rows, told)
             continue
         name = Symbol(task.letter, str(body.cylinder))
         lines.append(Line(name, _own(task, body), "signal", body.rows, body.bearing_deg, told))
@@ -238,14 +216,6 @@ def _each(task: Task, pistons: Sequence[Body]) -> Step:
             "a couple is shown in the plane in which it acts."
         )
     return Step("Every cylinder along its own axis", tuple(words), tuple(lines))
-
-
-def _deg(value: float) -> str:
-    return f"{value:.6g}°".replace("-", "−")
-
-
-def _written(form: Form) -> str:
-    return text(wave.form(form))
 
 
 def _own(task: Task, body: Body) -> tuple[Formula, ...]:
@@ -276,8 +246,8 @@ def _sums(task: Task, banks: Sequence[Row]) -> Step:
     lines: list[Line] = []
     for row in banks:
         name = Symbol(task.letter, row.name)
-        line_rows, bearing = _rows(row.members), row.members[0].bearing_deg
-        told = f"{row.name}, at {_deg(bearing)}"
+        line_rows, bearing = rows(row.members), row.members[0].bearing_deg
+        told = f"{row.name}, at {degrees_text(bearing)}"
         terms = _terms(row.members)
         if terms is None:
             lines.append(Line(name, (wave.signal(row.wave, task.order),), "signal", line_rows, bearing, told))
@@ -317,16 +287,11 @@ def _resolved(task: Task, groups: Sequence[tuple[str, Sequence[Body], Wave]], pi
     for name, letter in (("up", "up"), ("right", "right")):
         parts: list[tuple[Formula, Wave]] = []
         for _, members, own in groups:
-            bearing = members[0].bearing
-            if bearing is None:
-                factor = _decimal_share(members[0].bearing_deg, up=name == "up")
-            else:
-                factor = closed((cyclotomic.cosine if name == "up" else cyclotomic.sine)(bearing)).formula
-            parts.append((factor, own))
+            parts.append((share(members[0], up=name == "up"), own))
         whole = joined(getattr(body, name) for body in pistons)
         raw = summed(*(product(factor, wave.signal(own, task.order)) for factor, own in parts))
-        chain = told_once([raw, *_paired(parts, task.order), wave.signal(whole, task.order)])
-        lines.append(Line(Symbol(task.letter, letter), chain, "signal", _rows(pistons), 0.0 if name == "up" else 90.0, name))
+        chain = told_once([raw, *paired(parts, task.order), wave.signal(whole, task.order)])
+        lines.append(Line(Symbol(task.letter, letter), chain, "signal", rows(pistons), 0.0 if name == "up" else 90.0, name))
     angles = sorted({round(members[0].bearing_deg, 9) for _, members, _ in groups})
     words = ["A force along a cylinder at bearing β has the part cos β upwards and sin β to the right, seen from the front."]
     if len(angles) == 2 and angles[0] == -angles[1]:
@@ -334,42 +299,11 @@ def _resolved(task: Task, groups: Sequence[tuple[str, Sequence[Body], Wave]], pi
     return Step("Upwards and to the right", tuple(words), tuple(lines))
 
 
-def _decimal_share(bearing_deg: float, *, up: bool) -> Formula:
-    with cyclotomic.precision(cyclotomic.DIGITS):
-        axis = enclosure.angle_of(radians(bearing_deg))
-        return Decimal(axis.real if up else axis.imag)
-
-
-def _paired(parts: Sequence[tuple[Formula, Wave]], order: Fraction) -> list[Formula]:
-    """Two signals of one size as a product of cosines, where that shows more than the sum."""
-    pieces = [(factor, piece) for factor, own in parts for piece in wave.pieces(own) if factor != number(0)]
-    if len(pieces) != 2:
-        return []
-    sizes = [product(factor, piece.size) for factor, piece in pieces]
-    phases = [piece.phase for _, piece in pieces]
-    if phases[0] is None or phases[1] is None:
-        return []
-    first, second = sizes
-    p, q = phases[0], phases[1]
-    if first == product(-1, second):
-        second, q = first, q + Fraction(1, 2)
-    return [sum_as_product(first, p, q, order)] if first == second and (p - q) % 1 != 0 else []
-
-
-def _two(task: Task, name: str, up: Wave, right: Wave, rows: tuple[int, ...], label: str) -> list[Line]:
-    """A push as its parts up and to the right."""
-    sides = ((up, "up", 0.0), (right, "right", 90.0))
-    return [
-        Line(Symbol(task.letter, f"{name}, {side}"), (wave.signal(own, task.order),), "signal", rows, bearing, f"{label}, {side}")
-        for own, side, bearing in sides
-    ]
-
-
 def _components(task: Task, pistons: Sequence[Body]) -> Step:
     """Cylinders with rods that swing knuckle pins about: their parts up and right are simply added."""
     up, right = joined(body.up for body in pistons), joined(body.right for body in pistons)
     return Step(
-        "All cylinders", ("The parts up and to the right are added.",), tuple(_two(task, "all", up, right, _rows(pistons), "all"))
+        "All cylinders", ("The parts up and to the right are added.",), tuple(sides(task, "all", up, right, rows(pistons), "all"))
     )
 
 
@@ -390,11 +324,11 @@ def _by_pin(task: Task, pistons: Sequence[Body]) -> list[Step]:
         up, right = joined(b.up for b in members), joined(b.right for b in members)
         numbers = ", ".join(str(body.cylinder) for body in members)
         for own, side, bearing in ((up, "up", 0.0), (right, "right", 90.0)):
-            parts = [(_share(body, up=side == "up"), body.along or {}) for body in members]
+            parts = [(share(body, up=side == "up"), body.along or {}) for body in members]
             raw = summed(*(product(factor, wave.signal(along, task.order)) for factor, along in parts))
-            chain = told_once([raw, *_paired(parts, task.order), wave.signal(own, task.order)])
+            chain = told_once([raw, *paired(parts, task.order), wave.signal(own, task.order)])
             told = f"{name}, cylinders {numbers}, {side}"
-            lines.append(Line(Symbol(task.letter, f"{name}, {side}"), chain, "signal", _rows(members), bearing, told))
+            lines.append(Line(Symbol(task.letter, f"{name}, {side}"), chain, "signal", rows(members), bearing, told))
         names.append(name)
         ups.append(up)
         rights.append(right)
@@ -403,15 +337,9 @@ def _by_pin(task: Task, pistons: Sequence[Body]) -> list[Step]:
         whole = wave.signal(joined(parts), task.order)
         note = _cancelled(list(zip(names, parts, strict=True)))
         chain = told_once([raw, whole])
-        lines.append(Line(Symbol(task.letter, side), chain, "signal", _rows(pistons), bearing, f"all pins, {side}", note))
+        lines.append(Line(Symbol(task.letter, side), chain, "signal", rows(pistons), bearing, f"all pins, {side}", note))
     words = ("The same sum taken another way: first the cylinders that share a crank pin, then the pins.",)
     return [Step("The other way, pin by pin", words, tuple(lines))]
-
-
-def _share(body: Body, *, up: bool) -> Formula:
-    if body.bearing is None:
-        return _decimal_share(body.bearing_deg, up=up)
-    return closed((cyclotomic.cosine if up else cyclotomic.sine)(body.bearing)).formula
 
 
 def _cancelled(parts: Sequence[tuple[str, Wave]]) -> str:
@@ -432,14 +360,14 @@ def _turning(task: Task, turning: Sequence[Body], *, mixed: bool) -> list[Step]:
     for body in turning:
         told = f"{body.name} of {body.shaft}"
         if task.quantity == "couple":
-            told += f", arm {_written(arm_of(task.arms, body))}"
-        lines += _two(task, f"{body.shaft} {body.name}", body.up, body.right, body.rows, told)
+            told += f", arm {arm_text(arm_of(task.arms, body))}"
+        lines += sides(task, f"{body.shaft} {body.name}", body.up, body.right, body.rows, told)
     up, right = joined(b.up for b in turning), joined(b.right for b in turning)
-    lines += _two(task, "turning", up, right, _rows(turning), "all that turns")
+    lines += sides(task, "turning", up, right, rows(turning), "all that turns")
     words = ("What turns with a shaft pushes, once a turn of it, towards where it is: as a vector that turns with it.",)
     steps = [Step("What turns with the shafts", words, tuple(lines))]
     if mixed:
         every = task.moving
-        whole = _two(task, "all", joined(b.up for b in every), joined(b.right for b in every), _rows(every), "all")
+        whole = sides(task, "all", joined(b.up for b in every), joined(b.right for b in every), rows(every), "all")
         steps.append(Step("Pistons and rotating masses together", (), tuple(whole)))
     return steps

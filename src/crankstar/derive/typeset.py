@@ -61,6 +61,7 @@ class _Style:
     root: Callable[[str], str]
     power: Callable[[str, int], str]
     bracket: Callable[[str], str]
+    name: Callable[[str], str]
     function: Callable[[str, str, bool], str]
     degrees: Callable[[str], str]
     polar: Callable[[str, str], str]
@@ -121,6 +122,7 @@ _TEXT = _Style(
     root=lambda inner: f"√{inner}" if inner.isalnum() else f"√({inner})",
     power=lambda base, exponent: base + str(exponent).translate(_RAISED),
     bracket=lambda inner: f"({inner})",
+    name=lambda name: name,
     function=lambda name, inner, simple: f"{name} {inner}" if simple else f"{name}({inner})",
     degrees=lambda inner: f"{inner}°",
     polar=lambda length, angle: f"{length} ∠ {angle}",
@@ -142,9 +144,8 @@ _LATEX = _Style(
     root=lambda inner: f"\\sqrt{{{inner}}}",
     power=lambda base, exponent: f"{base}^{{{exponent}}}",
     bracket=lambda inner: f"\\left({inner}\\right)",
-    function=lambda name, inner, simple: (
-        f"{_LATEX_FUNCTIONS[name]} {inner}" if simple else f"{_LATEX_FUNCTIONS[name]}\\left({inner}\\right)"
-    ),
+    name=lambda name: _LATEX_FUNCTIONS[name],
+    function=lambda name, inner, simple: f"{name} {inner}" if simple else f"{name}\\left({inner}\\right)",
     degrees=lambda inner: f"{inner}^\\circ",
     polar=lambda length, angle: f"{length}\\,\\angle\\,{angle}",
     figures=lambda text: text,
@@ -164,10 +165,11 @@ _MATHML = _Style(
     root=lambda inner: f"<msqrt>{inner}</msqrt>",
     power=lambda base, exponent: f"<msup><mrow>{base}</mrow><mn>{exponent}</mn></msup>",
     bracket=lambda inner: f"<mrow><mo>(</mo>{inner}<mo>)</mo></mrow>",
+    name=lambda name: f"<mi>{name}</mi>",
     function=lambda name, inner, simple: (
-        f"<mi>{name}</mi><mspace width='0.17em'></mspace>{inner}"
+        f"{name}<mspace width='0.17em'></mspace>{inner}"
         if simple
-        else f"<mi>{name}</mi><mo>&#x2061;</mo><mrow><mo>(</mo>{inner}<mo>)</mo></mrow>"
+        else f"{name}<mo>&#x2061;</mo><mrow><mo>(</mo>{inner}<mo>)</mo></mrow>"
     ),
     degrees=lambda inner: f"{inner}<mo>°</mo>",
     polar=lambda length, angle: f"{length}<mspace width='0.3em'></mspace><mo>∠</mo>{angle}",
@@ -293,7 +295,8 @@ def _product(formula: Product, style: _Style) -> str:
 
 def _close(front: str, letter: Formula, style: _Style) -> bool:
     """Whether a number stands right before a letter, as in 2θ."""
-    return (front.isdigit() and isinstance(letter, (Symbol, Power))) or (style is _MATHML and front.startswith("<mn>"))
+    plain = letter.base if isinstance(letter, Power) else letter
+    return (front.isdigit() and isinstance(plain, Symbol)) or (style is _MATHML and front.startswith("<mn>"))
 
 
 def _front(size: Fraction, constants: Sequence[Formula], style: _Style, *, alone: bool) -> str:
@@ -321,6 +324,9 @@ def _grouped(formula: Formula, style: _Style) -> str:
 
 
 def _power(formula: Power, style: _Style) -> str:
+    """A power; of a cosine with the exponent at its name, cos² α."""
+    if isinstance(formula.base, Applied):
+        return _applied(formula.base, style, exponent=formula.exponent)
     base = _printed(formula.base, style)
     return style.power(base if isinstance(formula.base, Symbol) else style.bracket(base), formula.exponent)
 
@@ -333,13 +339,14 @@ def _ratio(formula: Ratio, style: _Style) -> str:
     return style.ratio(above, f"({below})" if isinstance(formula.below, (Product, Sum, Ratio)) else below)
 
 
-def _applied(formula: Applied, style: _Style) -> str:
+def _applied(formula: Applied, style: _Style, exponent: int = 1) -> str:
     argument = formula.argument
     _, inner = coefficient(argument)
     simple = (isinstance(inner, Symbol) and formula.function != "atan") or (
         isinstance(argument, Rational) and argument.value.denominator == 1 and argument.value > 0
     )
-    return style.function(formula.function, _printed(argument, style), simple)
+    name = style.name(formula.function)
+    return style.function(name if exponent == 1 else style.power(name, exponent), _printed(argument, style), simple)
 
 
 def _polar(formula: Polar, style: _Style) -> str:

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from crankstar.derive import resultant
 from crankstar.derive.formula import Formula, Ratio, Symbol, letters_of, number, renamed
-from crankstar.derive.records import Derivation, DerivationError, Line, unit_symbol
+from crankstar.derive.records import Chapter, DerivationError, Line, unit_symbol
 
 ROMAN = {1: "I", 2: "II", 4: "IV", 6: "VI", 8: "VIII"}
 
@@ -92,23 +92,23 @@ SINITSYN = Notation(
 NOTATIONS = {notation.name: notation for notation in (CRANKSTAR, STROKE, SINITSYN)}
 
 
-def notated(derivation: Derivation, notation: Notation) -> Derivation:
-    """The derivation in another notation; its formulas then evaluate with the letters of that one."""
+def notated(chapter: Chapter, notation: Notation) -> Chapter:
+    """The chapter in another notation; its formulas then evaluate with the letters of that one."""
     letters = dict(notation.letters)
-    letters[unit_symbol(derivation.harmonic).name] = notation.unit(derivation.harmonic)
+    letters[unit_symbol(chapter.harmonic).name] = notation.unit(chapter.harmonic)
 
     def line(one: Line) -> Line:
         chain = (notation.series(*one.series),) if one.series else tuple(renamed(formula, letters) for formula in one.chain)
         return replace(one, name=None if one.name is None else renamed(one.name, letters), chain=chain)
 
-    steps = tuple(replace(step, lines=tuple(map(line, step.lines))) for step in derivation.steps)
-    return replace(derivation, steps=steps)
+    steps = tuple(replace(step, lines=tuple(map(line, step.lines))) for step in chapter.steps)
+    return replace(chapter, steps=steps)
 
 
-def legend(derivation: Derivation, notation: Notation) -> list[Meaning]:
-    """The letters of a notation that a derivation uses."""
+def legend(chapter: Chapter, notation: Notation) -> list[Meaning]:
+    """The letters of a notation that a chapter uses."""
     used: set[str] = set()
-    for step in notated(derivation, notation).steps:
+    for step in notated(chapter, notation).steps:
         for one in step.lines:
             for formula in one.chain if one.name is None else (one.name, *one.chain):
                 used |= letters_of(formula)

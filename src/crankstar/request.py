@@ -1,0 +1,113 @@
+"""What the words of a command line ask for: speeds, orders, angles, a point of reference, settings; or what is wrong with them."""
+
+from __future__ import annotations
+
+from math import isfinite
+from typing import Any, Literal, get_args
+
+from crankstar import units
+from crankstar.balance import Grouping
+from crankstar.engine import Engine
+from crankstar.mechanism import Reference
+from crankstar.quantity import ANGLE, LENGTH, POSITION, SPEED, one_line, seen
+
+Quantity = Literal["force", "couple"]
+
+
+class RequestError(ValueError):
+    """A request that cannot be met, as one sentence that says what would be right."""
+
+
+def setting(text: str) -> tuple[str, Any]:
+    """A --set argument: a key path and a value, which is TOML where it can be read so, else text."""
+    import tomllib
+
+    path, equals, value = text.partition("=")
+    if not equals or not path.strip():
+        raise RequestError(f'--set {one_line(text)}: give a key path and a value, as in --set layout.bore_pitch="100 mm"')
+    try:
+        return path.strip(), tomllib.loads(f"value = {value}")["value"]
+    except (ValueError, RecursionError):  # not TOML, or a number of thousands of digits
+        return path.strip(), value
+
+
+def speed(text: str | None) -> float | None:
+    """A crank speed in rad/s."""
+    if text is None:
+        return None
+    try:
+        found = units.si(text, SPEED)
+    except ValueError as error:
+        raise RequestError(f"--speed: {error}") from None
+    if found <= 0:
+        raise RequestError(f'--speed: is {seen(text)}; it must be greater than 0, such as "{SPEED.example}"')
+    return found
+
+
+def orders(text: str | None, present: list[float]) -> list[float] | None:
+    """Crank orders; all is those that are present."""
+    if text is None:
+        return None
+    if text.strip() == "all":
+        return present
+    try:
+        wanted = [float(part) for part in text.split(",") if part.strip()]
+    except ValueError:
+        wanted = []
+    if not wanted or not all(isfinite(order) and 0 < order <= 1000 for order in wanted) or len(wanted) > 200:
+        raise RequestError(f"--orders {one_line(text)}: give numbers from above 0 up to 1000 with commas, as in 1,2,4,6, or all")
+    return list(dict.fromkeys(wanted))
+
+
+def quantities(text: str | None) -> list[Quantity]:
+    """Which quantities to derive: one, or both."""
+    if text is not None and text not in get_args(Quantity):
+        raise RequestError(f"--quantity {one_line(text)}: it can be {', '.join(get_args(Quantity))}")
+    return [one for one in get_args(Quantity) if text in (None, one)]
+
+
+def derived_orders(text: str) -> list[float]:
+    """Crank orders to derive; all is those that textbooks give: 1, 2, 4, 6."""
+    if text.strip() == "all":
+        return [1, 2, 4, 6]
+    try:
+        wanted = [float(part) for part in text.split(",") if part.strip()]
+    except ValueError:
+        wanted = []
+    if not wanted or len(wanted) > 24:
+        raise RequestError(f"--order {one_line(text)}: give up to 24 crank orders with commas, as in 2 or 1,2,4,6, or all")
+    return list(dict.fromkeys(wanted))
+
+
+def angles(text: str | None) -> list[float]:
+    """Crank angles in radians."""
+    try:
+        return [units.si(part.strip(), ANGLE) for part in (text or "").split(",") if part.strip()]
+    except ValueError as error:
+        raise RequestError(f"--at: {error}") from None
+
+
+def grouping(text: str | None) -> Any:
+    """By what parts are grouped."""
+    if text is not None and text not in get_args(Grouping):
+        raise RequestError(f"--by {one_line(text)}: it can be {', '.join(get_args(Grouping))}")
+    return text
+
+
+def reference(text: str | None, engine: Engine) -> Reference | None:
+    """A point of reference in the units of the engine."""
+    if text is None:
+        return None
+    parts = [part.strip() for part in text.split(",")]
+    example = 'as in "-120 mm" (z) or "0 mm, 35 mm, 0 mm" (z, up, right)'
+    if len(parts) not in (1, 3):
+        raise RequestError(f"--reference {one_line(text)}: give z, or z, up and right, {example}")
+    read = units.reader(frozenset(engine.relative))
+    marks = [POSITION, LENGTH, LENGTH]
+    for part, mark in zip(parts, marks, strict=False):
+        if units.is_bare(part) and not mark.relative_to & frozenset(engine.relative):
+            raise RequestError(f"--reference {one_line(text)}: {one_line(part)} has no unit; write it with one, {example}")
+    try:
+        return Reference(*(read(part, mark) for part, mark in zip(parts, marks, strict=False)))
+    except ValueError as error:
+        raise RequestError(f"--reference: {error}, {example}") from None
