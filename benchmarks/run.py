@@ -17,7 +17,7 @@ from time import perf_counter
 
 import numpy as np
 
-from crankstar import balance, total
+from crankstar import balance, derivation, load, names, total
 from crankstar.arrangement import Basis, Sizes
 from crankstar.engine import Engine
 from crankstar.layouts import Bank, Crank, Row, inline, radial, tandem, vee
@@ -82,6 +82,27 @@ def batch_rate() -> float:
     return VARIANTS / timed(lambda: totals(varied, orders=(1, 2, 4, 6)), runs=3)
 
 
+def derived(engine: Engine) -> None:
+    """All that `crankstar derive --order all` derives."""
+    for order in (1, 2, 4, 6):
+        for quantity in ("force", "couple"):
+            derivation(engine, order, quantity)
+
+
+def derivations() -> list[tuple[str, str, str]]:
+    """A complete derivation as a whole process, and warm: of a V8 and of the dearest engine of the catalog."""
+    warm = {name: timed(lambda name=name: derived(load(name)), runs=1) for name in names()}
+    dearest = max(warm, key=lambda name: warm[name])
+    out: list[tuple[str, str, str]] = []
+    for name in ("v8-cross-plane", dearest):
+        engine = load(name)
+        seconds = timed(lambda engine=engine: derived(engine), runs=9)
+        cold = whole_process("-m", "crankstar", "derive", name, "--order", "all")
+        out.append((f"crankstar derive {name} --order all", f"{cold:.2f} s", "2 s"))
+        out.append((f"the same, warm, not printed ({len(engine.cylinders)} pistons)", f"{seconds * 1e3:.0f} ms", "300 ms"))
+    return out
+
+
 def rows() -> list[tuple[str, str, str]]:
     """What is measured, the figure, and the budget where there is one."""
     module = ("-m", "crankstar", "analyze", "v8-cross-plane")
@@ -101,6 +122,7 @@ def rows() -> list[tuple[str, str, str]]:
                 "2 ms" if count == 12 else "",
             )
         )
+    out += derivations()
     out.append((f"batch of {VARIANTS:,} V8s", f"{batch_rate():,.0f} engines/s", ""))
     return out
 

@@ -40,15 +40,17 @@ def gathered(terms: list[Term], order: Fraction) -> Gathered:
     raw = summed_up([(wave.form(term.weight), term.phase) for term in terms], order)
     groups = _groups(terms)
     left: list[tuple[Fraction, Form, list[int]]] = []
+    made: list[list[tuple[int, Term]]] = []
     for phase, members in groups.items():
         weight = form_sum((Fraction(sign), term.weight) for sign, term in members)
         numbers = [term.cylinder for _, term in members]
         if weight:
             left.append((phase, weight, numbers))
             if len(members) > 1:
-                notes.append(_together(members))
+                made.append(members)
         else:
             notes.append(f"{_pairs(members)}.")
+    notes += _together(made)
     chain = [raw]
     if len(left) < len(terms) and left:
         chain.append(summed_up([(wave.form(weight), phase) for phase, weight, _ in left], order))
@@ -87,11 +89,21 @@ def _groups(terms: list[Term]) -> dict[Fraction, list[tuple[int, Term]]]:
     return groups
 
 
-def _together(members: list[tuple[int, Term]]) -> str:
-    numbers = [term.cylinder for _, term in members]
-    if len({sign for sign, _ in members}) == 1:
-        return f"{_named(numbers)} push together, in phase."
-    return f"{_named(numbers)} are in phase or opposite: their cosines make one."
+def _together(made: list[list[tuple[int, Term]]]) -> list[str]:
+    """Which cylinders are in phase, and which in phase or opposite."""
+    notes: list[str] = []
+    same = [members for members in made if len({sign for sign, _ in members}) == 1]
+    opposed = [members for members in made if members not in same]
+    for groups, told in ((same, "in phase: they push together"), (opposed, "in phase or opposite: their cosines make one")):
+        if groups:
+            names = "; ".join(_listed(members) for members in groups)
+            each = "in each group" if len(groups) > 1 else ""
+            notes.append(f"Cylinders {names} are {each}{' ' if each else ''}{told}.")
+    return notes
+
+
+def _listed(members: list[tuple[int, Term]]) -> str:
+    return ", ".join(str(term.cylinder) for _, term in members)
 
 
 def _pairs(members: list[tuple[int, Term]]) -> str:
