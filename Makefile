@@ -5,7 +5,7 @@ BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 RUN_ONLY := $(VENV)/.installed
 
-.PHONY: demo test test-long bench docs lint clean
+.PHONY: demo test test-long bench docs lint chromium latex clean
 
 demo: $(RUN_ONLY)
 	@echo "== What the catalog holds (crankstar list)"
@@ -16,10 +16,10 @@ demo: $(RUN_ONLY)
 	@echo
 	@echo "== Next: crankstar new vee > mine.toml; edit it; crankstar analyze mine.toml   (the command is $(BIN)/crankstar)"
 
-test: $(READY) lint docs
+test: $(READY) lint docs chromium
 	$(BIN)/pytest -n 2 -m "not long"
 
-test-long: $(READY)
+test-long: $(READY) docs chromium latex
 	HYPOTHESIS_PROFILE=long $(BIN)/pytest -n 2
 
 lint: $(READY)
@@ -30,6 +30,9 @@ lint: $(READY)
 
 docs: $(READY)
 	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict --quiet --site-dir $(VENV)/site
+
+chromium latex:
+	@sh tests/tools.sh install $@
 
 bench: $(READY)
 	$(BIN)/python benchmarks/run.py

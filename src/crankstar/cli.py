@@ -13,7 +13,7 @@ from crankstar import request
 from crankstar.catalog import load
 from crankstar.engine import Engine
 from crankstar.files import STANDARD_INPUT, EngineFileError
-from crankstar.output import OutputError, abandon, complain, display, is_file, terminal_width, write
+from crankstar.output import OutputError, abandon, complain, display, is_file, terminal_width, working, write
 from crankstar.quantity import one_line, seen
 from crankstar.request import RequestError
 
@@ -253,18 +253,19 @@ def derive(
         raise RequestError(f"--format {one_line(form)}: it can be {', '.join(forms)}")
     if not 1 <= power <= 24:
         raise RequestError(f"--power {power}: give a power of λ from 1 to 24")
+    wanted: list[tuple[float, request.Quantity]] = [
+        (one, kind) for one in request.derived_orders(order) for kind in request.quantities(quantity)
+    ]
     try:
         letters = notations.chosen(notation or ("sinitsyn" if signs else "crankstar"))
-        if signs:
-            chapters = [exact.signs_chapter(loaded, reference=point)]
-        else:
-            chapters = []
-            for one in request.derived_orders(order):
-                for kind in request.quantities(quantity):
-                    if symbolic:
-                        chapters.append(exact.family(loaded, one, kind, symbol=symbolic))
-                    else:
-                        chapters.append(exact.derivation(loaded, one, kind, reference=point, power=power).chapter)
+        with working("deriving ...") as tell:
+            chapters = [exact.signs_chapter(loaded, reference=point)] if signs else []
+            for one, kind in [] if signs else wanted:
+                tell(f"deriving the {kind} of order {one:g} ...")
+                if symbolic:
+                    chapters.append(exact.family(loaded, one, kind, symbol=symbolic))
+                else:
+                    chapters.append(exact.derivation(loaded, one, kind, reference=point, power=power).chapter)
     except exact.DerivationError as error:
         raise RequestError(str(error)) from None
     if form == "text":
@@ -322,6 +323,24 @@ def schema(*, output: Output = None) -> None:
     from crankstar.files import schema as file_schema
 
     write(_json(file_schema()), output)
+
+
+@app.command
+def errata(
+    *,
+    source: Annotated[str | None, Parameter(help="only of this source: its key in the references, such as yamamoto2012")] = None,
+    output: Output = None,
+) -> None:
+    """What the sources got wrong: each printed formula beside the true one."""
+    from crankstar.errata import ErrataError
+    from crankstar.errata import errata as found
+    from crankstar.misprints import errata_tables
+
+    try:
+        wanted = found(source)
+    except ErrataError as error:
+        raise RequestError(f"--source {one_line(source or '')}: {error}") from None
+    display(errata_tables(wanted), output)
 
 
 def _loaded(name: str, settings: list[str] | None) -> Engine:

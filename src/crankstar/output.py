@@ -6,7 +6,8 @@ import os
 import stat
 import sys
 import tempfile
-from contextlib import suppress
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from io import StringIO
 from pathlib import Path
 from typing import Any, NoReturn
@@ -118,6 +119,20 @@ def _pour(place: str, text: str) -> None:
 def _refuse(place: str, reason: str) -> NoReturn:
     told = f"{one_line(place) or seen(place)}: cannot be written ({reason}); nothing was changed"
     raise OutputError(f"{told}. Name another place with -o, or leave it out")
+
+
+@contextmanager
+def working(text: str) -> Iterator[Callable[[str], None]]:
+    """Tell on a terminal's standard error what is being done, while it is; call what is given with what is done next."""
+    from rich.console import Console
+    from rich.markup import escape
+
+    console = Console(stderr=True)
+    if not console.is_terminal:
+        yield lambda _: None
+        return
+    with console.status(escape(text)) as status:
+        yield lambda now: status.update(escape(now))
 
 
 def complain(text: str) -> None:

@@ -13,10 +13,11 @@ import tempfile
 import tomllib
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import pytest
+from tests.commands import Ran, Run
 from tests.texts import EXPLICIT, SHORT
 
 import crankstar
@@ -26,60 +27,8 @@ from crankstar.files import engine_of, explicit, schema, tree_of
 from crankstar.files.starters import STARTERS
 
 COMMAND = [sys.executable, "-c", "from crankstar.cli import main; main()"]
-VERBS = ["list", "show", "analyze", "compare", "check", "new", "schema"]
+VERBS = ["list", "show", "analyze", "derive", "compare", "check", "new", "schema"]
 ANALYSES = [[], ["--json"], ["--csv"]]
-
-
-class Ran(NamedTuple):
-    """What came of a command line."""
-
-    code: int
-    out: str
-    err: str
-
-
-Run = Callable[..., Ran]
-
-
-def replaced(draft: Path, target: Path, *, move: Callable[[Path, Path], Path] = Path.replace) -> Path:
-    """Path.replace, but never of a device: these tests may run as root, on code that is broken."""
-    assert not Path(target).exists() or Path(target).is_file()
-    return move(draft, target)
-
-
-@pytest.fixture
-def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Run:
-    """Run a command line in an empty directory; whatever it is, it ends with 0 or 2 and prints only what prints."""
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(Path, "replace", replaced)
-
-    def ran(*arguments: str, stdin: bytes = b"") -> Ran:
-        monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(stdin)))
-        with pytest.raises(SystemExit) as left:
-            cli.main(arguments)
-        code, (out, err) = left.value.code, capsys.readouterr()
-        assert code in (0, 2)
-        assert (code == 2) == bool(err)
-        assert "Traceback" not in out + err
-        assert all(line.isprintable() for line in [*out.split("\n"), *err.split("\n")])
-        assert not err or len(err) < 5000
-        assert not list(tmp_path.glob(".*"))
-        return Ran(int(code), out, err)
-
-    return ran
-
-
-@pytest.fixture
-def refused(run: Run) -> Callable[..., str]:
-    """Run a command line that must be refused without having printed anything; what it is told."""
-
-    def told(*arguments: str, **more: Any) -> str:
-        result = run(*arguments, **more)
-        assert (result.code, result.out) == (2, "")
-        assert result.err.startswith("crankstar: ")
-        return result.err
-
-    return told
 
 
 @pytest.fixture

@@ -164,7 +164,7 @@ def markdown(chapters: Sequence[Chapter], notation: Notation = CRANKSTAR) -> str
 
 def markdown_words(words: str) -> str:
     """Words with everything escaped that means something in Markdown or HTML."""
-    return "".join(f"\\{char}" if char in "\\`*_{}[]<>#|$~!" else char for char in words).replace("&", "&amp;")
+    return "".join(f"\\{char}" if char in "\\`*_{}[]#|$~!" else char for char in escape(words, quote=False))
 
 
 def html(chapters: Sequence[Chapter], notation: Notation = CRANKSTAR) -> str:

@@ -71,10 +71,14 @@ def _derived(engine: Engine, wanted: Fraction, quantity: Quantity, reference: Re
     forward, backward = wave.vectors(up, right, sense=engine.sense)
     steps = [_law(task)]
     pistons = [body for body in moving if body.cylinder is not None]
+    turning = [body for body in moving if body.cylinder is None]
+    if quantity == "couple" and moving and not any(arm_of(arms, body) for body in moving):
+        words = "All that moves stands in the reference plane: nothing has an arm, and there is no couple of any order."
+        steps.append(Step("No arms", (words,)))
+        pistons, turning = [], []
     if pistons:
         steps += _by_bank(task, pistons)
         steps += _by_pin(task, pistons)
-    turning = [body for body in moving if body.cylinder is None]
     if turning:
         steps += _turning(task, turning, mixed=bool(pistons))
     values = arms.values

@@ -1,0 +1,91 @@
+"""A page that is watched: what it says on the console, what breaks in it, and what it wants from the network."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from playwright.sync_api import Browser, ConsoleMessage, Page, Route, WebError, WebSocketRoute
+
+ARGUMENTS = [
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-gpu",
+    "--disable-quic",
+    "--disable-sync",
+    "--no-first-run",
+    "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1",  # also what is no request yet: preconnections, look-ups
+]
+ELSEWHERE = re.compile(r"^(?!file:///|data:|blob:|https?://127\.0\.0\.1[:/])")
+"""An address that a page of ours has no business with."""
+NEWS = frozenset({"error", "warning", "assert"})
+"""The kinds of console messages that are complaints."""
+SETTLED = "() => new Promise(done => requestAnimationFrame(() => setTimeout(done)))"
+
+TOO_WIDE = """() => {
+    const edge = document.documentElement.clientWidth
+    const style = element => getComputedStyle(element)
+    const whole = element => element === document.body || element === document.documentElement
+    const lineage = element => element && !whole(element) ? [element, ...lineage(element.parentElement)] : []
+    const scrolls = element => ['auto', 'scroll'].includes(style(element).overflowX)
+    const hides = element => ['hidden', 'clip'].includes(style(element).overflowX) && element.matches('main *')
+    const free = ([element, ...above]) => [element, ...above].every(one => style(one).position !== 'fixed') && !above.some(scrolls)
+    const wrong = element => {
+        const { left, right, width, height } = element.getBoundingClientRect()
+        if (!width || !height || !element.checkVisibility() || !free(lineage(element))) return ''
+        if (right > edge + 1 || left < -1) return `reaches from ${Math.round(left)} to ${Math.round(right)} of ${edge}`
+        return hides(element) && element.scrollWidth > element.clientWidth + 1 ? 'hides a part of what it holds' : ''
+    }
+    const name = element => [element.tagName.toLowerCase(), ...element.classList].join('.')
+    const told = element => `${name(element)} ${wrong(element)}: ${element.textContent.trim().slice(0, 60)}`
+    const across = document.documentElement.scrollWidth
+    const found = [...document.body.querySelectorAll('*')].filter(wrong).map(told)
+    return across > edge ? [`the page is ${across} wide, the window ${edge}`, ...found] : found
+}"""
+
+
+def root() -> bool:
+    """Chromium's sandbox does not work for root."""
+    return os.geteuid() == 0
+
+
+@contextmanager
+def watched(browser: Browser, complaints: list[str], *, width: int = 1280, height: int = 800) -> Iterator[Page]:
+    """An empty page in a browser profile of its own; what is wrong with it is added to the complaints until it is closed."""
+
+    def said(message: ConsoleMessage) -> None:
+        if message.type in NEWS:
+            place = message.location
+            complaints.append(f"console {message.type}: {message.text} ({place['url']}:{place['lineNumber'] + 1})")
+
+    def broke(error: WebError) -> None:
+        complaints.append(f"error on the page: {error.error.stack or error.error}")
+
+    def refused(route: Route) -> None:
+        complaints.append(f"request to elsewhere: {route.request.url}")
+        route.abort("blockedbyclient")
+
+    def refused_socket(socket: WebSocketRoute) -> None:
+        complaints.append(f"request to elsewhere: {socket.url}")
+        socket.close()
+
+    context = browser.new_context(viewport={"width": width, "height": height}, service_workers="block")
+    try:
+        context.on("console", said)
+        context.on("weberror", broke)
+        context.route(ELSEWHERE, refused)
+        context.route_web_socket(re.compile(""), refused_socket)
+        page = context.new_page()
+        page.on("crash", lambda _: complaints.append("the page crashed"))
+        yield page
+        for still_open in context.pages:
+            still_open.evaluate(SETTLED)  # so that what the page has begun is seen
+    finally:
+        context.close()
+
+
+def too_wide(page: Page) -> list[str]:
+    """What reaches over an edge of the window or is cut off, but for what scrolls by itself or lies over the page."""
+    return page.evaluate(TOO_WIDE)
