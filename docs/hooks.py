@@ -1,4 +1,4 @@
-"""What the documents take from the program when they are built: tables of keys, the figure, the list of sources.
+"""What the documents take from the program when they are built: tables of keys, the figure, the list of sources, errata.
 
 A page says `<!-- keys: vee -->` and gets the table of the keys that a `[layout]` of that kind can have, made from the record
 that checks engine files; so the page cannot name a key that is not there, nor leave one out.
@@ -8,8 +8,10 @@ from __future__ import annotations
 
 import re
 from fractions import Fraction
+from functools import lru_cache
 from html import escape
 from pathlib import Path
+from runpy import run_path
 from typing import Any, Literal, get_args, get_origin
 
 from pydantic.fields import FieldInfo
@@ -59,7 +61,7 @@ SECTIONS: dict[type[Record], str] = {
 }
 """Where the page describes the tables that other tables hold."""
 
-MARK = re.compile(r"^<!-- (keys|figure|sources): ?([\w. /-]*?) ?-->$", re.MULTILINE)
+MARK = re.compile(r"^<!-- (keys|figure|sources|errata): ?([\w. /-]*?) ?-->$", re.MULTILINE)
 CITATION = re.compile(r"\[(@[\w-]+(?:; ?@[\w-]+)*)\]")
 
 
@@ -70,7 +72,7 @@ def on_page_markdown(markdown: str, **_: Any) -> str:
 
 def filled(markdown: str) -> str:
     """A page with its markers replaced by what they stand for."""
-    makers = {"keys": table, "figure": figure, "sources": sources}
+    makers = {"keys": table, "figure": figure, "sources": sources, "errata": errata}
     return CITATION.sub(cited, MARK.sub(lambda found: makers[found.group(1)](found.group(2)), markdown))
 
 
@@ -129,6 +131,12 @@ def figure(path: str) -> str:
     """A drawing put into the page itself, so that it takes the colours of the page."""
     drawing = (HERE / path).read_text(encoding="utf-8")
     return f'<figure markdown="0">\n{drawing[drawing.index("<svg") :].strip()}\n</figure>'
+
+
+@lru_cache
+def errata(source: str) -> str:
+    """What is wrong in one source, with formulas and plots, made by the script beside this one."""
+    return run_path(str(HERE / "errata_page.py"))["page"](source)
 
 
 def sources(path: str) -> str:

@@ -12,7 +12,10 @@ a record, a way of looking at it is a function, an engine type is data, and impo
 | `request` | what the words of a command line ask for |
 | `output` | where results go: terminal, pipe, or a file that appears whole or not at all |
 | `tables`, `description` | a Balance, an Engine as tables for the terminal and the notebook |
+| `charts/` | figures as Altair charts, one function each, and as SVG without a browser |
+| `misprints` | the errata of the sources as tables for the terminal |
 | `wording` | numbers, amplitudes, paths and firing orders as an engineer writes them |
+| `errata/` | what the sources got wrong: printed, true, and momentum as the judge |
 | `derive/` | exact closed forms and their derivation step by step, zeros proved; families, the six signs of balance |
 | `answer` | the machine-readable answer: the public JSON object, CSV |
 | `catalog/` | engines as TOML, one file each, each number with its source |

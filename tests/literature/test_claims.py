@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import replace
 from fractions import Fraction
 from itertools import permutations
 from math import atan, hypot, pi, radians, sqrt
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -17,10 +15,11 @@ import crankstar
 from crankstar import motion, phasor
 from crankstar.balance import Reference, balance, grouped, mechanism, spectra, total
 from crankstar.engine import Engine
+from crankstar.errata import claims
 from crankstar.firing import dead_centres, firing
 from crankstar.phasor import Spectrum
 
-CLAIMS: dict[str, Any] = json.loads((Path(__file__).parent / "claims.json").read_text(encoding="utf-8"))
+CLAIMS: dict[str, Any] = claims()
 EXACT = 1e-12
 ANGLES = np.radians(np.arange(0, 360, 5))
 V8S = {"v8-flat-plane": CLAIMS["v8_flat_plane"], "v8-cross-plane": CLAIMS["v8_cross_plane"]}
