@@ -38,6 +38,7 @@ class Body:
 
     `along` is the push of a piston along its cylinder; None for what turns. `lag` is delta in turns, None where it is not
     a rational part of one; `dead_centre` is where the piston is farthest out, in turns of the reference crankshaft.
+    `sharing` is how many bodies the rows stand for together: a rod's crank end, `crank_end_of` a cylinder, is a body of its own.
     """
 
     name: str
@@ -52,6 +53,8 @@ class Body:
     bearing_deg: float = 0.0
     lag: Fraction | None = None
     dead_centre: Fraction | None = None
+    sharing: int = 1
+    crank_end_of: int | None = None
 
 
 @dataclass(frozen=True)
@@ -142,7 +145,8 @@ def _pistons(
             continue
         body = _exact(engine, cylinder, int(j), unit, classes) if exact else _enclosed(engine, cylinder, int(j), unit)
         if body is not None:
-            out.append(_labelled(body, engine, cylinder, rows))
+            sharing = 2 if exact and j == 1 and _on_pin(engine, cylinder) else 1
+            out.append(replace(_labelled(body, engine, cylinder, rows), sharing=sharing))
     return out, {symbol: key for key, symbol in classes.items()}
 
 
@@ -240,11 +244,12 @@ def _rotors(
             own = rows[kind, (shaft.name, place)]
             out.append(_turning(engine, shaft.name, f"{kind} {place}", place, angle, unbalance / unit, own, exact=exact))
         if exact:
-            out += [
-                _turning(engine, shaft.name, f"big end {c.number}", c.throw, engine.throw(c).angle, amount / unit, (), exact=True)
-                for c in engine.cylinders
-                if c.shaft == shaft.name and (amount := _on_pin(engine, c))
-            ]
+            for c in engine.cylinders:
+                amount = _on_pin(engine, c)
+                if c.shaft == shaft.name and amount:
+                    name, angle, own = f"big end {c.number}", engine.throw(c).angle, rows["cylinder", c.number]
+                    body = _turning(engine, shaft.name, name, c.throw, angle, amount / unit, own, exact=True)
+                    out.append(replace(body, sharing=2, crank_end_of=c.number))
     return out
 
 

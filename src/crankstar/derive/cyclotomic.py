@@ -10,16 +10,20 @@ irreducible, the conjugates are zeta -> zeta^t with t prime to N).
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from contextlib import contextmanager
 from fractions import Fraction
-from functools import lru_cache
+from functools import lru_cache, wraps
 from math import gcd, lcm
+from typing import TypeVar
 
 import flint
 import numpy as np
 from flint import acb, arb, fmpq, fmpq_poly, fmpz_poly
 
+T = TypeVar("T")
+REMEMBERED = 4096
+"""Answers of a function that are kept."""
 DIGITS = 50
 """Decimal digits to which numbers are enclosed unless more are asked for."""
 
@@ -74,15 +78,14 @@ class Number:
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Number) and (self - other).zero
 
-    def __hash__(self) -> int:
-        return hash(self.key)
+    __hash__ = None  # pyright: ignore[reportAssignmentType]  # equal numbers may be written in different fields
 
     def __repr__(self) -> str:
         return f"Number({self.order}, {self.poly})"
 
     @property
     def key(self) -> tuple[int, str]:
-        """What tells this number, written in this field, from all others."""
+        """What tells this number from all others that are written in the same field."""
         if self._key is None:
             self._key = (self.order, str(self.poly.coeffs()))
         return self._key
@@ -184,13 +187,29 @@ def imaginary(number: Number) -> Number:
     return ((number - number.conjugate) * root(Fraction(-1, 4))).times(Fraction(1, 2))
 
 
-def conjugates(number: Number) -> dict[Number, int]:
-    """All numbers with the same minimal polynomial, each with a power that makes it: zeta -> zeta^power."""
-    found: dict[Number, int] = {}
+def conjugates(number: Number) -> list[tuple[Number, int]]:
+    """All numbers with the same minimal polynomial, itself first, each with a power that makes it: zeta -> zeta^power."""
+    found: dict[tuple[int, str], tuple[Number, int]] = {}
     for power in range(1, max(number.order, 2)):
         if gcd(power, number.order) == 1:
-            found.setdefault(number.moved(power), power)
-    return found
+            moved = number.moved(power)
+            found.setdefault(moved.key, (moved, power))
+    return list(found.values())
+
+
+def remembered(function: Callable[[Number], T]) -> Callable[[Number], T]:
+    """The function with a memory of its last answers, by how the number is written."""
+    answers: dict[tuple[int, str], T] = {}
+
+    @wraps(function)
+    def asked(number: Number) -> T:
+        if number.key not in answers:
+            if len(answers) >= REMEMBERED:
+                answers.pop(next(iter(answers)))
+            answers[number.key] = function(number)
+        return answers[number.key]
+
+    return asked
 
 
 def minimal_polynomial(number: Number) -> tuple[int, ...]:
@@ -201,7 +220,7 @@ def minimal_polynomial(number: Number) -> tuple[int, ...]:
     """
     scale = int(number.poly.denom())
     whole = number.times(scale)
-    others = list(conjugates(whole))
+    others = [other for other, _ in conjugates(whole)]
     size = 1 + sum(abs(int(value)) for value in whole.poly.coeffs())
     # Elementary symmetric functions of algebraic integers are whole numbers: a ball with one whole number in it proves it.
     with precision(int(len(others) * np.log10(2.0 * size)) + 20):
@@ -248,6 +267,8 @@ def vanishing(coefficients: np.ndarray) -> np.ndarray:
     values = np.asarray(coefficients)
     if values.dtype.kind not in "iuO":
         raise TypeError("exact zeros are decided for whole coefficients only; scale them first")
+    if values.dtype.kind == "u":
+        values = values.astype(object)
     table = reduction(values.shape[-1])
     if values.dtype.kind != "O" and values.size:
         bound = int(np.abs(values).max()) * int(np.abs(table).sum(axis=0).max())

@@ -125,6 +125,10 @@ Formula = Rational | Decimal | Symbol | Pi | Root | Power | Sum | Product | Rati
 NOUGHT = Rational(Fraction(0))
 UNIT = Rational(Fraction(1))
 THETA = Symbol("theta")
+GREATEST_FACTORED = 10**15
+"""Whole numbers up to this are taken apart into primes at once; the form of a greater one would be long anyway."""
+LONG = 1000
+"""Denominator from which a fraction is written as a decimal."""
 
 
 def number(value: Fraction | int) -> Rational:
@@ -159,13 +163,22 @@ def square_root(value: Fraction) -> Formula:
     """The square root of a fraction, squares taken out: 2 sqrt(3), sqrt(10)/2. ValueError below zero."""
     if value < 0:
         raise ValueError("the square root of a negative number is not real")
-    outside, inside = Fraction(1, value.denominator), value.numerator * value.denominator
-    for prime, exponent in fmpz(inside).factor() if inside > 1 else ():
-        outside *= int(prime) ** (int(exponent) // 2)
-        inside //= int(prime) ** (int(exponent) // 2 * 2)
-    if inside == 0:
+    if value == 0:
         return number(0)
-    return product(outside) if inside == 1 else product(outside, Root(Rational(Fraction(inside))))
+    outside, inside = squares(value.numerator * value.denominator)
+    front = Fraction(outside, value.denominator)
+    return number(front) if inside == 1 else product(front, Root(Rational(Fraction(inside))))
+
+
+def squares(whole: int) -> tuple[int, int]:
+    """A positive whole number as n^2 m, m without square factors; of one too long to be factored only its root is looked for."""
+    if whole > GREATEST_FACTORED:
+        outside = math.isqrt(whole)
+        return (outside, 1) if outside * outside == whole else (1, whole)
+    outside = 1
+    for prime, exponent in fmpz(whole).factor() if whole > 1 else ():
+        outside *= int(prime) ** (int(exponent) // 2)
+    return outside, whole // outside**2
 
 
 def summed(*terms: Formula) -> Formula:
@@ -224,6 +237,15 @@ def letters_of(formula: Formula) -> set[str]:
         for part in inner if isinstance(inner, tuple) else (inner,):
             out |= letters_of(part) if isinstance(part, Formula) else set()
     return out
+
+
+def has_long(formula: Formula) -> bool:
+    """Whether a formula holds a fraction too long to be written as one."""
+    if isinstance(formula, Rational):
+        return formula.value.denominator > LONG or abs(formula.value.numerator) > LONG**2
+    inner = [getattr(formula, field.name) for field in fields(formula)]
+    parts = [part for one in inner for part in (one if isinstance(one, tuple) else (one,))]
+    return any(has_long(part) for part in parts if isinstance(part, Formula))
 
 
 def has_decimal(formula: Formula) -> bool:

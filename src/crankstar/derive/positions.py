@@ -75,7 +75,8 @@ def _cylinders(engine: Engine, pitch: float) -> tuple[dict[int, Form], dict[Symb
     shifts = [(anchor - anchors[0]) / pitch for anchor in anchors]
     sizes = sorted({round(abs(shift), 9) for shift in shifts if abs(shift) > SAME_PLACE}, reverse=True)
     names = [Symbol("b")] if len(sizes) == 1 else [Symbol("b", str(place)) for place in range(1, len(sizes) + 1)]
-    values = {PITCH[0]: Fraction(1)} | {name: meant.ratio(size) for name, size in zip(names, sizes, strict=True)}
+    exact = {round(abs(shift), 9): abs(shift) for shift in shifts}
+    values = {PITCH[0]: Fraction(1)} | {name: meant.ratio(exact[size]) for name, size in zip(names, sizes, strict=True)}
     forms: dict[int, Form] = {}
     for numbers, anchor, shift in zip(banks, anchors, shifts, strict=True):
         offset: dict[Key, Fraction] = {}

@@ -13,30 +13,33 @@ from __future__ import annotations
 
 from cmath import phase
 from fractions import Fraction
-from functools import lru_cache
 from math import isqrt, lcm, pi
 from typing import NamedTuple
 
-from flint import arb, fmpz
+from flint import arb
 
 from crankstar.derive import cyclotomic
-from crankstar.derive.cyclotomic import DIGITS, Number
+from crankstar.derive.cyclotomic import DIGITS, Number, remembered
 from crankstar.derive.formula import (
     Applied,
     Decimal,
     Degrees,
     Formula,
     Ratio,
+    Rational,
     Root,
     Sum,
     angle,
     coefficient,
+    has_long,
     negative,
     number,
     product,
     square_root,
+    squares,
     summed,
 )
+from crankstar.derive.formula import value as evaluated
 from crankstar.derive.typeset import text
 
 LONGEST = 26
@@ -52,7 +55,7 @@ class Closed(NamedTuple):
     exact: bool
 
 
-@lru_cache(maxsize=4096)
+@remembered
 def closed(value: Number) -> Closed:
     """A real number in radicals, else as an enclosed decimal.
 
@@ -61,11 +64,17 @@ def closed(value: Number) -> Closed:
     ('(√6 + √2)/4', '0.6234898…')
     """
     found = _radical(value)
-    found = None if found is None else gathered(found)
-    return Closed(found, exact=True) if found is not None and len(text(found)) <= LONGEST else Closed(_decimal(value), exact=False)
+    if found is None or not _short(gathered(found)):
+        return Closed(_decimal(value), exact=False)
+    return Closed(gathered(found), exact=True)
 
 
-@lru_cache(maxsize=4096)
+def _short(formula: Formula) -> bool:
+    """Whether a closed form tells a reader more than its decimal: a plain rational always does."""
+    return isinstance(formula, Rational) or (not has_long(formula) and len(text(formula)) <= LONGEST)
+
+
+@remembered
 def length(value: Number) -> Closed:
     """The magnitude of a complex number."""
     square = value * value.conjugate
@@ -73,14 +82,14 @@ def length(value: Number) -> Closed:
     turn = bearing_turn(value)
     if turn is not None:
         candidates.append(_radical(value.turned(-turn)))
-    short = min((gathered(found) for found in candidates if found is not None), key=lambda found: len(text(found)), default=None)
-    if short is not None and len(text(short)) <= LONGEST:
-        return Closed(short, exact=True)
+    forms = [form for found in candidates if found is not None and _short(form := gathered(found))]
+    if forms:
+        return Closed(min(forms, key=lambda form: len(text(form))), exact=True)
     with cyclotomic.precision(DIGITS):
         return Closed(Decimal(square.enclosed().real.sqrt()), exact=False)
 
 
-@lru_cache(maxsize=4096)
+@remembered
 def bearing_turn(value: Number) -> Fraction | None:
     """The argument of a number other than zero as a part of a full turn in (-1/2, 1/2], None if it is not a rational one."""
     estimate = _argument(value)
@@ -96,7 +105,7 @@ def bearing_turn(value: Number) -> Fraction | None:
     return Fraction(1, 2) - (Fraction(1, 2) - nearest) % 1
 
 
-@lru_cache(maxsize=4096)
+@remembered
 def bearing(value: Number) -> Closed:
     """The argument of a complex number other than zero, in (-180, 180] degrees.
 
@@ -130,13 +139,12 @@ def _arctangent(value: Number, base: Fraction) -> Formula | None:
     if down.zero or complex(down).real < 0:
         return None
     found = _radical(cyclotomic.imaginary(turned) / down)
-    if found is None or len(text(found)) > 8:
+    if found is None or has_long(found) or len(text(found)) > 8:
         return None
     below = text(found).startswith("−")
-    if base in (Fraction(1, 2), Fraction(-1, 2)) and below != (base > 0):
-        return None  # beyond half a turn
     part = negative(Applied("atan", negative(found))) if below else Applied("atan", found)
-    return summed(angle(base), part)
+    whole = summed(angle(base), part)
+    return whole if abs(evaluated(whole) / (2 * pi) - _argument(value)) < 1e-9 else None  # not beyond half a turn
 
 
 def _decimal(value: Number) -> Decimal:
@@ -164,7 +172,7 @@ def _root_of(value: Number) -> Formula | None:
     return None if inner is None else Root(inner)
 
 
-@lru_cache(maxsize=4096)
+@remembered
 def _radical(value: Number) -> Formula | None:
     """A real number as a tower of square roots, None where there is none or none that is short."""
     fraction = value.rational
@@ -174,7 +182,7 @@ def _radical(value: Number) -> Formula | None:
     if others is None or len(others) & (len(others) - 1) or len(others) > 8:
         return None
     found: list[Formula] = []
-    for other, power in others.items():
+    for other, power in others:
         if other == value or other.moved(power) != value:
             continue
         even = (value + other).times(Fraction(1, 2))
@@ -190,13 +198,13 @@ def _ordered(first: Formula, second: Formula) -> tuple[Formula, Formula]:
     return (second, first) if text(first).startswith("−") and not text(second).startswith("−") else (first, second)
 
 
-def _conjugates(value: Number) -> dict[Number, int] | None:
+def _conjugates(value: Number) -> list[tuple[Number, int]] | None:
     return None if value.poly.length() > GREATEST_DEGREE or value.order > 12 * GREATEST_DEGREE else cyclotomic.conjugates(value)
 
 
-def _split(value: Number, others: dict[Number, int]) -> tuple[Number, Number] | None:
+def _split(value: Number, others: list[tuple[Number, int]]) -> tuple[Number, Number] | None:
     """The even part of a number of degree two, and the square of its odd part."""
-    other = next((one for one in others if one != value), None)
+    other = next((one for one, _ in others if one != value), None)
     if other is None:
         return None
     odd = (value - other).times(Fraction(1, 2))
@@ -210,11 +218,9 @@ def gathered(formula: Formula) -> Formula:
         return product(size, gathered(rest))
     if isinstance(formula, Root):
         inner, below = _numerator(formula.radicand)
-        missing = Fraction(1)
-        for prime, exponent in fmpz(below).factor() if below > 1 else ():
-            missing *= int(prime) ** (int(exponent) % 2)
-        above = Root(_over_all(inner, missing))
-        return above if below == 1 else Ratio(above, number(isqrt(int(below * missing))))
+        outside, missing = squares(below)
+        above = Root(_over_all(inner, Fraction(missing)))
+        return above if below == 1 else Ratio(above, number(outside * missing))
     above, below = _numerator(formula)
     return formula if below == 1 or not isinstance(formula, Sum) else Ratio(above, number(below))
 

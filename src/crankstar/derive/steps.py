@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from numbers import Real
 from typing import NamedTuple
 
 from crankstar.derive import cyclotomic, enclosure, positions, resultant, wave
@@ -31,6 +32,7 @@ from crankstar.derive.task import Task, arm_of, arm_text, degrees_text, paired, 
 from crankstar.derive.wave import Wave, joined
 from crankstar.engine import Engine
 from crankstar.mechanism import Reference
+from crankstar.quantity import one_line
 
 
 class Row(NamedTuple):
@@ -101,12 +103,16 @@ def _derived(engine: Engine, wanted: Fraction, quantity: Quantity, reference: Re
 
 
 def _order(order: float | Fraction) -> Fraction:
+    told = f"the order is {one_line(str(order), longest=40)}; give a crank order above 0 and up to {GREATEST_ORDER}, such as 2"
+    if not isinstance(order, Real) or isinstance(order, bool):
+        raise DerivationError(told)
     try:
-        wanted = Fraction(order).limit_denominator(1000)
-    except (TypeError, ValueError, OverflowError):
-        raise DerivationError(f"the order is {order!r}; give a number above 0 and up to {GREATEST_ORDER}") from None
-    if not 0 < wanted <= GREATEST_ORDER or abs(float(wanted) - float(order)) > 1e-9:
-        raise DerivationError(f"the order is {float(order):g}; give a crank order above 0 and up to {GREATEST_ORDER}, such as 2")
+        given = Fraction(order)
+    except (ValueError, OverflowError):
+        raise DerivationError(told) from None
+    wanted = given.limit_denominator(1000)
+    if not 0 < wanted <= GREATEST_ORDER or abs(wanted - given) > Fraction(1, 10**9):
+        raise DerivationError(told)
     return wanted
 
 
@@ -209,10 +215,10 @@ def _each(task: Task, pistons: Sequence[Body]) -> Step:
         if task.quantity == "couple":
             told += f", arm {arm_text(arm_of(task.arms, body))}"
         if body.along is None:
-            lines += sides(task, str(body.cylinder), body.up, body.right, body.rows, told)
+            lines += sides(task, str(body.cylinder), body.up, body.right, rows([body]), told)
             continue
         name = Symbol(task.letter, str(body.cylinder))
-        lines.append(Line(name, _own(task, body), "signal", body.rows, body.bearing_deg, told))
+        lines.append(Line(name, _own(task, body), "signal", rows([body]), body.bearing_deg, told))
     words = ["Each piston's cosine has its crest where the piston is at top dead centre."]
     if task.quantity == "couple":
         words.append(
@@ -365,7 +371,7 @@ def _turning(task: Task, turning: Sequence[Body], *, mixed: bool) -> list[Step]:
         told = f"{body.name} of {body.shaft}"
         if task.quantity == "couple":
             told += f", arm {arm_text(arm_of(task.arms, body))}"
-        lines += sides(task, f"{body.shaft} {body.name}", body.up, body.right, body.rows, told)
+        lines += sides(task, f"{body.shaft} {body.name}", body.up, body.right, rows([body]), told)
     up, right = joined(b.up for b in turning), joined(b.right for b in turning)
     lines += sides(task, "turning", up, right, rows(turning), "all that turns")
     words = ("What turns with a shaft pushes, once a turn of it, towards where it is: as a vector that turns with it.",)

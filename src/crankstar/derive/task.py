@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from fractions import Fraction
 from math import radians
@@ -32,15 +33,18 @@ class Task(NamedTuple):
 
 def arm_of(arms: positions.Arms, body: Body) -> Form:
     """How far in front of the reference plane a part stands."""
-    if body.cylinder is not None:
-        return arms.cylinder[body.cylinder]
+    number = body.crank_end_of if body.cylinder is None else body.cylinder
+    if number is not None:
+        return arms.cylinder[number]
     return (arms.weight if body.name.startswith("weight") else arms.throw)[body.shaft, body.place]
 
 
 def rows(moving: Sequence[Body]) -> tuple[int, ...]:
-    """The rows of a Balance that the parts account for; none where a rigid rod shares its row among two of them."""
-    rows = [row for body in moving for row in body.rows]
-    return () if any(not body.rows for body in moving) else tuple(rows)
+    """The rows of a Balance that the parts account for; none where a row is shared with a part that is not among them."""
+    found = Counter((row, body.sharing) for body in moving for row in body.rows)
+    if any(count < sharing for (_, sharing), count in found.items()):
+        return ()
+    return tuple(row for row, _ in found)
 
 
 def degrees_text(value: float) -> str:

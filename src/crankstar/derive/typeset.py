@@ -11,7 +11,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 from html import escape
 
+from flint import arb, fmpq
+
 from crankstar.derive.formula import (
+    LONG,
     UNIT,
     Applied,
     Decimal,
@@ -218,11 +221,16 @@ def figures(decimal: Decimal) -> str:
     places = max(0, min(decimal.digits - 1 - floor(log10(float(middle))), 30))
     scale = 10**places
     low, high = ((abs(ball) * scale).lower().floor(), (abs(ball) * scale).upper().floor())
+    near = abs(ball) * scale + arb(0.5)
+    if low != high and near.lower().floor() == near.upper().floor():
+        low = high = near.lower().floor()  # so near to a round number that its digits cannot be cut, only rounded
     while low != high and places > 0:
         places -= 1
         scale = 10**places
         low, high = ((abs(ball) * scale).lower().floor(), (abs(ball) * scale).upper().floor())
-    digits = str(int(float(low)) if places == 0 else low.unique_fmpz())
+    if low != high:
+        return str(ball)
+    digits = str(low.unique_fmpz())
     digits = digits.rjust(places + 1, "0")
     shown = digits if places == 0 else f"{digits[:-places]}.{digits[-places:]}"
     return shown if ball > 0 else f"-{shown}"
@@ -243,8 +251,8 @@ def _plain(size: Fraction, style: _Style) -> str:
     """A positive rational number: whole, as a fraction, or as a decimal where the fraction is long."""
     if size.denominator == 1:
         return style.figures(str(size.numerator))
-    if size.denominator > 1000:
-        return style.figures(f"{float(size):.10g}")
+    if size.denominator > LONG:
+        return _decimal(Decimal(arb(fmpq(size.numerator, size.denominator))), style)
     return style.ratio(style.figures(str(size.numerator)), style.figures(str(size.denominator)))
 
 
@@ -308,7 +316,7 @@ def _front(size: Fraction, constants: Sequence[Formula], style: _Style, *, alone
         if size.denominator == 1 or not style.decimals:
             return _plain(size, style)
         short = size.denominator in (2, 4, 5, 8, 10, 20)
-        return f"{float(size):g}" if short else _plain(size, style) if size.denominator > 1000 else f"({_plain(size, style)})"
+        return f"{float(size):g}" if short else _plain(size, style) if size.denominator > LONG else f"({_plain(size, style)})"
     above = shown if size.numerator == 1 else style.figures(str(size.numerator)) + shown
     if size.denominator == 1:
         return above
@@ -335,7 +343,7 @@ def _ratio(formula: Ratio, style: _Style) -> str:
     above, below = _printed(formula.above, style), _printed(formula.below, style)
     if style is not _TEXT:
         return style.ratio(above, below)
-    above = f"({above})" if " " in above or "/" in above else above
+    above = f"({above})" if not isinstance(formula.above, Root) and (" " in above or "/" in above) else above
     return style.ratio(above, f"({below})" if isinstance(formula.below, (Product, Sum, Ratio)) else below)
 
 
