@@ -10,6 +10,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from html import escape
+from math import floor, log10
 
 from flint import arb, fmpq
 
@@ -38,6 +39,8 @@ GREEK = {
     "theta": "θ", "omega": "ω", "lambda": "λ", "alpha": "α", "beta": "β", "phi": "φ", "psi": "ψ", "tau": "τ", "delta": "δ",
     "Lambda": "Λ", "Sigma": "Σ",
 }  # fmt: skip
+GREATEST_PLACES = 30
+"""Places behind the point at most, however small a decimal is."""
 FIRST_UNKNOWN = 0x180
 """The first character that LaTeX's T1 fonts do not have, but for those below."""
 _LATEX_KNOWN = {
@@ -212,28 +215,20 @@ def figures(decimal: Decimal) -> str:
 
     An enclosure of zero that is not zero is written as 0.
     """
-    from math import floor, log10
-
     ball = decimal.ball
     if ball.contains(0):
         return "0"
-    middle = abs(ball.mid())
-    places = max(0, min(decimal.digits - 1 - floor(log10(float(middle))), 30))
-    scale = 10**places
-    low, high = ((abs(ball) * scale).lower().floor(), (abs(ball) * scale).upper().floor())
-    near = abs(ball) * scale + arb(0.5)
-    if low != high and near.lower().floor() == near.upper().floor():
-        low = high = near.lower().floor()  # so near to a round number that its digits cannot be cut, only rounded
-    while low != high and places > 0:
-        places -= 1
-        scale = 10**places
-        low, high = ((abs(ball) * scale).lower().floor(), (abs(ball) * scale).upper().floor())
-    if low != high:
-        return str(ball)
-    digits = str(low.unique_fmpz())
-    digits = digits.rjust(places + 1, "0")
-    shown = digits if places == 0 else f"{digits[:-places]}.{digits[-places:]}"
-    return shown if ball > 0 else f"-{shown}"
+    most = max(0, min(decimal.digits - 1 - floor(log10(float(abs(ball).mid()))), GREATEST_PLACES))
+    for places in range(most, -1, -1):
+        scaled = abs(ball) * 10**places
+        # Cut; or rounded where it is so near to a round number that a cut is undecided.
+        for start in (scaled, scaled + arb(0.5)):
+            low, high = start.lower().floor(), start.upper().floor()
+            if low == high:
+                digits = str(low.unique_fmpz()).rjust(places + 1, "0")
+                shown = digits if places == 0 else f"{digits[:-places]}.{digits[-places:]}"
+                return shown if ball > 0 else f"-{shown}"
+    return str(ball)
 
 
 def _printed(formula: Formula, style: _Style) -> str:
