@@ -75,9 +75,25 @@ def radial_master_rod() -> None:
     assert articulated["force 2"] == pytest.approx(9 * 0.25 * 1 / (4 - 1), rel=0.06)  # n lambda rho/(l - rho), the first term
 
 
+def best_two_stroke_eight() -> None:
+    found = result("best_two_stroke_eight")
+    assert found["stars"] == 5040
+    assert found["without second-order couple"] == 96
+    assert found["smallest"] == "√(20 − 14√2)"
+    assert found["orders"] == ["1-7-3-5-4-6-2-8", "1-8-2-6-4-5-3-7"]
+
+
 CHECKS: dict[str, Callable[[], None]] = {
     check.__name__: check
-    for check in (which_v8_buzzes, kr250_balance_factor, v_twin_bank_angle, read_own_file, crossplane_four, radial_master_rod)
+    for check in (
+        which_v8_buzzes,
+        kr250_balance_factor,
+        v_twin_bank_angle,
+        read_own_file,
+        crossplane_four,
+        radial_master_rod,
+        best_two_stroke_eight,
+    )
 }
 
 

@@ -94,11 +94,10 @@ def _together(made: list[list[tuple[int, Term]]]) -> list[str]:
     notes: list[str] = []
     same = [members for members in made if len({sign for sign, _ in members}) == 1]
     opposed = [members for members in made if members not in same]
-    for groups, told in ((same, "in phase: they push together"), (opposed, "in phase or opposite: their cosines make one")):
+    for groups, told in ((same, "in phase: they push together"), (opposed, "in phase or opposite, so that their cosines make one")):
         if groups:
             names = "; ".join(_listed(members) for members in groups)
-            each = "in each group" if len(groups) > 1 else ""
-            notes.append(f"Cylinders {names} are {each}{' ' if each else ''}{told}.")
+            notes.append(f"Cylinders {names}{': each group is' if len(groups) > 1 else ' are'} {told}.")
     return notes
 
 
