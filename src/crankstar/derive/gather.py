@@ -123,7 +123,7 @@ def _pairs(members: list[tuple[int, Term]]) -> str:
 
 
 def _closed_polygon(left: list[tuple[Fraction, Form, list[int]]]) -> str:
-    numbers = [number for _, _, group in left for number in group]
+    numbers = sorted(number for _, _, group in left for number in group)
     count = len(left)
     weights = [
         weight if next(iter(weight.values())) > 0 else {key: -value for key, value in weight.items()} for _, weight, _ in left
@@ -131,7 +131,7 @@ def _closed_polygon(left: list[tuple[Fraction, Form, list[int]]]) -> str:
     phases = [phase if next(iter(weight.values())) > 0 else phase + HALF for phase, weight, _ in left]
     apart = sorted((phase - phases[0]) % 1 for phase in phases)
     if all(weight == weights[0] for weight in weights) and apart == [Fraction(i, count) for i in range(count)]:
-        apart_deg = f"{360 / count:.6g} deg apart"
+        apart_deg = f"{360 / count:.6g}° apart"
         return f"{_named(numbers)}: their vectors, equally long and {apart_deg}, close a polygon: their sum is exactly 0."
     return f"{_named(numbers)}: their vectors close a polygon: their sum is exactly 0."
 
