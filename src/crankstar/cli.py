@@ -238,6 +238,7 @@ def derive(
         Parameter(help="leave a dimension open: alpha (half the bank angle), phi (crank phase of a twin), n (cylinders in a row)"),
     ] = None,
     signs: Annotated[bool, Parameter(help="the six signs of balance instead: P_R, M_R, P_I, M_I, P_II, M_II", negative=())] = False,
+    speed: Speed = None,
     reference: ReferencePoint = None,
     settings: Settings = None,
     output: Output = None,
@@ -247,6 +248,7 @@ def derive(
     from crankstar.derive import documents, notations
 
     loaded = _loaded(engine, settings)
+    turning = request.speed(speed)
     point = request.reference(reference, loaded)
     forms = ["text", *documents.FORMATS]
     if form not in forms:
@@ -265,7 +267,7 @@ def derive(
                 if symbolic:
                     chapters.append(exact.family(loaded, one, kind, symbol=symbolic))
                 else:
-                    chapters.append(exact.derivation(loaded, one, kind, reference=point, power=power).chapter)
+                    chapters.append(exact.derivation(loaded, one, kind, reference=point, speed=turning, power=power).chapter)
     except exact.DerivationError as error:
         raise RequestError(str(error)) from None
     if form == "text":

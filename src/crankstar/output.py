@@ -36,16 +36,18 @@ def display(renderable: Any, place: str | None = None) -> None:
 
     from crankstar.wording import least_width
 
-    text = StringIO()
-    plain = {} if place is None else {"file": text, "force_terminal": False}
+    plain = {} if place is None else {"file": StringIO(), "force_terminal": False}
     console = Console(highlight=False, markup=False, width=terminal_width() if place is None else PIPED, **plain)
     # A table that is too wide runs over the edge of the terminal; its numbers are not cut.
     console.width = max(console.width, least_width(renderable, console))
     if place is None:
         _opened()
-    console.print(renderable, crop=False)
-    if place is not None:
-        write(text.getvalue(), place)
+    if console.is_terminal:
+        console.print(renderable, crop=False)
+        return
+    with console.capture() as captured:
+        console.print(renderable, crop=False)
+    write("".join(f"{line.rstrip()}\n" for line in captured.get().splitlines()), place)
 
 
 def write(text: str, place: str | None) -> None:

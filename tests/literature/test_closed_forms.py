@@ -63,7 +63,7 @@ def test_the_cross_plane_page_is_right_by_bank_and_by_pin(quantity: Quantity) ->
 
 def test_each_bank_of_the_cross_plane_cancels_in_named_pairs() -> None:
     step = next(step for step in derivation(load("v8-cross-plane"), 1, "force").steps if step.title == "Bank by bank")
-    told = "Cylinders {} and {} cancel: they push against each other at every moment."
+    told = "Cylinders {} and {} cancel: they push against each other at every crank angle."
     assert [line.note for line in step.lines] == [
         f"{told.format(1, 7)} {told.format(3, 5)}",
         f"{told.format(2, 8)} {told.format(4, 6)}",

@@ -6,12 +6,13 @@ MathML needs neither script nor network, and every browser of today sets it.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from html import escape
 from typing import Any
 
 from crankstar.derive import typeset
 from crankstar.derive.formula import Formula, Sum
-from crankstar.derive.notations import CRANKSTAR, Notation, legend, notated
+from crankstar.derive.notations import CRANKSTAR, Meaning, Notation, legend, notated
 from crankstar.derive.records import Chapter, Line
 
 LINE = 84
@@ -60,26 +61,55 @@ def rendered(chapters: Sequence[Chapter], notation: Notation = CRANKSTAR) -> Any
     from rich.text import Text
 
     out: list[Any] = []
-    for chapter in chapters:
-        shown = notated(chapter, notation)
-        out += [Text(f"{chapter.engine}: {shown.title}", style="bold"), Text()]
-        letters = "; ".join(f"{typeset.text(meaning.letter)}: {meaning.words}" for meaning in legend(chapter, notation))
+    for shown, letters in _told_once(chapters, notation):
+        out += [Text(f"{shown.engine}: {shown.title}", style="bold"), Text()]
         for count, step in enumerate(shown.steps, 1):
             out.append(Text(f"{count}  {step.title}", style="bold"))
             out += [Padding(Text(words), (0, 0, 0, 3)) for words in step.words]
             if count == 1 and letters:
-                out.append(Padding(Text(f"{letters}."), (0, 0, 0, 3)))
+                told = "; ".join(f"{typeset.text(meaning.letter)}: {meaning.words}" for meaning in letters)
+                out.append(Padding(Text(f"{told}."), (0, 0, 0, 3)))
             table = Table.grid(padding=(0, 3, 0, 0))
             table.add_column(ratio=2, style="dim", overflow="fold")
             table.add_column(ratio=5, overflow="fold")
             for line in step.lines:
-                table.add_row(Text(line.label), Text(_equations(line)))
+                arm = f", arm {typeset.text(line.arm)}" if line.arm is not None else ""
+                table.add_row(Text(line.label + arm), Text(_equations(line)))
                 if line.note:
                     table.add_row("", Text(line.note, style="italic"))
             if step.lines:
                 out.append(Padding(table, (0, 0, 0, 3)))
             out.append(Text())
     return Group(*out[:-1])
+
+
+def plain(chapters: Sequence[Chapter], notation: Notation = CRANKSTAR, *, width: int = 120) -> str:
+    """Chapters as plain text."""
+    from io import StringIO
+
+    from rich.console import Console
+
+    console = Console(file=StringIO(), width=width, force_terminal=False, highlight=False, markup=False)
+    with console.capture() as captured:
+        console.print(rendered(chapters, notation))
+    return "\n".join(line.rstrip() for line in captured.get().splitlines())
+
+
+def _told_once(chapters: Sequence[Chapter], notation: Notation) -> list[tuple[Chapter, list[Meaning]]]:
+    """The chapters in a notation, each with the letters that are new in it; what the first step says again is left out."""
+    out: list[tuple[Chapter, list[Meaning]]] = []
+    known: set[str] = set()
+    said: set[object] = set()
+    for chapter in chapters:
+        shown = notated(chapter, notation)
+        first, *others = shown.steps
+        words = tuple(one for one in first.words if one not in said)
+        lines = tuple(one for one in first.lines if one not in said)
+        said |= {*first.words, *first.lines}
+        letters = [meaning for meaning in legend(chapter, notation) if typeset.text(meaning.letter) not in known]
+        known |= {typeset.text(meaning.letter) for meaning in letters}
+        out.append((replace(shown, steps=(replace(first, words=words, lines=lines), *others)), letters))
+    return out
 
 
 def _equations(line: Line) -> str:
@@ -97,21 +127,18 @@ def latex(chapters: Sequence[Chapter], notation: Notation = CRANKSTAR) -> str:
     body = [_LATEX_HEAD]
     title = chapters[0].engine
     body.append(f"% {title.encode('ascii', 'replace').decode()}\n\\section*{{{typeset.latex_text(title)}}}\n")
-    for chapter in chapters:
-        shown = notated(chapter, notation)
+    for shown, letters in _told_once(chapters, notation):
         body.append(f"\\subsection*{{{typeset.latex_text(shown.title)}}}\n")
         for count, step in enumerate(shown.steps, 1):
             body.append(f"\\paragraph{{{count}. {typeset.latex_text(step.title)}.}}\n")
             body.append("\n\n".join(typeset.latex_text(words) for words in step.words) + "\n")
-            if count == 1:
-                letters = (
-                    f"${typeset.latex(meaning.letter)}$ {typeset.latex_text(meaning.words)}"
-                    for meaning in legend(chapter, notation)
-                )
-                body.append(f"\n{'; '.join(letters)}.\n")
+            if count == 1 and letters:
+                told = (f"${typeset.latex(one.letter)}$: {typeset.latex_text(one.words)}" for one in letters)
+                body.append(f"\n{'; '.join(told)}.\n")
             for line in step.lines:
+                arm = f", arm ${typeset.latex(line.arm)}$" if line.arm is not None else ""
                 if line.label:
-                    body.append(f"\n{typeset.latex_text(line.label)}:\n")
+                    body.append(f"\n{typeset.latex_text(line.label)}{arm}:\n")
                 body.append(f"\\[\n{aligned(line)}\n\\]\n")
                 if line.note:
                     body.append(f"{typeset.latex_text(line.note)}\n")
@@ -145,17 +172,17 @@ def _pieces(formula: Formula) -> list[Formula]:
 def markdown(chapters: Sequence[Chapter], notation: Notation = CRANKSTAR) -> str:
     """Markdown with LaTeX formulas between double dollars, as GitHub, Jupyter and most wikis set them."""
     body = [f"# {markdown_words(chapters[0].engine)}\n"]
-    for chapter in chapters:
-        shown = notated(chapter, notation)
+    for shown, letters in _told_once(chapters, notation):
         body.append(f"## {markdown_words(shown.title)}\n")
         for count, step in enumerate(shown.steps, 1):
             body.append(f"### {count}. {markdown_words(step.title)}\n")
             body += [f"{markdown_words(words)}\n" for words in step.words]
-            if count == 1:
-                body += [f"* ${typeset.latex(meaning.letter)}$: {meaning.words}" for meaning in legend(chapter, notation)] + [""]
+            if count == 1 and letters:
+                body += [f"* ${typeset.latex(meaning.letter)}$: {meaning.words}" for meaning in letters] + [""]
             for line in step.lines:
+                arm = f", arm ${typeset.latex(line.arm)}$" if line.arm is not None else ""
                 if line.label:
-                    body.append(f"{markdown_words(line.label)}:\n")
+                    body.append(f"{markdown_words(line.label)}{arm}:\n")
                 body.append(f"$$\n{aligned(line)}\n$$\n")
                 if line.note:
                     body.append(f"{markdown_words(line.note)}\n")
@@ -170,7 +197,7 @@ def markdown_words(words: str) -> str:
 def html(chapters: Sequence[Chapter], notation: Notation = CRANKSTAR) -> str:
     """A page that stands alone: no script, nothing from elsewhere, light and dark, printable."""
     name = escape(chapters[0].engine)
-    parts = "\n".join(html_part(chapter, notation) for chapter in chapters)
+    parts = "\n".join(_section(shown, letters) for shown, letters in _told_once(chapters, notation))
     return (
         f'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n<title>{name}</title>\n'
         f'<meta name="viewport" content="width=device-width, initial-scale=1">\n<style>{_STYLE}</style>\n</head>\n'
@@ -180,16 +207,21 @@ def html(chapters: Sequence[Chapter], notation: Notation = CRANKSTAR) -> str:
 
 def html_part(chapter: Chapter, notation: Notation = CRANKSTAR) -> str:
     """One chapter as a part of a page."""
-    shown = notated(chapter, notation)
+    ((shown, letters),) = _told_once([chapter], notation)
+    return _section(shown, letters)
+
+
+def _section(shown: Chapter, letters: Sequence[Meaning]) -> str:
     out = [f'<section class="derivation">\n<h2>{escape(shown.title)}</h2>']
     for count, step in enumerate(shown.steps, 1):
         out.append(f"<h3>{count}. {escape(step.title)}</h3>")
         out += [f"<p>{escape(words)}</p>" for words in step.words]
-        if count == 1:
-            rows = (f"<dt>{math(meaning.letter)}</dt><dd>{escape(meaning.words)}</dd>" for meaning in legend(chapter, notation))
-            out.append(f"<dl>{''.join(rows)}</dl>")
+        if count == 1 and letters:
+            terms = (f"<dt>{math(meaning.letter)}</dt><dd>{escape(meaning.words)}</dd>" for meaning in letters)
+            out.append(f"<dl>{''.join(terms)}</dl>")
         for line in step.lines:
-            label = f'<div class="label">{escape(line.label)}</div>' if line.label else ""
+            arm = f", arm {math(line.arm)}" if line.arm is not None else ""
+            label = f'<div class="label">{escape(line.label)}{arm}</div>' if line.label else ""
             note = f'<div class="note">{escape(line.note)}</div>' if line.note else ""
             out.append(f'<div class="line">{label}{_chain(line)}{note}</div>')
     out.append("</section>")

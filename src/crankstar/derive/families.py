@@ -15,7 +15,21 @@ from math import pi
 
 from crankstar.derive import cyclotomic, meant, wave
 from crankstar.derive.bodies import inexact
-from crankstar.derive.formula import NOUGHT, THETA, Applied, Formula, Pi, Power, Ratio, Symbol, angle, cosine, product, summed
+from crankstar.derive.formula import (
+    NOUGHT,
+    THETA,
+    Applied,
+    Formula,
+    Pi,
+    Power,
+    Ratio,
+    Symbol,
+    angle,
+    cosine,
+    number,
+    product,
+    summed,
+)
 from crankstar.derive.positions import arms
 from crankstar.derive.records import Chapter, DerivationError, Line, Quantity, Step, nth, unit_formula, unit_symbol
 from crankstar.derive.wave import Wave, joined, scaled
@@ -103,27 +117,45 @@ def _vee(engine: Engine, order: int, quantity: Quantity) -> Chapter:
     lead = product(sense * side * order, ALPHA)
     both, across = _of_angle(order)
     if quantity == "force":
-        up = product(2, both, _shifted(sums, order, lead))
-        right = product(2 * sense, across, _shifted(_turned(sums), order, lead))
+        up = _shifted(sums, order, lead, product(2, both))
+        right = _shifted(_turned(sums), order, lead, product(2 * sense, across))
     else:
         cross, along = _crossed(order)
         up = summed(
-            product(2, both, _shifted(arm, order, lead)), product(2 * sense * side, cross, _shifted(_turned(apart), order, lead))
+            _shifted(arm, order, lead, product(2, both)), _shifted(_turned(apart), order, lead, product(2 * sense * side, cross))
         )
         right = summed(
-            product(2 * sense, across, _shifted(_turned(arm), order, lead)), product(2 * side, along, _shifted(apart, order, lead))
+            _shifted(_turned(arm), order, lead, product(2 * sense, across)), _shifted(apart, order, lead, product(2 * side, along))
         )
     letter = "F" if quantity == "force" else "M"
     told = [Line(Symbol("S"), (wave.vector(sums),), label="star of the pins")]
     if quantity == "couple":
         told.append(Line(Symbol("T"), (wave.vector(arm),), label="star of the pins with their arms"))
-    ellipse = (
-        "Two cylinders at bearings +α and −α on one pin: their cosines, kα before and behind the middle, add to an ellipse "
-        "with the semi-axes 2 cos α cos kα upwards and 2 sin α sin kα to the right."
+    phase = product(2 * sense * side * order, ALPHA)
+    one, other = cosine(product(order, THETA)), cosine(summed(product(order, THETA), phase))
+    middle = summed(product(order, THETA), lead)
+    pair_up = (summed(product(cosine(ALPHA), one), product(cosine(ALPHA), other)), product(2, both, cosine(middle)))
+    sine_up = Applied("sin", ALPHA)
+    pair_right = (
+        summed(product(side, sine_up, one), product(-side, sine_up, other)),
+        product(2 * sense, across, Applied("sin", middle)),
     )
-    pinned = "The pins only multiply it: by the sum S of unit vectors at k times their angles from pin 1"
+    ellipse = (
+        "Two cylinders at bearings +α and −α work on one pin. The second reaches its dead centre 2α later or earlier than the "
+        "first, and their cosines add to an ellipse with the semi-axes 2 cos α cos kα upwards and 2 sin α sin kα to the right."
+    )
+    pinned = (
+        "All pins do the same at other crank angles: the sum is that of one pin times S, the sum of unit vectors at k times the "
+    )
+    pinned += "angles of the pins from pin 1"
     if quantity == "couple":
-        pinned += ", or with their arms by T. What one bank stands in front of the other turns the V into its opposite"
+        pinned += ", or times T, the same with the arms of the pins"
+        pinned += "; and where one bank stands in front of the other, with half of that as arms"
+    told = [
+        Line(Symbol("V", "up"), pair_up, label="one pin, up"),
+        Line(Symbol("V", "right"), pair_right, label="one pin, right"),
+        *told,
+    ]
     form = (
         Line(Symbol(letter, "up"), (up,), "signal", (), 0.0, "up"),
         Line(Symbol(letter, "right"), (right,), "signal", (), 90.0, "right"),
@@ -151,15 +183,16 @@ def _turned(vector: Wave) -> Wave:
     return wave.multiplied(vector, cyclotomic.root(Fraction(-1, 4)))
 
 
-def _shifted(vector: Wave, order: int, lead: Formula) -> Formula:
-    """A signal whose phase has a letter in it besides: sum of size cos(k theta + lead + angle)."""
+def _shifted(vector: Wave, order: int, lead: Formula, factor: Formula) -> Formula:
+    """A signal with letters in its size and phase: sum of size * factor * cos(k theta + lead + angle)."""
     terms = []
     for piece in wave.pieces(vector):
         inside = summed(product(order, THETA), lead)
         if piece.phase in (Fraction(1, 4), Fraction(-1, 4)):
-            terms.append(product(-1 if piece.phase > 0 else 1, piece.size, Applied("sin", inside)))  # pyright: ignore[reportOptionalOperand]
+            sign = -1 if piece.phase > 0 else 1  # pyright: ignore[reportOptionalOperand]
+            terms.append(product(sign, piece.size, factor, Applied("sin", inside)))
         else:
-            terms.append(product(piece.size, cosine(summed(inside, piece.angle))))
+            terms.append(product(piece.size, factor, cosine(summed(inside, piece.angle))))
     return summed(*terms)
 
 
@@ -171,8 +204,8 @@ def _twin(engine: Engine, order: int, quantity: Quantity) -> Chapter:
             "phi is the angle between the cranks of two parallel cylinders on one shaft; this engine is not such a twin"
         )
     behind = product(-order, PHI)
-    inside, middle = product(order, THETA), product(Fraction(-order, 2), PHI)
-    half = product(Fraction(order, 2), PHI)
+    half = PHI if order == 2 else Ratio(product(order, PHI), number(2)) if order % 2 else product(order // 2, PHI)
+    inside, middle = product(order, THETA), product(-1, half)
     first, second = cosine(inside), cosine(summed(inside, behind))
     if quantity == "force":
         chain: tuple[Formula, ...] = (summed(first, second), product(2, cosine(half), cosine(summed(inside, middle))))
@@ -212,12 +245,13 @@ def _row(engine: Engine, order: int, quantity: Quantity) -> Chapter:
         "The cranks stand at the n-th parts of a turn, so in order k the vectors stand k/n of a turn apart, whatever the "
         "numbering: a geometric series, with the sum n where n divides k and else sin(kπ)/sin(kπ/n) = 0."
     )
-    words = (series, f"Here k = {order}: a force is left in the rows of {_divisors(order)} cylinders, the divisors of {order}.")
+    words = (series, f"Here k = {order}: of all rows only those with n = {_divisors(order)} have a force of this order.")
     whole = count if order % count == 0 else 0
+    chain = (COUNT,) if whole else (geometric, NOUGHT)
     divides = f"n = {count}: n {'divides' if whole else 'does not divide'} {order}"
     along = engine.first.bearing * 180 / pi
     lines = (
-        Line(Symbol("S"), (COUNT if whole else geometric,), label=divides),
+        Line(Symbol("S"), chain, label=divides),
         Line(Symbol("F"), (product(whole, _start(engine, order)),), "signal", (), along, "along the cylinders"),
     )
     return _chapter(engine, order, quantity, "Row of n cylinders on evenly spaced cranks.", [Step("The closed form", words, lines)])

@@ -32,8 +32,8 @@ class Gathered(NamedTuple):
     wave: Wave
 
 
-def gathered(terms: list[Term], order: Fraction) -> Gathered:
-    """The sum of cosines, step by step to its closed form."""
+def gathered(terms: list[Term], order: Fraction, *, moments: bool) -> Gathered:
+    """The sum of cosines, of forces or of moments, step by step to its closed form."""
     idle = [term.cylinder for term in terms if not term.weight]
     notes = [f"{_named(idle)} stand{'' if len(idle) > 1 else 's'} in the reference plane."] if idle else []
     terms = [term for term in terms if term.weight]
@@ -49,8 +49,8 @@ def gathered(terms: list[Term], order: Fraction) -> Gathered:
             if len(members) > 1:
                 made.append(members)
         else:
-            notes.append(f"{_pairs(members)}.")
-    notes += _together(made)
+            notes.append(f"{_pairs(members, moments=moments)}.")
+    notes += _together(made, moments=moments)
     chain = [raw]
     if len(left) < len(terms) and left:
         chain.append(summed_up([(wave.form(weight), phase) for phase, weight, _ in left], order))
@@ -89,10 +89,10 @@ def _groups(terms: list[Term]) -> dict[Fraction, list[tuple[int, Term]]]:
     return groups
 
 
-def _together(made: list[list[tuple[int, Term]]]) -> list[str]:
+def _together(made: list[list[tuple[int, Term]]], *, moments: bool) -> list[str]:
     """Which cylinders are in phase, and which in phase or opposite."""
     notes: list[str] = []
-    same = [members for members in made if len({sign for sign, _ in members}) == 1]
+    same = [] if moments else [members for members in made if len({sign for sign, _ in members}) == 1]
     opposed = [members for members in made if members not in same]
     for groups, told in ((same, "in phase: they push together"), (opposed, "in phase or opposite, so that their cosines make one")):
         if groups:
@@ -105,8 +105,9 @@ def _listed(members: list[tuple[int, Term]]) -> str:
     return ", ".join(str(term.cylinder) for _, term in members)
 
 
-def _pairs(members: list[tuple[int, Term]]) -> str:
+def _pairs(members: list[tuple[int, Term]], *, moments: bool) -> str:
     """The pairs that cancel, by name."""
+    why = "their moments are equal and opposite" if moments else "they push against each other"
     rest = list(members)
     pairs: list[str] = []
     while rest:
@@ -118,8 +119,8 @@ def _pairs(members: list[tuple[int, Term]]) -> str:
             return f"{_named([term.cylinder for _, term in members])} cancel each other"
         pairs.append(f"{term.cylinder} and {rest.pop(other)[1].cylinder}")
     if len(pairs) == 1:
-        return f"Cylinders {pairs[0]} cancel: they push against each other at every moment"
-    return f"In pairs cylinders {'; '.join(pairs)} cancel: they push against each other at every moment"
+        return f"Cylinders {pairs[0]} cancel: {why} at every crank angle"
+    return f"In pairs cylinders {'; '.join(pairs)} cancel: {why} at every crank angle"
 
 
 def _closed_polygon(left: list[tuple[Fraction, Form, list[int]]]) -> str:

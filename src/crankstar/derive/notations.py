@@ -86,6 +86,7 @@ SINITSYN = Notation(
         Meaning(Symbol("m"), "reciprocating mass of a cylinder"),
         Meaning(Symbol("r"), "crank radius"),
         Meaning(Symbol("lambda"), "r/l, l the length of the connecting rod"),
+        Meaning(Symbol("omega"), "angular speed of the crankshaft, rad/s"),
         *_LENGTHS[1:],
     ),
 )
@@ -99,7 +100,8 @@ def notated(chapter: Chapter, notation: Notation) -> Chapter:
 
     def line(one: Line) -> Line:
         chain = (notation.series(*one.series),) if one.series else tuple(renamed(formula, letters) for formula in one.chain)
-        return replace(one, name=None if one.name is None else renamed(one.name, letters), chain=chain)
+        name, arm = (None if part is None else renamed(part, letters) for part in (one.name, one.arm))
+        return replace(one, name=name, arm=arm, chain=chain)
 
     steps = tuple(replace(step, lines=tuple(map(line, step.lines))) for step in chapter.steps)
     return replace(chapter, steps=steps)
@@ -110,9 +112,33 @@ def legend(chapter: Chapter, notation: Notation) -> list[Meaning]:
     used: set[str] = set()
     for step in notated(chapter, notation).steps:
         for one in step.lines:
-            for formula in one.chain if one.name is None else (one.name, *one.chain):
+            for formula in (*one.chain, *(part for part in (one.name, one.arm) if part is not None)):
                 used |= letters_of(formula)
-    return [meaning for meaning in notation.legend if letters_of(meaning.letter) & used]
+    said = [meaning for meaning in notation.legend if letters_of(meaning.letter) & used]
+    own = {_named(notation, name): words for name, words in chapter.meanings.items()}
+    told = [meaning._replace(words=own.pop(name)) if (name := _name(meaning.letter)) in own else meaning for meaning in said]
+    harmonics = sorted(name for name in used if name.startswith("A"))
+    if harmonics:
+        told.append(Meaning(Symbol("A", "k"), "k-th harmonic of a piston's acceleration, in units of r ω²"))
+    return told + [
+        Meaning(letter, words) for letter, words in _others(notation, chapter) if letter.name in used and letter.name in own
+    ]
+
+
+def _name(letter: Formula) -> str:
+    return letter.name if isinstance(letter, Symbol) else ""
+
+
+def _named(notation: Notation, name: str) -> str:
+    """What a letter of ours is called in a notation."""
+    return _name(notation.letters[name]) if name in notation.letters else name
+
+
+def _others(notation: Notation, chapter: Chapter) -> list[tuple[Symbol, str]]:
+    """Letters of the engine that no legend foresees: b_1, b_2, ..., z_0."""
+    known = {_name(meaning.letter) for meaning in notation.legend}
+    letters = [(Symbol(*name.split("_", 1)) if "_" in name else Symbol(name), words) for name, words in chapter.meanings.items()]
+    return [(letter, words) for letter, words in letters if letter.name not in known]
 
 
 def chosen(name: str) -> Notation:

@@ -67,6 +67,21 @@ def arms(engine: Engine, reference: Reference | None = None) -> Arms:
     return Arms(centred, throws, weights, values)
 
 
+def meanings(engine: Engine, placed: Arms) -> dict[str, str]:
+    """What the letters a, b, z_0 are in this engine, with their sizes where these are known."""
+    known = "pitch" not in engine.relative
+    one_plane = len({cylinder.z for cylinder in engine.cylinders}) == 1
+    words = "bore pitch" if engine.bore_pitch is not None else "unit of length" if one_plane else "closest spacing of cylinders"
+    out = {"a": f"{words}, {engine.pitch * 1000:.6g} mm" if known else words}
+    for symbol, value in placed.values.items():
+        size = f", {float(value) * engine.pitch * 1000:.6g} mm" if known else f", {float(value):.6g} a"
+        if symbol.letter == "b":
+            out[symbol.name] = f"how far one bank stands in front of another{size}"
+        elif symbol.letter == "z":
+            out[symbol.name] = f"how far the reference plane stands in front of the middle of the cylinders{size}"
+    return out
+
+
 def _cylinders(engine: Engine, pitch: float) -> tuple[dict[int, Form], dict[Symbol, Fraction]]:
     """The cylinders' places before the front one of the first bank."""
     places = {cylinder.number: cylinder.z for cylinder in engine.cylinders}

@@ -220,7 +220,7 @@ def gathered(formula: Formula) -> Formula:
         inner, below = _numerator(formula.radicand)
         outside, missing = squares(below)
         above = Root(_over_all(inner, Fraction(missing)))
-        return above if below == 1 else Ratio(above, number(outside * missing))
+        return product(Fraction(1, outside * missing), above)
     above, below = _numerator(formula)
     return formula if below == 1 or not isinstance(formula, Sum) else Ratio(above, number(below))
 

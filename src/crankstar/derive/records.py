@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Literal
 
@@ -27,6 +27,7 @@ class Line:
     A `signal` is the component along `bearing_deg` (degrees clockwise from up) of what the rows `rows` of a Balance push, at
     crank angle theta; `forward` and `backward` are vectors. Both are counted in the unit of the derivation. A `series` is an
     approximation, the powers of lambda up to a chosen one; a `plain` line is a definition, or a number of the real engine.
+    `arm` is the arm of what the line is about, to be told with its label.
     """
 
     name: Formula | None
@@ -36,6 +37,7 @@ class Line:
     bearing_deg: float = 0.0
     label: str = ""
     note: str = ""
+    arm: Formula | None = None
     series: tuple[int, int] | None = None
 
 
@@ -52,7 +54,8 @@ class Step:
 class Chapter:
     """Steps under a title, to be read; counted in `m r w^2 A_j`, j = `harmonic`, or in `m r w^2` where it is None.
 
-    `symbols` has the values of the letters that have one for this engine (lengths in bore pitches, harmonics).
+    `symbols` has the values of the letters that have one for this engine (lengths in bore pitches, harmonics), `meanings` says
+    in words what letters are in this engine.
     """
 
     engine: str
@@ -60,6 +63,12 @@ class Chapter:
     harmonic: int | None
     symbols: dict[str, float]
     steps: tuple[Step, ...]
+    meanings: dict[str, str] = field(default_factory=dict)
+
+    def __str__(self) -> str:
+        from crankstar.derive import documents
+
+        return documents.plain([self])
 
     def _repr_html_(self) -> str:
         """The chapter typeset, in a notebook."""
@@ -89,12 +98,16 @@ class Derivation:
     forward: Wave
     backward: Wave
     why: str
+    meanings: dict[str, str] = field(default_factory=dict)
+
+    def __str__(self) -> str:
+        return str(self.chapter)
 
     @property
     def chapter(self) -> Chapter:
         """The steps under their title, `Second-order force`."""
         title = nth(self.order, self.quantity)
-        return Chapter(self.engine, title[0].upper() + title[1:], self.harmonic, self.symbols, self.steps)
+        return Chapter(self.engine, title[0].upper() + title[1:], self.harmonic, self.symbols, self.steps, self.meanings)
 
     @property
     def zero(self) -> bool:

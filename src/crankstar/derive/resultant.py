@@ -1,8 +1,7 @@
-"""The resultant of one order: two counter-rotating vectors, the ellipse they draw, and the force of the real engine."""
+"""The resultant of one order: two counter-rotating vectors, the path they draw, and the force of the real engine."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from fractions import Fraction
 from math import degrees, pi
 
@@ -11,9 +10,7 @@ import numpy as np
 from crankstar import phasor
 from crankstar.balance import balance, total
 from crankstar.derive import cyclotomic, enclosure, wave
-from crankstar.derive.bodies import Bodies
 from crankstar.derive.cyclotomic import Number
-from crankstar.derive.enclosure import Ball
 from crankstar.derive.formula import (
     NOUGHT,
     Decimal,
@@ -29,70 +26,83 @@ from crankstar.derive.formula import (
     summed,
 )
 from crankstar.derive.radical import gathered
-from crankstar.derive.records import Line, Quantity, Step, nth, unit_symbol
+from crankstar.derive.records import Line, Step, nth, unit_symbol
+from crankstar.derive.task import Task
 from crankstar.derive.typeset import text
 from crankstar.derive.wave import Amount, Wave, at
-from crankstar.engine import Engine
 from crankstar.motion import series_coefficient
 
 
-def steps(
-    letter: str,
-    order: Fraction,
-    up: Wave,
-    right: Wave,
-    forward: Wave,
-    backward: Wave,
-    values: Mapping[Symbol, Fraction],
-    *,
-    rows: tuple[int, ...],
-    why: str,
-) -> list[Step]:
-    """The closed forms of the whole engine, and their shape."""
+def resultant(task: Task, rows: tuple[int, ...], symbols: dict[str, float]) -> Step:
+    """The closed forms of the whole engine, the vectors that turn with and against the crank, and their path."""
+    forward, backward = task.vectors
     lines = [
-        Line(Symbol(letter, "up"), (wave.signal(up, order),), "signal", rows, 0.0, "up"),
-        Line(Symbol(letter, "right"), (wave.signal(right, order),), "signal", rows, 90.0, "right"),
+        Line(Symbol(task.letter, "up"), (wave.signal(task.up, task.order),), "signal", rows, 0.0, "up"),
+        Line(Symbol(task.letter, "right"), (wave.signal(task.right, task.order),), "signal", rows, 90.0, "right"),
     ]
-    if up or right:
+    words, axes = shape(task)
+    if task.up or task.right:
+        times = f"{float(task.order):g} times as fast as the crank" if task.order != 1 else "as fast as the crank"
+        turning = "clockwise" if task.engine.sense > 0 else "counter-clockwise"
+        written = "A vector is written as its length ∠ its bearing at θ = 0, clockwise from up, seen from the front."
+        ways = f"The first turns with the crank ({turning}), the second against it, both {times}; their sum is the {task.quantity}."
+        words += (f"{written} {ways}",)
         lines += [
-            Line(Symbol(letter, "+"), (wave.vector(forward),), "forward", rows, label="turning with the crank"),
-            Line(Symbol(letter, "−"), (wave.vector(backward),), "backward", rows, label="turning against it"),
+            Line(Symbol(task.letter, "+"), (wave.vector(forward, symbols),), "forward", rows, label="turning with the crank"),
+            Line(Symbol(task.letter, "−"), (wave.vector(backward, symbols),), "backward", rows, label="turning against it"),
         ]
-    words, axes = shape(letter, order, forward, backward, values, why=why)
-    lines += axes
-    notes = _algebraic([*up.values(), *right.values()])
-    return [Step("The resultant", (*words, *notes), tuple(lines))]
+    return Step("The resultant", (*words, *_algebraic([*task.up.values(), *task.right.values()])), tuple(lines + axes))
 
 
-def shape(
-    letter: str, order: Fraction, forward: Wave, backward: Wave, values: Mapping[Symbol, Fraction], *, why: str
-) -> tuple[tuple[str, ...], list[Line]]:
+def shape(task: Task) -> tuple[tuple[str, ...], list[Line]]:
     """What path the vector runs through in a turn, decided exactly where numbers are exact; the axes of an ellipse."""
-    name = "force" if letter == "F" else "couple"
-    told = nth(order, name)
+    forward, backward = task.vectors
+    told, couple = nth(task.order, task.quantity), task.quantity == "couple"
     if not forward and not backward:
-        if why:
-            return (f"No {told} that can be told from zero, to {cyclotomic.DIGITS - 5} digits.",), []
-        lengths = ", whatever the lengths along the crankshaft" if name == "couple" else ""
-        return (f"There is no {told}: every sum is exactly zero{lengths}.",), []
-    first, second = at(forward, values), at(backward, values)
+        return (_nothing(task, told),), []
+    first, second = at(forward, task.arms.values), at(backward, task.arms.values)
+    if first is not None and second is not None and first.zero and second.zero:
+        return (f"There is no {told} with these lengths along the crankshaft: the sum is exactly zero.",), []
+    what = "a couple of constant size whose plane turns" if couple else "a force of constant size that turns"
+    if not backward or (second is not None and second.zero):
+        cure = "Two counterweights at different places on" if couple else "A counterweight on"
+        removable = f" {cure} the crankshaft can remove it." if task.order == 1 else ""
+        return (f"The {told} is a circle: {what} with the crank.{removable}",), []
+    if not forward or (first is not None and first.zero):
+        removable = " No counterweight on the crankshaft can touch it." if task.order == 1 else ""
+        return (f"The {told} is a circle: {what} against the crank.{removable}",), []
+    common = _common_line(forward, backward)
+    if common is not None or (first is not None and second is not None and wave.same_length(first, second)):
+        towards = _between(*(common or (first, second)))  # pyright: ignore[reportArgumentType]
+        in_plane = f"acts in one plane through the crankshaft, {towards}" if couple else f"is a straight line, {towards}"
+        return (f"The {told} {in_plane}: two vectors of one length turn against each other.",), []
     if first is None or second is None:
         return (f"The {told} is a sum of parts with different harmonics; its path depends on the lengths of the rods.",), []
-    if first.zero and second.zero:
-        return (f"There is no {told} with these lengths along the crankshaft: the sum is exactly zero.",), []
-    if second.zero:
-        removable = " A counterweight on the crankshaft can remove it." if order == 1 else ""
-        return (f"The {told} is a circle: a vector of constant length that turns with the crank.{removable}",), []
-    if first.zero:
-        removable = " No counterweight on the crankshaft can touch it." if order == 1 else ""
-        return (f"The {told} is a circle: a vector of constant length that turns against the crank.{removable}",), []
-    towards = _between(first, second)
-    if wave.same_length(first, second):
-        return (f"The {told} is a straight line, {towards}: two vectors of one length turn against each other.",), []
-    words = f"The {told} is an ellipse, its long axis {towards}, run through {_sense(first, second)} the crank."
-    if len(forward) > 1 or len(backward) > 1 or (any(key for key in (*forward, *backward)) and set(forward) != set(backward)):
+    words = f"The {told} is an ellipse, its long axis {_between(first, second)}, run through {_sense(first, second)} the crank."
+    if len(forward) > 1 or len(backward) > 1 or set(forward) != set(backward):
         return (words,), []
-    return (words,), _axes(letter, forward, backward, larger_first=_sense(first, second) == "with")
+    return (words,), _axes(task.letter, forward, backward, larger_first=_sense(first, second) == "with")
+
+
+def _nothing(task: Task, told: str) -> str:
+    """Why there is nothing of an order."""
+    if task.found.why:
+        return f"No {told} that can be told from zero, to {cyclotomic.DIGITS - 5} digits."
+    if not task.moving:
+        return f"There is no {told}: no part of the engine pushes in this order."
+    lengths = ", whatever the lengths along the crankshaft" if task.quantity == "couple" and task.has_arms else ""
+    return f"There is no {told}: every sum is exactly zero{lengths}."
+
+
+def _common_line(forward: Wave, backward: Wave) -> tuple[Amount, Amount] | None:
+    """Vectors of each symbol that all make lines of one bearing, whatever the symbols come to; None where they do not."""
+    if set(forward) != set(backward):
+        return None
+    pairs = [(forward[key], backward[key]) for key in forward]
+    if not all(wave.same_length(first, second) for first, second in pairs):
+        return None
+    turns = {wave.turn_of(wave.multiplied_amount(first, second)) for first, second in pairs}
+    return pairs[0] if len(pairs) == 1 or (len(turns) == 1 and None not in turns) else None
 
 
 def _sense(first: Amount, second: Amount) -> str:
@@ -120,10 +130,7 @@ def _combined(one: Formula, other: Formula) -> Formula:
 
 def _between(first: Amount, second: Amount) -> str:
     """The bearing of the long axis: halfway between the two vectors."""
-    both = (
-        first * second if isinstance(first, Number) and isinstance(second, Number) else Ball(first.enclosed() * second.enclosed())
-    )
-    one = wave.turn_of(both)
+    one = wave.turn_of(wave.multiplied_amount(first, second))
     turn = None if one is None else (one / 2) % Fraction(1, 2)
     angle = degrees(np.angle(complex(first)) + np.angle(complex(second))) / 2 % 180 if turn is None else float(360 * turn)
     angle = angle - 180 if angle > 90 + 1e-9 else angle
@@ -144,9 +151,7 @@ def _algebraic(amounts: list[Amount]) -> list[str]:
             continue
         if isinstance(found.formula, Decimal):
             digits = text(Decimal(found.formula.ball, 20))
-            out[
-                f"{digits} has no short form in real radicals; its square x is exactly a root of {_polynomial(coefficients)} = 0."
-            ] = None
+            out[f"{digits} has no short closed form; its square x is exactly a root of {_polynomial(coefficients)} = 0."] = None
     return list(out)
 
 
@@ -159,38 +164,48 @@ def _polynomial(coefficients: tuple[int, ...]) -> str:
     return text(summed(*terms))
 
 
-def real(engine: Engine, order: Fraction, quantity: Quantity, found: Bodies, up: Wave, right: Wave, *, power: int) -> Step:
+def real(task: Task) -> Step:
     """The force or couple of the real engine: the harmonic as a series and exactly, and numbers where they are known."""
-    letter = "F" if quantity == "force" else "M"
-    if not up and not right:
+    if not task.up and not task.right:
         return Step("The real engine", ("Nothing is left of this order, whatever the masses and the speed.",), ())
     lines: list[Line] = []
-    counted = unit_symbol(found.harmonic)
-    for own, side in ((up, "up"), (right, "right")):
-        closed = wave.signal(own, order)
+    counted = unit_symbol(task.found.harmonic)
+    for own, side in ((task.up, "up"), (task.right, "right")):
         if own:
-            lines.append(Line(Symbol(letter, side), (product(counted, closed),), "plain", label=side))
-    harmonics = {} if found.harmonic in (None, 1) else {Symbol("A", str(found.harmonic)): (found.harmonic, found.rod_ratio)}
-    for symbol, (j, ratio) in (harmonics | found.values).items():
-        if ratio is None or j is None:
+            lines.append(Line(Symbol(task.letter, side), (product(counted, wave.signal(own, task.order)),), "plain", label=side))
+    there = {symbol for own in (task.up, task.right) for key in own for symbol in key}
+    harmonics = {symbol: one for symbol, one in task.found.values.items() if symbol in there}
+    if task.found.harmonic not in (None, 1) and task.found.rod_ratio is not None:
+        harmonics[Symbol("A", str(task.found.harmonic))] = (task.found.harmonic, task.found.rod_ratio)
+    words = _numbers(task)
+    for symbol, (j, ratio) in harmonics.items():
+        if j == 1:
             continue
-        lines.append(_series(symbol, j, power))
+        formula = series(j, task.power, Symbol("lambda"))
+        if formula == NOUGHT:
+            words.append(f"The series of A_{j} begins with λ to the power {j - 1}: beyond the power {task.power} asked for.")
+        else:
+            lines.append(Line(symbol, (formula,), "series", label="as a series", series=(j, task.power)))
         with cyclotomic.precision(cyclotomic.DIGITS):
             ball = enclosure.coefficient(ratio, j)
-        lines.append(Line(symbol, (Decimal(ball, 12),), "plain", label=f"exactly, at λ = r/l = {_ratio_text(1 / ratio)}"))
-    return Step("The real engine", tuple(_numbers(engine, order, quantity)), tuple(lines))
+        told = f"exactly, at λ = r/l = {_ratio_text(1 / ratio)}{_assumed(task)}"
+        lines.append(Line(symbol, (Decimal(ball, 12),), "plain", label=told))
+    return Step("The real engine", tuple(words), tuple(lines))
+
+
+def _assumed(task: Task) -> str:
+    """Whether the rods' length is only a placeholder in the file."""
+    said = task.engine.provenance
+    keys = ("cylinder.rod_ratio", "cylinder.rod_length")
+    return " (assumed)" if any(key in said and said[key].status == "placeholder" for key in keys) else ""
 
 
 def _ratio_text(value: Fraction) -> str:
     return str(value) if value.denominator < 1000 else f"{float(value):.6g}"
 
 
-def _series(symbol: Symbol, j: int, power: int) -> Line:
-    return Line(symbol, (series(j, power, Symbol("lambda")),), "series", label="as a series", series=(j, power))
-
-
 def series(order: int, power: int, ratio: Symbol, *, inverted: bool = False) -> Formula:
-    """A_k as a sum of powers of lambda = r/l, or (inverted) of 1/L, L = l/S, S the stroke."""
+    """A_k as a sum of powers of lambda = r/l, or (inverted) of 1/L, L = l/S, S the stroke; nought where it begins later."""
     terms: list[Formula] = []
     for exponent in range(power + 1):
         value = series_coefficient(order, exponent)
@@ -208,16 +223,19 @@ def series(order: int, power: int, ratio: Symbol, *, inverted: bool = False) -> 
     return summed(*terms, Symbol("…")) if terms else NOUGHT
 
 
-def _numbers(engine: Engine, order: Fraction, quantity: Quantity) -> list[str]:
+def _numbers(task: Task) -> list[str]:
     """The greatest value over a turn, in newtons where masses, sizes and a speed are known."""
-    known = {"mass", "radius"}.isdisjoint(engine.relative)
-    if engine.speed is None or not known:
-        missing = [word for key, word in (("mass", "reciprocating mass"), ("radius", "stroke")) if key in engine.relative]
-        if engine.speed is None:
-            missing.append("speed")
-        return [f"For newtons the engine file would have to give: {', '.join(missing)}."]
-    result = balance(engine, speed=engine.speed)
-    one = phasor.selected(getattr(total(result), quantity), [float(order)])
+    engine, speed = task.engine, task.speed
+    needed = [("mass", "reciprocating mass"), ("radius", "stroke")]
+    if task.quantity == "couple":
+        needed.append(("pitch", "bore pitch"))
+    missing = [word for key, word in needed if key in engine.relative] + ([] if speed is not None else ["speed"])
+    unit = "newtons" if task.quantity == "force" else "newton metres"
+    if missing or speed is None:
+        return [f"For {unit} the engine file would have to give: {', '.join(missing)}."]
+    one = phasor.selected(
+        getattr(total(balance(engine, speed=speed, reference=task.reference)), task.quantity), [float(task.order)]
+    )
     size = abs(complex(one.forward[0])) + abs(complex(one.backward[0]))
-    unit = getattr(result.units, quantity).replace("*", " ")
-    return [f"At {engine.speed * 30 / pi:.6g} rpm its greatest value over a turn is {size:.6g} {unit}."]
+    shown = "N" if task.quantity == "force" else "N m"
+    return [f"At {speed * 30 / pi:.6g} rpm its greatest value over a turn is {size:.6g} {shown}."]

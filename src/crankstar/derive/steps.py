@@ -12,9 +12,9 @@ from fractions import Fraction
 from numbers import Real
 from typing import NamedTuple
 
-from crankstar.derive import cyclotomic, enclosure, positions, resultant, wave
+from crankstar.derive import cyclotomic, enclosure, positions, wave
 from crankstar.derive.bodies import Bodies, Body, armed, bodies
-from crankstar.derive.formula import THETA, Degrees, Formula, Power, Symbol, angle, cosine, number, product, summed
+from crankstar.derive.formula import THETA, Degrees, Formula, Power, Product, Sum, Symbol, angle, cosine, number, product, summed
 from crankstar.derive.gather import Term, gathered, lag, told_once
 from crankstar.derive.radical import closed
 from crankstar.derive.records import (
@@ -28,7 +28,8 @@ from crankstar.derive.records import (
     unit_formula,
     unit_symbol,
 )
-from crankstar.derive.task import Task, arm_of, arm_text, degrees_text, paired, rows, share, sides
+from crankstar.derive.resultant import real, resultant
+from crankstar.derive.task import Task, arm_of, degrees_text, paired, rows, share, sides
 from crankstar.derive.wave import Wave, joined
 from crankstar.engine import Engine
 from crankstar.mechanism import Reference
@@ -44,12 +45,19 @@ class Row(NamedTuple):
 
 
 def derivation(
-    engine: Engine, order: float | Fraction, quantity: Quantity = "force", *, reference: Reference | None = None, power: int = 7
+    engine: Engine,
+    order: float | Fraction,
+    quantity: Quantity = "force",
+    *,
+    reference: Reference | None = None,
+    speed: float | None = None,
+    power: int = 7,
 ) -> Derivation:
     """The derivation of one order of the force or the couple of an engine, step by step.
 
     `order` is a crank order above 0 and up to 24; the couple is taken about the middle of the cylinders' span unless a
-    `reference` is given; the series of A_k goes to lambda**power. Raises DerivationError.
+    `reference` is given; numbers in newtons are for `speed` (rad/s), else for the speed of the engine file; the series of A_k
+    goes to lambda**power. Raises DerivationError.
 
     >>> from crankstar.catalog import load
     >>> from crankstar.derive.typeset import text
@@ -61,44 +69,49 @@ def derivation(
     if quantity not in ("force", "couple"):
         raise DerivationError(f"there is no derivation of {quantity!r}; the quantity can be force or couple")
     with cyclotomic.precision(cyclotomic.DIGITS):
-        return _derived(engine, wanted, quantity, reference, power)
+        found = _bodies(engine, wanted)
+        arms = positions.arms(engine, reference)
+        moving = found.moving if quantity == "force" else tuple(armed(body, arm_of(arms, body)) for body in found.moving)
+        speed = engine.speed if speed is None else speed
+        return _derived(Task(engine, wanted, quantity, found, moving, arms, reference, speed, power))
 
 
-def _derived(engine: Engine, wanted: Fraction, quantity: Quantity, reference: Reference | None, power: int) -> Derivation:
-    found = _bodies(engine, wanted)
-    arms = positions.arms(engine, reference)
-    moving = found.moving if quantity == "force" else tuple(armed(body, arm_of(arms, body)) for body in found.moving)
-    task = Task(engine, wanted, quantity, "F" if quantity == "force" else "M", found, moving, arms)
-    up, right = joined(body.up for body in moving), joined(body.right for body in moving)
-    forward, backward = wave.vectors(up, right, sense=engine.sense)
-    steps = [_law(task)]
+def _derived(task: Task) -> Derivation:
+    found, moving = task.found, task.moving
+    symbols = _symbols(found, task.arms)
     pistons = [body for body in moving if body.cylinder is not None]
     turning = [body for body in moving if body.cylinder is None]
-    if quantity == "couple" and moving and not any(arm_of(arms, body) for body in moving):
-        words = "All that moves stands in the reference plane: nothing has an arm, and there is no couple of any order."
+    steps = [_law(task)]
+    if not moving:
+        words = "No part of the engine pushes in this order. Pistons on a centred crank have the harmonics 1, 2, 4, 6, ... of the "
+        steps.append(
+            Step("No such harmonic", (f"{words}turns of their crankshaft, and what turns with a shaft has the first only.",))
+        )
+    elif task.quantity == "couple" and not task.has_arms:
+        words = "All that pushes stands in the reference plane: nothing has an arm, and there is no couple of any order."
         steps.append(Step("No arms", (words,)))
-        pistons, turning = [], []
-    if pistons:
-        steps += _by_bank(task, pistons)
-        steps += _by_pin(task, pistons)
-    if turning:
-        steps += _turning(task, turning, mixed=bool(pistons))
-    values = arms.values
-    steps += resultant.steps(task.letter, wanted, up, right, forward, backward, values, rows=rows(moving), why=found.why)
-    steps.append(resultant.real(engine, wanted, quantity, found, up, right, power=power))
+    else:
+        if pistons:
+            steps += _by_bank(task, pistons)
+            steps += _by_pin(task, pistons)
+        if turning:
+            steps += _turning(task, turning, mixed=bool(pistons))
+    steps += [resultant(task, rows(moving), symbols), real(task)]
+    forward, backward = task.vectors
     return Derivation(
-        engine=engine.name,
-        order=wanted,
-        quantity=quantity,
+        engine=task.engine.name,
+        order=task.order,
+        quantity=task.quantity,
         harmonic=found.harmonic,
         scale=_harmonic(found.harmonic, found.rod_ratio),
-        symbols=_symbols(found, arms),
+        symbols=symbols,
         steps=tuple(steps),
-        up=up,
-        right=right,
+        up=task.up,
+        right=task.right,
         forward=forward,
         backward=backward,
         why=found.why,
+        meanings=positions.meanings(task.engine, task.arms),
     )
 
 
@@ -212,13 +225,12 @@ def _each(task: Task, pistons: Sequence[Body]) -> Step:
         told += f", at {degrees_text(body.bearing_deg)}"
         if body.dead_centre is not None:
             told += f", top dead centre at θ = {shown(body.dead_centre)}"
-        if task.quantity == "couple":
-            told += f", arm {arm_text(arm_of(task.arms, body))}"
+        arm = wave.form(arm_of(task.arms, body)) if task.quantity == "couple" else None
         if body.along is None:
-            lines += sides(task, str(body.cylinder), body.up, body.right, rows([body]), told)
+            lines += sides(task, str(body.cylinder), body.up, body.right, rows([body]), told, arm)
             continue
         name = Symbol(task.letter, str(body.cylinder))
-        lines.append(Line(name, _own(task, body), "signal", rows([body]), body.bearing_deg, told))
+        lines.append(Line(name, _own(task, body), "signal", rows([body]), body.bearing_deg, told, arm=arm))
     words = ["Each piston's cosine has its crest where the piston is at top dead centre."]
     if task.quantity == "couple":
         words.append(
@@ -255,14 +267,14 @@ def _sums(task: Task, banks: Sequence[Row]) -> Step:
     """The cosines of each bank added up."""
     lines: list[Line] = []
     for row in banks:
-        name = Symbol(task.letter, row.name)
+        name = Symbol(task.letter, f"bank {row.name}" if len(banks) > 1 else "all")
         line_rows, bearing = rows(row.members), row.members[0].bearing_deg
         told = f"{row.name}, at {degrees_text(bearing)}"
         terms = _terms(row.members)
         if terms is None:
             lines.append(Line(name, (wave.signal(row.wave, task.order),), "signal", line_rows, bearing, told))
             continue
-        sums = gathered(terms, task.order)
+        sums = gathered(terms, task.order, moments=task.quantity == "couple")
         lines.append(Line(name, sums.chain, "signal", line_rows, bearing, told, " ".join(sums.notes)))
     many = len(banks) > 1
     title = "Bank by bank" if many else "All cylinders"
@@ -301,12 +313,21 @@ def _resolved(task: Task, groups: Sequence[tuple[str, Sequence[Body], Wave]], pi
         whole = joined(getattr(body, name) for body in pistons)
         raw = summed(*(product(factor, wave.signal(own, task.order)) for factor, own in parts))
         chain = told_once([raw, *paired(parts, task.order), wave.signal(whole, task.order)])
-        lines.append(Line(Symbol(task.letter, letter), chain, "signal", rows(pistons), 0.0 if name == "up" else 90.0, name))
+        note = "Added as vectors, each of its length and at its phase." if len(chain) == 2 and _several(chain[0]) else ""
+        bearing = 0.0 if name == "up" else 90.0
+        lines.append(Line(Symbol(task.letter, letter), chain, "signal", rows(pistons), bearing, name, note))
     angles = sorted({round(members[0].bearing_deg, 9) for _, members, _ in groups})
     words = ["A force along a cylinder at bearing β has the part cos β upwards and sin β to the right, seen from the front."]
     if len(angles) == 2 and angles[0] == -angles[1]:
         words.append(f"Here β = ±{angles[1]:g}°, half the bank angle.")
     return Step("Upwards and to the right", tuple(words), tuple(lines))
+
+
+def _several(formula: Formula) -> bool:
+    """Whether cosines of different phases are added."""
+    if not isinstance(formula, Sum):
+        return False
+    return len({term.factors[-1] if isinstance(term, Product) else term for term in formula.terms}) > 1
 
 
 def _components(task: Task, pistons: Sequence[Body]) -> Step:
@@ -369,12 +390,15 @@ def _turning(task: Task, turning: Sequence[Body], *, mixed: bool) -> list[Step]:
     lines: list[Line] = []
     for body in turning:
         told = f"{body.name} of {body.shaft}"
-        if task.quantity == "couple":
-            told += f", arm {arm_text(arm_of(task.arms, body))}"
-        lines += sides(task, f"{body.shaft} {body.name}", body.up, body.right, rows([body]), told)
+        arm = wave.form(arm_of(task.arms, body)) if task.quantity == "couple" else None
+        lines += sides(task, f"{body.name} of {body.shaft}", body.up, body.right, rows([body]), told, arm)
     up, right = joined(b.up for b in turning), joined(b.right for b in turning)
     lines += sides(task, "turning", up, right, rows(turning), "all that turns")
-    words = ("What turns with a shaft pushes, once a turn of it, towards where it is: as a vector that turns with it.",)
+    law = (
+        "A rotating mass on a shaft gives a force of constant size, outwards along its crank, which turns with the shaft: the mass "
+        "times its radius times the square of the shaft's speed. Here the first two are counted in m r, the speed in ω."
+    )
+    words = (law,)
     steps = [Step("What turns with the shafts", words, tuple(lines))]
     if mixed:
         every = task.moving

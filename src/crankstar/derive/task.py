@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
+from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 from math import radians
-from typing import NamedTuple
 
 from crankstar.derive import cyclotomic, enclosure, positions, wave
 from crankstar.derive.bodies import Bodies, Body
@@ -14,21 +15,49 @@ from crankstar.derive.formula import Decimal, Formula, Symbol, number, product
 from crankstar.derive.gather import sum_as_product
 from crankstar.derive.radical import closed
 from crankstar.derive.records import Line, Quantity
-from crankstar.derive.typeset import text
-from crankstar.derive.wave import Form, Wave
+from crankstar.derive.wave import Form, Wave, joined
 from crankstar.engine import Engine
+from crankstar.mechanism import Reference
 
 
-class Task(NamedTuple):
-    """What all steps know: the engine, the order, the letter of the quantity, the parts and their arms."""
+@dataclass(frozen=True)
+class Task:
+    """What all steps know: the engine, the order, the parts with their arms, what is asked, and the sums."""
 
     engine: Engine
     order: Fraction
     quantity: Quantity
-    letter: str
     found: Bodies
     moving: tuple[Body, ...]
     arms: positions.Arms
+    reference: Reference | None
+    speed: float | None
+    power: int
+
+    @property
+    def letter(self) -> str:
+        """F or M."""
+        return "F" if self.quantity == "force" else "M"
+
+    @cached_property
+    def up(self) -> Wave:
+        """The amplitude of the signal upwards."""
+        return joined(body.up for body in self.moving)
+
+    @cached_property
+    def right(self) -> Wave:
+        """The amplitude of the signal to the right."""
+        return joined(body.right for body in self.moving)
+
+    @cached_property
+    def vectors(self) -> tuple[Wave, Wave]:
+        """The vectors that turn with the crank and against it."""
+        return wave.vectors(self.up, self.right, sense=self.engine.sense)
+
+    @property
+    def has_arms(self) -> bool:
+        """Whether any part that pushes stands off the reference plane."""
+        return any(arm_of(self.arms, body) for body in self.moving)
 
 
 def arm_of(arms: positions.Arms, body: Body) -> Form:
@@ -52,17 +81,22 @@ def degrees_text(value: float) -> str:
     return f"{value:.6g}°".replace("-", "−")
 
 
-def arm_text(form: Form) -> str:
-    """An arm as a linear form in a and b."""
-    return text(wave.form(form))
-
-
-def sides(task: Task, name: str, up: Wave, right: Wave, rows: tuple[int, ...], label: str) -> list[Line]:
+def sides(
+    task: Task, name: str, up: Wave, right: Wave, rows: tuple[int, ...], label: str, arm: Formula | None = None
+) -> list[Line]:
     """A push as its parts up and to the right."""
-    sides = ((up, "up", 0.0), (right, "right", 90.0))
+    both = ((up, "up", 0.0), (right, "right", 90.0))
     return [
-        Line(Symbol(task.letter, f"{name}, {side}"), (wave.signal(own, task.order),), "signal", rows, bearing, f"{label}, {side}")
-        for own, side, bearing in sides
+        Line(
+            Symbol(task.letter, f"{name}, {side}"),
+            (wave.signal(own, task.order),),
+            "signal",
+            rows,
+            bearing,
+            f"{label}, {side}",
+            arm=arm,
+        )
+        for own, side, bearing in both
     ]
 
 
@@ -92,4 +126,5 @@ def paired(parts: Sequence[tuple[Formula, Wave]], order: Fraction) -> list[Formu
     p, q = phases[0], phases[1]
     if first == product(-1, second):
         second, q = first, q + Fraction(1, 2)
-    return [sum_as_product(first, p, q, order)] if first == second and (p - q) % 1 != 0 else []
+    # Opposite signals simply cancel, and equal ones simply add.
+    return [sum_as_product(first, p, q, order)] if first == second and (p - q) % Fraction(1, 2) != 0 else []

@@ -257,6 +257,16 @@ def _decimal(formula: Decimal, style: _Style) -> str:
     return sign + style.figures(shown.removeprefix("-")) + (style.dots if shown != "0" else "")
 
 
+def _degrees(value: Rational | Decimal, style: _Style) -> str:
+    """Degrees as a decimal where they are a short one, else as a fraction in brackets."""
+    if isinstance(value, Decimal) or value.value.denominator == 1:
+        return _printed(value, style)
+    if 10**6 % value.value.denominator:
+        return style.bracket(_printed(value, style))
+    shown = f"{abs(float(value.value)):.10g}"
+    return (style.sign if value.value < 0 else "") + style.figures(shown)
+
+
 def _sum(formula: Sum, style: _Style) -> str:
     out = ""
     for place, term in enumerate(formula.terms):
@@ -366,7 +376,7 @@ _WRITERS: dict[type, Callable[..., str]] = {
     Sum: _sum,
     Product: _product,
     Ratio: _ratio,
-    Degrees: lambda formula, style: style.degrees(_printed(formula.value, style)),
+    Degrees: lambda formula, style: style.degrees(_degrees(formula.value, style)),
     Applied: _applied,
     Polar: _polar,
 }

@@ -33,6 +33,7 @@ from crankstar.derive.formula import (
     summed,
 )
 from crankstar.derive.formula import angle as part_of_turn
+from crankstar.derive.formula import value as evaluated
 from crankstar.derive.radical import Closed
 
 Amount = Number | Ball
@@ -90,6 +91,11 @@ def _product(first: Amount, second: Amount) -> Amount:
     if isinstance(first, Number) and isinstance(second, Number):
         return first * second
     return _ball(first) * _ball(second)
+
+
+def multiplied_amount(first: Amount, second: Amount) -> Amount:
+    """The product of two numbers."""
+    return _product(first, second)
 
 
 def same_length(first: Amount, second: Amount) -> bool:
@@ -192,15 +198,24 @@ def phased(order: Fraction, angle: Formula) -> Formula:
     return summed(product(order, THETA), angle)
 
 
-def vector(wave: Wave) -> Formula:
-    """A vector in closed form: its length and bearing, symbol by symbol."""
+def vector(wave: Wave, values: Mapping[str, float] | None = None) -> Formula:
+    """A vector in closed form: its length and bearing, symbol by symbol; lengths are positive at these values of the symbols."""
     parts = []
     for piece in pieces(wave):
         size, angle = piece.size, piece.angle
-        if coefficient(size)[0] < 0:
-            size, angle = negative(size), part_of_turn(Fraction(1, 2))
+        below = coefficient(size)[0] < 0 if values is None else evaluated(size, values) < 0
+        if below:
+            size, angle = negative(size), _opposite(piece)
         parts.append(Polar(size, angle))
     return summed(*parts)
+
+
+def _opposite(piece: Piece) -> Formula:
+    """The angle half a turn from that of a piece."""
+    half = Fraction(1, 2)
+    if piece.phase is None:
+        return summed(piece.angle, part_of_turn(half))
+    return part_of_turn(half - (half - piece.phase - half) % 1)
 
 
 def form(weights: Form) -> Formula:
