@@ -26,6 +26,9 @@ PI = np.arctan2(np.longdouble(0), np.longdouble(-1))
 RESOLVED = max(1e-12, 1e6 * float(np.finfo(np.longdouble).eps))
 """A grid is fine enough when the end of every spectrum is below this share of its greatest coefficient."""
 
+NOISE = 64 * float(np.finfo(np.longdouble).eps)
+"""What is below this share of the greatest coefficient is rounding of the samples."""
+
 Array = NDArray[Any]
 """Of long doubles."""
 
@@ -70,7 +73,10 @@ class Rate:
         self.count = count
 
     def __call__(self, samples: Array) -> Array:
-        return np.fft.irfft(np.fft.rfft(samples, axis=0).T * self.factor, self.count).T
+        spectrum = np.fft.rfft(samples, axis=0)
+        size = np.abs(spectrum)
+        spectrum[size < NOISE * size.max(axis=0)] = 0  # else rounding, multiplied by the highest orders, drowns slow shafts
+        return np.fft.irfft(spectrum.T * self.factor, self.count).T
 
     def rest(self, samples: Array) -> float:
         """The greatest coefficient in the last quarter of the spectrum: what a finer grid would still change."""

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
 from importlib.metadata import version
 from typing import Annotated, Any
 
@@ -224,15 +225,15 @@ def derive(
     /,
     *,
     order: Annotated[
-        str,
-        Parameter(name=["--order", "--orders"], allow_leading_hyphen=True, help="crank orders, as in 2 or 1,2,4,6; all is 1,2,4,6"),
-    ] = "1,2",
+        str | None,
+        Parameter(name=["--order", "--orders"], allow_leading_hyphen=True, help="crank orders, as in 2 or 1,2,4; all is 1,2,4,6"),
+    ] = None,
     quantity: Annotated[str | None, Parameter(help="force or couple; else both")] = None,
     form: Annotated[str, Parameter(name="--format", help="text, latex, markdown or html")] = "text",
     notation: Annotated[
         str | None, Parameter(help="letters: crankstar (r, l, λ = r/l), stroke (S, L = l/S) or sinitsyn (P_R, C_I, C_II, l0)")
     ] = None,
-    power: Annotated[int, Parameter(help="highest power of λ in the series of each harmonic")] = 7,
+    power: Annotated[int | None, Parameter(help="highest power of λ in the series of each harmonic, else 7")] = None,
     symbolic: Annotated[
         str | None,
         Parameter(help="leave a dimension open: alpha (half the bank angle), phi (crank phase of a twin), n (cylinders in a row)"),
@@ -253,21 +254,26 @@ def derive(
     forms = ["text", *documents.FORMATS]
     if form not in forms:
         raise RequestError(f"--format {one_line(form)}: it can be {', '.join(forms)}")
-    if not 1 <= power <= 24:
+    if power is not None and not 1 <= power <= 24:
         raise RequestError(f"--power {power}: give a power of λ from 1 to 24")
-    wanted: list[tuple[float, request.Quantity]] = [
-        (one, kind) for one in request.derived_orders(order) for kind in request.quantities(quantity)
+    given = {"--order": order, "--quantity": quantity, "--power": power, "--speed": speed, "--reference": reference}
+    if signs:
+        _alone("--signs", {**given, "--reference": None, "--symbolic": symbolic})
+    elif symbolic is not None:
+        _alone("--symbolic", {**given, "--order": None, "--quantity": None})
+    wanted: list[tuple[Fraction, request.Quantity]] = [
+        (one, kind) for one in request.derived_orders("1,2" if order is None else order) for kind in request.quantities(quantity)
     ]
     try:
-        letters = notations.chosen(notation or ("sinitsyn" if signs else "crankstar"))
+        letters = notations.chosen(("sinitsyn" if signs else "crankstar") if notation is None else notation)
         with working("deriving ...") as tell:
             chapters = [exact.signs_chapter(loaded, reference=point)] if signs else []
             for one, kind in [] if signs else wanted:
-                tell(f"deriving the {kind} of order {one:g} ...")
-                if symbolic:
+                tell(f"deriving the {kind} of order {one} ...")
+                if symbolic is not None:
                     chapters.append(exact.family(loaded, one, kind, symbol=symbolic))
                 else:
-                    chapters.append(exact.derivation(loaded, one, kind, reference=point, speed=turning, power=power).chapter)
+                    chapters.append(exact.derivation(loaded, one, kind, reference=point, speed=turning, power=power or 7).chapter)
     except exact.DerivationError as error:
         raise RequestError(str(error)) from None
     if form == "text":
@@ -343,6 +349,13 @@ def errata(
     except ErrataError as error:
         raise RequestError(f"--source {one_line(source or '')}: {error}") from None
     display(errata_tables(wanted), output)
+
+
+def _alone(option: str, others: Mapping[str, object]) -> None:
+    """Refuse what an option has no use for, rather than leave it unheeded."""
+    idle = [name for name, value in others.items() if value is not None]
+    if idle:
+        raise RequestError(f"{option} has no use for {', '.join(idle)}; leave {'it' if len(idle) == 1 else 'them'} out")
 
 
 def _loaded(name: str, settings: list[str] | None) -> Engine:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from math import isfinite
 from typing import Any, Literal, get_args
 
@@ -66,16 +67,17 @@ def quantities(text: str | None) -> list[Quantity]:
     return [one for one in get_args(Quantity) if text in (None, one)]
 
 
-def derived_orders(text: str) -> list[float]:
-    """Crank orders to derive; all is those that textbooks give: 1, 2, 4, 6."""
+def derived_orders(text: str) -> list[Fraction]:
+    """Crank orders to derive, whole, decimal or as fractions; all is those that textbooks give: 1, 2, 4, 6."""
     if text.strip() == "all":
-        return [1, 2, 4, 6]
+        return [Fraction(order) for order in (1, 2, 4, 6)]
+    parts = [part.strip() for part in text.split(",") if part.strip()]
     try:
-        wanted = [float(part) for part in text.split(",") if part.strip()]
-    except ValueError:
+        wanted = [Fraction(part) for part in parts if len(part) < 20 and "e" not in part.lower()]
+    except (ValueError, ZeroDivisionError):
         wanted = []
-    if not wanted or len(wanted) > 24:
-        raise RequestError(f"--order {one_line(text)}: give up to 24 crank orders with commas, as in 2 or 1,2,4,6, or all")
+    if not wanted or len(wanted) < len(parts) or len(wanted) > 24:
+        raise RequestError(f"--order {one_line(text)}: give up to 24 crank orders with commas, as in 2 or 1,2,4,6 or 29/31, or all")
     return list(dict.fromkeys(wanted))
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 import tomllib
 from collections.abc import Callable
@@ -115,7 +116,7 @@ def test_decimals_are_said_to_be_decimals(run: Run) -> None:
         (["--order", "0"], "above 0 and up to 24"),
         (["--order", "-1"], "above 0 and up to 24"),
         (["--order", "25"], "above 0 and up to 24"),
-        (["--order", "nan"], "above 0 and up to 24"),
+        (["--order", "nan"], "as in 2 or 1,2,4,6"),
         (["--order", "two"], "as in 2 or 1,2,4,6"),
         (["--order", ""], "as in 2 or 1,2,4,6"),
         (["--order", ",".join(["1"] * 25)], "up to 24 crank orders"),
@@ -125,6 +126,14 @@ def test_decimals_are_said_to_be_decimals(run: Run) -> None:
         (["--symbolic", "gamma"], "there are: alpha, phi, n"),
         (["--symbolic", "phi"], "two parallel cylinders"),
         (["--power", "0"], "from 1 to 24"),
+        (["--signs", "--order", "2"], "has no use for --order"),
+        (["--signs", "--symbolic", "alpha", "--power", "3"], "has no use for --power, --symbolic"),
+        (["--symbolic", "alpha", "--reference", "0"], "has no use for --reference"),
+        (["--symbolic", ""], "there are: alpha, phi, n"),
+        (["--notation", ""], "there are: crankstar, stroke, sinitsyn"),
+        (["--order", "1e999999999"], "as in 2 or 1,2,4,6"),
+        (["--order", "1/0"], "as in 2 or 1,2,4,6"),
+        (["--speed", "fast"], "--speed"),
         (["--power", "two"], "whole number"),
         (["--reference", "x"], "z"),
     ],
@@ -142,3 +151,98 @@ def test_an_order_that_no_piston_has_is_nothing(run: Run) -> None:
 
 def test_the_signs_of_several_crankshafts_are_refused(refused: Callable[..., str]) -> None:
     assert "one crankshaft" in refused("derive", "square-four", "--signs")
+
+
+GEARED = """
+format = 1
+name = "one over a balance shaft"
+[[shaft]]
+name = "crank"
+[[shaft.throw]]
+angle = "0 deg"
+radius = "40 mm"
+[[shaft]]
+name = "balancer"
+speed_ratio = 2
+[[shaft.weight]]
+unbalance = "0.001 kg*m"
+angle = "180 deg"
+[[cylinders]]
+number = 1
+shaft = "crank"
+throw = 1
+rod_length = "160 mm"
+reciprocating_mass = "0.5 kg"
+"""
+THREE = """
+format = 1
+name = "heavy in front"
+speed = "6000 rpm"
+[cylinder]
+stroke = "80 mm"
+rod_length = "150 mm"
+reciprocating_mass = "0.5 kg"
+[[cylinders]]
+number = 1
+reciprocating_mass = "0.6 kg"
+[layout]
+type = "inline"
+throws = ["0 deg", "180 deg", "180 deg", "0 deg"]
+bore_pitch = "90 mm"
+"""
+
+
+def test_newton_metres_are_about_the_plane_that_was_asked_for(run: Run, tmp_path: Path) -> None:
+    (tmp_path / "three.toml").write_text(THREE, encoding="utf-8")
+    words = ("three.toml", "--reference", "30 mm")
+    told = run("derive", *words, "--order", "2", "--quantity", "couple").out
+    shown = float(re.findall(r"greatest value over a turn is ([\d.]+) N m", told)[0])
+    answer = json.loads(run("analyze", *words, "--json").out)
+    second = next(one for one in answer["orders"] if one["order"] == 2)["couple"]
+    assert shown == pytest.approx(abs(complex(*second["forward"])) + abs(complex(*second["backward"])), rel=1e-5)
+    assert "z₀: how far the reference plane stands in front of the middle of the cylinders, 30 mm" in " ".join(told.split())
+    assert "a: bore pitch, 90 mm" in " ".join(told.split())
+
+
+def test_another_speed_is_that_of_the_numbers(run: Run, tmp_path: Path) -> None:
+    (tmp_path / "three.toml").write_text(THREE, encoding="utf-8")
+    slow, fast = (
+        float(re.findall(r"over a turn is ([\d.]+) N\.", run("derive", "three.toml", "--order", "2", "--speed", speed).out)[0])
+        for speed in ("3000 rpm", "6000 rpm")
+    )
+    assert fast == pytest.approx(4 * slow, rel=1e-4)
+
+
+def test_lines_of_several_harmonics_are_still_a_line(run: Run, tmp_path: Path) -> None:
+    (tmp_path / "geared.toml").write_text(GEARED, encoding="utf-8")
+    told = run("derive", "geared.toml", "--order", "2", "--quantity", "force").out
+    assert "cos 2θ" in told
+    assert "0.2" in told  # 4 * 0.001 kg m over 0.5 kg times 40 mm
+
+
+def test_moments_that_cancel_are_not_said_to_push_against_each_other(run: Run) -> None:
+    told = " ".join(run("derive", "i4", "--order", "2", "--quantity", "couple").out.split())
+    assert "their moments are equal and opposite at every crank angle" in told
+    assert "push against" not in told
+
+
+def test_a_bank_that_is_called_like_a_direction_keeps_its_own_letter(run: Run) -> None:
+    told = run("derive", "v6-60-six-throws", "--order", "1", "--quantity", "couple").out
+    assert "M_bank right = " in told
+    assert len({line.split("=")[-1].strip() for line in told.splitlines() if "M_right = " in line}) <= 3
+
+
+def test_a_series_that_begins_later_is_not_nought(run: Run) -> None:
+    told = run("derive", "v8-flat-plane", "--order", "6", "--quantity", "force", "--power", "3").out
+    assert "begins with λ to the power 5" in told
+    assert "A₆ = 0 " not in told
+
+
+def test_balance_weights_are_said_to_be_left_out_of_the_six_signs(run: Run) -> None:
+    assert "weights are left out" in run("derive", "parallel-twin-180", "--signs").out
+
+
+def test_a_derivation_is_its_text() -> None:
+    told = str(derivation(crankstar.load("i4"), 2))
+    assert told.startswith("Four in line, flat crank: Second-order force")
+    assert "F_up = 4 cos 2θ" in told

@@ -115,3 +115,14 @@ def test_an_engine_outside_the_family_is_told_why(name: str, order: Any, quantit
 
 def test_an_odd_order_of_a_family_is_said_to_be_absent() -> None:
     assert "no harmonic of order 3" in family(load("v2-90"), 3, "force", symbol="alpha").steps[-1].words[0]
+
+
+@pytest.mark.parametrize("rotation", ["clockwise", "counter-clockwise"])
+def test_the_cosines_of_one_pin_add_up_as_they_are_written(rotation: str) -> None:
+    for name in ("v2-90", "v8-cross-plane"):  # the first cylinder on the left, and on the right
+        engine = load(name).model_copy(update={"rotation": rotation, "firing_order": ()})
+        for order in ORDERS:
+            for line in family(engine, order, "force", symbol="alpha").steps[1].lines[:2]:
+                for theta in ANGLES:
+                    written, added = (value(formula, {"theta": theta, "alpha": 0.7}) for formula in line.chain)
+                    assert written == pytest.approx(added, abs=1e-14)

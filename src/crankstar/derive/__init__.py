@@ -9,6 +9,7 @@ Bottom to top:
 | `families` | closed forms with a dimension left open: bank angle, crank phase, number of cylinders |
 | `six_signs` | the six signs of balance |
 | `steps` | Engine -> Derivation: from one cylinder to the resultant |
+| `pins` | the same sum pin by pin |
 | `task` | what every step knows, and the lines they have in common |
 | `resultant` | closed forms of the whole engine, their ellipse, the force of the real engine |
 | `gather` | cosines added up as by hand: in phase, in pairs that cancel, in closed polygons |

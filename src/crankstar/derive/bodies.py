@@ -28,8 +28,10 @@ from crankstar.derive.wave import Amount, Form, Key, Wave, joined, multiplied, s
 from crankstar.engine import Engine
 from crankstar.records import Cylinder
 
-GREATEST_FIELD = 72_000
-"""Order N of the field Q(zeta_N) beyond which an engine's angles are taken as decimals: no user would read them otherwise."""
+GREATEST_FIELD = 36_000
+"""Order N of the field Q(zeta_N) beyond which an engine's angles are taken as decimals; a hundredth of a degree needs this."""
+GREATEST_WORK = 3_000_000
+"""Order of the field times cylinders beyond which exact sums would take minutes, and are taken as decimals."""
 
 
 @dataclass(frozen=True)
@@ -86,7 +88,7 @@ def inexact(engine: Engine) -> str:
     field = 4
     for turn in turns:
         field = lcm(field, turn.denominator if turn else 1)
-        if field > GREATEST_FIELD:
+        if field > GREATEST_FIELD or field * len(engine.cylinders) > GREATEST_WORK:
             return "its angles are parts of a turn with no common part of use"
     return ""
 
@@ -145,7 +147,7 @@ def _pistons(
             continue
         body = _exact(engine, cylinder, int(j), unit, classes) if exact else _enclosed(engine, cylinder, int(j), unit)
         if body is not None:
-            sharing = 2 if exact and j == 1 and _on_pin(engine, cylinder) else 1
+            sharing = 2 if exact and j == 1 and on_pin(engine, cylinder) else 1
             out.append(replace(_labelled(body, engine, cylinder, rows), sharing=sharing))
     return out, {symbol: key for key, symbol in classes.items()}
 
@@ -245,7 +247,7 @@ def _rotors(
             out.append(_turning(engine, shaft.name, f"{kind} {place}", place, angle, unbalance / unit, own, exact=exact))
         if exact:
             for c in engine.cylinders:
-                amount = _on_pin(engine, c)
+                amount = on_pin(engine, c)
                 if c.shaft == shaft.name and amount:
                     name, angle, own = f"big end {c.number}", engine.throw(c).angle, rows["cylinder", c.number]
                     body = _turning(engine, shaft.name, name, c.throw, angle, amount / unit, own, exact=True)
@@ -253,7 +255,7 @@ def _rotors(
     return out
 
 
-def _on_pin(engine: Engine, cylinder: Cylinder) -> float:
+def on_pin(engine: Engine, cylinder: Cylinder) -> float:
     """The mass moment of a plain rod's crank end, given apart from the throw."""
     mass = cylinder.big_end_mass
     if cylinder.rod is not None:

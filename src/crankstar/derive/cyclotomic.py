@@ -91,6 +91,11 @@ class Number:
         return self._key
 
     @property
+    def height(self) -> int:
+        """The greatest whole number in the coefficients, above or below the line."""
+        return max((max(abs(int(value.p)), int(value.q)) for value in self.poly.coeffs()), default=0)
+
+    @property
     def zero(self) -> bool:
         """Whether the number is zero: decided, not estimated."""
         return self.poly.is_zero()
@@ -187,10 +192,15 @@ def imaginary(number: Number) -> Number:
     return ((number - number.conjugate) * root(Fraction(-1, 4))).times(Fraction(1, 2))
 
 
-def conjugates(number: Number) -> list[tuple[Number, int]]:
-    """All numbers with the same minimal polynomial, itself first, each with a power that makes it: zeta -> zeta^power."""
+def conjugates(number: Number, *, most: int | None = None) -> list[tuple[Number, int]]:
+    """All numbers with the same minimal polynomial, itself first, each with a power that makes it: zeta -> zeta^power.
+
+    Where there are more than `most`, only one more than that.
+    """
     found: dict[tuple[int, str], tuple[Number, int]] = {}
     for power in range(1, max(number.order, 2)):
+        if most is not None and len(found) > most:
+            break
         if gcd(power, number.order) == 1:
             moved = number.moved(power)
             found.setdefault(moved.key, (moved, power))

@@ -26,7 +26,7 @@ from crankstar.derive.cyclotomic import DIGITS
 from crankstar.engine import Engine
 from crankstar.records import Cylinder
 
-GREATEST_SAMPLES = 4096
+GREATEST_SAMPLES = 8192
 HALVINGS = 12
 """Widths of the strip tried, each two thirds of the one before."""
 
@@ -222,7 +222,7 @@ def _bound(rods: tuple[Link, ...], strip: float) -> float | None:
         frame = widest if rod is rods[0] else widest * sqrt(2.0)
         across = frame + abs(float(rod.offset))
         sine = across / float(rod.length)
-        if sine >= 0.999:
+        if sine >= 1:
             return None
         cosine = sqrt(1 + sine**2)
         along = frame + float(rod.length) * cosine

@@ -38,7 +38,7 @@ from crankstar.engine import Engine
 ALPHA, PHI, COUNT = Symbol("alpha"), Symbol("phi"), Symbol("n")
 
 
-def family(engine: Engine, order: float, quantity: Quantity, *, symbol: str) -> Chapter:
+def family(engine: Engine, order: float | Fraction, quantity: Quantity, *, symbol: str) -> Chapter:
     """The closed form of one order for all engines that differ from this one in one dimension only.
 
     `symbol` is `alpha`, `phi` or `n`. Raises DerivationError where the engine has no such dimension.
@@ -51,7 +51,7 @@ def family(engine: Engine, order: float, quantity: Quantity, *, symbol: str) -> 
     """
     if symbol not in FAMILIES:
         raise DerivationError(f"no family leaves {symbol!r} open; there are: {', '.join(FAMILIES)}")
-    if isinstance(order, bool) or order != int(order) or not 1 <= order <= 24:
+    if isinstance(order, bool) or order not in range(1, 25):
         raise DerivationError(f"the order is {order!r}; a family has whole orders from 1 to 24")
     if quantity not in ("force", "couple"):
         raise DerivationError(f"there is no derivation of {quantity!r}; the quantity can be force or couple")
@@ -131,37 +131,36 @@ def _vee(engine: Engine, order: int, quantity: Quantity) -> Chapter:
     told = [Line(Symbol("S"), (wave.vector(sums),), label="star of the pins")]
     if quantity == "couple":
         told.append(Line(Symbol("T"), (wave.vector(arm),), label="star of the pins with their arms"))
-    phase = product(2 * sense * side * order, ALPHA)
-    one, other = cosine(product(order, THETA)), cosine(summed(product(order, THETA), phase))
-    middle = summed(product(order, THETA), lead)
-    pair_up = (summed(product(cosine(ALPHA), one), product(cosine(ALPHA), other)), product(2, both, cosine(middle)))
-    sine_up = Applied("sin", ALPHA)
-    pair_right = (
-        summed(product(side, sine_up, one), product(-side, sine_up, other)),
-        product(2 * sense, across, Applied("sin", middle)),
-    )
     ellipse = (
         "Two cylinders at bearings +α and −α work on one pin. The second reaches its dead centre 2α later or earlier than the "
         "first, and their cosines add to an ellipse with the semi-axes 2 cos α cos kα upwards and 2 sin α sin kα to the right."
     )
     pinned = (
-        "All pins do the same at other crank angles: the sum is that of one pin times S, the sum of unit vectors at k times the "
+        "All pins do the same at other crank angles: the sum is that of one pin times S, the sum of unit vectors at k times "
+        "the angles of the pins from pin 1"
     )
-    pinned += "angles of the pins from pin 1"
     if quantity == "couple":
         pinned += ", or times T, the same with the arms of the pins"
         pinned += "; and where one bank stands in front of the other, with half of that as arms"
-    told = [
-        Line(Symbol("V", "up"), pair_up, label="one pin, up"),
-        Line(Symbol("V", "right"), pair_right, label="one pin, right"),
-        *told,
-    ]
+    told = [*_one_pin(order, sense, side), *told]
     form = (
         Line(Symbol(letter, "up"), (up,), "signal", (), 0.0, "up"),
         Line(Symbol(letter, "right"), (right,), "signal", (), 90.0, "right"),
     )
     steps = [Step("One V, and the star of its pins", (ellipse, f"{pinned}."), tuple(told)), Step("The closed form", (), form)]
     return _chapter(engine, order, quantity, "V of bank angle 2α, its banks on common pins.", steps)
+
+
+def _one_pin(order: int, sense: int, side: int) -> list[Line]:
+    """The two cylinders of one pin: their cosines added, upwards and to the right."""
+    both, across = _of_angle(order)
+    turning = product(order, THETA)
+    one, other = cosine(turning), cosine(summed(turning, product(2 * sense * side * order, ALPHA)))
+    middle = summed(turning, product(sense * side * order, ALPHA))
+    sine = Applied("sin", ALPHA)
+    up = (summed(product(cosine(ALPHA), one), product(cosine(ALPHA), other)), product(2, both, cosine(middle)))
+    right = (summed(product(side, sine, one), product(-side, sine, other)), product(2 * sense, across, Applied("sin", middle)))
+    return [Line(Symbol("V", "up"), up, label="one pin, up"), Line(Symbol("V", "right"), right, label="one pin, right")]
 
 
 def _of_angle(order: int) -> tuple[Formula, Formula]:

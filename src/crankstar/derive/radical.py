@@ -44,6 +44,10 @@ from crankstar.derive.typeset import text
 
 LONGEST = 26
 """Characters of a closed form that still tells a reader more than its decimal."""
+GREATEST_TOWER = 8
+"""Degree of a number above which no tower of roots is sought."""
+GREATEST_HEIGHT = 10**15
+"""Whole numbers in the coefficients of a number above which its form would be long."""
 GREATEST_DEGREE = 200
 """Degree of the field above which no closed form is sought: there is none that is short."""
 
@@ -133,7 +137,7 @@ def _argument(value: Number) -> float:
 def _arctangent(value: Number, base: Fraction) -> Formula | None:
     """`base` and the arctangent of something short, where the number lies within an eighth turn or so of `base`."""
     turned = value.turned(-base)
-    if value.order > GREATEST_DEGREE:
+    if value.order > GREATEST_DEGREE or value.height > GREATEST_HEIGHT:
         return None
     down = cyclotomic.real(turned)
     if down.zero or complex(down).real < 0:
@@ -179,7 +183,7 @@ def _radical(value: Number) -> Formula | None:
     if fraction is not None:
         return number(fraction)
     others = _conjugates(value)
-    if others is None or len(others) & (len(others) - 1) or len(others) > 8:
+    if others is None or len(others) & (len(others) - 1):
         return None
     found: list[Formula] = []
     for other, power in others:
@@ -188,7 +192,7 @@ def _radical(value: Number) -> Formula | None:
         even = (value + other).times(Fraction(1, 2))
         odd = (value - other).times(Fraction(1, 2))
         first, second = _radical(even), _root_of(odd * odd)
-        if first is not None and second is not None:
+        if first is not None and second is not None and not has_long(first) and not has_long(second):
             found.append(summed(*_ordered(first, second if complex(odd).real > 0 else negative(second))))
     return min(found, key=lambda formula: len(text(formula)), default=None)
 
@@ -199,7 +203,10 @@ def _ordered(first: Formula, second: Formula) -> tuple[Formula, Formula]:
 
 
 def _conjugates(value: Number) -> list[tuple[Number, int]] | None:
-    return None if value.poly.length() > GREATEST_DEGREE or value.order > 12 * GREATEST_DEGREE else cyclotomic.conjugates(value)
+    if value.poly.length() > GREATEST_DEGREE or value.order > 12 * GREATEST_DEGREE or value.height > GREATEST_HEIGHT:
+        return None
+    found = cyclotomic.conjugates(value, most=GREATEST_TOWER)
+    return found if len(found) <= GREATEST_TOWER else None
 
 
 def _split(value: Number, others: list[tuple[Number, int]]) -> tuple[Number, Number] | None:

@@ -27,7 +27,7 @@ from crankstar.derive.formula import (
 )
 from crankstar.derive.radical import gathered
 from crankstar.derive.records import Line, Step, nth, unit_symbol
-from crankstar.derive.task import Task
+from crankstar.derive.task import Task, arm_of
 from crankstar.derive.typeset import text
 from crankstar.derive.wave import Amount, Wave, at
 from crankstar.motion import series_coefficient
@@ -90,7 +90,8 @@ def _nothing(task: Task, told: str) -> str:
         return f"No {told} that can be told from zero, to {cyclotomic.DIGITS - 5} digits."
     if not task.moving:
         return f"There is no {told}: no part of the engine pushes in this order."
-    lengths = ", whatever the lengths along the crankshaft" if task.quantity == "couple" and task.has_arms else ""
+    letters = sorted({symbol.name for body in task.moving for key in arm_of(task.arms, body) for symbol in key})
+    lengths = f", whatever {' and '.join(letters)}" if task.quantity == "couple" and letters else ""
     return f"There is no {told}: every sum is exactly zero{lengths}."
 
 
@@ -106,7 +107,7 @@ def _common_line(forward: Wave, backward: Wave) -> tuple[Amount, Amount] | None:
 
 
 def _sense(first: Amount, second: Amount) -> str:
-    return "with" if abs(complex(first)) > abs(complex(second)) else "against"
+    return "with" if abs(first.enclosed()) > abs(second.enclosed()) else "against"
 
 
 def _axes(letter: str, forward: Wave, backward: Wave, *, larger_first: bool) -> list[Line]:
@@ -167,7 +168,7 @@ def _polynomial(coefficients: tuple[int, ...]) -> str:
 def real(task: Task) -> Step:
     """The force or couple of the real engine: the harmonic as a series and exactly, and numbers where they are known."""
     if not task.up and not task.right:
-        return Step("The real engine", ("Nothing is left of this order, whatever the masses and the speed.",), ())
+        return Step("The real engine", ("Nothing is left of this order, at any speed.",), ())
     lines: list[Line] = []
     counted = unit_symbol(task.found.harmonic)
     for own, side in ((task.up, "up"), (task.right, "right")):
@@ -186,8 +187,7 @@ def real(task: Task) -> Step:
             words.append(f"The series of A_{j} begins with λ to the power {j - 1}: beyond the power {task.power} asked for.")
         else:
             lines.append(Line(symbol, (formula,), "series", label="as a series", series=(j, task.power)))
-        with cyclotomic.precision(cyclotomic.DIGITS):
-            ball = enclosure.coefficient(ratio, j)
+        ball = enclosure.coefficient(ratio, j)
         told = f"exactly, at λ = r/l = {_ratio_text(1 / ratio)}{_assumed(task)}"
         lines.append(Line(symbol, (Decimal(ball, 12),), "plain", label=told))
     return Step("The real engine", tuple(words), tuple(lines))

@@ -30,7 +30,8 @@ NAMES = {"R": "rotating masses", "I": "first order", "II": "second order"}
 class Sign:
     """One of the six sums: a fictitious vector at theta = 0 (`along`), or vectors that turn with and against the crank.
 
-    Counted in the force of one cylinder, moments times lengths in bore pitches. `zero` is proved where `exact`.
+    Counted in m r w^2 (of the rotating mass of one crank for R), of order II times A_2 where all cylinders have one A_2
+    (`counted`); moments times lengths in bore pitches. `zero` is proved where `exact`.
     """
 
     letter: str
@@ -39,6 +40,7 @@ class Sign:
     forward: Wave
     backward: Wave
     exact: bool
+    counted: bool = True
 
     @property
     def zero(self) -> bool:
@@ -57,11 +59,16 @@ def signs(engine: Engine, *, reference: Reference | None = None) -> tuple[Sign, 
     """
     if len({cylinder.shaft for cylinder in engine.cylinders}) > 1:
         raise DerivationError("the six signs of balance are those of an engine with one crankshaft; this one has several")
+    if engine.shaft(engine.first.shaft).speed_ratio != 1:
+        raise DerivationError("the six signs of balance need the pistons on the reference crankshaft; these are on a geared one")
     with cyclotomic.precision(cyclotomic.DIGITS):
         placed = arms(engine, reference)
         out: list[Sign] = [*_rotating(engine, placed)]
-        for below, order in (("I", 1), ("II", 2)):
-            out += _reciprocating(engine, placed, below, Fraction(order))
+        try:
+            for below, order in (("I", 1), ("II", 2)):
+                out += _reciprocating(engine, placed, below, Fraction(order))
+        except ValueError as error:
+            raise DerivationError(f"the six signs cannot be given: {error}") from None
         return tuple(out)
 
 
@@ -69,11 +76,14 @@ def _rotating(engine: Engine, placed: Arms) -> list[Sign]:
     """Equal masses on all throws, or those of the file; in a row of cylinders seen from their plane, as the fictitious vectors."""
     shaft = engine.shaft(engine.first.shaft)
     exact = all(meant.turn(throw.angle) is not None for throw in shaft.throws)
-    greatest = max(throw.rotating_mass * throw.radius for throw in shaft.throws)
+    loads = [throw.rotating_mass * throw.radius for throw in shaft.throws]
+    for cylinder in engine.cylinders:
+        loads[cylinder.throw - 1] += parts.on_pin(engine, cylinder)
+    greatest = max(loads)
     vectors: list[tuple[Wave, tuple[str, int]]] = []
     for place, throw in enumerate(shaft.throws, 1):
         turn = meant.turn(throw.angle)
-        share = meant.ratio(throw.rotating_mass * throw.radius / greatest) if greatest else Fraction(1)
+        share = meant.ratio(loads[place - 1] / greatest) if greatest else Fraction(1)
         where: Amount = enclosure.Ball(enclosure.angle_of(throw.angle, base=shaft.throws[0].angle))
         if exact and turn is not None:
             where = cyclotomic.root(turn)
@@ -103,7 +113,7 @@ def _reciprocating(engine: Engine, placed: Arms, below: str, order: Fraction) ->
         forward, backward = wave.vectors(up, right, sense=engine.sense)
         one_row = len({round(body.bearing_deg, 9) for body in moving}) == 1
         along = joined(body.along or {} for body in moving) if one_row else None
-        out.append(Sign(letter, below, along, forward, backward, not found.why))
+        out.append(Sign(letter, below, along, forward, backward, not found.why, found.harmonic is not None))
     return out
 
 
@@ -112,7 +122,7 @@ def signs_chapter(engine: Engine, *, reference: Reference | None = None) -> Chap
     found = signs(engine, reference=reference)
     lines: list[Line] = []
     for sign in found:
-        unit = Symbol("P" if sign.below == "R" else "C", sign.below)
+        unit = Symbol("P", "R") if sign.below == "R" else Symbol("C", sign.below if sign.counted else "I")
         told = f"{'force' if sign.letter == 'P' else 'moment'}, {NAMES[sign.below]}"
         name = Symbol("Σ" + sign.letter, sign.below)
         if sign.along is not None:
@@ -130,7 +140,9 @@ def signs_chapter(engine: Engine, *, reference: Reference | None = None) -> Chap
         "the inertia forces of the first and second order and their moments. "
         f"Each is a vector at θ = 0: its length ∠ its bearing, {measured}."
     )
-    verdict = f"Not zero: {', '.join(left)}." if left else "All six are zero: the engine is balanced in itself."
+    verdict = f"Not zero: {', '.join(left)}." if left else "All six are zero: cranks and pistons are balanced in themselves."
+    if any(shaft.weights for shaft in engine.shafts):
+        verdict += " Counterweights and balance weights are left out."
     words = (meaning, verdict)
     return Chapter(engine.name, "The six signs of balance", 1, {}, (Step("Forces and moments", words, tuple(lines)),))
 

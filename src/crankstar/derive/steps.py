@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from math import isfinite
 from numbers import Real
 from typing import NamedTuple
 
@@ -16,6 +17,7 @@ from crankstar.derive import cyclotomic, enclosure, positions, wave
 from crankstar.derive.bodies import Bodies, Body, armed, bodies
 from crankstar.derive.formula import THETA, Degrees, Formula, Power, Product, Sum, Symbol, angle, cosine, number, product, summed
 from crankstar.derive.gather import Term, gathered, lag, told_once
+from crankstar.derive.pins import by_pin
 from crankstar.derive.radical import closed
 from crankstar.derive.records import (
     GREATEST_ORDER,
@@ -68,6 +70,10 @@ def derivation(
     wanted = _order(order)
     if quantity not in ("force", "couple"):
         raise DerivationError(f"there is no derivation of {quantity!r}; the quantity can be force or couple")
+    if isinstance(power, bool) or power not in range(1, GREATEST_ORDER + 1):
+        raise DerivationError(f"the power is {power!r}; give a power of λ from 1 to {GREATEST_ORDER}")
+    if reference is not None and not all(map(isfinite, reference)):
+        raise DerivationError("the point of reference is not finite; give its place in metres (or bore pitches)")
     with cyclotomic.precision(cyclotomic.DIGITS):
         found = _bodies(engine, wanted)
         arms = positions.arms(engine, reference)
@@ -88,12 +94,12 @@ def _derived(task: Task) -> Derivation:
             Step("No such harmonic", (f"{words}turns of their crankshaft, and what turns with a shaft has the first only.",))
         )
     elif task.quantity == "couple" and not task.has_arms:
-        words = "All that pushes stands in the reference plane: nothing has an arm, and there is no couple of any order."
+        words = "All that pushes stands in the reference plane: nothing has an arm, and there is no couple of this order."
         steps.append(Step("No arms", (words,)))
     else:
         if pistons:
             steps += _by_bank(task, pistons)
-            steps += _by_pin(task, pistons)
+            steps += by_pin(task, pistons)
         if turning:
             steps += _turning(task, turning, mixed=bool(pistons))
     steps += [resultant(task, rows(moving), symbols), real(task)]
@@ -111,12 +117,21 @@ def _derived(task: Task) -> Derivation:
         forward=forward,
         backward=backward,
         why=found.why,
-        meanings=positions.meanings(task.engine, task.arms),
+        meanings=positions.meanings(task.engine, task.arms) | _theta(task),
     )
 
 
+def _theta(task: Task) -> dict[str, str]:
+    """What theta is measured from, where that is not the dead centre of the first cylinder."""
+    first = next((body for body in task.found.moving if body.cylinder == task.engine.first.number), None)
+    if first is None or first.dead_centre is None or first.dead_centre == 0:
+        return {}
+    return {"theta": "crank angle, from the position in the engine file, in the direction of rotation"}
+
+
 def _order(order: float | Fraction) -> Fraction:
-    told = f"the order is {one_line(str(order), longest=40)}; give a crank order above 0 and up to {GREATEST_ORDER}, such as 2"
+    seen = one_line(str(order), longest=40)
+    told = f"the order is {seen}; give a crank order above 0 and up to {GREATEST_ORDER}, such as 2 or 29/31"
     if not isinstance(order, Real) or isinstance(order, bool):
         raise DerivationError(told)
     try:
@@ -336,53 +351,6 @@ def _components(task: Task, pistons: Sequence[Body]) -> Step:
     return Step(
         "All cylinders", ("The parts up and to the right are added.",), tuple(sides(task, "all", up, right, rows(pistons), "all"))
     )
-
-
-def _by_pin(task: Task, pistons: Sequence[Body]) -> list[Step]:
-    """The same sum taken pin by pin, for engines whose banks share their pins."""
-    pins: dict[tuple[str, int], list[Body]] = {}
-    for body in pistons:
-        pins.setdefault((body.shaft, body.place), []).append(body)
-    shared = [members for members in pins.values() if len({round(b.bearing_deg, 9) for b in members}) > 1]
-    if len(pins) < 2 or len(shared) < len(pins) or any(body.along is None for body in pistons):
-        return []
-    lines: list[Line] = []
-    names: list[str] = []
-    ups: list[Wave] = []
-    rights: list[Wave] = []
-    for (shaft, place), members in pins.items():
-        name = f"pin {place}" if len(task.engine.shafts) == 1 else f"{shaft} {place}"
-        up, right = joined(b.up for b in members), joined(b.right for b in members)
-        numbers = ", ".join(str(body.cylinder) for body in members)
-        for own, side, bearing in ((up, "up", 0.0), (right, "right", 90.0)):
-            parts = [(share(body, up=side == "up"), body.along or {}) for body in members]
-            raw = summed(*(product(factor, wave.signal(along, task.order)) for factor, along in parts))
-            chain = told_once([raw, *paired(parts, task.order), wave.signal(own, task.order)])
-            told = f"{name}, cylinders {numbers}, {side}"
-            lines.append(Line(Symbol(task.letter, f"{name}, {side}"), chain, "signal", rows(members), bearing, told))
-        names.append(name)
-        ups.append(up)
-        rights.append(right)
-    for parts, side, bearing in ((ups, "up", 0.0), (rights, "right", 90.0)):
-        raw = summed(*(wave.signal(part, task.order) for part in parts))
-        whole = wave.signal(joined(parts), task.order)
-        note = _cancelled(list(zip(names, parts, strict=True)))
-        chain = told_once([raw, whole])
-        lines.append(Line(Symbol(task.letter, side), chain, "signal", rows(pistons), bearing, f"all pins, {side}", note))
-    words = ("The same sum taken another way: first the cylinders that share a crank pin, then the pins.",)
-    return [Step("The other way, pin by pin", words, tuple(lines))]
-
-
-def _cancelled(parts: Sequence[tuple[str, Wave]]) -> str:
-    """The groups that cancel in pairs, by name."""
-    rest = [(name, own) for name, own in parts if own]
-    pairs: list[str] = []
-    while rest:
-        name, own = rest.pop(0)
-        other = next((i for i, (_, far) in enumerate(rest) if not joined([own, far])), None)
-        if other is not None:
-            pairs.append(f"{name} and {rest.pop(other)[0]}")
-    return f"Cancel: {'; '.join(pairs)}." if pairs else ""
 
 
 def _turning(task: Task, turning: Sequence[Body], *, mixed: bool) -> list[Step]:

@@ -41,6 +41,9 @@ GREEK = {
 }  # fmt: skip
 GREATEST_PLACES = 30
 """Places behind the point at most, however small a decimal is."""
+TINY = 1e-6
+"""Decimals below this are written with a power of ten."""
+NOT_IN_T1 = "ĦħĸĿŀŉŦŧſ"
 FIRST_UNKNOWN = 0x180
 """The first character that LaTeX's T1 fonts do not have, but for those below."""
 _LATEX_KNOWN = {
@@ -118,7 +121,7 @@ def _mathml_symbol(letter: str, below: str) -> str:
 def latex_text(text: str) -> str:
     """Text with everything escaped that means something in LaTeX; what its plain form cannot set is a question mark."""
     plain = "".join(_LATEX_SPECIAL.get(char, char) for char in text)
-    return "".join(char if ord(char) < FIRST_UNKNOWN else _LATEX_KNOWN.get(char, "?") for char in plain)
+    return "".join(char if ord(char) < FIRST_UNKNOWN and char not in NOT_IN_T1 else _LATEX_KNOWN.get(char, "?") for char in plain)
 
 
 _TEXT = _Style(
@@ -252,6 +255,11 @@ def _plain(size: Fraction, style: _Style) -> str:
 
 
 def _decimal(formula: Decimal, style: _Style) -> str:
+    ball = formula.ball
+    if not ball.contains(0) and abs(ball) < TINY:
+        power = floor(log10(float(abs(ball).mid())))
+        mantissa = _decimal(Decimal(ball * arb(10) ** -power, formula.digits), style)
+        return mantissa + style.dot + style.power(style.figures("10"), power)
     shown = figures(formula)
     sign = style.sign if shown.startswith("-") else ""
     return sign + style.figures(shown.removeprefix("-")) + (style.dots if shown != "0" else "")
@@ -321,7 +329,7 @@ def _front(size: Fraction, constants: Sequence[Formula], style: _Style, *, alone
         if size.denominator == 1 or not style.decimals:
             return _plain(size, style)
         short = size.denominator in (2, 4, 5, 8, 10, 20)
-        return f"{float(size):g}" if short else _plain(size, style) if size.denominator > LONG else f"({_plain(size, style)})"
+        return f"{float(size):.15g}" if short else _plain(size, style) if size.denominator > LONG else f"({_plain(size, style)})"
     above = shown if size.numerator == 1 else style.figures(str(size.numerator)) + shown
     if size.denominator == 1:
         return above
