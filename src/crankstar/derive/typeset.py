@@ -266,11 +266,11 @@ def _decimal(formula: Decimal, style: _Style) -> str:
 
 
 def _degrees(value: Rational | Decimal, style: _Style) -> str:
-    """Degrees as a decimal where they are a short one, else as a fraction in brackets."""
+    """Degrees as a decimal, cut where it has no end."""
     if isinstance(value, Decimal) or value.value.denominator == 1:
         return _printed(value, style)
     if 10**6 % value.value.denominator:
-        return style.bracket(_printed(value, style))
+        return _decimal(Decimal(arb(fmpq(value.value.numerator, value.value.denominator))), style)
     shown = f"{abs(float(value.value)):.10g}"
     return (style.sign if value.value < 0 else "") + style.figures(shown)
 
