@@ -14,6 +14,7 @@ a record, a way of looking at it is a function, an engine type is data, and impo
 | `tables`, `description` | a Balance, an Engine as tables for the terminal and the notebook |
 | `charts/` | figures as Altair charts, one function each, and as SVG without a browser |
 | `misprints` | the errata of the sources as tables for the terminal |
+| `workshop` | the bobweight card, counterweights and what they leave, as tables |
 | `wording` | numbers, amplitudes, paths and firing orders as an engineer writes them |
 | `errata/` | what the sources got wrong: printed, true, and momentum as the judge |
 | `derive/` | exact closed forms and their derivation step by step, zeros proved; families, the six signs of balance |
@@ -21,6 +22,7 @@ a record, a way of looking at it is a function, an engine type is data, and impo
 | `catalog/` | engines as TOML, one file each, each number with its source |
 | `files/` | Engine <-> TOML/JSON, JSON Schema, a sentence for every mistake, starter files |
 | `units` | text <-> SI; the only user of pint |
+| `remedy/` | what is put on an engine so that it shakes less: counterweights from a balance factor; gives Engines back |
 | `balance` | Engine -> Balance: what every part does to the block, by cylinder, bank, shaft, in all; units |
 | `mechanism` | an engine, or a batch, as arrays; the laws of force, couple, roll and torque, and their spectra |
 | `firing` | dead centres, firing angles and intervals; orders that do not fit |

@@ -84,3 +84,13 @@ def csv_text(name: str, result: Balance, *, orders: Sequence[float] | None = Non
 def _plain(name: str) -> str:
     """A name that a spreadsheet does not take for a formula."""
     return "'" + name if name[:1] in ("=", "+", "-", "@") else name
+
+
+def json_text(tree: dict[str, Any]) -> str:
+    """A tree as JSON, a pair of numbers on one line."""
+    import json
+    import re
+
+    text = json.dumps(tree, indent=1, ensure_ascii=False, allow_nan=False)
+    # A pair of numbers on one line. A raw line break cannot stand inside a string, so no name is touched.
+    return re.sub(r"\[\n\s+([-+.\de]+),\n\s+([-+.\de]+)\n\s+\]", r"[\1, \2]", text) + "\n"

@@ -6,7 +6,7 @@ import sys
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from importlib.metadata import version
-from typing import Annotated, Any
+from typing import Annotated
 
 from cyclopts import App, CycloptsError, Parameter, UnusedCliTokensError
 
@@ -193,7 +193,7 @@ def analyze(
         if csv:
             write(answer.csv_text(loaded.name, result, orders=wanted), output)
         else:
-            write(_json(answer.tree(loaded.name, result, orders=wanted)), output)
+            write(answer.json_text(answer.tree(loaded.name, result, orders=wanted)), output)
         return
     from crankstar.tables import analysis, report
 
@@ -261,7 +261,7 @@ def derive(
         _alone("--signs", {**given, "--reference": None, "--symbolic": symbolic})
     elif symbolic is not None:
         _alone("--symbolic", {**given, "--order": None, "--quantity": None})
-    wanted: list[tuple[Fraction, request.Quantity]] = [
+    wanted: list[tuple[Fraction, request.Derived]] = [
         (one, kind) for one in request.derived_orders("1,2" if order is None else order) for kind in request.quantities(quantity)
     ]
     try:
@@ -280,6 +280,40 @@ def derive(
         display(documents.rendered(chapters, letters), output)
     else:
         write(documents.FORMATS[form](chapters, letters), output)
+
+
+@app.command(name="balance")
+def balanced(
+    engine: EngineName,
+    /,
+    *,
+    factor: Annotated[
+        float, Parameter(help="share of all the reciprocating mass on each pin, 0 to 1.5", allow_leading_hyphen=True)
+    ] = 0.5,
+    planes: Annotated[
+        str | None,
+        Parameter(
+            help='places of the weights along the shaft, as in "-200 mm, 200 mm"; else opposite each pin', allow_leading_hyphen=True
+        ),
+    ] = None,
+    settings: Settings = None,
+    output: Annotated[
+        str | None, Parameter(name=["--output", "-o"], help="also write the balanced engine, in the explicit form")
+    ] = None,
+) -> None:
+    """Balance the crankshaft: bobweights, counterweights, and what they leave of the first order."""
+    from crankstar.files import toml
+    from crankstar.remedy import RemedyError, with_counterweights
+    from crankstar.workshop import balance_card
+
+    loaded = _loaded(engine, settings)
+    try:
+        better = with_counterweights(loaded, factor=factor, planes=request.planes(planes, loaded))
+    except RemedyError as error:
+        raise RequestError(str(error)) from None
+    if output is not None:
+        write(toml(better), output)
+    display(balance_card(loaded, better, factor))
 
 
 @app.command
@@ -328,9 +362,10 @@ def new(
 @app.command
 def schema(*, output: Output = None) -> None:
     """Print the JSON Schema of engine files; editors complete and check with it."""
+    from crankstar.answer import json_text
     from crankstar.files import schema as file_schema
 
-    write(_json(file_schema()), output)
+    write(json_text(file_schema()), output)
 
 
 @app.command
@@ -360,12 +395,3 @@ def _alone(option: str, others: Mapping[str, object]) -> None:
 
 def _loaded(name: str, settings: list[str] | None) -> Engine:
     return load(name, changes=dict(request.setting(text) for text in settings or []))
-
-
-def _json(tree: dict[str, Any]) -> str:
-    import json
-    import re
-
-    text = json.dumps(tree, indent=1, ensure_ascii=False, allow_nan=False)
-    # A pair of numbers on one line. A raw line break cannot stand inside a string, so no name is touched.
-    return re.sub(r"\[\n\s+([-+.\de]+),\n\s+([-+.\de]+)\n\s+\]", r"[\1, \2]", text) + "\n"

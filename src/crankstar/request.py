@@ -10,9 +10,9 @@ from crankstar import units
 from crankstar.balance import Grouping
 from crankstar.engine import Engine
 from crankstar.mechanism import Reference
-from crankstar.quantity import ANGLE, LENGTH, POSITION, SPEED, one_line, seen
+from crankstar.quantity import ANGLE, LENGTH, POSITION, SPEED, Quantity, one_line, seen
 
-Quantity = Literal["force", "couple"]
+Derived = Literal["force", "couple"]
 
 
 class RequestError(ValueError):
@@ -60,11 +60,11 @@ def orders(text: str | None, present: list[float]) -> list[float] | None:
     return list(dict.fromkeys(wanted))
 
 
-def quantities(text: str | None) -> list[Quantity]:
+def quantities(text: str | None) -> list[Derived]:
     """Which quantities to derive: one, or both."""
-    if text is not None and text not in get_args(Quantity):
-        raise RequestError(f"--quantity {one_line(text)}: it can be {', '.join(get_args(Quantity))}")
-    return [one for one in get_args(Quantity) if text in (None, one)]
+    if text is not None and text not in get_args(Derived):
+        raise RequestError(f"--quantity {one_line(text)}: it can be {', '.join(get_args(Derived))}")
+    return [one for one in get_args(Derived) if text in (None, one)]
 
 
 def derived_orders(text: str) -> list[Fraction]:
@@ -104,12 +104,26 @@ def reference(text: str | None, engine: Engine) -> Reference | None:
     example = 'as in "-120 mm" (z) or "0 mm, 35 mm, 0 mm" (z, up, right)'
     if len(parts) not in (1, 3):
         raise RequestError(f"--reference {one_line(text)}: give z, or z, up and right, {example}")
+    return Reference(*_places("--reference", parts, [POSITION, LENGTH, LENGTH], engine, example))
+
+
+def planes(text: str | None, engine: Engine) -> list[float] | None:
+    """Places along the shaft in the units of the engine."""
+    if text is None:
+        return None
+    parts = [part.strip() for part in text.split(",") if part.strip()]
+    if not 2 <= len(parts) <= 64:
+        raise RequestError(f'--planes {one_line(text)}: give two or more places along the shaft, as in "-200 mm, 200 mm"')
+    return _places("--planes", parts, [POSITION] * len(parts), engine, 'as in "-200 mm, 200 mm"')
+
+
+def _places(option: str, parts: list[str], marks: list[Quantity], engine: Engine, example: str) -> list[float]:
+    """Lengths with their units, or bare where the engine counts in units of its own."""
     read = units.reader(frozenset(engine.relative))
-    marks = [POSITION, LENGTH, LENGTH]
     for part, mark in zip(parts, marks, strict=False):
         if units.is_bare(part) and not mark.relative_to & frozenset(engine.relative):
-            raise RequestError(f"--reference {one_line(text)}: {one_line(part)} has no unit; write it with one, {example}")
+            raise RequestError(f"{option} {one_line(part)}: has no unit; write it with one, {example}")
     try:
-        return Reference(*(read(part, mark) for part, mark in zip(parts, marks, strict=False)))
+        return [read(part, mark) for part, mark in zip(parts, marks, strict=False)]
     except ValueError as error:
-        raise RequestError(f"--reference: {error}, {example}") from None
+        raise RequestError(f"{option}: {error}, {example}") from None

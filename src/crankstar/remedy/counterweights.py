@@ -1,0 +1,98 @@
+"""Counterweights on the crankshafts, from a balance factor: all of the rotating mass, and a share of the reciprocating.
+
+A weight opposite a pin takes away `rotating + factor * reciprocating` times the radius from the vector that turns with the
+crank. Put into planes instead, weights do the same if on each shaft their unbalances u_j and their moments agree:
+
+    sum u_j = U,    sum z_j u_j = V,
+
+U and V those of weights at the throws. Of all solutions the one with the least sum of |u_j|^2 is taken; two planes are enough.
+"""
+
+from __future__ import annotations
+
+from cmath import exp, phase
+from collections.abc import Sequence
+from math import isfinite
+
+import numpy as np
+
+from crankstar.engine import Engine
+from crankstar.records import Weight
+from crankstar.remedy.loads import Load, bobweight, loads
+
+GREATEST_FACTOR = 1.5
+NEGLIGIBLE = 1e-12
+"""Share of the greatest unbalance below which a weight is left out."""
+
+
+class RemedyError(ValueError):
+    """A remedy that cannot be, as one sentence that says what can."""
+
+
+def with_counterweights(engine: Engine, *, factor: float, planes: Sequence[float] | None = None) -> Engine:
+    """The engine with counterweights instead of those that its crankshafts have.
+
+    `factor` is the share of all the reciprocating mass on each pin, 0 to 1.5, that is balanced besides all of the rotating
+    mass. `planes` are places along the shaft (z, m or bore pitches as the engine counts); without them a weight stands
+    opposite every pin. Shafts without throws keep their weights. Raises RemedyError.
+
+    >>> from crankstar import balance, load, phasor, total
+    >>> first = phasor.selected(total(balance(with_counterweights(load("v2-90"), factor=0.5))).force, 1)
+    >>> bool(abs(first.forward[0]) + abs(first.backward[0]) < 1e-12)  # half of both pistons leaves a 90 degree V-twin nothing
+    True
+    """
+    if not isfinite(factor) or not 0 <= factor <= GREATEST_FACTOR:
+        raise RemedyError(f"the balance factor is {factor:g}; give a share of the reciprocating mass from 0 to {GREATEST_FACTOR:g}")
+    pins = loads(engine)
+    if planes is not None:
+        _possible(engine, planes)
+    shafts = []
+    for shaft in engine.shafts:
+        own = [pin for pin in pins if pin.shaft == shaft.name]
+        if not own:
+            shafts.append(shaft)
+            continue
+        weights = _opposite(own, factor) if planes is None else _in_planes(own, factor, planes)
+        shafts.append(shaft.model_copy(update={"weights": tuple(weights)}))
+    return engine.model_copy(update={"shafts": tuple(shafts)})
+
+
+def _possible(engine: Engine, planes: Sequence[float]) -> None:
+    places = [throw.z for shaft in engine.shafts for throw in shaft.throws] + [cylinder.z for cylinder in engine.cylinders]
+    front, rear = max(places), min(places)
+    room = engine.pitch
+    if len(planes) < 2 or len(set(planes)) < len(planes):
+        raise RemedyError(f"{len(set(planes))} plane{'s' if len(set(planes)) != 1 else ''} given; name two or more, all different")
+    beyond = [plane for plane in planes if not isfinite(plane) or not rear - room <= plane <= front + room]
+    if beyond:
+        there = f"which has its pins and cylinders from z = {rear:g} to {front:g}"
+        raise RemedyError(
+            f"the plane z = {beyond[0]:g} lies beyond the crankshaft, {there}; "
+            f"give planes up to one bore pitch ({room:g}) beyond them"
+        )
+
+
+def _opposite(pins: Sequence[Load], factor: float) -> list[Weight]:
+    vectors = [-bobweight(pin, factor) * pin.radius * exp(1j * pin.angle) for pin in pins]
+    return _weights(vectors, [pin.z for pin in pins])
+
+
+def _in_planes(pins: Sequence[Load], factor: float, planes: Sequence[float]) -> list[Weight]:
+    """The least weights with the same force and moment: the pseudo-inverse of the two conditions."""
+    vectors = np.array([-bobweight(pin, factor) * pin.radius * exp(1j * pin.angle) for pin in pins])
+    places = np.array([pin.z for pin in pins])
+    middle = float(np.mean(planes))  # moments about the middle of the planes, so that both conditions count alike
+    reach = float(np.max(np.abs(np.array(planes) - middle)))
+    conditions = np.array([np.ones(len(planes)), (np.array(planes) - middle) / reach])
+    wanted = np.array([vectors.sum(), (vectors * (places - middle)).sum() / reach])
+    found = np.linalg.pinv(conditions) @ wanted
+    return _weights([complex(one) for one in found], list(planes))
+
+
+def _weights(vectors: Sequence[complex], places: Sequence[float]) -> list[Weight]:
+    greatest = max(map(abs, vectors), default=0.0)
+    return [
+        Weight(unbalance=abs(vector), angle=phase(vector), z=place)
+        for vector, place in zip(vectors, places, strict=True)
+        if abs(vector) > NEGLIGIBLE * greatest
+    ]
