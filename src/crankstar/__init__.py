@@ -22,7 +22,7 @@ a record, a way of looking at it is a function, an engine type is data, and impo
 | `catalog/` | engines as TOML, one file each, each number with its source |
 | `files/` | Engine <-> TOML/JSON, JSON Schema, a sentence for every mistake, starter files |
 | `units` | text <-> SI; the only user of pint |
-| `remedy/` | what is put on an engine so that it shakes less: counterweights from a balance factor; gives Engines back |
+| `remedy/` | what is put on an engine so that it shakes less: counterweights, balance shafts; gives Engines back |
 | `balance` | Engine -> Balance: what every part does to the block, by cylinder, bank, shaft, in all; units |
 | `mechanism` | an engine, or a batch, as arrays; the laws of force, couple, roll and torque, and their spectra |
 | `firing` | dead centres, firing angles and intervals; orders that do not fit |

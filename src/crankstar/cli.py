@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from importlib.metadata import version
 from typing import Annotated
@@ -258,9 +258,9 @@ def derive(
         raise RequestError(f"--power {power}: give a power of λ from 1 to 24")
     given = {"--order": order, "--quantity": quantity, "--power": power, "--speed": speed, "--reference": reference}
     if signs:
-        _alone("--signs", {**given, "--reference": None, "--symbolic": symbolic})
+        request.alone("--signs", {**given, "--reference": None, "--symbolic": symbolic})
     elif symbolic is not None:
-        _alone("--symbolic", {**given, "--order": None, "--quantity": None})
+        request.alone("--symbolic", {**given, "--order": None, "--quantity": None})
     wanted: list[tuple[Fraction, request.Derived]] = [
         (one, kind) for one in request.derived_orders("1,2" if order is None else order) for kind in request.quantities(quantity)
     ]
@@ -296,6 +296,9 @@ def balanced(
             help='places of the weights along the shaft, as in "-200 mm, 200 mm"; else opposite each pin', allow_leading_hyphen=True
         ),
     ] = None,
+    shafts: Annotated[
+        str | None, Parameter(help='also balance shafts of these speed ratios, as in -1 or "2, -2"', allow_leading_hyphen=True)
+    ] = None,
     settings: Settings = None,
     output: Annotated[
         str | None, Parameter(name=["--output", "-o"], help="also write the balanced engine, in the explicit form")
@@ -303,12 +306,15 @@ def balanced(
 ) -> None:
     """Balance the crankshaft: bobweights, counterweights, and what they leave of the first order."""
     from crankstar.files import toml
-    from crankstar.remedy import RemedyError, with_counterweights
+    from crankstar.remedy import RemedyError, end_planes, with_balance_shaft, with_counterweights
     from crankstar.workshop import balance_card
 
     loaded = _loaded(engine, settings)
     try:
-        better = with_counterweights(loaded, factor=factor, planes=request.planes(planes, loaded))
+        places = request.planes(planes, loaded)
+        better = with_counterweights(loaded, factor=factor, planes=places)
+        for ratio in request.ratios(shafts):
+            better = with_balance_shaft(better, ratio=ratio, planes=end_planes(loaded) if places is None else places)
     except RemedyError as error:
         raise RequestError(str(error)) from None
     if output is not None:
@@ -384,13 +390,6 @@ def errata(
     except ErrataError as error:
         raise RequestError(f"--source {one_line(source or '')}: {error}") from None
     display(errata_tables(wanted), output)
-
-
-def _alone(option: str, others: Mapping[str, object]) -> None:
-    """Refuse what an option has no use for, rather than leave it unheeded."""
-    idle = [name for name, value in others.items() if value is not None]
-    if idle:
-        raise RequestError(f"{option} has no use for {', '.join(idle)}; leave {'it' if len(idle) == 1 else 'them'} out")
 
 
 def _loaded(name: str, settings: list[str] | None) -> Engine:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from fractions import Fraction
 from math import isfinite
 from typing import Any, Literal, get_args
@@ -117,6 +118,20 @@ def planes(text: str | None, engine: Engine) -> list[float] | None:
     return _places("--planes", parts, [POSITION] * len(parts), engine, 'as in "-200 mm, 200 mm"')
 
 
+def ratios(text: str | None) -> list[Fraction]:
+    """Speed ratios of balance shafts."""
+    parts = [part.strip() for part in (text or "").split(",") if part.strip()]
+    try:
+        found = [Fraction(part) for part in parts if len(part) < 20 and "e" not in part.lower()]
+    except (ValueError, ZeroDivisionError):
+        found = []
+    if len(found) < len(parts) or (text is not None and not found) or len(found) > 8:
+        raise RequestError(
+            f'--shafts {one_line(text or "")}: give speed ratios with commas, negative against the crank, as in -1 or "2, -2"'
+        )
+    return found
+
+
 def _places(option: str, parts: list[str], marks: list[Quantity], engine: Engine, example: str) -> list[float]:
     """Lengths with their units, or bare where the engine counts in units of its own."""
     read = units.reader(frozenset(engine.relative))
@@ -127,3 +142,10 @@ def _places(option: str, parts: list[str], marks: list[Quantity], engine: Engine
         return [read(part, mark) for part, mark in zip(parts, marks, strict=False)]
     except ValueError as error:
         raise RequestError(f"{option}: {error}, {example}") from None
+
+
+def alone(option: str, others: Mapping[str, object]) -> None:
+    """Refuse what an option has no use for, rather than leave it unheeded."""
+    idle = [name for name, value in others.items() if value is not None]
+    if idle:
+        raise RequestError(f"{option} has no use for {', '.join(idle)}; leave {'it' if len(idle) == 1 else 'them'} out")

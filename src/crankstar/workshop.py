@@ -1,4 +1,4 @@
-"""What a balancing shop works from: the bobweight of each pin, the counterweights, and what they leave of the first order."""
+"""What a balancing shop works from: the bobweight of each pin, the weights, and what they leave."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from crankstar.wording import number, table, titled
 
 
 def balance_card(before: Engine, after: Engine, factor: float) -> RenderableType:
-    """The bobweight card of an engine, the weights of the balanced one, and the first order of both."""
+    """The bobweight card of an engine, the weights of the balanced one, and what they leave."""
     return Group(Text(before.name, style="bold"), _bobweights(before, factor), _weights(after), _left(before, after))
 
 
@@ -56,22 +56,25 @@ def _weights(engine: Engine) -> RenderableType:
         for weight in shaft.weights:
             row = (number(weight.z * along, along), number(degrees(weight.angle), 180.0), number(weight.unbalance))
             out.add_row(Text(shaft.name), *row, number(weight.unbalance / radius * scale))
-    return titled("Counterweights", out)
+    return titled("Weights", out)
 
 
 def _left(before: Engine, after: Engine) -> RenderableType:
-    out = table("first order", "with the crank", "against it", "greatest", left=("first order",))
-    for engine, told in ((before, "as it was"), (after, "with these weights")):
-        sums = total(balance(engine))
-        largest = max(_sizes(getattr(total(balance(before)), name))[2] for name in ("force", "couple")) or 1.0
+    """The orders in which something was put on the engine, before and after."""
+    orders = sorted({1.0} | {abs(float(shaft.speed_ratio)) for shaft in after.shafts if shaft.weights})
+    out = table("order", "", "with the crank", "against it", "greatest", left=("",))
+    sums = {"as it was": total(balance(before)), "now": total(balance(after))}
+    for order in orders:
         for name, unit in (("force", "m r ω²"), ("couple", "m r ω² a")):
-            sizes = _sizes(getattr(sums, name))
-            out.add_row(f"{name} {told} [{unit}]", *(number(size, largest) for size in sizes))
-    return titled("What is left of the first order", out)
+            largest = max(_sizes(getattr(sums["as it was"], quantity), order)[2] for quantity in ("force", "couple")) or 1.0
+            for told, found in sums.items():
+                sizes = _sizes(getattr(found, name), order)
+                out.add_row(number(order), f"{name} {told} [{unit}]", *(number(size, largest) for size in sizes))
+    return titled("What is left", out)
 
 
-def _sizes(spectrum: phasor.Spectrum) -> tuple[float, float, float]:
+def _sizes(spectrum: phasor.Spectrum, order: float) -> tuple[float, float, float]:
     """The vectors with and against the crank, and the greatest value over a turn."""
-    first = phasor.selected(spectrum, [1.0])
-    forward, backward = abs(complex(first.forward[0])), abs(complex(first.backward[0]))
+    one = phasor.selected(spectrum, [order])
+    forward, backward = abs(complex(one.forward[0])), abs(complex(one.backward[0]))
     return forward, backward, forward + backward

@@ -78,15 +78,22 @@ def _opposite(pins: Sequence[Load], factor: float) -> list[Weight]:
 
 
 def _in_planes(pins: Sequence[Load], factor: float, planes: Sequence[float]) -> list[Weight]:
-    """The least weights with the same force and moment: the pseudo-inverse of the two conditions."""
     vectors = np.array([-bobweight(pin, factor) * pin.radius * exp(1j * pin.angle) for pin in pins])
-    places = np.array([pin.z for pin in pins])
-    middle = float(np.mean(planes))  # moments about the middle of the planes, so that both conditions count alike
-    reach = float(np.max(np.abs(np.array(planes) - middle)))
-    conditions = np.array([np.ones(len(planes)), (np.array(planes) - middle) / reach])
-    wanted = np.array([vectors.sum(), (vectors * (places - middle)).sum() / reach])
-    found = np.linalg.pinv(conditions) @ wanted
-    return _weights([complex(one) for one in found], list(planes))
+    moment = complex((vectors * [pin.z for pin in pins]).sum())
+    return _weights(least_weights(force=complex(vectors.sum()), moment=moment, planes=planes), planes)
+
+
+def least_weights(*, force: complex, moment: complex, planes: Sequence[float]) -> list[complex]:
+    """Unbalances u_j in planes z_j with sum u_j = force and sum z_j u_j = moment, and the least sum of |u_j|^2.
+
+    They are the pseudo-inverse of the two conditions; z and the moment count from one point.
+    """
+    places = np.array(planes, float)
+    middle = float(np.mean(places))  # moments about the middle of the planes, so that both conditions count alike
+    reach = float(np.max(np.abs(places - middle)))
+    conditions = np.array([np.ones(places.size), (places - middle) / reach])
+    wanted = np.array([force, (moment - middle * force) / reach])
+    return [complex(one) for one in np.linalg.pinv(conditions) @ wanted]
 
 
 def _weights(vectors: Sequence[complex], places: Sequence[float]) -> list[Weight]:
