@@ -30,7 +30,7 @@ def test_weights_in_planes_do_what_weights_at_the_throws_do(name: str) -> None:
     engine = load(name)
     places = [throw.z for throw in engine.shafts[0].throws]
     reach = engine.pitch / 2
-    planes = [max(places) + reach, min(places) - reach, (max(places) + min(places)) / 2]
+    planes = [max(places) + reach, min(places) - reach / 3, (max(places) + min(places)) / 2]  # not about the middle
     for factor in (0.0, 0.5, 1.0):
         at_throws = with_counterweights(engine, factor=factor)
         in_planes = with_counterweights(engine, factor=factor, planes=planes)
