@@ -8,7 +8,7 @@ a record, a way of looking at it is a function, an engine type is data, and impo
 
 | module | one line |
 |---|---|
-| `cli` | verbs only; no logic |
+| `cli/` | verbs only; no logic |
 | `request` | what the words of a command line ask for |
 | `output` | where results go: terminal, pipe, or a file that appears whole or not at all |
 | `tables`, `description` | a Balance, an Engine as tables for the terminal and the notebook |

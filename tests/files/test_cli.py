@@ -469,7 +469,7 @@ def test_it_ends_with_130_when_interrupted(run: Run, monkeypatch: pytest.MonkeyP
         raise KeyboardInterrupt
 
     assert run("check", "single").code == 0
-    monkeypatch.setattr(cli, "load", interrupted)
+    monkeypatch.setattr(cli.options, "load", interrupted)
     with pytest.raises(SystemExit) as left:
         cli.main(["analyze", "single"])
     assert left.value.code == 130
@@ -480,7 +480,7 @@ def test_it_tells_when_there_is_not_enough_memory(refused: Callable[..., str], m
     def huge(*_: object, **__: object) -> None:
         raise MemoryError
 
-    monkeypatch.setattr(cli, "load", huge)
+    monkeypatch.setattr(cli.options, "load", huge)
     assert "there is not enough memory for this engine" in refused("analyze", "single")
 
 

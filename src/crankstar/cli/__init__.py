@@ -1,0 +1,13 @@
+"""The command line: verbs only. Every verb reads engines, asks a function, prints what it gives.
+
+| module | one line |
+|---|---|
+| `looking`, `making` | the verbs: those that only look, those that make or judge files |
+| `options` | options that several verbs share |
+| `application` | how a command line is read, and how the process ends |
+"""
+
+from crankstar.cli import looking, making, options
+from crankstar.cli.application import app, main
+
+__all__ = ["app", "looking", "main", "making", "options"]
