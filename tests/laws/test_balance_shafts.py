@@ -6,10 +6,12 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
+from tests.newton import road
 
 from crankstar import balance, load, phasor, total
 from crankstar.engine import Engine
-from crankstar.remedy import RemedyError, with_balance_shaft, with_counterweights
+from crankstar.mechanism import Reference, block_roll
+from crankstar.remedy import RemedyError, needs, with_balance_shaft, with_balance_shafts, with_counterweights, with_roll_cancelled
 
 UNTOUCHED = (1.0, 2.0, 4.0)
 
@@ -73,11 +75,113 @@ def test_one_shaft_against_the_crank_and_weights_free_a_three_of_its_couple() ->
     [
         (0, [1.0, -1.0], "not 0"),
         (Fraction(17, 2), [1.0, -1.0], "from -8 to 8"),
-        (2, [1.0], "two planes or more"),
-        (2, [1.0, 1.0], "two planes or more"),
+        (2, [], "two are enough"),
+        (2, [1.0], "give two planes or more"),
+        (2, [1.0, 1.0], "all different"),
         (3, [1.0, -1.0], "has no use"),
     ],
 )
 def test_what_cannot_be_done_is_told(ratio: Fraction, planes: list[float], told: str) -> None:
     with pytest.raises(RemedyError, match=told):
         with_balance_shaft(load("i4"), ratio=ratio, planes=planes)
+
+
+NEEDS = {
+    "single": ["1", "-1", "2", "-2"],
+    "i4": ["2", "-2"],
+    "i6": [],
+    "v8-cross-plane": ["1"],
+    "v8-flat-plane": ["2", "-2"],
+    "v12-60": [],
+    "boxer-6": [],
+    "yamaha-r1-crossplane": ["1", "-1"],
+    "triple-120": ["1", "-1", "2", "-2"],
+    "i2-360": ["1", "-1", "2", "-2"],
+    "radial-9": ["1", "2", "-2"],  # the articulated rods leave a little of the second order
+}
+
+
+@pytest.mark.parametrize("name", NEEDS)
+def test_what_an_engine_needs_is_known(name: str) -> None:
+    assert [str(need.ratio) for need in needs(load(name))] == NEEDS[name]
+
+
+def test_half_the_mass_leaves_one_shaft_to_be_wanted() -> None:
+    for name in ("single", "harley-45", "triple-120", "yamaha-r1-crossplane", "gm-3800"):
+        left = needs(with_counterweights(load(name), factor=0.5), highest=1)
+        assert [(str(need.ratio), need.paired) for need in left] == [("-1", False)]
+
+
+@pytest.mark.parametrize("name", ["single", "i4", "i2-270", "triple-120", "gm-3800", "vw-vr6", "audi-25-tfsi", "v8-cross-plane"])
+def test_all_the_shafts_an_engine_needs_leave_nothing_up_to_the_second_order(name: str) -> None:
+    engine = load(name)
+    half = engine.pitch / 2
+    planes = [max(c.z for c in engine.cylinders) + half, min(c.z for c in engine.cylinders) - half]
+    cured = with_balance_shafts(with_counterweights(engine, factor=0.5), planes=planes, apart=2.0)
+    for quantity in ("force", "couple"):
+        for order in (1, 2):
+            before = np.abs(vectors(engine, quantity, 1)).max() + np.abs(vectors(engine, quantity, 2)).max() + 1.0
+            if name != "vw-vr6":  # its axes miss the crankshaft, so that counterweights by factor leave a little forward
+                assert np.abs(vectors(cured, quantity, order)).max() <= 1e-12 * before
+            assert np.abs(vectors(cured, quantity, order))[1] <= 1e-12 * before
+
+
+def test_a_single_plane_will_do_where_the_force_acts_in_it() -> None:
+    pair = with_balance_shafts(load("i4"), planes=[0.0])
+    assert [len(shaft.weights) for shaft in pair.shafts[1:]] == [1, 1]
+    assert np.abs(vectors(pair, "force", 2)) == pytest.approx([0, 0], abs=1e-15)
+    with pytest.raises(RemedyError, match="give two planes or more"):
+        with_balance_shafts(load("triple-120"), planes=[0.0])
+
+
+@pytest.mark.parametrize("name", ["i4", "honda-b18c", "single", "v8-flat-plane", "i2-360"])
+@pytest.mark.parametrize("rotation", ["clockwise", "counter-clockwise"])
+def test_unequal_heights_take_away_the_roll_of_the_block(name: str, rotation: str) -> None:
+    turned = load(name).model_copy(update={"rotation": rotation, "firing_order": (), "firing_angles": None})
+    planes = [max(c.z for c in turned.cylinders) + turned.pitch, min(c.z for c in turned.cylinders) - turned.pitch]
+    pair = turned
+    radius = turned.throw(turned.first).radius
+    for ratio, side in ((2, 1.5), (-2, -1.5)):
+        pair = with_balance_shaft(pair, ratio=ratio, planes=planes, right=side * radius, up=0.4 * radius)
+    level = with_roll_cancelled(pair, order=2)
+    for quantity in ("force", "couple"):
+        assert vectors(level, quantity, 2) == pytest.approx(vectors(pair, quantity, 2), abs=1e-13)
+    before, after = (complex(phasor.amplitude(phasor.selected(block_roll(total(balance(one))), [2.0]))[0]) for one in (pair, level))
+    assert abs(before) > 0.1
+    assert abs(after) < 1e-12
+    if name != "v8-flat-plane":  # whose force is level: both shafts go down to the crankshaft
+        assert sum(shaft.up for shaft in level.shafts[1:]) == pytest.approx(0.8 * radius)  # moved apart, not away
+
+
+def test_the_roll_that_is_left_is_nothing_by_momentum() -> None:
+    level = with_roll_cancelled(with_balance_shafts(load("honda-b18c"), planes=[0.0], apart=3.0), order=2)
+    walked = road(level, reference=Reference(0.0), speed=1.0)
+    # Moment about the axis towards the viewer is counter-clockwise; a flywheel that takes the torque gives it back to the block.
+    moment = -np.sum([np.asarray(push.moment, float)[:, 2] for push in walked.pushes], axis=0)
+    torque = np.sum([np.asarray(push.torque, float) for push in walked.pushes], axis=0)
+    turns = round(float(walked.theta[-1] / (2 * np.pi)))
+    spectrum = np.abs(np.fft.rfft(moment - level.sense * torque)) / walked.theta.size
+    pistons = np.abs(np.fft.rfft(torque)) / walked.theta.size
+    assert pistons[2 * turns] > 0.1 * pistons.max()
+    assert spectrum[2 * turns] < 1e-10 * pistons.max()
+
+
+def test_a_level_pair_nearly_a_rod_length_apart() -> None:
+    """To the lowest order in lambda the heights differ by l: torque 2 m r^2 against 4 m r A_2 with A_2 = r/l."""
+    for ratio in (4.0, 8.0, 20.0):
+        four = load("i4")
+        rods = tuple(c.model_copy(update={"rod_length": ratio * four.throw(c).radius}) for c in four.cylinders)
+        level = with_roll_cancelled(with_balance_shafts(four.model_copy(update={"cylinders": rods}), planes=[0.0]), order=2)
+        assert level.shafts[1].up - level.shafts[2].up == pytest.approx(ratio, rel=0.26 / ratio**2 + 1e-9)
+    assert level.shafts[1].speed_ratio == 2  # the upper shaft turns with the crankshaft
+
+
+def test_heights_that_cannot_help_are_told() -> None:
+    with pytest.raises(RemedyError, match="no pair of balance shafts of speed ratios 2 and -2"):
+        with_roll_cancelled(load("i4"), order=2)
+    one = with_balance_shaft(load("i4"), ratio=2, planes=[1.0, -1.0])
+    with pytest.raises(RemedyError, match="no pair"):
+        with_roll_cancelled(one, order=2)
+    boxer = with_balance_shafts(load("boxer-2"), planes=[1.5, -1.5])
+    with pytest.raises(RemedyError, match="has no force of the kind"):  # couples of the second order, and a roll
+        with_roll_cancelled(boxer, order=2)

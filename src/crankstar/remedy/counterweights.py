@@ -11,14 +11,15 @@ U and V those of weights at the throws. Of all solutions the one with the least 
 from __future__ import annotations
 
 from cmath import exp, phase
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from math import isfinite
 
 import numpy as np
 
 from crankstar.engine import Engine
-from crankstar.records import Weight
+from crankstar.records import Shaft, Weight
 from crankstar.remedy.loads import Load, bobweight, loads
+from crankstar.remedy.planes import end_webs, spans
 
 GREATEST_FACTOR = 1.5
 NEGLIGIBLE = 1e-12
@@ -41,23 +42,50 @@ def with_counterweights(engine: Engine, *, factor: float, planes: Sequence[float
     >>> bool(abs(first.forward[0]) + abs(first.backward[0]) < 1e-12)  # half of both pistons leaves a 90 degree V-twin nothing
     True
     """
+    if planes is None:
+        return _balanced(engine, factor, lambda _, own: _opposite(own, factor))
+    possible_planes(engine, planes)
+    return _balanced(engine, factor, lambda _, own: _in_planes(own, factor, planes))
+
+
+def with_web_weights(engine: Engine, *, factor: float, ends_only: bool = False) -> Engine:
+    """The same with the weights on the webs: each throw's on its own two, or with `ends_only` all on the outermost two.
+
+    >>> from crankstar.catalog import load
+    >>> len(with_web_weights(load("v8-cross-plane"), factor=0.5).shafts[0].weights)  # two to a throw
+    8
+    """
+
+    def weights(shaft: Shaft, own: Sequence[Load]) -> list[Weight]:
+        if ends_only:
+            return _in_planes(own, factor, end_webs(engine, shaft))
+        by_throw = [
+            _in_planes([pin for pin in own if pin.throw in span.throws], factor, span.webs) for span in spans(engine, shaft)
+        ]
+        return [weight for pair in by_throw for weight in pair]
+
+    return _balanced(engine, factor, weights)
+
+
+def _balanced(engine: Engine, factor: float, weights: Callable[[Shaft, list[Load]], list[Weight]]) -> Engine:
     if not isfinite(factor) or not 0 <= factor <= GREATEST_FACTOR:
         raise RemedyError(f"the balance factor is {factor:g}; give a share of the reciprocating mass from 0 to {GREATEST_FACTOR:g}")
     pins = loads(engine)
-    if planes is not None:
-        _possible(engine, planes)
     shafts = []
     for shaft in engine.shafts:
         own = [pin for pin in pins if pin.shaft == shaft.name]
-        if not own:
-            shafts.append(shaft)
-            continue
-        weights = _opposite(own, factor) if planes is None else _in_planes(own, factor, planes)
-        shafts.append(shaft.model_copy(update={"weights": tuple(weights)}))
+        shafts.append(shaft.model_copy(update={"weights": tuple(weights(shaft, own))}) if own else shaft)
     return engine.model_copy(update={"shafts": tuple(shafts)})
 
 
-def _possible(engine: Engine, planes: Sequence[float]) -> None:
+def without_counterweights(engine: Engine) -> Engine:
+    """The engine with bare crankshafts; shafts without throws keep their weights."""
+    shafts = tuple(shaft.model_copy(update={"weights": ()}) if shaft.throws else shaft for shaft in engine.shafts)
+    return engine.model_copy(update={"shafts": shafts})
+
+
+def possible_planes(engine: Engine, planes: Sequence[float]) -> None:
+    """Refuse places along the shaft that are too few, double or beyond it. Raises RemedyError."""
     places = [throw.z for shaft in engine.shafts for throw in shaft.throws] + [cylinder.z for cylinder in engine.cylinders]
     front, rear = max(places), min(places)
     room = engine.pitch
@@ -65,22 +93,22 @@ def _possible(engine: Engine, planes: Sequence[float]) -> None:
         raise RemedyError(f"{len(set(planes))} plane{'s' if len(set(planes)) != 1 else ''} given; name two or more, all different")
     beyond = [plane for plane in planes if not isfinite(plane) or not rear - room <= plane <= front + room]
     if beyond:
-        there = f"which has its pins and cylinders from z = {rear:g} to {front:g}"
+        unit = "bore pitches" if "pitch" in engine.relative else "m"
         raise RemedyError(
-            f"the plane z = {beyond[0]:g} lies beyond the crankshaft, {there}; "
-            f"give planes up to one bore pitch ({room:g}) beyond them"
+            f"the plane z = {beyond[0]:g} {unit} lies beyond the crankshaft, which has its pins and cylinders from z = {rear:g} to "
+            f"{front:g} {unit}; give planes up to one bore pitch ({room:g} {unit}) beyond them"
         )
 
 
 def _opposite(pins: Sequence[Load], factor: float) -> list[Weight]:
     vectors = [-bobweight(pin, factor) * pin.radius * exp(1j * pin.angle) for pin in pins]
-    return _weights(vectors, [pin.z for pin in pins])
+    return turned_weights(vectors, [pin.z for pin in pins])
 
 
 def _in_planes(pins: Sequence[Load], factor: float, planes: Sequence[float]) -> list[Weight]:
     vectors = np.array([-bobweight(pin, factor) * pin.radius * exp(1j * pin.angle) for pin in pins])
     moment = complex((vectors * [pin.z for pin in pins]).sum())
-    return _weights(least_weights(force=complex(vectors.sum()), moment=moment, planes=planes), planes)
+    return turned_weights(least_weights(force=complex(vectors.sum()), moment=moment, planes=planes), planes)
 
 
 def least_weights(*, force: complex, moment: complex, planes: Sequence[float]) -> list[complex]:
@@ -96,7 +124,8 @@ def least_weights(*, force: complex, moment: complex, planes: Sequence[float]) -
     return [complex(one) for one in np.linalg.pinv(conditions) @ wanted]
 
 
-def _weights(vectors: Sequence[complex], places: Sequence[float]) -> list[Weight]:
+def turned_weights(vectors: Sequence[complex], places: Sequence[float]) -> list[Weight]:
+    """Weights from their unbalance vectors (up + i right at theta = 0); those that are nothing beside the greatest are left out."""
     greatest = max(map(abs, vectors), default=0.0)
     return [
         Weight(unbalance=abs(vector), angle=phase(vector), z=place)

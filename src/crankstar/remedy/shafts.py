@@ -1,4 +1,4 @@
-"""Balance shafts: a shaft that takes away the whole vector that turns at its speed.
+"""Balance shafts: which an engine needs, what each takes away, and where it must lie so that nothing rolls.
 
 In order k = |n| an engine's force is a vector F turning one way and one turning the other; a shaft of speed ratio n turns
 with one of them. Weights u_j on it, in planes z_j, push with n^2 w^2 u_j. They cancel force and couple about z0 where
@@ -6,8 +6,12 @@ with one of them. Weights u_j on it, in planes z_j, push with n^2 w^2 u_j. They 
     n^2 sum u_j = -F,    n^2 sum (z_j - z0) u_j = -M,
 
 and of all such weights those with the least sum of |u_j|^2 are taken. A straight line of force (the second order of a four)
-needs two shafts, of ratio 2 and -2, half each: F. W. Lanchester's pair. Where a shaft lies changes force and couple not at
-all, but its push has an arm about the crankshaft, and so a rolling moment, which the Balance of the new engine shows.
+needs two shafts, of ratio 2 and -2, half each: F. W. Lanchester's pair. A couple of one sense needs one shaft with two
+opposite weights (the first order of a three).
+
+Where a shaft lies changes force and couple not at all, but its push has an arm P about the crankshaft, and so a rolling
+moment Im(conj(P) F). A pair at different heights rolls with its order, and can take away the roll of the block of that
+order: shafts of unequal height, as Mitsubishi built them from 1974.
 """
 
 from __future__ import annotations
@@ -15,17 +19,73 @@ from __future__ import annotations
 from cmath import phase
 from collections.abc import Sequence
 from fractions import Fraction
+from typing import NamedTuple
 
 import numpy as np
 
 from crankstar import phasor
 from crankstar.balance import default_reference
 from crankstar.engine import GREATEST_SHAFTS, Engine
-from crankstar.mechanism import mechanism, spectra, total
+from crankstar.mechanism import Totals, block_roll, mechanism, spectra, total
+from crankstar.phasor import Spectrum
 from crankstar.records import Shaft, Weight
 from crankstar.remedy.counterweights import NEGLIGIBLE, RemedyError, least_weights
 
 GREATEST_RATIO = 8
+HEARD = 1e-9
+"""Share of what all parts push in an order, or push together, below which it is nothing."""
+
+
+class Need(NamedTuple):
+    """A vector that a shaft of this speed ratio would take away: force (kg m) and couple about the middle (kg m^2) at 1 rad/s.
+
+    `paired` tells whether the same order has a vector that turns the other way too.
+    """
+
+    ratio: Fraction
+    force: complex
+    couple: complex
+    paired: bool
+
+
+def needs(engine: Engine, *, highest: int = 2) -> tuple[Need, ...]:
+    """The vectors of all orders up to `highest` that the engine is left with, each of which needs a shaft to go away.
+
+    Of ratio 1 the crankshaft itself is such a shaft, by its counterweights.
+
+    >>> from crankstar.catalog import load
+    >>> [str(need.ratio) for need in needs(load("i4"))]  # the pair of F. W. Lanchester
+    ['2', '-2']
+    >>> [(str(need.ratio), abs(need.force)) for need in needs(load("triple-120"))]  # couples alone
+    [('1', 0.0), ('-1', 0.0), ('2', 0.0), ('-2', 0.0)]
+    """
+    parts = spectra(mechanism(engine), reference=default_reference(engine))
+    sums = total(parts)
+    found: list[Need] = []
+    for order in sorted({Fraction(one).limit_denominator(1000) for one in sums.force.orders.tolist() if one <= highest + 1e-9}):
+        sides = [_vectors(parts, sums, order * sign) for sign in (1, -1)]
+        found += [
+            Need(order * sign, force, couple, paired=all(any(side) for side in sides))
+            for sign, (force, couple) in zip((1, -1), sides, strict=True)
+            if force or couple
+        ]
+    return tuple(found)
+
+
+def _vectors(parts: Totals, sums: Totals, ratio: Fraction) -> tuple[complex, complex]:
+    """Force and couple that turn at this ratio, zero where they are nothing beside what the parts push."""
+    way = "forward" if ratio > 0 else "backward"
+
+    def heard(name: str) -> complex:
+        vector = complex(getattr(phasor.selected(getattr(sums, name), [abs(float(ratio))]), way)[0])
+        return vector if abs(vector) > HEARD * _pushed(getattr(parts, name)) else 0j
+
+    return heard("force"), heard("couple")
+
+
+def _pushed(spectrum: Spectrum) -> float:
+    """What all parts push, in the order in which they push most, without regard to direction."""
+    return float((np.abs(spectrum.forward) + np.abs(spectrum.backward)).sum(axis=0).max(initial=0.0))
 
 
 def with_balance_shaft(
@@ -33,8 +93,8 @@ def with_balance_shaft(
 ) -> Engine:
     """The engine with one more shaft, at `up`, `right` of the crankshaft (m or crank radii), with weights in these planes.
 
-    `ratio` is its speed per turn of the crankshaft, negative against it; `planes` are two or more places along it. Raises
-    RemedyError, also where there is nothing for it to balance.
+    `ratio` is its speed per turn of the crankshaft, negative against it; `planes` are places along it: two or more, or one
+    in which the force alone acts. Raises RemedyError, also where there is nothing for it to balance.
 
     >>> from crankstar import balance, load, phasor, total
     >>> pair = with_balance_shaft(with_balance_shaft(load("i4"), ratio=2, planes=[1, -1]), ratio=-2, planes=[1, -1])
@@ -47,23 +107,20 @@ def with_balance_shaft(
         raise RemedyError(
             f"a balance shaft with speed ratio {ratio} is not possible; give one from -{GREATEST_RATIO} to {GREATEST_RATIO}, not 0"
         )
-    if len(set(planes)) < 2:
-        raise RemedyError("a balance shaft needs two planes or more, all different, for its weights")
+    if not planes or len(set(planes)) < len(planes):
+        raise RemedyError("a balance shaft needs planes for its weights, all different; two are enough")
     if len(engine.shafts) >= GREATEST_SHAFTS:
         raise RemedyError(f"the engine has {len(engine.shafts)} shafts already; more than {GREATEST_SHAFTS} are not possible")
     reference = default_reference(engine)
-    sums = total(spectra(mechanism(engine), reference=reference))
-    way = "forward" if ratio > 0 else "backward"
-    force, couple = (complex(getattr(phasor.selected(one, [abs(float(ratio))]), way)[0]) for one in (sums.force, sums.couple))
-    squared = float(ratio) ** 2
-    vectors = least_weights(force=-force / squared, moment=-couple / squared, planes=[plane - reference.z for plane in planes])
-    scale = max(map(abs, vectors))
-    pushed = _pushed(engine, abs(float(ratio))) / squared
-    if scale <= NEGLIGIBLE * pushed or scale == 0:
+    parts = spectra(mechanism(engine), reference=reference)
+    force, couple = _vectors(parts, total(parts), ratio)
+    if not (force or couple):
         turning = "with" if ratio > 0 else "against"
         raise RemedyError(
             f"nothing of order {abs(ratio)} turns {turning} the crankshaft: a shaft with speed ratio {ratio} has no use"
         )
+    vectors = _unbalances(force, couple, [plane - reference.z for plane in planes], float(ratio) ** 2, _pushed(parts.couple))
+    scale = max(map(abs, vectors))
     weights = tuple(
         Weight(unbalance=abs(vector), angle=phase(vector), z=plane)
         for vector, plane in zip(vectors, planes, strict=True)
@@ -73,16 +130,81 @@ def with_balance_shaft(
     return engine.model_copy(update={"shafts": (*engine.shafts, shaft)})
 
 
-def end_planes(engine: Engine) -> tuple[float, float]:
-    """Where balance weights stand unless told otherwise: half a bore pitch beyond the first and the last cylinder."""
-    places = [cylinder.z for cylinder in engine.cylinders]
-    return max(places) + engine.pitch / 2, min(places) - engine.pitch / 2
+def _unbalances(force: complex, couple: complex, arms: Sequence[float], squared: float, pushed: float) -> list[complex]:
+    if len(arms) > 1:
+        return least_weights(force=-force / squared, moment=-couple / squared, planes=arms)
+    if abs(couple - arms[0] * force) > HEARD * pushed:
+        raise RemedyError("one plane takes away a force that acts in it, and here is a couple too; give two planes or more")
+    return [-force / squared]
 
 
-def _pushed(engine: Engine, order: float) -> float:
-    """What all parts push together in an order, without regard to direction, at 1 rad/s: the measure of what is nothing."""
-    parts = phasor.selected(spectra(mechanism(engine)).force, [order])
-    return float((np.abs(parts.forward) + np.abs(parts.backward)).sum())
+def with_balance_shafts(
+    engine: Engine, *, planes: Sequence[float], highest: int = 2, apart: float = 0.0, right: float = 0.0, up: float = 0.0
+) -> Engine:
+    """The engine with a shaft for every vector up to order `highest` that its own counterweights cannot take away.
+
+    Give it its counterweights first. Shafts of a pair lie `apart` to the left and right of `up`, `right`, single ones there.
+    """
+    for need in needs(engine, highest=highest):
+        if need.ratio != 1:
+            aside = (apart / 2 if need.ratio > 0 else -apart / 2) if need.paired and abs(need.ratio) != 1 else 0.0
+            engine = with_balance_shaft(engine, ratio=need.ratio, planes=planes, up=up, right=right + aside)
+    return engine
+
+
+def with_roll_cancelled(engine: Engine, *, order: Fraction | int) -> Engine:
+    """The engine with its two balance shafts of ratio +-`order` moved, as little as can be, so that the block does not roll.
+
+    The roll of the block is what it feels when flywheel and driveline take the torque (`mechanism.block_roll`). Raises
+    RemedyError where there is no such pair, or it has no force to do it with.
+
+    >>> from crankstar import balance, load, phasor, total
+    >>> pair = with_balance_shafts(load("i4"), planes=[0.0])
+    >>> level = with_roll_cancelled(pair, order=2)
+    >>> [round(shaft.up, 3) for shaft in level.shafts[1:]]  # apart by nearly a rod length, 4 r
+    [1.969, -1.969]
+    """
+    order = Fraction(order)
+    pair = [place for place, s in enumerate(engine.shafts) if s.weights and not s.throws and abs(s.speed_ratio) == order]
+    if sorted(engine.shafts[place].speed_ratio for place in pair) != [-order, order]:
+        raise RemedyError(f"there is no pair of balance shafts of speed ratios {order} and -{order} whose heights could be chosen")
+    columns: list[complex] = []
+    for place in pair:
+        shaft = engine.shafts[place]
+        push = float(order) ** 2 * sum(weight.unbalance * np.exp(1j * weight.angle) for weight in shaft.weights)
+        # Re(c exp(i k theta)) of Im(conj(P) F) for P = 1 (up) and P = i (right)
+        up, right = _roll_of(engine, push, shaft.speed_ratio, 1.0), _roll_of(engine, push, shaft.speed_ratio, 1j)
+        columns += [up, right]
+    matrix = np.array([np.real(columns), np.imag(columns)])
+    rest = complex(phasor.amplitude(phasor.selected(_roll(engine), [float(order)]))[0])
+    move = np.linalg.pinv(matrix, rcond=1e-9) @ -np.array([rest.real, rest.imag])
+    shafts = list(engine.shafts)
+    for place, (up, right) in zip(pair, move.reshape(2, 2), strict=True):
+        shafts[place] = shafts[place].model_copy(
+            update={"up": _rounded(shafts[place].up + up, move), "right": _rounded(shafts[place].right + right, move)}
+        )
+    moved = engine.model_copy(update={"shafts": tuple(shafts)})
+    left = complex(phasor.amplitude(phasor.selected(_roll(moved), [float(order)]))[0])
+    if abs(left) > HEARD * max(abs(rest), _pushed(spectra(mechanism(engine)).roll)):
+        raise RemedyError(f"the pair of ratios {order} and -{order} has no force of the kind that could take away the roll")
+    return moved
+
+
+def _rounded(value: float, among: np.ndarray) -> float:
+    """A place without the rounding error of the move."""
+    return 0.0 if abs(value) < 1e-12 * float(np.abs(among).max(initial=0.0)) else float(value)
+
+
+def _roll(engine: Engine) -> Spectrum:
+    return block_roll(total(spectra(mechanism(engine), reference=default_reference(engine))))
+
+
+def _roll_of(engine: Engine, push: complex, ratio: Fraction, place: complex) -> complex:
+    """Amplitude of the roll about the crankshaft of a force that turns at a ratio, at a place."""
+    vector, none = np.array([push]), np.zeros(1, complex)
+    ahead = ratio > 0
+    force = Spectrum(np.array([abs(float(ratio))]), vector if ahead else none, none if ahead else vector, engine.sense)
+    return complex(phasor.horizontal(phasor.scaled(force, np.conj(place)))[0])
 
 
 def _name(engine: Engine, ratio: Fraction) -> str:

@@ -1,0 +1,204 @@
+"""Best weights: the unbalances in chosen planes that make an aim as small as it can be, within limits, and the proof of it.
+
+Aims are convex in the unbalances (module `aims`), so the least is found as what it is, a second-order cone programme
+(module `programme`). A peak over a turn is a cone at every crank angle: those at which it is reached are found one after
+the other. The certificate is two numbers: the aim measured on the finished engine, and a lower bound that no weights
+within the limits can beat.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from crankstar import phasor
+from crankstar.engine import Engine
+from crankstar.mechanism import Reference
+from crankstar.phasor import Complex, Real
+from crankstar.records import Shaft
+from crankstar.remedy.aims import Aim, Plane, Setting, cones, measured, setting, summits, unit_unbalance
+from crankstar.remedy.counterweights import RemedyError, turned_weights, without_counterweights
+from crankstar.remedy.loads import loads
+from crankstar.remedy.programme import Ceiling, MissingSolverError, Solution, solved
+
+FIRST_ANGLES = 48
+"""Crank angles per turn with which the search for peaks begins."""
+ROUNDS = 30
+CLOSE = 1e-9
+"""How near the peak at the angles that were looked at must come to the true one, of the greatest without weights."""
+
+
+class Limit(NamedTuple):
+    """What an aim may at most be, m r w^2 or m r w^2 a."""
+
+    aim: Aim
+    at_most: float
+
+
+class Best(NamedTuple):
+    """The best weights: the engine with them, unbalance vectors (m r, up + i right at theta = 0) by plane, and the certificate.
+
+    `value` is the aim with these weights, `bare` without any; no weights within the limits make it smaller than `bound`.
+    `held` are the limits and what became of them; `angles` (radians) the crank angles at which a peak is reached.
+    """
+
+    engine: Engine
+    planes: tuple[Plane, ...]
+    unbalance: tuple[complex, ...]
+    value: float
+    bare: float
+    bound: float
+    held: tuple[tuple[Limit, float], ...]
+    angles: tuple[float, ...]
+
+
+def best_weights(
+    engine: Engine,
+    *,
+    planes: Sequence[Plane],
+    aim: Aim,
+    limits: Sequence[Limit] = (),
+    greatest_unbalance: float | None = None,
+    reference: Reference | None = None,
+) -> Best:
+    """The weights in these planes that make `aim` least; they replace those of the crankshafts.
+
+    `greatest_unbalance` (m r of the first cylinder) bounds each of them; without one it is ten times what all pins carry.
+    Raises RemedyError, also where the limits cannot be met, with by how much.
+
+    >>> from crankstar.catalog import load
+    >>> found = best_weights(load("single"), planes=[Plane("crank", 0.0)], aim=Aim("force", rms=True))
+    >>> round(abs(found.unbalance[0]), 9)  # half of the reciprocating mass
+    0.5
+    """
+    _possible(engine, planes)
+    most = _most(engine, greatest_unbalance)
+    for limit in limits:
+        if not limit.at_most >= 0 or not np.isfinite(limit.at_most):
+            raise RemedyError(f"a limit of {limit.at_most:g} cannot be met; give a number from 0 up")
+    bare = without_counterweights(engine)
+    case = setting(bare, planes, reference=reference)
+    try:
+        x, bound = _least(case, aim, limits, most)
+        if x is None:
+            raise RemedyError(_infeasible(case, limits, most))
+    except MissingSolverError:
+        raise RemedyError('best weights are found with Clarabel: pip install "crankstar[weights]"') from None
+    x = _tidied(case, planes, x, [aim, *(limit.aim for limit in limits)], most)
+    value = measured(case, aim, x)
+    return Best(
+        engine=_with(bare, planes, x),
+        planes=tuple(planes),
+        unbalance=tuple(complex(up, right) for up, right in x.reshape(-1, 2)),
+        value=value,
+        bare=measured(case, aim, np.zeros_like(x)),
+        bound=min(max(bound, 0.0), value),
+        held=tuple((limit, measured(case, limit.aim, x)) for limit in limits),
+        angles=tuple(sorted({round(float(angle), 6) for angle in summits(case, aim, x, above=value * (1 - 1e-6))})),
+    )
+
+
+def _possible(engine: Engine, planes: Sequence[Plane]) -> None:
+    names = [shaft.name for shaft in engine.shafts if shaft.throws]
+    foreign = [plane.shaft for plane in planes if plane.shaft not in names]
+    if foreign:
+        raise RemedyError(f'there is no crankshaft "{foreign[0]}"; there are: {", ".join(names)}')
+    if not planes or len(set(planes)) < len(planes):
+        raise RemedyError("name one plane for weights or more, all different")
+    if not np.isfinite([plane.z for plane in planes]).all():
+        raise RemedyError("a plane has no place; give z as a number")
+
+
+def _most(engine: Engine, greatest: float | None) -> float:
+    if greatest is not None and not greatest > 0:
+        raise RemedyError(f"a greatest unbalance of {greatest:g} leaves no weights; give a number above 0")
+    carried = sum((pin.rotating + pin.reciprocating) * pin.radius for pin in loads(engine)) / unit_unbalance(engine)
+    return min(greatest or np.inf, 10 * carried)
+
+
+def _with(engine: Engine, planes: Sequence[Plane], x: Real) -> Engine:
+    unit = unit_unbalance(engine)
+
+    def weighted(shaft: Shaft) -> Shaft:
+        own = [(complex(*pair) * unit, p.z) for p, pair in zip(planes, x.reshape(-1, 2), strict=True) if p.shaft == shaft.name]
+        if not own:
+            return shaft
+        return shaft.model_copy(update={"weights": tuple(turned_weights([u for u, _ in own], [z for _, z in own]))})
+
+    return engine.model_copy(update={"shafts": tuple(weighted(shaft) for shaft in engine.shafts)})
+
+
+def _least(case: Setting, aim: Aim, limits: Sequence[Limit], most: float) -> Solution:
+    """The best x (None if the limits cannot be met) and the lower bound of the aim."""
+    wanted = [aim, *(limit.aim for limit in limits)]
+    turns = max(phasor.period(case.force), phasor.period(case.couple))
+    angles = [np.arange(FIRST_ANGLES * turns) * (2 * np.pi / FIRST_ANGLES) for _ in wanted]
+    none = np.zeros(2 * case.order.size)
+    scales = [measured(case, one, none) or 1.0 for one in wanted]
+    for _ in range(ROUNDS):
+        first, *others = [cones(case, one, theta) for one, theta in zip(wanted, angles, strict=True)]
+        found = solved(first, [Ceiling(group, limit.at_most) for group, limit in zip(others, limits, strict=True)], greatest=most)
+        x = found.x
+        if x is None:
+            return found
+        tops = [max(cone.at(x) for cone in first), *(limit.at_most for limit in limits)]
+        missing = [summits(case, one, x, above=top + CLOSE * scale) for one, top, scale in zip(wanted, tops, scales, strict=True)]
+        if not any(more.size for more in missing):
+            return found
+        angles = [np.append(theta, more) for theta, more in zip(angles, missing, strict=True)]
+    raise RemedyError("the best weights were not found: the peaks wander; take fewer planes, or another aim")
+
+
+def _tidied(case: Setting, planes: Sequence[Plane], x: Real, wanted: Sequence[Aim], most: float) -> Real:
+    """The least weights that do all that was asked for: the same sum where it was of forces, the same moment if of couples."""
+    asked = {aim.quantity for aim in wanted}
+    if "bearing" in asked:
+        return x
+    vectors = x[0::2] + 1j * x[1::2]
+    for shaft in {plane.shaft for plane in planes}:
+        own = np.array([plane.shaft == shaft for plane in planes])
+        rows = {"force": np.ones(int(own.sum())), "couple": case.arm[own]}
+        matrix = np.array([rows[quantity] for quantity in sorted(asked)])
+        vectors[own] = np.linalg.pinv(matrix, rcond=1e-12) @ (matrix @ vectors[own])
+    return x if np.abs(vectors).max() > most else _parts(vectors)
+
+
+def _parts(vectors: Complex) -> Real:
+    """Up and right parts of vectors, one after the other."""
+    return np.ascontiguousarray(vectors, complex).view(float)
+
+
+def _infeasible(case: Setting, limits: Sequence[Limit], most: float) -> str:
+    """Which limit cannot be met and by how much, alone or together with the others."""
+    for limit in limits:
+        x, _ = _least(case, limit.aim, [], most)
+        least = measured(case, limit.aim, x) if x is not None else np.inf
+        if least > limit.at_most:
+            return (
+                f"the limit of {limit.at_most:g} {_unit(limit.aim)} for the {said(limit.aim)} cannot be met: with these planes and "
+                f"unbalances up to {most:g} m r the least is {least:g}, {least - limit.at_most:.3g} more"
+            )
+    last = limits[-1]
+    x, _ = _least(case, last.aim, limits[:-1], most)
+    if x is None:
+        return _infeasible(case, limits[:-1], most)
+    least = measured(case, last.aim, x)
+    return (
+        f"the limits cannot be met together: while the others hold, the least {said(last.aim)} is {least:g} {_unit(last.aim)}, "
+        f"{least - last.at_most:.3g} more than {last.at_most:g}"
+    )
+
+
+def _unit(aim: Aim) -> str:
+    return "m r ω² a" if aim.quantity == "couple" else "m r ω²"
+
+
+def said(aim: Aim) -> str:
+    """An aim in words."""
+    names = {("couple", 1.0, 0.0): "pitch", ("couple", 0.0, 1.0): "yaw", ("force", 1.0, 0.0): "upward force"}
+    name = names.get((aim.quantity, aim.up, aim.right), aim.quantity)
+    if aim.quantity == "bearing":
+        return "greatest load on a main bearing"
+    return f"rms {name}" if aim.rms else f"peak {name}"
