@@ -63,6 +63,9 @@ ANGLE = Quantity("angle", "90 deg")
 LENGTH = Quantity("length", "82.5 mm", _ACROSS)
 POSITION = Quantity("length along the crankshaft", "105.5 mm", _ALONG)
 SPEED = Quantity("rotational speed", "6000 rpm", least=LEAST)
+FORCE = Quantity("force", "500 N")
+COUPLE = Quantity("couple", "120 N m")
+UNBALANCE = Quantity("unbalance", "0.02 kg*m", _MASS | _ACROSS)
 Angle = Annotated[Number, ANGLE]
 Length = Annotated[Number, LENGTH]
 Size = Annotated[Number, Field(gt=0), replace(LENGTH, least=LEAST)]
@@ -71,7 +74,7 @@ Pitch = Annotated[Number, Field(gt=0), replace(POSITION, least=LEAST)]
 Mass = Annotated[Number, Field(ge=0), Quantity("mass", "650 g", _MASS, least=LEAST)]
 MovingMass = Annotated[Number, Field(gt=0), Quantity("mass", "650 g", _MASS, least=LEAST)]
 Inertia = Annotated[Number, Field(ge=0), Quantity("moment of inertia", "0.002 kg*m^2", _MASS | _ACROSS)]
-Unbalance = Annotated[Number, Field(ge=0), Quantity("unbalance", "0.02 kg*m", _MASS | _ACROSS)]
+Unbalance = Annotated[Number, Field(ge=0), UNBALANCE]
 Speed = Annotated[Number, Field(gt=0), SPEED]
 Ordinal = Annotated[int, Field(strict=True, ge=1, le=10_000)]
 

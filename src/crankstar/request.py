@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from math import isfinite
-from typing import Any, Literal, get_args
+from typing import Any, Literal, cast, get_args
 
 from crankstar import units
 from crankstar.balance import Grouping
 from crankstar.engine import Engine
+from crankstar.fitting import Places, ShaftPlaces, Wanted
 from crankstar.mechanism import Reference
-from crankstar.quantity import ANGLE, LENGTH, POSITION, SPEED, Quantity, one_line, seen
+from crankstar.quantity import ANGLE, COUPLE, FORCE, LENGTH, POSITION, SPEED, UNBALANCE, Quantity, one_line, seen
+from crankstar.remedy import Aim, Limit, Plane, unit_unbalance, without_weights
 
 Derived = Literal["force", "couple"]
+NEEDED = "needed"
+"""What --shafts means without speed ratios."""
 
 
 class RequestError(ValueError):
@@ -108,28 +112,144 @@ def reference(text: str | None, engine: Engine) -> Reference | None:
     return Reference(*_places("--reference", parts, [POSITION, LENGTH, LENGTH], engine, example))
 
 
-def planes(text: str | None, engine: Engine) -> list[float] | None:
+def planes(option: str, text: str, engine: Engine) -> list[float]:
     """Places along the shaft in the units of the engine."""
+    parts = [part.strip() for part in text.split(",") if part.strip()]
+    if not 1 <= len(parts) <= 64:
+        raise RequestError(f'{option} {one_line(text)}: give places along the shaft, as in "-200 mm, 200 mm"')
+    return _places(option, parts, [POSITION] * len(parts), engine, 'as in "-200 mm, 200 mm"')
+
+
+def weights(text: str, engine: Engine) -> list[Plane] | Places:
+    """Where counterweights go: at the pins, on all webs or the end webs, or in planes of every crankshaft."""
+    word = text.strip().lower()
+    if word in get_args(Places):
+        return cast("Places", word)
+    if not any(letter.isdigit() for letter in text):
+        raise RequestError(
+            f'--weights {one_line(text)}: it can be pins, webs, ends, or places along the shaft as in "-200 mm, 200 mm"'
+        )
+    cranks = [shaft.name for shaft in engine.shafts if shaft.throws]
+    return [Plane(name, z) for name in cranks for z in planes("--weights", text, engine)]
+
+
+def aim(option: str, text: str, *, pitch: float | None = None) -> Aim:
+    """What weights are to make small; `pitch` is the share of pitch in a couple that counts, yaw has the rest."""
+    found = AIMS.get(" ".join(text.lower().split()))
+    if found is None:
+        raise RequestError(f"{option} {one_line(text)}: it can be {', '.join(AIMS)}")
+    if pitch is None:
+        return found
+    if not 0 <= pitch <= 1:
+        raise RequestError(f"--pitch {pitch:g}: give the share of pitch from 0 (only yaw counts) to 1 (only pitch)")
+    if found not in (AIMS["couple"], AIMS["rms couple"]):
+        raise RequestError("--pitch has no use here; it goes with --least couple or --least 'rms couple'")
+    return found._replace(up=2 * pitch, right=2 * (1 - pitch))
+
+
+AIMS = {
+    "force": Aim("force"),
+    "couple": Aim("couple"),
+    "rms force": Aim("force", rms=True),
+    "rms couple": Aim("couple", rms=True),
+    "pitch": Aim("couple", up=1.0, right=0.0),
+    "yaw": Aim("couple", up=0.0, right=1.0),
+    "rms pitch": Aim("couple", rms=True, up=1.0, right=0.0),
+    "rms yaw": Aim("couple", rms=True, up=0.0, right=1.0),
+    "bearing": Aim("bearing"),
+}
+
+
+def limits(texts: Sequence[str] | None, engine: Engine, *, speed: float | None) -> list[Limit]:
+    """Limits such as couple=1.5 (m r w^2 a), couple=50% (of what there is with bare crankshafts), force="500 N" (at a speed)."""
+    found: list[Limit] = []
+    for text in texts or ():
+        name, equals, value = text.partition("=")
+        if not equals or not value.strip():
+            raise RequestError(f'--limit {one_line(text)}: give what and how much, as in couple=50% or force="500 N"')
+        wanted = aim("--limit", name)
+        found.append(Limit(wanted, _at_most(wanted, value.strip(), text, engine, speed)))
+    return found
+
+
+def _at_most(wanted: Aim, value: str, text: str, engine: Engine, speed: float | None) -> float:
+    """A limit in m r w^2 or m r w^2 a."""
+    option = f"--limit {one_line(text)}"
+    percent = value.removesuffix("%")
+    try:
+        number = float(percent)
+    except ValueError:
+        number = None
+    if number is not None:
+        if not (isfinite(number) and number >= 0):
+            raise RequestError(f"{option}: {one_line(value)} is no limit; give a number from 0 up")
+        return number if percent == value else number / 100 * without_weights(engine, wanted)
+    try:
+        real = units.si(value, COUPLE if wanted.quantity == "couple" else FORCE)
+    except ValueError as error:
+        raise RequestError(f"{option}: {error}, a bare number of m r ω² or a share in %") from None
+    known = {"mass", "radius"}.isdisjoint(engine.relative) and ("pitch" not in engine.relative or wanted.quantity != "couple")
+    if not known or speed is None:
+        missing = (
+            "a speed, as in --speed '6000 rpm'"
+            if known
+            else "an engine whose masses and sizes are known; give a bare number of m r ω²"
+        )
+        raise RequestError(f"{option}: newtons need {missing}")
+    if real < 0:
+        raise RequestError(f"{option}: {one_line(value)} is no limit; give a number from 0 up")
+    return real / (unit_unbalance(engine) * speed**2 * (engine.pitch if wanted.quantity == "couple" else 1.0))
+
+
+def unbalance(option: str, text: str | None, engine: Engine) -> float | None:
+    """An unbalance in m r of the first cylinder."""
     if text is None:
         return None
+    try:
+        found = units.reader(frozenset(engine.relative))(text, UNBALANCE)
+    except ValueError as error:
+        raise RequestError(f"{option}: {error}") from None
+    if not found > 0:
+        raise RequestError(f'{option} {one_line(text)}: must be greater than 0, such as "{UNBALANCE.example}"')
+    return found / unit_unbalance(engine)
+
+
+def length(option: str, text: str | None, engine: Engine, *, positive: bool = False) -> float | None:
+    """A length across the crankshaft in the units of the engine."""
+    if text is None:
+        return None
+    found = _places(option, [text.strip()], [LENGTH], engine, 'as in "60 mm"')[0]
+    if positive and not found > 0:
+        raise RequestError(f'{option} {one_line(text)}: must be greater than 0, as in "60 mm"')
+    return found
+
+
+def ratios(text: str) -> list[Fraction] | Wanted:
+    """Speed ratios of balance shafts, or that those the engine needs are wanted."""
+    word = text.strip().lower()
+    if word in get_args(Wanted):
+        return cast("Wanted", word)
     parts = [part.strip() for part in text.split(",") if part.strip()]
-    if not 2 <= len(parts) <= 64:
-        raise RequestError(f'--planes {one_line(text)}: give two or more places along the shaft, as in "-200 mm, 200 mm"')
-    return _places("--planes", parts, [POSITION] * len(parts), engine, 'as in "-200 mm, 200 mm"')
-
-
-def ratios(text: str | None) -> list[Fraction]:
-    """Speed ratios of balance shafts."""
-    parts = [part.strip() for part in (text or "").split(",") if part.strip()]
     try:
         found = [Fraction(part) for part in parts if len(part) < 20 and "e" not in part.lower()]
     except (ValueError, ZeroDivisionError):
         found = []
-    if len(found) < len(parts) or (text is not None and not found) or len(found) > 8:
+    if len(found) < len(parts) or not found or len(found) > 8:
         raise RequestError(
-            f'--shafts {one_line(text or "")}: give speed ratios with commas, negative against the crank, as in -1 or "2, -2"'
+            f'--shafts {one_line(text)}: give speed ratios with commas, negative against the crank, as in -1 or "2, -2"; '
+            "or needed, or all"
         )
     return found
+
+
+def shaft_places(engine: Engine, *, planes_text: str | None, place: str | None, apart: str | None) -> ShaftPlaces:
+    """Where balance shafts lie and their weights on them."""
+    along = None if planes_text is None else tuple(planes("--shaft-planes", planes_text, engine))
+    parts = [part.strip() for part in (place or "0, 0").split(",")]
+    if len(parts) != 2:
+        raise RequestError(f'--shaft-place {one_line(place or "")}: give up and right, as in "-60 mm, 0 mm"')
+    up, right = _places("--shaft-place", parts, [LENGTH, LENGTH], engine, 'as in "-60 mm, 0 mm"')
+    return ShaftPlaces(along, up, right, length("--apart", apart, engine) or 0.0)
 
 
 def _places(option: str, parts: list[str], marks: list[Quantity], engine: Engine, example: str) -> list[float]:

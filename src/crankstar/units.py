@@ -36,6 +36,10 @@ ounce = 0.028349523125 * kilogram = oz
 minute = 60 * second = min
 rpm = 0.10471975511965977 * radian / second
 hertz = 6.283185307179586 * radian / second = Hz
+newton = kilogram * metre / second^2 = N
+kilonewton = 1000 * newton = kN
+newtonmetre = newton * metre = Nm
+kilonewtonmetre = 1000 * newton * metre = kNm
 """
 
 _NUMBER = re.compile(r"\s*([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d{1,3})?)\s*(.*?)\s*", re.DOTALL)
@@ -69,6 +73,8 @@ _KINDS = {
     "moment of inertia": _Kind("kilogram*metre^2", "a moment of inertia", "kg*m^2", 100.0, 1e7),
     "unbalance": _Kind("kilogram*metre", "an unbalance", "kg*m", 100.0, 1e7),
     "rotational speed": _Kind("radian/second", "a rotational speed", "rad/s", 0.0, 2e4),
+    "force": _Kind("newton", "a force", "N", 1e12, 1e12),
+    "couple": _Kind("newton*metre", "a couple", "N m", 1e12, 1e12),
 }
 _OTHERS = {
     "metre^2": "an area",
@@ -77,7 +83,6 @@ _OTHERS = {
     "metre/second": "a speed along a line",
     "metre/second^2": "an acceleration",
     "kilogram/metre^3": "a density",
-    "kilogram*metre/second^2": "a force",
     "kilogram/metre": "a mass per length",
 }
 _SHOWN = {
@@ -88,6 +93,8 @@ _SHOWN = {
     "moment of inertia": (1.0, "kg*m^2"),
     "unbalance": (1.0, "kg*m"),
     "rotational speed": (9.549296585513721, "rpm"),
+    "force": (1.0, "N"),
+    "couple": (1.0, "N m"),
 }
 
 

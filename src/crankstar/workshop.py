@@ -1,80 +1,210 @@
-"""What a balancing shop works from: the bobweight of each pin, the weights, and what they leave."""
+"""What a balancing shop works from: bobweights, weights and shafts, what they leave, and what would take away the rest."""
 
 from __future__ import annotations
 
+from cmath import phase
+from collections.abc import Sequence
+from fractions import Fraction
 from math import degrees
+from typing import NamedTuple
 
+import numpy as np
 from rich.console import Group, RenderableType
 from rich.text import Text
 
 from crankstar import phasor
-from crankstar.balance import balance, total
+from crankstar.balance import Balance, balance, total
 from crankstar.engine import Engine
-from crankstar.remedy import bobweight, loads
+from crankstar.mechanism import Totals, block_roll
+from crankstar.phasor import Spectrum
+from crankstar.records import Shaft
+from crankstar.remedy import Aim, Best, Need, bobweight, loads, needs, said
 from crankstar.wording import number, table, titled
 
 
-def balance_card(before: Engine, after: Engine, factor: float) -> RenderableType:
-    """The bobweight card of an engine, the weights of the balanced one, and what they leave."""
-    return Group(Text(before.name, style="bold"), _bobweights(before, factor), _weights(after), _left(before, after))
+class Job(NamedTuple):
+    """An engine before and after; by which balance factor, or which best weights; at what radius weights are told as masses.
+
+    `radius` (m or crank radii) is the crank radius where it is None.
+    """
+
+    before: Engine
+    after: Engine
+    factor: float | None
+    best: Best | None = None
+    radius: float | None = None
+
+
+def balance_card(job: Job) -> RenderableType:
+    """The bobweight card of an engine, the weights and shafts of the balanced one, what they leave, and what is needed yet."""
+    blocks: list[RenderableType] = [Text(job.before.name, style="bold"), _bobweights(job)]
+    if job.best is not None:
+        blocks.append(_certificate(job.best))
+    blocks.append(_weights(job))
+    if any(shaft.weights and not shaft.throws for shaft in job.after.shafts):
+        blocks.append(_shafts(job))
+    return Group(*blocks, _left(job), _needed(job.after))
 
 
 def _mass_unit(engine: Engine) -> tuple[float, str]:
     return (1.0, "m") if "mass" in engine.relative else (1000.0, "g")
 
 
-def _bobweights(engine: Engine, factor: float) -> RenderableType:
+def _bobweights(job: Job) -> RenderableType:
+    engine, factor = job.before, 0.5 if job.factor is None else job.factor
     scale, unit = _mass_unit(engine)
-    out = table(
-        "pin", "cylinders", f"rotating [{unit}]", f"reciprocating [{unit}]", f"bobweight [{unit}]", left=("pin", "cylinders")
-    )
+    heads = ("pin", "cylinders", f"rotating [{unit}]", f"reciprocating [{unit}]", f"bobweight [{unit}]")
+    out = table(*heads, left=("pin", "cylinders"))
     shared = {len(pin.cylinders) for pin in loads(engine) if pin.cylinders}
     for pin in loads(engine):
         name = f"{pin.shaft} {pin.throw}" if len(engine.shafts) > 1 else str(pin.throw)
         masses = (pin.rotating, pin.reciprocating, bobweight(pin, factor))
         out.add_row(Text(name), ", ".join(map(str, pin.cylinders)) or "-", *(number(mass * scale) for mass in masses))
-    said = f"Bobweight = rotating + {number(factor)} × reciprocating, of all cylinders on the pin, at the crank radius."
+    words = f"Bobweight = rotating + {number(factor)} × reciprocating, of all cylinders on the pin, at the crank radius."
     for count in sorted(shared - {1}):
-        said += f" Counted in one cylinder of the {count} on a pin it is a factor of {number(factor * count)}."
-    return Group(titled("Bobweights", out), Text(said))
+        words += f" Counted in one cylinder of the {count} on a pin it is a factor of {number(factor * count)}."
+    if job.factor is None:
+        words += " (The weights below do not follow a balance factor; 0.5 is what most shops would spin this crankshaft with.)"
+    return Group(titled("Bobweights", out), Text(words))
 
 
-def _weights(engine: Engine) -> RenderableType:
-    mass, length = "m" if "mass" in engine.relative else "kg", "r" if "radius" in engine.relative else "m"
-    along, place = (1.0, "a") if "pitch" in engine.relative else (1000.0, "mm")
-    radius = engine.throw(engine.first).radius
+def _certificate(best: Best) -> RenderableType:
+    """What the best weights reach, and what nothing can beat."""
+    value, unit = _counted(best.aim)
+    words = f"{said(best.aim).capitalize()}: {number(best.value, best.bare)} {unit}, {number(best.bare)} with bare crankshafts."
+    words += f" No weights in these planes{' within the limits' if best.held else ''} make it less than"
+    words += f" {number(best.bound, best.bare, digits=7)} {unit} ({value})."
+    if best.angles:
+        shown = ", ".join(f"{degrees(angle):.4g}" for angle in best.angles[:8])
+        words += f" The peak is reached at crank angles {shown}{' ...' if len(best.angles) > 8 else ''} deg."
+    lines = [words]
+    for limit, found in best.held:
+        if limit.quiet:
+            lines.append(
+                f"The {said(limit.aim)} is not allowed to become more than with bare crankshafts (--limit would allow it)."
+            )
+            continue
+        unit = _counted(limit.aim)[1]
+        held = "binding" if found > limit.at_most * (1 - 1e-5) - 1e-9 else "with room"
+        lines.append(f"Limit, {said(limit.aim)}: {number(found, best.bare)} of {number(limit.at_most, best.bare)} {unit}, {held}.")
+    return Group(Text(), Text("Best weights", style="bold"), *map(Text, lines))
+
+
+def _counted(aim: Aim) -> tuple[str, str]:
+    rule = "the shaft cut through at its main bearings" if aim.quantity == "bearing" else "lower bound by convex duality"
+    return rule, "m r ω² a" if aim.quantity == "couple" else "m r ω²"
+
+
+def _weights(job: Job) -> RenderableType:
+    engine = job.after
+    radius = engine.throw(engine.first).radius if job.radius is None else job.radius
     scale, unit = _mass_unit(engine)
-    heads = (
-        "shaft",
-        f"z [{place}]",
-        "bearing at θ = 0 [deg]",
-        f"unbalance [{mass} {length}]",
-        f"as mass at the crank radius [{unit}]",
-    )
+    across = "r" if "radius" in engine.relative else "mm"
+    shown = number(radius * (1.0 if across == "r" else 1000.0))
+    where = "the crank radius" if job.radius is None else f"a radius of {shown} {across}"
+    along, place = (1.0, "a") if "pitch" in engine.relative else (1000.0, "mm")
+    heads = ("shaft", f"z [{place}]", "bearing at θ = 0 [deg]", f"unbalance [{_unbalance_unit(engine)}]", f"mass [{unit}]")
     out = table(*heads, left=("shaft",))
     for shaft in engine.shafts:
         for weight in shaft.weights:
             row = (number(weight.z * along, along), number(degrees(weight.angle), 180.0), number(weight.unbalance))
             out.add_row(Text(shaft.name), *row, number(weight.unbalance / radius * scale))
-    return titled("Weights", out)
+    if not out.row_count:
+        return titled("Weights", Text("none"))
+    said_so = Text(f"The mass is that of a lump (or the missing mass of a ring) whose centre is at {where}.")
+    return Group(titled("Weights", out), said_so)
 
 
-def _left(before: Engine, after: Engine) -> RenderableType:
+def _unbalance_unit(engine: Engine) -> str:
+    return f"{'m' if 'mass' in engine.relative else 'kg'} {'r' if 'radius' in engine.relative else 'm'}"
+
+
+def _shafts(job: Job) -> RenderableType:
+    """The balance shafts: what each is for, its weights together, where it lies, and the roll that its place adds."""
+    engine = job.after
+    result = balance(engine)
+    across, unit = (1.0, "r") if "radius" in engine.relative else (1000.0, "mm")
+    heads = ("shaft", "ratio", "takes away", f"up [{unit}]", f"right [{unit}]", "roll it adds [m r² ω²]")
+    out = table(*heads, left=("shaft", "takes away"))
+    for shaft in engine.shafts:
+        if shaft.throws or not shaft.weights:
+            continue
+        place = (number(shaft.up * across, across), number(shaft.right * across, across))
+        out.add_row(Text(shaft.name), str(shaft.speed_ratio), _task(shaft), *place, number(_roll_added(result, shaft)))
+    return titled("Balance shafts", out)
+
+
+def _task(shaft: Shaft) -> str:
+    """What kind of vector a balance shaft pushes: a force, a couple (opposite weights), or both."""
+    vectors = [weight.unbalance * np.exp(1j * weight.angle) for weight in shaft.weights]
+    force = abs(sum(vectors)) > 1e-9 * sum(map(abs, vectors))
+    if not force:
+        return "couple"
+    return "force" if len({round(phase(vector), 9) for vector in vectors}) == 1 else "force and couple"
+
+
+def _roll_added(result: Balance, shaft: Shaft) -> float:
+    rows = [row for row, part in enumerate(result.parts) if part.shaft == shaft.name and part.kind == "weight"]
+    roll = phasor.total(result.roll[rows, :])
+    return float(np.abs(phasor.amplitude(phasor.selected(roll, [abs(float(shaft.speed_ratio))]))[0]))
+
+
+def _left(job: Job) -> RenderableType:
     """The orders in which something was put on the engine, before and after."""
-    orders = sorted({1.0} | {abs(float(shaft.speed_ratio)) for shaft in after.shafts if shaft.weights})
+    orders = sorted({1.0} | {abs(float(shaft.speed_ratio)) for shaft in job.after.shafts if shaft.weights})
     out = table("order", "", "with the crank", "against it", "greatest", left=("",))
-    sums = {"as it was": total(balance(before)), "now": total(balance(after))}
+    sums = {"as it was": total(balance(job.before)), "now": total(balance(job.after))}
     for order in orders:
         for name, unit in (("force", "m r ω²"), ("couple", "m r ω² a")):
             largest = max(_sizes(getattr(sums["as it was"], quantity), order)[2] for quantity in ("force", "couple")) or 1.0
             for told, found in sums.items():
                 sizes = _sizes(getattr(found, name), order)
                 out.add_row(number(order), f"{name} {told} [{unit}]", *(number(size, largest) for size in sizes))
+    for order in orders[1:]:
+        rolls = {told: _rolls(found, order) for told, found in sums.items()}
+        for told, size in rolls.items():
+            out.add_row(number(order), f"roll of the block {told} [m r² ω²]", "", "", number(size, max(1.0, *rolls.values())))
     return titled("What is left", out)
 
 
-def _sizes(spectrum: phasor.Spectrum, order: float) -> tuple[float, float, float]:
+def _rolls(sums: Totals, order: float) -> float:
+    return float(np.abs(phasor.amplitude(phasor.selected(block_roll(sums), [order]))[0]))
+
+
+def _sizes(spectrum: Spectrum, order: float) -> tuple[float, float, float]:
     """The vectors with and against the crank, and the greatest value over a turn."""
     one = phasor.selected(spectrum, [order])
     forward, backward = abs(complex(one.forward[0])), abs(complex(one.backward[0]))
     return forward, backward, forward + backward
+
+
+def _needed(engine: Engine) -> RenderableType:
+    """In words, what would take away the rest of the first and the second order."""
+    found = needs(engine)
+    if not found:
+        return Text("\nNo force and no couple of the first and the second order is left.")
+    lines = [Text(f"- {need_sentence(one, found)}") for one in found]
+    return Group(Text(), Text("What would take away the rest", style="bold"), *lines)
+
+
+def need_sentence(need: Need, among: Sequence[Need]) -> str:
+    """A need in words: order, what turns, and the cure.
+
+    >>> from crankstar.catalog import load
+    >>> wanted = needs(load("i4"))
+    >>> need_sentence(wanted[0], wanted)
+    'order 2, force with the crank: one of a pair of shafts of speed ratios 2 and -2 (Lanchester)'
+    """
+    what = " and ".join(name for name, vector in (("force", need.force), ("couple", need.couple)) if vector)
+    way = "with" if need.ratio > 0 else "against"
+    if need.ratio == 1:
+        cure = "counterweights on the crankshaft" + ("" if need.force else ", two opposite ones")
+    elif need.paired and need.ratio != -1 and Fraction(-need.ratio) in {other.ratio for other in among}:
+        straight = bool(need.force)
+        cure = f"one of a pair of shafts of speed ratios {abs(need.ratio)} and -{abs(need.ratio)}" + (
+            " (Lanchester)" if straight else ""
+        )
+    else:
+        weights = "one shaft" if need.force else "one shaft with opposite weights at its ends"
+        cure = f"{weights}, of speed ratio {need.ratio}"
+    return f"order {abs(need.ratio)}, {what} {way} the crank: {cure}"

@@ -256,28 +256,3 @@ def test_a_derivation_is_its_text() -> None:
     told = str(derivation(crankstar.load("i4"), 2))
     assert told.startswith("Four in line, flat crank: Second-order force")
     assert "F_up = 4 cos 2θ" in told
-
-
-def test_balance_shafts_are_added_from_the_command_line(run: Run) -> None:
-    out = run("balance", "i4", "--shafts", "2, -2").out
-    left = out[out.index("What is left") :]
-    second = [line.split()[-1] for line in left.splitlines() if line.strip().startswith("2 ")]
-    assert second == ["1.0161", "0", "0", "0"]  # four times A_2; the force and the couple, before and after
-    assert "balancer -2" in out
-
-
-@pytest.mark.parametrize(
-    ("arguments", "told"),
-    [
-        (["--shafts", "3"], "has no use"),
-        (["--shafts", "x"], "speed ratios"),
-        (["--shafts", "1/0"], "speed ratios"),
-        (["--shafts", ""], "speed ratios"),
-        (["--planes", "0"], "two or more"),
-        (["--planes", "0, x"], "--planes"),
-        (["--factor", "2"], "from 0 to 1.5"),
-        (["--factor", "nan"], "from 0 to 1.5"),
-    ],
-)
-def test_what_cannot_be_balanced_is_refused(refused: Callable[..., str], arguments: list[str], told: str) -> None:
-    assert told in refused("balance", "i4", *arguments)

@@ -11,7 +11,7 @@ from cyclopts import App, CycloptsError, UnusedCliTokensError
 from crankstar.files import STANDARD_INPUT, EngineFileError
 from crankstar.output import OutputError, abandon, complain
 from crankstar.quantity import one_line, seen
-from crankstar.request import RequestError
+from crankstar.request import NEEDED, RequestError
 
 app = App(
     name="crankstar",
@@ -52,10 +52,15 @@ def main(arguments: Sequence[str] | None = None) -> None:
 
 
 def _spelt_out(arguments: Sequence[str]) -> list[str]:
-    """Arguments with the lone hyphen as a file name; the parser would take it for an option."""
+    """Arguments with the lone hyphen as a file name, which the parser would take for an option, and --shafts with its meaning."""
     pairs = zip(["", *arguments], arguments, strict=False)
     named = {"-o": "/dev/stdout", "--output": "/dev/stdout"}
-    return [named.get(before, STANDARD_INPUT) if word == "-" else word for before, word in pairs]
+    words = [named.get(before, STANDARD_INPUT) if word == "-" else word for before, word in pairs]
+    for place in [place for place, word in enumerate(words) if word == "--shafts"][:1]:
+        following = words[place + 1] if place + 1 < len(words) else "-o"
+        if following.startswith("-") and not following[1:2].isdigit():
+            words.insert(place + 1, NEEDED)
+    return words
 
 
 def _told(error: CycloptsError) -> str:

@@ -9,9 +9,9 @@ from cyclopts import Parameter
 from crankstar import request
 from crankstar.catalog import load
 from crankstar.cli.application import app
-from crankstar.cli.options import EngineName, Output, Settings, loaded_engine
+from crankstar.cli.options import EngineName, Output, Settings, Speed, loaded_engine
 from crankstar.files import STANDARD_INPUT, EngineFileError
-from crankstar.output import complain, display, is_file, write
+from crankstar.output import complain, display, is_file, working, write
 from crankstar.quantity import one_line, seen
 from crankstar.request import RequestError
 
@@ -22,38 +22,110 @@ def balanced(
     /,
     *,
     factor: Annotated[
-        float, Parameter(help="share of all the reciprocating mass on each pin, 0 to 1.5", allow_leading_hyphen=True)
-    ] = 0.5,
-    planes: Annotated[
+        float | None,
+        Parameter(help="share of all the reciprocating mass on each pin, 0 to 1.5; else 0.5", allow_leading_hyphen=True),
+    ] = None,
+    weights: Annotated[
+        str,
+        Parameter(
+            help='where the counterweights go: pins, webs, ends (the end webs), or places along the shaft as in "-200 mm, 200 mm"',
+            allow_leading_hyphen=True,
+        ),
+    ] = "pins",
+    least: Annotated[
         str | None,
         Parameter(
-            help='places of the weights along the shaft, as in "-200 mm, 200 mm"; else opposite each pin', allow_leading_hyphen=True
+            help="best weights instead of a factor: what they make least, one of force, couple, rms force, rms couple, pitch, yaw, "
+            "rms pitch, rms yaw, bearing (load on a main bearing)"
         ),
     ] = None,
-    shafts: Annotated[
-        str | None, Parameter(help='also balance shafts of these speed ratios, as in -1 or "2, -2"', allow_leading_hyphen=True)
+    pitch: Annotated[
+        float | None, Parameter(help="with --least couple: how much pitch counts, 0 to 1; yaw counts the rest")
     ] = None,
+    limit: Annotated[
+        list[str] | None,
+        Parameter(
+            help="with --least: what may at most be left, as in couple=50% (of bare), couple=1.5 (m r ω² a), force='500 N'",
+            negative=(),
+        ),
+    ] = None,
+    most_unbalance: Annotated[
+        str | None, Parameter(help='with --least: the greatest unbalance of one weight, as in "0.02 kg*m"')
+    ] = None,
+    radius: Annotated[
+        str | None, Parameter(help='radius at which weights are told as masses, as in "60 mm"; else the crank radius')
+    ] = None,
+    shafts: Annotated[
+        str | None,
+        Parameter(
+            help="also balance shafts: alone, those of the lowest order that is left; all, of the first and second order; or of "
+            'these speed ratios, as in -1 or "2, -2"',
+            allow_leading_hyphen=True,
+        ),
+    ] = None,
+    shaft_planes: Annotated[
+        str | None, Parameter(help="places of their weights along them; else beyond both ends", allow_leading_hyphen=True)
+    ] = None,
+    shaft_place: Annotated[
+        str | None,
+        Parameter(help='where they lie, up and right of the crankshaft, as in "-60 mm, 0 mm"', allow_leading_hyphen=True),
+    ] = None,
+    apart: Annotated[
+        str | None, Parameter(help='how far the two shafts of a pair lie apart, left and right, as in "120 mm"')
+    ] = None,
+    level: Annotated[
+        bool, Parameter(help="move the two shafts of a pair to the heights at which the block does not roll", negative=())
+    ] = False,
+    prove: Annotated[
+        bool, Parameter(help="also the exact weights and shafts, with the proof that what they take away is zero", negative=())
+    ] = False,
+    speed: Speed = None,
     settings: Settings = None,
     output: Annotated[
         str | None, Parameter(name=["--output", "-o"], help="also write the balanced engine, in the explicit form")
     ] = None,
 ) -> None:
-    """Balance the crankshaft: bobweights, counterweights, and what they leave of the first order."""
+    """Balance the crankshaft: bobweights, counterweights, balance shafts, and what they leave."""
+    from crankstar import fitting
+    from crankstar.derive import DerivationError, documents
     from crankstar.files import toml
-    from crankstar.remedy import RemedyError, end_planes, with_balance_shaft, with_counterweights
-    from crankstar.workshop import balance_card
+    from crankstar.remedy import RemedyError
+    from crankstar.workshop import Job, balance_card
 
     loaded = loaded_engine(engine, settings)
+    only_best = {"--pitch": pitch, "--limit": limit, "--most-unbalance": most_unbalance, "--speed": speed}
+    request.alone("a balance factor" if least is None else "--least", only_best if least is None else {"--factor": factor})
+    only_shafts = {"--shaft-planes": shaft_planes, "--shaft-place": shaft_place, "--apart": apart, "--level": level or None}
+    if shafts is None:
+        request.alone("a balance without --shafts", only_shafts)
+    at = request.weights(weights, loaded)
+    told = request.length("--radius", radius, loaded, positive=True)
+    turning = request.speed(speed)
     try:
-        places = request.planes(planes, loaded)
-        better = with_counterweights(loaded, factor=factor, planes=places)
-        for ratio in request.ratios(shafts):
-            better = with_balance_shaft(better, ratio=ratio, planes=end_planes(loaded) if places is None else places)
-    except RemedyError as error:
+        with working("balancing ..."):
+            if least is None:
+                share = 0.5 if factor is None else factor
+                job = Job(loaded, fitting.by_factor(loaded, factor=share, weights=at), share, radius=told)
+            else:
+                best = fitting.best(
+                    loaded,
+                    weights=at,
+                    aim=request.aim("--least", least, pitch=pitch),
+                    limits=request.limits(limit, loaded, speed=loaded.speed if turning is None else turning),
+                    greatest_unbalance=request.unbalance("--most-unbalance", most_unbalance, loaded),
+                )
+                job = Job(loaded, best.engine, None, best, told)
+            if shafts is not None:
+                placed = request.shaft_places(loaded, planes_text=shaft_planes, place=shaft_place, apart=apart)
+                job = job._replace(after=fitting.with_shafts(job.after, ratios=request.ratios(shafts), places=placed, level=level))
+            proof = fitting.proofs(job.before, job.after) if prove else []
+    except (RemedyError, DerivationError) as error:
         raise RequestError(str(error)) from None
     if output is not None:
-        write(toml(better), output)
-    display(balance_card(loaded, better, factor))
+        write(toml(job.after), output)
+    display(balance_card(job))
+    if proof:
+        display(documents.rendered(proof))
 
 
 @app.command

@@ -5,6 +5,7 @@ Bottom to top:
 | module | one line |
 |---|---|
 | `documents` | chapters for the terminal, as LaTeX, Markdown, HTML |
+| `cure` | what weights on a shaft take away, in closed form, and the proof that nothing is left |
 | `notations` | the letters of this project, of the V8 pages, of Sinitsyn |
 | `families` | closed forms with a dimension left open: bank angle, crank phase, number of cylinders |
 | `six_signs` | the six signs of balance |
@@ -29,9 +30,23 @@ Bottom to top:
 True
 """
 
+from crankstar.derive.cure import Cure, cure
 from crankstar.derive.families import family
 from crankstar.derive.records import Chapter, Derivation, DerivationError, Line, Step
 from crankstar.derive.six_signs import Sign, signs, signs_chapter
 from crankstar.derive.steps import derivation
 
-__all__ = ["Chapter", "Derivation", "DerivationError", "Line", "Sign", "Step", "derivation", "family", "signs", "signs_chapter"]
+__all__ = [
+    "Chapter",
+    "Cure",
+    "Derivation",
+    "DerivationError",
+    "Line",
+    "Sign",
+    "Step",
+    "cure",
+    "derivation",
+    "family",
+    "signs",
+    "signs_chapter",
+]

@@ -11,8 +11,8 @@
 | `loads` | what each crank pin carries, rotating and reciprocating; bobweights |
 """
 
-from crankstar.remedy.aims import Aim, Plane
-from crankstar.remedy.best import Best, Limit, best_weights
+from crankstar.remedy.aims import Aim, Plane, unit_unbalance
+from crankstar.remedy.best import Best, Limit, best_weights, said, without_weights
 from crankstar.remedy.counterweights import RemedyError, with_counterweights, with_web_weights, without_counterweights
 from crankstar.remedy.loads import Load, bobweight, loads
 from crankstar.remedy.planes import end_planes, end_webs, main_bearings, webs
@@ -33,6 +33,8 @@ __all__ = [
     "loads",
     "main_bearings",
     "needs",
+    "said",
+    "unit_unbalance",
     "webs",
     "with_balance_shaft",
     "with_balance_shafts",
@@ -40,4 +42,5 @@ __all__ = [
     "with_roll_cancelled",
     "with_web_weights",
     "without_counterweights",
+    "without_weights",
 ]

@@ -21,26 +21,35 @@ from crankstar.records import Shaft
 from crankstar.remedy.aims import Aim, Plane, Setting, cones, measured, setting, summits, unit_unbalance
 from crankstar.remedy.counterweights import RemedyError, turned_weights, without_counterweights
 from crankstar.remedy.loads import loads
-from crankstar.remedy.programme import Ceiling, MissingSolverError, Solution, solved
+from crankstar.remedy.programme import Ceiling, Cone, MissingSolverError, Solution, solved
 
 FIRST_ANGLES = 48
 """Crank angles per turn with which the search for peaks begins."""
 ROUNDS = 30
-CLOSE = 1e-9
-"""How near the peak at the angles that were looked at must come to the true one, of the greatest without weights."""
+SLACK = 3e-8
+"""What may be given away of the aim, in its unit and as a share of it, for smaller weights."""
+CLOSE = 3e-9
+"""How near the peaks at the angles looked at must come to the true ones: in m r w^2 (a), or a share of what there is."""
+
+
+MOST = 2.0
+"""Of what all pins carry together: a greater weight is none."""
+TIDY = 1e-7
+"""A sum of weights, or of their moments, that is smaller than this share of them is nothing but the solver's precision."""
 
 
 class Limit(NamedTuple):
-    """What an aim may at most be, m r w^2 or m r w^2 a."""
+    """What an aim may at most be, m r w^2 or m r w^2 a; `quiet` where nobody asked for it in so many words."""
 
     aim: Aim
     at_most: float
+    quiet: bool = False
 
 
 class Best(NamedTuple):
     """The best weights: the engine with them, unbalance vectors (m r, up + i right at theta = 0) by plane, and the certificate.
 
-    `value` is the aim with these weights, `bare` without any; no weights within the limits make it smaller than `bound`.
+    `value` is the `aim` with these weights, `bare` without any; no weights within the limits make it smaller than `bound`.
     `held` are the limits and what became of them; `angles` (radians) the crank angles at which a peak is reached.
     """
 
@@ -52,6 +61,7 @@ class Best(NamedTuple):
     bound: float
     held: tuple[tuple[Limit, float], ...]
     angles: tuple[float, ...]
+    aim: Aim
 
 
 def best_weights(
@@ -65,7 +75,7 @@ def best_weights(
 ) -> Best:
     """The weights in these planes that make `aim` least; they replace those of the crankshafts.
 
-    `greatest_unbalance` (m r of the first cylinder) bounds each of them; without one it is ten times what all pins carry.
+    `greatest_unbalance` (m r of the first cylinder) bounds each of them; without one it is twice what all pins carry.
     Raises RemedyError, also where the limits cannot be met, with by how much.
 
     >>> from crankstar.catalog import load
@@ -97,7 +107,13 @@ def best_weights(
         bound=min(max(bound, 0.0), value),
         held=tuple((limit, measured(case, limit.aim, x)) for limit in limits),
         angles=tuple(sorted({round(float(angle), 6) for angle in summits(case, aim, x, above=value * (1 - 1e-6))})),
+        aim=aim,
     )
+
+
+def without_weights(engine: Engine, aim: Aim) -> float:
+    """An aim on bare crankshafts, m r w^2 or m r w^2 a."""
+    return measured(setting(without_counterweights(engine), []), aim, np.zeros(0))
 
 
 def _possible(engine: Engine, planes: Sequence[Plane]) -> None:
@@ -115,7 +131,7 @@ def _most(engine: Engine, greatest: float | None) -> float:
     if greatest is not None and not greatest > 0:
         raise RemedyError(f"a greatest unbalance of {greatest:g} leaves no weights; give a number above 0")
     carried = sum((pin.rotating + pin.reciprocating) * pin.radius for pin in loads(engine)) / unit_unbalance(engine)
-    return min(greatest or np.inf, 10 * carried)
+    return min(greatest or np.inf, MOST * carried)
 
 
 def _with(engine: Engine, planes: Sequence[Plane], x: Real) -> Engine:
@@ -131,20 +147,35 @@ def _with(engine: Engine, planes: Sequence[Plane], x: Real) -> Engine:
 
 
 def _least(case: Setting, aim: Aim, limits: Sequence[Limit], most: float) -> Solution:
-    """The best x (None if the limits cannot be met) and the lower bound of the aim."""
-    wanted = [aim, *(limit.aim for limit in limits)]
+    """The best x (None if the limits cannot be met) and the lower bound of the aim.
+
+    Where only the bearing with the greatest load counts, many weights are equally good: then the least of them.
+    """
+    found = _settled(case, aim, limits, most)
+    if found.x is None or aim.quantity != "bearing":
+        return found
+    kept = Limit(aim, measured(case, aim, found.x) * (1 + SLACK) + SLACK)
+    smallest = _settled(case, None, [kept, *limits], most)
+    return found if smallest.x is None else Solution(smallest.x, found.bound)
+
+
+def _settled(case: Setting, aim: Aim | None, limits: Sequence[Limit], most: float) -> Solution:
+    """The x that makes an aim least, or itself; crank angles at which a peak comes too high are added until there are none."""
+    wanted = [*([aim] if aim else []), *(limit.aim for limit in limits)]
     turns = max(phasor.period(case.force), phasor.period(case.couple))
     angles = [np.arange(FIRST_ANGLES * turns) * (2 * np.pi / FIRST_ANGLES) for _ in wanted]
     none = np.zeros(2 * case.order.size)
-    scales = [measured(case, one, none) or 1.0 for one in wanted]
+    # What is asked of one quantity may be small beside the weights that are moved about: the solver's precision is of these.
+    precision = CLOSE * max(1.0, *(measured(case, one, none) for one in wanted))
     for _ in range(ROUNDS):
-        first, *others = [cones(case, one, theta) for one, theta in zip(wanted, angles, strict=True)]
-        found = solved(first, [Ceiling(group, limit.at_most) for group, limit in zip(others, limits, strict=True)], greatest=most)
+        groups = [cones(case, one, theta) for one, theta in zip(wanted, angles, strict=True)]
+        first = groups.pop(0) if aim else [Cone(np.eye(none.size), none)]
+        found = solved(first, [Ceiling(group, limit.at_most) for group, limit in zip(groups, limits, strict=True)], greatest=most)
         x = found.x
         if x is None:
             return found
-        tops = [max(cone.at(x) for cone in first), *(limit.at_most for limit in limits)]
-        missing = [summits(case, one, x, above=top + CLOSE * scale) for one, top, scale in zip(wanted, tops, scales, strict=True)]
+        tops = [*([max(cone.at(x) for cone in first)] if aim else []), *(limit.at_most for limit in limits)]
+        missing = [summits(case, one, x, above=top + precision) for one, top in zip(wanted, tops, strict=True)]
         if not any(more.size for more in missing):
             return found
         angles = [np.append(theta, more) for theta, more in zip(angles, missing, strict=True)]
@@ -161,7 +192,9 @@ def _tidied(case: Setting, planes: Sequence[Plane], x: Real, wanted: Sequence[Ai
         own = np.array([plane.shaft == shaft for plane in planes])
         rows = {"force": np.ones(int(own.sum())), "couple": case.arm[own]}
         matrix = np.array([rows[quantity] for quantity in sorted(asked)])
-        vectors[own] = np.linalg.pinv(matrix, rcond=1e-12) @ (matrix @ vectors[own])
+        sums = matrix @ vectors[own]
+        sums[np.abs(sums) < TIDY * np.abs(matrix) @ np.abs(vectors[own])] = 0.0
+        vectors[own] = np.linalg.pinv(matrix, rcond=1e-12) @ sums
     return x if np.abs(vectors).max() > most else _parts(vectors)
 
 

@@ -74,7 +74,28 @@ def solved(aim: Sequence[Cone], ceilings: Sequence[Ceiling], *, greatest: float)
     found = _interior_point(aim, ceilings, greatest, count)
     if found is None:
         return Solution(None, 0.0)
-    return Solution(found[0], lower_bound(aim, ceilings, found[1], greatest=greatest))
+    x, multipliers = found
+    bounds = [
+        lower_bound(aim, ceilings, one, greatest=greatest)
+        for one in (multipliers, _closed(aim, ceilings, x, multipliers, greatest))
+    ]
+    return Solution(x, max(bounds))
+
+
+def _closed(aim: Sequence[Cone], ceilings: Sequence[Ceiling], x: Real, multipliers: Sequence[Real], greatest: float) -> list[Real]:
+    """Multipliers whose slope g is zero but for the planes at their greatest unbalance: the solver's, mended in proportion."""
+    every = [*aim, *(cone for ceiling in ceilings for cone in ceiling.cones)]
+    free = np.repeat(np.abs(x.reshape(-1, 2) @ [1, 1j]) < greatest * (1 - 1e-6), 2)
+    slope = sum((cone.matrix.T @ one[1:] for cone, one in zip(every, multipliers, strict=True)), np.zeros(free.size))
+    sizes = [abs(float(one[0])) for one in multipliers]
+    normal = sum(
+        (size * cone.matrix.T @ cone.matrix for cone, size in zip(every, sizes, strict=True)), np.zeros((free.size, free.size))
+    )
+    step = np.zeros(free.size)
+    step[free] = np.linalg.lstsq(normal[np.ix_(free, free)], -slope[free], rcond=1e-14)[0]
+    return [
+        np.append(one[0], one[1:] + size * (cone.matrix @ step)) for cone, one, size in zip(every, multipliers, sizes, strict=True)
+    ]
 
 
 def _least_squares(aim: Sequence[Cone]) -> Real:

@@ -1,0 +1,135 @@
+"""An engine fitted with weights and balance shafts in the order in which it is done: crankshafts first, then the rest."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Literal
+
+from crankstar.derive import Chapter, cure
+from crankstar.engine import Engine
+from crankstar.remedy import (
+    Aim,
+    Best,
+    Limit,
+    Plane,
+    RemedyError,
+    best_weights,
+    end_planes,
+    end_webs,
+    needs,
+    webs,
+    with_balance_shaft,
+    with_counterweights,
+    with_roll_cancelled,
+    with_web_weights,
+    without_counterweights,
+    without_weights,
+)
+
+Places = Literal["pins", "webs", "ends"]
+"""Where weights go that are not put into planes of one's own choice."""
+
+
+Wanted = Literal["needed", "all"]
+"""Which balance shafts: those of the lowest order that is left, or of the first and second."""
+
+
+@dataclass(frozen=True)
+class ShaftPlaces:
+    """Where balance shafts lie (m or crank radii from the crankshaft), and their weights along them; None: beyond both ends."""
+
+    planes: tuple[float, ...] | None = None
+    up: float = 0.0
+    right: float = 0.0
+    apart: float = 0.0
+
+
+def by_factor(engine: Engine, *, factor: float, weights: Places | Sequence[Plane]) -> Engine:
+    """The engine with counterweights of a balance factor at its pins, on its webs, or in planes. Raises RemedyError."""
+    if weights == "pins":
+        return with_counterweights(engine, factor=factor)
+    if weights in ("webs", "ends"):
+        return with_web_weights(engine, factor=factor, ends_only=weights == "ends")
+    return with_counterweights(engine, factor=factor, planes=sorted({plane.z for plane in _planes(engine, weights)}, reverse=True))
+
+
+def best(
+    engine: Engine,
+    *,
+    weights: Places | Sequence[Plane],
+    aim: Aim,
+    limits: Sequence[Limit] = (),
+    greatest_unbalance: float | None = None,
+) -> Best:
+    """The best weights in these places. Unless a limit says otherwise they must not buy a couple with a force, or the reverse.
+
+    So where nothing is said of it, the peak of the other quantity stays at most what it is with bare crankshafts.
+    """
+    named = {limit.aim.quantity for limit in limits} | {aim.quantity}
+    quiet = [
+        Limit(Aim(other), without_weights(engine, Aim(other)), quiet=True) for other in ("force", "couple") if other not in named
+    ]
+    return best_weights(
+        engine, planes=_planes(engine, weights), aim=aim, limits=[*limits, *quiet], greatest_unbalance=greatest_unbalance
+    )
+
+
+def _planes(engine: Engine, weights: Places | Sequence[Plane]) -> list[Plane]:
+    found = {
+        "pins": lambda shaft: tuple(dict.fromkeys(throw.z for throw in shaft.throws)),
+        "webs": lambda shaft: webs(engine, shaft),
+        "ends": lambda shaft: end_webs(engine, shaft),
+    }
+    if isinstance(weights, str):
+        return [Plane(shaft.name, z) for shaft in engine.shafts if shaft.throws for z in found[weights](shaft)]
+    return list(weights)
+
+
+def with_shafts(engine: Engine, *, ratios: Sequence[Fraction] | Wanted, places: ShaftPlaces, level: bool = False) -> Engine:
+    """The engine with balance shafts of these speed ratios, or with those that it needs.
+
+    `needed` are those of the lowest order that is left, which is what engines are built with; `all` those of the first and the
+    second. With `level` the two shafts of a pair are moved to the heights at which the block does not roll. Raises RemedyError.
+    """
+    planes = end_planes(engine) if places.planes is None else places.planes
+    wanted = list(ratios) if not isinstance(ratios, str) else _wanted(engine, lowest=ratios == "needed")
+    for ratio in wanted:
+        aside = (places.apart / 2 if ratio > 0 else -places.apart / 2) if -ratio in wanted else 0.0
+        engine = with_balance_shaft(engine, ratio=ratio, planes=planes, up=places.up, right=places.right + aside)
+    if level:
+        pairs = sorted({abs(ratio) for ratio in wanted if -ratio in wanted})
+        if not pairs:
+            raise RemedyError("there is no pair of balance shafts whose heights could be chosen; ask for two, as in 2, -2")
+        for order in pairs:
+            engine = with_roll_cancelled(engine, order=order)
+    return engine
+
+
+def _wanted(engine: Engine, *, lowest: bool) -> list[Fraction]:
+    found = [need.ratio for need in needs(engine) if need.ratio != 1]
+    if not found:
+        told = "nothing of the first and second order is left that one could take away"
+        raise RemedyError(f"the engine needs no balance shafts: {told}")
+    return [ratio for ratio in found if abs(ratio) == abs(found[0])] if lowest else found
+
+
+def proofs(before: Engine, after: Engine) -> list[Chapter]:
+    """For the crankshaft and each balance shaft of `after` the exact weights in its planes, and the proof that nothing is left.
+
+    The exact weights are the least that take all of their vector away, as those of half the reciprocating mass do; weights of
+    the crankshafts that leave some of it are not spoken of. Raises DerivationError.
+    """
+    chapters: list[Chapter] = []
+    bare, crank, count = without_counterweights(before), after.shafts[0], len(before.shafts)
+    left, there = ([need for need in needs(one, highest=1) if need.ratio == 1] for one in (after, bare))
+    if crank.weights and there and not left:
+        chapters.append(cure(bare, ratio=1, planes=sorted({weight.z for weight in crank.weights}, reverse=True)).chapter)
+    for place, shaft in enumerate(after.shafts[count:], count):
+        # Only what turns as this shaft does adds to its vector; weights that do not would only bring their decimals.
+        alike = tuple(one for one in after.shafts[count:place] if one.speed_ratio == shaft.speed_ratio)
+        base = after if shaft.speed_ratio == 1 else bare
+        without = base.model_copy(update={"shafts": (*base.shafts[:count], *alike)})
+        chapters.append(cure(without, ratio=shaft.speed_ratio, planes=[weight.z for weight in shaft.weights]).chapter)
+    return chapters

@@ -1,0 +1,181 @@
+"""`crankstar balance`: what is asked for is done, what cannot be done is told in a sentence."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from crankstar import balance, load, phasor, total
+from crankstar.remedy import Aim, without_weights
+
+Run = Callable[..., Any]
+
+KNOWN = """
+format = 1
+name = "three with everything known"
+cycle = "four-stroke"
+speed = "6000 rpm"
+[cylinder]
+stroke = "80 mm"
+rod_length = "150 mm"
+reciprocating_mass = "500 g"
+rotating_mass = "400 g"
+[layout]
+type = "inline"
+throws = ["0 deg", "120 deg", "240 deg"]
+bore_pitch = "90 mm"
+"""
+
+
+@pytest.fixture
+def known(tmp_path: Path) -> str:
+    path = tmp_path / "three.toml"
+    path.write_text(KNOWN, encoding="utf-8")
+    return str(path)
+
+
+def left(out: str, order: str, what: str) -> list[str]:
+    """With the crank, against it and the greatest value, as it was and now."""
+    return [line.split("]")[1].split()[-1] for line in out.splitlines() if re.match(rf"\s*{order}\s+{what} ", line)]
+
+
+def test_shafts_of_given_ratios_are_added(run: Run) -> None:
+    out = run("balance", "i4", "--shafts", "2, -2").out
+    assert left(out, "2", "force") == ["1.0161", "0"]  # four times A_2
+    assert left(out, "2", "couple") == ["0", "0"]
+    assert left(out, "2", "roll of the block") == ["2.0005", "2.0005"]
+    assert "balancer -2" in out
+
+
+def test_shafts_alone_are_those_of_the_lowest_order_that_is_left(run: Run) -> None:
+    assert re.findall(r"^balancer (\S+) .* (?:couple|force) ", run("balance", "triple-120", "--shafts").out, re.MULTILINE) == ["-1"]
+    out = run("balance", "i4", "--shafts", "--apart", "3", "--level").out
+    assert re.findall(r"^balancer (\S+) +\S+ +force +(\S+) +(\S+)", out, re.MULTILINE) == [
+        ("2", "1.9688", "1.5"),
+        ("-2", "-1.9688", "-1.5"),
+    ]
+    assert left(out, "2", "roll of the block")[-1] == "0"
+    assert "no force and no couple of the first and the second order is left" in out.lower()
+    assert "balancer -2" in run("balance", "triple-120", "--shafts", "all").out
+
+
+def test_the_card_says_both_ways_of_counting_a_factor(run: Run) -> None:
+    out = " ".join(run("balance", "v2-90", "--factor", "0.5").out.split())
+    assert "0.5 × reciprocating, of all cylinders on the pin" in out
+    assert "Counted in one cylinder of the 2 on a pin it is a factor of 1." in out
+    assert "Counted in one" not in run("balance", "i4").out
+
+
+def test_weights_are_told_as_masses_at_a_radius(run: Run, known: str) -> None:
+    out = run("balance", known, "--factor", "0.5", "--radius", "60 mm").out
+    unbalance = (0.4 + 0.25) * 0.040
+    assert f"{unbalance:.5g}" in out
+    assert f"{unbalance / 0.06 * 1000:.5g}" in out
+    assert "a radius of 60 mm" in out
+
+
+@pytest.mark.parametrize(("where", "count"), [("pins", 3), ("webs", 6), ("ends", 2), ("-100 mm, 0 mm, 100 mm", 2)])
+def test_weights_go_where_they_are_wanted_and_do_the_same(run: Run, known: str, tmp_path: Path, where: str, count: int) -> None:
+    target = tmp_path / "new.toml"
+    run("balance", known, "--weights", where, "-o", str(target))
+    engine = load(target)
+    assert len(engine.shafts[0].weights) == count  # in the middle of three places there is nothing to do
+    one = phasor.selected(total(balance(engine)).couple, [1.0])
+    assert abs(one.forward[0]) < 1e-12
+    assert abs(one.backward[0]) == pytest.approx(np.sqrt(3) / 2)
+
+
+def test_best_weights_come_with_their_certificate(run: Run, known: str, tmp_path: Path) -> None:
+    target = tmp_path / "best.toml"
+    out = " ".join(run("balance", known, "--weights", "ends", "--least", "rms couple", "-o", str(target)).out.split())
+    found = re.search(r"Rms couple: (\S+) m r ω² a, (\S+) with bare crankshafts\. No weights .* less than (\S+) m r ω² a", out)
+    assert found
+    value, bare, bound = map(float, found.groups())
+    one = total(balance(load(target))).couple
+    assert value == pytest.approx(float(np.sqrt((np.abs(one.forward) ** 2 + np.abs(one.backward) ** 2).sum())), rel=1e-4)
+    assert bare == pytest.approx(without_weights(load(known), Aim("couple", rms=True)), rel=1e-4)
+    assert value == pytest.approx(bound, rel=1e-4)
+
+
+def test_limits_in_newtons_in_shares_and_bare_are_one_limit(run: Run, known: str) -> None:
+    bare = float(without_weights(load(known), Aim("couple")))
+    newtons = float(0.8 * bare * 0.5 * 0.04 * (6000 * np.pi / 30) ** 2 * 0.09)
+    told = re.compile(r"Limit, peak couple: (\S+) of (\S+) m r")
+    shown = [
+        told.search(run("balance", known, "--weights", "webs", "--least", "bearing", *given).out)
+        for given in (
+            ("--limit", "couple=80%"),
+            ("--limit", f"couple={newtons!r} N m"),
+            ("--limit", f"couple={0.8 * bare!r}"),
+            ("--limit", f"couple={4 * newtons!r} N m", "--speed", "12000 rpm"),
+        )
+    ]
+    assert None not in shown
+    assert len({found.groups() for found in shown if found}) == 1
+
+
+def test_a_couple_is_not_bought_with_a_force(run: Run, tmp_path: Path) -> None:
+    target = tmp_path / "vr6.toml"
+    out = run("balance", "vw-vr6", "--weights", "ends", "--least", "couple", "-o", str(target)).out
+    assert "The peak force is not allowed to become more" in " ".join(out.split())
+    assert without_weights(load("vw-vr6"), Aim("force")) == pytest.approx(
+        phasor.peak(total(balance(load(target))).force).value, rel=1e-6
+    )
+
+
+def test_the_proof_is_printed(run: Run) -> None:
+    out = " ".join(run("balance", "v8-cross-plane", "--weights", "ends", "--prove").out.split())
+    assert "u₁ = (2√10/7) m r ∠ (−π + atan 2)" in out
+    assert out.count("the residual is proved to vanish") == 1
+    three = run("balance", "triple-120", "--shafts", "all", "--prove").out
+    assert three.count("the residual is proved to vanish") == 4  # the crankshaft, -1, 2 and -2
+    assert "proved" not in run("balance", "triple-120", "--factor", "0.3", "--prove").out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (["--shafts", "3"], "has no use"),
+        (["--shafts", "x"], "speed ratios"),
+        (["--shafts", "1/0"], "speed ratios"),
+        (["--shafts", ""], "speed ratios"),
+        (["--shafts", "-1"], "has no use"),
+        (["--shafts", "2", "--level"], "no pair of balance shafts"),
+        (["--shafts", "2,-2", "--shaft-place", "1"], "up and right"),
+        (["--shafts", "2,-2", "--shaft-place", "a, b"], "--shaft-place"),
+        (["--shafts", "2,-2", "--shaft-planes", "x"], "--shaft-planes"),
+        (["--shafts", "2,-2", "--shaft-planes", "1, 1"], "all different"),
+        (["--apart", "3"], "no use for --apart"),
+        (["--level"], "no use for --level"),
+        (["--weights", "0"], "two or more"),
+        (["--weights", "0, x"], "--weights"),
+        (["--weights", "0, 9"], "beyond the crankshaft"),
+        (["--weights", "somewhere"], "pins, webs, ends"),
+        (["--factor", "2"], "from 0 to 1.5"),
+        (["--factor", "-0.1"], "from 0 to 1.5"),
+        (["--factor", "nan"], "from 0 to 1.5"),
+        (["--factor", "0.5", "--least", "force"], "--least has no use for --factor"),
+        (["--limit", "force=1"], "no use for --limit"),
+        (["--least", "noise"], "it can be force, couple"),
+        (["--least", "force", "--limit", "force"], "give what and how much"),
+        (["--least", "force", "--limit", "noise=3"], "it can be force, couple"),
+        (["--least", "force", "--limit", "force=-3"], "from 0 up"),
+        (["--least", "force", "--limit", "force=nan"], "from 0 up"),
+        (["--least", "force", "--limit", "force=500 N"], "masses and sizes are known"),
+        (["--least", "force", "--limit", "force=500 kg"], "a force is needed"),
+        (["--least", "couple", "--limit", "force=0.5"], "cannot be met: with these planes"),
+        (["--least", "couple", "--pitch", "2"], "from 0 (only yaw counts) to 1"),
+        (["--least", "bearing", "--pitch", "0.5"], "has no use here"),
+        (["--least", "couple", "--most-unbalance", "0"], "greater than 0"),
+        (["--least", "couple", "--most-unbalance", "x"], "--most-unbalance"),
+        (["--radius", "0"], "greater than 0"),
+        (["--radius", "60 mm"], "no stroke is known"),
+    ],
+)
+def test_what_cannot_be_balanced_is_refused(refused: Callable[..., str], arguments: list[str], told: str) -> None:
+    assert told in refused("balance", "i4", *arguments)
