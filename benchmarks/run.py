@@ -17,7 +17,7 @@ from time import perf_counter
 
 import numpy as np
 
-from crankstar import balance, derivation, load, names, total
+from crankstar import balance, derivation, load, names, sweep, total
 from crankstar.arrangement import Basis, Sizes
 from crankstar.engine import Engine
 from crankstar.layouts import Bank, Crank, Row, inline, radial, tandem, vee
@@ -103,6 +103,23 @@ def derivations() -> list[tuple[str, str, str]]:
     return out
 
 
+def sweeps() -> list[tuple[str, str, str]]:
+    """1000 values of one number of a V8, all orders, with the greatest force or couple over a turn and the best value, warm."""
+    out: list[tuple[str, str, str]] = []
+    for path, end, unit, what in (("layout.banks[1].bearing", 90, "deg", "force"), ("balance_factor", 1, None, "couple")):
+
+        def curve(path: str = path, end: float = end, unit: str | None = unit, what: str = what) -> tuple[sweep.Sweep, sweep.Curve]:
+            found = sweep.swept("v8-cross-plane", over=path, values=np.linspace(0, end, 1000), unit=unit)
+            return found, sweep.watched(found, what)
+
+        made = curve()
+        out.append((f"1000 V8s over {path}, greatest {what}", f"{timed(curve, runs=9) * 1e3:.0f} ms", "200 ms"))
+        out.append(
+            ("the best of them, between the values", f"{timed(lambda made=made: sweep.best(*made), runs=9) * 1e3:.0f} ms", "")
+        )
+    return out
+
+
 def rows() -> list[tuple[str, str, str]]:
     """What is measured, the figure, and the budget where there is one."""
     module = ("-m", "crankstar", "analyze", "v8-cross-plane")
@@ -123,6 +140,7 @@ def rows() -> list[tuple[str, str, str]]:
             )
         )
     out += derivations()
+    out += sweeps()
     out.append((f"batch of {VARIANTS:,} V8s", f"{batch_rate():,.0f} engines/s", ""))
     return out
 

@@ -14,9 +14,13 @@ a record, a way of looking at it is a function, an engine type is data, and impo
 | `tables`, `description` | a Balance, an Engine as tables for the terminal and the notebook |
 | `charts/` | figures as Altair charts, one function each, and as SVG without a browser |
 | `misprints` | the errata of the sources as tables for the terminal |
-| `workshop` | the bobweight card, counterweights and what they leave, as tables |
+| `workshop` | the bobweight card, counterweights, balance shafts and what they leave, as tables |
 | `wording` | numbers, amplitudes, paths and firing orders as an engineer writes them |
+| `fitting` | an engine fitted with weights and balance shafts, in the order in which it is done |
 | `errata/` | what the sources got wrong: printed, true, and momentum as the judge |
+| `sweep` | what becomes of a force when a number of the engine file is varied; the best value |
+| `fields` | numbers of an engine file by their key path, and the engine as a function of one |
+| `variants` | many variants of an engine at once, as arrays |
 | `derive/` | exact closed forms and their derivation step by step, zeros proved; families, the six signs of balance |
 | `answer` | the machine-readable answer: the public JSON object, CSV |
 | `catalog/` | engines as TOML, one file each, each number with its source |

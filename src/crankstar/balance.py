@@ -77,7 +77,7 @@ def balance(engine: Engine, *, speed: float | None = None, reference: Reference 
     """
     reference = reference or default_reference(engine)
     raw = spectra(mechanism(engine), reference=reference)
-    scale, units = _scale(engine, speed)
+    scale, units = scales(engine, speed)
     return Balance(
         parts=parts(engine),
         force=phasor.scaled(raw.force, scale.force),
@@ -90,23 +90,26 @@ def balance(engine: Engine, *, speed: float | None = None, reference: Reference 
     )
 
 
-class _Scale(NamedTuple):
+class Scale(NamedTuple):
+    """Factors from what is worked out at 1 rad/s in SI units to what a Balance is counted in."""
+
     force: float
     couple: float
     roll: float
 
 
-def _scale(engine: Engine, speed: float | None) -> tuple[_Scale, Units]:
+def scales(engine: Engine, speed: float | None) -> tuple[Scale, Units]:
+    """Factors to N and N m at a speed (rad/s), else to m r w^2 and its like, and the names of these units."""
     known = {"mass", "radius"}.isdisjoint(engine.relative)
     if speed is not None and known:
         squared = speed**2
         if "pitch" in engine.relative:
-            return _Scale(squared, squared / engine.pitch, squared), Units("N", "N*a", "N*m")
-        return _Scale(squared, squared, squared), Units("N", "N*m", "N*m")
+            return Scale(squared, squared / engine.pitch, squared), Units("N", "N*a", "N*m")
+        return Scale(squared, squared, squared), Units("N", "N*m", "N*m")
     first = engine.first
     mass, radius = first.reciprocating_mass or (first.rod.mass if first.rod else 1.0), engine.throw(first).radius
     force = 1 / (mass * radius)
-    return _Scale(force, force / engine.pitch, force / radius), Units("m*r*w^2", "m*r*w^2*a", "m*r^2*w^2")
+    return Scale(force, force / engine.pitch, force / radius), Units("m*r*w^2", "m*r*w^2*a", "m*r^2*w^2")
 
 
 def parts(engine: Engine) -> tuple[Part, ...]:

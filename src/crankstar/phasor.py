@@ -198,13 +198,17 @@ CANDIDATES = 256
 
 
 def _over_period(spectrum: Spectrum) -> Complex:
-    """The vector at equal steps over the whole period, finely enough for its highest order, by Fourier transform."""
+    """The vector at equal steps over the whole period [..., step], finely enough for its highest order, by Fourier transform."""
     places = np.round(spectrum.orders * period(spectrum)).astype(int)
-    highest = int(places.max()) + 4
-    coefficients = np.zeros((POINTS if highest * POINTS < POINTS_AT_MOST else POINTS // 4) * highest, complex)
-    np.add.at(coefficients, spectrum.sense * places, spectrum.forward)
-    np.add.at(coefficients, -spectrum.sense * places, spectrum.backward)
-    return np.fft.ifft(coefficients) * coefficients.size
+    coefficients = np.zeros((*spectrum.forward.shape[:-1], _steps(int(places.max()))), complex)
+    np.add.at(coefficients.T, spectrum.sense * places, spectrum.forward.T)
+    np.add.at(coefficients.T, -spectrum.sense * places, spectrum.backward.T)
+    return np.fft.ifft(coefficients) * coefficients.shape[-1]
+
+
+def _steps(highest: int) -> int:
+    """How many samples the period takes when its highest harmonic is this one."""
+    return (POINTS if (highest + 4) * POINTS < POINTS_AT_MOST else POINTS // 4) * (highest + 4)
 
 
 def _candidates(lengths: Real) -> NDArray[np.int_]:
@@ -230,6 +234,74 @@ def _summits(spectrum: Spectrum, starts: Real, step: float) -> Real:
         move = np.where(steep, gradient / np.where(steep, curvature, 1.0), 0.0)
         theta = np.clip(theta - move, starts - step, starts + step)
     return theta
+
+
+def peaks(spectrum: Spectrum) -> Real:
+    """The greatest length over the period of every vector of a batch [...], by the road of `peak` but all at once.
+
+    Never more than the true value, and less by 1e-9 of it at most. Leading axes as those of `forward`.
+
+    >>> lines = Spectrum(np.array([1.0]), np.array([[1.0 + 0j], [2j]]), np.array([[1.0 + 0j], [1.0 + 0j]]))
+    >>> peaks(lines).round(12).tolist()
+    [2.0, 3.0]
+    """
+    lead = spectrum.forward.shape[:-1]
+    if spectrum.orders.size == 0 or 0 in lead:
+        return np.zeros(lead)
+    forward, backward = (values.reshape(-1, spectrum.orders.size) for values in (spectrum.forward, spectrum.backward))
+    block = max(1, SAMPLES_AT_ONCE // _steps(round(float(spectrum.orders.max()) * period(spectrum))))
+    blocks = [slice(start, start + block) for start in range(0, len(forward), block)]
+    found = [_peaks(replace(spectrum, forward=forward[rows], backward=backward[rows])) for rows in blocks]
+    return np.concatenate(found).reshape(lead)
+
+
+SAMPLES_AT_ONCE = 1 << 18
+FLAT = 1e-13
+"""A sample that stands out from its neighbours by less than this share of it has no summit beside it worth going to."""
+
+
+def _peaks(spectrum: Spectrum) -> Real:
+    """The peaks of a few vectors [row], each from the highest of its samples and the summits near all that come close to it."""
+    squared = np.abs(_over_period(spectrum)) ** 2
+    before, after = np.roll(squared, 1, axis=-1), np.roll(squared, -1, axis=-1)
+    highest = squared.max(axis=-1)
+    local = (squared >= before) & (squared >= after) & (2 * squared - before - after > FLAT * squared)
+    rows, places = np.nonzero(local & (squared >= 0.85**2 * highest[:, None]))
+    step = 2 * np.pi * period(spectrum) / squared.shape[-1]
+    found = np.sqrt(highest)
+    heights, hollow = _heights(spectrum[rows], places * step, step, side=1)
+    np.maximum.at(found, rows, heights)
+    rows, places = rows[hollow], places[hollow]
+    np.maximum.at(found, rows, _heights(spectrum[rows], places * step, step, side=-1)[0])
+    return found
+
+
+def _heights(spectrum: Spectrum, starts: Real, step: float, *, side: int) -> tuple[Real, NDArray[np.bool_]]:
+    """The greatest length that Newton's method meets from the start of each row [row], kept within one step of it.
+
+    And whether the start lies in a hollow between two summits: from there the way goes to the one on the `side` asked for.
+    """
+    theta, found = starts.astype(float), np.zeros(starts.size)
+    hollow = np.zeros(starts.size, bool)
+    going = np.arange(starts.size)
+    orders = spectrum.orders
+    for _ in range(40):
+        if not going.size:
+            break
+        phase = np.exp(1j * spectrum.sense * orders * theta[going, None])
+        with_theta, against = spectrum.forward[going] * phase, spectrum.backward[going] * np.conj(phase)
+        here, bend = ((with_theta + against) @ powers for powers in (np.ones(orders.size), -(orders**2)))
+        slope = 1j * spectrum.sense * ((with_theta - against) @ orders)
+        found[going] = np.maximum(found[going], np.abs(here))
+        gradient = np.real(np.conj(here) * slope)
+        curvature = np.abs(slope) ** 2 + np.real(np.conj(here) * bend)
+        hollow[going] |= curvature >= 0
+        move = np.where(curvature < 0, -gradient / np.where(curvature < 0, curvature, 1.0), side * step / 4)
+        ahead = np.clip(theta[going] + move, starts[going] - step, starts[going] + step)
+        far = np.abs(ahead - theta[going]) > 1e-6 * step
+        theta[going] = ahead
+        going = going[far]
+    return found, hollow
 
 
 def from_samples(samples: Complex, *, sense: int = 1) -> Spectrum:

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from crankstar.engine import Engine
-from crankstar.files import EngineFileError, Problem, read
+from crankstar.files import EngineFileError, Problem, engine_of, read_tree
 from crankstar.quantity import one_line, seen
 
 _FOLDER = Path(__file__).parent
@@ -31,13 +31,19 @@ def load(name: str | Path, *, changes: Mapping[str, Any] | None = None) -> Engin
     A catalog name comes first; say ./NAME for a file that is called the same. `changes` sets values by key path.
     Raises EngineFileError.
     """
+    shown, tree = tree_of(name)
+    return engine_of(tree, name=shown, changes=changes)
+
+
+def tree_of(name: str | Path) -> tuple[str, dict[str, Any]]:
+    """The name by which messages call an engine, and the tree of keys of its file, not checked. Raises EngineFileError."""
     found = path_of(str(name))
     if found is None and not _looks_like_a_file(name):
         near = get_close_matches(str(name), names(), 3)
         told = f"did you mean {' or '.join(near)}?" if near else "`crankstar list` names the engines of the catalog"
         shown = one_line(str(name), longest=100) if str(name).strip() else seen(str(name))
         raise EngineFileError(shown, [Problem("", f"there is no such engine in the catalog, and no such file; {told}")])
-    return read(found or name, name=str(name) if found else None, changes=changes)
+    return read_tree(found or name, name=str(name) if found else None)
 
 
 def _looks_like_a_file(name: str | Path) -> bool:

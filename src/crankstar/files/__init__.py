@@ -9,7 +9,20 @@
 | `starters` | commented files to begin with |
 """
 
-from crankstar.files.read import STANDARD_INPUT, EngineFileError, Problem, engine_of, read, tree_of
+from crankstar.files.read import STANDARD_INPUT, EngineFileError, Problem, changed, engine_of, keys_of, read, read_tree, tree_of
 from crankstar.files.write import explicit, schema, toml
 
-__all__ = ["STANDARD_INPUT", "EngineFileError", "Problem", "engine_of", "explicit", "read", "schema", "toml", "tree_of"]
+__all__ = [
+    "STANDARD_INPUT",
+    "EngineFileError",
+    "Problem",
+    "changed",
+    "engine_of",
+    "explicit",
+    "keys_of",
+    "read",
+    "read_tree",
+    "schema",
+    "toml",
+    "tree_of",
+]

@@ -76,8 +76,14 @@ def read(path: str | Path, *, name: str | None = None, changes: Mapping[str, Any
 
     `changes` sets values by key path before anything is checked: `{"layout.bore_pitch": "100 mm"}`.
     """
+    name, tree = read_tree(path, name=name)
+    return engine_of(tree, name=name, changes=changes)
+
+
+def read_tree(path: str | Path, *, name: str | None = None) -> tuple[str, Tree]:
+    """The name by which messages call a file, and its tree of keys, not checked. Raises EngineFileError."""
     name = name or ("standard input" if str(path) in _STANDARD_INPUTS else _shown_name(path))
-    return engine_of(tree_of(_text(path, name), name=name), name=name, changes=changes)
+    return name, tree_of(_text(path, name), name=name)
 
 
 def _shown_name(path: str | Path) -> str:
@@ -167,7 +173,7 @@ def _line_told(text: str, told: str) -> str:
 
 def engine_of(tree: Tree, *, name: str = "the engine", changes: Mapping[str, Any] | None = None) -> Engine:
     """The engine of a tree, in the short or the explicit form. Raises EngineFileError with every mistake in it."""
-    tree = _bounded(_changed(_bounded(tree, name), changes or {}, name), name)
+    tree = changed(tree, changes or {}, name=name)
     explicit = is_explicit(tree)
     draft = _explicit(tree) if explicit else _short(tree)
     engine, faults = draft.engine, draft.faults
@@ -201,11 +207,14 @@ def _bounded(tree: Any, name: str) -> Tree:
     raise _refused(name, "is nested too deeply; an engine file has tables in tables, and no more")
 
 
-def _changed(tree: Tree, changes: Mapping[str, Any], name: str) -> Tree:
-    """The tree with values set by key path, in the notation of the messages: `layout.banks[1].bearing`, counted from one."""
-    out = copied(tree)
+def changed(tree: Tree, changes: Mapping[str, Any], *, name: str = "the engine") -> Tree:
+    """A tree with values set by key path, in the notation of the messages: `layout.banks[1].bearing`, counted from one.
+
+    Raises EngineFileError where a path leads nowhere, or where there is more than an engine can need.
+    """
+    out = copied(_bounded(tree, name))
     for path, value in changes.items():
-        way = _keys(path)
+        way = keys_of(path)
         table: Any = out
         for place, key in enumerate(way):
             if not _can_hold(table, key):
@@ -215,10 +224,10 @@ def _changed(tree: Tree, changes: Mapping[str, Any], name: str) -> Tree:
                 table[key] = value
             else:
                 table = table[key] if isinstance(key, int) else table.setdefault(key, {})
-    return out
+    return _bounded(out, name)
 
 
-def _keys(path: str) -> list[str | int]:
+def keys_of(path: str) -> list[str | int]:
     """The keys of a path: names, and places in lists counted from nought."""
     if not re.fullmatch(r"[^.\[\]]+(\.[^.\[\]]+|\[\d{1,6}\])*", path):
         return [path]
