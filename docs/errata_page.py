@@ -96,5 +96,5 @@ def drawing(one: Erratum) -> str:
     unit = " ".join(filter(None, (typeset.text(one.unit) if one.unit is not None else "", one.letter)))
     named = {"force": "force", "couple": "couple", "roll": "couple", "": ""}[one.quantity]
     axis = f"{named} {SIDES[one.component]}".strip() + f" ({unit})"
-    chart = charts.over_turn(theta=found.theta, printed=found.printed, ours=found.ours, momentum=found.momentum, axis=axis)
+    chart = charts.judged(theta=found.theta, printed=found.printed, ours=found.ours, momentum=found.momentum, axis=axis)
     return charts.svg(chart, f"{_heading(one)}, {axis}: printed, true and from momentum, over one turn")

@@ -10,9 +10,12 @@ a record, a way of looking at it is a function, an engine type is data, and impo
 |---|---|
 | `cli/` | verbs only; no logic |
 | `request` | what the words of a command line ask for |
+| `chart_request` | which figure, with which options, written as what |
 | `output` | where results go: terminal, pipe, or a file that appears whole or not at all |
 | `tables`, `description` | a Balance, an Engine as tables for the terminal and the notebook |
 | `charts/` | figures as Altair charts, one function each, and as SVG without a browser |
+| `verdict` | the facts a Balance shows, as short sentences with their numbers |
+| `sweep_table` | a sweep as a table, its curves in a line, its best value in words |
 | `misprints` | the errata of the sources as tables for the terminal |
 | `workshop` | the bobweight card, counterweights, balance shafts and what they leave, as tables |
 | `wording` | numbers, amplitudes, paths and firing orders as an engineer writes them |

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
-from crankstar.derive import Chapter, cure
 from crankstar.engine import Engine
 from crankstar.remedy import (
     Aim,
@@ -27,6 +26,9 @@ from crankstar.remedy import (
     without_counterweights,
     without_weights,
 )
+
+if TYPE_CHECKING:
+    from crankstar.derive import Chapter
 
 Places = Literal["pins", "webs", "ends"]
 """Where weights go that are not put into planes of one's own choice."""
@@ -121,6 +123,8 @@ def proofs(before: Engine, after: Engine) -> list[Chapter]:
     The exact weights are the least that take all of their vector away, as those of half the reciprocating mass do; weights of
     the crankshafts that leave some of it are not spoken of. Raises DerivationError.
     """
+    from crankstar.derive import cure  # exact algebra is loaded only where it is asked for
+
     chapters: list[Chapter] = []
     bare, crank, count = without_counterweights(before), after.shafts[0], len(before.shafts)
     left, there = ([need for need in needs(one, highest=1) if need.ratio == 1] for one in (after, bare))

@@ -51,19 +51,29 @@ def display(renderable: Any, place: str | None = None) -> None:
 
 
 def write(text: str, place: str | None) -> None:
-    """Write to standard output, or to a file that appears whole or not at all. Raises OutputError."""
+    """Write text to standard output, or to a file that appears whole or not at all. Raises OutputError."""
     if place in (None, "-"):
         _opened()
         sys.stdout.write(text)
+        return
+    write_bytes(text.encode("utf-8", errors="replace"), place)
+
+
+def write_bytes(content: bytes, place: str | None) -> None:
+    """Write what is not text: to standard output, or to a file that appears whole or not at all. Raises OutputError."""
+    if place in (None, "-"):
+        _opened()
+        sys.stdout.flush()
+        sys.stdout.buffer.write(content)
         return
     try:
         mode = _mode(place)
         if mode is not None and stat.S_ISDIR(mode):
             _refuse(place, "is a directory")
         if mode is None or stat.S_ISREG(mode):
-            _replace(Path(place).resolve(), text)
+            _replace(Path(place).resolve(), content)
         else:
-            _pour(place, text)
+            _pour(place, content)
     except OSError as error:
         _refuse(place, error.strerror or str(error))
     except (ValueError, RuntimeError) as error:
@@ -92,15 +102,15 @@ def _mode(place: str) -> int | None:
         return None
 
 
-def _replace(target: Path, text: str) -> None:
+def _replace(target: Path, content: bytes) -> None:
     """Put a file beside the target in its place, once all of it is written; links to the target stay links to it."""
     there = target.exists()
     if there and not os.access(target, os.W_OK):
         _refuse(str(target), "is write-protected")
     handle, draft = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name[:50]}.")
     try:
-        with os.fdopen(handle, "w", encoding="utf-8", errors="replace") as file:
-            file.write(text)
+        with os.fdopen(handle, "wb") as file:
+            file.write(content)
         mask = os.umask(0)
         os.umask(mask)
         Path(draft).chmod(target.stat().st_mode & 0o777 if there else 0o666 & ~mask)
@@ -110,12 +120,12 @@ def _replace(target: Path, text: str) -> None:
         raise
 
 
-def _pour(place: str, text: str) -> None:
+def _pour(place: str, content: bytes) -> None:
     """Write into a device or a pipe, which cannot be replaced, without waiting for anyone to open its other end."""
     handle = os.open(place, os.O_WRONLY | os.O_NONBLOCK)
     os.set_blocking(handle, True)
-    with os.fdopen(handle, "w", encoding="utf-8", errors="replace") as file:
-        file.write(text)
+    with os.fdopen(handle, "wb") as file:
+        file.write(content)
 
 
 def _refuse(place: str, reason: str) -> NoReturn:

@@ -86,12 +86,12 @@ def derived_orders(text: str) -> list[Fraction]:
     return list(dict.fromkeys(wanted))
 
 
-def angles(text: str | None) -> list[float]:
+def angles(text: str | None, *, option: str = "--at") -> list[float]:
     """Crank angles in radians."""
     try:
         return [units.si(part.strip(), ANGLE) for part in (text or "").split(",") if part.strip()]
     except ValueError as error:
-        raise RequestError(f"--at: {error}") from None
+        raise RequestError(f"{option}: {error}") from None
 
 
 def grouping(text: str | None) -> Any:

@@ -15,6 +15,7 @@ from rich.text import Text
 from crankstar import phasor
 from crankstar.engine import Engine
 from crankstar.firing import Firing, firing
+from crankstar.remedy import Need
 
 NEGLIGIBLE = 1e-9
 """A number smaller than this share of the largest beside it is written as 0."""
@@ -116,3 +117,46 @@ def least_width(renderable: RenderableType, console: Console) -> int:
     if isinstance(renderable, Table) and all(column.no_wrap for column in renderable.columns):
         return console.measure(renderable, options=console.options.update(max_width=10_000)).maximum
     return 0
+
+
+EQUAL = 1e-2
+"""Two vectors that differ by no more than this share are called a pair."""
+
+
+def cures(engine: Engine, found: Sequence[Need]) -> list[str]:
+    """What would take away the vectors an engine is left with, a sentence for each, or for a pair of shafts that do it together.
+
+    >>> from crankstar.catalog import load
+    >>> from crankstar.remedy import needs
+    >>> cures(load("i4"), needs(load("i4")))
+    ['order 2, force: a pair of shafts of speed ratios 2 and -2 (Lanchester)']
+    """
+    cranks = {shaft.speed_ratio: shaft.name for shaft in reversed(engine.shafts) if shaft.throws}
+    by_ratio = {need.ratio: need for need in found}
+    out: list[str] = []
+    for need in found:
+        other = by_ratio.get(-need.ratio)
+        paired = other is not None and _alike(need, other) and not {need.ratio, -need.ratio} & set(cranks)
+        what = " and ".join(name for name, vector in (("force", need.force), ("couple", need.couple)) if vector)
+        if paired:
+            if need.ratio > 0:
+                ratios = f"{need.ratio} and -{need.ratio}"
+                out.append(
+                    f"order {need.ratio}, {what}: a pair of shafts of speed ratios {ratios}"
+                    + (" (Lanchester)" if need.force else "")
+                )
+            continue
+        turning = f"order {abs(need.ratio)}, {what} {'with' if need.ratio > 0 else 'against'} the crank"
+        if need.ratio in cranks:
+            several = f" {cranks[need.ratio]}" if len(cranks) > 1 else ""
+            out.append(f"{turning}: counterweights on the crankshaft{several}" + ("" if need.force else ", two opposite ones"))
+        else:
+            ends = "" if need.force else " with opposite weights at its ends"
+            out.append(f"{turning}: one shaft{ends}, of speed ratio {need.ratio}")
+    return out
+
+
+def _alike(need: Need, other: Need) -> bool:
+    """Whether two vectors that turn against each other are as long as each other."""
+    pairs = ((abs(need.force), abs(other.force)), (abs(need.couple), abs(other.couple)))
+    return all(abs(one - two) <= EQUAL * max(one, two) for one, two in pairs)

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 from cmath import phase
-from collections.abc import Sequence
-from fractions import Fraction
 from math import degrees
 from typing import NamedTuple
 
@@ -18,8 +16,8 @@ from crankstar.engine import Engine
 from crankstar.mechanism import Totals, block_roll
 from crankstar.phasor import Spectrum
 from crankstar.records import Shaft
-from crankstar.remedy import Aim, Best, Need, bobweight, loads, needs, said
-from crankstar.wording import number, table, titled
+from crankstar.remedy import Aim, Best, bobweight, loads, needs, said
+from crankstar.wording import cures, number, table, titled
 
 
 class Job(NamedTuple):
@@ -103,11 +101,12 @@ def _weights(job: Job) -> RenderableType:
     shown = number(radius * (1.0 if across == "r" else 1000.0))
     where = "the crank radius" if job.radius is None else f"a radius of {shown} {across}"
     along, place = (1.0, "a") if "pitch" in engine.relative else (1000.0, "mm")
-    heads = ("shaft", f"z [{place}]", "bearing at θ = 0 [deg]", f"unbalance [{_unbalance_unit(engine)}]", f"mass [{unit}]")
+    counted, product = _unbalance_unit(engine)
+    heads = ("shaft", f"z [{place}]", "bearing at θ = 0 [deg]", f"unbalance [{product}]", f"mass [{unit}]")
     out = table(*heads, left=("shaft",))
     for shaft in engine.shafts:
         for weight in shaft.weights:
-            row = (number(weight.z * along, along), number(degrees(weight.angle), 180.0), number(weight.unbalance))
+            row = (number(weight.z * along, along), number(degrees(weight.angle), 180.0), number(weight.unbalance * counted))
             out.add_row(Text(shaft.name), *row, number(weight.unbalance / radius * scale))
     if not out.row_count:
         return titled("Weights", Text("none"))
@@ -115,8 +114,11 @@ def _weights(job: Job) -> RenderableType:
     return Group(titled("Weights", out), said_so)
 
 
-def _unbalance_unit(engine: Engine) -> str:
-    return f"{'m' if 'mass' in engine.relative else 'kg'} {'r' if 'radius' in engine.relative else 'm'}"
+def _unbalance_unit(engine: Engine) -> tuple[float, str]:
+    """Factor and unit for unbalances: kg m, or m r where a mass or a radius is not known."""
+    if "mass" in engine.relative:
+        return 1 / engine.throw(engine.first).radius, "m r"
+    return 1.0, "kg r" if "radius" in engine.relative else "kg m"
 
 
 def _shafts(job: Job) -> RenderableType:
@@ -183,28 +185,5 @@ def _needed(engine: Engine) -> RenderableType:
     found = needs(engine)
     if not found:
         return Text("\nNo force and no couple of the first and the second order is left.")
-    lines = [Text(f"- {need_sentence(one, found)}") for one in found]
+    lines = [Text(f"- {told}") for told in cures(engine, found)]
     return Group(Text(), Text("What would take away the rest", style="bold"), *lines)
-
-
-def need_sentence(need: Need, among: Sequence[Need]) -> str:
-    """A need in words: order, what turns, and the cure.
-
-    >>> from crankstar.catalog import load
-    >>> wanted = needs(load("i4"))
-    >>> need_sentence(wanted[0], wanted)
-    'order 2, force with the crank: one of a pair of shafts of speed ratios 2 and -2 (Lanchester)'
-    """
-    what = " and ".join(name for name, vector in (("force", need.force), ("couple", need.couple)) if vector)
-    way = "with" if need.ratio > 0 else "against"
-    if need.ratio == 1:
-        cure = "counterweights on the crankshaft" + ("" if need.force else ", two opposite ones")
-    elif need.paired and need.ratio != -1 and Fraction(-need.ratio) in {other.ratio for other in among}:
-        straight = bool(need.force)
-        cure = f"one of a pair of shafts of speed ratios {abs(need.ratio)} and -{abs(need.ratio)}" + (
-            " (Lanchester)" if straight else ""
-        )
-    else:
-        weights = "one shaft" if need.force else "one shaft with opposite weights at its ends"
-        cure = f"{weights}, of speed ratio {need.ratio}"
-    return f"order {abs(need.ratio)}, {what} {way} the crank: {cure}"

@@ -402,7 +402,7 @@ def test_every_result_has_a_drawing_with_a_title_and_nothing_from_elsewhere(page
 def test_a_drawing_shows_printed_true_and_momentum_where_they_are() -> None:
     one = ALL["flat-force-2-right"]
     found = curves(one)
-    chart = charts.over_turn(theta=found.theta, printed=found.printed, ours=found.ours, momentum=found.momentum, axis="force (N)")
+    chart = charts.judged(theta=found.theta, printed=found.printed, ours=found.ours, momentum=found.momentum, axis="force (N)")
     layers = chart.to_dict()["layer"]
     by_name = {layer["data"]["values"][0]["what"]: layer for layer in layers}
     assert set(by_name) == {"printed", "true", "momentum"}

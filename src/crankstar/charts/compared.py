@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from crankstar.charts.drawing import GREY, OURS, PRINTED, styled
+from crankstar.charts.drawing import GREY, OURS, PRINTED, of_rows, styled
 from crankstar.phasor import Real
 
 if TYPE_CHECKING:
@@ -18,7 +18,7 @@ FLAT = 1e-6
 """Share of the greatest value below which a curve is drawn as zero."""
 
 
-def over_turn(*, theta: Real, printed: Real, ours: Real, momentum: Real, axis: str) -> altair.LayerChart:
+def judged(*, theta: Real, printed: Real, ours: Real, momentum: Real, axis: str) -> altair.LayerChart:
     """Printed (dashed, or diamonds where it is said at single angles only), ours (solid) and momentum (circles) over a turn.
 
     `theta` [sample] in radians from 0 to a turn; the other three [sample] in the unit that `axis`, the title of the upright
@@ -80,11 +80,11 @@ def _colour(alt: Any, names: tuple[str, ...]) -> Any:
 
 def _line(alt: Any, rows: list[dict[str, Any]], x: Any, y: Any, names: tuple[str, ...]) -> Any:
     dashes = alt.Scale(domain=list(names), range=[[7, 4], [1, 0], [1, 0]][: len(names)])
-    mark = alt.Chart(alt.Data(values=rows)).mark_line(strokeWidth=2.4)
+    mark = of_rows(rows).mark_line(strokeWidth=2.4)
     return mark.encode(x=x, y=y, color=_colour(alt, names), strokeDash=alt.StrokeDash("what:N", scale=dashes, legend=_key(alt)))
 
 
 def _points(alt: Any, rows: list[dict[str, Any]], x: Any, y: Any, names: tuple[str, ...], *, single: bool, size: int = 34) -> Any:
-    mark = alt.Chart(alt.Data(values=rows)).mark_point(size=size, filled=False, strokeWidth=1.6, opacity=1)
+    mark = of_rows(rows).mark_point(size=size, filled=False, strokeWidth=1.6, opacity=1)
     forms = alt.Scale(domain=list(names), range=["diamond" if single else "stroke", "stroke", "circle"])
     return mark.encode(x=x, y=y, color=_colour(alt, names), shape=alt.Shape("what:N", scale=forms, legend=_key(alt)))

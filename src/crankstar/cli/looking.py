@@ -1,4 +1,4 @@
-"""Verbs that only look: list, show, analyze, compare, derive, errata."""
+"""Verbs that only look: list, show, analyze, compare, verdict, derive, errata."""
 
 from __future__ import annotations
 
@@ -116,6 +116,16 @@ def compare(
     shown = [analysis(loaded_engine(name, None), speed=at) for name in (first, second, *others)]
     wanted = request.orders(orders, shown[0].normalised.force.orders.tolist())
     display(comparison([one._replace(orders=tuple(wanted), turning=tuple(wanted)) for one in shown] if wanted else shown), output)
+
+
+@app.command
+def verdict(engine: EngineName, /, *, settings: Settings = None, output: Output = None) -> None:
+    """The facts in short sentences: which orders are free, which remain, what removes them, how others do."""
+    from crankstar.verdict import shown
+    from crankstar.verdict import verdict as facts
+
+    loaded = loaded_engine(engine, settings)
+    display(shown(loaded, facts(loaded)), output)
 
 
 @app.command

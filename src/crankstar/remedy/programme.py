@@ -23,8 +23,6 @@ import numpy as np
 
 from crankstar.phasor import Real
 
-PREFERENCE = 1e-9
-"""How much, beside t, the square of x counts: only enough to choose among equally good ones."""
 PRECISION = 1e-11
 
 
@@ -150,12 +148,10 @@ def _interior_point(
     settings = solver.DefaultSettings()
     settings.verbose = False
     settings.tol_gap_abs = settings.tol_gap_rel = settings.tol_feas = PRECISION
-    preference = sparse.csc_matrix(np.diag(np.append(np.full(count, PREFERENCE), 0.0)))
     cost = np.append(np.zeros(count), 1.0)
     shape = [solver.SecondOrderConeT(size) for size in sizes]
-    answer = solver.DefaultSolver(
-        preference, cost, sparse.csc_matrix(np.vstack(rows)), np.concatenate(right), shape, settings
-    ).solve()
+    linear = sparse.csc_matrix((count + 1, count + 1))
+    answer = solver.DefaultSolver(linear, cost, sparse.csc_matrix(np.vstack(rows)), np.concatenate(right), shape, settings).solve()
     if str(answer.status) in ("PrimalInfeasible", "AlmostPrimalInfeasible"):
         return None
     parts = np.split(np.array(answer.z), np.cumsum(sizes)[:-1])[:weighed]

@@ -1,0 +1,224 @@
+"""The crankshaft seen from the side: webs and pins, cylinders and weights along it, and their arms."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+from math import cos, sin
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from crankstar.balance import default_reference
+from crankstar.charts.drawing import (
+    BLUE,
+    GREY,
+    SMALL,
+    TEXT,
+    VERMILION,
+    WIDTH,
+    Panel,
+    checked_angle,
+    figure,
+    layered,
+    numbers_text,
+    of_rows,
+    text_width,
+)
+from crankstar.charts.stars import turns_together
+from crankstar.engine import Engine
+from crankstar.mechanism import Reference
+from crankstar.records import Shaft
+from crankstar.wording import number
+
+if TYPE_CHECKING:
+    import altair
+
+ROW = 150.0
+"""Height of the row of one shaft, px."""
+PIN, JOURNAL = 7.0, 7.0
+"""Thickness of pins and journals, px."""
+HIGH, DIMENSION, CYLINDER = 42.0, -64.0, 62.0
+"""px above the axis: of a pin that points up, of the line of arms, of the numbers of cylinders."""
+EXPRESSION = "datum.up * cos(datum.rate * theta * PI / 180) - datum.right * sin(datum.rate * theta * PI / 180)"
+"""How far up a point of a shaft stands that is `up`, `right` of its axis at theta = 0."""
+
+
+class Along(NamedTuple):
+    """Places along the engine on the screen, front at the left: px = (z_front - z) * scale + margin."""
+
+    front: float
+    scale: float
+    margin: float
+
+    def at(self, z: float) -> float:
+        """Px from the left edge."""
+        return (self.front - z) * self.scale + self.margin
+
+
+def shaft_elevation(engine: Engine, *, reference: Reference | None = None, theta: float = 0.0) -> altair.VConcatChart:
+    """Every shaft seen from the side, the front at the left, one below the other, at the crank angle `theta` (radians).
+
+    The height of a pin is the upward part of its crank radius, true for that angle. Above stand the numbers of the
+    cylinders, below the arms of the throws (of the weights, on a shaft without throws) about the reference plane (dashed).
+    """
+    theta = checked_angle(theta)
+    reference = reference or default_reference(engine)
+    places = (
+        [c.z for c in engine.cylinders]
+        + [t.z for s in engine.shafts for t in s.throws]
+        + [w.z for s in engine.shafts for w in s.weights]
+    )
+    span = max(places) - min(places)
+    margin = 40.0
+    along = Along(max(places), (WIDTH - 2 * margin) / span if span else 1.0, margin if span else WIDTH / 2)
+    several = len(engine.shafts) > 1
+    rows = [[_shaft_panel(engine, shaft, along, reference.z, name=shaft.name if several else "")] for shaft in engine.shafts]
+    unit = "bore pitches" if "pitch" in engine.relative else "mm"
+    title = f"Crankshaft from the side, front at the left; arms in {unit}"
+    return figure(rows, title=title, subtitle=[engine.name], theta=theta, turns=turns_together(engine))
+
+
+def _shaft_panel(engine: Engine, shaft: Shaft, along: Along, zero: float, *, name: str) -> Panel:
+    import altair as alt
+
+    radius = max((throw.radius for throw in shaft.throws), default=1.0)
+    bars = [*_journals(engine, shaft, along), *_throws(engine, shaft, along, radius), *_weights(engine, shaft, along)]
+    texts = [*_cylinder_numbers(engine, shaft, along), *_arms(engine, shaft, along, zero)]
+    lines = _dimension(shaft, along, zero)
+    x = alt.X("x:Q", scale=alt.Scale(domain=[0, WIDTH], nice=False, zero=False), axis=None)
+    scale = alt.Scale(domain=[DIMENSION - 24, ROW + DIMENSION - 24], nice=False, zero=False)
+    y = alt.Y("y1:Q", scale=scale, axis=None)
+    colour = alt.Color("colour:N", scale=None)
+    height = alt.Y("y:Q", scale=scale, axis=None)
+    ends = {"x2": alt.X2("x2:Q"), "y2": alt.Y2("y2:Q"), "color": colour}
+    dash = alt.StrokeDash("dash:N", scale=None)
+    still = of_rows(lines).mark_rule(strokeWidth=1).encode(x=x, y=height, strokeDash=dash, **ends)
+    moving = (
+        of_rows(bars)
+        .transform_calculate(h=EXPRESSION)
+        .transform_calculate(y1="datum.h * datum.lower", y2="datum.h * datum.upper")
+        .mark_rule(strokeCap="butt", opacity=1)
+        .encode(x=x, y=y, strokeWidth=alt.StrokeWidth("width:Q", scale=None), **ends)
+    )
+    words = of_rows(texts).mark_text(baseline="middle")
+    words = words.encode(x=x, y=height, text="text:N", size=alt.Size("size:Q", scale=None), color=colour)
+    return layered([still, moving, words], width=WIDTH, height=ROW, title=name)
+
+
+def _bar(
+    x: float, x2: float, *, vector: complex, between: tuple[float, float], rate: float, colour: str, width: float
+) -> dict[str, Any]:
+    """A bar from x to x2 (px) between two shares of the height of a turning vector (px)."""
+    return {
+        "x": x,
+        "x2": x2,
+        "up": vector.real,
+        "right": vector.imag,
+        "rate": rate,
+        "lower": between[0],
+        "upper": between[1],
+        "colour": colour,
+        "width": width,
+    }
+
+
+def _half_pin(shaft: Shaft, along: Along) -> float:
+    """Half the length of a pin on the screen: what the closest neighbours leave, px."""
+    places = sorted({throw.z for throw in shaft.throws})
+    gaps = [(b - a) * along.scale for a, b in pairwise(places)]
+    return max(1.5, min([13.0, *(0.27 * gap for gap in gaps)]))
+
+
+def _rate(engine: Engine, shaft: Shaft) -> float:
+    return engine.sense * float(shaft.speed_ratio)
+
+
+def _journals(engine: Engine, shaft: Shaft, along: Along) -> list[dict[str, Any]]:
+    """The shaft along its axis, open where there is a pin."""
+    half = _half_pin(shaft, along)
+    points = [along.at(place) for place in sorted({t.z for t in shaft.throws}, reverse=True)]
+    places = [along.at(weight.z) for weight in shaft.weights]
+    edges = [min([*points, *places]) - half - 16]
+    for point in points:
+        edges += [point - half, point + half]
+    edges.append(max([*points, *places]) + half + 16)
+    pairs = zip(edges[::2], edges[1::2], strict=True)
+    return [_bar(a, b, vector=0j, between=(0, 0), rate=_rate(engine, shaft), colour=GREY, width=JOURNAL) for a, b in pairs if b > a]
+
+
+def _throws(engine: Engine, shaft: Shaft, along: Along, radius: float) -> list[dict[str, Any]]:
+    half, rate = _half_pin(shaft, along), _rate(engine, shaft)
+    out = []
+    for throw in shaft.throws:
+        vector = HIGH * throw.radius / radius * complex(cos(throw.angle), sin(throw.angle))
+        x = along.at(throw.z)
+        web = {"vector": vector, "rate": rate, "colour": BLUE, "width": min(5.0, 1.2 * half)}
+        out += [_bar(side, side, between=(0, 1), **web) for side in (x - half, x + half)]
+        out.append(_bar(x - half - 2, x + half + 2, vector=vector, between=(1, 1), rate=rate, colour=BLUE, width=PIN))
+    return out
+
+
+def _weights(engine: Engine, shaft: Shaft, along: Along) -> list[dict[str, Any]]:
+    """Weights as broad bars from the axis to where they point; the heavier the broader."""
+    greatest = max((weight.unbalance for weight in shaft.weights), default=0.0)
+    out = []
+    for weight in shaft.weights:
+        if weight.unbalance > 0:
+            vector = 0.7 * HIGH * complex(cos(weight.angle), sin(weight.angle))
+            x, width = along.at(weight.z), 4 + 8 * weight.unbalance / greatest
+            out.append(
+                {**_bar(x, x, vector=vector, between=(0, 1), rate=_rate(engine, shaft), colour=GREY, width=width), "of": "weight"}
+            )
+    return out
+
+
+def _cylinder_numbers(engine: Engine, shaft: Shaft, along: Along) -> list[dict[str, Any]]:
+    """The numbers of the cylinders where they stand; those too near to each other share a label."""
+    own = sorted((c for c in engine.cylinders if c.shaft == shaft.name), key=lambda c: -c.z)
+    groups: list[list[Any]] = []
+    for cylinder in own:
+        x = along.at(cylinder.z)
+        if groups and x - _middle(groups[-1], along) < _room(groups[-1], cylinder):
+            groups[-1].append(cylinder)
+        else:
+            groups.append([cylinder])
+    return [
+        {"x": _middle(g, along), "y": CYLINDER, "text": numbers_text([c.number for c in g]), "size": TEXT, "colour": GREY}
+        for g in groups
+    ]
+
+
+def _middle(group: Sequence[Any], along: Along) -> float:
+    return sum(along.at(cylinder.z) for cylinder in group) / len(group)
+
+
+def _room(group: Sequence[Any], cylinder: Any) -> float:
+    texts = (numbers_text([c.number for c in group]), str(cylinder.number))
+    return sum(text_width(text) for text in texts) / 2 + 6
+
+
+def _stations(shaft: Shaft) -> list[float]:
+    return sorted({round(item.z, 12) for item in (shaft.throws or shaft.weights)}, reverse=True)
+
+
+def _dimension(shaft: Shaft, along: Along, zero: float) -> list[dict[str, Any]]:
+    """The reference plane, and the line of arms with a tick for each place that has one."""
+    at = along.at(zero)
+    plane = {"x": at, "x2": at, "y": DIMENSION - 4, "y2": CYLINDER - 10, "colour": VERMILION, "dash": [3, 3]}
+    ends = [along.at(z) for z in _stations(shaft)] + [at]
+    line = {"x": min(ends), "x2": max(ends), "y": DIMENSION, "y2": DIMENSION, "colour": GREY, "dash": [1, 0]}
+    ticks = [{"x": end, "x2": end, "y": DIMENSION - 4, "y2": DIMENSION + 4, "colour": GREY, "dash": [1, 0]} for end in ends[:-1]]
+    return [plane, line, *ticks]
+
+
+def _arms(engine: Engine, shaft: Shaft, along: Along, zero: float) -> list[dict[str, Any]]:
+    """The arms below their ticks; one that has no room is left out."""
+    scale = 1.0 if "pitch" in engine.relative else 1000.0
+    out: list[dict[str, Any]] = []
+    taken = -1e9
+    for z in _stations(shaft):
+        text = number(round((z - zero) * scale, 9), 1.0, digits=4).replace("-", "−")
+        x, half = along.at(z), text_width(text, SMALL) / 2
+        if x - half > taken + 3:
+            out.append({"x": x, "y": DIMENSION - 14, "text": text, "size": SMALL, "colour": GREY})
+            taken = x + half
+    return out

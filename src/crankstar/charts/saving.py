@@ -1,0 +1,46 @@
+"""A chart as a file: SVG, PNG, PDF without a browser, a page that needs no network, or its Vega-Lite description."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from crankstar.charts.drawing import ChartError, svg
+
+SUFFIXES = ("svg", "png", "pdf", "html", "json")
+"""What `saved` can write."""
+DENSITY = 2
+"""Pixels of a PNG to one of the figure."""
+GROUND = "white"
+"""Of a PNG: what shows one differs in what it puts behind it."""
+
+
+def saved(chart: Any, suffix: str, *, title: str) -> bytes:
+    """A chart as the contents of a file with this suffix (svg, png, pdf, html, json); `title` is for those who do not see it.
+
+    Raises ChartError for another suffix.
+    """
+    import vl_convert
+
+    kind = suffix.lower().removeprefix(".")
+    if kind == "svg":
+        return svg(chart, title).encode()
+    if kind == "png":
+        return vl_convert.vegalite_to_png({**chart.to_dict(), "background": GROUND}, scale=DENSITY)
+    if kind == "pdf":
+        return vl_convert.vegalite_to_pdf(chart.to_dict())
+    if kind == "html":
+        return _page(chart, title).encode()
+    if kind == "json":
+        return json.dumps({**chart.to_dict(), "description": title}, ensure_ascii=False, indent=1).encode()
+    raise ChartError(
+        f"a chart cannot be written as {suffix!r}; end the name of the file in one of {', '.join('.' + s for s in SUFFIXES)}"
+    )
+
+
+def _page(chart: Any, title: str) -> str:
+    """A page with all scripts in it, which asks nothing of the network."""
+    from html import escape
+
+    text = chart.to_html(inline=True, embed_options={"actions": False, "renderer": "svg"})
+    return text.replace("<head>", f'<head><title>{escape(title)}</title><meta name="viewport" content="width=device-width">', 1)

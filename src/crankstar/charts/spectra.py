@@ -1,0 +1,139 @@
+"""The spectrum of an engine: how great force, couple and roll of each order become."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from crankstar import phasor
+from crankstar.balance import balance, total
+from crankstar.charts.drawing import BLUE, GREY, ORANGE, SMALL, WIDTH, Panel, brief, figure, layered, of_rows
+from crankstar.engine import Engine
+from crankstar.mechanism import Reference
+from crankstar.phasor import Spectrum
+from crankstar.wording import unit_text
+
+if TYPE_CHECKING:
+    import altair
+
+VISIBLE = 1e-3
+"""Share of the greatest order of a quantity above which an order is drawn."""
+MOST_ORDERS = 12
+AHEAD, AGAINST, ROLL = "with the crank", "against it", "roll"
+
+
+class Bars(NamedTuple):
+    """Lengths by order: of what turns with the crank and against it for force and couple, the amplitude for roll."""
+
+    quantity: str
+    unit: str
+    orders: tuple[float, ...]
+    ahead: tuple[float, ...]
+    against: tuple[float, ...]
+
+    @property
+    def reach(self) -> float:
+        """The greatest of all orders."""
+        return max((a + b for a, b in zip(self.ahead, self.against, strict=True)), default=0.0)
+
+
+def bars(engine: Engine, *, speed: float | None = None, reference: Reference | None = None) -> tuple[Bars, ...]:
+    """Force, couple and roll of the whole engine by order; what is rounding beside its parts is left out."""
+    result = balance(engine, speed=speed, reference=reference)
+    sums = total(result)
+    return tuple(
+        _bars(quantity, getattr(sums, quantity), getattr(result, quantity), result.units._asdict()[quantity])
+        for quantity in ("force", "couple", "roll")
+    )
+
+
+def _bars(quantity: str, spectrum: Spectrum, shares: Spectrum, unit: str) -> Bars:
+    ahead, against = np.abs(spectrum.forward), np.abs(spectrum.backward)
+    if quantity == "roll":
+        ahead, against = np.abs(phasor.amplitude(spectrum)), 0 * against
+    scale = float((np.abs(shares.forward) + np.abs(shares.backward)).sum(axis=-2).max(initial=0.0))
+    sizes = ahead + against
+    kept = np.flatnonzero((sizes > VISIBLE * sizes.max(initial=0.0)) & (sizes > 1e-9 * scale))[:MOST_ORDERS]
+    return Bars(quantity, unit_text(unit), *(tuple(values[kept].tolist()) for values in (spectrum.orders, ahead, against)))
+
+
+def spectrum(engine: Engine, *, speed: float | None = None, reference: Reference | None = None) -> altair.VConcatChart:
+    """How great force, couple and roll of each order become, as bars.
+
+    The bars of force and couple are stacked: the length of the vector that turns with the crank and of the one against it,
+    which together are the greatest length, the long half axis of the ellipse. In units of m r w^2 or, at a `speed` (rad/s),
+    in N and N m.
+    """
+    found = bars(engine, speed=speed, reference=reference)
+    return figure(bar_panels(found), title="Greatest force, couple and roll by order", subtitle=[engine.name])
+
+
+def bar_panels(
+    found: Sequence[Bars],
+    *,
+    orders: Sequence[float] | None = None,
+    reaches: Sequence[float] | None = None,
+    width: float = WIDTH,
+    title: str = "",
+) -> list[list[Panel]]:
+    """The panels of a spectrum one below the other, on common `orders` and `reaches` where they are given."""
+    orders = orders or sorted({order for one in found for order in one.orders})
+    reaches = reaches or [one.reach for one in found]
+    last = len(found) - 1
+    return [
+        [_panel(one, orders, reach or 1.0, width, foot=i == last, title=title if i == 0 else "")]
+        for i, (one, reach) in enumerate(zip(found, reaches, strict=True))
+    ]
+
+
+def _panel(one: Bars, orders: Sequence[float], reach: float, width: float, *, foot: bool, title: str) -> Panel:
+    import altair as alt
+
+    names = [f"{order:g}" for order in orders] or ["1"]
+    x = alt.X(
+        "order:N",
+        sort=None,
+        scale=alt.Scale(domain=names),
+        title="order" if foot else None,
+        axis=alt.Axis(labelAngle=0, labels=foot),
+    )
+    y = alt.Y(
+        "to:Q",
+        title=f"{one.quantity} ({one.unit})".replace(" (", "\n(").split("\n"),
+        scale=alt.Scale(domain=[0, 1.25 * reach], nice=False),
+        axis=alt.Axis(tickCount=3),
+    )
+    colours = alt.Scale(domain=[AHEAD, AGAINST], range=[BLUE, ORANGE])
+    legend = alt.Legend(orient="top", title=None, symbolType="square", columnPadding=26)
+    layers = [
+        of_rows(_rows(one))
+        .mark_bar(size=max(6, min(22, width / len(names) * 0.6)))
+        .encode(x=x, y=y, y2=alt.Y2("from:Q"), color=_colour(alt, one, colours, legend))
+    ]
+    tops = [
+        {"order": f"{o:g}", "to": a + b, "text": brief(a + b)} for o, a, b in zip(one.orders, one.ahead, one.against, strict=True)
+    ]
+    if tops and width / len(names) > 26:
+        text = of_rows(tops).mark_text(dy=-8, fontSize=SMALL, color=GREY)
+        layers.append(text.encode(x=x, y=y, text="text:N"))
+    if not tops:
+        middle = of_rows([{"to": 0.6 * reach}]).mark_text(fontSize=13, color=GREY)
+        layers.append(middle.encode(x=alt.value(width / 2), y=y, text=alt.value(f"no {one.quantity}")))
+    return layered(layers, width=width, height=90, title=title)
+
+
+def _colour(alt: Any, one: Bars, colours: Any, legend: Any) -> Any:
+    return alt.value(GREY) if one.quantity == "roll" else alt.Color("what:N", scale=colours, legend=legend)
+
+
+def _rows(one: Bars) -> list[dict[str, Any]]:
+    rows = []
+    for order, ahead, against in zip(one.orders, one.ahead, one.against, strict=True):
+        if one.quantity == "roll":
+            rows.append({"order": f"{order:g}", "from": 0.0, "to": ahead, "what": ROLL})
+            continue
+        rows.append({"order": f"{order:g}", "from": 0.0, "to": ahead, "what": AHEAD})
+        rows.append({"order": f"{order:g}", "from": ahead, "to": ahead + against, "what": AGAINST})
+    return [row for row in rows if row["to"] > row["from"]]

@@ -1,0 +1,232 @@
+"""The facts that a Balance shows, as short sentences with numbers: what is free, what remains, what cures it, who does better."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from rich.console import Group, RenderableType
+from rich.table import Table
+from rich.text import Text
+
+from crankstar import phasor
+from crankstar.answer import orders_present
+from crankstar.balance import Balance, balance, total
+from crankstar.catalog import load, summaries
+from crankstar.engine import Engine
+from crankstar.firing import firing
+from crankstar.mechanism import Totals, block_roll
+from crankstar.phasor import Spectrum
+from crankstar.records import Shaft
+from crankstar.remedy import bobweight, loads, main_bearings, needs, with_counterweights, without_counterweights
+from crankstar.remedy.planes import spans
+from crankstar.wording import NEGLIGIBLE, cures, firing_sentence, number, shape, unit_text
+
+HIGHEST = 6.0
+"""The highest order that is spoken of."""
+MINOR = 0.02
+"""An order smaller than this share of the largest is told by its size alone."""
+COMPARED = 4
+"""Engines of the catalog that are spoken of one by one."""
+
+
+class Fact(NamedTuple):
+    """A sentence, and what it is about: layout, force, couple, roll, cure, neighbours."""
+
+    about: str
+    sentence: str
+
+
+class Likeness(NamedTuple):
+    """What the pistons of an engine do, m r w^2 and m r w^2 a: greatest force and couple of the first and second order."""
+
+    force_1: float
+    couple_1: float
+    force_2: float
+    couple_2: float
+
+
+def verdict(engine: Engine, *, neighbours: bool = True) -> tuple[Fact, ...]:
+    """The facts of an engine, in units of m r w^2 of its first cylinder, couples about the middle of the cylinders.
+
+    >>> facts = verdict(load("i4"), neighbours=False)
+    >>> facts[1].sentence
+    'No force of order 1; order 2 remains: 1.0161 m r ω², a vertical line; order 4: 0.016392; order 6: 0.00029752.'
+    """
+    result = balance(engine)
+    sums = total(result)
+    facts = [Fact("layout", _layout(engine))]
+    facts += [Fact(name, _quantity(name, result, sums)) for name in ("force", "couple")]
+    facts.append(Fact("roll", _roll(result, sums)))
+    facts += [Fact("cure", sentence) for sentence in _cures(engine)]
+    return (*facts, *(Fact("neighbours", sentence) for sentence in (_neighbours(engine) if neighbours else [])))
+
+
+def shown(engine: Engine, facts: Sequence[Fact]) -> RenderableType:
+    """The facts of an engine as a table without lines: what each is about, and the sentence."""
+    out = Table.grid(padding=(0, 2))
+    out.add_column(no_wrap=True)
+    out.add_column(overflow="fold")
+    before = ""
+    for fact in facts:
+        out.add_row(Text(fact.about if fact.about != before else "", style="dim"), Text(fact.sentence))
+        before = fact.about
+    return Group(Text(engine.name, style="bold"), out)
+
+
+def _layout(engine: Engine) -> str:
+    """Firing, throws and main bearings."""
+    cranks = [(shaft.name, _throws(engine, shaft)) for shaft in engine.shafts if shaft.throws]
+    if len({told for _, told in cranks}) == 1:
+        each = f"{len(cranks)} crankshafts, each with " if len(cranks) > 1 else ""
+        told = each + cranks[0][1]
+    else:
+        told = "; ".join(f"crankshaft {name}: {told}" for name, told in cranks)
+    if engine.firing_order:
+        return f"It {firing_sentence(firing(engine))}; {told}."
+    return f"{told[0].upper()}{told[1:]}."
+
+
+def _throws(engine: Engine, shaft: Shaft) -> str:
+    throws = spans(engine, shaft)
+    split = sum(len(span.throws) - 1 for span in throws)
+    pins = f" ({len(shaft.throws)} pins: {split} are split off)" if split else ""
+    between = "one between every two throws" if len(throws) > 1 else "one on either side"
+    count = len(main_bearings(engine, shaft))
+    return f"{len(throws)} throw{'s' if len(throws) > 1 else ''}{pins}, {count} main bearings where there is {between}"
+
+
+def _quantity(name: str, result: Balance, sums: Totals) -> str:
+    """Which orders of force or couple are free, which remain, and as what."""
+    spectrum: Spectrum = getattr(sums, name)
+    unit = unit_text(getattr(result.units, name))
+    orders = orders_present(result, highest=HIGHEST)
+    pushed = _pushed(getattr(result, name), orders)
+    found = phasor.selected(spectrum, orders)
+    sizes = np.abs(found.forward) + np.abs(found.backward)
+    # A couple that is nothing beside the forces at a bore pitch is nothing, where no part has an arm.
+    scale = max(float(pushed.max(initial=0.0)), NEGLIGIBLE)
+    free = [order for order, size in zip(orders, sizes, strict=True) if size <= NEGLIGIBLE * scale]
+    left = [place for place, size in enumerate(sizes) if size > NEGLIGIBLE * scale]
+    if not left:
+        return f"No {name} of any order up to {HIGHEST:g}."
+    told: list[str] = []
+    for place in left:
+        size = number(float(sizes[place]), float(sizes.max()))
+        path = shape(phasor.ellipse(complex(found.forward[place]), complex(found.backward[place])))
+        path = f", a{'n' if path[0] in 'aeiou' else ''} {path}" if sizes[place] > MINOR * sizes.max() else ""
+        told.append(f"order {orders[place]:g}" + (f" remains: {size} {unit}" if not told else f": {size}") + path)
+    none = f"No {name} of order {_listed(free)}; " if free else ""
+    sentence = none + "; ".join(told) + "."
+    return sentence[0].upper() + sentence[1:]
+
+
+def _pushed(parts: Spectrum, orders: Sequence[float]) -> np.ndarray:
+    one = phasor.selected(parts, orders)
+    return (np.abs(one.forward) + np.abs(one.backward)).sum(axis=0)
+
+
+def _listed(orders: Sequence[float]) -> str:
+    names = [f"{order:g}" for order in orders]
+    return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
+
+
+def _roll(result: Balance, sums: Totals) -> str:
+    roll = block_roll(sums)
+    orders = [order for order in roll.orders.tolist() if order <= HIGHEST]
+    sizes = np.abs(phasor.amplitude(phasor.selected(roll, orders)))
+    if not sizes.size or sizes.max() <= NEGLIGIBLE * float(np.abs(result.torque.forward).sum() + np.abs(result.roll.forward).sum()):
+        return "No rolling moment from inertia on the block."
+    place = int(np.argmax(sizes))
+    unit = unit_text(result.units.roll)
+    return (
+        f"The inertia torque rolls the block, a flywheel taking the torque, most in order {orders[place]:g}: "
+        f"{number(float(sizes[place]))} {unit}."
+    )
+
+
+def _cures(engine: Engine) -> list[str]:
+    """What removes what remains of the first two orders, and what half the reciprocating mass leaves."""
+    found = needs(engine)
+    told = [_sentence(one) for one in cures(engine, found)] or ["Nothing of the first and second order is left to cure."]
+    bare = needs(without_counterweights(engine), highest=1)
+    if any(need.ratio == 1 for need in bare):
+        half = with_counterweights(engine, factor=0.5)
+        left = [need for need in needs(half, highest=1) if need.ratio != 1]
+        scale, unit = (1.0, "m") if "mass" in engine.relative else (1000.0, "g")
+        heaviest = scale * max(bobweight(pin, 0.5) for pin in loads(engine))
+        first = f"Counterweights of a balance factor of 0.5 (heaviest bobweight {number(heaviest)} {unit})"
+        if not left:
+            told.append(f"{first} leave nothing of the first order.")
+        else:
+            sizes = _first_left(half)
+            told.append(f"{first} leave of the first order {sizes}, turning against the crank.")
+    return told
+
+
+def _first_left(engine: Engine) -> str:
+    sums = total(balance(engine))
+    out: list[str] = []
+    for name, unit in (("force", "m r ω²"), ("couple", "m r ω² a")):
+        size = abs(complex(phasor.selected(getattr(sums, name), [1.0]).backward[0]))
+        if size > NEGLIGIBLE:
+            out.append(f"a {name} of {number(size)} {unit}")
+    return " and ".join(out)
+
+
+def _sentence(text: str) -> str:
+    return text[0].upper() + text[1:] + "."
+
+
+def likeness(engine: Engine) -> Likeness:
+    """What the pistons (and rods as bodies) of an engine do, without rotating masses and weights."""
+    result = balance(engine)
+    rows = [row for row, part in enumerate(result.parts) if part.kind in ("piston", "rod")]
+    sizes: list[float] = []
+    for order in (1.0, 2.0):
+        for name in ("force", "couple"):
+            one = phasor.selected(phasor.total(getattr(result, name)[rows, :]), [order])
+            sizes.append(float(abs(complex(one.forward[0])) + abs(complex(one.backward[0]))))
+    return Likeness(*(0.0 if size < 1e-6 else size for size in sizes))
+
+
+def _neighbours(engine: Engine) -> list[str]:
+    """Engines of the catalog with as many cylinders and the same cycle: which shake alike, and how the others differ."""
+    own = likeness(engine)
+    count = len(engine.chambers)
+    rows = [row for row in summaries() if row.cylinders == count and row.cycle == engine.cycle]
+    others = [(row.name, likeness(found)) for row in rows if (found := load(row.name)).name != engine.name]
+    if not others:
+        return [f"The catalog has no other {engine.cycle} engine with {count} cylinder{'s' if count > 1 else ''}."]
+    alike = [name for name, other in others if np.allclose(own, other, rtol=0.05, atol=0.01)]
+    told = [f"Its pistons shake like those of {_names(alike)}, counted in their own m r ω²."] if alike else []
+    different: dict[Likeness, list[str]] = {}
+    for name, other in others:
+        if name not in alike:
+            key = next((seen for seen in different if np.allclose(seen, other, rtol=0.05, atol=0.01)), other)
+            different.setdefault(key, []).append(name)
+    nearest = sorted(different, key=lambda other: float(np.abs(np.subtract(own, other)).sum()))[:COMPARED]
+    return told + [f"Beside {_names(different[other])} it has {_difference(own, other)}." for other in nearest]
+
+
+def _names(names: Sequence[str]) -> str:
+    shown = list(names[:5])
+    rest = len(names) - len(shown)
+    return ", ".join(shown) + (f" and {rest} more" if rest else "")
+
+
+def _difference(own: Likeness, other: Likeness) -> str:
+    """The numbers that differ, the largest difference first."""
+    names = ("first-order force", "first-order couple", "second-order force", "second-order couple")
+    words = dict(zip(Likeness._fields, names, strict=True))
+    units = {"force": "m r ω²", "couple": "m r ω² a"}
+    pairs = [(name, mine, theirs) for name, mine, theirs in zip(words, own, other, strict=True) if abs(mine - theirs) > 0.01]
+    pairs.sort(key=lambda pair: -abs(pair[1] - pair[2]))
+    said = []
+    for name, mine, theirs in pairs:
+        unit = units[name.split("_")[0]]
+        mine_text = "no" if mine == 0 else f"{number(mine, digits=4)} {unit} of"
+        theirs_text = "none" if theirs == 0 else number(theirs, digits=4)
+        said.append(f"{mine_text} {words[name]} (there {theirs_text})")
+    return ", ".join(said)

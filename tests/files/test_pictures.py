@@ -1,0 +1,121 @@
+"""`crankstar plot`, `sweep` and `verdict`: files of every kind, tables, sentences, and what is refused."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from crankstar.charts import CHARTS
+
+Run = Callable[..., Any]
+BEGINS = {"svg": b"<svg", "png": b"\x89PNG", "pdf": b"%PDF", "html": b"<!DOCTYPE html>", "json": b"{"}
+
+
+@pytest.mark.parametrize("kind", BEGINS)
+def test_a_chart_is_written_as_its_suffix_says(run: Run, tmp_path: Path, kind: str) -> None:
+    place = tmp_path / f"star.{kind}"
+    run("plot", "i4", "crank-star", "--theta", "30 deg", "-o", str(place))
+    assert place.read_bytes().startswith(BEGINS[kind])
+    if kind == "json":
+        (parameter,) = json.loads(place.read_text(encoding="utf-8"))["params"]
+        assert parameter["value"] == 30
+
+
+@pytest.mark.parametrize("chart", CHARTS)
+def test_every_chart_is_drawn_into_a_pipe(run: Run, chart: str) -> None:
+    assert run("plot", "gm-3800", chart).out.startswith("<svg")
+
+
+def test_several_engines_are_drawn_side_by_side(run: Run) -> None:
+    out = run("plot", "i4", "hodograph", "--beside", "v8-flat-plane", "--beside", "v8-cross-plane", "--quantity", "force").out
+    assert out.count("V8, flat-plane crank") >= 1
+    assert out.count("V8, cross-plane crank") >= 1
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (["i4", "staar", "-o", "x.svg"], "there are: crank-star"),
+        (["i4", "spectrum", "-o", "x.bmp"], "let it end in .svg"),
+        (["i4", "spectrum", "-o", "x"], "let it end in .svg"),
+        (["i4", "spectrum", "-o", "/nowhere/x.svg"], "cannot be written"),
+        (["i4", "spectrum", "--theta", "3 deg", "-o", "x.svg"], "has no use for --theta"),
+        (["i4", "crank-star", "--order", "2", "-o", "x.svg"], "has no use for --order"),
+        (["i4", "vector-star", "--order", "1,2", "-o", "x.svg"], "takes one order"),
+        (["i4", "vector-star", "--order", "0", "-o", "x.svg"], "numbers from above 0"),
+        (["i4", "vector-star", "--quantity", "roll", "-o", "x.svg"], "can show force, couple"),
+        (["i4", "forces", "--theta", "3 furlongs", "-o", "x.svg"], "--theta"),
+        (["i4", "hodograph", "--theta", "1 deg, 2 deg", "-o", "x.svg"], "takes one crank angle"),
+        (["i4", "crank-star", "--beside", "i6", "-o", "x.svg"], "cannot be drawn side by side"),
+        (["i4", "hodograph", "--beside", "i7", "-o", "x.svg"], "there is no such engine"),
+        (["nothing", "hodograph", "-o", "x.svg"], "there is no such engine"),
+    ],
+)
+def test_what_cannot_be_drawn_is_refused(
+    refused: Callable[..., str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, arguments: list[str], told: str
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert told in refused("plot", *arguments)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_sweep_finds_the_balance_factor_of_a_single(run: Run) -> None:
+    out = run("sweep", "single", "--over", "balance_factor=0..1", "--watch", "force", "--order", "1").out
+    assert "Least force of order 1: 0.5 m r ω² at balance_factor = 0.5." in out
+    assert re.search(r"^\s+0\.5 +0\.5$", out, re.MULTILINE)
+
+
+def test_a_sweep_finds_where_a_right_angled_twin_is_free(run: Run) -> None:
+    out = run("sweep", "v2-90", "--over", "balance_factor=0..1", "--watch", "force.forward,force.backward", "--order", "1").out
+    assert "Least force.forward of order 1: 0 m r ω² at balance_factor = 0.5." in out
+    assert "makes no difference" in out  # to what turns against the crank
+
+
+def test_a_sweep_as_csv_and_as_a_chart(run: Run, tmp_path: Path) -> None:
+    over = "layout.banks[1].bearing=0..90 deg/7"
+    run("sweep", "harley-45", "--over", over, "--watch", "force", "-o", str(tmp_path / "s.csv"))
+    rows = list(csv.reader(io.StringIO((tmp_path / "s.csv").read_text(encoding="utf-8"))))
+    assert rows[0] == ["layout.banks[1].bearing [deg]", "force [m*r*w^2]"]
+    assert [float(row[0]) for row in rows[1:]] == [0, 15, 30, 45, 60, 75, 90]
+    assert run("sweep", "harley-45", "--over", over, "--csv").out == (tmp_path / "s.csv").read_text(encoding="utf-8")
+    run("sweep", "harley-45", "--over", over, "--watch", "force,roll", "-o", str(tmp_path / "s.json"))
+    drawn = json.loads((tmp_path / "s.json").read_text(encoding="utf-8"))
+    points = drawn["vconcat"][0]["layer"][0]["data"]["values"]
+    assert [[p["x"], p["y"]] for p in points] == [[float(a), pytest.approx(float(b))] for a, b in rows[1:]]
+    assert len(drawn["vconcat"]) == 2  # forces and rolls have different units
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (["--over", "cylinder.bor=1..2 mm"], "is not a field of the engine"),
+        (["--over", "name=1..2"], "cannot be swept"),
+        (["--over", "balance_factor"], "give a field of the engine file and its values"),
+        (["--over", "balance_factor=0..3"], "balance_factor"),
+        (["--over", "balance_factor=0..1 mm"], "is a plain number"),
+        (["--over", "layout.bank_offset=0..1/9999999"], "from 2 to 100000"),
+        (["--over", "balance_factor=0..1", "--watch", "noise"], "cannot be watched"),
+        (["--over", "balance_factor=0..1", "--watch", ","], "name what to watch"),
+        (["--over", "balance_factor=0..1", "--order", "0"], "numbers from above 0"),
+        (["--over", "balance_factor=0..1", "--order", "all"], "leave it out"),
+        (["--over", "balance_factor=0..1", "--speed", "3"], "--speed"),
+        (["--over", "balance_factor=0..1", "-o", "/nowhere/x.svg"], "cannot be written"),
+    ],
+)
+def test_what_cannot_be_swept_is_refused(refused: Callable[..., str], arguments: list[str], told: str) -> None:
+    assert told in refused("sweep", "v8-cross-plane", *arguments)
+
+
+def test_the_verdict_on_a_cross_plane_eight(run: Run) -> None:
+    out = run("verdict", "v8-cross-plane").out
+    assert "No force of order 1, 2 and 6; order 4 remains: 0.023182 m r ω², a vertical line." in out
+    assert "order 1 remains: 3.1623 m r ω² a, a circle with the crank" in out
+    assert "5 main bearings" in out
+    assert "Beside v8-flat-plane it has 3.162 m r ω² a of first-order couple (there none)" in out

@@ -1,0 +1,92 @@
+"""The verdict: its sentences say what the Balance says, for every engine of the catalog."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+import pytest
+
+from crankstar import balance, catalog, load, phasor, total
+from crankstar.remedy import main_bearings, needs
+from crankstar.verdict import likeness, verdict
+
+BEARINGS = {
+    "i4": 5,
+    "i6": 7,
+    "triple-120": 4,
+    "v8-cross-plane": 5,
+    "gm-3800": 4,
+    "v6-60-six-throws": 4,
+    "subaru-ej25": 5,
+    "boxer-6": 7,
+}
+"""Main bearings of the real engines of these layouts."""
+
+
+@pytest.mark.parametrize("name", catalog.names())
+def test_free_and_remaining_orders_are_those_of_the_balance(name: str) -> None:
+    engine = load(name)
+    facts = verdict(engine, neighbours=False)
+    sums = total(balance(engine))
+    for quantity in ("force", "couple"):
+        (sentence,) = [fact.sentence for fact in facts if fact.about == quantity]
+        spectrum = getattr(sums, quantity)
+        told = {
+            float(order): float(size) for order, size in re.findall(r"order (\d+(?:\.\d+)?)(?: remains)?: ([\d.e-]+\d)", sentence)
+        }
+        for order, size in told.items():
+            one = phasor.selected(spectrum, [order])
+            assert abs(complex(one.forward[0])) + abs(complex(one.backward[0])) == pytest.approx(size, rel=1e-4)
+        free = re.match(rf"No {quantity} of order ([\d., and]+);", sentence)
+        none = [float(order) for order in re.findall(r"\d+(?:\.\d+)?", free.group(1))] if free else []
+        if sentence.startswith(f"No {quantity} of any order"):
+            none = [1.0, 2.0, 4.0, 6.0]
+        for order in none:
+            one = phasor.selected(spectrum, [order])
+            assert abs(complex(one.forward[0])) + abs(complex(one.backward[0])) < 1e-8 * len(engine.cylinders)
+
+
+@pytest.mark.parametrize("name", BEARINGS)
+def test_main_bearings_are_counted_as_engines_have_them(name: str) -> None:
+    engine = load(name)
+    assert len(main_bearings(engine, engine.shafts[0])) == BEARINGS[name]
+    assert f"{BEARINGS[name]} main bearings" in verdict(engine, neighbours=False)[0].sentence
+
+
+@pytest.mark.parametrize("name", ["i4", "gm-3800", "radial-9", "napier-deltic", "kr250-racer", "single"])
+def test_every_need_has_its_cure(name: str) -> None:
+    engine = load(name)
+    cures = " ".join(fact.sentence for fact in verdict(engine, neighbours=False) if fact.about == "cure")
+    for need in needs(engine):
+        assert f"Order {abs(need.ratio)}, " in cures
+        crank = next((shaft for shaft in engine.shafts if shaft.throws and shaft.speed_ratio == need.ratio), None)
+        if crank is None:
+            assert re.search(rf"(speed ratio|and) {need.ratio}\b|ratios {abs(need.ratio)} and -{abs(need.ratio)}", cures)
+
+
+def test_half_the_mass_leaves_what_the_sentence_says() -> None:
+    told = {
+        "harley-45": "a force of 0.70711 m r ω², turning against the crank",
+        "gm-3800": "a couple of 0.44829 m r ω² a, turning against the crank",
+        "v2-90": "leave nothing of the first order",
+    }
+    for name, words in told.items():
+        assert any(words in fact.sentence for fact in verdict(load(name), neighbours=False))
+
+
+def test_neighbours_are_of_the_same_kind_and_nearest_first() -> None:
+    sentences = [fact.sentence for fact in verdict(load("v8-cross-plane")) if fact.about == "neighbours"]
+    assert "bmw-s65" in sentences[0]
+    assert "shake like" in sentences[0]
+    assert any("v8-flat-plane it has 3.162" in sentence for sentence in sentences)
+    own = likeness(load("v8-cross-plane"))
+    for sentence in sentences[1:]:
+        name = re.match(r"Beside ([\w-]+)", sentence).group(1)  # pyright: ignore[reportOptionalMemberAccess]
+        assert load(name).cycle == "four-stroke"
+        assert len(load(name).chambers) == 8
+        assert np.abs(np.subtract(own, likeness(load(name)))).max() > 0.01
+
+
+def test_an_engine_alone_in_the_catalog_says_so() -> None:
+    assert verdict(load("napier-deltic"))[-1].sentence == "The catalog has no other two-stroke engine with 18 cylinders."
