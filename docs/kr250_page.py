@@ -70,7 +70,7 @@ def cylinder() -> str:
         two = complex(phasor.value(phasor.selected(sums, [2.0]), angle)).real * A2 / exact_second()
         exact = complex(phasor.value(sums, angle)).real
         rows.append(f"| {name} | {_p(one)} | {_p(two)} | {_p(one + two)} | {_p(exact, 4)} |")
-    return "\n".join(rows)
+    return _numbers(rows)
 
 
 def table() -> str:
@@ -78,10 +78,10 @@ def table() -> str:
     rows = ["| engine | balance factor | TDC | 90° | BDC | peak over a turn, exact |", "|---|---|---|---|---|---|"]
     for layout in LAYOUTS:
         essay, exact = (forces(layout.engine, essay=which) for which in (True, False))
-        cells = [f"{_vector(one)}<br><small>exact {_vector(other, 4)}</small>" for one, other in zip(essay, exact, strict=True)]
+        cells = [f"{_vector(one)}<br>*{_vector(other, 4)}*" for one, other in zip(essay, exact, strict=True)]
         top = phasor.peak(total(balance(layout.engine)).force).value
         rows.append(f"| {layout.words} | {layout.factor:.0%} | {' | '.join(cells)} | {_p(top, 4)} |")
-    return "\n".join(rows)
+    return _numbers(rows)
 
 
 def couples() -> str:
@@ -91,7 +91,7 @@ def couples() -> str:
         about = [couple(layout.engine, middle=which) for which in (True, False)]
         cells = [f"{_p(abs(one))} L" if abs(one) > 1e-9 else "0" for one in about]
         rows.append(f"| {layout.words} | {layout.factor:.0%} | {' | '.join(cells)} |")
-    return "\n".join(rows)
+    return _numbers(rows)
 
 
 def couple(engine: Engine, *, middle: bool) -> float:
@@ -146,7 +146,12 @@ def factors() -> str:
             drawing = charts.svg(charts.swept(sweep, [force], best=[found]), f"{words}: force over the balance factor")
             shown = drawing.replace(charts.GREY, "currentColor")
             figures.append(f'<figure class="chart">{shown}<figcaption>{words}</figcaption></figure>')
-    return "\n".join(rows) + '\n\n<div class="charts" markdown="0">\n' + "\n".join(figures) + "\n</div>"
+    return _numbers(rows) + '\n\n<div class="charts" markdown="0">\n' + "\n".join(figures) + "\n</div>"
+
+
+def _numbers(rows: list[str]) -> str:
+    """A table of numbers, which needs no room for words."""
+    return '<div class="numbers" markdown="1">\n\n' + "\n".join(rows) + "\n\n</div>"
 
 
 def sweep_figure() -> str:

@@ -12,7 +12,7 @@ import numpy as np
 from crankstar.charts.drawing import TEXT, text_width
 from crankstar.phasor import Real
 
-ASIDE = (0, 40, -40, 75, -75, 110, -110, 180)
+ASIDE = (0, 40, -40, 75, -75, 110, -110)
 """Degrees off the direction a label would like, in the order in which they are tried."""
 GREATEST_LABELS = 60
 """More than so many cannot be read."""

@@ -85,7 +85,7 @@ def _throw_labels(engine: Engine, shaft: Shaft, centre: complex, rate: float) ->
         tip = pins[ray[0]].radius * exp(1j * pins[ray[0]].angle)
         text = numbers_text(throws)
         if cylinders != sorted(throws):
-            text = f"{text}\ncyl. {numbers_text(cylinders)}" if cylinders else f"{text}\nno cyl."
+            text = f"{text} ({numbers_text(cylinders) if cylinders else 'none'})"
         out.append(Label(text, tip, tip / abs(tip), rate, centre, gap=11))
     return out
 
