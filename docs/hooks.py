@@ -7,9 +7,12 @@ that checks engine files; so the page cannot name a key that is not there, nor l
 from __future__ import annotations
 
 import re
+import shlex
+from contextlib import redirect_stdout
 from fractions import Fraction
 from functools import lru_cache
 from html import escape
+from io import BytesIO, TextIOWrapper
 from pathlib import Path
 from runpy import run_path
 from typing import Any, Literal, get_args, get_origin
@@ -61,7 +64,7 @@ SECTIONS: dict[type[Record], str] = {
 }
 """Where the page describes the tables that other tables hold."""
 
-MARK = re.compile(r"^<!-- (keys|figure|sources|errata): ?([\w. /-]*?) ?-->$", re.MULTILINE)
+MARK = re.compile(r"^<!-- (keys|figure|sources|errata|sinitsyn|kr250|plot): ?([^\n]*?) ?-->$", re.MULTILINE)
 CITATION = re.compile(r"\[(@[\w-]+(?:; ?@[\w-]+)*)\]")
 
 
@@ -72,7 +75,15 @@ def on_page_markdown(markdown: str, **_: Any) -> str:
 
 def filled(markdown: str) -> str:
     """A page with its markers replaced by what they stand for."""
-    makers = {"keys": table, "figure": figure, "sources": sources, "errata": errata}
+    makers = {
+        "keys": table,
+        "figure": figure,
+        "sources": sources,
+        "errata": errata,
+        "sinitsyn": sinitsyn,
+        "kr250": kr250,
+        "plot": plot,
+    }
     return CITATION.sub(cited, MARK.sub(lambda found: makers[found.group(1)](found.group(2)), markdown))
 
 
@@ -137,6 +148,34 @@ def figure(path: str) -> str:
 def errata(source: str) -> str:
     """What is wrong in one source, with formulas and plots, made by the script beside this one."""
     return run_path(str(HERE / "errata_page.py"))["page"](source)
+
+
+@lru_cache
+def sinitsyn(part: str) -> str:
+    """A part of the page on Sinitsyn's engines, made by the script beside this one."""
+    return run_path(str(HERE / "sinitsyn_page.py"))["page"](part)
+
+
+@lru_cache
+def kr250(part: str) -> str:
+    """A part of the page on the Kawasaki KR250, made by the script beside this one."""
+    return run_path(str(HERE / "kr250_page.py"))["page"](part)
+
+
+@lru_cache
+def plot(words: str) -> str:
+    """What `crankstar plot WORDS` draws, with the colours of the page for its text, and the command under it."""
+    from crankstar.charts import GREY
+    from crankstar.cli import app
+
+    written = BytesIO()
+    with redirect_stdout(TextIOWrapper(written, encoding="utf-8")) as out:
+        app(["plot", *shlex.split(words)], exit_on_error=False, print_error=False)
+        out.flush()
+        drawing = written.getvalue().decode()
+    shown = drawing.replace(GREY, "currentColor")
+    caption = f"<figcaption><code>crankstar plot {escape(words)}</code></figcaption>"
+    return f'<figure class="chart" markdown="0">{shown}{caption}</figure>'
 
 
 def sources(path: str) -> str:

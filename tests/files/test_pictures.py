@@ -70,6 +70,8 @@ def test_a_sweep_finds_the_balance_factor_of_a_single(run: Run) -> None:
     out = run("sweep", "single", "--over", "balance_factor=0..1", "--watch", "force", "--order", "1").out
     assert "Least force of order 1: 0.5 m r ω² at balance_factor = 0.5." in out
     assert re.search(r"^\s+0\.5 +0\.5$", out, re.MULTILINE)
+    few = run("sweep", "single", "--over", "balance_factor=0..1/5", "--watch", "force", "--order", "1").out
+    assert "force of order 1: █▇▅▇█" in few  # eighths of the greatest: 1, 3/4, 1/2, 3/4, 1
 
 
 def test_a_sweep_finds_where_a_right_angled_twin_is_free(run: Run) -> None:

@@ -10,6 +10,7 @@ from tests.newton import road
 
 from crankstar import balance, load, phasor, total
 from crankstar.engine import Engine
+from crankstar.files import engine_of
 from crankstar.remedy import Aim, Limit, Plane, RemedyError, best_weights, end_webs, webs, without_counterweights
 from crankstar.remedy.aims import cones, measured, setting, unit_unbalance
 from crankstar.remedy.planes import main_bearings
@@ -140,6 +141,11 @@ def test_multipliers_out_of_the_air_give_a_true_bound() -> None:
         multipliers = [generator.normal(size=3) * generator.integers(0, 2) for _ in [*aim, *limited]]
         multipliers = [np.append(abs(one[0]) * (place < len(aim)), one[1:]) for place, one in enumerate(multipliers)]
         assert lower_bound(aim, ceiling, multipliers, greatest=2.0) <= least + 1e-9
+    # One that would be a bound if weights could not be moved at all, and is none because they can.
+    highest = max(range(len(aim)), key=lambda place: float(np.linalg.norm(aim[place].shift)))
+    along = [np.zeros(3) for _ in [*aim, *limited]]
+    along[highest] = np.append(1.0, aim[highest].shift / np.linalg.norm(aim[highest].shift))
+    assert lower_bound(aim, ceiling, along, greatest=2.0) <= least < lower_bound(aim, ceiling, along, greatest=0.0)
     assert answer.bound == pytest.approx(least, rel=1e-6)
 
 
@@ -149,7 +155,7 @@ def test_bearing_loads_are_those_of_beams_between_bearings(name: str) -> None:
     engine = without_counterweights(load(name))
     planes = ends(engine)
     generator = np.random.default_rng(7)
-    x = generator.normal(size=2 * len(planes))
+    x = generator.normal(size=2 * len(planes)) * np.repeat([1 + 4 * (p.shaft == planes[-1].shaft) for p in planes], 2)
     weights = x[0::2] + 1j * x[1::2]
     result = balance(engine)
     greatest = 0.0
@@ -179,6 +185,25 @@ def test_bearing_loads_are_those_of_beams_between_bearings(name: str) -> None:
         greatest = max(greatest, *(float(np.abs(pair).sum()) for pair in own.values()))
     case = setting(engine, planes)
     assert measured(case, Aim("bearing"), x) == pytest.approx(greatest, rel=1e-9)
+
+
+def test_a_crankshaft_that_turns_twice_as_fast_pushes_four_times_as_hard() -> None:
+    tree = {
+        "format": 1,
+        "name": "geared",
+        "shaft": [
+            {"name": "slow", "throw": [{"angle": "0 deg", "radius": "40 mm", "z": "50 mm"}]},
+            {"name": "fast", "speed_ratio": -2, "right": "0.2 m", "throw": [{"angle": "30 deg", "radius": "30 mm", "z": "-50 mm"}]},
+        ],
+        "cylinders": [
+            {"number": 1, "shaft": "slow", "throw": 1, "z": "50 mm", "rod_length": "160 mm", "reciprocating_mass": "0.5 kg"},
+            {"number": 2, "shaft": "fast", "throw": 1, "z": "-50 mm", "rod_length": "110 mm", "reciprocating_mass": "0.3 kg"},
+        ],
+    }
+    engine = engine_of(tree)
+    found = best_weights(engine, planes=[Plane("slow", 0.05), Plane("fast", -0.05)], aim=Aim("force"))
+    assert found.value < 0.9 * found.bare
+    assert phasor.peak(total(balance(found.engine)).force).value == pytest.approx(found.value, rel=1e-9)
 
 
 @pytest.mark.parametrize(
