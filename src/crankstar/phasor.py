@@ -183,7 +183,10 @@ def peak(spectrum: Spectrum) -> Peak:
     period_angle = 2 * np.pi * period(spectrum)
     lengths = np.abs(_over_period(spectrum))
     step = period_angle / lengths.size
-    theta = _summits(spectrum, _candidates(lengths) * step, step) % period_angle
+    starts = _candidates(lengths) * step
+    # A summit that has just parted in two has a hollow between: from there the way goes to either side.
+    found_near = [_summits(spectrum, starts, step, side=side) for side in (1, -1)]
+    theta = np.concatenate([starts, *found_near]) % period_angle
     theta = np.where(period_angle - theta < 1e-9, 0.0, theta)
     found = np.abs(value(spectrum, theta))
     # Equal peaks differ by rounding, and by how near Newton's method came: take the first of them.
@@ -219,19 +222,20 @@ def _candidates(lengths: Real) -> NDArray[np.int_]:
     return np.unique(np.append(strongest, np.argmax(lengths >= lengths.max() * (1 - 1e-9))))
 
 
-def _summits(spectrum: Spectrum, starts: Real, step: float) -> Real:
-    """Newton's method on the derivative of |v|^2 from each start, kept within one step of it."""
+def _summits(spectrum: Spectrum, starts: Real, step: float, *, side: int) -> Real:
+    """Newton's method on the derivative of |v|^2 from each start, out of a hollow to one `side`, kept within one step of it."""
     velocity = Spectrum(spectrum.orders, 1j * spectrum.forward, -1j * spectrum.backward, spectrum.sense)
     velocity = scaled(velocity, spectrum.sense * spectrum.orders)
     acceleration = scaled(spectrum, -(spectrum.orders**2))
     theta = starts.astype(float)
-    for _ in range(8):
+    for _ in range(16):
         here, slope, bend = (value(part, theta) for part in (spectrum, velocity, acceleration))
         gradient = np.real(np.conj(here) * slope)
         curvature = np.abs(slope) ** 2 + np.real(np.conj(here) * bend)
         # Where it is flat (a circle) there is no summit to go to.
         steep = (curvature < 0) & (np.abs(gradient) > 1e-15 * np.abs(here) ** 2)
-        move = np.where(steep, gradient / np.where(steep, curvature, 1.0), 0.0)
+        hollow = curvature > FLAT * np.abs(here) * np.abs(bend)
+        move = np.where(steep, gradient / np.where(steep, curvature, 1.0), np.where(hollow, side * step / 4, 0.0))
         theta = np.clip(theta - move, starts - step, starts + step)
     return theta
 

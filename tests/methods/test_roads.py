@@ -426,3 +426,13 @@ def test_throws_left_out_bring_the_cylinders_to_dead_centre_in_their_order(order
         theta = 2 * np.pi * turns * (order.index(cylinder.number) - order.index(1)) / len(order)
         pin = engine.shafts[0].throws[cylinder.throw - 1].angle + sense * theta
         assert np.exp(1j * pin) == pytest.approx(1, abs=1e-12)
+
+
+@pytest.mark.parametrize("third", [0.1105, 0.1111, 0.1112, 0.1113, 0.112, 0.118])
+def test_a_summit_that_has_just_parted_in_two_is_climbed(third: float) -> None:
+    """Sin x + c sin 3x has a flat top at c = 1/9; beyond it two summits stand about a hollow in which a sample lies."""
+    signal = phasor.real_signal(np.array([1.0, 3.0]), np.array([-1j, -1j * third]))
+    angles = np.linspace(0, np.pi, 400_001)
+    highest = np.abs(np.sin(angles) + third * np.sin(3 * angles)).max()
+    assert phasor.peak(signal).value == pytest.approx(highest, rel=2e-9)
+    assert phasor.peaks(signal) == pytest.approx(highest, rel=2e-9)
