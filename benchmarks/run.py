@@ -120,6 +120,23 @@ def sweeps() -> list[tuple[str, str, str]]:
     return out
 
 
+def pictures() -> list[tuple[str, str, str]]:
+    """A chart to SVG: the whole command, and warm; best weights of a V8 in eight webs."""
+    from crankstar import charts
+    from crankstar.remedy import Aim, Plane, best_weights, webs
+
+    engine = load("v8-cross-plane")
+    cold = whole_process("-m", "crankstar", "plot", "v8-cross-plane", "hodograph")
+    warm = timed(lambda: charts.svg(charts.hodograph(engine), "hodograph"), runs=9)
+    planes = [Plane("crank", z) for z in webs(engine, engine.shafts[0])]
+    best = timed(lambda: best_weights(engine, planes=planes, aim=Aim("couple")), runs=9)
+    return [
+        ("crankstar plot v8-cross-plane hodograph, to SVG", f"{cold:.2f} s", "1 s"),
+        ("the same, warm", f"{warm * 1e3:.0f} ms", ""),
+        ("best weights of a V8 in eight webs, peak couple, warm", f"{best * 1e3:.0f} ms", ""),
+    ]
+
+
 def rows() -> list[tuple[str, str, str]]:
     """What is measured, the figure, and the budget where there is one."""
     module = ("-m", "crankstar", "analyze", "v8-cross-plane")
@@ -141,6 +158,7 @@ def rows() -> list[tuple[str, str, str]]:
         )
     out += derivations()
     out += sweeps()
+    out += pictures()
     out.append((f"batch of {VARIANTS:,} V8s", f"{batch_rate():,.0f} engines/s", ""))
     return out
 
