@@ -7,8 +7,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING, Literal
 
+from crankstar.balance import default_reference
 from crankstar.engine import Engine
 from crankstar.remedy import (
+    GREATEST_RATIO,
     Aim,
     Best,
     Limit,
@@ -40,7 +42,10 @@ Wanted = Literal["needed", "all"]
 
 @dataclass(frozen=True)
 class ShaftPlaces:
-    """Where balance shafts lie (m or crank radii from the crankshaft), and their weights along them; None: beyond both ends."""
+    """Where balance shafts lie (m or crank radii from the crankshaft), and their weights along them.
+
+    Without `planes` these are in the middle where a shaft takes a force there, else beyond both ends.
+    """
 
     planes: tuple[float, ...] | None = None
     up: float = 0.0
@@ -67,12 +72,11 @@ def best(
 ) -> Best:
     """The best weights in these places. Unless a limit says otherwise they must not buy a couple with a force, or the reverse.
 
-    So where nothing is said of it, the peak of the other quantity stays at most what it is with bare crankshafts.
+    So where nothing is said of it, the rms of the other quantity stays at most what it is with bare crankshafts.
     """
     named = {limit.aim.quantity for limit in limits} | {aim.quantity}
-    quiet = [
-        Limit(Aim(other), without_weights(engine, Aim(other)), quiet=True) for other in ("force", "couple") if other not in named
-    ]
+    others = [Aim(other, rms=True) for other in ("force", "couple") if other not in named]
+    quiet = [Limit(other, without_weights(engine, other) * (1 + 1e-9), quiet=True) for other in others]
     return best_weights(
         engine, planes=_planes(engine, weights), aim=aim, limits=[*limits, *quiet], greatest_unbalance=greatest_unbalance
     )
@@ -95,9 +99,16 @@ def with_shafts(engine: Engine, *, ratios: Sequence[Fraction] | Wanted, places: 
     `needed` are those of the lowest order that is left, which is what engines are built with; `all` those of the first and the
     second. With `level` the two shafts of a pair are moved to the heights at which the block does not roll. Raises RemedyError.
     """
-    planes = end_planes(engine) if places.planes is None else places.planes
     wanted = list(ratios) if not isinstance(ratios, str) else _wanted(engine, lowest=ratios == "needed")
+    twice = next((ratio for ratio in wanted if wanted.count(ratio) > 1), None)
+    if twice is not None:
+        raise RemedyError(
+            f"a shaft of speed ratio {twice} is asked for twice; one takes the whole vector away that turns at its speed"
+        )
+    if places.apart and not any(-ratio in wanted for ratio in wanted):
+        raise RemedyError("there is no pair of balance shafts that could lie apart; say where a single one lies with --shaft-place")
     for ratio in wanted:
+        planes = _along(engine, ratio) if places.planes is None else places.planes
         aside = (places.apart / 2 if ratio > 0 else -places.apart / 2) if -ratio in wanted else 0.0
         engine = with_balance_shaft(engine, ratio=ratio, planes=planes, up=places.up, right=places.right + aside)
     if level:
@@ -107,6 +118,12 @@ def with_shafts(engine: Engine, *, ratios: Sequence[Fraction] | Wanted, places: 
         for order in pairs:
             engine = with_roll_cancelled(engine, order=order)
     return engine
+
+
+def _along(engine: Engine, ratio: Fraction) -> tuple[float, ...]:
+    """Where the weights of a balance shaft stand: in the middle if it takes a force there, else beyond both ends."""
+    couple = next((need.couple for need in needs(engine, highest=GREATEST_RATIO) if need.ratio == ratio), 1.0)
+    return end_planes(engine) if couple else (default_reference(engine).z,)
 
 
 def _wanted(engine: Engine, *, lowest: bool) -> list[Fraction]:

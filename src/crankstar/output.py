@@ -18,6 +18,10 @@ PIPED = 140
 """Columns where there is no terminal."""
 
 
+STANDARD_OUTPUT = (None, "-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1")
+"""Written to as it stands: it may be a file that something else is writing to, which must not be replaced."""
+
+
 class OutputError(ValueError):
     """A place that cannot be written to, as one sentence that says what would be right."""
 
@@ -52,7 +56,7 @@ def display(renderable: Any, place: str | None = None) -> None:
 
 def write(text: str, place: str | None) -> None:
     """Write text to standard output, or to a file that appears whole or not at all. Raises OutputError."""
-    if place in (None, "-"):
+    if place in STANDARD_OUTPUT:
         _opened()
         sys.stdout.write(text)
         return
@@ -61,7 +65,7 @@ def write(text: str, place: str | None) -> None:
 
 def write_bytes(content: bytes, place: str | None) -> None:
     """Write what is not text: to standard output, or to a file that appears whole or not at all. Raises OutputError."""
-    if place in (None, "-"):
+    if place in STANDARD_OUTPUT:
         _opened()
         sys.stdout.flush()
         sys.stdout.buffer.write(content)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from math import isfinite
@@ -9,10 +10,12 @@ from typing import Any, Literal, cast, get_args
 
 from crankstar import units
 from crankstar.balance import Grouping
+from crankstar.catalog import tree_of
 from crankstar.engine import Engine
+from crankstar.files import STANDARD_INPUT, changed
 from crankstar.fitting import Places, ShaftPlaces, Wanted
 from crankstar.mechanism import Reference
-from crankstar.quantity import ANGLE, COUPLE, FORCE, LENGTH, POSITION, SPEED, UNBALANCE, Quantity, one_line, seen
+from crankstar.quantity import ANGLE, COUPLE, FORCE, LEAST, LENGTH, POSITION, SPEED, UNBALANCE, Quantity, one_line, seen
 from crankstar.remedy import Aim, Limit, Plane, unit_unbalance, without_weights
 
 Derived = Literal["force", "couple"]
@@ -35,6 +38,15 @@ def setting(text: str) -> tuple[str, Any]:
         return path.strip(), tomllib.loads(f"value = {value}")["value"]
     except (ValueError, RecursionError):  # not TOML, or a number of thousands of digits
         return path.strip(), value
+
+
+def own_factor(name: str, settings: Sequence[str] | None, *, otherwise: float) -> float:
+    """The balance factor that an engine file gives, with what --set changes."""
+    if name in ("-", STANDARD_INPUT):
+        return otherwise  # which has been read already
+    shown, tree = tree_of(name)
+    found = changed(tree, dict(setting(text) for text in settings or ()), name=shown).get("balance_factor")
+    return float(found) if isinstance(found, int | float) else otherwise
 
 
 def speed(text: str | None) -> float | None:
@@ -175,15 +187,13 @@ def limits(texts: Sequence[str] | None, engine: Engine, *, speed: float | None) 
 def _at_most(wanted: Aim, value: str, text: str, engine: Engine, speed: float | None) -> float:
     """A limit in m r w^2 or m r w^2 a."""
     option = f"--limit {one_line(text)}"
-    percent = value.removesuffix("%")
-    try:
+    percent = value.removesuffix("%").strip()
+    plain = re.fullmatch(r"[-+]?(\d+(\.\d*)?|\.\d+)(e[-+]?\d{1,3})?|nan|inf", percent, re.ASCII | re.IGNORECASE)
+    if plain is not None:
         number = float(percent)
-    except ValueError:
-        number = None
-    if number is not None:
         if not (isfinite(number) and number >= 0):
             raise RequestError(f"{option}: {one_line(value)} is no limit; give a number from 0 up")
-        return number if percent == value else number / 100 * without_weights(engine, wanted)
+        return number if "%" not in value else number / 100 * without_weights(engine, wanted)
     try:
         real = units.si(value, COUPLE if wanted.quantity == "couple" else FORCE)
     except ValueError as error:
@@ -219,7 +229,7 @@ def length(option: str, text: str | None, engine: Engine, *, positive: bool = Fa
     if text is None:
         return None
     found = _places(option, [text.strip()], [LENGTH], engine, 'as in "60 mm"')[0]
-    if positive and not found > 0:
+    if positive and not found >= LEAST:
         raise RequestError(f'{option} {one_line(text)}: must be greater than 0, as in "60 mm"')
     return found
 

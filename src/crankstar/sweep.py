@@ -12,8 +12,6 @@ makes known, the engine at the first value is the measure.
 
 from __future__ import annotations
 
-import csv
-import io
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -35,6 +33,8 @@ from crankstar.variants import SweepError, Tell, picked, variants
 GREATEST_POINTS = 100_000
 GREATEST_CELLS = 3_000_000
 """Values times orders: half a gigabyte of vectors."""
+GREATEST_WORK = 200_000_000
+"""Values times orders times parts: some ten seconds."""
 USUAL_POINTS = 201
 GREATEST_ORDER = 1000
 EXAMPLE = 'as in "layout.banks[1].bearing=0..90 deg", "balance_factor=0..1/11" (11 values) or "balance_factor=0, 0.25, 0.5"'
@@ -236,12 +236,21 @@ def _sums(machine: Mechanism, count: int, orders: Sequence[float] | None, point:
         moved = motion.resolved(some.links).piston.place
         steps = moved.shape[-1] if moved.ndim > 2 else 1
         parts = 3 * len(machine.cylinder_shaft) + len(machine.rotor_shaft)
+        _feasible(whole, len(wanted) * parts)
         block = max(1, min(256, (1 << 18) // (parts * max(steps, len(wanted)))))
         found = totals(machine, orders=wanted, reference=point, block=block)
     except ValueError as error:
         raise SweepError(str(error)) from None
     factors = (scale.force, scale.couple, scale.roll, scale.roll)
     return Totals(*(phasor.scaled(one, factor) for one, factor in zip(found, factors, strict=True)))
+
+
+def _feasible(values: int, work: int) -> None:
+    if values * work > GREATEST_WORK:
+        raise SweepError(
+            f"{values} values of an engine with so many parts and orders would take long; "
+            f"give at most {max(2, GREATEST_WORK // work)} values, or name the orders"
+        )
 
 
 def _enough(values: int, orders: int) -> None:
@@ -380,16 +389,3 @@ def rows(sweep: Sweep, curves: Sequence[Curve], *, count: int = 11) -> list[tupl
     """A table of a sweep: `count` of its values, evenly chosen from first to last, with what each of the curves has there."""
     chosen = np.unique(np.round(np.linspace(0, sweep.values.size - 1, max(2, count))).astype(int))
     return [(float(sweep.values[row]), *(float(curve.values[row]) for curve in curves)) for row in chosen]
-
-
-def csv_text(sweep: Sweep, curves: Sequence[Curve]) -> str:
-    """All values of a sweep with its curves as CSV, a row per value, units in the header."""
-    out = io.StringIO()
-    writer = csv.writer(out, lineterminator="\n")
-    writer.writerow([_head(sweep.path, sweep.unit), *(_head(curve.label, curve.unit) for curve in curves)])
-    writer.writerows(rows(sweep, curves, count=sweep.values.size))
-    return out.getvalue()
-
-
-def _head(name: str, unit: str) -> str:
-    return f"{name} [{unit}]" if unit else name

@@ -16,7 +16,7 @@ from crankstar.balance import Balance, balance, total
 from crankstar.catalog import load, summaries
 from crankstar.engine import Engine
 from crankstar.firing import firing
-from crankstar.mechanism import Totals, block_roll
+from crankstar.mechanism import Totals
 from crankstar.phasor import Spectrum
 from crankstar.records import Shaft
 from crankstar.remedy import bobweight, loads, main_bearings, needs, with_counterweights, without_counterweights
@@ -90,8 +90,8 @@ def _layout(engine: Engine) -> str:
 
 def _throws(engine: Engine, shaft: Shaft) -> str:
     throws = spans(engine, shaft)
-    split = sum(len(span.throws) - 1 for span in throws)
-    pins = f" ({len(shaft.throws)} pins: {split} are split off)" if split else ""
+    counts = sorted({len(span.throws) for span in throws})
+    pins = f" of {' or '.join(map(str, counts))} pins each (split pins)" if counts[-1] > 1 else ""
     between = "one between every two throws" if len(throws) > 1 else "one on either side"
     count = len(main_bearings(engine, shaft))
     return f"{len(throws)} throw{'s' if len(throws) > 1 else ''}{pins}, {count} main bearings where there is {between}"
@@ -133,17 +133,19 @@ def _listed(orders: Sequence[float]) -> str:
 
 
 def _roll(result: Balance, sums: Totals) -> str:
-    roll = block_roll(sums)
-    orders = [order for order in roll.orders.tolist() if order <= HIGHEST]
-    sizes = np.abs(phasor.amplitude(phasor.selected(roll, orders)))
-    if not sizes.size or sizes.max() <= NEGLIGIBLE * float(np.abs(result.torque.forward).sum() + np.abs(result.roll.forward).sum()):
-        return "No rolling moment from inertia on the block."
-    place = int(np.argmax(sizes))
+    """The inertia torque, which the block feels when a flywheel takes it, and the moment of the forces about the crank axis."""
     unit = unit_text(result.units.roll)
-    return (
-        f"The inertia torque rolls the block, a flywheel taking the torque, most in order {orders[place]:g}: "
-        f"{number(float(sizes[place]))} {unit}."
-    )
+    pushed = float(np.abs(result.torque.forward).sum() + np.abs(result.roll.forward).sum())
+    told: list[str] = []
+    for signal, words in (
+        (sums.torque, "The inertia torque rolls the block where a flywheel takes it, most in order"),
+        (sums.roll, "The forces have a moment about the axis of the reference crankshaft, most in order"),
+    ):
+        sizes = np.abs(phasor.amplitude(signal))
+        if sizes.size and sizes.max() > NEGLIGIBLE * pushed:
+            place = int(np.argmax(sizes))
+            told.append(f"{words} {signal.orders[place]:g}: {number(float(sizes[place]))} {unit}.")
+    return " ".join(told) or "No rolling moment from inertia on the block."
 
 
 def _cures(engine: Engine) -> list[str]:
@@ -200,14 +202,16 @@ def _neighbours(engine: Engine) -> list[str]:
     if not others:
         return [f"The catalog has no other {engine.cycle} engine with {count} cylinder{'s' if count > 1 else ''}."]
     alike = [name for name, other in others if np.allclose(own, other, rtol=0.05, atol=0.01)]
-    told = [f"Its pistons shake like those of {_names(alike)}, counted in their own m r ω²."] if alike else []
+    told = [f"Its pistons alone, each counted in its own m r ω², shake like those of {_names(alike)}."] if alike else []
     different: dict[Likeness, list[str]] = {}
     for name, other in others:
         if name not in alike:
             key = next((seen for seen in different if np.allclose(seen, other, rtol=0.05, atol=0.01)), other)
             different.setdefault(key, []).append(name)
     nearest = sorted(different, key=lambda other: float(np.abs(np.subtract(own, other)).sum()))[:COMPARED]
-    return told + [f"Beside {_names(different[other])} it has {_difference(own, other)}." for other in nearest]
+    return told + [
+        f"By the pistons alone, beside {_names(different[other])} it has {_difference(own, other)}." for other in nearest
+    ]
 
 
 def _names(names: Sequence[str]) -> str:

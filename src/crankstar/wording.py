@@ -132,6 +132,7 @@ def cures(engine: Engine, found: Sequence[Need]) -> list[str]:
     ['order 2, force: a pair of shafts of speed ratios 2 and -2 (Lanchester)']
     """
     cranks = {shaft.speed_ratio: shaft.name for shaft in reversed(engine.shafts) if shaft.throws}
+    weighted = {shaft.speed_ratio: bool(shaft.weights) for shaft in engine.shafts if shaft.throws}
     by_ratio = {need.ratio: need for need in found}
     out: list[str] = []
     for need in found:
@@ -149,7 +150,8 @@ def cures(engine: Engine, found: Sequence[Need]) -> list[str]:
         turning = f"order {abs(need.ratio)}, {what} {'with' if need.ratio > 0 else 'against'} the crank"
         if need.ratio in cranks:
             several = f" {cranks[need.ratio]}" if len(cranks) > 1 else ""
-            out.append(f"{turning}: counterweights on the crankshaft{several}" + ("" if need.force else ", two opposite ones"))
+            weights = "other counterweights" if weighted[need.ratio] else "counterweights"
+            out.append(f"{turning}: {weights} on the crankshaft{several}" + ("" if need.force else ", two opposite ones"))
         else:
             ends = "" if need.force else " with opposite weights at its ends"
             out.append(f"{turning}: one shaft{ends}, of speed ratio {need.ratio}")

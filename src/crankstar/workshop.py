@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from cmath import phase
-from math import degrees
+from math import degrees, pi
 from typing import NamedTuple
 
 import numpy as np
@@ -16,14 +16,20 @@ from crankstar.engine import Engine
 from crankstar.mechanism import Totals, block_roll
 from crankstar.phasor import Spectrum
 from crankstar.records import Shaft
-from crankstar.remedy import Aim, Best, bobweight, loads, needs, said
-from crankstar.wording import cures, number, table, titled
+from crankstar.remedy import Aim, Best, bearing_load, bobweight, loads, needs, said
+from crankstar.wording import NEGLIGIBLE, bearing_text, cures, number, table, titled, unit_text
+
+_FORCES = ("force", "couple")
+QUIET = 1e-6
+"""Share of what there is below which a sum is nothing: best weights are found to about a millionth."""
+HEAVY = 20.0
+"""Masses from which a shop speaks of kilograms, kg."""
 
 
 class Job(NamedTuple):
     """An engine before and after; by which balance factor, or which best weights; at what radius weights are told as masses.
 
-    `radius` (m or crank radii) is the crank radius where it is None.
+    `radius` (m or crank radii) is the crank radius where it is None; at `speed` (rad/s) what is left is told in N and N m.
     """
 
     before: Engine
@@ -31,6 +37,7 @@ class Job(NamedTuple):
     factor: float | None
     best: Best | None = None
     radius: float | None = None
+    speed: float | None = None
 
 
 def balance_card(job: Job) -> RenderableType:
@@ -45,7 +52,11 @@ def balance_card(job: Job) -> RenderableType:
 
 
 def _mass_unit(engine: Engine) -> tuple[float, str]:
-    return (1.0, "m") if "mass" in engine.relative else (1000.0, "g")
+    """Factor and unit for masses: of the first piston, or g, or, of large engines, kg."""
+    if "mass" in engine.relative:
+        return 1.0, "m"
+    greatest = max(max(pin.rotating, pin.reciprocating) for pin in loads(engine))
+    return (1.0, "kg") if greatest >= HEAVY else (1000.0, "g")
 
 
 def _bobweights(job: Job) -> RenderableType:
@@ -62,7 +73,7 @@ def _bobweights(job: Job) -> RenderableType:
     for count in sorted(shared - {1}):
         words += f" Counted in one cylinder of the {count} on a pin it is a factor of {number(factor * count)}."
     if job.factor is None:
-        words += " (The weights below do not follow a balance factor; 0.5 is what most shops would spin this crankshaft with.)"
+        words += " The weights below follow no balance factor: these bobweights are those of a factor of 0.5."
     return Group(titled("Bobweights", out), Text(words))
 
 
@@ -106,7 +117,7 @@ def _weights(job: Job) -> RenderableType:
     out = table(*heads, left=("shaft",))
     for shaft in engine.shafts:
         for weight in shaft.weights:
-            row = (number(weight.z * along, along), number(degrees(weight.angle), 180.0), number(weight.unbalance * counted))
+            row = (number(weight.z * along, along), bearing_text(np.exp(1j * weight.angle)), number(weight.unbalance * counted))
             out.add_row(Text(shaft.name), *row, number(weight.unbalance / radius * scale))
     if not out.row_count:
         return titled("Weights", Text("none"))
@@ -133,7 +144,9 @@ def _shafts(job: Job) -> RenderableType:
             continue
         place = (number(shaft.up * across, across), number(shaft.right * across, across))
         out.add_row(Text(shaft.name), str(shaft.speed_ratio), _task(shaft), *place, number(_roll_added(result, shaft)))
-    return titled("Balance shafts", out)
+    unplaced = any(shaft.weights and not (shaft.throws or shaft.up or shaft.right) for shaft in engine.shafts)
+    note = "Shafts at 0, 0 have no place as yet, and so no roll: say where they lie with --shaft-place and --apart."
+    return Group(titled("Balance shafts", out), *([Text(note)] if unplaced else []))
 
 
 def _task(shaft: Shaft) -> str:
@@ -152,21 +165,37 @@ def _roll_added(result: Balance, shaft: Shaft) -> float:
 
 
 def _left(job: Job) -> RenderableType:
-    """The orders in which something was put on the engine, before and after."""
+    """The orders in which something was put on the engine, before and after: force, couple, roll, and the load on bearings."""
     orders = sorted({1.0} | {abs(float(shaft.speed_ratio)) for shaft in job.after.shafts if shaft.weights})
     out = table("order", "", "with the crank", "against it", "greatest", left=("",))
-    sums = {"as it was": total(balance(job.before)), "now": total(balance(job.after))}
+    results = {"as it was": balance(job.before, speed=job.speed), "now": balance(job.after, speed=job.speed)}
+    sums = {told: total(result) for told, result in results.items()}
+    units = results["now"].units
+    worse: list[str] = []
     for order in orders:
-        for name, unit in (("force", "m r ω²"), ("couple", "m r ω² a")):
-            largest = max(_sizes(getattr(sums["as it was"], quantity), order)[2] for quantity in ("force", "couple")) or 1.0
-            for told, found in sums.items():
-                sizes = _sizes(getattr(found, name), order)
-                out.add_row(number(order), f"{name} {told} [{unit}]", *(number(size, largest) for size in sizes))
-    for order in orders[1:]:
+        for name, unit in (("force", units.force), ("couple", units.couple)):
+            tops = [
+                _sizes(getattr(found, one), any_order)[2] for found in sums.values() for one in _FORCES for any_order in (1.0, 2.0)
+            ]
+            largest = max(tops) * QUIET / NEGLIGIBLE or 1.0
+            before, now = (_sizes(getattr(found, name), order) for found in sums.values())
+            for told, sizes in zip(sums, (before, now), strict=True):
+                out.add_row(number(order), f"{name} {told} [{unit_text(unit)}]", *(number(size, largest) for size in sizes))
+            if now[2] > before[2] * (1 + 1e-6) + QUIET * max(tops):
+                worse.append(f"{name} of order {order:g}")
+    balancers = {abs(float(shaft.speed_ratio)) for shaft in job.after.shafts if shaft.weights and not shaft.throws}
+    for order in sorted(balancers):
         rolls = {told: _rolls(found, order) for told, found in sums.items()}
         for told, size in rolls.items():
-            out.add_row(number(order), f"roll of the block {told} [m r² ω²]", "", "", number(size, max(1.0, *rolls.values())))
-    return titled("What is left", out)
+            unit = unit_text(units.roll)
+            out.add_row(number(order), f"roll of the block {told} [{unit}]", "", "", number(size, max(*rolls.values(), 1e-300)))
+    for told, engine in (("as it was", job.before), ("now", job.after)):
+        out.add_row("1", f"greatest load on a main bearing {told} [m r ω²]", "", "", number(bearing_load(engine)))
+    title = "What is left" if job.speed is None or units.force != "N" else f"What is left at {number(job.speed * 30 / pi)} rpm"
+    lines: list[RenderableType] = [titled(title, out)]
+    if worse:
+        lines.append(Text(f"These weights make the {' and the '.join(worse)} larger than before."))
+    return Group(*lines)
 
 
 def _rolls(sums: Totals, order: float) -> float:
@@ -182,7 +211,7 @@ def _sizes(spectrum: Spectrum, order: float) -> tuple[float, float, float]:
 
 def _needed(engine: Engine) -> RenderableType:
     """In words, what would take away the rest of the first and the second order."""
-    found = needs(engine)
+    found = needs(engine, heard=QUIET)
     if not found:
         return Text("\nNo force and no couple of the first and the second order is left.")
     lines = [Text(f"- {told}") for told in cures(engine, found)]

@@ -120,4 +120,29 @@ def test_the_verdict_on_a_cross_plane_eight(run: Run) -> None:
     assert "No force of order 1, 2 and 6; order 4 remains: 0.023182 m r ω², a vertical line." in out
     assert "order 1 remains: 3.1623 m r ω² a, a circle with the crank" in out
     assert "5 main bearings" in out
-    assert "Beside v8-flat-plane it has 3.162 m r ω² a of first-order couple (there none)" in out
+    assert "beside v8-flat-plane it has 3.162 m r ω² a of first-order couple (there none)" in " ".join(out.split())
+
+
+def test_what_an_engine_is_called_stays_text_in_a_page(run: Run, tmp_path: Path) -> None:
+    name = "A</script><script>alert(1)</script><img src=x onerror=alert(2)> & <b>"
+    file = tmp_path / "x.toml"
+    file.write_text(f'format = 1\nname = "{name}"\n[layout]\ntype = "inline"\nthrows = ["0 deg", "180 deg"]\n', encoding="utf-8")
+    for words in (
+        ["plot", str(file), "crank-star"],
+        ["plot", str(file), "polygon"],
+        ["sweep", str(file), "--over", "balance_factor=0..1"],
+    ):
+        run(*words, "-o", str(tmp_path / "x.html"))
+        page = (tmp_path / "x.html").read_text(encoding="utf-8")
+        assert "<script>alert" not in page
+        assert "<img src=x" not in page
+        assert "\\u003cimg src=x" in page
+    run("plot", str(file), "crank-star", "-o", str(tmp_path / "x.svg"))
+    assert "<img" not in (tmp_path / "x.svg").read_text(encoding="utf-8")
+
+
+def test_a_roll_of_a_high_order_is_not_denied(run: Run) -> None:
+    assert "rolls the block" in run("verdict", "sinitsyn-8-two-stroke").out
+    assert "most in order 8" in " ".join(run("verdict", "sinitsyn-8-two-stroke").out.split())
+    kr = " ".join(run("verdict", "kr250-racer").out.split())
+    assert "The forces have a moment about the axis of the reference crankshaft, most in order 1: 1.6544" in kr

@@ -117,7 +117,7 @@ def test_all_the_shafts_an_engine_needs_leave_nothing_up_to_the_second_order(nam
     engine = load(name)
     half = engine.pitch / 2
     planes = [max(c.z for c in engine.cylinders) + half, min(c.z for c in engine.cylinders) - half]
-    cured = with_balance_shafts(with_counterweights(engine, factor=0.5), planes=planes, apart=2.0)
+    cured = with_balance_shafts(with_counterweights(engine, factor=0.5), planes=planes, between=2.0)
     for quantity in ("force", "couple"):
         for order in (1, 2):
             before = np.abs(vectors(engine, quantity, 1)).max() + np.abs(vectors(engine, quantity, 2)).max() + 1.0
@@ -154,7 +154,7 @@ def test_unequal_heights_take_away_the_roll_of_the_block(name: str, rotation: st
 
 
 def test_the_roll_that_is_left_is_nothing_by_momentum() -> None:
-    level = with_roll_cancelled(with_balance_shafts(load("honda-b18c"), planes=[0.0], apart=3.0), order=2)
+    level = with_roll_cancelled(with_balance_shafts(load("honda-b18c"), planes=[0.0], between=3.0), order=2)
     walked = road(level, reference=Reference(0.0), speed=1.0)
     # Moment about the axis towards the viewer is counter-clockwise; a flywheel that takes the torque gives it back to the block.
     moment = -np.sum([np.asarray(push.moment, float)[:, 2] for push in walked.pushes], axis=0)

@@ -91,7 +91,8 @@ def test_a_rigid_rod_is_shared_between_its_ends() -> None:
         ({"factor": 0.5, "planes": [0.0]}, "two or more"),
         ({"factor": 0.5, "planes": [1.0, 1.0]}, "all different"),
         ({"factor": 0.5, "planes": [0.0, 9.0]}, "beyond the crankshaft"),
-        ({"factor": 0.5, "planes": [0.0, float("nan")]}, "beyond the crankshaft"),
+        ({"factor": 0.5, "planes": [0.0, float("nan")]}, "has no place"),
+        ({"factor": 0.5, "planes": [0.0, 1e-15]}, "nearer to each other"),
     ],
 )
 def test_what_cannot_be_done_is_told(arguments: dict[str, object], told: str) -> None:

@@ -18,7 +18,7 @@ from crankstar.balance import balance, total
 from crankstar.charts.pushes import pushes
 from crankstar.charts.vectors import harmonic
 from crankstar.engine import Engine
-from crankstar.mechanism import Reference
+from crankstar.mechanism import Reference, block_roll
 from crankstar.remedy import with_balance_shaft, with_counterweights
 
 ENGINES = (
@@ -306,7 +306,7 @@ def test_the_bars_of_a_spectrum_are_the_vectors_of_the_balance(name: str) -> Non
     engine = crankstar.load(name)
     sums = total(balance(engine, speed=400.0))
     for panel, quantity in zip(drawn(charts.spectrum(engine, speed=400.0)), ("force", "couple", "roll"), strict=True):
-        spectrum = getattr(sums, quantity)
+        spectrum = block_roll(sums) if quantity == "roll" else getattr(sums, quantity)
         for row in (row for layer, rows in panel if kind(layer) == "bar" for row in rows):
             one = phasor.selected(spectrum, float(row.order))
             ahead, against = abs(one.forward[0]), abs(one.backward[0])

@@ -32,7 +32,8 @@ from crankstar.mechanism import total as summed
 from crankstar.motion import piston_harmonics
 from crankstar.phasor import Spectrum
 from crankstar.records import Weight
-from crankstar.sweep import Best, Sweep, best, csv_text, over_request, rows, swept, watched
+from crankstar.sweep import Best, Sweep, best, over_request, rows, swept, watched
+from crankstar.sweep_table import csv_text
 from crankstar.variants import FEW, SweepError, variants
 
 A = np.real(piston_harmonics(crank_radius=1.0, rod_length=4.0))

@@ -82,7 +82,7 @@ def test_neighbours_are_of_the_same_kind_and_nearest_first() -> None:
     assert any("v8-flat-plane it has 3.162" in sentence for sentence in sentences)
     own = likeness(load("v8-cross-plane"))
     for sentence in sentences[1:]:
-        name = re.match(r"Beside ([\w-]+)", sentence).group(1)  # pyright: ignore[reportOptionalMemberAccess]
+        name = re.search(r"beside ([\w-]+)", sentence).group(1)  # pyright: ignore[reportOptionalMemberAccess]
         assert load(name).cycle == "four-stroke"
         assert len(load(name).chambers) == 8
         assert np.abs(np.subtract(own, likeness(load(name)))).max() > 0.01

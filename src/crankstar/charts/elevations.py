@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import pairwise
-from math import cos, sin
+from math import cos, degrees, pi, radians, sin
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from crankstar.balance import default_reference
@@ -54,13 +54,14 @@ class Along(NamedTuple):
         return (self.front - z) * self.scale + self.margin
 
 
-def shaft_elevation(engine: Engine, *, reference: Reference | None = None, theta: float = 0.0) -> altair.VConcatChart:
+def shaft_elevation(engine: Engine, *, reference: Reference | None = None, theta: float | None = None) -> altair.VConcatChart:
     """Every shaft seen from the side, the front at the left, one below the other, at the crank angle `theta` (radians).
 
-    The height of a pin is the upward part of its crank radius, true for that angle. Above stand the numbers of the
+    The height of a pin is the upward part of its crank radius, true for that angle; without one, the angle at which the first
+    throw stands 20 degrees past up, so that cranks at right angles are told apart. Above stand the numbers of the
     cylinders, below the arms of the throws (of the weights, on a shaft without throws) about the reference plane (dashed).
     """
-    theta = checked_angle(theta)
+    theta = _askew(engine) if theta is None else checked_angle(theta)
     reference = reference or default_reference(engine)
     places = (
         [c.z for c in engine.cylinders]
@@ -74,7 +75,19 @@ def shaft_elevation(engine: Engine, *, reference: Reference | None = None, theta
     rows = [[_shaft_panel(engine, shaft, along, reference.z, name=shaft.name if several else "")] for shaft in engine.shafts]
     unit = "bore pitches" if "pitch" in engine.relative else "mm"
     title = f"Crankshaft from the side, front at the left; arms in {unit}"
-    return figure(rows, title=title, subtitle=[engine.name], theta=theta, turns=turns_together(engine))
+    return figure(
+        rows,
+        title=title,
+        subtitle=[engine.name, f"drawn at θ = {degrees(theta):.4g}°, heights true"],
+        theta=theta,
+        turns=turns_together(engine),
+    )
+
+
+def _askew(engine: Engine) -> float:
+    """The crank angle at which the first throw stands 20 degrees past up."""
+    first = next((throw for shaft in engine.shafts for throw in shaft.throws), None)
+    return 0.0 if first is None else engine.sense * (radians(20) - first.angle) % (2 * pi)
 
 
 def _shaft_panel(engine: Engine, shaft: Shaft, along: Along, zero: float, *, name: str) -> Panel:

@@ -134,7 +134,14 @@ def _ellipse_axes(found: Course) -> tuple[list[Stroke], list[Label]]:
             continue
         strokes.append(Stroke((-length * direction, length * direction), GREY, 1.2, dashed=True))
         if direction == way or not circle:
-            labels.append(Label(number(length, digits=4), 0.5 * length * direction, 1j * direction, colour=GREY))
+            labels.append(
+                Label(
+                    number(length) if length >= 1e3 else number(length, digits=4),
+                    0.5 * length * direction,
+                    1j * direction,
+                    colour=GREY,
+                )
+            )
     return strokes, labels
 
 

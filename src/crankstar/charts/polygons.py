@@ -38,7 +38,7 @@ def polygon(
     """
     found = stars(engine, order=order, quantity=quantity, reference=reference, speed=speed)
     theta = checked_angle(theta)
-    panels = polygon_panels(found, theta=theta)
+    panels = polygon_panels(found, theta=theta, reach=polygon_reach(found))
     title = heading(found, "polygon")
     return figure([panels], title=title, subtitle=[engine.name], theta=theta, turns=turns_of(found.order))
 

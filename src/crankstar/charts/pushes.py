@@ -38,7 +38,9 @@ from crankstar.wording import number
 if TYPE_CHECKING:
     import altair
 
-COUNTERWEIGHT, NET = "counterweight", "net"
+NET = "net"
+NAMED = 3
+"""So many cylinders have room for the word."""
 COLOURS = (VERMILION, BLUE, PURPLE, ORANGE)
 """Of the first, second and further orders."""
 LONGEST = 62.0
@@ -123,8 +125,15 @@ def force_arrows(
     frame = _frame(places, greatest)
     names = [f"order {order:g}" for order in sorted(set(orders))]
     panels = [[_panel(found, places, i, frame, degrees(angle))] for i, angle in enumerate(angles)]
-    key = [*zip(names, COLOURS, strict=False), (COUNTERWEIGHT, GREY), (NET, GREEN)]
+    key = [*zip(names, COLOURS, strict=False), (_turning(engine), GREY), (NET, GREEN)]
     return figure([[_key(key)], *panels], title="Forces on each cylinder, in m r ω²", subtitle=[engine.name])
+
+
+def _turning(engine: Engine) -> str:
+    """What the grey arrows are in this engine."""
+    weights = any(shaft.weights for shaft in engine.shafts)
+    masses = any(throw.rotating_mass for shaft in engine.shafts for throw in shaft.throws)
+    return "turning masses" if weights and masses else "rotating mass" if masses else "counterweight"
 
 
 def _places(engine: Engine, found: Sequence[Push]) -> list[complex]:
@@ -170,7 +179,15 @@ def _panel(found: Sequence[Push], places: Sequence[complex], at: int, frame: Fra
             arrows.append(Arrow(complex(vector), place=base, colour=colour, width=width))
             text = brief(size)
             labels.append(Label(text, base + complex(vector), complex(vector) / size, colour=colour, size=SMALL, gap=3))
-        notes.append(Label(one.name, (place - LONGEST - 14) / frame.scale, 0j, colour=GREY, size=TEXT))
+        notes.append(
+            Label(
+                f"cylinder {one.name}" if one.name.isdigit() and len(found) <= NAMED else one.name,
+                (place - LONGEST - 14) / frame.scale,
+                0j,
+                colour=GREY,
+                size=TEXT,
+            )
+        )
     plane = Plane(tuple(arrows), (), tuple(dots), tuple(labels), tuple(notes))
     together = sum(complex(one.net[at]) for one in found)
     return picture(plane, frame, title=f"crank at {number(round(angle, 6))}°, in all {sides(together)}")

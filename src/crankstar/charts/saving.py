@@ -39,8 +39,25 @@ def saved(chart: Any, suffix: str, *, title: str) -> bytes:
 
 
 def _page(chart: Any, title: str) -> str:
-    """A page with all scripts in it, which asks nothing of the network."""
+    """A page with all scripts in it, which asks nothing of the network; what an engine is called stays text."""
     from html import escape
 
-    text = chart.to_html(inline=True, embed_options={"actions": False, "renderer": "svg"})
+    shown = type(chart)(**_disarmed(chart._kwds))
+    text = shown.to_html(inline=True, embed_options={"actions": False, "renderer": "svg"})
+    text = text.replace(BRACKET, "\\u003c").replace(json.dumps(BRACKET)[1:-1], "\\u003c")
     return text.replace("<head>", f'<head><title>{escape(title)}</title><meta name="viewport" content="width=device-width">', 1)
+
+
+BRACKET = "\ue03c"
+"""Stands for an opening angle bracket in the description of a chart, so that no text in it can end the script it is in."""
+
+
+def _disarmed(value: Any) -> Any:
+    """The same tree with every opening angle bracket in its texts replaced."""
+    if isinstance(value, str):
+        return value.replace("<", BRACKET)
+    if isinstance(value, dict):
+        return {key: _disarmed(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_disarmed(item) for item in value]
+    return value

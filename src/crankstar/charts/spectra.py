@@ -11,7 +11,7 @@ from crankstar import phasor
 from crankstar.balance import balance, total
 from crankstar.charts.drawing import BLUE, GREY, ORANGE, SMALL, WIDTH, Panel, brief, figure, layered, of_rows
 from crankstar.engine import Engine
-from crankstar.mechanism import Reference
+from crankstar.mechanism import Reference, Totals, block_roll
 from crankstar.phasor import Spectrum
 from crankstar.wording import unit_text
 
@@ -40,12 +40,16 @@ class Bars(NamedTuple):
 
 
 def bars(engine: Engine, *, speed: float | None = None, reference: Reference | None = None) -> tuple[Bars, ...]:
-    """Force, couple and roll of the whole engine by order; what is rounding beside its parts is left out."""
+    """Force, couple and roll of the block (a flywheel takes the torque) by order; what is rounding beside its parts is left out."""
     result = balance(engine, speed=speed, reference=reference)
     sums = total(result)
     return tuple(
-        _bars(quantity, getattr(sums, quantity), getattr(result, quantity), result.units._asdict()[quantity])
-        for quantity in ("force", "couple", "roll")
+        _bars(quantity, spectrum, shares, result.units._asdict()[quantity])
+        for quantity, spectrum, shares in (
+            ("force", sums.force, result.force),
+            ("couple", sums.couple, result.couple),
+            ("roll", block_roll(sums), block_roll(Totals(result.force, result.couple, result.roll, result.torque))),
+        )
     )
 
 
@@ -67,7 +71,7 @@ def spectrum(engine: Engine, *, speed: float | None = None, reference: Reference
     in N and N m.
     """
     found = bars(engine, speed=speed, reference=reference)
-    return figure(bar_panels(found), title="Greatest force, couple and roll by order", subtitle=[engine.name])
+    return figure(bar_panels(found), title="Greatest force, couple and roll of the block by order", subtitle=[engine.name])
 
 
 def bar_panels(

@@ -41,7 +41,7 @@ def _words(curves: Sequence[Curve], best: Sequence[Best | None], sweep: Sweep) -
     for curve, one in zip(curves, best, strict=True):
         if one is None:
             continue
-        result = f"{number(one.result, float(curve.values.max()))} {unit_text(curve.unit)}"
+        result = f"{number(one.result, 100 * float(curve.values.max()))} {unit_text(curve.unit)}"
         told.append(
             f"{curve.label}: {result} at every value" if one.flat else f"{curve.label}: best at {number(one.value)}{unit}, {result}"
         )

@@ -23,7 +23,10 @@ def balanced(
     *,
     factor: Annotated[
         float | None,
-        Parameter(help="share of all the reciprocating mass on each pin, 0 to 1.5; else 0.5", allow_leading_hyphen=True),
+        Parameter(
+            help="share of all the reciprocating mass on each pin, 0 to 1.5; else that of the file, else 0.5",
+            allow_leading_hyphen=True,
+        ),
     ] = None,
     weights: Annotated[
         str,
@@ -88,30 +91,30 @@ def balanced(
     """Balance the crankshaft: bobweights, counterweights, balance shafts, and what they leave."""
     from crankstar import fitting
     from crankstar.derive import DerivationError, documents
-    from crankstar.files import toml
+    from crankstar.files import engine_of, toml, tree_of
     from crankstar.remedy import RemedyError
     from crankstar.workshop import Job, balance_card
 
     loaded = loaded_engine(engine, settings)
-    only_best = {"--pitch": pitch, "--limit": limit, "--most-unbalance": most_unbalance, "--speed": speed}
+    only_best = {"--pitch": pitch, "--limit": limit, "--most-unbalance": most_unbalance}
     request.alone("a balance factor" if least is None else "--least", only_best if least is None else {"--factor": factor})
     only_shafts = {"--shaft-planes": shaft_planes, "--shaft-place": shaft_place, "--apart": apart, "--level": level or None}
     if shafts is None:
         request.alone("a balance without --shafts", only_shafts)
     at = request.weights(weights, loaded)
     told = request.length("--radius", radius, loaded, positive=True)
-    turning = request.speed(speed)
+    turning = loaded.speed if speed is None else request.speed(speed)
     try:
         with working("balancing ..."):
             if least is None:
-                share = 0.5 if factor is None else factor
+                share = request.own_factor(engine, settings, otherwise=0.5) if factor is None else factor
                 job = Job(loaded, fitting.by_factor(loaded, factor=share, weights=at), share, radius=told)
             else:
                 best = fitting.best(
                     loaded,
                     weights=at,
                     aim=request.aim("--least", least, pitch=pitch),
-                    limits=request.limits(limit, loaded, speed=loaded.speed if turning is None else turning),
+                    limits=request.limits(limit, loaded, speed=turning),
                     greatest_unbalance=request.unbalance("--most-unbalance", most_unbalance, loaded),
                 )
                 job = Job(loaded, best.engine, None, best, told)
@@ -121,9 +124,12 @@ def balanced(
             proof = fitting.proofs(job.before, job.after) if prove else []
     except (RemedyError, DerivationError) as error:
         raise RequestError(str(error)) from None
+    card = balance_card(job._replace(speed=turning))
     if output is not None:
-        write(toml(job.after), output)
-    display(balance_card(job))
+        text = toml(job.after)
+        engine_of(tree_of(text, name=output), name=output)  # never written where it could not be read again
+        write(text, output)
+    display(card)
     if proof:
         display(documents.rendered(proof))
 

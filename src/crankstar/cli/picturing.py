@@ -102,7 +102,7 @@ def sweep(
 ) -> None:
     """Vary one number of an engine: what becomes of force and couple, and which value is best."""
     from crankstar import sweep as sweeps
-    from crankstar.sweep_table import sweep_table
+    from crankstar.sweep_table import csv_text, sweep_table
 
     changes = dict(request.setting(text) for text in settings or [])
     kind = PurePath(output or "").suffix.lower().removeprefix(".")
@@ -132,7 +132,7 @@ def sweep(
     except sweeps.SweepError as error:
         raise RequestError(str(error)) from None
     if csv or kind == "csv":
-        write(sweeps.csv_text(found, curves), output)
+        write(csv_text(found, curves), output)
     elif drawing is not None:
         title = f"{found.engine.name}: {', '.join(curve.label for curve in curves)} over {found.path}"
         write_bytes(drawing.saved(drawing.swept(found, curves, best=bests), kind, title=title), output)

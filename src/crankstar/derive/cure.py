@@ -15,6 +15,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from math import isfinite
 
 from crankstar.balance import default_reference
 from crankstar.derive import cyclotomic, meant, positions, wave
@@ -54,7 +55,12 @@ def cure(engine: Engine, *, ratio: Fraction | int, planes: Sequence[float]) -> C
     >>> ends.proved, text(wave.length(ends.unbalance[0]).formula)
     (True, '2√10/7')
     """
-    ratio = Fraction(ratio)
+    try:
+        ratio = Fraction(ratio)
+    except (ValueError, OverflowError, ZeroDivisionError, TypeError):
+        raise DerivationError(f"{ratio} is no speed ratio; give a whole number or a fraction, negative against the crank") from None
+    if not all(isfinite(plane) for plane in planes):
+        raise DerivationError("a plane has no place along the shaft; give each as a finite number")
     found = [derivation(engine, abs(ratio), quantity) for quantity in ("force", "couple")]
     with cyclotomic.precision(cyclotomic.DIGITS):
         placed = positions.arms(engine)

@@ -12,13 +12,14 @@
 """
 
 from crankstar.remedy.aims import Aim, Plane, unit_unbalance
-from crankstar.remedy.best import Best, Limit, best_weights, said, without_weights
+from crankstar.remedy.best import Best, Limit, bearing_load, best_weights, said, without_weights
 from crankstar.remedy.counterweights import RemedyError, with_counterweights, with_web_weights, without_counterweights
 from crankstar.remedy.loads import Load, bobweight, loads
 from crankstar.remedy.planes import end_planes, end_webs, main_bearings, webs
-from crankstar.remedy.shafts import Need, needs, with_balance_shaft, with_balance_shafts, with_roll_cancelled
+from crankstar.remedy.shafts import GREATEST_RATIO, Need, needs, with_balance_shaft, with_balance_shafts, with_roll_cancelled
 
 __all__ = [
+    "GREATEST_RATIO",
     "Aim",
     "Best",
     "Limit",
@@ -26,6 +27,7 @@ __all__ = [
     "Need",
     "Plane",
     "RemedyError",
+    "bearing_load",
     "best_weights",
     "bobweight",
     "end_planes",

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from cmath import exp, phase
 from collections.abc import Callable, Sequence
+from itertools import pairwise
 from math import isfinite
 
 import numpy as np
@@ -22,6 +23,8 @@ from crankstar.remedy.loads import Load, bobweight, loads
 from crankstar.remedy.planes import end_webs, spans
 
 GREATEST_FACTOR = 1.5
+CLOSEST = 1e-3
+"""Bore pitches between two planes, at least."""
 NEGLIGIBLE = 1e-12
 """Share of the greatest unbalance below which a weight is left out."""
 
@@ -86,17 +89,34 @@ def without_counterweights(engine: Engine) -> Engine:
 
 def possible_planes(engine: Engine, planes: Sequence[float]) -> None:
     """Refuse places along the shaft that are too few, double or beyond it. Raises RemedyError."""
+    if len(planes) < 2 or len(set(planes)) < len(planes):
+        raise RemedyError(f"{len(set(planes))} plane{'s' if len(set(planes)) != 1 else ''} given; name two or more, all different")
+    apart(engine, planes)
+    on_the_shaft(engine, planes)
+
+
+def on_the_shaft(engine: Engine, planes: Sequence[float]) -> None:
+    """Refuse places beyond the crankshaft. Raises RemedyError."""
     places = [throw.z for shaft in engine.shafts for throw in shaft.throws] + [cylinder.z for cylinder in engine.cylinders]
     front, rear = max(places), min(places)
     room = engine.pitch
-    if len(planes) < 2 or len(set(planes)) < len(planes):
-        raise RemedyError(f"{len(set(planes))} plane{'s' if len(set(planes)) != 1 else ''} given; name two or more, all different")
     beyond = [plane for plane in planes if not isfinite(plane) or not rear - room <= plane <= front + room]
     if beyond:
         unit = "bore pitches" if "pitch" in engine.relative else "m"
         raise RemedyError(
             f"the plane z = {beyond[0]:g} {unit} lies beyond the crankshaft, which has its pins and cylinders from z = {rear:g} to "
             f"{front:g} {unit}; give planes up to one bore pitch ({room:g} {unit}) beyond them"
+        )
+
+
+def apart(engine: Engine, planes: Sequence[float]) -> None:
+    """Refuse planes that are no numbers, or so near to each other that weights in them would be huge. Raises RemedyError."""
+    if not all(isfinite(plane) for plane in planes):
+        raise RemedyError("a plane has no place along the shaft; give each as a finite number")
+    ordered = sorted(planes)
+    if any(b - a < CLOSEST * engine.pitch for a, b in pairwise(ordered)):
+        raise RemedyError(
+            f"two planes are the same or nearer to each other than {CLOSEST:g} bore pitches; give planes that are all different"
         )
 
 
@@ -124,11 +144,11 @@ def least_weights(*, force: complex, moment: complex, planes: Sequence[float]) -
     return [complex(one) for one in np.linalg.pinv(conditions) @ wanted]
 
 
-def turned_weights(vectors: Sequence[complex], places: Sequence[float]) -> list[Weight]:
+def turned_weights(vectors: Sequence[complex], places: Sequence[float], *, negligible: float = NEGLIGIBLE) -> list[Weight]:
     """Weights from their unbalance vectors (up + i right at theta = 0); those that are nothing beside the greatest are left out."""
     greatest = max(map(abs, vectors), default=0.0)
     return [
         Weight(unbalance=abs(vector), angle=phase(vector), z=place)
         for vector, place in zip(vectors, places, strict=True)
-        if abs(vector) > NEGLIGIBLE * greatest
+        if abs(vector) > negligible * greatest
     ]

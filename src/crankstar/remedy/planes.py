@@ -72,11 +72,14 @@ def end_planes(engine: Engine) -> tuple[float, float]:
 
 
 def _room(engine: Engine) -> float:
-    """A bore pitch; where an engine has none, one cylinder or one throw, its stroke."""
+    """A bore pitch; where an engine has none, its stroke; of cylinders that all but share a place, some of it."""
     several = len({cylinder.z for cylinder in engine.cylinders}) > 1
-    if several or engine.bore_pitch is not None or "pitch" in engine.relative:
+    if "pitch" in engine.relative or "radius" in engine.relative:
         return engine.pitch
-    return 2 * engine.throw(engine.first).radius if "radius" not in engine.relative else engine.pitch
+    stroke = 2 * engine.throw(engine.first).radius
+    if engine.bore_pitch is not None:
+        return engine.bore_pitch
+    return max(engine.pitch, stroke / 4) if several else stroke
 
 
 def _groups(engine: Engine, shaft: Shaft) -> list[tuple[int, ...]]:

@@ -126,6 +126,9 @@ def _interior_point(
         sparse: Any = import_module("scipy.sparse")
     except ImportError as error:
         raise MissingSolverError(str(error)) from None
+    # The solver sees numbers of order one, whatever the masses are.
+    every = [*aim, *(cone for ceiling in ceilings for cone in ceiling.cones)]
+    unit = max(float(np.linalg.norm(cone.shift)) for cone in every) or 1.0
     rows: list[Real] = []
     right: list[Real] = []
     sizes: list[int] = []
@@ -133,7 +136,7 @@ def _interior_point(
     def add(matrix: Real, shift: Real, head: Real, room: float) -> None:
         """The cone |matrix x + shift| <= room - head (x, t), in the solver's form right - rows (x, t)."""
         rows.append(np.vstack([head, np.column_stack([-matrix, np.zeros(len(matrix))])]))
-        right.append(np.append(room, shift))
+        right.append(np.append(room, shift) / unit)
         sizes.append(len(matrix) + 1)
 
     with_t = np.append(np.zeros(count), -1.0)
@@ -155,4 +158,4 @@ def _interior_point(
     if str(answer.status) in ("PrimalInfeasible", "AlmostPrimalInfeasible"):
         return None
     parts = np.split(np.array(answer.z), np.cumsum(sizes)[:-1])[:weighed]
-    return np.array(answer.x)[:count], [np.append(part[0], -part[1:]) for part in parts]
+    return unit * np.array(answer.x)[:count], [np.append(part[0], -part[1:]) for part in parts]

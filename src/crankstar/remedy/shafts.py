@@ -19,6 +19,7 @@ from __future__ import annotations
 from cmath import phase
 from collections.abc import Sequence
 from fractions import Fraction
+from math import isfinite
 from typing import NamedTuple
 
 import numpy as np
@@ -29,7 +30,7 @@ from crankstar.engine import GREATEST_SHAFTS, Engine
 from crankstar.mechanism import Totals, block_roll, mechanism, spectra, total
 from crankstar.phasor import Spectrum
 from crankstar.records import Shaft, Weight
-from crankstar.remedy.counterweights import NEGLIGIBLE, RemedyError, least_weights
+from crankstar.remedy.counterweights import NEGLIGIBLE, RemedyError, apart, least_weights
 
 GREATEST_RATIO = 8
 HEARD = 1e-9
@@ -48,10 +49,11 @@ class Need(NamedTuple):
     paired: bool
 
 
-def needs(engine: Engine, *, highest: int = 2) -> tuple[Need, ...]:
+def needs(engine: Engine, *, highest: int = 2, heard: float = HEARD) -> tuple[Need, ...]:
     """The vectors of all orders up to `highest` that the engine is left with, each of which needs a shaft to go away.
 
-    Of ratio 1 the crankshaft itself is such a shaft, by its counterweights.
+    Of ratio 1 the crankshaft itself is such a shaft, by its counterweights. A vector smaller than the share `heard` of what all
+    parts push is nothing.
 
     >>> from crankstar.catalog import load
     >>> [str(need.ratio) for need in needs(load("i4"))]  # the pair of F. W. Lanchester
@@ -63,7 +65,7 @@ def needs(engine: Engine, *, highest: int = 2) -> tuple[Need, ...]:
     sums = total(parts)
     found: list[Need] = []
     for order in sorted({Fraction(one).limit_denominator(1000) for one in sums.force.orders.tolist() if one <= highest + 1e-9}):
-        sides = [_vectors(parts, sums, order * sign) for sign in (1, -1)]
+        sides = [_vectors(parts, sums, order * sign, heard) for sign in (1, -1)]
         found += [
             Need(order * sign, force, couple, paired=all(any(side) for side in sides))
             for sign, (force, couple) in zip((1, -1), sides, strict=True)
@@ -72,13 +74,13 @@ def needs(engine: Engine, *, highest: int = 2) -> tuple[Need, ...]:
     return tuple(found)
 
 
-def _vectors(parts: Totals, sums: Totals, ratio: Fraction) -> tuple[complex, complex]:
+def _vectors(parts: Totals, sums: Totals, ratio: Fraction, share: float = HEARD) -> tuple[complex, complex]:
     """Force and couple that turn at this ratio, zero where they are nothing beside what the parts push."""
     way = "forward" if ratio > 0 else "backward"
 
     def heard(name: str) -> complex:
         vector = complex(getattr(phasor.selected(getattr(sums, name), [abs(float(ratio))]), way)[0])
-        return vector if abs(vector) > HEARD * _pushed(getattr(parts, name)) else 0j
+        return vector if abs(vector) > share * _pushed(getattr(parts, name)) else 0j
 
     return heard("force"), heard("couple")
 
@@ -102,13 +104,16 @@ def with_balance_shaft(
     >>> bool(abs(second.forward[0]) + abs(second.backward[0]) < 1e-15)  # F. W. Lanchester's pair
     True
     """
-    ratio = Fraction(ratio)
+    if not isfinite(up) or not isfinite(right):
+        raise RemedyError("the place of a balance shaft is not finite; give up and right in metres (or crank radii)")
+    ratio = _fraction(ratio)
     if ratio == 0 or abs(ratio) > GREATEST_RATIO:
         raise RemedyError(
             f"a balance shaft with speed ratio {ratio} is not possible; give one from -{GREATEST_RATIO} to {GREATEST_RATIO}, not 0"
         )
     if not planes or len(set(planes)) < len(planes):
         raise RemedyError("a balance shaft needs planes for its weights, all different; two are enough")
+    apart(engine, planes)
     if len(engine.shafts) >= GREATEST_SHAFTS:
         raise RemedyError(f"the engine has {len(engine.shafts)} shafts already; more than {GREATEST_SHAFTS} are not possible")
     reference = default_reference(engine)
@@ -139,15 +144,16 @@ def _unbalances(force: complex, couple: complex, arms: Sequence[float], squared:
 
 
 def with_balance_shafts(
-    engine: Engine, *, planes: Sequence[float], highest: int = 2, apart: float = 0.0, right: float = 0.0, up: float = 0.0
+    engine: Engine, *, planes: Sequence[float], highest: int = 2, between: float = 0.0, right: float = 0.0, up: float = 0.0
 ) -> Engine:
     """The engine with a shaft for every vector up to order `highest` that its own counterweights cannot take away.
 
-    Give it its counterweights first. Shafts of a pair lie `apart` to the left and right of `up`, `right`, single ones there.
+    Give it its counterweights first. Shafts of a pair lie `between` from each other, left and right of `up`, `right`; single
+    ones lie there.
     """
     for need in needs(engine, highest=highest):
         if need.ratio != 1:
-            aside = (apart / 2 if need.ratio > 0 else -apart / 2) if need.paired and abs(need.ratio) != 1 else 0.0
+            aside = (between / 2 if need.ratio > 0 else -between / 2) if need.paired and abs(need.ratio) != 1 else 0.0
             engine = with_balance_shaft(engine, ratio=need.ratio, planes=planes, up=up, right=right + aside)
     return engine
 
@@ -164,7 +170,7 @@ def with_roll_cancelled(engine: Engine, *, order: Fraction | int) -> Engine:
     >>> [round(shaft.up, 3) for shaft in level.shafts[1:]]  # apart by nearly a rod length, 4 r
     [1.969, -1.969]
     """
-    order = Fraction(order)
+    order = abs(_fraction(order))
     pair = [place for place, s in enumerate(engine.shafts) if s.weights and not s.throws and abs(s.speed_ratio) == order]
     if sorted(engine.shafts[place].speed_ratio for place in pair) != [-order, order]:
         raise RemedyError(f"there is no pair of balance shafts of speed ratios {order} and -{order} whose heights could be chosen")
@@ -188,6 +194,13 @@ def with_roll_cancelled(engine: Engine, *, order: Fraction | int) -> Engine:
     if abs(left) > HEARD * max(abs(rest), _pushed(spectra(mechanism(engine)).roll)):
         raise RemedyError(f"the pair of ratios {order} and -{order} has no force of the kind that could take away the roll")
     return moved
+
+
+def _fraction(ratio: Fraction | int) -> Fraction:
+    try:
+        return Fraction(ratio)
+    except (ValueError, OverflowError, ZeroDivisionError, TypeError):
+        raise RemedyError(f"{ratio} is no speed ratio; give a whole number or a fraction, negative against the crank") from None
 
 
 def _rounded(value: float, among: np.ndarray) -> float:
