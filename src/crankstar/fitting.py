@@ -108,6 +108,8 @@ def with_shafts(engine: Engine, *, ratios: Sequence[Fraction] | Wanted, places: 
     if places.apart and not any(-ratio in wanted for ratio in wanted):
         raise RemedyError("there is no pair of balance shafts that could lie apart; say where a single one lies with --shaft-place")
     for ratio in wanted:
+        if isinstance(ratios, str) and ratio not in {need.ratio for need in needs(engine)}:
+            continue  # nothing beside what the shafts before it push
         planes = _along(engine, ratio) if places.planes is None else places.planes
         aside = (places.apart / 2 if ratio > 0 else -places.apart / 2) if -ratio in wanted else 0.0
         engine = with_balance_shaft(engine, ratio=ratio, planes=planes, up=places.up, right=places.right + aside)

@@ -30,7 +30,7 @@ from crankstar.phasor import Real, Spectrum
 from crankstar.quantity import Quantity, one_line, seen
 from crankstar.variants import SweepError, Tell, picked, variants
 
-GREATEST_POINTS = 100_000
+GREATEST_POINTS = 20_000
 GREATEST_CELLS = 3_000_000
 """Values times orders: half a gigabyte of vectors."""
 GREATEST_WORK = 200_000_000
