@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 from math import degrees, pi
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -45,7 +46,7 @@ COLOURS = (VERMILION, BLUE, PURPLE, ORANGE)
 """Of the first, second and further orders."""
 LONGEST = 62.0
 """px: the longest arrow."""
-STEP = 13.0
+STEP, GREATEST_STEP = 13.0, 32.0
 """px between the feet of the arrows of a cylinder."""
 ROW, ROW_OBLIQUE = 6, 4
 """Places in a row of cylinders, where all are upright and where they are not."""
@@ -160,6 +161,13 @@ def _frame(places: Sequence[complex], greatest: float) -> Frame:
     return Frame(0.0, WIDTH / scale, (lowest - LONGEST - 24) / scale, (LONGEST + 40) / scale, scale)
 
 
+def _step(places: Sequence[complex], arrows: int) -> float:
+    """Px between the arrows of a cylinder: room for their numbers where neighbours leave it."""
+    rights = sorted({round(place.imag, 6) for place in places})
+    room = min([b - a for a, b in pairwise(rights)], default=WIDTH)
+    return min(GREATEST_STEP, max(STEP, room / (arrows + 1)))
+
+
 def _panel(found: Sequence[Push], places: Sequence[complex], at: int, frame: Frame, angle: float) -> Panel:
     arrows: list[Arrow] = []
     labels: list[Label] = []
@@ -169,7 +177,7 @@ def _panel(found: Sequence[Push], places: Sequence[complex], at: int, frame: Fra
         own = [(row[at], COLOURS[i % len(COLOURS)], 2.0) for i, row in enumerate(one.orders)]
         own.insert(1, (one.turning[at], GREY, 2.0))
         own.append((one.net[at], GREEN, 4.0))
-        feet = (np.arange(len(own)) - (len(own) - 1) / 2) * STEP
+        feet = (np.arange(len(own)) - (len(own) - 1) / 2) * _step(places, len(own))
         for (vector, colour, width), foot in zip(own, feet.tolist(), strict=True):
             base = (place + 1j * foot) / frame.scale
             dots.append(Dot(0j, base, 0.0, GREY, 10))
