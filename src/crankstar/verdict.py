@@ -152,6 +152,8 @@ def _cures(engine: Engine) -> list[str]:
     """What removes what remains of the first two orders, and what half the reciprocating mass leaves."""
     found = needs(engine)
     told = [_sentence(one) for one in cures(engine, found)] or ["Nothing of the first and second order is left to cure."]
+    cranks = tuple(shaft for shaft in engine.shafts if shaft.throws)
+    engine = engine.model_copy(update={"shafts": cranks})  # without the balance shafts it may have
     bare = needs(without_counterweights(engine), highest=1)
     if any(need.ratio == 1 for need in bare):
         half = with_counterweights(engine, factor=0.5)

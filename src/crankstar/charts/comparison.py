@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from crankstar.charts.drawing import HALF, ChartError, Panel, checked_angle, figure, folded, stacked
+from crankstar.charts.drawing import HALF, ChartError, Panel, checked_angle, figure, folded, named, stacked
 from crankstar.charts.hodographs import MOST_TURNS, course, course_panel, course_title
 from crankstar.charts.polygons import polygon_panels, polygon_reach
 from crankstar.charts.spectra import bar_panels, bars
@@ -38,9 +38,10 @@ def side_by_side(engines: Sequence[Engine], kind: str, *, theta: float = 0.0, **
         raise ChartError("no engine is given; name at least one")
     theta = checked_angle(theta)
     found = KINDS[kind](engines, theta, options)
+    title = found.title if options.get("speed") is not None or len(engines) < 2 else f"{found.title}, each in its own m, r and a"
     across = 2 if len(found.blocks) > 1 else 1
     rows = [found.blocks[i : i + across] for i in range(0, len(found.blocks), across)]
-    return figure(rows, title=found.title, theta=None if kind == "spectrum" else theta, turns=found.turns)
+    return figure(rows, title=title, theta=None if kind == "spectrum" else theta, turns=found.turns)
 
 
 def _same_unit(units: Sequence[str]) -> str:
@@ -53,7 +54,7 @@ def _same_unit(units: Sequence[str]) -> str:
 
 
 def _name(engine: Engine) -> str:
-    return "\n".join(folded(engine.name, 30))
+    return "\n".join(folded(named(engine), 30))
 
 
 def _hodographs(engines: Sequence[Engine], theta: float, options: dict[str, Any]) -> Compared:
@@ -89,7 +90,7 @@ def _spectra(engines: Sequence[Engine], _theta: float, options: dict[str, Any]) 
     for one, engine in zip(found, engines, strict=True):
         panels = bar_panels(one, orders=orders, reaches=reaches, width=HALF - 30, title=_name(engine))
         blocks.append(stacked([panel[0] for panel in panels]))
-    return Compared(blocks, "Greatest force, couple and roll by order", 1)
+    return Compared(blocks, "Greatest force, couple and roll of the block by order", 1)
 
 
 def _stars(engines: Sequence[Engine], theta: float, options: dict[str, Any]) -> Compared:

@@ -15,6 +15,8 @@ from crankstar.wording import number
 if TYPE_CHECKING:
     import altair
 
+    from crankstar.engine import Engine
+
 GREY = "#808080"
 """Text and axes: can be read on white and on black."""
 PRINTED, OURS = "#d55e00", "#2b83c6"
@@ -151,6 +153,11 @@ def _assembled() -> type[altair.VConcatChart]:
 def folded(text: str, width: int = 48) -> list[str]:
     """A text in lines that fit a figure."""
     return wrap(text, width, break_long_words=True) or [""]
+
+
+def named(engine: Engine) -> str:
+    """The name of an engine under a title, and which way it turns where that is not clockwise seen from the front."""
+    return engine.name if engine.sense > 0 else f"{engine.name}; turns counter-clockwise"
 
 
 def checked_angle(theta: float) -> float:

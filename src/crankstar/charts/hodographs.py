@@ -10,7 +10,19 @@ import numpy as np
 
 from crankstar import phasor
 from crankstar.balance import balance, total
-from crankstar.charts.drawing import BLUE, GREY, SMALL, VERMILION, WIDTH, Panel, checked_angle, checked_order, figure, of_rows
+from crankstar.charts.drawing import (
+    BLUE,
+    GREY,
+    SMALL,
+    VERMILION,
+    WIDTH,
+    Panel,
+    checked_angle,
+    checked_order,
+    figure,
+    named,
+    of_rows,
+)
 from crankstar.charts.labels import Label
 from crankstar.charts.plane import HEAD, Axes, Dot, Frame, Plane, Stroke, coordinates, empty, picture, round_frame
 from crankstar.charts.vectors import NOTHING, Quantity, checked_quantity
@@ -89,7 +101,7 @@ def hodograph(
     theta = checked_angle(theta)
     title = course_title(found)
     panel = course_panel(found, reach=found.reach, theta=theta)
-    return figure([[panel]], title=title, subtitle=[engine.name], theta=theta, turns=min(found.turns, MOST_TURNS))
+    return figure([[panel]], title=title, subtitle=[named(engine)], theta=theta, turns=min(found.turns, MOST_TURNS))
 
 
 def course_title(found: Course) -> str:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from crankstar.charts.drawing import HALF, ORANGE, TEXT, WIDTH, Panel, checked_angle, figure, numbers_text
+from crankstar.charts.drawing import HALF, ORANGE, TEXT, WIDTH, Panel, checked_angle, figure, named, numbers_text
 from crankstar.charts.labels import Label
 from crankstar.charts.plane import BAR, Arrow, Dot, Frame, Plane, empty, picture, round_frame, scale_bar
 from crankstar.charts.stars import nothing, turns_of
@@ -40,7 +40,7 @@ def polygon(
     theta = checked_angle(theta)
     panels = polygon_panels(found, theta=theta, reach=polygon_reach(found))
     title = heading(found, "polygon")
-    return figure([panels], title=title, subtitle=[engine.name], theta=theta, turns=turns_of(found.order))
+    return figure([panels], title=title, subtitle=[named(engine)], theta=theta, turns=turns_of(found.order))
 
 
 def polygon_reach(found: Stars) -> float:

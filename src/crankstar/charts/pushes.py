@@ -28,6 +28,7 @@ from crankstar.charts.drawing import (
     checked_order,
     figure,
     layered,
+    named,
     of_rows,
 )
 from crankstar.charts.labels import Label
@@ -127,7 +128,7 @@ def force_arrows(
     names = [f"order {order:g}" for order in sorted(set(orders))]
     panels = [[_panel(found, places, i, frame, degrees(angle))] for i, angle in enumerate(angles)]
     key = [*zip(names, COLOURS, strict=False), (_turning(engine), GREY), (NET, GREEN)]
-    return figure([[_key(key)], *panels], title="Forces on each cylinder, in m r ω²", subtitle=[engine.name])
+    return figure([[_key(key)], *panels], title="Forces on each cylinder, in m r ω²", subtitle=[named(engine)])
 
 
 def _turning(engine: Engine) -> str:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from crankstar.charts.drawing import BLUE, GREY, HALF, TEXT, WIDTH, Panel, checked_angle, figure, numbers_text
+from crankstar.charts.drawing import BLUE, GREY, HALF, TEXT, WIDTH, Panel, checked_angle, figure, named, numbers_text
 from crankstar.charts.labels import Label
 from crankstar.charts.plane import BAR, Arrow, Dot, Frame, Plane, Stroke, empty, label_margin, picture, round_frame, scale_bar
 from crankstar.charts.vectors import COLOURS, Quantity, Star, Stars, Vector, heading, stars
@@ -161,7 +161,7 @@ def vector_star(
     return figure(
         [star_panels(found, reach=found.reach, theta=theta)],
         title=heading(found),
-        subtitle=[engine.name],
+        subtitle=[named(engine)],
         theta=theta,
         turns=turns_of(found.order),
     )
