@@ -229,3 +229,55 @@ def test_an_engine_that_could_not_be_read_again_is_not_written(refused: Callable
     target = tmp_path / "w.toml"
     assert "at most 256" in refused("balance", str(file), "--weights", "webs", "-o", str(target))
     assert not target.exists()
+
+
+def test_the_card_tells_the_load_on_the_bearings(run: Run) -> None:
+    """Of a flat four the middle bearing has half of each inner pin, which push together; half the mass halves it."""
+    loads = [line.split()[-1] for line in run("balance", "i4").out.splitlines() if "load on a main bearing" in line]
+    assert loads == ["1", "0.5"]
+    best = run("balance", "i4", "--weights", "webs", "--least", "bearing").out
+    found = re.search(r"Greatest load on a main bearing: (\S+) m r ω², 1 with bare crankshafts", " ".join(best.split()))
+    assert found
+    assert float(found.group(1)) == pytest.approx(0.5, abs=1e-4)
+
+
+def test_a_shaft_that_takes_a_force_has_its_weight_in_the_middle(run: Run) -> None:
+    assert len(re.findall(r"^balancer -?2 +0 ", run("balance", "i4", "--shafts").out, re.MULTILINE)) == 2
+    assert len(re.findall(r"^balancer -1 +-?1\.5 ", run("balance", "triple-120", "--shafts").out, re.MULTILINE)) == 2
+    assert "say where they lie" in run("balance", "i4", "--shafts").out
+    assert "say where they lie" not in run("balance", "i4", "--shafts", "--apart", "3").out
+
+
+GEARED = """
+format = 1
+name = "geared"
+[[shaft]]
+name = "crank"
+throw = [{ angle = "0 deg", radius = "40 mm" }]
+[[shaft]]
+name = "other"
+speed_ratio = "-997/1000"
+right = "200 mm"
+throw = [{ angle = "0 deg", radius = "40 mm" }]
+[[cylinders]]
+number = 1
+shaft = "crank"
+throw = 1
+rod_length = "150 mm"
+reciprocating_mass = "500 g"
+[[cylinders]]
+number = 2
+shaft = "other"
+throw = 1
+rod_length = "150 mm"
+reciprocating_mass = "500 g"
+"""
+
+
+def test_peaks_of_a_period_too_long_to_follow_are_refused_and_rms_is_not(
+    run: Run, refused: Callable[..., str], tmp_path: Path
+) -> None:
+    file = tmp_path / "geared.toml"
+    file.write_text(GEARED, encoding="utf-8")
+    assert "ask for the rms instead" in refused("balance", str(file), "--least", "force")
+    assert "Rms force" in run("balance", str(file), "--least", "rms force").out

@@ -23,8 +23,8 @@ PRINTED, OURS = "#d55e00", "#2b83c6"
 """Vermilion and blue, which the colour-blind tell apart, and which show on white and on black."""
 VERMILION, BLUE = PRINTED, OURS
 GREEN, ORANGE, PURPLE, SKY = "#009e73", "#e69f00", "#cc79a7", "#56b4e9"
-PALETTE = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY)
-"""For curves that stand side by side, after M. Okabe and K. Ito."""
+PALETTE = (BLUE, GREEN, ORANGE, PURPLE, SKY)
+"""For curves that stand side by side, after M. Okabe and K. Ito; vermilion marks the crank angle, and the best value."""
 WIDTH, HEIGHT = 330, 170
 """Of the plotting area; with its axes a figure is about 400 pixels wide."""
 HALF = 190
