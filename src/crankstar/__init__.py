@@ -32,6 +32,7 @@ a record, a way of looking at it is a function, an engine type is data, and impo
 | `remedy/` | what is put on an engine so that it shakes less: counterweights, balance shafts; gives Engines back |
 | `balance` | Engine -> Balance: what every part does to the block, by cylinder, bank, shaft, in all; units |
 | `mechanism` | an engine, or a batch, as arrays; the laws of force, couple, roll and torque, and their spectra |
+| `succession` | who fires after whom: intervals in a group, neighbours, partners on a pin |
 | `firing` | dead centres, firing angles and intervals; orders that do not fit |
 | `layouts` | inline, vee, boxer, tandem, opposed, radial: functions that write Engines |
 | `arrangement` | cylinders put on pins, and what a short file says of all of them, to an Engine |
