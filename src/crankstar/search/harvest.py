@@ -1,0 +1,145 @@
+"""Stars that were found, and how finds of several blocks become one: the same in whatever parts and order they come.
+
+A row is a star with the values of its objectives, and how many classes and stars it stands for. Rows of one star add up.
+Where more stars share all values than are kept, those that go leave their numbers with those that stay, so that the
+numbers of a group of equal values are always those of all its stars.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from crankstar.search.kernels import SAME
+from crankstar.search.question import All, Best, Front
+
+DECIMALS = 9
+"""Of the values, in the kernels' unit, by which stars are put in order."""
+
+
+@dataclass(frozen=True)
+class Harvest:
+    """Rows of stars: values [r, q] in the kernels' unit, directions by place [r, p], classes times symmetries, stars; stars met."""
+
+    values: np.ndarray
+    stars: np.ndarray
+    classes: np.ndarray
+    times: np.ndarray
+    met: int = 0
+
+    def __len__(self) -> int:
+        return len(self.values)
+
+
+def nothing(objectives: int, places: int) -> Harvest:
+    """No stars."""
+    none = np.zeros(0, np.int64)
+    return Harvest(np.zeros((0, max(1, objectives))), np.zeros((0, places), np.int8), none, none)
+
+
+def gathered(parts: Sequence[Harvest], ask: Front | Best | All) -> Harvest:
+    """One harvest from several: each star once, what is not asked for left out."""
+    met = sum(part.met for part in parts)
+    rows = _each_once(parts)
+    rows = _front(rows, ask.examples) if isinstance(ask, Front) else _first(rows, ask)
+    return Harvest(rows.values, rows.stars, rows.classes, rows.times, met)
+
+
+def groups(harvest: Harvest) -> list[np.ndarray]:
+    """Rows by equal values, in the order of the values."""
+    left = np.arange(len(harvest))
+    out: list[np.ndarray] = []
+    while len(left):
+        same = (np.abs(harvest.values[left] - harvest.values[left[0]]) <= 2 * SAME).all(axis=1)
+        out.append(left[same])
+        left = left[~same]
+    return out
+
+
+def threshold(harvest: Harvest, ask: Front | Best | All) -> np.ndarray | None:
+    """The worst value that can still be among the best, once enough are known."""
+    if isinstance(ask, Best) and len(harvest) >= ask.count:
+        return harvest.values[ask.count - 1]
+    return None
+
+
+def _each_once(parts: Sequence[Harvest]) -> Harvest:
+    stars = np.concatenate([part.stars for part in parts])
+    if not len(stars):
+        return parts[0]
+    values = np.concatenate([part.values for part in parts])
+    _, first, where = np.unique(stars, axis=0, return_index=True, return_inverse=True)
+    where = where.reshape(-1)
+    sums = [
+        np.bincount(where, np.concatenate([getattr(part, name) for part in parts])).astype(np.int64)
+        for name in ("classes", "times")
+    ]
+    return _ordered(Harvest(values[first], stars[first], sums[0], sums[1]))
+
+
+def _ordered(rows: Harvest) -> Harvest:
+    """By the first objective, then the second and so on, then by star."""
+    keys = [*rows.stars.T[::-1], *np.round(rows.values, DECIMALS).T[::-1]]
+    return _taken(rows, np.lexsort(keys))
+
+
+def _taken(rows: Harvest, which: np.ndarray) -> Harvest:
+    return Harvest(rows.values[which], rows.stars[which], rows.classes[which], rows.times[which])
+
+
+def _front(rows: Harvest, examples: int) -> Harvest:
+    """What is as good in all and better in one drives a row out; of equal rows so many examples stay."""
+    keep = np.ones(len(rows), bool)
+    seen = np.zeros(len(rows), bool)
+    order = np.argsort(rows.values.sum(axis=1), kind="stable")
+    for row in order:
+        if not keep[row] or seen[row]:
+            continue
+        apart = rows.values - rows.values[row]
+        seen |= (np.abs(apart) <= SAME).all(axis=1)
+        keep &= ~((apart >= -SAME).all(axis=1) & (apart > SAME).any(axis=1))
+    rows = _taken(rows, np.flatnonzero(keep))
+    classes, times, stay = rows.classes.copy(), rows.times.copy(), []
+    for group in groups(rows):
+        here, gone = group[:examples], group[examples:]
+        classes[here[0]] += classes[gone].sum()
+        times[here[0]] += times[gone].sum()
+        stay.append(here)
+    which = np.concatenate(stay) if stay else np.zeros(0, np.int64)
+    return _taken(Harvest(rows.values, rows.stars, classes, times), which)
+
+
+def _first(rows: Harvest, ask: Best | All) -> Harvest:
+    """The first rows, so many as are asked for; the number of a list is that of all its stars."""
+    if isinstance(ask, Best):
+        return _taken(rows, np.arange(min(len(rows), ask.count)))
+    kept = min(len(rows), ask.greatest)
+    if kept == len(rows):
+        return rows
+    classes, times = rows.classes.copy(), rows.times.copy()
+    classes[0] += classes[kept:].sum()
+    times[0] += times[kept:].sum()
+    return _taken(Harvest(rows.values, rows.stars, classes, times), np.arange(kept))
+
+
+def as_json(harvest: Harvest) -> dict[str, Any]:
+    """The harvest as lists of numbers."""
+    return {
+        "values": harvest.values.tolist(),
+        "stars": harvest.stars.tolist(),
+        "classes": harvest.classes.tolist(),
+        "times": harvest.times.tolist(),
+        "met": harvest.met,
+    }
+
+
+def from_json(tree: dict[str, Any], objectives: int, places: int) -> Harvest:
+    """A harvest from its lists. Raises KeyError, TypeError or ValueError where they are no harvest."""
+    rows = len(tree["stars"])
+    values = np.array(tree["values"], float).reshape(rows, max(1, objectives))
+    stars = np.array(tree["stars"], np.int8).reshape(rows, places)
+    classes, times = (np.array(tree[name], np.int64).reshape(rows) for name in ("classes", "times"))
+    return Harvest(values, stars, classes, times, int(tree["met"]))

@@ -1,0 +1,175 @@
+"""Crank stars: all ways to set the cylinders of an in-line engine on evenly spaced throws, and how many there are.
+
+Directions are numbered in the order in which their throws come to top dead centre: direction d stands for a throw 360 d/n
+degrees behind that of direction 0 (n directions), so a star is one number for each cylinder from the front. A two-stroke engine
+of n cylinders, and a four-stroke one of odd n, has a throw in each of n directions; a four-stroke one of even n has two in
+each of n/2. Turning a star as a whole is turning the crankshaft: it is the same star, and is counted once. Its mirror
+image is the crankshaft of the engine that turns the other way, and, where the cylinders stand symmetrically, the star
+taken from the rear end is that of the engine turned end for end: forces and couples are as great in all of these, which
+are one class.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from math import factorial
+
+from crankstar.quantity import Cycle
+
+GREATEST_CYLINDERS = 24
+"""Cylinders a star can have: a half of more than 12 places is beyond any memory."""
+
+
+class SearchError(ValueError):
+    """A search that cannot be, in a sentence for each thing wrong with it."""
+
+    def __init__(self, faults: list[str]) -> None:
+        self.faults = faults
+        super().__init__("\n".join(faults))
+
+
+Star = tuple[int, ...]
+"""The direction of each cylinder's throw, from the front."""
+
+
+@dataclass(frozen=True)
+class Stars:
+    """The stars of an engine of so many cylinders.
+
+    positions: of each cylinder along the shaft, falling from the front, in any unit (the couples are counted in it),
+    measured from the middle; symmetric: only cranks of which the rear half is the mirror image of the front half
+    (four-stroke, even); fixed: directions that some cylinders must have, by cylinder number.
+    """
+
+    cylinders: int
+    cycle: Cycle
+    positions: tuple[Fraction, ...]
+    symmetric: bool = False
+    fixed: tuple[tuple[int, int], ...] = ()
+
+    @property
+    def sharing(self) -> int:
+        """How many cylinders have each direction: 1 or 2."""
+        return 2 if self.cycle == "four-stroke" and self.cylinders % 2 == 0 else 1
+
+    @property
+    def directions(self) -> int:
+        """How many directions throws have."""
+        return self.cylinders // self.sharing
+
+    @property
+    def step(self) -> int:
+        """From a direction to that of the next cylinder to fire; 0 where two cylinders of a direction leave a choice."""
+        if self.sharing == 2:
+            return 0
+        return 1 if self.cycle == "two-stroke" else 2 % self.cylinders
+
+    @cached_property
+    def places(self) -> tuple[tuple[int, ...], ...]:
+        """What can be placed by itself: cylinders (from 0), or pairs of them in symmetric cranks."""
+        if self.symmetric:
+            return tuple((j, self.cylinders - 1 - j) for j in range(self.cylinders // 2))
+        return tuple((j,) for j in range(self.cylinders))
+
+    @cached_property
+    def each(self) -> int:
+        """How many places have each direction."""
+        return len(self.places) // self.directions
+
+    @cached_property
+    def evenly_placed(self) -> bool:
+        """Whether the cylinders stand symmetrically about the middle."""
+        return all(a == -b for a, b in zip(self.positions, reversed(self.positions), strict=True))
+
+    @property
+    def angles_deg(self) -> tuple[Fraction, ...]:
+        """Crank angle at which each direction is first at top dead centre, degrees."""
+        return tuple(Fraction(360 * d, self.directions) for d in range(self.directions))
+
+    def firing_deg(self) -> tuple[Fraction, ...] | None:
+        """Crank angle at which each direction fires, where there is no choice, degrees within the cycle."""
+        if self.step == 0:
+            return None
+        cycle = 360 if self.cycle == "two-stroke" else 720
+        angles = [Fraction(0)] * self.directions
+        for turn in range(self.directions):
+            angles[turn * self.step % self.directions] = Fraction(cycle * turn, self.directions)
+        return tuple(angles)
+
+    @cached_property
+    def total(self) -> int:
+        """How many stars there are, turned ones counted apart, fixed throws obeyed."""
+        left = [self.each] * self.directions
+        for _, direction in self.fixed_places:
+            left[direction] -= 1
+        count = factorial(sum(left))
+        for number in left:
+            count //= factorial(number)
+        return count
+
+    @cached_property
+    def fixed_places(self) -> tuple[tuple[int, int], ...]:
+        """The fixed throws by place (from 0)."""
+        home = {cylinder: place for place, members in enumerate(self.places) for cylinder in members}
+        return tuple(sorted({(home[number - 1], direction) for number, direction in self.fixed}))
+
+    @cached_property
+    def count(self) -> int:
+        """How many stars there are, turned ones counted once (where throws are fixed none can be turned)."""
+        return self.total if self.fixed else self.total // self.directions
+
+    def classes(self, *, mirrored: bool = True, reversed_: bool = True) -> int:
+        """How many classes they make if mirrored stars, and those taken from the rear, count as one. Burnside's lemma.
+
+        >>> Stars(7, "two-stroke", tuple(Fraction(3 - j) for j in range(7))).classes()
+        192
+        """
+        if self.fixed:
+            return self.count
+        turns = [lambda d, c=c: (d + c) % self.directions for c in range(self.directions)]
+        mirrors = [lambda d, c=c: (c - d) % self.directions for c in range(self.directions)]
+        group = [*turns, *(mirrors if mirrored else [])]
+        still = sum(self._unmoved([g(d) for d in range(self.directions)], ends=False) for g in group)
+        size = len(group)
+        if reversed_ and self.evenly_placed and not self.symmetric:
+            still += sum(self._unmoved([g(d) for d in range(self.directions)], ends=True) for g in group)
+            size *= 2
+        return still // size
+
+    def _unmoved(self, image: list[int], *, ends: bool) -> int:
+        """How many stars a change of directions, with or without one end for the other, leaves as they are."""
+        if not ends:
+            return self.total if image == list(range(self.directions)) else 0
+        if any(image[image[d]] != d for d in range(self.directions)):
+            return 0
+        alone = sum(1 for d in range(self.directions) if image[d] == d)
+        pairs = (self.directions - alone) // 2
+        if self.each == 1:
+            return factorial(pairs) * 2**pairs if alone == len(self.places) % 2 else 0
+        halves = 2 * pairs + alone
+        return factorial(halves) // 2**pairs * 4**pairs if 2 * halves == len(self.places) else 0
+
+    def whole(self, places: Star) -> Star:
+        """The direction of every cylinder, from that of every place."""
+        out = [0] * self.cylinders
+        for members, direction in zip(self.places, places, strict=True):
+            for cylinder in members:
+                out[cylinder] = direction
+        return tuple(out)
+
+    def same(self, star: Star) -> Iterator[Star]:
+        """All stars of a star's class, turned ones once, each with cylinder 1 in direction 0; itself alone if throws are fixed."""
+        if self.fixed:
+            yield star
+            return
+        seen: set[Star] = set()
+        ends = [star, star[::-1]] if self.evenly_placed else [star]
+        for row in ends:
+            for sign in (1, -1):
+                turned = tuple(sign * (d - row[0]) % self.directions for d in row)
+                if turned not in seen:
+                    seen.add(turned)
+                    yield turned

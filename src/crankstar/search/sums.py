@@ -1,0 +1,116 @@
+"""What a star is judged by: vector sums over its cylinders, and neighbours that fire one after the other.
+
+A vector sum of order k is
+
+    V = scale * sum over cylinders j of w_j exp(i 2 pi t(d_j)),
+
+d_j the direction of cylinder j. With w = 1 and t = k d/n it is F_k, the sum of the unit forces of order k; with w_j = z_j, the
+distance from the middle, it is M_k, that of their couples; with w_j the amplitude of cylinder j in a torsional mode shape
+and t = k (firing angle)/360 deg it tells how strongly gas torque of order k (halves for a four-stroke engine) drives that mode.
+The weights and turns are rational, so that a sum is a number of a cyclotomic field: whether it is zero is decided, not
+estimated.
+
+Source: C. F. Taylor, The Internal Combustion Engine in Theory and Practice, vol. 2, chapter 8, for F_k and M_k; J. P. Den
+Hartog, Mechanical Vibrations, section 5.4 (star diagrams of torsional vibration).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from crankstar.derive import cyclotomic
+from crankstar.search.stars import SearchError, Star, Stars
+
+
+@dataclass(frozen=True)
+class VectorSum:
+    """scale * sum of w_j exp(i 2 pi t(d_j)): a weight for each cylinder, a part of a turn for each direction."""
+
+    name: str
+    weights: tuple[Fraction, ...]
+    turns: tuple[Fraction, ...]
+    scale: float = 1.0
+    unit: str = ""
+
+    def exact(self, star: Star) -> cyclotomic.Number:
+        """The sum for a star without its scale, exactly."""
+        total = cyclotomic.rational(0)
+        for weight, direction in zip(self.weights, star, strict=True):
+            total = total + cyclotomic.root(self.turns[direction]).times(weight)
+        return total
+
+    def length(self, star: Star) -> float:
+        """How long the sum is for a star, exact zeros as zero."""
+        exact = self.exact(star)
+        return 0.0 if exact.zero else self.scale * abs(complex(exact))
+
+
+@dataclass(frozen=True)
+class Objective:
+    """What is made least: the root of the sum of squares of some vector sums, each with a weight, and neighbours in succession.
+
+    `neighbours` is what each pair of neighbours that fire one after the other costs; 1 and no terms: their number.
+    """
+
+    name: str
+    terms: tuple[tuple[float, VectorSum], ...] = ()
+    neighbours: float = 0.0
+    unit: str = ""
+
+
+@dataclass(frozen=True)
+class Limit:
+    """A vector sum may be at most so long; 0: it is to vanish, which is proved."""
+
+    sum: VectorSum
+    greatest: float
+
+
+def force(stars: Stars, order: int) -> VectorSum:
+    """F_k, the sum of the unit forces of an order."""
+    return VectorSum(f"F{order}", (Fraction(1),) * stars.cylinders, _turns(stars, order), unit="m*r*w^2")
+
+
+def couple(stars: Stars, order: int) -> VectorSum:
+    """M_k, the sum of the couples of unit forces of an order about the middle.
+
+    >>> seven = Stars(7, "two-stroke", tuple(Fraction(3 - j) for j in range(7)))
+    >>> round(couple(seven, 1).length((0, 1, 2, 3, 4, 5, 6)), 4)
+    8.0667
+    """
+    return VectorSum(f"M{order}", stars.positions, _turns(stars, order), unit="m*r*w^2*a")
+
+
+def torsion(stars: Stars, *, order: Fraction, shape: Sequence[Fraction]) -> VectorSum:
+    """T_k, the sum of a torsional mode's amplitudes at the cylinders, each turned by order times firing angle.
+
+    order: per turn, a multiple of 1/2 in a four-stroke engine; shape: amplitude at each cylinder from the front.
+    Raises SearchError where the firing order is not settled by the star (four-stroke, even number) and the order is
+    not whole.
+    """
+    if len(shape) != stars.cylinders:
+        raise SearchError([f"the mode shape has {len(shape)} amplitudes for {stars.cylinders} cylinders; give one for each"])
+    if stars.cycle == "two-stroke" and order.denominator != 1:
+        raise SearchError([f"T{order}: a two-stroke engine has whole orders only"])
+    angles = stars.firing_deg() or stars.angles_deg
+    if stars.step == 0 and order.denominator != 1:
+        message = "where two cylinders share a direction the firing order decides on half orders; search with whole ones"
+        raise SearchError([f"T{order}: {message}"])
+    turns = tuple(order * angle / 360 % 1 for angle in angles)
+    return VectorSum(f"T{order}", tuple(shape), turns)
+
+
+def _turns(stars: Stars, order: int) -> tuple[Fraction, ...]:
+    return tuple(order * angle / 360 % 1 for angle in stars.angles_deg)
+
+
+def neighbours() -> Objective:
+    """The number of neighbours that fire one after the other; where two cylinders share each direction, in the best order."""
+    return Objective("neighbours", neighbours=1.0)
+
+
+def of(vector: VectorSum) -> Objective:
+    """A vector sum as an objective."""
+    return Objective(vector.name, ((1.0, vector),), unit=vector.unit)

@@ -1,0 +1,84 @@
+"""A part of a search: one stretch of its blocks in the strips of one attempt; the same wherever and whenever it is run."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from crankstar.search import harvest, kernels
+from crankstar.search.halves import BUFFER, Halves, halves
+from crankstar.search.harvest import Harvest
+from crankstar.search.question import Front, Question
+from crankstar.search.strips import Strips
+
+GREATEST_FRONT = 4096
+"""Points of a front that are used to turn others away while it grows; more only make it slower."""
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """Blocks from start up to stop of a question, and the strips to search."""
+
+    question: Question
+    strips: Strips
+    start: int
+    stop: int
+
+
+def worked(stretch: Stretch) -> Harvest:
+    """What the stars of a stretch bring in."""
+    question = stretch.question
+    ready = halves(question)
+    tables = ready.tables
+    room = _room(ready)
+    rows, places = max(BUFFER, 2 * ready.inner_rows), tables.whole.shape[0]
+    objectives = len(tables.weights)
+    found = kernels.Found(
+        np.empty((rows, objectives)), np.empty((rows, places), np.int8), np.empty(rows, np.int64), np.empty(rows, np.int64)
+    )
+    front = np.empty((GREATEST_FRONT, objectives))
+    state = np.zeros(7, np.int64)
+    state[6] = isinstance(question.ask, Front) and not question.judges
+    radii = np.array(stretch.strips.radii, float).reshape(-1, 2)
+    blocks = ready.blocks[stretch.start : stretch.stop]
+    out = harvest.nothing(len(question.objectives), places)
+    waiting: list[Harvest] = []
+    ended = False
+    while not ended:
+        ended = kernels.searched(tables, blocks, radii, room, found, front, state)
+        waiting.append(Harvest(*(part[: state[3]].copy() for part in found)))
+        state[3] = 0
+        if not ended and sum(map(len, waiting)) < len(out):
+            continue
+        out, waiting = harvest.gathered([out, *waiting], question.ask), []
+        bar = harvest.threshold(out, question.ask)
+        if bar is not None:
+            front[0], state[5] = bar, 1
+    return Harvest(out.values, out.stars, out.classes, out.times, int(state[4]))
+
+
+def _room(ready: Halves) -> kernels.Room:
+    """Room for one block, and how finely its inner half is sorted: about one vector to a cell in the thick of them."""
+    tables = ready.tables
+    width = tables.constant.shape[0]
+    once = bool((ready.blocks[:, :-1] <= 1).all())
+    longest = np.abs(tables.inner[:, 0, 0::2] + 1j * tables.inner[:, 0, 1::2])
+    reach = longest.sum(axis=0) * 1.001 + 1e-9
+    cell = np.sqrt((longest**2).sum(axis=0) * np.pi / ready.inner_rows) + 1e-9
+    cells = min(int((2 * reach / cell).max() + 2) ** 2, 16 * ready.inner_rows + 64)
+    return kernels.Room(
+        outer_pairs=kernels.exchanges(len(tables.outer) if once else 0),
+        inner_pairs=kernels.exchanges(len(tables.inner) if once else 0),
+        outer=np.empty((ready.outer_rows, width)),
+        outer_code=np.empty(ready.outer_rows, np.int64),
+        inner=np.empty((ready.inner_rows, width)),
+        inner_code=np.empty(ready.inner_rows, np.int64),
+        start=np.empty(cells + 2, np.int32),
+        order=np.empty(ready.inner_rows, np.int32),
+        near=np.empty((ready.inner_rows, 2)),
+        where=np.empty(ready.inner_rows, np.int32),
+        reach=reach,
+        cell=cell,
+        loose=(tables.limits[:-1] + 1e-7) ** 2,
+    )
