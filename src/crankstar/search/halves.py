@@ -95,8 +95,7 @@ class _Column:
 
     @property
     def parts(self) -> tuple[np.ndarray, np.ndarray]:
-        whole = np.outer(self.weights, self.turns)
-        return whole.real, whole.imag
+        return np.outer(self.weights, np.real(self.turns)), np.outer(self.weights, np.imag(self.turns))
 
     @property
     def spread(self) -> float:

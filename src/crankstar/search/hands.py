@@ -86,7 +86,7 @@ def cluster(address: str) -> Iterator[Hands]:
         message = f"no scheduler answers at {address} within {SCHEDULER_SECONDS:.0f} s ({reason}); start one with: dask scheduler"
         raise SearchError([message]) from None
     try:
-        threads = sum(client.nthreads().values())
+        threads = sum(dict(client.nthreads()).values())  # pyright: ignore[reportArgumentType, reportCallIssue]
         if not threads:
             raise SearchError([f"the scheduler at {address} has no workers; start one with: dask worker {address}"])
         yield Hands(client.get_executor(pure=False), workers=threads)

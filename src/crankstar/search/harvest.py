@@ -83,11 +83,12 @@ def _each_once(parts: Sequence[Harvest]) -> Harvest:
 def _ordered(rows: Harvest) -> Harvest:
     """By the first objective, then the second and so on, then by star."""
     keys = [*rows.stars.T[::-1], *np.round(rows.values, DECIMALS).T[::-1]]
-    return _taken(rows, np.lexsort(keys))
+    return taken(rows, np.lexsort(keys))
 
 
-def _taken(rows: Harvest, which: np.ndarray) -> Harvest:
-    return Harvest(rows.values[which], rows.stars[which], rows.classes[which], rows.times[which])
+def taken(rows: Harvest, which: np.ndarray) -> Harvest:
+    """Some rows of a harvest."""
+    return Harvest(rows.values[which], rows.stars[which], rows.classes[which], rows.times[which], rows.met)
 
 
 def _front(rows: Harvest, examples: int) -> Harvest:
@@ -101,7 +102,7 @@ def _front(rows: Harvest, examples: int) -> Harvest:
         apart = rows.values - rows.values[row]
         seen |= (np.abs(apart) <= SAME).all(axis=1)
         keep &= ~((apart >= -SAME).all(axis=1) & (apart > SAME).any(axis=1))
-    rows = _taken(rows, np.flatnonzero(keep))
+    rows = taken(rows, np.flatnonzero(keep))
     classes, times, stay = rows.classes.copy(), rows.times.copy(), []
     for group in groups(rows):
         here, gone = group[:examples], group[examples:]
@@ -109,20 +110,20 @@ def _front(rows: Harvest, examples: int) -> Harvest:
         times[here[0]] += times[gone].sum()
         stay.append(here)
     which = np.concatenate(stay) if stay else np.zeros(0, np.int64)
-    return _taken(Harvest(rows.values, rows.stars, classes, times), which)
+    return taken(Harvest(rows.values, rows.stars, classes, times), which)
 
 
 def _first(rows: Harvest, ask: Best | All) -> Harvest:
     """The first rows, so many as are asked for; the number of a list is that of all its stars."""
     if isinstance(ask, Best):
-        return _taken(rows, np.arange(min(len(rows), ask.count)))
+        return taken(rows, np.arange(min(len(rows), ask.count)))
     kept = min(len(rows), ask.greatest)
     if kept == len(rows):
         return rows
     classes, times = rows.classes.copy(), rows.times.copy()
     classes[0] += classes[kept:].sum()
     times[0] += times[kept:].sum()
-    return _taken(Harvest(rows.values, rows.stars, classes, times), np.arange(kept))
+    return taken(Harvest(rows.values, rows.stars, classes, times), np.arange(kept))
 
 
 def as_json(harvest: Harvest) -> dict[str, Any]:

@@ -49,6 +49,8 @@ class Outcome:
     """What a search found, in which strips, and whether that is proved to be all."""
 
     question: Question
+    asked: Question
+    """What the blocks were asked: the question, but for all stars where Python functions are to judge them."""
     found: Harvest
     strips: Strips
     attempts: int
@@ -71,7 +73,8 @@ def searched(
     """The answer to a question, with its proof.
 
     hands: who does the work (`processes`, `cluster`, or any Executor in `Hands`); None works in this process. stretch: blocks
-    that are handed out together (by default about a second's work). checkpoint: where stretches are kept. watch: is told of the progress.
+    that are handed out together (by default about a second's work). checkpoint: where stretches are kept. watch: is told of the
+    progress.
     A KeyboardInterrupt ends the search early: the outcome is then marked interrupted, and is not complete.
     Raises SearchError where the checkpoint cannot be written.
     """
@@ -84,9 +87,9 @@ def searched(
         effort = _Effort(asked, tried, attempt, blocks, stretch or _stretch(ready, tried), hands, checkpoint, watch)
         found, stopped = effort.run(dict(kept))
         if stopped:
-            return Outcome(question, found, tried, attempt + 1, blocks, complete=False, interrupted=True)
+            return Outcome(question, asked, found, tried, attempt + 1, blocks, complete=False, interrupted=True)
         if complete(asked, found, tried):
-            return Outcome(question, found, tried, attempt + 1, blocks, complete=True)
+            return Outcome(question, asked, found, tried, attempt + 1, blocks, complete=True)
         attempt += 1
         tried = strips(asked, ready, attempt=attempt)
 

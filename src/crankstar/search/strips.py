@@ -20,7 +20,7 @@ import numpy as np
 from crankstar.search.halves import Halves
 from crankstar.search.harvest import Harvest
 from crankstar.search.kernels import SAME
-from crankstar.search.question import All, Best, Front, Question
+from crankstar.search.question import All, Best, Question
 
 WANTED = 8.0
 """Stars that are expected in all strips of a front at once when it is begun."""
@@ -30,7 +30,7 @@ CHEAP = 0.2
 
 @dataclass(frozen=True)
 class Strips:
-    """Sums (by their place in the question) with radii in the kernels' unit; the greatest value of each objective that they hold whole.
+    """Sums (by their place in the question) with radii in the kernels' unit, and up to which values they are whole.
 
     whole: all stars within the limits are in a strip; bounds: infinite for an objective without sums.
     """

@@ -47,7 +47,7 @@ def worked(stretch: Stretch) -> Harvest:
     ended = False
     while not ended:
         ended = kernels.searched(tables, blocks, radii, room, found, front, state)
-        waiting.append(Harvest(*(part[: state[3]].copy() for part in found)))
+        waiting.append(_handed_over(found, int(state[3])))
         state[3] = 0
         if not ended and sum(map(len, waiting)) < len(out):
             continue
@@ -56,6 +56,11 @@ def worked(stretch: Stretch) -> Harvest:
         if bar is not None:
             front[0], state[5] = bar, 1
     return Harvest(out.values, out.stars, out.classes, out.times, int(state[4]))
+
+
+def _handed_over(found: kernels.Found, rows: int) -> Harvest:
+    """The rows the kernel has filled."""
+    return Harvest(found.values[:rows].copy(), found.stars[:rows].copy(), found.classes[:rows].copy(), found.times[:rows].copy())
 
 
 def _room(ready: Halves) -> kernels.Room:
