@@ -9,7 +9,7 @@ from functools import lru_cache
 
 import numpy as np
 
-NEAR = 3e-7
+NEAR = 1e-7
 
 
 @lru_cache(maxsize=16)
@@ -34,7 +34,9 @@ def lengths(rows: np.ndarray, weights: Sequence[float] | np.ndarray, order: floa
 
 def front(*columns: np.ndarray) -> dict[tuple[float, ...], int]:
     """Values that nothing betters, rounded to 1e-6, and how many stars have them."""
-    values, many = np.unique(np.round(np.column_stack(columns), 7), axis=0, return_counts=True)
+    every = np.column_stack(columns)
+    _, first, many = np.unique(np.round(every, 9), axis=0, return_index=True, return_counts=True)
+    values = every[first]
     counts: dict[tuple[float, ...], int] = defaultdict(int)
     for row, number in zip(values, many, strict=True):
         better = (values <= row + NEAR).all(axis=1) & (values < row - NEAR).any(axis=1)

@@ -1,11 +1,11 @@
 """Who fires after whom."""
 
 from hypothesis import given
+from tests.strategies import engines
 
 from crankstar.catalog import load
 from crankstar.firing import firing
 from crankstar.succession import followers, in_succession, neighbours, partners
-from tests.strategies import engines
 
 
 @given(engines())

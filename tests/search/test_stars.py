@@ -2,20 +2,21 @@
 
 from fractions import Fraction
 from itertools import pairwise, permutations
+from typing import Any
 
 import numpy as np
 import pytest
+from tests import exhaustive
 
 from crankstar.search.findings import findings, succeeding
 from crankstar.search.question import All, Best, Front, Judge, Question
 from crankstar.search.stars import Stars
 from crankstar.search.sums import Limit, Objective, couple, force, neighbours, of, torsion
-from tests import exhaustive
 
 CASES = [(n, "two-stroke") for n in range(2, 9)] + [(n, "four-stroke") for n in (2, 3, 4, 5, 6, 7, 8, 10)]
 
 
-def space(cylinders, cycle="two-stroke", **more):
+def space(cylinders, cycle: Any = "two-stroke", **more):
     return Stars(cylinders, cycle, exhaustive.halves(cylinders), **more)
 
 
