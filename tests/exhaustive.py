@@ -47,11 +47,8 @@ def front(*columns: np.ndarray) -> dict[tuple[float, ...], int]:
 
 def image_class(star: Sequence[int], directions: int, *, ends: bool) -> tuple[int, ...]:
     """What mirrored stars, turned ones and (if asked) those from the rear have in common: the least of them all."""
-    found = []
-    for row in [tuple(star), tuple(star)[::-1]] if ends else [tuple(star)]:
-        for sign in (1, -1):
-            found.append(tuple((sign * (d - row[0])) % directions for d in row))
-    return min(found)
+    ways = [tuple(star), tuple(star)[::-1]] if ends else [tuple(star)]
+    return min(tuple((sign * (d - row[0])) % directions for d in row) for row in ways for sign in (1, -1))
 
 
 def classes(rows: np.ndarray, directions: int, *, ends: bool) -> int:

@@ -1,0 +1,18 @@
+"""The inverse problem: which arrangement of cranks, which firing order, so that it shakes least.
+
+| module, top to bottom | one line |
+|---|---|
+| `findings` | the answer: stars with their sums, exact zeros, how many there are, what proves that these are all |
+| `run` | a search from beginning to end: stretches handed out, gathered, proved complete |
+| `hands` | who does the work: this process, processes of this machine, a cluster |
+| `checkpoint` | a search kept in a file, so that it can go on after it was stopped |
+| `work` | one stretch of blocks; the same wherever and whenever it is run |
+| `strips` | where to look, and when what was found proves the answer complete |
+| `harvest` | stars that were found, and how several finds become one |
+| `halves` | a question as arrays: two halves of the shaft, blocks, how much work |
+| `kernels` | compiled loops; the only user of numba |
+| `proof` | zeros and equal lengths of many stars, decided in whole numbers |
+| `question` | which stars, judged by what, within which limits, what is asked |
+| `sums` | vector sums of a star: forces, couples, torsion; neighbours in succession |
+| `stars` | all ways to set cylinders on evenly spaced throws, and how many there are |
+"""
