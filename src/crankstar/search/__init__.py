@@ -2,6 +2,7 @@
 
 | module, top to bottom | one line |
 |---|---|
+| `engines` | a star as an in-line Engine, with the firing order it allows |
 | `findings` | the answer: stars with their sums, exact zeros, how many there are, what proves that these are all |
 | `run` | a search from beginning to end: stretches handed out, gathered, proved complete |
 | `hands` | who does the work: this process, processes of this machine, a cluster |
