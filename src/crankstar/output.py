@@ -86,6 +86,26 @@ def write_bytes(content: bytes, place: str | None) -> None:
         _refuse(place, "is not a name a file can have")
 
 
+def writable(place: str) -> None:
+    """Refuses, before long work is begun, a place that could not be written to in the end. Raises OutputError."""
+    if place in STANDARD_OUTPUT:
+        return
+    try:
+        mode = _mode(place)
+        if mode is not None and stat.S_ISDIR(mode):
+            _refuse(place, "is a directory")
+        if mode is None and not Path(place).resolve().parent.is_dir():
+            _refuse(place, "there is no such directory")
+        if not os.access(place if mode is not None else Path(place).resolve().parent, os.W_OK):
+            _refuse(place, "is write-protected")
+    except OSError as error:
+        _refuse(place, error.strerror or str(error))
+    except (ValueError, RuntimeError) as error:
+        if isinstance(error, OutputError):
+            raise
+        _refuse(place, "is not a name a file can have")
+
+
 def is_file(place: str) -> bool:
     """Whether a file that would be overwritten is there."""
     with suppress(OSError, ValueError):
@@ -149,6 +169,22 @@ def working(text: str) -> Iterator[Callable[[str], None]]:
         return
     with console.status(escape(text)) as status:
         yield lambda now: status.update(escape(now))
+
+
+@contextmanager
+def progress(text: str) -> Iterator[Callable[[int, int, str], None]]:
+    """A bar on a terminal's standard error; call what is given with how much is done, of how much, and a note."""
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn
+
+    console = Console(stderr=True)
+    if not console.is_terminal:
+        yield lambda _done, _of, _note: None
+        return
+    columns = (TextColumn("{task.description}", markup=False), BarColumn(), TaskProgressColumn(), TextColumn("{task.fields[note]}"))
+    with Progress(*columns, console=console, transient=True) as bar:
+        task = bar.add_task(text, total=None, note="")
+        yield lambda done, of, note: bar.update(task, completed=done, total=of, note=note)
 
 
 def complain(text: str) -> None:

@@ -76,6 +76,20 @@ def number(value: float, largest: float = 0.0, *, digits: int = 5) -> str:
     return f"{value:.{digits}g}"
 
 
+def duration(seconds: float) -> str:
+    """A time in words, to what matters: `3 s`, `4 min`, `2.5 h`, `12 days`.
+
+    >>> duration(0.2), duration(200), duration(9000), duration(1e6), duration(1e10)
+    ('1 s', '3 min', '2.5 h', '12 days', '317 years')
+    """
+    if seconds < 100:
+        return f"{max(1, round(seconds))} s"
+    for unit, size, most, decimals in (("min", 60, 100, 0), ("h", 3600, 48, 1), ("days", 86400, 1000, 0)):
+        if seconds < most * size:
+            return f"{seconds / size:.{decimals}f} {unit}"
+    return f"{seconds / 31_557_600:,.0f} years"
+
+
 def html(renderable: RenderableType) -> str:
     """A renderable as HTML for a notebook; every text in it is escaped."""
     console = Console(record=True, file=StringIO(), width=140, force_jupyter=False, markup=False)

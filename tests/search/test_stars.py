@@ -185,3 +185,16 @@ def test_what_cannot_be_is_proved_not_to_be():
     for ask in (Front(), Best(3), All()):
         found = findings(Question(stars, (of(couple(stars, 3)),), limits=limits, ask=ask))
         assert found.contradicted
+
+
+@pytest.mark.parametrize("ask", [Front(), Best(5), All()])
+@pytest.mark.parametrize(("cylinders", "cycle"), [(6, "two-stroke"), (8, "two-stroke"), (7, "four-stroke"), (8, "four-stroke")])
+def test_the_certificate_counts_the_stars_in_its_strips(cylinders, cycle, ask):
+    stars = space(cylinders, cycle)
+    objectives = (of(couple(stars, 1)), of(couple(stars, 2))) if isinstance(ask, Front) else (of(couple(stars, 1)),)
+    limits = (Limit(couple(stars, 2), 2.5),) if isinstance(ask, All) else ()
+    proof = findings(Question(stars, objectives, limits, ask=ask)).certificate
+    inside = np.zeros(stars.count, bool)
+    for vector, length in proof.strips:
+        inside |= sizes(stars, int(vector.name[1:])) <= length
+    assert (proof.met, proof.of) == (inside.sum(), stars.count)

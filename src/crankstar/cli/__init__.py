@@ -2,12 +2,12 @@
 
 | module | one line |
 |---|---|
-| `looking`, `picturing`, `making` | the verbs: those that only look, that draw, that make or judge files |
+| `looking`, `picturing`, `making`, `searching` | the verbs: to look, to draw, to make or judge files, to search |
 | `options` | options that several verbs share |
 | `application` | how a command line is read, and how the process ends |
 """
 
-from crankstar.cli import looking, making, options, picturing
+from crankstar.cli import looking, making, options, picturing, searching
 from crankstar.cli.application import app, main
 
-__all__ = ["app", "looking", "main", "making", "options", "picturing"]
+__all__ = ["app", "looking", "main", "making", "options", "picturing", "searching"]

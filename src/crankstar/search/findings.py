@@ -40,8 +40,8 @@ class Certificate:
     """Why an answer is all there is: what was searched, and what was found there.
 
     strips: sums, each with the length up to which all stars were met; whole: the strips hold all that the limits allow, else
-    a star was found in them that nothing outside can equal; met: stars that were weighed one by one; of: stars there are, a
-    mirrored one once; blocks: pieces in which they were searched.
+    stars were found in them that nothing outside can equal; met: how many stars lie in the strips; of: how many there are;
+    blocks: pieces in which they were searched.
     """
 
     strips: tuple[tuple[VectorSum, float], ...]
@@ -202,13 +202,11 @@ def _certificate(outcome: Outcome) -> Certificate:
     question, tried = outcome.question, outcome.strips
     ready = halves(outcome.asked)
     strips = tuple((question.sums[place], radius * ready.size[place]) for place, radius in tried.radii if question.sums)
-    mirrored = len(question.symmetries) > 1
-    stars = question.stars.classes(reversed_=False) if mirrored else question.stars.count
     return Certificate(
         tuple((vector, length * vector.scale) for vector, length in strips),
         tried.whole,
         outcome.found.met,
-        stars,
+        question.stars.count,
         outcome.blocks,
         outcome.attempts,
         outcome.complete,

@@ -345,7 +345,7 @@ def searched(tables: Any, blocks: Any, radii: Any, room: Any, found: Any, front:
     as rows of the sum that drives, and its greatest length; found: values [f, q], stars [f, places], how many classes
     each stands for, in units of one over the number of symmetries, and how many stars; front: what is known and as good or
     better in all objectives is not reported (one row of infinities for none); state: block, strip, row to go on from; how
-    many are found, how many pairs were weighed, how many points the front has, whether the front grows.
+    many are found, how many stars lie in the strips, how many points the front has, whether the front grows.
     """
     directions = tables.whole.shape[1]
     lengths = tables.constant.shape[0] // 2
@@ -384,20 +384,20 @@ def searched(tables: Any, blocks: Any, radii: Any, room: Any, found: Any, front:
                         dx, dy = room.near[at, 0] - p, room.near[at, 1] - q
                         if dx * dx + dy * dy > square:
                             continue
-                        state[4] += 1
                         s = room.order[at]
-                        wanted = True
                         for o in range(lengths):
                             ux = room.outer[r, 2 * o] + room.inner[s, 2 * o]
                             uy = room.outer[r, 2 * o + 1] + room.inner[s, 2 * o + 1]
                             sums[o] = ux * ux + uy * uy
-                            if sums[o] > room.loose[o]:
+                        wanted = True
+                        for e in range(d):  # met in an earlier strip
+                            if sums[int(radii[e, 0])] <= radii[e, 1] * radii[e, 1]:
                                 wanted = False
-                                break
                         if not wanted:
                             continue
-                        for e in range(d):  # seen in an earlier strip
-                            if sums[int(radii[e, 0])] <= radii[e, 1] * radii[e, 1]:
+                        state[4] += times
+                        for o in range(lengths):
+                            if sums[o] > room.loose[o]:
                                 wanted = False
                         if not wanted:
                             continue

@@ -194,3 +194,7 @@ def _bear(fault: BaseException | None, times: int) -> None:
         )
         raise SearchError([message])
     raise fault
+
+
+def estimate(question):
+    return cost(halves(question), strips(question, halves(question)))

@@ -1,0 +1,171 @@
+"""The verb that searches: search."""
+
+from __future__ import annotations
+
+from pathlib import PurePath
+from types import ModuleType
+from typing import TYPE_CHECKING, Annotated
+
+from cyclopts import Parameter
+
+from crankstar import chart_request, request
+from crankstar.answer import json_text
+from crankstar.cli.application import app
+from crankstar.cli.options import Settings, Speed, loaded_engine
+from crankstar.engine import Engine
+from crankstar.output import display, writable, write, write_bytes
+from crankstar.quantity import one_line
+from crankstar.request import RequestError
+
+if TYPE_CHECKING:
+    from crankstar.search.findings import Finding, Findings
+
+TABLES = ("csv", "json", "parquet")
+PICTURES = ("svg", "png", "pdf", "html")
+WINNERS = 6
+"""Stars that are drawn side by side."""
+
+
+def _text(told: str) -> Parameter:
+    return Parameter(help=told, allow_leading_hyphen=True)
+
+
+def _flag(told: str) -> Parameter:
+    return Parameter(help=told, negative=())
+
+
+@app.command
+def search(
+    cylinders: Annotated[str, Parameter(help="how many cylinders, or an in-line engine (name or file) whose cylinders they are")],
+    /,
+    *,
+    cycle: Annotated[str | None, _text("two-stroke or four-stroke; else four-stroke, or what the engine is")] = None,
+    minimise: Annotated[
+        str | None,
+        Parameter(
+            name=["--minimise", "--minimize"],
+            help="what to make least: couples M1, M2, ..., forces F1, ..., torsion T1.5, ..., neighbours (that fire one after the "
+            "other), couple (rms of all orders of an engine); else M1,M2. With --best weights may be given, as in M1,2*M2",
+        ),
+    ] = None,
+    zero: Annotated[str | None, _text("what is to vanish exactly, as in M2")] = None,
+    limit: Annotated[list[str] | None, _flag("what may be at most so great, as in M2=1.5 or neighbours=1")] = None,
+    pitch: Annotated[str | None, _text("gaps between cylinders from the front, in pitches, as in 1,1,1.4,1; else equal")] = None,
+    fix: Annotated[str | None, _text("throws that stay, as in 1=0,4=3: direction d is 360 d/n deg behind direction 0")] = None,
+    symmetric: Annotated[bool, _flag("only cranks whose rear half is the image of the front half")] = False,
+    mode_shape: Annotated[str | None, _text("for T: amplitude of the torsional mode at each cylinder")] = None,
+    avoid_adjacent: Annotated[bool, _flag("no neighbours may fire one after the other")] = False,
+    front: Annotated[bool, _flag("all values of which none can be bettered without another getting worse")] = False,
+    best: Annotated[int | None, _text("so many of the best")] = None,
+    every: Annotated[bool, Parameter(name="--all", help="all stars within the limits", negative=())] = False,
+    all_with: Annotated[
+        str | None, _text("all stars with the same moments as a firing order, 1-6-3-4-5-2-7, or with M1=0.2673,M2=1.0056")
+    ] = None,
+    speed: Speed = None,
+    settings: Settings = None,
+    workers: Annotated[int | None, _text("processes of this machine; else one for each processor")] = None,
+    scheduler: Annotated[str | None, _text("a dask scheduler whose workers do the work, as in tcp://host:8786")] = None,
+    checkpoint: Annotated[str | None, _text("file in which the search is kept, and from which it goes on")] = None,
+    yes: Annotated[bool, _flag("search even if it takes more than an hour")] = False,
+    row: Annotated[int | None, _text("write this row as an engine file instead (-o FILE.toml)")] = None,
+    chart: Annotated[str | None, _text("which picture goes into -o FILE.svg: front, or stars (of the first rows)")] = None,
+    output: Annotated[
+        str | None,
+        Parameter(
+            name=["--output", "-o"],
+            help="file to write: .csv, .json or .parquet (all rows), .txt, .svg, .png, .pdf or .html (picture), .toml (with --row)",
+        ),
+    ] = None,
+) -> int | None:
+    """Find the better crank: all ways to set cylinders on evenly spaced throws, searched to the end and proved complete."""
+    from crankstar.star_request import whole_number
+
+    wishes = _wishes()
+    kind = _kind(output, row, chart)
+    number = whole_number(cylinders)
+    if number is not None:
+        request.alone("a number of cylinders", {"--set": settings or None, "--speed": speed})
+    if workers is not None and not 1 <= workers <= 1024:
+        raise RequestError(f"--workers {workers}: can be from 1 to 1024")
+    about = loaded_engine(cylinders, settings) if number is None else number
+    pace = request.speed(speed) or (about.speed if isinstance(about, Engine) else None)
+    wish = wishes.Wish(
+        minimise, zero, tuple(limit or ()), pitch, fix, mode_shape, symmetric, avoid_adjacent, front, best, every, all_with
+    )
+    wanted = wishes.request(about, cycle, wish, speed=pace)
+    if output is not None:
+        writable(output)
+    from crankstar import search_job
+
+    answer = search_job.found(wanted, workers=workers, scheduler=scheduler, checkpoint=checkpoint, agreed=yes)
+    _show(answer, wanted.engine, kind, row, chart, output)
+    return 130 if answer.certificate.interrupted else None
+
+
+def _wishes() -> ModuleType:
+    """What reads the words of a search, with what searches. Raises RequestError where that is not installed."""
+    try:
+        from crankstar import search_request
+    except ImportError as error:
+        raise RequestError(f'a search is compiled with numba ({error}); install it with: pip install "crankstar[search]"') from None
+    return search_request
+
+
+def _kind(output: str | None, row: int | None, chart: str | None) -> str:
+    """As what the answer is given: the end of the file's name; empty for the table on the terminal. Raises RequestError."""
+    kind = PurePath(output or "").suffix.lower().removeprefix(".")
+    if row is not None:
+        request.alone("--row", {"--chart": chart})
+        if row < 1 or kind not in ("", "toml"):
+            raise RequestError(f"--row {row}: give a row from 1 up, and the name of an engine file, as in --row 2 -o better.toml")
+        return "toml"
+    if chart is not None and (chart not in ("front", "stars") or kind not in PICTURES):
+        raise RequestError(f"--chart {one_line(chart)}: it can be front or stars, with a file, as in --chart stars -o stars.svg")
+    if output is not None and kind not in (*TABLES, *PICTURES, "txt"):
+        named = ", ".join(f".{one}" for one in (*TABLES, *PICTURES, "txt"))
+        raise RequestError(f"-o {one_line(output)}: let the name end in {named}; or in .toml with --row")
+    if kind in PICTURES:
+        chart_request.charts()
+    return kind
+
+
+def _show(answer: Findings, engine: Engine | None, kind: str, row: int | None, chart: str | None, output: str | None) -> None:
+    """Writes the answer as what it is wanted."""
+    from crankstar import search_table as tables
+
+    if kind == "toml" and row is not None:
+        _write_engine(answer, engine, row, output)
+    elif kind == "csv":
+        write(tables.csv_text(answer), output)
+    elif kind == "json":
+        write(json_text(tables.tree(answer)), output)
+    elif kind == "parquet":
+        write_bytes(_parquet(answer), output)
+    elif kind in PICTURES:
+        drawing = chart_request.charts()
+        figure = drawing.winners(answer, rows=WINNERS) if chart == "stars" else drawing.front(answer)
+        write_bytes(drawing.saved(figure, kind, title=tables.heading(answer.question)), output)
+    else:
+        display(tables.search_table(answer), output)
+
+
+def _write_engine(answer: Findings, engine: Engine | None, row: int, output: str | None) -> None:
+    """Writes a row as an engine file. Raises RequestError where there is no such row."""
+    from crankstar.files import toml
+    from crankstar.search import engines, weighed
+
+    if row > len(answer.rows):
+        raise RequestError(f"--row {row}: there are {len(answer.rows)} rows")
+    chosen: Finding = answer.rows[row - 1]
+    stars = answer.question.stars
+    made = engines.engine(stars, chosen.star) if engine is None else weighed.with_star(engine, stars, chosen.star)
+    write(toml(made), output)
+
+
+def _parquet(answer: Findings) -> bytes:
+    from crankstar.search_table import parquet_bytes
+
+    try:
+        return parquet_bytes(answer)
+    except ImportError:
+        raise RequestError('a .parquet file is written with pyarrow: pip install "crankstar[parquet]"') from None
