@@ -1,28 +1,25 @@
 """Whether sums of many stars vanish, and which are equally long, decided in whole numbers.
 
 A sum of w_j exp(i 2 pi t_j) with rational w and t is a polynomial in the root of unity of order D, the common denominator of
-the turns. Reduced by the cyclotomic polynomial of order D, its coefficients are unique: it is zero if and only if all of them
-are. So is the square of its length, the product with its conjugate. Both are done for all stars at once, in whole numbers.
-
-`derive.cyclotomic` does the same for one number at a time; a test holds the two together.
+the turns, and so is the square of its length, the product with its conjugate. `derive.cyclotomic` reduces them to coefficients
+that are unique: here for all stars at once, in whole numbers.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import lru_cache
 from math import lcm
 
 import numpy as np
-from flint import fmpz_poly
 
+from crankstar.derive import cyclotomic
 from crankstar.search.stars import Star
 from crankstar.search.sums import VectorSum
 
 
 def vanishing(vector: VectorSum, stars: Sequence[Star]) -> np.ndarray:
     """Of each star, whether the sum is exactly zero [stars]."""
-    return (_reduced(_coefficients(vector, stars)) == 0).all(axis=1).astype(bool)
+    return cyclotomic.vanishing(_coefficients(vector, stars))
 
 
 def squares(vector: VectorSum, stars: Sequence[Star]) -> np.ndarray:
@@ -32,7 +29,7 @@ def squares(vector: VectorSum, stars: Sequence[Star]) -> np.ndarray:
     out = np.zeros_like(plain)
     for shift in range(order):
         out[:, shift] = (plain * np.roll(plain, shift, axis=1)).sum(axis=1)
-    return _reduced(out)
+    return out @ cyclotomic.reduction(order).astype(out.dtype)
 
 
 def alike(vectors: Sequence[VectorSum], stars: Sequence[Star]) -> np.ndarray:
@@ -61,20 +58,3 @@ def _coefficients(vector: VectorSum, stars: Sequence[Star]) -> np.ndarray:
 def _kind(weights: Sequence[int]) -> type:
     """64 bits where products of sums of the weights, and what reducing adds, stay far below them; else Python integers."""
     return np.int64 if sum(abs(weight) for weight in weights) < 2**20 else object
-
-
-def _reduced(coefficients: np.ndarray) -> np.ndarray:
-    return coefficients @ _remainders(coefficients.shape[1]).astype(coefficients.dtype)
-
-
-@lru_cache(maxsize=64)
-def _remainders(order: int) -> np.ndarray:
-    """Powers of the root of unity of an order, reduced by its cyclotomic polynomial [order, degree]."""
-    modulus = fmpz_poly.cyclotomic(order)
-    degree = modulus.degree()
-    out = np.zeros((order, degree), np.int64)
-    for power in range(order):
-        rest = fmpz_poly([0] * power + [1]) % modulus
-        for place, value in enumerate(rest.coeffs()):
-            out[power, place] = int(value)
-    return out
