@@ -113,7 +113,7 @@ def _groups(question: Question, found: Harvest) -> list[np.ndarray]:
 def _finding(question: Question, found: Harvest, group: np.ndarray, unit: Sequence[float]) -> Finding:
     stars = question.stars
     ordered = [stars.whole(tuple(int(d) for d in found.stars[row])) for row in group]
-    values = tuple(float(value) * size for value, size in zip(found.values[group[0]], unit, strict=True))
+    values = tuple(float(value) * size for value, size in zip(found.values[group[0], : len(unit)], unit, strict=True))
     if isinstance(question.ask, Front):
         many, classes = int(found.times[group].sum()), int(found.classes[group].sum()) // len(question.symmetries)
     else:
