@@ -64,7 +64,7 @@ SECTIONS: dict[type[Record], str] = {
 }
 """Where the page describes the tables that other tables hold."""
 
-MARK = re.compile(r"^<!-- (keys|figure|sources|errata|sinitsyn|kr250|plot): ?([^\n]*?) ?-->$", re.MULTILINE)
+MARK = re.compile(r"^<!-- (keys|figure|sources|errata|sinitsyn|kr250|plot|search): ?([^\n]*?) ?-->$", re.MULTILINE)
 CITATION = re.compile(r"\[(@[\w-]+(?:; ?@[\w-]+)*)\]")
 
 
@@ -83,6 +83,7 @@ def filled(markdown: str) -> str:
         "sinitsyn": sinitsyn,
         "kr250": kr250,
         "plot": plot,
+        "search": search,
     }
     return CITATION.sub(cited, MARK.sub(lambda found: makers[found.group(1)](found.group(2)), markdown))
 
@@ -142,6 +143,12 @@ def figure(path: str) -> str:
     """A drawing put into the page itself, so that it takes the colours of the page."""
     drawing = (HERE / path).read_text(encoding="utf-8")
     return f'<figure markdown="0">\n{drawing[drawing.index("<svg") :].strip()}\n</figure>'
+
+
+@lru_cache
+def search(what: str) -> str:
+    """What the search finds, made by the script beside this one."""
+    return run_path(str(HERE / "search_page.py"))["page"](what)
 
 
 @lru_cache

@@ -61,7 +61,7 @@ def request(cylinders: int | Engine, cycle: str | None, wish: Wish, *, speed: fl
         raise RequestError(str(error)) from None
     faults: list[str] = []
     maker = _Maker(stars, engine, speed, _shape(wish, stars, faults))
-    objectives = _all_of(wish.minimise or "M1,M2", maker, "--minimise", faults)
+    objectives = _all_of("M1,M2" if wish.minimise is None else wish.minimise, maker, "--minimise", faults)
     limits = [Limit(vector, 0.0) for vector in _sums(wish.zero, maker, "--zero", faults)]
     most = 0.0 if wish.avoid_adjacent else inf
     for text in wish.limit:

@@ -18,7 +18,7 @@ def whole_number(text: str) -> int | None:
     if not re.fullmatch(r"[-+]?\d+", text.strip(), re.ASCII):
         return None
     if len(text) > 6 or not 2 <= int(text) <= GREATEST_CYLINDERS:
-        raise RequestError(f"{one_line(text)} cylinders: a star has from 2 to {GREATEST_CYLINDERS}")
+        raise RequestError(f"{one_line(text)} is no number of cylinders that have a star; it can be from 2 to {GREATEST_CYLINDERS}")
     return int(text)
 
 

@@ -1,0 +1,102 @@
+"""What docs/search.md takes from the program when it is built: proven fronts by number of cylinders, and all stars of eight without M2."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from functools import lru_cache
+
+from crankstar.derive import radical
+from crankstar.derive.typeset import text
+from crankstar.quantity import Cycle
+from crankstar.search.engines import firing_order
+from crankstar.search.findings import Finding, Findings, findings
+from crankstar.search.question import All, Question
+from crankstar.search.stars import Stars
+from crankstar.search.sums import Limit, VectorSum, couple, of
+
+NO_BREAK = "\u2060-\u2060"
+SHOWN = 12
+MOST = 14
+"""Cylinders up to which the fronts are searched anew whenever the page is built: less than a second."""
+
+
+def evenly_spaced(cylinders: int, cycle: Cycle) -> Stars:
+    """The stars of cylinders at equal pitch."""
+    return Stars(cylinders, cycle, tuple(Fraction(cylinders - 1, 2) - j for j in range(cylinders)))
+
+
+@lru_cache
+def front(cylinders: int) -> Findings:
+    """The (M1, M2) front of a two-stroke engine."""
+    stars = evenly_spaced(cylinders, "two-stroke")
+    return findings(Question(stars, (of(couple(stars, 1)), of(couple(stars, 2)))))
+
+
+@lru_cache
+def eight() -> Findings:
+    """All stars of a two-stroke eight without second-order couple, by the first."""
+    stars = evenly_spaced(8, "two-stroke")
+    return findings(Question(stars, (of(couple(stars, 1)),), limits=(Limit(couple(stars, 2), 0),), ask=All()))
+
+
+def page(what: str) -> str:
+    """The table of a marker: `fronts` or `eight`."""
+    return {"fronts": fronts, "eight": without_second}[what]()
+
+
+def fronts() -> str:
+    """The most useful points of each front: the ends, and the one nearest to nothing."""
+    lines = [
+        "| cylinders | stars | points | least M1 | nearest to nothing (M1, M2) | its firing order | least M2 |",
+        "|---|---|---|---|---|---|---|",
+    ]
+    for cylinders in range(3, MOST + 1):
+        found = front(cylinders)
+        stars = found.question.stars
+        nearest = min(found.rows, key=lambda row: row.values[0] ** 2 + row.values[1] ** 2)
+        first, last = found.rows[0], found.rows[-1]
+        cells = [
+            str(cylinders),
+            f"{stars.count:,}",
+            str(len(found.rows)),
+            f"{_number(first.values[0])} (M2 {_number(first.values[1])})",
+            f"**{_number(nearest.values[0])}, {_number(nearest.values[1])}**",
+            _order(stars, nearest),
+            f"{_number(last.values[1])} (M1 {_number(last.values[0])})",
+        ]
+        lines.append(f"| {' | '.join(cells)} |")
+    return "\n".join(lines)
+
+
+def without_second() -> str:
+    """The stars of eight without second-order couple by their first-order couple: each value once."""
+    found = eight()
+    stars = found.question.stars
+    one = couple(stars, 1)
+    by_value: dict[str, list[Finding]] = {}
+    for row in found.rows:
+        by_value.setdefault(_exact(one, row), []).append(row)
+    lines = [
+        "| M1 exactly | M1 | stars | classes | fewest neighbours in succession | such a firing order |",
+        "|---|---|---|---|---|---|",
+    ]
+    shown = list(by_value.items())[:SHOWN]
+    for form, group in shown:
+        calm = min(group, key=lambda row: row.neighbours)
+        many = sum(row.stars for row in group)
+        lines.append(
+            f"| {form} | {_number(group[0].values[0])} | {many} | {len(group)} | {calm.neighbours} | {_order(stars, calm)} |"
+        )
+    return "\n".join(lines)
+
+
+def _exact(vector: VectorSum, row: Finding) -> str:
+    return text(radical.length(vector.exact(row.star)).formula)
+
+
+def _order(stars: Stars, row: Finding) -> str:
+    return NO_BREAK.join(map(str, firing_order(stars, row.star)))
+
+
+def _number(value: float) -> str:
+    return "0" if value == 0 else f"{value:.4f}" if value >= 0.001 else f"{value:.2g}"

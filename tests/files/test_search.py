@@ -1,0 +1,191 @@
+"""`crankstar search`: tables, files of every kind, rows that become engines, and what is refused."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pyarrow.parquet
+import pytest
+from tests import exhaustive
+
+from crankstar import load
+from crankstar.balance import balance, total
+from crankstar.search_table import rows
+
+Run = Callable[..., Any]
+SEVEN = ("search", "7", "--cycle", "two-stroke")
+
+
+def table(out: str) -> list[list[str]]:
+    """Rows of the table: those that begin with their number."""
+    lines = [line.split() for line in out.splitlines()]
+    return [words for words in lines if words and words[0].isdigit() and len(words) > 3 and "-" in words[1]]
+
+
+def test_the_front_of_seven_with_its_counts_and_proof(run: Run) -> None:
+    out = run(*SEVEN).out
+    assert "720 stars, turned ones counted once; 360 classes with mirrored ones, 192 with those from the rear end too" in out
+    assert "Proved complete" in out
+    found = [(words[1], float(words[2]), float(words[3])) for words in table(out)]
+    wanted = [(0.0765, 9.149), (0.2673, 1.0056), (2.1937, 0.8223), (3.7808, 0.0765)]
+    assert [values for _, *values in found] == [pytest.approx(point, abs=5e-4) for point in wanted]
+    for order, one, two in found:
+        star = directions([int(word) for word in order.split("-")])
+        row = exhaustive.lengths(star, exhaustive.arms(7), 1, 7), exhaustive.lengths(star, exhaustive.arms(7), 2, 7)
+        assert (one, two) == (pytest.approx(float(row[0][0]), abs=1e-4), pytest.approx(float(row[1][0]), abs=1e-4))
+
+
+def directions(order: list[int]) -> Any:
+    """The star of a two-stroke firing order."""
+    import numpy as np
+
+    return np.array([[order.index(number) for number in range(1, len(order) + 1)]])
+
+
+def test_exact_values_stand_beside_their_numbers(run: Run) -> None:
+    out = run("search", "8", "--cycle", "two-stroke", "--minimise", "M1", "--zero", "M2", "--best", "3").out
+    assert "√(20 − 14√2) = 0.44834" in out
+    out = run("search", "6", "--cycle", "two-stroke", "--minimise", "M2", "--zero", "M1").out
+    assert "2√3 = 3.4641" in out
+
+
+def test_all_stars_with_the_moments_of_one(run: Run) -> None:
+    by_order = run(*SEVEN, "--all-with", "1-7-2-5-4-3-6").out
+    by_values = run(*SEVEN, "--all-with", "M1=0.2673,M2=1.0056").out
+    assert table(by_order) == table(by_values)
+    assert "2 stars in 1 class." in by_order
+
+
+def test_contradictions_are_proved(run: Run) -> None:
+    out = run("search", "6", "--cycle", "two-stroke", "--zero", "M1,M2").out
+    assert "Proved: no star keeps these limits" in out
+
+
+@pytest.mark.parametrize("kind", ["csv", "json", "parquet"])
+def test_results_are_written_with_all_rows(run: Run, tmp_path: Path, kind: str) -> None:
+    place = tmp_path / f"eight.{kind}"
+    run("search", "8", "--cycle", "two-stroke", "--minimise", "M1", "--zero", "M2", "--all", "-o", str(place))
+    if kind == "csv":
+        read = list(csv.DictReader(io.StringIO(place.read_text(encoding="utf-8"))))
+        values, stars = [float(row["M1 [m*r*w^2*a]"]) for row in read], [int(row["stars"]) for row in read]
+    elif kind == "json":
+        tree = json.loads(place.read_text(encoding="utf-8"))
+        values, stars = [row["values"][0] for row in tree["rows"]], [row["stars"] for row in tree["rows"]]
+        assert tree["found"] == 96
+        assert tree["certificate"]["complete"] is True
+    else:
+        read = pyarrow.parquet.read_table(place).to_pydict()
+        values, stars = read["M1 [m*r*w^2*a]"], read["stars"]
+    assert sum(stars) == 96
+    assert min(values) == pytest.approx((20 - 14 * 2**0.5) ** 0.5, abs=1e-12)
+
+
+def test_a_row_becomes_an_engine_that_has_these_moments(run: Run, tmp_path: Path) -> None:
+    place = tmp_path / "better.toml"
+    out = run(*SEVEN, "--row", "2", "-o", str(place)).out
+    engine = load(str(place))
+    first = total(balance(engine)).couple
+    assert 2 * abs(first.backward[first.orders == 1][0]) == pytest.approx(0.26725, abs=1e-4)
+    assert engine.firing_order == (1, 7, 2, 5, 4, 3, 6)
+    assert not out
+
+
+def test_a_row_of_a_real_engine_keeps_its_pistons(run: Run, tmp_path: Path) -> None:
+    place = tmp_path / "better.toml"
+    run("search", "audi-25-tfsi", "--minimise", "M1,M2", "--row", "1", "-o", str(place))
+    before, after = load("audi-25-tfsi"), load(str(place))
+    assert [c.reciprocating_mass for c in after.cylinders] == [c.reciprocating_mass for c in before.cylinders]
+    assert [c.z for c in after.cylinders] == pytest.approx([c.z for c in before.cylinders])
+
+
+@pytest.mark.parametrize("chart", ["front", "stars"])
+def test_pictures_of_the_front_and_of_the_winners(run: Run, tmp_path: Path, chart: str) -> None:
+    place = tmp_path / "picture.svg"
+    run(*SEVEN, "--chart", chart, "-o", str(place))
+    text = place.read_text(encoding="utf-8")
+    assert text.startswith("<svg")
+    assert "1-7-2-5-4-3-6" in text
+
+
+def test_the_answer_is_the_same_with_two_workers_and_from_a_checkpoint(run: Run, tmp_path: Path) -> None:
+    alone = run("search", "11", "--cycle", "two-stroke", "--workers", "1").out
+    assert run("search", "11", "--cycle", "two-stroke", "--workers", "2", "--checkpoint", "kept").out == alone
+    assert run("search", "11", "--cycle", "two-stroke", "--workers", "1", "--checkpoint", "kept").out == alone
+    assert (tmp_path / "kept").exists()
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (("1",), "it can be from 2 to 24"),
+        (("-3",), "it can be from 2 to 24"),
+        (("25",), "it can be from 2 to 24"),
+        (("nosuch",), "no such engine"),
+        (("v8-cross-plane",), "do not stand in line"),
+        (("7", "--cycle", "three"), "two-stroke, four-stroke"),
+        (("7", "--minimise", "X3"), 'there is no "X3"'),
+        (("7", "--minimise", "M1,M1"), "M1 is named 2 times"),
+        (("7", "--minimise", "T2"), "needs the mode shape"),
+        (("7", "--minimise", "F1"), "is the same for every star"),
+        (("7", "--minimise", "M7"), "is the same for every star"),
+        (("7", "--minimise", "M1.5"), "whole orders only"),
+        (("7", "--minimise", ""), "name what is to be made least"),
+        (("7", "--minimise", "couple"), "need an engine"),
+        (("7", "--zero", ","), "name what is to vanish"),
+        (("7", "--limit", "M2"), "at most how much"),
+        (("7", "--limit", "M2=-1"), "from 0 up"),
+        (("7", "--pitch", "1,1"), "has 2 gaps; 7 cylinders have 6"),
+        (("7", "--pitch", "1,0,1,1,1,1"), "greater than 0"),
+        (("7", "--fix", "9=2"), "there is no cylinder 9"),
+        (("7", "--fix", "1=9"), "there are 0 to 6"),
+        (("7", "--fix", "1=0,2=0"), "cannot all have direction 0"),
+        (("7", "--symmetric"), "only a four-stroke engine"),
+        (("7", "--front", "--best", "3"), "ask for one of them"),
+        (("7", "--best", "0"), "from 1 to 10000"),
+        (("7", "--minimise", "2*M1,M2"), "weights tell only in a list of the best"),
+        (("7", "--mode-shape", "1,2", "--minimise", "T1"), "has 2 amplitudes for 7 cylinders"),
+        (("7", "--all-with", "1-2-3"), "firing order"),
+        (("7", "--all-with", "M1=x"), "give a value"),
+        (("7", "--workers", "0"), "from 1 to 1024"),
+        (("7", "--row", "99"), "there are 4 rows"),
+        (("7", "-o", "nosuch/x.csv"), "there is no such directory"),
+        (("7", "-o", "x.doc"), "let the name end in"),
+        (("7", "--chart", "pie", "-o", "x.svg"), "front or stars"),
+        (("7", "--set", "a=b"), "has no use for --set"),
+        (("i6", "--pitch", "1"), "are in its file"),
+        (("i6", "--cycle", "two-stroke"), "is a four-stroke"),
+        (("7", "--scheduler", "nonsense"), "no scheduler answers"),
+        (("22", "--cycle", "two-stroke"), "fix throws"),
+    ],
+)
+def test_what_cannot_be_searched_is_refused(refused: Callable[..., str], words: tuple[str, ...], told: str) -> None:
+    assert told in refused("search", *words)
+
+
+def test_every_mistake_is_told_at_once(refused: Callable[..., str]) -> None:
+    said = refused("search", "7", "--minimise", "X3,M0", "--limit", "M2", "--best", "0")
+    assert len(said.splitlines()) == 4
+
+
+def test_a_checkpoint_of_another_search_is_refused(run: Run, refused: Callable[..., str]) -> None:
+    run(*SEVEN, "--checkpoint", "kept")
+    assert "another search" in refused("search", "8", "--checkpoint", "kept")
+
+
+def test_rows_name_their_units() -> None:
+    from fractions import Fraction
+
+    from crankstar.search.findings import findings
+    from crankstar.search.question import Question
+    from crankstar.search.stars import Stars
+    from crankstar.search.sums import couple, of
+
+    stars = Stars(5, "two-stroke", tuple(Fraction(2 - j) for j in range(5)))
+    heads, body = rows(findings(Question(stars, (of(couple(stars, 1)), of(couple(stars, 2))))))
+    assert "M1 [m*r*w^2*a]" in heads
+    assert all(len(row) == len(heads) for row in body)
