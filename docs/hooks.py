@@ -40,6 +40,7 @@ TABLES: dict[str, type[Record]] = {
     "override": Override,
     "rod": records.Rod,
     "articulated": records.Articulation,
+    "valves": records.Valves,
     "provenance": records.Provenance,
     **{kind: _layout(kind) for kind in layouts.LAYOUTS},
     "bank": layouts.Bank,
@@ -100,7 +101,8 @@ def table(name: str) -> str:
 
 def _value(info: FieldInfo) -> str:
     """What can be given: a quantity with its unit of example, text, a number, a list or a table of these."""
-    many = "list of " if _holds(info.annotation, tuple) else ""
+    many = "list of lists of " if _holds(info.annotation, tuple[tuple[int, ...], ...]) else ""
+    many = many or ("list of " if _holds(info.annotation, tuple) else "")
     quantity = quantity_of(info)
     if quantity is not None:
         kind = "a length" if quantity.dimension == "length" else quantity.dimension
@@ -122,8 +124,8 @@ def _choices(annotation: Any) -> tuple[Any, ...]:
     return next((found for part in get_args(annotation) if (found := _choices(part)) != ()), ())
 
 
-def _holds(annotation: Any, kind: type) -> bool:
-    return annotation is kind or get_origin(annotation) is kind or any(_holds(part, kind) for part in get_args(annotation))
+def _holds(annotation: Any, kind: Any) -> bool:
+    return annotation == kind or get_origin(annotation) is kind or any(_holds(part, kind) for part in get_args(annotation))
 
 
 def _default(info: FieldInfo) -> str:

@@ -15,6 +15,7 @@ a record, a way of looking at it is a function, an engine type is data, and impo
 | `tables`, `description` | a Balance, an Engine as tables for the terminal and the notebook |
 | `charts/` | figures as Altair charts, one function each, and as SVG without a browser |
 | `verdict` | the facts a Balance shows, as short sentences with their numbers |
+| `stroke_table` | strokes, valve events, exhaust intervals and disturbances as tables for the terminal |
 | `sweep_table` | a sweep as a table, its curves in a line, its best value in words |
 | `misprints` | the errata of the sources as tables for the terminal |
 | `workshop` | the bobweight card, counterweights, balance shafts and what they leave, as tables |
@@ -32,13 +33,15 @@ a record, a way of looking at it is a function, an engine type is data, and impo
 | `remedy/` | what is put on an engine so that it shakes less: counterweights, balance shafts; gives Engines back |
 | `balance` | Engine -> Balance: what every part does to the block, by cylinder, bank, shaft, in all; units |
 | `mechanism` | an engine, or a batch, as arrays; the laws of force, couple, roll and torque, and their spectra |
+| `strokes` | the strokes of each cylinder, valve and port events, exhausts that meet and disturb each other |
 | `succession` | who fires after whom: intervals in a group, neighbours, partners on a pin |
-| `firing` | dead centres, firing angles and intervals; orders that do not fit |
+| `firing` | top and bottom dead centres, firing angles and intervals; orders that do not fit |
 | `layouts` | inline, vee, boxer, tandem, opposed, radial: functions that write Engines |
 | `arrangement` | cylinders put on pins, and what a short file says of all of them, to an Engine |
 | `motion` | exact motion of pins, rods and pistons, its harmonics; the series in lambda beside them |
 | `engine` | the Engine: shafts and cylinders together, and what they must be to make one |
-| `records` | frozen records: Shaft, Throw, Weight, Cylinder, Rod, Provenance |
+| `valves` | when valves or ports open and close: given, assumed, impossible |
+| `records` | frozen records: Shaft, Throw, Weight, Cylinder, Rod, Valves, Provenance |
 | `fault` | what is wrong with an engine: each fault with its place, and the words to say it in |
 | `quantity` | what a number or text in a record is: dimension, unit of example, limits |
 | `phasor` | spectra over crank order: add, shift, scale, evaluate, ellipse, peak |

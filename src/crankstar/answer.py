@@ -1,19 +1,31 @@
-"""The machine-readable answer: a Balance as the public JSON object, versioned, and as CSV."""
+"""The machine-readable answers: a Balance as the public JSON object, versioned, and as CSV; the strokes as JSON."""
 
 from __future__ import annotations
 
 import csv
 import io
 from collections.abc import Sequence
-from math import pi
+from math import degrees, pi
 from typing import Any
 
 import numpy as np
 
 from crankstar import phasor
 from crankstar.balance import Balance, total
+from crankstar.engine import Engine
 from crankstar.mechanism import Totals
 from crankstar.phasor import Spectrum
+from crankstar.strokes import (
+    ChamberStrokes,
+    ExhaustGroup,
+    WorkingCycle,
+    disturbances,
+    exhaust_groups,
+    exhaust_intervals,
+    working_cycle,
+)
+from crankstar.succession import in_succession, neighbours, partners
+from crankstar.valves import EVENTS
 
 FORMAT = 1
 GREATEST_DEFAULT_ORDER = 6.0
@@ -57,6 +69,49 @@ def tree(name: str, result: Balance, *, orders: Sequence[float] | None = None) -
         for i, order in enumerate(wanted)
     ]
     return out
+
+
+def strokes_tree(engine: Engine) -> dict[str, Any]:
+    """The public JSON object of strokes and exhausts; all angles are degrees of the reference crankshaft.
+
+    A window `[from, to]` begins within the cycle and may end in the next. Raises EngineError as `strokes.working_cycle`.
+    """
+    found = working_cycle(engine)
+    timing = {name: float(f"{degrees(getattr(found.timing, name)):.12g}") for name in EVENTS}
+    return {
+        "format": FORMAT,
+        "engine": engine.name,
+        "cycle_deg": found.cycle_deg,
+        "firing_order": list(found.firing.order),
+        "firing_angles_deg": [round(angle, 9) for angle in found.firing.angles_deg],
+        "firing_intervals_deg": list(found.firing.intervals_deg),
+        "timing_deg": timing,
+        "assumed": list(found.timing.assumed),
+        "cylinders": [_strokes_of(one) for one in found.chambers],
+        "exhausts": [_exhaust(found, group) for group in exhaust_groups(engine)],
+        "neighbours_in_succession": [step[:2] for step in in_succession(found.firing, neighbours(engine))],
+        "partners_in_succession": [step[:2] for step in in_succession(found.firing, partners(engine))],
+    }
+
+
+def _strokes_of(one: ChamberStrokes) -> dict[str, Any]:
+    return {
+        "number": one.number,
+        "fires_deg": one.fires_deg,
+        "strokes": {stroke.name: list(stroke.window) for stroke in one.strokes},
+        "intake_open": list(one.intake),
+        "exhaust_open": list(one.exhaust),
+        "blow_down": list(one.blow_down),
+    }
+
+
+def _exhaust(found: WorkingCycle, group: ExhaustGroup) -> dict[str, Any]:
+    return {
+        "name": group.name,
+        "cylinders": list(group.chambers),
+        "intervals": [step._asdict() for step in exhaust_intervals(found, group.chambers)],
+        "disturbances": [one._asdict() for one in disturbances(found, group.chambers)],
+    }
 
 
 def _pair(value: complex) -> list[float]:

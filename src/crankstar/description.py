@@ -13,7 +13,7 @@ from crankstar import motion
 from crankstar.catalog import Summary
 from crankstar.engine import Engine
 from crankstar.firing import dead_centres
-from crankstar.wording import heading, number, table, titled
+from crankstar.wording import heading, number, table, timing_lines, titled
 
 HIGHEST_HARMONIC, SMALLEST_HARMONIC = 8, 1e-12
 
@@ -25,6 +25,8 @@ def description(engine: Engine) -> RenderableType:
         unit = {"mass": "masses in m", "radius": "lengths across the crankshaft in r", "pitch": "lengths along it in a"}
         blocks.append(Text("not known, so counted in units of themselves: " + ", ".join(unit[name] for name in engine.relative)))
     blocks += [_rotors(engine), _cylinders(engine), _harmonics(engine)]
+    if engine.valves is not None:
+        blocks += [Text(), *(Text(line) for line in timing_lines(engine))]
     for title, body in (("source", engine.source), ("notes", engine.notes)):
         if body:
             blocks.append(Text(f"{title}: {body}"))

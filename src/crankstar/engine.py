@@ -14,6 +14,7 @@ from typing import Any
 
 from pydantic import Field, model_validator
 
+from crankstar import valves
 from crankstar.fault import EngineError, Fault, counted, cylinders, listed
 from crankstar.quantity import GREATEST_LENGTH, GREATEST_RELATIVE, Pitch, Unknown, seen
 from crankstar.records import GREATEST_CYLINDERS, Cylinder, Identity, Shaft, Throw
@@ -136,6 +137,7 @@ def _faults(engine: Engine) -> Iterator[Fault]:
     yield from _shaft_faults(engine)
     yield from _cylinder_faults(engine)
     yield from _firing_faults(engine)
+    yield from valves.faults(engine.valves, cycle=engine.cycle, chambers=engine.chambers)
     if len(set(engine.relative)) != len(engine.relative):
         yield Fault(("relative",), "names the same thing twice; name each once")
 

@@ -18,7 +18,7 @@ from crankstar.records import Record
 from crankstar.remedy import RemedyError, with_counterweights
 from crankstar.variants import Make, SweepError
 
-_UNMOVED = ("firing_order", "firing_angles", "speed", "format")
+_UNMOVED = ("firing_order", "firing_angles", "valves", "speed", "format")
 
 
 class Subject(NamedTuple):

@@ -49,12 +49,32 @@ class Firing:
 
 def dead_centres(engine: Engine) -> dict[int, DeadCentre]:
     """Top dead centre of each combustion chamber, in degrees of the reference crankshaft from 0 up to its period."""
+    return _dead_centres(engine, outward=1.0)
+
+
+def bottom_dead_centres(engine: Engine) -> dict[int, DeadCentre]:
+    """Bottom dead centre of each combustion chamber, where its volume is greatest, in the same degrees.
+
+    Half a turn after the top only where the axis of a plain rod's cylinder meets the shaft's: for an offset e it is at
+    sin psi = -e/(l - r), and the top at e/(l + r).
+
+    >>> from crankstar.arrangement import Basis, Sizes
+    >>> from crankstar.layouts import inline
+    >>> one = inline(Basis(name="desaxe", cylinder=Sizes(stroke=0.08, rod_length=0.12, offset=0.01)), throws=(0.0,))
+    >>> round(bottom_dead_centres(one)[1].angle_deg, 6)  # 180 + asin(1/8) - asin(1/16) deg
+    183.597434
+    """
+    return _dead_centres(engine, outward=-1.0)
+
+
+def _dead_centres(engine: Engine, *, outward: float) -> dict[int, DeadCentre]:
+    """Where a chamber's pistons are farthest out (outward = 1) or in (-1)."""
     links = motion.linkage(engine)
     place = {cylinder.number: index for index, cylinder in enumerate(engine.cylinders)}
     root = motion.roots(links.master)
     lag = np.array([engine.throw(c).angle - engine.cylinders[root[i]].bearing for i, c in enumerate(engine.cylinders)])
     ratio = np.array([float(engine.shaft(c.shaft).speed_ratio) * engine.sense for c in engine.cylinders])
-    area = np.array([1.0 if c.bore is None else c.bore**2 for c in engine.cylinders])
+    area = outward * np.array([1.0 if c.bore is None else c.bore**2 for c in engine.cylinders])
     return {
         number: _dead_centre(links, [place[c.number] for c in pistons], lag, ratio, area)
         for number, pistons in engine.chambers.items()

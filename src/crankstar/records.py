@@ -1,4 +1,4 @@
-"""The frozen records an engine is made of, in SI units: shafts, throws, weights, cylinders, rods, and who the engine is.
+"""The frozen records an engine is made of, in SI units: shafts, throws, weights, cylinders, rods, valves, and who the engine is.
 
 Bearings and positions are those of the clock plane: `up` and `right` seen from the front, angles clockwise from up, z
 positive to the front. What they must be together is checked by `engine`.
@@ -122,6 +122,29 @@ class Cylinder(Record):
     bank: Line | None = Field(default=None, description="name of the bank it belongs to")
 
 
+class Valves(Record):
+    """When valves or ports are open, in degrees of crank angle about dead centres, and which exhausts meet in a manifold.
+
+    Four-stroke: about the dead centre at which each of them opens or closes. Two-stroke: all four about bottom dead centre,
+    the intake being the transfer or scavenge ports. A negative angle is on the other side of the dead centre.
+    """
+
+    intake_opens: Angle | None = Field(
+        default=None, examples=["15 deg"], description="before top dead centre; in a two-stroke engine before bottom dead centre"
+    )
+    intake_closes: Angle | None = Field(default=None, examples=["50 deg"], description="after bottom dead centre")
+    exhaust_opens: Angle | None = Field(default=None, examples=["50 deg"], description="before bottom dead centre")
+    exhaust_closes: Angle | None = Field(
+        default=None, examples=["15 deg"], description="after top dead centre; in a two-stroke engine after bottom dead centre"
+    )
+    manifolds: tuple[tuple[Ordinal, ...], ...] = Field(
+        default=(),
+        max_length=GREATEST_CYLINDERS,
+        examples=[[[1, 4], [2, 3]]],
+        description="the cylinders whose exhausts meet, manifold by manifold; each bank has its own if left out",
+    )
+
+
 class Provenance(Record):
     """Where a value of an engine file comes from."""
 
@@ -148,6 +171,9 @@ class Identity(Record):
         description="crank angle of each firing, as listed; only where the order leaves a choice",
     )
     speed: Speed | None = Field(default=None, description="the speed at which to quote forces")
+    valves: Valves | None = Field(
+        default=None, description="when valves or ports are open; typical angles are assumed for what is left out"
+    )
     source: Text = Field(default="", description="where the numbers come from")
     notes: Text = Field(default="", description="anything a reader should know")
     provenance: dict[Line, Provenance] = Field(default={}, max_length=1000, description="by key path: where each value comes from")

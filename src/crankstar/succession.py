@@ -6,7 +6,7 @@ place of the block; that the intervals of a bank are uneven is what its exhaust 
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -31,10 +31,15 @@ def followers(firing: Firing, group: Collection[int] | None = None) -> tuple[Fol
     [270.0, 180.0, 90.0, 180.0]
     """
     fired = [(n, a) for n, a in zip(firing.order, firing.angles_deg, strict=True) if group is None or n in group]
-    if not fired:
+    return once_round(fired, cycle_deg=firing.cycle_deg)
+
+
+def once_round(events: Sequence[tuple[int, float]], *, cycle_deg: float) -> tuple[Follower, ...]:
+    """Each of some events (a chamber and its crank angle in degrees, ascending) and the next one, once round the cycle."""
+    if not events:
         return ()
-    first, angle = fired[0]
-    return tuple(Follower(n, m, round(b - a, 9)) for (n, a), (m, b) in pairwise([*fired, (first, angle + firing.cycle_deg)]))
+    first, angle = events[0]
+    return tuple(Follower(n, m, round(b - a, 9)) for (n, a), (m, b) in pairwise([*events, (first, angle + cycle_deg)]))
 
 
 def neighbours(engine: Engine) -> frozenset[frozenset[int]]:

@@ -16,6 +16,7 @@ from crankstar import phasor
 from crankstar.engine import Engine
 from crankstar.firing import Firing, firing
 from crankstar.remedy import Need
+from crankstar.valves import Timing, timing
 
 NEGLIGIBLE = 1e-9
 """A number smaller than this share of the largest beside it is written as 0."""
@@ -40,6 +41,29 @@ def firing_sentence(fired: Firing) -> str:
     if fired.even:
         return f"fires {order} every {number(fired.intervals_deg[0])} deg"
     return f"fires {order} at intervals of {'-'.join(number(x, digits=4) for x in fired.intervals_deg)} deg"
+
+
+def timing_lines(engine: Engine) -> list[str]:
+    """When valves or ports open and close, what of that is assumed, and which exhausts the engine file joins.
+
+    >>> from crankstar.catalog import load
+    >>> timing_lines(load("kr250-racer"))[1]
+    'exhaust ports: open 85 deg (assumed) before bottom dead centre, close 85 deg (assumed) after bottom dead centre'
+    """
+    found = timing(engine.valves, cycle=engine.cycle)
+    ports, apart = ("ports", "bottom") if engine.cycle == "two-stroke" else ("valves", "top")
+    lines = []
+    for side, opens, closes in (("intake", apart, "bottom"), ("exhaust", "bottom", apart)):
+        verbs = (("open", f"{side}_opens", "before", opens), ("close", f"{side}_closes", "after", closes))
+        told = [f"{verb} {_timed(found, name)} {when} {which} dead centre" for verb, name, when, which in verbs]
+        lines.append(f"{side} {ports}: {', '.join(told)}")
+    if engine.valves is not None and engine.valves.manifolds:
+        lines.append(f"exhaust manifolds: {'; '.join(', '.join(map(str, one)) for one in engine.valves.manifolds)}")
+    return lines
+
+
+def _timed(found: Timing, name: str) -> str:
+    return f"{number(degrees(getattr(found, name)), 180.0)} deg" + (" (assumed)" if name in found.assumed else "")
 
 
 def wave(value: complex, largest: float = 0.0) -> str:

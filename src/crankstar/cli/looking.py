@@ -1,4 +1,4 @@
-"""Verbs that only look: list, show, analyze, compare, verdict, derive, errata."""
+"""Verbs that only look: list, show, analyze, compare, verdict, strokes, derive, errata."""
 
 from __future__ import annotations
 
@@ -126,6 +126,30 @@ def verdict(engine: EngineName, /, *, settings: Settings = None, output: Output 
 
     loaded = loaded_engine(engine, settings)
     display(shown(loaded, facts(loaded)), output)
+
+
+@app.command
+def strokes(
+    engine: EngineName,
+    /,
+    *,
+    settings: Settings = None,
+    json: Annotated[bool, Parameter(help="the machine-readable answer, one object", negative=())] = False,
+    output: Output = None,
+) -> None:
+    """Strokes and valve events of each cylinder, exhaust intervals, and which cylinders disturb each other."""
+    from crankstar import answer
+    from crankstar.fault import EngineError
+    from crankstar.stroke_table import stroke_tables
+
+    loaded = loaded_engine(engine, settings)
+    try:
+        if json:
+            write(answer.json_text(answer.strokes_tree(loaded)), output)
+        else:
+            display(stroke_tables(loaded), output)
+    except EngineError as error:
+        raise RequestError(f"{one_line(engine)}: {error}") from None
 
 
 @app.command

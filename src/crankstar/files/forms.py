@@ -101,12 +101,14 @@ def _quantity_in(annotation: Any) -> Quantity | None:
     return None
 
 
-def example(info: FieldInfo, *, entry: bool = False) -> str:
-    """A value a field could have, as TOML writes it, or with `entry` one of its list; empty where there is none to give."""
-    if info.examples and not entry:
+def example(info: FieldInfo, *, depth: int = 0) -> str:
+    """A value a field could have, as TOML writes it, or one of its list, or of a list in it; empty where there is none to give."""
+    if info.examples and not depth:
         return json.dumps(info.examples[0], ensure_ascii=False)
     sample = _sample(info.annotation, quantity_of(info))
-    return sample[1:-1] if entry and sample.startswith("[") else sample
+    for _ in range(depth):
+        sample = sample[1:-1] if sample.startswith("[") else sample
+    return sample
 
 
 def _sample(annotation: Any, quantity: Quantity | None) -> str:

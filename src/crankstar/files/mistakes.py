@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from difflib import get_close_matches
+from itertools import takewhile
 from typing import Any
 
 from pydantic import ValidationError
@@ -65,7 +66,8 @@ def _sentence(mistake: Any, path: Path, model: type[Record], tree: Tree) -> str:
     if kind == "invalid_key":
         return f"has the key {seen(mistake['input'])}; keys are text of whole characters"
     value, info = seen(_at(tree, path, mistake["input"])), field_at(model, path)
-    sample = example(info, entry=bool(path) and isinstance(path[-1], int)) if info else ""
+    depth = sum(1 for _ in takewhile(lambda key: isinstance(key, int), reversed(path)))
+    sample = example(info, depth=depth) if info else ""
     if kind == "tuple_type" and len(path) == 1 and info and record_in(info.annotation):
         return f"is {value}; a list of tables is needed, each of them headed [[{path[0]}]]"
     if kind in _NEEDED:

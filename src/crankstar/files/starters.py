@@ -15,6 +15,8 @@ rotation = "clockwise"            # of the crankshaft, seen from the front; or "
 firing_order = {order}
 speed = "{speed}"                # the speed at which to quote forces
 # balance_factor = 0.5            # a counterweight on each throw: its rotating mass and this share of its reciprocating mass
+# {valves}; what is left out is assumed (crankstar strokes):
+# valves = {{ intake_opens = "{io}", intake_closes = "{ic}", exhaust_opens = "{eo}", exhaust_closes = "{ec}" }}
 source = ""                       # where the numbers come from
 
 [cylinder]                        # all cylinders alike
@@ -37,8 +39,12 @@ _TAIL = """
 """
 
 _FOUR = {"cycle": "four-stroke", "other": "two-stroke", "bore": "87.5 mm", "stroke": "82.5 mm", "rod": "146 mm"}
+_FOUR |= {"valves": "valves, before and after their dead centres"}
+_FOUR |= {"io": "15 deg", "ic": "50 deg", "eo": "50 deg", "ec": "15 deg"}
 _FOUR |= {"mass": "650 g", "rotating": "700 g", "speed": "6000 rpm"}
 _TWO = {"cycle": "two-stroke", "other": "four-stroke", "bore": "54 mm", "stroke": "54.4 mm", "rod": "110 mm"}
+_TWO |= {"valves": "ports, before and after bottom dead centre"}
+_TWO |= {"io": "60 deg", "ic": "60 deg", "eo": "85 deg", "ec": "85 deg"}
 _TWO |= {"mass": "280 g", "rotating": "300 g", "speed": "10000 rpm"}
 _STAR = {
     **_FOUR,

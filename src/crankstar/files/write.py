@@ -25,7 +25,10 @@ def explicit(engine: Engine) -> dict[str, Any]:
 
 def toml(engine: Engine) -> str:
     """An engine as a TOML file in the explicit form; reading it gives the same engine."""
-    return re.sub(r"\[\n((?: {4}[^\n]{1,30},\n)+)\]", _on_one_line, tomli_w.dumps(explicit(engine)))
+    text = tomli_w.dumps(explicit(engine))
+    for inner in (8, 4):  # short lists in lists first
+        text = re.sub(rf"\[\n((?: {{{inner}}}\S[^\n]{{0,29}},\n)+) {{{inner - 4}}}\]", _on_one_line, text)
+    return text
 
 
 def _on_one_line(found: re.Match[str]) -> str:
