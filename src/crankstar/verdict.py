@@ -15,12 +15,16 @@ from crankstar.answer import orders_present
 from crankstar.balance import Balance, balance, total
 from crankstar.catalog import load, summaries
 from crankstar.engine import Engine
+from crankstar.fault import EngineError
 from crankstar.firing import firing
 from crankstar.mechanism import Totals
 from crankstar.phasor import Spectrum
 from crankstar.records import Shaft
 from crankstar.remedy import bobweight, loads, main_bearings, needs, with_counterweights, without_counterweights
 from crankstar.remedy.planes import spans
+from crankstar.strokes import exhaust_groups, exhaust_intervals, working_cycle
+from crankstar.succession import Follower, in_succession, partners
+from crankstar.succession import neighbours as neighbours_of
 from crankstar.wording import NEGLIGIBLE, cures, firing_sentence, number, shape, unit_text
 
 HIGHEST = 6.0
@@ -28,14 +32,37 @@ HIGHEST = 6.0
 MINOR = 0.02
 """An order smaller than this share of the largest is told by its size alone."""
 COMPARED = 4
-"""Engines of the catalog that are spoken of one by one."""
+"""Engines of the catalog, and firings, that are spoken of one by one."""
+FEW = 4
+"""Cylinders: of fewer it goes without saying who fires after whom."""
+UNEVEN = 0.75
+"""Exhausts that follow each other in less than this share of the even interval are uneven; slave rods shift them by less."""
+BURBLE = (90.0, 180.0, 180.0, 270.0)
+"""Degrees between the exhausts of a bank of a cross-plane V8, from the shortest."""
 
 
 class Fact(NamedTuple):
-    """A sentence, and what it is about: layout, force, couple, roll, cure, neighbours."""
+    """A sentence, and what it is about: layout, firing, force, couple, roll, cure, neighbours."""
 
     about: str
     sentence: str
+
+
+class Pulses(NamedTuple):
+    """The exhausts of a bank or manifold in the order in which they open, with the crank angles between them."""
+
+    name: str
+    steps: tuple[Follower, ...]
+
+    @property
+    def closest(self) -> Follower:
+        """The two that follow each other soonest."""
+        return min(self.steps, key=lambda step: round(step.interval_deg, 3))
+
+    @property
+    def even(self) -> float:
+        """The interval if all were equal, degrees."""
+        return sum(step.interval_deg for step in self.steps) / len(self.steps)
 
 
 class Likeness(NamedTuple):
@@ -51,12 +78,12 @@ def verdict(engine: Engine, *, neighbours: bool = True) -> tuple[Fact, ...]:
     """The facts of an engine, in units of m r w^2 of its first cylinder, couples about the middle of the cylinders.
 
     >>> facts = verdict(load("i4"), neighbours=False)
-    >>> facts[1].sentence
+    >>> facts[2].sentence
     'No force of order 1; order 2 remains: 1.0161 m r ω², a vertical line; order 4: 0.016392; order 6: 0.00029752.'
     """
     result = balance(engine)
     sums = total(result)
-    facts = [Fact("layout", _layout(engine))]
+    facts = [Fact("layout", _layout(engine)), *(Fact("firing", sentence) for sentence in _succession(engine))]
     facts += [Fact(name, _quantity(name, result, sums)) for name in ("force", "couple")]
     facts.append(Fact("roll", _roll(result, sums)))
     facts += [Fact("cure", sentence) for sentence in _cures(engine)]
@@ -95,6 +122,66 @@ def _throws(engine: Engine, shaft: Shaft) -> str:
     between = "one between every two throws" if len(throws) > 1 else "one on either side"
     count = len(main_bearings(engine, shaft))
     return f"{len(throws)} throw{'s' if len(throws) > 1 else ''}{pins}, {count} main bearings where there is {between}"
+
+
+def _succession(engine: Engine) -> list[str]:
+    """The exhaust pulses of banks or manifolds, and neighbours and partners on a pin that fire one after the other."""
+    if len(engine.chambers) < FEW or not engine.firing_order:
+        return []
+    try:
+        found = working_cycle(engine)
+    except EngineError:  # crankshafts of different speed have no common strokes
+        return []
+    groups = [group for group in exhaust_groups(engine) if len(group.chambers) > 1]
+    told = [_pulses(engine, [Pulses(group.name, exhaust_intervals(found, group.chambers)) for group in groups])]
+    pairs = [("neighbours", neighbours_of(engine)), ("partners on a pin", partners(engine))]
+    several = [(name, in_succession(found.firing, some)) for name, some in pairs if some and len(_throws_used(engine)) > 1]
+    parts = [f"{name} {_steps_text(steps)}" for name, steps in several if steps]
+    if parts:
+        first, *others = parts
+        told.append(_sentence("; so do ".join([f"{first} fire one after the other", *others])))
+    elif several:
+        told.append(f"No {' or '.join(name for name, _ in several)} fire one after the other.")
+    return [sentence for sentence in told if sentence]
+
+
+def _throws_used(engine: Engine) -> set[tuple[str, int]]:
+    return {(cylinder.shaft, cylinder.throw) for cylinder in engine.cylinders}
+
+
+def _steps_text(steps: Sequence[Follower]) -> str:
+    shown = ", ".join(f"{step.first}-{step.then}" for step in steps[:COMPARED])
+    return shown + (f" and {len(steps) - COMPARED} more" if len(steps) > COMPARED else "")
+
+
+def _pulses(engine: Engine, groups: Sequence[Pulses]) -> str:
+    """How evenly the exhausts of each of several banks follow each other."""
+    if len(groups) < 2:
+        return ""  # all cylinders exhaust as they fire
+    intervals = {round(step.interval_deg, 3) for group in groups for step in group.steps}
+    if len(intervals) == 1:
+        return f"Each {groups[0].name.split()[0]} exhausts evenly, every {number(intervals.pop())} deg."
+    uneven = [group for group in groups if group.closest.interval_deg < UNEVEN * group.even]
+    if not uneven:
+        return ""
+    parts = [
+        f"{one.closest.first} and {one.closest.then} of {one.name} exhaust {number(one.closest.interval_deg)} deg apart"
+        + (f" ({'-'.join(number(step.interval_deg, digits=4) for step in one.steps)})" if len(one.steps) <= COMPARED else "")
+        for one in uneven[:2]
+    ]
+    more = f"; so it is in {len(uneven) - 2} more" if len(uneven) > 2 else ""
+    kind = uneven[0].name.split()[0]
+    burble = ", the burble of a cross-plane V8" if _burbles(engine, groups) else ""
+    return f"Cylinders {', and '.join(parts)}{more}: uneven {kind} pulses{burble}."
+
+
+def _burbles(engine: Engine, groups: Sequence[Pulses]) -> bool:
+    """Whether it is a V8 that fires evenly while each of its two banks exhausts 90, 180, 180 and 270 deg apart."""
+    sizes = (len(engine.chambers), len(engine.banks), len(groups), *(len(one.steps) for one in groups))
+    if engine.cycle != "four-stroke" or sizes != (8, 2, 2, 4, 4):
+        return False
+    alike = all(np.allclose(sorted(step.interval_deg for step in one.steps), BURBLE, atol=1.0) for one in groups)
+    return alike and firing(engine).even
 
 
 def _quantity(name: str, result: Balance, sums: Totals) -> str:

@@ -9,6 +9,8 @@ Figures of engines, by the names in `CHARTS`:
 | `comparison` | several engines side by side on common axes |
 | `pushes` | the forces on each cylinder at chosen crank angles |
 | `elevations` | the crankshaft from the side |
+| `rings` | the cylinders round a circle at their firing angles |
+| `strokes` | when valves are open, and when each cylinder fires |
 | `spectra` | how great each order becomes |
 | `turns` | force, couple, roll and torque over the crank angle |
 | `hodographs` | the path of force or couple |
@@ -33,9 +35,11 @@ from crankstar.charts.hodographs import hodograph
 from crankstar.charts.polygons import polygon
 from crankstar.charts.pushes import force_arrows
 from crankstar.charts.registry import CHARTS, Figure
+from crankstar.charts.rings import firing_ring
 from crankstar.charts.saving import SUFFIXES, saved
 from crankstar.charts.spectra import spectrum
 from crankstar.charts.stars import crank_star, vector_star
+from crankstar.charts.strokes import stroke_chart
 from crankstar.charts.sweeps import swept
 from crankstar.charts.turns import over_turn
 
@@ -46,6 +50,7 @@ __all__ = [
     "ChartError",
     "Figure",
     "crank_star",
+    "firing_ring",
     "force_arrows",
     "hodograph",
     "judged",
@@ -56,6 +61,7 @@ __all__ = [
     "shaft_elevation",
     "side_by_side",
     "spectrum",
+    "stroke_chart",
     "svg",
     "swept",
     "vector_star",

@@ -11,8 +11,10 @@ from crankstar.charts.elevations import shaft_elevation
 from crankstar.charts.hodographs import hodograph
 from crankstar.charts.polygons import polygon
 from crankstar.charts.pushes import force_arrows
+from crankstar.charts.rings import firing_ring
 from crankstar.charts.spectra import spectrum
 from crankstar.charts.stars import crank_star, vector_star
+from crankstar.charts.strokes import stroke_chart
 from crankstar.charts.turns import over_turn
 
 
@@ -70,6 +72,8 @@ CHARTS: dict[str, Figure] = {
         ),
         Figure("spectrum", spectrum, "how great force, couple and roll of each order become", ("speed", "reference")),
         Figure("shaft", shaft_elevation, "every shaft from the side, with its weights and arms", ("reference", "theta")),
+        Figure("stroke-chart", stroke_chart, "when the valves of each cylinder are open, and when it fires", ("theta",)),
+        Figure("firing-ring", firing_ring, "the cylinders round a circle at their firing angles", ("theta",)),
         Figure("forces", force_arrows, "the forces on each cylinder at chosen crank angles", ("angles", "orders")),
     )
 }

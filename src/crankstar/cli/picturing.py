@@ -18,7 +18,12 @@ from crankstar.request import RequestError
 @app.command
 def plot(
     engine: EngineName,
-    chart: Annotated[str, Parameter(help="crank-star, vector-star, polygon, hodograph, over-turn, spectrum, shaft or forces")],
+    chart: Annotated[
+        str,
+        Parameter(
+            help="crank-star, vector-star, polygon, hodograph, over-turn, spectrum, shaft, stroke-chart, firing-ring or forces"
+        ),
+    ],
     /,
     *,
     beside: Annotated[
@@ -47,7 +52,7 @@ def plot(
         ),
     ] = None,
 ) -> None:
-    """Draw an engine: crank star, vector stars, polygons, hodographs, curves over a turn, spectra, the shaft, the forces."""
+    """Draw an engine: crank star, vector stars, polygons, hodographs, curves over a turn, spectra, shaft, forces, strokes."""
     drawing = chart_request.charts()
     if chart not in drawing.CHARTS:
         raise RequestError(f"there is no chart {one_line(chart)}; there are: {', '.join(drawing.CHARTS)}")
