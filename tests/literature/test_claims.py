@@ -18,6 +18,8 @@ from crankstar.engine import Engine
 from crankstar.errata import claims
 from crankstar.firing import dead_centres, firing
 from crankstar.phasor import Spectrum
+from crankstar.strokes import disturbances, exhaust_groups, working_cycle
+from crankstar.strokes import exhaust_intervals as strokes_intervals
 
 CLAIMS: dict[str, Any] = claims()
 EXACT = 1e-12
@@ -221,6 +223,20 @@ def test_exhaust_intervals_of_the_banks() -> None:
     flat, cross = crankstar.load("v8-flat-plane"), crankstar.load("v8-cross-plane")
     assert exhaust_intervals(flat, "odd") == exhaust_intervals(flat, "even") == [180] * 4
     assert exhaust_intervals(cross, "odd") == CLAIMS["v8_cross_plane"]["bank_exhaust_intervals_deg"]["odd"]
+
+
+def test_the_exhausts_of_the_banks_are_those_of_the_two_v8_pages() -> None:
+    """Source: the two V8 pages: each bank every 180 deg with a flat plane; with a cross plane 5 and 7 only 90 deg apart."""
+    flat, cross = (crankstar.load(name) for name in ("v8-flat-plane", "v8-cross-plane"))
+    for group in exhaust_groups(flat):
+        assert [step.interval_deg for step in strokes_intervals(working_cycle(flat), group.chambers)] == [180] * 4
+    steps = strokes_intervals(working_cycle(cross), cross.banks["odd"])
+    assert [step.first for step in steps] == [1, 3, 5, 7]
+    assert [step.interval_deg for step in steps] == CLAIMS["v8_cross_plane"]["bank_exhaust_intervals_deg"]["odd"]
+    assert [step for step in steps if step.interval_deg == 90] == [(5, 7, 90)]
+    found = {(one.blowing, one.disturbed): one for one in disturbances(working_cycle(cross), cross.banks["odd"])}
+    assert found[7, 5].both_open_deg == 0  # into the open exhaust of 5, long before its intake opens
+    assert found[7, 5].exhaust_open_deg == pytest.approx(50)
 
 
 # The KR250 essay: orders 1 and 2, A2 = 1/4

@@ -27,7 +27,8 @@ SPREAD = (
 )
 EVERY_CHART = pytest.mark.parametrize("name", charts.CHARTS)
 TURNING = [name for name, figure in charts.CHARTS.items() if "theta" in figure.options]
-PLANES = ("crank-star", "vector-star", "polygon", "hodograph", "forces")
+PLANES = ("crank-star", "vector-star", "polygon", "hodograph", "forces", "firing-ring")
+OVER_A_CYCLE = ("stroke-chart", "firing-ring")
 
 
 def variants(figure: charts.Figure) -> list[dict[str, Any]]:
@@ -103,14 +104,16 @@ def test_every_figure_takes_the_options_it_is_said_to_take(name: str) -> None:
 @pytest.mark.parametrize("engine", ["v8-cross-plane", "i4", "kr250-racer"])
 def test_what_depends_on_the_crank_angle_has_one_parameter_for_it_in_degrees(name: str, engine: str) -> None:
     options = {"theta": 0.5} if name in TURNING else {}
-    spec = charts.CHARTS[name].draw(crankstar.load(engine), **options).to_dict()
+    loaded = crankstar.load(engine)
+    spec = charts.CHARTS[name].draw(loaded, **options).to_dict()
     found = parameters(spec)
+    last = loaded.cycle_angle if name in OVER_A_CYCLE else 360
     assert len(found) == (1 if name in TURNING else 0)
     if found:
         assert spec["params"] == found
         assert found[0]["name"] == "theta"
         assert found[0]["value"] == pytest.approx(np.degrees(0.5))
-        assert (found[0]["bind"]["input"], found[0]["bind"]["min"], found[0]["bind"]["max"]) == ("range", 0, 360)
+        assert (found[0]["bind"]["input"], found[0]["bind"]["min"], found[0]["bind"]["max"]) == ("range", 0, last)
 
 
 @pytest.mark.parametrize("name", [name for name, figure in charts.CHARTS.items() if figure.compares])
@@ -179,6 +182,8 @@ def test_labels_do_not_cover_each_other(name: str, engine: str, order: int) -> N
         ("v8-cross-plane", "hodograph", {"order": 1}, "no force of order 1"),
         ("i4", "over-turn", {}, "no force to the sides"),
         ("boxer-6", "spectrum", {}, "no force"),
+        ("napier-lion", "stroke-chart", {}, "no firing order is known"),
+        ("napier-lion", "firing-ring", {}, "no firing order is known"),
     ],
 )
 def test_nothing_to_draw_is_said(engine: str, name: str, options: dict[str, Any], words: str) -> None:

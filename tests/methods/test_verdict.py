@@ -90,3 +90,44 @@ def test_neighbours_are_of_the_same_kind_and_nearest_first() -> None:
 
 def test_an_engine_alone_in_the_catalog_says_so() -> None:
     assert verdict(load("napier-deltic"))[-1].sentence == "The catalog has no other two-stroke engine with 18 cylinders."
+
+
+BURBLE = (
+    "Cylinders 5 and 7 of bank odd exhaust 90 deg apart (270-180-90-180), and 8 and 4 of bank even exhaust 90 deg "
+    "apart (90-180-270-180): uneven bank pulses, the burble of a cross-plane V8."
+)
+
+
+def told(name: str) -> list[str]:
+    return [fact.sentence for fact in verdict(load(name), neighbours=False) if fact.about == "firing"]
+
+
+@pytest.mark.parametrize(
+    ("name", "sentences"),
+    [
+        ("v8-cross-plane", [BURBLE, "Neighbours 5-7 fire one after the other; so do partners on a pin 4-3, 6-5, 2-1."]),
+        ("i4", ["Neighbours 3-4, 2-1 fire one after the other."]),
+        ("i6", ["No neighbours fire one after the other."]),
+        ("merlin", ["Each bank exhausts evenly, every 120 deg.", "No neighbours or partners on a pin fire one after the other."]),
+        ("radial-9", []),
+        ("triple-120", []),
+        ("napier-lion", []),
+    ],
+)
+def test_the_verdict_on_exhaust_pulses_and_on_who_fires_after_whom(name: str, sentences: list[str]) -> None:
+    assert told(name) == sentences
+
+
+@pytest.mark.parametrize("name", catalog.names())
+def test_only_cross_plane_eights_burble_and_the_verdict_on_firing_is_short(name: str) -> None:
+    sentences = told(name)
+    eights = {"v8-cross-plane", "bmw-s65", "ford-coyote", "ford-46-sohc", "gm-l76", "porsche-cayenne-48", "toyota-1uz-fe"}
+    assert any("burble" in sentence for sentence in sentences) == (name in eights)
+    assert len(sentences) <= 2
+    assert all(len(sentence) < 240 for sentence in sentences)
+
+
+def test_manifolds_that_join_the_right_cylinders_end_the_burble() -> None:
+    joined = load("v8-cross-plane", changes={"valves.manifolds": [[1, 4, 6, 7], [8, 3, 5, 2]]})
+    sentences = [fact.sentence for fact in verdict(joined, neighbours=False) if fact.about == "firing"]
+    assert sentences[0] == "Each manifold exhausts evenly, every 180 deg."
