@@ -194,7 +194,3 @@ def _bear(fault: BaseException | None, times: int) -> None:
         )
         raise SearchError([message])
     raise fault
-
-
-def estimate(question):
-    return cost(halves(question), strips(question, halves(question)))
