@@ -10,6 +10,7 @@ from rich.text import Text
 from crankstar.engine import Engine
 from crankstar.firing import Firing
 from crankstar.strokes import (
+    EVEN,
     ChamberStrokes,
     ExhaustGroup,
     Window,
@@ -52,6 +53,8 @@ def succession_text(steps: Sequence[Follower]) -> str:
 def _ring(fired: Firing) -> str:
     """Where each cylinder stands on the firing ring, and whether the firing is even."""
     even = "even firing" if fired.even else f"odd firing, {number(fired.cycle_deg / len(fired.order))} deg would be even"
+    if len(fired.order) > 1 and max(fired.intervals_deg) > fired.cycle_deg - EVEN:
+        even = "all fire together"
     places = ", ".join(f"{n} at {number(a % fired.cycle_deg, 720.0)}" for n, a in zip(fired.order, fired.angles_deg, strict=True))
     return f"{even}; round the firing ring of {fired.cycle_deg:.0f} deg: {places}"
 

@@ -27,7 +27,7 @@ from crankstar.files import engine_of, explicit, schema, tree_of
 from crankstar.files.starters import STARTERS
 
 COMMAND = [sys.executable, "-c", "from crankstar.cli import main; main()"]
-VERBS = ["list", "show", "analyze", "derive", "balance", "compare", "errata", "check", "new", "schema"]
+VERBS = ["list", "show", "analyze", "strokes", "derive", "balance", "compare", "errata", "check", "new", "schema"]
 ANALYSES = [[], ["--json"], ["--csv"]]
 
 
@@ -302,6 +302,9 @@ BAD_LINES = [
     (["analyze", "X", "--set", "cylinder.rod_ratio=" + "9" * 5000], "cylinder.rod_ratio: is "),
     (["analyze", "X", "--set", "name=" + "[" * 300 + "]" * 300], "nested too deeply"),
     (["analyze", "X", "--set", "\x1b[31m=1"], '"?[31m": unknown key'),
+    (["strokes", "X", "--set", "valves.exhaust_opens=60"], "valves.exhaust_opens: is 60 without a unit, and 60 rad cannot"),
+    (["strokes", "X", "--set", "valves.manifolds=[[1]]"], "valves.manifolds: misses cylinders 2, 3, 4"),
+    (["strokes", "X", "--set", "firing_order=[]"], "firing_order: is missing, and without it nobody knows which stroke"),
     (["compare", "X"], "SECOND requires an argument"),
     (["compare", "X", "none"], "none: 1 mistake"),
     (["check"], "check: name at least one engine file"),

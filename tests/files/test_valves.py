@@ -7,6 +7,8 @@ from math import degrees, radians
 from typing import Any
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from tests.commands import Run
 from tests.texts import EXPLICIT, SHORT, spoilt, told
 
@@ -29,6 +31,21 @@ def test_both_forms_take_valves_and_give_them_back(text: str) -> None:
     assert again is not None
     for name in EVENTS:
         assert getattr(again, name) == pytest.approx(getattr(engine.valves, name))
+
+
+ANGLES = st.none() | st.floats(radians(20), radians(80)).map(lambda angle: round(angle, 6))
+ORDERS = st.permutations(range(1, 9)).map(tuple)
+SPLITS = st.builds(lambda order, at: (order[:at], order[at:]), ORDERS, st.integers(1, 7))
+
+
+@given(st.builds(Valves, **dict.fromkeys(EVENTS, ANGLES), manifolds=st.just(()) | SPLITS))
+def test_any_valves_are_the_same_written_and_read_back(valves: Valves) -> None:
+    engine = engine_of(tree_of(SHORT)).model_copy(update={"valves": valves})
+    again = engine_of(tree_of(toml(engine))).valves
+    assert again is not None
+    assert again.manifolds == valves.manifolds
+    for name in EVENTS:
+        assert (getattr(again, name) or 0.0) == pytest.approx(getattr(valves, name) or 0.0, rel=1e-13)
 
 
 def test_what_is_assumed_is_never_written() -> None:

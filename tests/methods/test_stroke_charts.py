@@ -150,6 +150,8 @@ def test_the_key_of_a_ring_tells_the_intervals_of_the_exhausts() -> None:
     odd = exhaust_intervals(working_cycle(engine), exhaust_groups(engine)[0].chambers)
     assert f"bank odd: {'-'.join(f'{step.interval_deg:.0f}' for step in odd)} deg apart" in words
     assert "even firing, every 90 deg" in words
+    together = words_of(charts.saved(charts.firing_ring(crankstar.load("kr250-racer-simultaneous")), "svg", title="x"))
+    assert "all fire together, every 360 deg" in together
 
 
 def test_crankshafts_of_different_speed_are_refused_in_a_sentence() -> None:

@@ -14,7 +14,7 @@ from crankstar.charts.labels import Label
 from crankstar.charts.plane import Arrow, Dot, Frame, Plane, Stroke, empty, picture, round_frame
 from crankstar.charts.strokes import NO_ORDER, found_cycle, spacing
 from crankstar.engine import Engine
-from crankstar.strokes import ExhaustGroup, WorkingCycle, exhaust_groups, exhaust_intervals
+from crankstar.strokes import EVEN, ExhaustGroup, WorkingCycle, exhaust_groups, exhaust_intervals
 from crankstar.succession import followers, in_succession, neighbours
 from crankstar.wording import number
 
@@ -79,6 +79,8 @@ def _colour(place: int) -> str:
 
 def _evenness(found: WorkingCycle) -> str:
     steps = followers(found.firing)
+    if len(steps) > 1 and max(step.interval_deg for step in steps) > found.cycle_deg - EVEN:
+        return f"all fire together, every {number(found.cycle_deg)} deg"
     return f"{'even' if found.firing.even else 'odd'} firing, {spacing(steps)}"
 
 
