@@ -58,6 +58,7 @@ SECTIONS: dict[type[Record], str] = {
     layouts.Bank: "[a bank](#a-bank)",
     layouts.Crank: "[a crank](#a-crank)",
     layouts.Row: "[a row](#a-row)",
+    records.Valves: "[valves](#valves)",
     records.Shaft: "[a shaft](#a-shaft)",
     records.Throw: "[a throw](#a-throw)",
     records.Weight: "[a weight](#a-weight)",

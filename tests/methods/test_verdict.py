@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import re
+from fractions import Fraction
 
 import numpy as np
 import pytest
 
 from crankstar import balance, catalog, load, phasor, total
+from crankstar.arrangement import Basis
+from crankstar.layouts import Bank, Crank, tandem
 from crankstar.remedy import main_bearings, needs
 from crankstar.verdict import likeness, verdict
 
@@ -131,3 +134,11 @@ def test_manifolds_that_join_the_right_cylinders_end_the_burble() -> None:
     joined = load("v8-cross-plane", changes={"valves.manifolds": [[1, 4, 6, 7], [8, 3, 5, 2]]})
     sentences = [fact.sentence for fact in verdict(joined, neighbours=False) if fact.about == "firing"]
     assert sentences[0] == "Each manifold exhausts evenly, every 180 deg."
+
+
+def test_crankshafts_of_different_speed_have_no_verdict_on_their_strokes() -> None:
+    first, second = (Bank(cylinders=own) for own in ((1, 2), (3, 4)))
+    slow = Crank(banks=(second,), throws=(0.0, 1.0), right=3.0, speed_ratio=Fraction(1, 2), lag=0.5)
+    cranks = (Crank(banks=(first,), throws=(0.0, 1.0)), slow)
+    engine = tandem(Basis(name="x", firing_order=(1, 3, 2, 4)), cranks=cranks)
+    assert [fact.about for fact in verdict(engine, neighbours=False)][:2] == ["layout", "force"]
