@@ -99,7 +99,7 @@ def read(outcome: Outcome) -> Findings:
         found = _judged(question, found)
     unit = (*halves(outcome.asked).unit, *(1.0 for _ in question.judges))
     rows = tuple(_finding(question, found, group, unit) for group in _groups(question, found))
-    stars = None if isinstance(question.ask, Best) else int(found.times.sum())
+    stars = None if isinstance(question.ask, Best) else int(found.times.sum()) + found.beyond
     return Findings(question, rows, stars, _certificate(outcome))
 
 

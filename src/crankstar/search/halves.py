@@ -2,34 +2,40 @@
 
 The places are sorted by how far they reach (the greatest |weight|), so that the outer half is the hard one to cancel. The
 outermost place has direction 0: that counts turned stars once. A block is a choice of the directions that the outer half
-gets; of two blocks that are mirror images one stands for both.
+gets; of two blocks that are mirror images one stands for both. How many blocks there are, and how many arrangements a half has,
+is counted without making them.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from math import factorial, inf, pi, sqrt
 
 import numpy as np
 
 from crankstar.search import kernels
 from crankstar.search.question import Question
-from crankstar.search.stars import Stars
+from crankstar.search.stars import SearchError, Stars
 from crankstar.search.sums import VectorSum
 
 GREATEST_ROWS = 4_000_000
-"""Arrangements of a half that are held at once: 200 MB."""
+"""Arrangements of a half that are held at once: ten places (3 628 800), so up to 21 cylinders; `work.memory` says in how many bytes."""
 BUFFER = 1 << 14
 """Stars found before the compiled loop hands them over, at least."""
 
 
 @dataclass(frozen=True)
 class Halves:
-    """A question made ready: tables for the kernels, blocks, greatest numbers of arrangements of the two halves, scales."""
+    """A question made ready: tables for the kernels, greatest numbers of arrangements of the two halves, scales.
+
+    counts: how many free places each direction has; mirrored: whether of two mirror images of a block one stands for both.
+    """
 
     tables: kernels.Tables
-    blocks: np.ndarray
+    counts: tuple[int, ...]
+    mirrored: bool
     outer_rows: int
     inner_rows: int
     size: tuple[float, ...]
@@ -44,7 +50,48 @@ class Halves:
     @property
     def rows(self) -> float:
         """Arrangements that are formed in all blocks."""
-        return float(len(self.blocks)) * (self.outer_rows + self.inner_rows)
+        return float(self.block_count) * (self.outer_rows + self.inner_rows)
+
+    @cached_property
+    def block_count(self) -> int:
+        """How many blocks there are."""
+        wanted = len(self.tables.outer)
+        every = _ways([(1, count) for count in self.counts], wanted)
+        if not self.mirrored:
+            return every
+        pairs = list(zip(self.counts, self.counts[:1] + self.counts[:0:-1], strict=True))
+        half = len(pairs) // 2
+        alone = [0, half] if len(pairs) % 2 == 0 else [0]
+        still = [(1, self.counts[d]) for d in alone] + [(2, min(pairs[d])) for d in range(1, (len(pairs) + 1) // 2)]
+        return (every + _ways(still, wanted)) // 2
+
+    @cached_property
+    def blocks(self) -> np.ndarray:
+        """All shares of the outer half, the rest for the inner one, and how many blocks each stands for [b, 2 n + 1]."""
+        shares = _shares(self.counts, len(self.tables.outer))
+        times = np.ones(len(shares), np.int64)
+        if self.mirrored:
+            apart = shares - np.roll(shares[:, ::-1], 1, axis=1)
+            first = apart[np.arange(len(apart)), (apart != 0).argmax(axis=1)]
+            times += first < 0
+            shares, times = shares[first <= 0], times[first <= 0]
+        return np.column_stack([shares, np.array(self.counts) - shares, times])
+
+
+def check(question: Question) -> None:
+    """Raises SearchError where the halves of a question have more arrangements than can be held."""
+    ready = halves(question)
+    rows = max(ready.outer_rows, ready.inner_rows)
+    if rows <= GREATEST_ROWS:
+        return
+    places = len(ready.tables.inner)
+    enough = next(k for k in range(places, 0, -1) if _most_rows(ready.counts, k) <= GREATEST_ROWS)
+    fixed = len(question.stars.places) - 2 * enough
+    ways = [f"fix at least {fixed} throws"]
+    if question.stars.sharing == 2 and not question.stars.symmetric:
+        ways.append("ask for cranks that are symmetric lengthwise")
+    message = f"half a shaft of {places} free throws has up to {rows:,} arrangements, and {GREATEST_ROWS:,} can be held at once"
+    raise SearchError([f"{message}; {' or '.join(ways)}"])
 
 
 @lru_cache(maxsize=8)
@@ -53,10 +100,8 @@ def halves(question: Question) -> Halves:
     columns = tuple(_column(question.stars, vector) for vector in question.sums) or (_nothing(question.stars),)
     whole = np.ascontiguousarray(np.stack([part for column in columns for part in column.parts], axis=-1))
     size = tuple(column.size for column in columns)
-    fixed, outer, inner, counts, split = _parted(question, whole)
-    directions = question.stars.directions
+    fixed, outer, inner, counts = _parted(question, whole)
     constant = sum((whole[place, direction] for place, direction in fixed), np.zeros(whole.shape[2]))
-    blocks = _blocks(counts, split, mirrored=len(question.symmetries) > 1)
     limits = np.array([*_limits(question, size), question.neighbours_at_most])
     tables = kernels.Tables(
         outer=np.ascontiguousarray(whole[outer]),
@@ -75,9 +120,10 @@ def halves(question: Question) -> Halves:
     )
     return Halves(
         tables,
-        blocks,
-        _most_rows(blocks[:, :directions]),
-        _most_rows(blocks[:, directions:-1]),
+        tuple(counts),
+        len(question.symmetries) > 1,
+        _most_rows(counts, len(outer)),
+        _most_rows(counts, len(inner)),
         size,
         tuple(column.spread for column in columns),
         tuple(float(np.abs(column.weights).sum()) for column in columns),
@@ -120,8 +166,8 @@ def _nothing(stars: Stars) -> _Column:
     return _Column(np.zeros(len(stars.places)), np.ones(stars.directions, complex), 1.0)
 
 
-def _parted(question: Question, whole: np.ndarray) -> tuple[list[tuple[int, int]], list[int], list[int], list[int], int]:
-    """Fixed places with their directions; free ones, outer half and inner half; how many each direction has left; outer places."""
+def _parted(question: Question, whole: np.ndarray) -> tuple[list[tuple[int, int]], list[int], list[int], list[int]]:
+    """Fixed places with their directions; free ones, outer half and inner half; how many each direction has left."""
     stars = question.stars
     reach = np.abs(whole[:, 0, 0::2] + 1j * whole[:, 0, 1::2]).max(axis=1)
     order = sorted(range(len(stars.places)), key=lambda place: (-reach[place], place))
@@ -132,43 +178,38 @@ def _parted(question: Question, whole: np.ndarray) -> tuple[list[tuple[int, int]
     for _, direction in fixed:
         counts[direction] -= 1
     split = len(free) // 2
-    return fixed, free[:split], free[split:], counts, split
+    return fixed, free[:split], free[split:], counts
 
 
-def _blocks(counts: list[int], split: int, *, mirrored: bool) -> np.ndarray:
-    """All shares of the outer half, the rest for the inner one, and how many blocks each stands for [b, 2 n + 1]."""
-    directions = len(counts)
-    shares: list[tuple[int, ...]] = []
-    _share(tuple(counts), split, (), shares)
-    rows: list[tuple[int, ...]] = []
-    for share in shares:
-        image = (share[0], *share[:0:-1]) if mirrored else share
-        if share <= image:
-            rest = tuple(counts[d] - share[d] for d in range(directions))
-            rows.append((*share, *rest, 1 if share == image else 2))
-    return np.array(rows, np.int64).reshape(-1, 2 * directions + 1)
+def _shares(counts: Sequence[int], wanted: int) -> np.ndarray:
+    """All ways to take so many from the counts of all directions, in the order of words [ways, n]."""
+    shares, taken = np.zeros((1, 0), np.int64), np.zeros(1, np.int64)
+    for d, count in enumerate(counts):
+        least = np.maximum(0, wanted - taken - sum(counts[d + 1 :]))
+        ways = np.minimum(count, wanted - taken) - least + 1
+        before = np.repeat(np.arange(len(shares)), ways)
+        here = least[before] + np.arange(len(before)) - np.repeat(np.cumsum(ways) - ways, ways)
+        shares, taken = np.column_stack([shares[before], here]), taken[before] + here
+    return shares
 
 
-def _share(left: tuple[int, ...], wanted: int, before: tuple[int, ...], out: list[tuple[int, ...]]) -> None:
-    """All ways to take so many from what is left, in the order of words."""
-    if not left:
-        out.append(before)
-        return
-    rest = sum(left[1:])
-    for taken in range(max(0, wanted - rest), min(left[0], wanted) + 1):
-        _share(left[1:], wanted - taken, (*before, taken), out)
+def _ways(choices: Sequence[tuple[int, int]], wanted: int) -> int:
+    """In how many ways so many can be taken: of each choice up to a count, each of them so many at once."""
+    ways = [1] + [0] * wanted
+    for step, count in choices:
+        ways = [sum(ways[total - step * k] for k in range(count + 1) if total >= step * k) for total in range(wanted + 1)]
+    return ways[wanted]
 
 
-def _most_rows(shares: np.ndarray) -> int:
-    """The greatest number of arrangements of a half over the blocks."""
-    kinds = {tuple(sorted(int(count) for count in share if count)) for share in shares}
-    most = 1
-    for kind in kinds:
-        rows = factorial(sum(kind))
-        for count in kind:
-            rows //= factorial(count)
-        most = max(most, rows)
-    return most
+def _most_rows(counts: Sequence[int], places: int) -> int:
+    """The greatest number of arrangements of so many places over the blocks: that of the most even share."""
+    share = [0] * len(counts)
+    for _ in range(places):
+        share[min((d for d in range(len(counts)) if share[d] < counts[d]), key=share.__getitem__)] += 1
+    rows = factorial(places)
+    for count in share:
+        rows //= factorial(count)
+    return rows
 
 
 def _weights(question: Question, size: tuple[float, ...]) -> np.ndarray:

@@ -2,13 +2,13 @@
 
 A row is a star with the values of its objectives, and how many classes and stars it stands for. Rows of one star add up.
 Where more stars share all values than are kept, those that go leave their numbers with those that stay, so that the
-numbers of a group of equal values are always those of all its stars.
+numbers of a group of equal values are always those of all its stars. In a front the first row of a group has them all.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -29,6 +29,8 @@ class Harvest:
     classes: np.ndarray
     times: np.ndarray
     met: int = 0
+    beyond: int = 0
+    """Stars of a list that are not kept in it."""
 
     def __len__(self) -> int:
         return len(self.values)
@@ -42,10 +44,22 @@ def nothing(objectives: int, places: int) -> Harvest:
 
 def gathered(parts: Sequence[Harvest], ask: Front | Best | All) -> Harvest:
     """One harvest from several: each star once, what is not asked for left out."""
-    met = sum(part.met for part in parts)
     rows = _each_once(parts)
     rows = _front(rows, ask.examples) if isinstance(ask, Front) else _first(rows, ask)
-    return Harvest(rows.values, rows.stars, rows.classes, rows.times, met)
+    beyond = rows.beyond + sum(part.beyond for part in parts)
+    return replace(rows, met=sum(part.met for part in parts), beyond=beyond)
+
+
+def best_so_far(whole: Harvest, begun: Harvest, ask: Front | Best | All) -> Harvest:
+    """What is known when a wider search over the same stars was stopped: what the narrower one found, and what is new."""
+    known = {star.tobytes() for star in whole.stars}
+    new = [row for row in range(len(begun)) if begun.stars[row].tobytes() not in known and not _among(begun.values[row], whole)]
+    return gathered([whole, taken(begun, np.array(new, np.int64))], ask)
+
+
+def _among(values: np.ndarray, harvest: Harvest) -> bool:
+    """Whether a star with these values was found: then all with these values were counted with it."""
+    return bool((np.abs(harvest.values - values) <= 2 * SAME).all(axis=1).any())
 
 
 def groups(harvest: Harvest) -> list[np.ndarray]:
@@ -69,15 +83,14 @@ def threshold(harvest: Harvest, ask: Front | Best | All) -> np.ndarray | None:
 def _each_once(parts: Sequence[Harvest]) -> Harvest:
     stars = np.concatenate([part.stars for part in parts])
     if not len(stars):
-        return parts[0]
+        return replace(parts[0], met=0, beyond=0)
     values = np.concatenate([part.values for part in parts])
     _, first, where = np.unique(stars, axis=0, return_index=True, return_inverse=True)
     where = where.reshape(-1)
-    sums = [
-        np.bincount(where, np.concatenate([getattr(part, name) for part in parts])).astype(np.int64)
-        for name in ("classes", "times")
-    ]
-    return _ordered(Harvest(values[first], stars[first], sums[0], sums[1]))
+    classes, times = np.zeros((2, len(first)), np.int64)
+    np.add.at(classes, where, np.concatenate([part.classes for part in parts]))
+    np.add.at(times, where, np.concatenate([part.times for part in parts]))
+    return _ordered(Harvest(values[first], stars[first], classes, times))
 
 
 def _ordered(rows: Harvest) -> Harvest:
@@ -88,7 +101,7 @@ def _ordered(rows: Harvest) -> Harvest:
 
 def taken(rows: Harvest, which: np.ndarray) -> Harvest:
     """Some rows of a harvest."""
-    return Harvest(rows.values[which], rows.stars[which], rows.classes[which], rows.times[which], rows.met)
+    return Harvest(rows.values[which], rows.stars[which], rows.classes[which], rows.times[which], rows.met, rows.beyond)
 
 
 def _front(rows: Harvest, examples: int) -> Harvest:
@@ -103,27 +116,20 @@ def _front(rows: Harvest, examples: int) -> Harvest:
         seen |= (np.abs(apart) <= SAME).all(axis=1)
         keep &= ~((apart >= -SAME).all(axis=1) & (apart > SAME).any(axis=1))
     rows = taken(rows, np.flatnonzero(keep))
-    classes, times, stay = rows.classes.copy(), rows.times.copy(), []
+    classes, times = np.zeros((2, len(rows)), np.int64)
+    stay: list[np.ndarray] = []
     for group in groups(rows):
-        here, gone = group[:examples], group[examples:]
-        classes[here[0]] += classes[gone].sum()
-        times[here[0]] += times[gone].sum()
-        stay.append(here)
+        classes[group[0]], times[group[0]] = rows.classes[group].sum(), rows.times[group].sum()
+        stay.append(group[:examples])
     which = np.concatenate(stay) if stay else np.zeros(0, np.int64)
     return taken(Harvest(rows.values, rows.stars, classes, times), which)
 
 
 def _first(rows: Harvest, ask: Best | All) -> Harvest:
-    """The first rows, so many as are asked for; the number of a list is that of all its stars."""
+    """The first rows, so many as are asked for; a list of all counts those it does not keep."""
     if isinstance(ask, Best):
         return taken(rows, np.arange(min(len(rows), ask.count)))
-    kept = min(len(rows), ask.greatest)
-    if kept == len(rows):
-        return rows
-    classes, times = rows.classes.copy(), rows.times.copy()
-    classes[0] += classes[kept:].sum()
-    times[0] += times[kept:].sum()
-    return taken(Harvest(rows.values, rows.stars, classes, times), np.arange(kept))
+    return replace(taken(rows, np.arange(min(len(rows), ask.greatest))), beyond=int(rows.times[ask.greatest :].sum()))
 
 
 def as_json(harvest: Harvest) -> dict[str, Any]:
@@ -134,6 +140,7 @@ def as_json(harvest: Harvest) -> dict[str, Any]:
         "classes": harvest.classes.tolist(),
         "times": harvest.times.tolist(),
         "met": harvest.met,
+        "beyond": harvest.beyond,
     }
 
 
@@ -143,4 +150,4 @@ def from_json(tree: dict[str, Any], objectives: int, places: int) -> Harvest:
     values = np.array(tree["values"], float).reshape(rows, max(1, objectives))
     stars = np.array(tree["stars"], np.int8).reshape(rows, places)
     classes, times = (np.array(tree[name], np.int64).reshape(rows) for name in ("classes", "times"))
-    return Harvest(values, stars, classes, times, int(tree["met"]))
+    return Harvest(values, stars, classes, times, int(tree["met"]), int(tree["beyond"]))

@@ -79,7 +79,7 @@ def complete(question: Question, found: Harvest, tried: Strips) -> bool:
 
 def _stars(ready: Halves) -> float:
     """Stars in all blocks, at most."""
-    return float(len(ready.blocks)) * ready.outer_rows * ready.inner_rows
+    return float(ready.block_count) * ready.outer_rows * ready.inner_rows
 
 
 def _share(radius: float, spread: float) -> float:
