@@ -21,7 +21,7 @@ from crankstar.search.stars import SearchError, Stars
 from crankstar.search.sums import VectorSum
 
 GREATEST_ROWS = 4_000_000
-"""Arrangements of a half that are held at once: ten places (3 628 800), so up to 21 cylinders; `work.memory` says in how many bytes."""
+"""Arrangements of a half that are held at once: ten places (3,628,800), so 21 cylinders; `work.memory` says in how many bytes."""
 BUFFER = 1 << 14
 """Stars found before the compiled loop hands them over, at least."""
 

@@ -5,18 +5,22 @@ from __future__ import annotations
 import multiprocessing
 import os
 import signal
+import threading
+import time
 from collections.abc import Iterator
 from concurrent.futures import BrokenExecutor, CancelledError, Executor, Future, ProcessPoolExecutor
 from contextlib import contextmanager, suppress
+from multiprocessing.connection import Connection
+from multiprocessing.resource_tracker import ensure_running
 from typing import Any
 
 from crankstar.search.stars import SearchError
 from crankstar.search.work import Stretch, worked
 
-AHEAD = 3
-"""Stretches under way for each worker: none waits for the next."""
 SCHEDULER_SECONDS = 10.0
-"""How long a scheduler may take to answer."""
+"""How long a scheduler may take to answer, and a cluster to have workers."""
+LOOK_SECONDS = 2.0
+"""How often a cluster is asked whether it is still there, and how long it may take to say so before it is asked again."""
 
 
 class Hands:
@@ -30,32 +34,73 @@ class Hands:
         self.workers = workers
 
     def submit(self, stretch: Stretch) -> Future[Any]:
-        """The harvest of a stretch, some day."""
-        return self.executor.submit(worked, stretch)
+        """The harvest of a stretch, some day. Raises SearchError where the executor takes no more."""
+        try:
+            return self.executor.submit(worked, stretch)
+        except BrokenExecutor as error:
+            raise SearchError([f"the executor is broken and takes no more work: {error}"]) from error
 
-    def mend(self) -> None:
-        """Makes lost workers good, where that can be done here."""
+    def look(self) -> None:
+        """Sees whether anybody is still there, when nothing came for a while. Raises SearchError where nobody is."""
+
+    def drop(self) -> None:
+        """Ends what is under way, where that can be done here: nobody waits for it any more."""
 
 
 class Processes(Hands):
-    """Processes of this machine, started anew when one of them is lost."""
+    """Processes of this machine; where one of them was lost, all are started anew.
+
+    They end by themselves when this process lets go of them, however it ends.
+    """
 
     def __init__(self, workers: int) -> None:
-        super().__init__(_pool(workers), workers=workers)
+        ensure_running()
+        super().__init__(self._pool(workers), workers=workers)
 
-    def mend(self) -> None:
-        """A broken pool is replaced."""
-        self.executor.shutdown(wait=False, cancel_futures=True)
-        self.executor = _pool(self.workers)
+    def _pool(self, workers: int) -> ProcessPoolExecutor:
+        context = multiprocessing.get_context("spawn")
+        end, self.lifeline = context.Pipe(duplex=False)
+        return ProcessPoolExecutor(workers, mp_context=context, initializer=_tied, initargs=(end,))
+
+    def submit(self, stretch: Stretch) -> Future[Any]:
+        """The harvest of a stretch, some day. A pool that is broken, or was dropped, is replaced."""
+        with _without_interrupts():
+            try:
+                return self.executor.submit(worked, stretch)
+            except RuntimeError:
+                self.drop()
+                self.executor = self._pool(self.workers)
+                return super().submit(stretch)
+
+    def drop(self) -> None:
+        """Ends the processes."""
+        self.lifeline.close()
+        self.executor.shutdown(wait=True, cancel_futures=True)
 
 
-def _pool(workers: int) -> ProcessPoolExecutor:
-    return ProcessPoolExecutor(workers, mp_context=multiprocessing.get_context("spawn"), initializer=_deaf)
+@contextmanager
+def _without_interrupts() -> Iterator[None]:
+    """Keeps interrupts from the keyboard back for a moment: processes that are started in it never get any."""
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
-def _deaf() -> None:
-    """An interrupt from the keyboard is the parent's: it decides when its workers end."""
+def _tied(end: Connection) -> None:
+    """Makes a worker leave interrupts to its parent, and end as soon as the parent lets go of the other end."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    threading.Thread(target=_ended_with, args=(end,), daemon=True).start()
+
+
+def _ended_with(end: Connection) -> None:
+    with suppress(OSError, EOFError):
+        end.recv_bytes()
+    os._exit(1)
 
 
 @contextmanager
@@ -65,14 +110,48 @@ def processes(workers: int | None = None) -> Iterator[Processes]:
     try:
         yield hands
     finally:
-        hands.executor.shutdown(wait=True, cancel_futures=True)
+        hands.drop()
+
+
+class _Cluster(Hands):
+    """The workers of a dask.distributed scheduler, however many there are at a time."""
+
+    def __init__(self, client: Any, address: str) -> None:
+        super().__init__(client.get_executor(pure=False), workers=1)
+        self.client, self.address = client, address
+        self.seen, self.looked = time.monotonic(), -LOOK_SECONDS
+
+    def submit(self, stretch: Stretch) -> Future[Any]:
+        """The harvest of a stretch, some day. Raises SearchError where the scheduler is gone."""
+        if self.client.status in ("closing", "closed"):
+            raise SearchError([f"the scheduler at {self.address} is gone; a checkpoint keeps what was done"])
+        return super().submit(stretch)
+
+    def look(self) -> None:
+        """Raises SearchError where the scheduler has not answered, or had no workers, for ten seconds."""
+        if time.monotonic() - self.looked < LOOK_SECONDS:
+            return
+        if self._count():
+            self.seen = time.monotonic()
+        self.looked = time.monotonic()
+        if self.looked - self.seen > SCHEDULER_SECONDS:
+            message = f"the scheduler at {self.address} has not answered, or had no workers, for {SCHEDULER_SECONDS:.0f} s"
+            raise SearchError([f"{message}; a checkpoint keeps what was done"])
+
+    def _count(self) -> int:
+        """Threads of the workers there are; 0 where nobody answers."""
+        with suppress(Exception):  # of whatever kind: the scheduler does not answer
+            threads = self.client.nthreads(callback_timeout=LOOK_SECONDS)
+            self.workers = max(1, sum(threads.values()))
+            return len(threads)
+        return 0
 
 
 @contextmanager
 def cluster(address: str) -> Iterator[Hands]:
     """The workers of a dask.distributed scheduler, for a while.
 
-    Raises SearchError where distributed is not installed, the address is none, or nothing answers within ten seconds.
+    Raises SearchError where distributed is not installed, the address is none, or no scheduler with a worker answers in time.
     """
     try:
         from distributed import Client
@@ -86,10 +165,14 @@ def cluster(address: str) -> Iterator[Hands]:
         message = f"no scheduler answers at {address} within {SCHEDULER_SECONDS:.0f} s ({reason}); start one with: dask scheduler"
         raise SearchError([message]) from None
     try:
-        threads = sum(dict(client.nthreads()).values())  # pyright: ignore[reportArgumentType, reportCallIssue]
-        if not threads:
-            raise SearchError([f"the scheduler at {address} has no workers; start one with: dask worker {address}"])
-        yield Hands(client.get_executor(pure=False), workers=threads)
+        try:
+            client.wait_for_workers(1, timeout=SCHEDULER_SECONDS)
+        except TimeoutError:
+            message = f"the scheduler at {address} has no workers; start one with: dask worker {address}"
+            raise SearchError([message]) from None
+        hands = _Cluster(client, address)
+        hands.look()
+        yield hands
     finally:
         with suppress(Exception):
             client.close(timeout=2)
