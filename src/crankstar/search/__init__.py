@@ -2,6 +2,7 @@
 
 | module, top to bottom | one line |
 |---|---|
+| `angles` | uneven angles: couples against free forces and even intervals, a local optimum |
 | `engines` | a star as an in-line Engine, with the firing order it allows |
 | `findings` | the answer: stars with their sums, exact zeros, how many there are, what proves that these are all |
 | `run` | a search from beginning to end: stretches handed out, gathered, proved complete |
