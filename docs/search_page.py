@@ -1,4 +1,4 @@
-"""What docs/search.md takes from the program when it is built: proven fronts by number of cylinders, and all stars of eight without M2."""
+"""What docs/search.md takes from the program when it is built: proven fronts, and all stars of eight without second order."""
 
 from __future__ import annotations
 

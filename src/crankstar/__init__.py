@@ -11,11 +11,14 @@ a record, a way of looking at it is a function, an engine type is data, and impo
 | `cli/` | verbs only; no logic |
 | `request` | what the words of a command line ask for |
 | `chart_request` | which figure, with which options, written as what |
+| `search_request`, `star_request` | which search, of which crank stars, judged by what |
+| `search_job` | a search as the command line runs it: estimated, on so many workers, its progress told |
 | `output` | where results go: terminal, pipe, or a file that appears whole or not at all |
 | `tables`, `description` | a Balance, an Engine as tables for the terminal and the notebook |
 | `charts/` | figures as Altair charts, one function each, and as SVG without a browser |
 | `verdict` | the facts a Balance shows, as short sentences with their numbers |
 | `stroke_table` | strokes, valve events, exhaust intervals and disturbances as tables for the terminal |
+| `search_table` | what a search found as a table, in sentences, as CSV, JSON and Parquet |
 | `sweep_table` | a sweep as a table, its curves in a line, its best value in words |
 | `misprints` | the errata of the sources as tables for the terminal |
 | `workshop` | the bobweight card, counterweights, balance shafts and what they leave, as tables |
@@ -25,6 +28,7 @@ a record, a way of looking at it is a function, an engine type is data, and impo
 | `sweep` | what becomes of a force when a number of the engine file is varied; the best value |
 | `fields` | numbers of an engine file by their key path, and the engine as a function of one |
 | `variants` | many variants of an engine at once, as arrays |
+| `search/` | the inverse problem: crank stars and firing orders searched to the end, with proof |
 | `derive/` | exact closed forms and their derivation step by step, zeros proved; families, the six signs of balance |
 | `answer` | the machine-readable answer: the public JSON object, CSV |
 | `catalog/` | engines as TOML, one file each, each number with its source |

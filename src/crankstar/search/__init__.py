@@ -2,6 +2,8 @@
 
 | module, top to bottom | one line |
 |---|---|
+| `weighed` | the stars of a real engine: its places, its sums in newtons |
+| `likeness` | all stars with the same moments as one |
 | `angles` | uneven angles: couples against free forces and even intervals, a local optimum |
 | `engines` | a star as an in-line Engine, with the firing order it allows |
 | `findings` | the answer: stars with their sums, exact zeros, how many there are, what proves that these are all |
@@ -13,6 +15,7 @@
 | `harvest` | stars that were found, and how several finds become one |
 | `halves` | a question as arrays: two halves of the shaft, blocks, how much work |
 | `kernels` | compiled loops; the only user of numba |
+| `arrays` | what the compiled loops work on |
 | `proof` | zeros and equal lengths of many stars, decided in whole numbers |
 | `question` | which stars, judged by what, within which limits, what is asked |
 | `sums` | vector sums of a star: forces, couples, torsion; neighbours in succession |

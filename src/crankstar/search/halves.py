@@ -15,7 +15,7 @@ from math import factorial, inf, pi, sqrt
 
 import numpy as np
 
-from crankstar.search import kernels
+from crankstar.search.arrays import Tables
 from crankstar.search.question import Question
 from crankstar.search.stars import SearchError, Stars
 from crankstar.search.sums import VectorSum
@@ -33,7 +33,7 @@ class Halves:
     counts: how many free places each direction has; mirrored: whether of two mirror images of a block one stands for both.
     """
 
-    tables: kernels.Tables
+    tables: Tables
     counts: tuple[int, ...]
     mirrored: bool
     outer_rows: int
@@ -103,7 +103,7 @@ def halves(question: Question) -> Halves:
     fixed, outer, inner, counts = _parted(question, whole)
     constant = sum((whole[place, direction] for place, direction in fixed), np.zeros(whole.shape[2]))
     limits = np.array([*_limits(question, size), question.neighbours_at_most])
-    tables = kernels.Tables(
+    tables = Tables(
         outer=np.ascontiguousarray(whole[outer]),
         inner=np.ascontiguousarray(whole[inner]),
         constant=constant,

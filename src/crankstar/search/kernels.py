@@ -11,7 +11,7 @@ Letters of the arrays: m vector sums, each two numbers; n directions; k places o
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numba import njit
@@ -22,67 +22,6 @@ SAME = 1e-9
 """Sums nearer than this, in the unit of their weights, count as equal (rounding is below 1e-13; zeros are proved apart)."""
 ROUNDING = 1e-11
 """More than rounding in the sum of two halves: by so much less is rejected before a star is summed along its shaft."""
-
-
-class Tables(NamedTuple):
-    """A search as arrays, the same for all blocks."""
-
-    outer: np.ndarray
-    """What each free place of the outer half adds to each sum in each direction [k, n, 2 m]."""
-    inner: np.ndarray
-    constant: np.ndarray
-    """What the fixed places add [2 m]."""
-    places: np.ndarray
-    """Index along the shaft of each place: the outer ones, the inner ones, the fixed ones."""
-    fixed: np.ndarray
-    """Direction of each fixed place, in the order of `places`."""
-    whole: np.ndarray
-    """What each place adds, by its index along the shaft [places, n, 2 m]."""
-    members: np.ndarray
-    """Cylinders of each place, -1 where there is none [places, 2]."""
-    symmetries: np.ndarray
-    """One row a symmetry: mirrored or not, reversed or not, [s, 2]; the first is 0, 0."""
-    counts: bool
-    """Whether neighbours in succession are asked for."""
-    anchored: bool
-    """Whether stars are turned so that the first place has direction 0."""
-    step: int
-    """How many directions on the next cylinder to fire has its throw; 0 where two cylinders share each direction."""
-    weights: np.ndarray
-    """Square of the weight of each sum in each objective [q, m]; the last column is the weight of neighbours in succession."""
-    limits: np.ndarray
-    """Greatest length of each sum [m], then the greatest number of neighbours in succession; infinite where free."""
-
-
-class Room(NamedTuple):
-    """Room for one block: vectors and codes of both halves, and the cells."""
-
-    outer_pairs: np.ndarray
-    """Exchanges that lead through all permutations; none where places share directions."""
-    inner_pairs: np.ndarray
-    outer: np.ndarray
-    outer_code: np.ndarray
-    inner: np.ndarray
-    inner_code: np.ndarray
-    start: np.ndarray
-    order: np.ndarray
-    near: np.ndarray
-    where: np.ndarray
-    reach: np.ndarray
-    """Greatest length of each sum over the inner places [m]."""
-    cell: np.ndarray
-    """Side of a cell of each plane that leaves about one vector in each [m]."""
-    loose: np.ndarray
-    """Square of the limit of each sum, with room for rounding [m]."""
-
-
-class Found(NamedTuple):
-    """Stars that were met: values of the objectives, directions, classes (times symmetries) and stars each stands for."""
-
-    values: np.ndarray
-    stars: np.ndarray
-    classes: np.ndarray
-    times: np.ndarray
 
 
 @njit(cache=True, nogil=True)

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from crankstar.search import harvest, kernels
+from crankstar.search.arrays import Found, Room
 from crankstar.search.halves import BUFFER, Halves, halves
 from crankstar.search.harvest import Harvest
 from crankstar.search.question import All, Front, Question
@@ -55,7 +56,7 @@ def worked(stretch: Stretch) -> Harvest:
     room = _room(ready)
     rows, places = BUFFER + ready.inner_rows, tables.whole.shape[0]
     objectives = len(tables.weights)
-    found = kernels.Found(
+    found = Found(
         np.empty((rows, objectives)), np.empty((rows, places), np.int8), np.empty(rows, np.int64), np.empty(rows, np.int64)
     )
     front = np.empty((GREATEST_FRONT, objectives))
@@ -89,18 +90,18 @@ def memory(ready: Halves) -> float:
     return INTERPRETER + outer + inner + found + blocks
 
 
-def _handed_over(found: kernels.Found, rows: int) -> Harvest:
+def _handed_over(found: Found, rows: int) -> Harvest:
     """The rows the kernel has filled."""
     return Harvest(found.values[:rows].copy(), found.stars[:rows].copy(), found.classes[:rows].copy(), found.times[:rows].copy())
 
 
-def _room(ready: Halves) -> kernels.Room:
+def _room(ready: Halves) -> Room:
     """Room for one block, and how finely its inner half is sorted: about one vector to a cell in the thick of them."""
     tables = ready.tables
     width = tables.constant.shape[0]
     once = max(ready.counts) <= 1
     reach, cell, cells = _cells(ready)
-    return kernels.Room(
+    return Room(
         outer_pairs=kernels.exchanges(len(tables.outer) if once else 0),
         inner_pairs=kernels.exchanges(len(tables.inner) if once else 0),
         outer=np.empty((ready.outer_rows, width)),

@@ -1,0 +1,71 @@
+"""What the compiled loops work on: a question as arrays, room for one block, what was found.
+
+Letters of the shapes: m vector sums, each two numbers; n directions; k places of a half; q objectives; s symmetries; f finds.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+
+class Tables(NamedTuple):
+    """A search as arrays, the same for all blocks."""
+
+    outer: np.ndarray
+    """What each free place of the outer half adds to each sum in each direction [k, n, 2 m]."""
+    inner: np.ndarray
+    constant: np.ndarray
+    """What the fixed places add [2 m]."""
+    places: np.ndarray
+    """Index along the shaft of each place: the outer ones, the inner ones, the fixed ones."""
+    fixed: np.ndarray
+    """Direction of each fixed place, in the order of `places`."""
+    whole: np.ndarray
+    """What each place adds, by its index along the shaft [places, n, 2 m]."""
+    members: np.ndarray
+    """Cylinders of each place, -1 where there is none [places, 2]."""
+    symmetries: np.ndarray
+    """One row a symmetry: mirrored or not, reversed or not, [s, 2]; the first is 0, 0."""
+    counts: bool
+    """Whether neighbours in succession are asked for."""
+    anchored: bool
+    """Whether stars are turned so that the first place has direction 0."""
+    step: int
+    """How many directions on the next cylinder to fire has its throw; 0 where two cylinders share each direction."""
+    weights: np.ndarray
+    """Square of the weight of each sum in each objective [q, m]; the last column is the weight of neighbours in succession."""
+    limits: np.ndarray
+    """Greatest length of each sum [m], then the greatest number of neighbours in succession; infinite where free."""
+
+
+class Room(NamedTuple):
+    """Room for one block: vectors and codes of both halves, and the cells."""
+
+    outer_pairs: np.ndarray
+    """Exchanges that lead through all permutations; none where places share directions."""
+    inner_pairs: np.ndarray
+    outer: np.ndarray
+    outer_code: np.ndarray
+    inner: np.ndarray
+    inner_code: np.ndarray
+    start: np.ndarray
+    order: np.ndarray
+    near: np.ndarray
+    where: np.ndarray
+    reach: np.ndarray
+    """Greatest length of each sum over the inner places [m]."""
+    cell: np.ndarray
+    """Side of a cell of each plane that leaves about one vector in each [m]."""
+    loose: np.ndarray
+    """Square of the limit of each sum, with room for rounding [m]."""
+
+
+class Found(NamedTuple):
+    """Stars that were met: values of the objectives, directions, classes (times symmetries) and stars each stands for."""
+
+    values: np.ndarray
+    stars: np.ndarray
+    classes: np.ndarray
+    times: np.ndarray
