@@ -5,6 +5,10 @@
 | `weighed` | the stars of a real engine: its places, its sums in newtons |
 | `likeness` | all stars with the same moments as one |
 | `angles` | uneven angles: couples against free forces and even intervals, a local optimum |
+| `vees` | crank and bank together: V engines that fire evenly, with their balance |
+| `orders` | firing orders on a given crank: all that fire evenly, at given intervals, or at any |
+| `timetable` | every way of giving each chamber a dead centre of its own |
+| `numbering` | an engine with another firing order, or with its cylinders numbered otherwise |
 | `engines` | a star as an in-line Engine, with the firing order it allows |
 | `findings` | the answer: stars with their sums, exact zeros, how many there are, what proves that these are all |
 | `run` | a search from beginning to end: stretches handed out, gathered, proved complete |
