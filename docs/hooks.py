@@ -66,7 +66,7 @@ SECTIONS: dict[type[Record], str] = {
 }
 """Where the page describes the tables that other tables hold."""
 
-MARK = re.compile(r"^<!-- (keys|figure|sources|errata|sinitsyn|kr250|plot|search): ?([^\n]*?) ?-->$", re.MULTILINE)
+MARK = re.compile(r"^<!-- (keys|figure|sources|errata|sinitsyn|kr250|orders|plot|search): ?([^\n]*?) ?-->$", re.MULTILINE)
 CITATION = re.compile(r"\[(@[\w-]+(?:; ?@[\w-]+)*)\]")
 
 
@@ -84,6 +84,7 @@ def filled(markdown: str) -> str:
         "errata": errata,
         "sinitsyn": sinitsyn,
         "kr250": kr250,
+        "orders": orders,
         "plot": plot,
         "search": search,
     }
@@ -170,6 +171,12 @@ def sinitsyn(part: str) -> str:
 def kr250(part: str) -> str:
     """A part of the page on the Kawasaki KR250, made by the script beside this one."""
     return run_path(str(HERE / "kr250_page.py"))["page"](part)
+
+
+@lru_cache
+def orders(part: str) -> str:
+    """A part of the page on firing orders, made by the script beside this one."""
+    return run_path(str(HERE / "orders_page.py"))["page"](part)
 
 
 @lru_cache

@@ -20,6 +20,7 @@ a record, a way of looking at it is a function, an engine type is data, and impo
 | `stroke_table` | strokes, valve events, exhaust intervals and disturbances as tables for the terminal |
 | `search_table` | what a search found as a table, in sentences, as CSV, JSON and Parquet |
 | `sweep_table` | a sweep as a table, its curves in a line, its best value in words |
+| `order_tables`, `vee_tables` | firing orders and V engines that were found, as tables, CSV and JSON |
 | `misprints` | the errata of the sources as tables for the terminal |
 | `workshop` | the bobweight card, counterweights, balance shafts and what they leave, as tables |
 | `wording` | numbers, amplitudes, paths and firing orders as an engineer writes them |

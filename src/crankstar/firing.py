@@ -9,6 +9,7 @@ one after the other within one cycle; where there is a choice, the most even int
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 from math import inf
 from typing import NamedTuple
 
@@ -258,7 +259,8 @@ def _wrong_angles(engine: Engine, centres: dict[int, DeadCentre]) -> list[Fault]
                 )
             )
     exact = _given_angles(engine)
-    if not faults and (exact != sorted(exact) or exact[-1] - exact[0] >= engine.cycle_angle - SAME_ANGLE):
+    falling = any(later < earlier - SAME_ANGLE for earlier, later in pairwise(exact))
+    if not faults and (falling or exact[-1] - exact[0] >= engine.cycle_angle - SAME_ANGLE):
         told = (
             f"is not in order; the angles must ascend within one cycle of {engine.cycle_angle:.0f} deg, as firing_order lists them"
         )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from math import degrees as rad2deg
 from math import isfinite
 from typing import Any, Literal, cast, get_args
 
@@ -104,6 +105,29 @@ def angles(text: str | None, *, option: str = "--at") -> list[float]:
         return [units.si(part.strip(), ANGLE) for part in (text or "").split(",") if part.strip()]
     except ValueError as error:
         raise RequestError(f"{option}: {error}") from None
+
+
+def degrees(option: str, text: str) -> list[float]:
+    """Angles in degrees; a bare number is in degrees, or in the unit that the last of them has."""
+    parts = [part.strip() for part in text.split(",") if part.strip()]
+    unit = "deg" if not parts or units.is_bare(parts[-1]) else parts[-1].lstrip("+-.0123456789").strip()
+    try:
+        found = [rad2deg(units.si(f"{part} {unit}" if units.is_bare(part) else part, ANGLE)) for part in parts]
+    except ValueError as error:
+        raise RequestError(f"{option}: {error}") from None
+    if not found:
+        raise RequestError(f'{option} {one_line(text)}: give angles with commas, as in "90, 150 deg"')
+    return [round(angle, 9) for angle in found]
+
+
+def repeated(option: str, text: str, *, of: int) -> list[float]:
+    """Firing intervals in degrees, repeated until there are so many."""
+    pattern = degrees(option, text)
+    if of % len(pattern):
+        raise RequestError(
+            f"{option} {one_line(text)}: {len(pattern)} intervals cannot be repeated to make {of}, one for each firing"
+        )
+    return pattern * (of // len(pattern))
 
 
 def grouping(text: str | None) -> Any:

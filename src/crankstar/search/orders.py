@@ -14,7 +14,7 @@ from itertools import pairwise, product
 from math import fsum, prod, sqrt
 
 from crankstar.engine import Engine
-from crankstar.firing import Firing, firing
+from crankstar.firing import SAME_ANGLE, Firing, firing
 from crankstar.search.timetable import (
     GREATEST_COUNT,
     NARROWER,
@@ -108,6 +108,22 @@ def possible_orders(engine: Engine, *, together: bool = False) -> tuple[Order, .
     found = turns(engine)
     reaches = [reach_of_all(found, start=start, together=together) for start in found.starts]
     return tuple(sorted(_ranked(engine, _fired(found, reaches)), key=lambda one: round(one.unevenness_deg, 3)))
+
+
+def most_even_orders(engine: Engine) -> tuple[Order, ...]:
+    """The orders that fire evenly; where none does, all that are possible, most even first, or if too many those nearest to even.
+
+    >>> from crankstar.catalog import load
+    >>> len(most_even_orders(load("i4"))), len(most_even_orders(load("i2-270")))
+    (2, 2)
+    """
+    even = even_orders(engine)
+    if even:
+        return even
+    try:
+        return possible_orders(engine)
+    except OrderError:
+        return even_orders(engine, tolerance_deg=unevenness(engine) + SAME_PLACE)
 
 
 def unevenness(engine: Engine) -> float:
@@ -224,7 +240,7 @@ def _from_lowest(angles: Mapping[int, float], cycle_deg: float) -> list[tuple[in
     lowest = min(angles)
     start = angles[lowest] % cycle_deg
     after = {number: (angle - angles[lowest]) % cycle_deg for number, angle in angles.items()}
-    after = {number: 0.0 if cycle_deg - gap < SAME_PLACE else gap for number, gap in after.items()}
+    after = {number: 0.0 if cycle_deg - gap < SAME_ANGLE else gap for number, gap in after.items()}
     return [(number, start + gap) for number, gap in sorted(after.items(), key=lambda item: (round(item[1], 6), item[0]))]
 
 

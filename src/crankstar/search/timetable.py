@@ -59,7 +59,7 @@ def turns(engine: Engine) -> Turns:
     return Turns(angles, cycle, anchor, angles[anchor][: round(common / periods[anchor])])
 
 
-def off(angle_deg: float, cycle_deg: float) -> float:
+def off(angle_deg: float, *, cycle_deg: float) -> float:
     """An angle less whole cycles: in [-cycle/2, cycle/2)."""
     return (angle_deg + cycle_deg / 2) % cycle_deg - cycle_deg / 2
 
@@ -71,7 +71,9 @@ def reach_of(found: Turns, instants_deg: Sequence[float], *, start: float, toler
         if number == found.anchor:
             out[number] = {0: start}
             continue
-        gaps = {place: min((off(a - start - t, found.cycle_deg) for a in angles), key=abs) for place, t in enumerate(instants_deg)}
+        gaps: dict[int, float] = {}
+        for place, instant in enumerate(instants_deg):
+            gaps[place] = min((off(angle - start - instant, cycle_deg=found.cycle_deg) for angle in angles), key=abs)
         out[number] = {place: start + instants_deg[place] + gap for place, gap in gaps.items() if abs(gap) <= tolerance_deg}
     return out
 

@@ -149,7 +149,9 @@ def _bank_angles(interval: float, greatest_split: float | None) -> list[float]:
 def _least_splits(bank_angle: float, interval: float, pins: int) -> list[tuple[float, int, np.ndarray]]:
     """The least pin splits (degrees) that make the engine fire evenly, each with its shift d and its stars [star, pin]."""
     classes = round(360 / interval)
-    tried = sorted(((-round(off(shift * interval - bank_angle, 360.0), DIGITS), shift) for shift in range(classes)), key=_size)
+    tried = sorted(
+        ((-round(off(shift * interval - bank_angle, cycle_deg=360.0), DIGITS), shift) for shift in range(classes)), key=_size
+    )
     found: list[tuple[float, int, np.ndarray]] = []
     for split, shift in tried:
         if found and abs(split) > abs(found[0][0]) + SAME_PLACE:
