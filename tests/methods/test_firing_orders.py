@@ -17,7 +17,16 @@ from crankstar.fault import EngineError
 from crankstar.firing import DeadCentre, _evenest, dead_centres, firing, unfit, with_rotation_reversed
 from crankstar.layouts import Bank, Crank, Row, boxer, inline, opposed, radial, tandem, vee
 from crankstar.search.numbering import renumbered, with_order
-from crankstar.search.orders import Order, even_orders, orders_at, place_of, possible_orders, unevenness, why_uneven
+from crankstar.search.orders import (
+    Order,
+    even_orders,
+    most_even_orders,
+    orders_at,
+    place_of,
+    possible_orders,
+    unevenness,
+    why_uneven,
+)
 from crankstar.search.timetable import GREATEST_COUNT, OrderError
 from crankstar.search.vees import engine_of, vees
 
@@ -315,8 +324,7 @@ WHY = {
     "v2-90": "360 deg from cylinder 1 on: cylinder 2 is at top dead centre at 90 and 450 deg.",
     "v4-90": "180 deg from cylinder 1 on: cylinder 2 is at top dead centre at 90 and 450 deg; "
     "cylinder 4 is at top dead centre at 270 and 630 deg.",
-    "kr250-racer-simultaneous": "180 deg from cylinder 1 on: cylinders 1 and 2 are at top dead centre together, "
-    "and can fire only at 0 deg.",
+    "kr250-racer-simultaneous": "180 deg from cylinder 1 on: cylinders 1 and 2 can fire only at 0 deg.",
 }
 
 
@@ -325,11 +333,32 @@ def test_why_nothing_fires_evenly_is_told(name: str) -> None:
     assert why_uneven(crankstar.load(name)) == f"Nothing fires evenly, every {WHY[name]}"
 
 
+def test_of_many_reasons_a_few_are_told() -> None:
+    told = why_uneven(crankstar.load("pratt-whitney-wasp"))
+    assert told.count("at top dead centre at") == 4
+    assert told.endswith("; and so on.")
+
+
+def test_two_rows_of_nine_with_slave_rods_are_offered_as_near_to_even_as_can_be() -> None:
+    rows = (Row(cylinders=tuple(range(1, 10))), Row(cylinders=tuple(range(10, 19)), bearing=pi / 9, throw=pi))
+    engine = radial(Basis(name="eighteen"), rows=rows, row_pitch=0.2, knuckle_radius=0.2)
+    with pytest.raises(OrderError, match="there are 131072 firing orders"):
+        possible_orders(engine)
+    orders = most_even_orders(engine)
+    assert len(orders) == 2**8  # nine pairs that are near to dead centre together
+    assert max(abs(one - 40) for order in orders for one in order.firing.intervals_deg) <= 2 * unevenness(engine) + 1e-3
+
+
+def test_a_shaft_of_256_throws_is_answered_in_a_sentence() -> None:
+    engine = inline(Basis(name="x"), throws=tuple(0.0245 * place**1.1 for place in range(256)), bore_pitch=0.1)
+    with pytest.raises(OrderError, match=r"there are 5\.79e\+76 firing orders"):
+        most_even_orders(engine)
+
+
 def test_dead_centres_that_coincide_are_told() -> None:
     engine = inline(Basis(name="x"), throws=(0.0, 0.0, 0.0, pi), bore_pitch=0.1)
     assert why_uneven(engine) == (
-        "Nothing fires evenly, every 180 deg from cylinder 1 on: "
-        "cylinders 1, 2 and 3 are at top dead centre together, and can fire only at 0 and 360 deg."
+        "Nothing fires evenly, every 180 deg from cylinder 1 on: cylinders 1, 2 and 3 can fire only at 0 and 360 deg."
     )
     assert possible_orders(engine) == ()
     assert why_uneven(crankstar.load("i4")) == ""

@@ -28,7 +28,7 @@ def tried(*, bank_angle: float, split: float, throws: tuple[float, ...], cycle: 
     count = len(throws)
     banks = tuple(
         Bank(bearing=sign * radians(bank_angle) / 2, cylinders=tuple(range(first, 2 * count + 1, 2)))
-        for first, sign in ((1, -1), (2, 1))
+        for first, sign in ((1, 1), (2, -1))
     )
     basis = Basis(name="tried", cycle=cycle, cylinder=Sizes(rod_ratio=4.0))  # pyright: ignore[reportArgumentType]
     return vee(basis, banks=banks, throws=tuple(map(radians, throws)), pin_split=radians(split))
@@ -80,9 +80,7 @@ def test_the_stars_are_those_of_all_that_give_an_engine_that_fires_evenly(cylind
         assert {star for one in mine for star in one.stars} <= set(even)
 
 
-@pytest.mark.parametrize(
-    ("cylinders", "bank_angle", "split"), [(6, 90.0, -30.0), (6, 60.0, 60.0), (4, 90.0, 90.0), (8, 72.0, -18.0)]
-)
+@pytest.mark.parametrize(("cylinders", "bank_angle", "split"), [(6, 90.0, 30.0), (6, 60.0, 60.0), (4, 90.0, 90.0), (8, 72.0, 18.0)])
 def test_no_lesser_split_makes_an_engine_fire_evenly(cylinders: int, bank_angle: float, split: float) -> None:
     found = vees(cylinders=cylinders, bank_angles_deg=(bank_angle,))
     assert split in {one.pin_split_deg for one in found}
@@ -145,6 +143,9 @@ def test_the_cross_plane_and_the_flat_plane_v8_are_found_and_the_cross_plane_fir
     cross = found[0]
     assert cross.counterweights_suffice
     assert cross.couple[0].forward == pytest.approx(sqrt(10))
+    assert cross.stars == ((0.0, 90.0, 270.0, 180.0),)  # as in the catalog, which fires in the same orders
+    orders = {one.firing.order for one in even_orders(engine_of(cross))}
+    assert orders == {one.firing.order for one in even_orders(crankstar.load("v8-cross-plane"))}
     flat = next(one for one in found if (0.0, 180.0, 180.0, 0.0) in one.stars)
     assert flat.force[1].greatest == pytest.approx(4 * sqrt(2))
     assert all(vector == (0.0, 0.0) for vector in flat.couple)
@@ -153,11 +154,11 @@ def test_the_cross_plane_and_the_flat_plane_v8_are_found_and_the_cross_plane_fir
 
 def test_the_v6_engines_of_the_books_are_found() -> None:
     found = vees(cylinders=6, bank_angles_deg=(60, 90, 120))
-    six_throws = only(found, bank_angle_deg=60.0, pin_split_deg=-60.0)
+    six_throws = only(found, bank_angle_deg=60.0, pin_split_deg=60.0)
     assert six_throws.couple[0] == pytest.approx((1.5, 0.0))
     assert six_throws.counterweights_suffice
     split_pins = only(found, bank_angle_deg=90.0)
-    assert split_pins.pin_split_deg == -30.0
+    assert split_pins.pin_split_deg == 30.0
     assert not split_pins.counterweights_suffice
     gm = total(balance(crankstar.load("gm-3800"))).couple
     assert split_pins.couple[0].backward == pytest.approx(abs(phasor.selected(gm, 1).backward[0]))
@@ -168,7 +169,7 @@ def test_the_v6_engines_of_the_books_are_found() -> None:
 
 def test_v10_engines_of_72_deg_and_of_90_deg_with_split_pins_are_found() -> None:
     found = vees(cylinders=10, bank_angles_deg=(72, 90))
-    assert {(one.bank_angle_deg, one.pin_split_deg) for one in found} == {(72.0, 0.0), (90.0, 18.0)}
+    assert {(one.bank_angle_deg, one.pin_split_deg) for one in found} == {(72.0, 0.0), (90.0, -18.0)}
     assert all(sum(one.count for one in found if one.bank_angle_deg == angle) == 24 for angle in (72, 90))
     assert all(size == 0 for one in found for vector in one.force for size in vector)
 
@@ -197,7 +198,7 @@ def test_without_bank_angles_all_multiples_of_the_interval_are_tried() -> None:
 
 def test_with_a_greatest_split_the_usual_bank_angles_are_tried_too() -> None:
     assert {(one.bank_angle_deg, one.pin_split_deg) for one in vees(cylinders=6, greatest_split_deg=30)} == {
-        (90.0, -30.0),
+        (90.0, 30.0),
         (120.0, 0.0),
     }
     assert {one.bank_angle_deg for one in vees(cylinders=6, greatest_split_deg=60)} == {45.0, 60.0, 72.0, 90.0, 120.0, 180.0}

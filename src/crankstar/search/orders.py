@@ -32,6 +32,9 @@ from crankstar.succession import Follower, followers, in_succession, neighbours,
 SAME_PLACE = 1e-4
 """Degrees by which a firing may miss its place in the cycle and be in it all the same."""
 
+GREATEST_TOLD = 4
+"""Dead centres that are told as the reason why nothing fires evenly."""
+
 
 @dataclass(frozen=True)
 class Order:
@@ -123,7 +126,10 @@ def most_even_orders(engine: Engine) -> tuple[Order, ...]:
     try:
         return possible_orders(engine)
     except OrderError:
-        return even_orders(engine, tolerance_deg=unevenness(engine) + SAME_PLACE)
+        least = unevenness(engine) + SAME_PLACE
+        if least >= engine.cycle_angle / len(engine.chambers) / 2:
+            raise
+        return even_orders(engine, tolerance_deg=least)
 
 
 def unevenness(engine: Engine) -> float:
@@ -158,23 +164,22 @@ def why_uneven(engine: Engine) -> str:
     >>> why_uneven(load("harley-45"))
     'Nothing fires evenly, every 360 deg from cylinder 1 on: cylinder 2 is at top dead centre at 315 and 675 deg.'
     """
-    found, count = turns(engine), len(engine.chambers)
-    if unevenness(engine) == 0:
+    found, interval = turns(engine), engine.cycle_angle / len(engine.chambers)
+    instants = [place * interval for place in range(len(engine.chambers))]
+    if any(not crowd(reach_of(found, instants, start=start, tolerance_deg=SAME_PLACE)) for start in found.starts):
         return ""
-    interval, start = found.cycle_deg / count, found.starts[0]
+    start = found.starts[0]
     unbound = found._replace(anchor=0)  # which is no chamber's number
-    reach = reach_of(unbound, [place * interval for place in range(count)], start=start, tolerance_deg=SAME_PLACE)
+    reach = reach_of(unbound, instants, start=start, tolerance_deg=SAME_PLACE)
     lost = [number for number, own in reach.items() if not own]
     told = f"Nothing fires evenly, every {interval:.6g} deg from cylinder {found.anchor} on: "
     if lost:
-        return (
-            told
-            + "; ".join(f"{_cylinders(them)} at top dead centre at {angles} deg" for angles, them in _by_angles(found, lost))
-            + "."
-        )
+        rows = [f"{_cylinders(them)} at top dead centre at {angles} deg" for angles, them in _by_angles(found, lost)]
+        more = ["and so on"] if len(rows) > GREATEST_TOLD else []
+        return told + "; ".join([*rows[:GREATEST_TOLD], *more]) + "."
     crowded = crowd(reach)
     places = sorted({round((angle - start) % found.cycle_deg, 6) for number in crowded for angle in reach[number].values()})
-    return told + f"{_cylinders(crowded)} at top dead centre together, and can fire only at {_listed(places)} deg."
+    return told + f"cylinders {_listed(crowded)} can fire only at {_listed(places)} deg."
 
 
 def _by_angles(found: Turns, numbers: Sequence[int]) -> list[tuple[str, list[int]]]:
@@ -225,7 +230,8 @@ def _fired(found: Turns, reaches: Sequence[Reach]) -> list[Firing]:
     listed = [ways(reach) for reach in reaches]
     count = sum(prod(len(group) for group in one) for one in listed)
     if count > GREATEST_COUNT:
-        raise OrderError(f"there are {count} firing orders, too many to list; {NARROWER}")
+        shown = str(count) if count < 1e12 else f"{float(count):.3g}"
+        raise OrderError(f"there are {shown} firing orders, too many to list; {NARROWER}")
     fired: dict[tuple[tuple[float, int], ...], Firing] = {}
     for one in listed:
         for way in product(*one):

@@ -1,10 +1,10 @@
 """Crank and bank together: V engines of n cylinders that fire evenly, with throws, bank angle and pin split unknown.
 
-Pin p of the n/2 bears two rods, at bearing b_p and, where pins are split, b_p + s for the second bank. With the banks at an
-angle V its pistons are at top dead centre at t_p = -b_p and t_p + V - s. Even firing every I = C/n degrees puts all of these
-on multiples of I; counted in I they are classes c_p and c_p + d modulo K = 360/I, with d = (V - s)/I, and each class is
-needed C/360 times in a cycle of C degrees: twice in a four-stroke engine, once in a two-stroke one. All c with c_1 = 0 that
-do so are listed.
+Pin p of the n/2 bears two rods, at bearing b_p and, where pins are split, b_p + s for the second bank. With the first bank to
+the right of the second by an angle V its pistons are at top dead centre at t_p = -b_p and t_p - V - s. Even firing every
+I = C/n degrees puts all of these on multiples of I; counted in I they are classes c_p and c_p + d modulo K = 360/I, with
+d = -(V + s)/I, and each class is needed C/360 times in a cycle of C degrees: twice in a four-stroke engine, once in a
+two-stroke one. All c with c_1 = 0 that do so are listed.
 
 Two stars are the same engine where one is the other seen from the other end with the pins in reverse, or in a mirror and
 turning backwards: c -> -c. What they push is alike but for signs.
@@ -113,7 +113,7 @@ def vees(
     the least angle that makes the engine fire evenly, either way if both do. Raises OrderError where the numbers cannot be meant.
 
     >>> [(one.bank_angle_deg, one.pin_split_deg) for one in vees(cylinders=6, bank_angles_deg=(60, 90, 120))]
-    [(60.0, -60.0), (90.0, -30.0), (120.0, 0.0), (60.0, 60.0)]
+    [(60.0, 60.0), (90.0, 30.0), (120.0, 0.0), (60.0, -60.0)]
     >>> cross = vees(cylinders=8, bank_angles_deg=(90,))[0]
     >>> round(cross.couple[0].forward ** 2, 6), cross.counterweights_suffice
     (10.0, True)
@@ -150,7 +150,7 @@ def _least_splits(bank_angle: float, interval: float, pins: int) -> list[tuple[f
     """The least pin splits (degrees) that make the engine fire evenly, each with its shift d and its stars [star, pin]."""
     classes = round(360 / interval)
     tried = sorted(
-        ((-round(off(shift * interval - bank_angle, cycle_deg=360.0), DIGITS), shift) for shift in range(classes)), key=_size
+        ((-round(off(shift * interval + bank_angle, cycle_deg=360.0), DIGITS), shift) for shift in range(classes)), key=_size
     )
     found: list[tuple[float, int, np.ndarray]] = []
     for split, shift in tried:
@@ -236,16 +236,17 @@ def pushes(listed: np.ndarray, *, bank_angle_deg: float, shift: int, interval: f
     for order in ORDERS:
         for sign in (-1, 1):
             lag = sign * order * np.radians(interval) * shift
-            pin = (np.exp(-1j * half) + np.exp(1j * (half + lag))) / 2
+            pin = (np.exp(1j * half) + np.exp(1j * (lag - half))) / 2
             turned = pin * np.exp(1j * sign * order * dead[:, :, 0])
             out.append([turned.sum(axis=1), turned @ z])
     return np.moveaxis(np.array(out).reshape(len(ORDERS), 2, 2, len(listed)), (3, 2), (0, 1))
 
 
 def engine_of(vee: Vee, *, star: int = 0, cylinder: Sizes = Sizes(), bore_pitch: float | None = None) -> Engine:  # noqa: B008 - frozen
-    """One of the stars of a solution as an engine, odd numbers in the first bank, with the best of its even firing orders.
+    """One of the stars of a solution as an engine, with the best of its even firing orders.
 
-    `cylinder`: sizes and masses of all cylinders; `bore_pitch` in m, or None if not known.
+    Odd numbers are the first bank, on the right seen from the front. `cylinder`: sizes and masses of all cylinders;
+    `bore_pitch` in m, or None if not known.
 
     >>> from crankstar.firing import firing
     >>> firing(engine_of(vees(cylinders=10, bank_angles_deg=(90,))[0])).intervals_deg[0]
@@ -261,7 +262,7 @@ def engine_of(vee: Vee, *, star: int = 0, cylinder: Sizes = Sizes(), bore_pitch:
     numbers = range(1, vee.cylinders + 1)
     banks = tuple(
         layouts.Bank(bearing=sign * radians(vee.bank_angle_deg) / 2, cylinders=tuple(numbers[first::2]))
-        for first, sign in enumerate((-1, 1))
+        for first, sign in enumerate((1, -1))
     )
     throws = tuple(radians(angle) for angle in vee.stars[star])
     engine = layouts.vee(basis, banks=banks, throws=throws, pin_split=radians(vee.pin_split_deg), bore_pitch=bore_pitch)
