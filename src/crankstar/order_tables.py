@@ -66,6 +66,8 @@ def _remarks(listing: Listing, shown: int, own: int | None) -> list[str]:
     else:
         told = f"{orders}, {len(even) or 'none'} of them even."
     out = [told + (f" {shown} are shown; --limit shows more, --csv all." if shown < count else "")]
+    if count == 1 and listing.engine.cycle == "two-stroke":
+        out.append("There is no other: in a two-stroke engine every dead centre of a cylinder is one at which it fires.")
     if own is not None:
         out.append("* as the file has it.")
     out.append(

@@ -55,6 +55,14 @@ def test_a_tolerance_lets_slave_rods_fire_evenly(run: Run) -> None:
     assert re.search(r"^ +1 +\* +1-3-5-7-9-2-4-6-8 ", run("orders", "pratt-whitney-wasp", "--tolerance", "4").out, re.MULTILINE)
 
 
+def test_of_a_two_stroke_engine_it_is_said_that_there_is_one_order(run: Run) -> None:
+    out = run("orders", "man-s50mc-c").out
+    assert re.search(r"^ +1 +\* +1-5-3-4-2-6 ", out, re.MULTILINE)
+    assert "1 order fires evenly, every 60 deg." in out
+    assert "There is no other: in a two-stroke engine" in out
+    assert "There is no other" not in run("orders", "audi-25-tfsi").out
+
+
 def test_what_is_set_changes_the_orders(run: Run) -> None:
     out = run("orders", "v8-cross-plane", "--set", "firing_order=[1,8,7,2,6,5,4,3]").out
     assert re.search(r"^ +3 +\* +1-8-7-2-6-5-4-3 ", out, re.MULTILINE)
