@@ -27,7 +27,22 @@ from crankstar.files import engine_of, explicit, schema, tree_of
 from crankstar.files.starters import STARTERS
 
 COMMAND = [sys.executable, "-c", "from crankstar.cli import main; main()"]
-VERBS = ["list", "show", "analyze", "strokes", "derive", "orders", "vees", "search", "balance", "compare", "errata", "check", "new", "schema"]
+VERBS = [
+    "list",
+    "show",
+    "analyze",
+    "strokes",
+    "derive",
+    "orders",
+    "vees",
+    "search",
+    "balance",
+    "compare",
+    "errata",
+    "check",
+    "new",
+    "schema",
+]
 ANALYSES = [[], ["--json"], ["--csv"]]
 
 

@@ -73,6 +73,8 @@ def opened(path: Path, question: Question) -> Checkpoint:
     """
     header = _text({"crankstar_search": FORMAT, "digest": question.digest}) + b"\n"
     with _told(path, "read"):
+        if path.exists() and not path.is_file():
+            raise SearchError([f"the checkpoint {path} is no file; name one, or one that does not exist yet"])
         written = path.read_bytes() if path.exists() else b""
     first, _, _ = written.partition(b"\n")
     if header.startswith(written):

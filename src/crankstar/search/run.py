@@ -279,7 +279,7 @@ def _stretch(question: Question, ready: Halves, tried: Strips) -> int:
 
 
 def cost(question: Question, ready: Halves, tried: Strips) -> float:
-    """Seconds on one processor that a search in these strips takes, roughly: to form arrangements, weigh pairs, list stars."""
+    """Seconds on one processor that a search takes, roughly: forming arrangements, weighing pairs, listing stars."""
     listed = 4e-6 if isinstance(question.ask, All) else 0.0
     return ready.rows * (6e-9 + 18e-9 * len(tried.radii)) + tried.expected * (6e-8 + listed)
 
