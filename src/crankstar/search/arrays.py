@@ -69,3 +69,14 @@ class Found(NamedTuple):
     stars: np.ndarray
     classes: np.ndarray
     times: np.ndarray
+
+
+class Desk(NamedTuple):
+    """Room for one star: its sums (or their squares), values, directions, two images of it, and who sits in each direction."""
+
+    sums: np.ndarray
+    values: np.ndarray
+    star: np.ndarray
+    other: np.ndarray
+    least: np.ndarray
+    seat: np.ndarray

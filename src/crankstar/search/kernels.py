@@ -128,26 +128,30 @@ def arranged(table: Any, counts: Any, first: Any, pairs: Any, vectors: Any, code
 
 
 @njit(cache=True, nogil=True)
-def cells(vectors: Any, rows: int, plane: int, reach: float, width: float, start: Any, order: Any, near: Any, cell: Any) -> int:
-    """Vectors sorted by square cell of one plane, near[start[c]:start[c + 1]] those of cell c; says how many cells a side."""
-    most = int(np.sqrt(start.shape[0] - 2))
-    side = max(1, min(int(2 * reach / width), most))
+def cells(room: Any, rows: int, drive: int, radii: Any) -> int:
+    """Inner vectors sorted by square cell of the plane that drives; says how many cells a side.
+
+    near[start[c]:start[c + 1]] are those of cell c. A cell is no smaller than the radius, so that few are looked into.
+    """
+    plane, reach = 2 * drive, room.reach[drive]
+    inner, start, order, near, where = room.inner, room.start, room.order, room.near, room.where  # else looked up in each turn
+    side = max(1, min(int(2 * reach / max(room.cell[drive], min(radii[1], reach))), int(np.sqrt(start.shape[0] - 2))))
     scale = side / (2 * reach)
     last = side * side
     start[: last + 1] = 0
     for row in range(rows):
-        i = min(max(int((vectors[row, plane] + reach) * scale), 0), side - 1)
-        j = min(max(int((vectors[row, plane + 1] + reach) * scale), 0), side - 1)
-        cell[row] = i * side + j
-        start[cell[row] + 1] += 1
+        i = min(max(int((inner[row, plane] + reach) * scale), 0), side - 1)
+        j = min(max(int((inner[row, plane + 1] + reach) * scale), 0), side - 1)
+        where[row] = i * side + j
+        start[where[row] + 1] += 1
     for c in range(last):
         start[c + 1] += start[c]
     for row in range(rows - 1, -1, -1):
-        start[cell[row] + 1] -= 1
-        at = start[cell[row] + 1]
+        start[where[row] + 1] -= 1
+        at = start[where[row] + 1]
         order[at] = row
-        near[at, 0] = vectors[row, plane]
-        near[at, 1] = vectors[row, plane + 1]
+        near[at, 0] = inner[row, plane]
+        near[at, 1] = inner[row, plane + 1]
     # start[c + 1] has come down to the first row of cell c
     for c in range(last):
         start[c] = start[c + 1]
@@ -277,91 +281,101 @@ def entered(values: Any, front: Any, known: int) -> int:
 
 
 @njit(cache=True, nogil=True)
-def searched(tables: Any, blocks: Any, radii: Any, room: Any, found: Any, front: Any, state: Any) -> bool:
+def weighed(outer: Any, inner: Any, r: int, s: int, radii: Any, d: int, loose: Any, sums: Any) -> int:
+    """Squares of the sums of the star that two arrangements make; -1 if it was met in a strip before d, 0 if it breaks a limit, 1."""
+    lengths = sums.shape[0] // 2
+    for o in range(lengths):
+        x = outer[r, 2 * o] + inner[s, 2 * o]
+        y = outer[r, 2 * o + 1] + inner[s, 2 * o + 1]
+        sums[o] = x * x + y * y
+    for e in range(d):
+        if sums[int(radii[e, 0])] <= radii[e, 1] * radii[e, 1]:
+            return -1
+    for o in range(lengths):
+        if sums[o] > loose[o]:
+            return 0
+    return 1
+
+
+@njit(cache=True, nogil=True)
+def hopeless(weights: Any, sums: Any, values: Any, front: Any, known: int) -> bool:
+    """Whether a star with these squares of sums is dominated however few neighbours it has in succession."""
+    for v in range(values.shape[0]):
+        total = 0.0
+        for o in range(sums.shape[0] // 2):
+            total += weights[v, o] * sums[o]
+        values[v] = np.sqrt(total)
+    return dominated(values, front, known, ROUNDING)
+
+
+@njit(cache=True, nogil=True)
+def reported(tables: Any, room: Any, pair: Any, times: int, found: Any, front: Any, state: Any, desk: Any) -> None:
+    """Writes down the star of a pair, as the first of its class, unless what is known is better or it breaks a limit."""
+    free, held = tables.outer.shape[0], tables.inner.shape[0]
+    for k in range(free):
+        desk.star[tables.places[k]] = (room.outer_code[pair[0]] >> (BITS * k)) & 31
+    for k in range(held):
+        desk.star[tables.places[free + k]] = (room.inner_code[pair[1]] >> (BITS * k)) & 31
+    orbit = canonical(desk.star, tables, desk.other, desk.least)
+    if not values_of(desk.least, tables, desk.sums, desk.values, desk.seat):
+        return
+    if dominated(desk.values, front, state[5], 0.0):
+        return
+    if state[6]:
+        state[5] = entered(desk.values, front, state[5])
+    row = state[3]
+    found.values[row] = desk.values
+    found.stars[row] = desk.least
+    found.classes[row] = times * (tables.symmetries.shape[0] // orbit)
+    found.times[row] = times
+    state[3] += 1
+
+
+@njit(cache=True, nogil=True)
+def searched(tables: Any, blocks: Any, radii: Any, room: Any, found: Any, front: Any, state: Any, desk: Any) -> bool:
     """Visits the stars of some blocks that lie in a strip; says whether it came to the end (else: empty `found`, go on).
 
     blocks: how many places of each half get each direction, and how many blocks it stands for [b, 2 n + 1]; radii: strips
-    as rows of the sum that drives, and its greatest length; found: values [f, q], stars [f, places], how many classes
-    each stands for, in units of one over the number of symmetries, and how many stars; front: what is known and as good or
-    better in all objectives is not reported (one row of infinities for none); state: block, strip, row to go on from; how
-    many are found, how many stars lie in the strips, how many points the front has, whether the front grows.
+    as rows of the sum that drives, and its greatest length; front: what is known and as good or better in all objectives
+    is not reported; state: block, strip, row to go on from; how many are found, how many stars lie in the strips, how
+    many points the front has, whether the front grows.
     """
     directions = tables.whole.shape[1]
-    lengths = tables.constant.shape[0] // 2
-    symmetries = tables.symmetries.shape[0]
-    star = np.empty(tables.whole.shape[0], np.int64)
-    least, other = star.copy(), star.copy()
-    sums = np.empty(2 * lengths)
-    values = np.empty(tables.weights.shape[0])
-    seat = np.empty((directions, 2), np.int64)
     free, held = tables.outer.shape[0], tables.inner.shape[0]
-    nothing = np.zeros(2 * lengths)
+    nothing = np.zeros(tables.constant.shape[0])
+    pair = np.zeros(2, np.int64)
+    outer, inner, loose, weights = room.outer, room.inner, room.loose, tables.weights  # structures are dear to pass
+    sums, values = desk.sums, desk.values
     for f in range(tables.fixed.shape[0]):
-        star[tables.places[free + held + f]] = tables.fixed[f]
+        desk.star[tables.places[free + held + f]] = tables.fixed[f]
     for b in range(state[0], blocks.shape[0]):
-        outers = arranged(tables.outer, blocks[b, :directions], tables.constant, room.outer_pairs, room.outer, room.outer_code)
-        shared = blocks[b, directions : 2 * directions]
-        inners = arranged(tables.inner, shared, nothing, room.inner_pairs, room.inner, room.inner_code)
+        shared = blocks[b, :directions], blocks[b, directions : 2 * directions]
+        outers = arranged(tables.outer, shared[0], tables.constant, room.outer_pairs, room.outer, room.outer_code)
+        inners = arranged(tables.inner, shared[1], nothing, room.inner_pairs, room.inner, room.inner_code)
         times = blocks[b, 2 * directions]
         for d in range(state[1], radii.shape[0]):
             drive, radius = int(radii[d, 0]), radii[d, 1]
-            x, y = 2 * drive, 2 * drive + 1
-            reach = room.reach[drive]
-            spread = max(room.cell[drive], min(radius, reach))
-            side = cells(room.inner, inners, x, reach, spread, room.start, room.order, room.near, room.where)
-            scale, square = side / (2 * reach), radius * radius
+            reach, square = room.reach[drive], radius * radius
+            side = cells(room, inners, drive, radii[d])
+            scale, last = side / (2 * reach), side - 1
+            start, near, order = room.start, room.near, room.order
             for r in range(state[2], outers):
-                p, q = -room.outer[r, x], -room.outer[r, y]
+                p, q = -outer[r, 2 * drive], -outer[r, 2 * drive + 1]
                 if abs(p) > reach + radius or abs(q) > reach + radius:
                     continue
-                i0 = min(max(int((p - radius + reach) * scale), 0), side - 1)
-                i1 = min(max(int((p + radius + reach) * scale), 0), side - 1)
-                j0 = min(max(int((q - radius + reach) * scale), 0), side - 1)
-                j1 = min(max(int((q + radius + reach) * scale), 0), side - 1)
-                for i in range(i0, i1 + 1):
-                    for at in range(room.start[i * side + j0], room.start[i * side + j1 + 1]):
-                        dx, dy = room.near[at, 0] - p, room.near[at, 1] - q
-                        if dx * dx + dy * dy > square:
-                            continue
-                        s = room.order[at]
-                        for o in range(lengths):
-                            ux = room.outer[r, 2 * o] + room.inner[s, 2 * o]
-                            uy = room.outer[r, 2 * o + 1] + room.inner[s, 2 * o + 1]
-                            sums[o] = ux * ux + uy * uy
-                        wanted = True
-                        for e in range(d):  # met in an earlier strip
-                            if sums[int(radii[e, 0])] <= radii[e, 1] * radii[e, 1]:
-                                wanted = False
-                        if not wanted:
-                            continue
-                        state[4] += times
-                        for o in range(lengths):
-                            if sums[o] > room.loose[o]:
-                                wanted = False
-                        if not wanted:
-                            continue
-                        for v in range(values.shape[0]):
-                            total = 0.0
-                            for o in range(lengths):
-                                total += tables.weights[v, o] * sums[o]
-                            values[v] = np.sqrt(total)
-                        if dominated(values, front, state[5], ROUNDING):
-                            continue
-                        for k in range(free):
-                            star[tables.places[k]] = (room.outer_code[r] >> (BITS * k)) & 31
-                        for k in range(held):
-                            star[tables.places[free + k]] = (room.inner_code[s] >> (BITS * k)) & 31
-                        orbit = canonical(star, tables, other, least)
-                        if not values_of(least, tables, sums, values, seat) or dominated(values, front, state[5], 0.0):
-                            continue
-                        if state[6]:
-                            state[5] = entered(values, front, state[5])
-                        at_row = state[3]
-                        found.values[at_row] = values
-                        found.stars[at_row] = least
-                        found.classes[at_row] = times * (symmetries // orbit)
-                        found.times[at_row] = times
-                        state[3] += 1
+                pair[0] = r
+                j0 = min(max(int((q - radius + reach) * scale), 0), last)
+                j1 = min(max(int((q + radius + reach) * scale), 0), last)
+                i1 = min(max(int((p + radius + reach) * scale), 0), last)
+                for i in range(min(max(int((p - radius + reach) * scale), 0), last), i1 + 1):
+                    for at in range(start[i * side + j0], start[i * side + j1 + 1]):
+                        dx, dy = near[at, 0] - p, near[at, 1] - q
+                        if dx * dx + dy * dy <= square:
+                            known = weighed(outer, inner, r, order[at], radii, d, loose, sums)
+                            state[4] += times if known >= 0 else 0
+                            if known > 0 and not hopeless(weights, sums, values, front, state[5]):
+                                pair[1] = order[at]
+                                reported(tables, room, pair, times, found, front, state, desk)
                 if state[3] + inners > found.values.shape[0]:
                     state[0], state[1], state[2] = b, d, r + 1
                     return False

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from crankstar.search import harvest, kernels
-from crankstar.search.arrays import Found, Room
+from crankstar.search.arrays import Desk, Found, Room
 from crankstar.search.halves import BUFFER, Halves, halves
 from crankstar.search.harvest import Harvest
 from crankstar.search.question import All, Front, Question
@@ -63,12 +63,13 @@ def worked(stretch: Stretch) -> Harvest:
     state = np.zeros(7, np.int64)
     state[6] = isinstance(question.ask, Front) and not question.judges
     radii = np.array(stretch.strips.radii, float).reshape(-1, 2)
+    desk = _desk(ready)
     blocks = ready.blocks[stretch.start : stretch.stop]
     out = harvest.nothing(len(question.objectives), places)
     waiting: list[Harvest] = []
     ended = False
     while not ended:
-        ended = kernels.searched(tables, blocks, radii, room, found, front, state)
+        ended = kernels.searched(tables, blocks, radii, room, found, front, state, desk)
         waiting.append(_handed_over(found, int(state[3])))
         state[3] = 0
         if not ended and sum(map(len, waiting)) < len(out):
@@ -116,6 +117,14 @@ def _room(ready: Halves) -> Room:
         cell=cell,
         loose=(tables.limits[:-1] + 1e-7) ** 2,
     )
+
+
+def _desk(ready: Halves) -> Desk:
+    """Room for one star."""
+    places, directions, width = ready.tables.whole.shape
+    star = np.zeros(places, np.int64)
+    seat = np.empty((directions, 2), np.int64)
+    return Desk(np.empty(width), np.empty(len(ready.tables.weights)), star, star.copy(), star.copy(), seat)
 
 
 def _cells(ready: Halves) -> tuple[np.ndarray, np.ndarray, int]:
