@@ -5,6 +5,8 @@ Figures of engines, by the names in `CHARTS`:
 | module | one line |
 |---|---|
 | `registry` | the figures by the names under which the command line knows them |
+| `winners` | the best stars of a search side by side |
+| `fronts` | the Pareto front of a search: what one objective costs in the other |
 | `sweeps` | what becomes of a force when a number of the engine is varied |
 | `comparison` | several engines side by side on common axes |
 | `pushes` | the forces on each cylinder at chosen crank angles |
@@ -31,6 +33,7 @@ from crankstar.charts.compared import judged, over_rods
 from crankstar.charts.comparison import side_by_side
 from crankstar.charts.drawing import GREY, ChartError, svg
 from crankstar.charts.elevations import shaft_elevation
+from crankstar.charts.fronts import pareto_front
 from crankstar.charts.hodographs import hodograph
 from crankstar.charts.polygons import polygon
 from crankstar.charts.pushes import force_arrows
@@ -42,6 +45,7 @@ from crankstar.charts.stars import crank_star, vector_star
 from crankstar.charts.strokes import stroke_chart
 from crankstar.charts.sweeps import swept
 from crankstar.charts.turns import over_turn
+from crankstar.charts.winners import best_stars
 
 __all__ = [
     "CHARTS",
@@ -49,6 +53,7 @@ __all__ = [
     "SUFFIXES",
     "ChartError",
     "Figure",
+    "best_stars",
     "crank_star",
     "firing_ring",
     "force_arrows",
@@ -56,6 +61,7 @@ __all__ = [
     "judged",
     "over_rods",
     "over_turn",
+    "pareto_front",
     "polygon",
     "saved",
     "shaft_elevation",

@@ -33,6 +33,8 @@ AXIS = 1.5
 """How far the axes of cylinders are drawn, crank radii."""
 MOST_SPELT = 8
 """Labels in a crank star that tell the cylinders as well."""
+ROOM = 90.0
+"""Px above and below the stars together, for their labels."""
 APART = 3.4
 """Crank radii between the nearest shafts; where they stand farther apart, their stars are moved together."""
 
@@ -44,6 +46,14 @@ def crank_star(engine: Engine, *, theta: float = 0.0) -> altair.VConcatChart:
     lines are the axes of the cylinders, grey dots the counterweights; the arrow at the hub tells which way a shaft turns.
     """
     theta = checked_angle(theta)
+    panel, moved = crank_panel(engine, theta=theta)
+    subtitle = [engine.name, *(["shafts drawn nearer to each other"] if moved else [])]
+    turns = turns_together(engine)
+    return figure([[panel]], title="Crank star from the front", subtitle=subtitle, theta=theta, turns=turns)
+
+
+def crank_panel(engine: Engine, *, theta: float, width: float = WIDTH, room: float = ROOM, title: str = "") -> tuple[Panel, bool]:
+    """The crank star as a panel, and whether its shafts had to be moved together to be seen."""
     radius = max(throw.radius for shaft in engine.shafts for throw in shaft.throws)
     places, moved = _places(engine, radius)
     axes = _axes(engine, places, radius)
@@ -62,13 +72,9 @@ def crank_star(engine: Engine, *, theta: float = 0.0) -> altair.VConcatChart:
         dots.append(Dot(0j, centre, 0.0, GREY, 40))
     if len(labels) > MOST_SPELT:
         labels = [label._replace(text=label.text.split("\n")[0]) for label in labels]
-    frame = _crank_frame(list(places.values()), radius, [label.text for label in labels], axes)
+    frame = _crank_frame(list(places.values()), radius, [label.text for label in labels], axes, width=width, room=room)
     plane = Plane(tuple(arrows), (*axes, *strokes), tuple(dots), tuple(labels))
-    subtitle = [engine.name, *(["shafts drawn nearer to each other"] if moved else [])]
-    turns = turns_together(engine)
-    return figure(
-        [[picture(plane, frame, theta=theta)]], title="Crank star from the front", subtitle=subtitle, theta=theta, turns=turns
-    )
+    return picture(plane, frame, theta=theta, title=title), moved
 
 
 def turns_together(engine: Engine) -> int:
@@ -123,13 +129,15 @@ def _rotation(centre: complex, radius: float, sense: int) -> tuple[Stroke, Arrow
     return Stroke(points, width=1.5), Arrow(tip, points[-1], colour=GREY, width=1.5)
 
 
-def _crank_frame(centres: Sequence[complex], radius: float, texts: Sequence[str], axes: Sequence[Stroke]) -> Frame:
+def _crank_frame(
+    centres: Sequence[complex], radius: float, texts: Sequence[str], axes: Sequence[Stroke], *, width: float, room: float
+) -> Frame:
     ups, rights = [c.real for c in centres], [c.imag for c in centres]
     high, wide = max(ups) - min(ups), max(rights) - min(rights)
     margin, star, axis = label_margin(texts), 2.2 * radius, 2 * AXIS * radius if axes else 0.0
-    scale = min((WIDTH - 2 * margin) / (wide + star), WIDTH / (wide + axis or 1e-9), (WIDTH + 30) / (high + max(axis, star)))
+    scale = min((width - 2 * margin) / (wide + star), width / (wide + axis or 1e-9), (width + 30) / (high + max(axis, star)))
     middle = complex(max(ups) + min(ups), max(rights) + min(rights)) / 2
-    half, upright = WIDTH / 2 / scale, max(high + star + 90 / scale, high + axis + 8 / scale) / 2
+    half, upright = width / 2 / scale, max(high + star + room / scale, high + axis + 8 / scale) / 2
     return Frame(middle.imag - half, middle.imag + half, middle.real - upright, middle.real + upright, scale)
 
 
