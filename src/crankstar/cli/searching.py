@@ -143,7 +143,7 @@ def _show(answer: Findings, engine: Engine | None, kind: str, row: int | None, c
         write_bytes(_parquet(answer), output)
     elif kind in PICTURES:
         drawing = chart_request.charts()
-        figure = drawing.winners(answer, rows=WINNERS) if chart == "stars" else drawing.front(answer)
+        figure = drawing.best_stars(answer, rows=WINNERS) if chart == "stars" else drawing.pareto_front(answer)
         write_bytes(drawing.saved(figure, kind, title=tables.heading(answer.question)), output)
     else:
         display(tables.search_table(answer), output)

@@ -282,7 +282,7 @@ def entered(values: Any, front: Any, known: int) -> int:
 
 @njit(cache=True, nogil=True)
 def weighed(outer: Any, inner: Any, r: int, s: int, radii: Any, d: int, loose: Any, sums: Any) -> int:
-    """Squares of the sums of the star that two arrangements make; -1 if it was met in a strip before d, 0 if it breaks a limit, 1."""
+    """Squares of the sums of the star of two arrangements; -1 if met in a strip before d, 0 if it breaks a limit, else 1."""
     lengths = sums.shape[0] // 2
     for o in range(lengths):
         x = outer[r, 2 * o] + inner[s, 2 * o]
