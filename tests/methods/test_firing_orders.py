@@ -308,6 +308,27 @@ def test_where_the_slowest_shaft_is_not_the_first_its_cylinder_counts_the_cycle(
     assert sorted(one.firing.intervals_deg for one in found) == [(90.0, 630.0), (450.0, 270.0)]
 
 
+def test_a_shaft_that_turns_three_times_while_the_crank_turns_twice_leaves_the_crank_two_turns_to_choose_from() -> None:
+    basis = Basis(name="geared", cycle="four-stroke", cylinder=Sizes(stroke=0.08, rod_length=0.14))
+    cranks = (
+        Crank(banks=(Bank(cylinders=(1,)),)),
+        Crank(banks=(Bank(cylinders=(2,)),), speed_ratio="3/2", right=0.3),  # pyright: ignore[reportArgumentType]
+    )
+    engine = tandem(basis, cranks=cranks)
+    found = sorted(one.firing.intervals_deg for one in possible_orders(engine))
+    assert found == [(120.0, 600.0), (240.0, 480.0), (360.0, 360.0), (480.0, 240.0), (600.0, 120.0)]
+    (only,) = even_orders(engine)
+    assert (unevenness(engine), why_uneven(engine)) == (0.0, "")
+    assert firing(with_order(engine, only.firing)).intervals_deg == (360.0, 360.0)
+
+
+@pytest.mark.parametrize("cylinders", [10, 14])
+def test_orders_are_sorted_by_neighbours_then_banks_then_partners_then_numbers(cylinders: int) -> None:
+    orders = even_orders(engine_of(vees(cylinders=cylinders)[0]))
+    keys = [(len(one.neighbours), one.bank_unevenness_deg, len(one.partners), one.firing.order) for one in orders]
+    assert keys == sorted(keys)
+
+
 def test_opposed_pistons_fire_by_chambers() -> None:
     engine = opposed(
         Basis(name="x", cycle="two-stroke", cylinder=Sizes(stroke=0.08, rod_length=0.14)),
