@@ -22,10 +22,6 @@ if TYPE_CHECKING:
 
 TABLES = ("csv", "json", "parquet")
 PICTURES = ("svg", "png", "pdf", "html")
-WINNERS = 6
-"""Stars that are drawn side by side."""
-
-
 def _text(told: str) -> Parameter:
     return Parameter(help=told, allow_leading_hyphen=True)
 
@@ -143,7 +139,10 @@ def _show(answer: Findings, engine: Engine | None, kind: str, row: int | None, c
         write_bytes(_parquet(answer), output)
     elif kind in PICTURES:
         drawing = chart_request.charts()
-        figure = drawing.best_stars(answer, rows=WINNERS) if chart == "stars" else drawing.pareto_front(answer)
+        try:
+            figure = drawing.best_stars(answer) if chart == "stars" else drawing.pareto_front(answer)
+        except drawing.ChartError as error:
+            raise RequestError(str(error)) from None
         write_bytes(drawing.saved(figure, kind, title=tables.heading(answer.question)), output)
     else:
         display(tables.search_table(answer), output)
