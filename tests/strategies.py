@@ -20,7 +20,7 @@ from crankstar import firing
 from crankstar.arrangement import ASSUMED_ROD_RATIO, Basis, Override, Sizes
 from crankstar.engine import Engine
 from crankstar.layouts import LAYOUTS, Bank, Crank, Row
-from crankstar.records import Articulation, Cylinder, Provenance, Rod, Shaft, Throw, Weight
+from crankstar.records import Articulation, Cylinder, Provenance, Rod, Shaft, Throw, Valves, Weight
 
 Draw = Callable[[st.SearchStrategy[Any]], Any]
 
@@ -184,7 +184,21 @@ def engines(draw: Draw, *, known: bool = False, max_shafts: int = 4, tight: bool
             "cylinders": draw(st.permutations(cylinders)),
         }
     )
-    return fired(engine, with_angles=draw(st.booleans())) if draw(st.booleans()) else engine
+    engine = fired(engine, with_angles=draw(st.booleans())) if draw(st.booleans()) else engine
+    return engine.model_copy(update={"valves": draw(maybe(timed_valves(engine)))})
+
+
+@st.composite
+def timed_valves(draw: Draw, engine: Engine) -> Valves:
+    """Valves or ports of engines that run, some angles left to be assumed, with or without manifolds."""
+    four = {"intake_opens": (-20, 60), "intake_closes": (-40, 90), "exhaust_opens": (20, 90), "exhaust_closes": (-20, 60)}
+    two = {"intake_opens": (40, 75), "intake_closes": (40, 75), "exhaust_opens": (60, 105), "exhaust_closes": (40, 105)}
+    ranges = four if engine.cycle == "four-stroke" else two
+    angles = {name: draw(maybe(number(radians(low), radians(high)))) for name, (low, high) in ranges.items()}
+    order = tuple(draw(st.permutations(sorted(engine.chambers))))
+    at = draw(st.integers(0, len(order) - 1))
+    manifolds = (order[:at], order[at:]) if at else (order,)
+    return Valves(**angles, manifolds=draw(st.sampled_from([(), manifolds])))
 
 
 class _Size(NamedTuple):

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
-from tests.strategies import engines, number
+from tests.strategies import engines, number, timed_valves
 
 import crankstar
 from crankstar import motion
@@ -19,21 +19,13 @@ from crankstar.engine import Engine
 from crankstar.fault import EngineError
 from crankstar.firing import bottom_dead_centres, dead_centres, firing
 from crankstar.layouts import Bank, Crank, inline, tandem
-from crankstar.records import Shaft, Valves
+from crankstar.records import Shaft
 from crankstar.strokes import Window, disturbances, exhaust_groups, exhaust_intervals, pieces, working_cycle
 from crankstar.succession import followers
 
 STEP = 0.1
 """Degrees between two looks at the valves."""
 NAMES = ("i4", "v8-cross-plane", "v8-flat-plane", "audi-25-tfsi", "napier-deltic", "radial-9", "kr250-racer", "merlin", "vw-vr6")
-
-
-def timings(cycle: str) -> st.SearchStrategy[Valves]:
-    """Valve timings of engines that run, with some angles left to be assumed."""
-    four = {"intake_opens": (-20, 60), "intake_closes": (-40, 90), "exhaust_opens": (20, 90), "exhaust_closes": (-20, 60)}
-    two = {"intake_opens": (40, 75), "intake_closes": (40, 75), "exhaust_opens": (60, 105), "exhaust_closes": (40, 105)}
-    ranges = four if cycle == "four-stroke" else two
-    return st.builds(Valves, **{name: st.none() | number(radians(a), radians(b)) for name, (a, b) in ranges.items()})
 
 
 def runs(engine: Engine) -> bool:
@@ -46,7 +38,7 @@ def runs(engine: Engine) -> bool:
 def running(draw: Any) -> Engine:
     engine = draw(engines(max_shafts=1))
     assume(runs(engine))
-    return engine.model_copy(update={"valves": draw(timings(engine.cycle))})
+    return engine.model_copy(update={"valves": draw(timed_valves(engine))})
 
 
 def modulo(angle: float, cycle: float) -> float:
@@ -175,8 +167,9 @@ def test_turning_the_crank_moves_every_event_and_changes_no_disturbance(engine: 
         before, after = one.chamber(number_), other.chamber(number_)
         for name in ("intake", "exhaust", "blow_down"):
             assert modulo(getattr(after, name).start_deg - getattr(before, name).start_deg - moved, one.cycle_deg) < 1e-5
-    for ours, theirs in zip(disturbances(one, group), disturbances(other, group), strict=False):
-        assert ours.exhaust_open_deg == pytest.approx(theirs.exhaust_open_deg, abs=1e-4)
+    ours, theirs = ({pair[:2]: pair.exhaust_open_deg for pair in disturbances(found, group)} for found in (one, other))
+    for pair in {*ours, *theirs}:
+        assert ours.get(pair, 0.0) == pytest.approx(theirs.get(pair, 0.0), abs=3e-3)  # less than EVEN is not told
 
 
 @pytest.mark.parametrize("name", NAMES)
