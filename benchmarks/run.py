@@ -17,6 +17,7 @@ from time import perf_counter
 
 import numpy as np
 
+import search
 from crankstar import balance, derivation, load, names, sweep, total
 from crankstar.arrangement import Basis, Sizes
 from crankstar.engine import Engine
@@ -159,6 +160,7 @@ def rows() -> list[tuple[str, str, str]]:
     out += derivations()
     out += sweeps()
     out += pictures()
+    out += search.rows()
     out.append((f"batch of {VARIANTS:,} V8s", f"{batch_rate():,.0f} engines/s", ""))
     return out
 

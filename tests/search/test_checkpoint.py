@@ -73,7 +73,7 @@ def test_a_file_cut_at_any_byte_gives_the_same_answer(tmp_path, written, answer)
 
 @pytest.mark.parametrize("seed", range(20))
 def test_a_damaged_line_is_done_again(tmp_path, written, answer, seed):
-    chance = random.Random(seed)
+    chance = random.Random(seed)  # noqa: S311
     lines = [bytearray(line) for line in written]
     for _ in range(3):
         line = chance.choice(lines[1:])

@@ -142,7 +142,7 @@ def succeeding(stars: Stars, star: Star) -> int:
     >>> from fractions import Fraction
     >>> five = Stars(5, "four-stroke", tuple(Fraction(2 - j) for j in range(5)))
     >>> succeeding(five, (0, 3, 2, 4, 1)), succeeding(five, (0, 3, 1, 4, 2))
-    (2, 0)
+    (3, 4)
     """
     members = np.array([(place, -1) for place in range(stars.cylinders)], np.int64)
     seat = np.empty((stars.directions, 2), np.int64)

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import asyncio
 import multiprocessing
 import os
 import signal
 import threading
 import time
 from collections.abc import Iterator
-from concurrent.futures import BrokenExecutor, CancelledError, Executor, Future, ProcessPoolExecutor
+from concurrent.futures import BrokenExecutor, CancelledError, Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from contextlib import contextmanager, suppress
 from multiprocessing.connection import Connection
 from multiprocessing.resource_tracker import ensure_running
@@ -159,9 +160,11 @@ def cluster(address: str) -> Iterator[Hands]:
         message = 'a cluster needs dask.distributed, which is not installed; install it with: pip install "crankstar[cluster]"'
         raise SearchError([message]) from None
     try:
+        with ThreadPoolExecutor(1) as aside:  # a notebook has a loop of its own in this thread
+            aside.submit(asyncio.run, _answer(address)).result()
         client = Client(address, timeout=SCHEDULER_SECONDS, set_as_default=False)
     except (OSError, TimeoutError, ValueError, RuntimeError, TypeError) as error:
-        reason = str(error).splitlines()[0] if str(error) else type(error).__name__
+        reason = str(error).splitlines()[0] if str(error) else "it says nothing"
         message = f"no scheduler answers at {address} within {SCHEDULER_SECONDS:.0f} s ({reason}); start one with: dask scheduler"
         raise SearchError([message]) from None
     try:
@@ -176,6 +179,16 @@ def cluster(address: str) -> Iterator[Hands]:
     finally:
         with suppress(Exception):
             client.close(timeout=2)
+
+
+async def _answer(address: str) -> None:
+    """Waits until a scheduler has answered. A Client would wait for ever for one that takes the call and is silent."""
+    from distributed import Security
+    from distributed.comm.core import connect
+
+    arguments = Security().get_connection_args("client")
+    comm = await asyncio.wait_for(connect(address, timeout=SCHEDULER_SECONDS, **arguments), SCHEDULER_SECONDS)
+    await comm.close()
 
 
 def of_workers(fault: BaseException) -> bool:
