@@ -151,7 +151,9 @@ def figure(path: str) -> str:
 
 @lru_cache
 def search(what: str) -> str:
-    """What the search finds, made by the script beside this one."""
+    """What the search finds: a table made by the script beside this one, or what `crankstar search WORDS` draws."""
+    if "--chart" in what:
+        return drawn(f"search {what}")
     return run_path(str(HERE / "search_page.py"))["page"](what)
 
 
@@ -181,17 +183,22 @@ def orders(part: str) -> str:
 
 @lru_cache
 def plot(words: str) -> str:
-    """What `crankstar plot WORDS` draws, with the colours of the page for its text, and the command under it."""
+    """What `crankstar plot WORDS` draws."""
+    return drawn(f"plot {words}")
+
+
+def drawn(command: str) -> str:
+    """What a command draws, with the colours of the page for its text, and the command under it."""
     from crankstar.charts import GREY
     from crankstar.cli import app
 
     written = BytesIO()
     with redirect_stdout(TextIOWrapper(written, encoding="utf-8")) as out:
-        app(["plot", *shlex.split(words)], exit_on_error=False, print_error=False)
+        app(shlex.split(command), exit_on_error=False, print_error=False)
         out.flush()
         drawing = written.getvalue().decode()
     shown = drawing.replace(GREY, "currentColor")
-    caption = f"<figcaption><code>crankstar plot {escape(words)}</code></figcaption>"
+    caption = f"<figcaption><code>crankstar {escape(command)}</code></figcaption>"
     return f'<figure class="chart" markdown="0">{shown}{caption}</figure>'
 
 

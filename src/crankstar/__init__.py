@@ -19,6 +19,7 @@ a record, a way of looking at it is a function, an engine type is data, and impo
 | `verdict` | the facts a Balance shows, as short sentences with their numbers |
 | `stroke_table` | strokes, valve events, exhaust intervals and disturbances as tables for the terminal |
 | `search_table` | what a search found as a table, in sentences, as CSV, JSON and Parquet |
+| `uneven_table` | uneven angles of a star: what they bring in couples and cost in free forces |
 | `sweep_table` | a sweep as a table, its curves in a line, its best value in words |
 | `order_tables`, `vee_tables` | firing orders and V engines that were found, as tables, CSV and JSON |
 | `misprints` | the errata of the sources as tables for the terminal |

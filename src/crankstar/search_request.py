@@ -138,6 +138,14 @@ def _settled(vector: VectorSum) -> None:
         raise ValueError(f"{vector.name} is the same for every star, for {why}; leave it out")
 
 
+def deviations(text: str) -> list[float]:
+    """By how many degrees firing intervals may leave the even one. Raises RequestError."""
+    given = [fraction(part.removesuffix("deg")) for part in _each(text)]
+    if not given or len(given) > 20 or any(part is None or not 0 < part <= 60 for part in given):
+        raise RequestError(f"--uneven {one_line(text)}: give up to 20 numbers of degrees above 0, up to 60, as in 1,2,5")
+    return sorted({float(part) for part in given if part is not None})
+
+
 def _each(text: str | None) -> list[str]:
     return [part.strip() for part in (text or "").split(",") if part.strip()]
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import PurePath
 from types import ModuleType
 from typing import TYPE_CHECKING, Annotated
@@ -13,7 +14,7 @@ from crankstar.answer import json_text
 from crankstar.cli.application import app
 from crankstar.cli.options import Settings, Speed, loaded_engine
 from crankstar.engine import Engine
-from crankstar.output import display, writable, write, write_bytes
+from crankstar.output import STANDARD_OUTPUT, display, working, writable, write, write_bytes
 from crankstar.quantity import one_line
 from crankstar.request import RequestError
 
@@ -22,6 +23,8 @@ if TYPE_CHECKING:
 
 TABLES = ("csv", "json", "parquet")
 PICTURES = ("svg", "png", "pdf", "html")
+
+
 def _text(told: str) -> Parameter:
     return Parameter(help=told, allow_leading_hyphen=True)
 
@@ -64,7 +67,12 @@ def search(
     checkpoint: Annotated[str | None, _text("file in which the search is kept, and from which it goes on")] = None,
     yes: Annotated[bool, _flag("search even if it takes more than an hour")] = False,
     row: Annotated[int | None, _text("write this row as an engine file instead (-o FILE.toml)")] = None,
-    chart: Annotated[str | None, _text("which picture goes into -o FILE.svg: front, or stars (of the first rows)")] = None,
+    uneven: Annotated[
+        str | None, _text("refine the angles of --row, with firing intervals within these of even ones, as in 1,2,5 (degrees)")
+    ] = None,
+    chart: Annotated[str | None, _text("a picture: front, or stars (of the first rows)")] = None,
+    csv: Annotated[bool, _flag("all rows as CSV")] = False,
+    json: Annotated[bool, _flag("all rows, and what proves them, as JSON")] = False,
     output: Annotated[
         str | None,
         Parameter(
@@ -77,7 +85,8 @@ def search(
     from crankstar.star_request import whole_number
 
     wishes = _wishes()
-    kind = _kind(output, row, chart)
+    kind = _kind(output=output, row=row, chart=chart, uneven=uneven, csv=csv, json=json)
+    deviations = wishes.deviations(uneven) if uneven is not None else None
     number = whole_number(cylinders)
     if number is not None:
         request.alone("a number of cylinders", {"--set": settings or None, "--speed": speed})
@@ -94,7 +103,10 @@ def search(
     from crankstar import search_job
 
     answer = search_job.found(wanted, workers=workers, scheduler=scheduler, checkpoint=checkpoint, agreed=yes)
-    _show(answer, wanted.engine, kind, row, chart, output)
+    if row is not None:
+        _show_row(answer, wanted.engine, row, deviations, pace, output)
+    else:
+        _show(answer, kind, chart, output)
     return 130 if answer.certificate.interrupted else None
 
 
@@ -107,17 +119,25 @@ def _wishes() -> ModuleType:
     return search_request
 
 
-def _kind(output: str | None, row: int | None, chart: str | None) -> str:
+def _kind(*, output: str | None, row: int | None, chart: str | None, uneven: str | None, csv: bool, json: bool) -> str:
     """As what the answer is given: the end of the file's name; empty for the table on the terminal. Raises RequestError."""
     kind = PurePath(output or "").suffix.lower().removeprefix(".")
+    if uneven is not None and row is None:
+        raise RequestError("--uneven: say which row is to be refined, as in --row 2 --uneven 1,2,5")
+    request.alone("--row" if row is not None else "--chart", {"--csv": csv or None, "--json": json or None} if row or chart else {})
     if row is not None:
         request.alone("--row", {"--chart": chart})
         if row < 1 or kind not in ("", "toml"):
             raise RequestError(f"--row {row}: give a row from 1 up, and the name of an engine file, as in --row 2 -o better.toml")
         return "toml"
-    if chart is not None and (chart not in ("front", "stars") or kind not in PICTURES):
-        raise RequestError(f"--chart {one_line(chart)}: it can be front or stars, with a file, as in --chart stars -o stars.svg")
-    if output is not None and kind not in (*TABLES, *PICTURES, "txt"):
+    if chart is not None:
+        if chart not in ("front", "stars"):
+            raise RequestError(f"--chart {one_line(chart)}: it can be front or stars, as in --chart stars -o stars.svg")
+        chart_request.charts()
+        return chart_request.suffix(output, PICTURES)
+    if csv or json:
+        return "csv" if csv else "json"
+    if output is not None and output not in STANDARD_OUTPUT and kind not in (*TABLES, *PICTURES, "txt"):
         named = ", ".join(f".{one}" for one in (*TABLES, *PICTURES, "txt"))
         raise RequestError(f"-o {one_line(output)}: let the name end in {named}; or in .toml with --row")
     if kind in PICTURES:
@@ -125,13 +145,11 @@ def _kind(output: str | None, row: int | None, chart: str | None) -> str:
     return kind
 
 
-def _show(answer: Findings, engine: Engine | None, kind: str, row: int | None, chart: str | None, output: str | None) -> None:
+def _show(answer: Findings, kind: str, chart: str | None, output: str | None) -> None:
     """Writes the answer as what it is wanted."""
     from crankstar import search_table as tables
 
-    if kind == "toml" and row is not None:
-        _write_engine(answer, engine, row, output)
-    elif kind == "csv":
+    if kind == "csv":
         write(tables.csv_text(answer), output)
     elif kind == "json":
         write(json_text(tables.tree(answer)), output)
@@ -148,17 +166,31 @@ def _show(answer: Findings, engine: Engine | None, kind: str, row: int | None, c
         display(tables.search_table(answer), output)
 
 
-def _write_engine(answer: Findings, engine: Engine | None, row: int, output: str | None) -> None:
-    """Writes a row as an engine file. Raises RequestError where there is no such row."""
+def _show_row(
+    answer: Findings, engine: Engine | None, row: int, deviations: list[float] | None, speed: float | None, output: str | None
+) -> None:
+    """Writes a row as an engine file; with uneven angles their table, or the engine of the last of them."""
+    from crankstar import uneven_table
     from crankstar.files import toml
     from crankstar.search import engines, weighed
+    from crankstar.search.stars import SearchError
 
     if row > len(answer.rows):
         raise RequestError(f"--row {row}: there are {len(answer.rows)} rows")
     chosen: Finding = answer.rows[row - 1]
-    stars = answer.question.stars
-    made = engines.engine(stars, chosen.star) if engine is None else weighed.with_star(engine, stars, chosen.star)
-    write(toml(made), output)
+    stars, later = answer.question.stars, None
+    if deviations is not None:
+        try:
+            with working("refining the angles ..."):
+                found = uneven_table.curve_of(answer.question, chosen.star, deviations_deg=deviations, engine=engine, speed=speed)
+        except SearchError as error:
+            raise RequestError(str(error)) from None
+        if output is None:
+            display(uneven_table.uneven_table(found))
+            return
+        later = found[-1].later_deg
+    build = engines.engine if engine is None else partial(weighed.with_star, engine)
+    write(toml(build(stars, chosen.star, later_deg=later)), output)
 
 
 def _parquet(answer: Findings) -> bytes:

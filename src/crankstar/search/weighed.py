@@ -12,9 +12,10 @@ turns with the crank (pins, big ends) is left out: counterweights take it away.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
-from math import pi, sqrt
+from math import pi, radians, sqrt
 
 from crankstar import phasor
 from crankstar.balance import balance, of_parts
@@ -79,8 +80,12 @@ def rms_couple(engine: Engine, stars: Stars, *, speed: float | None = None) -> O
     return Objective("couple", tuple(term for term in terms if term[1].scale > 0), unit=terms[0][1].unit)
 
 
-def with_star(engine: Engine, stars: Stars, star: Star) -> Engine:
-    """The engine with its throws turned to a star, and the firing order that goes with it."""
+def with_star(engine: Engine, stars: Stars, star: Star, *, later_deg: Sequence[float] | None = None) -> Engine:
+    """The engine with its throws turned to a star, and the firing order that goes with it.
+
+    `later_deg`: by how many degrees of crank angle each cylinder comes later to top dead centre than the star says.
+    """
+    later = later_deg or (0.0,) * stars.cylinders
     number = {cylinder.throw: cylinder.number for cylinder in engine.cylinders}
     (name,) = {cylinder.shaft for cylinder in engine.cylinders}
     first = engine.throw(engine.first).angle
@@ -89,7 +94,9 @@ def with_star(engine: Engine, stars: Stars, star: Star) -> Engine:
     def turned(throw: Throw, place: int) -> Throw:
         if place not in number:
             return throw
-        return throw.model_copy(update={"angle": first + turn * (star[number[place] - 1] - star[0])})
+        cylinder = number[place] - 1
+        behind = -engine.sense * radians(later[cylinder] - later[0])
+        return throw.model_copy(update={"angle": first + turn * (star[cylinder] - star[0]) + behind})
 
     shafts = tuple(
         shaft.model_copy(update={"throws": tuple(turned(throw, place) for place, throw in enumerate(shaft.throws, 1))})
