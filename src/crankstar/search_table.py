@@ -129,7 +129,7 @@ def certificate(found: Findings) -> str:
     """What was searched, and why nothing else can belong to the answer."""
     proof = found.certificate
     where = " or ".join(_strip(found.question, vector, length) for vector, length in proof.strips)
-    what = f"all stars{f' with {where}' if where else ''}"
+    what = f"all stars{f' with {where}' if where and proof.met < proof.of else ''}"
     met = f"{proof.met:,} of {proof.of:,}, in {proof.blocks:,} blocks"
     if proof.interrupted:
         return f"INCOMPLETE: stopped before the end ({met}). What is shown is the best so far; nothing is proved."

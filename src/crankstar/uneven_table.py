@@ -17,6 +17,9 @@ from crankstar.search.stars import SearchError, Star, Stars
 from crankstar.search.sums import VectorSum, force
 from crankstar.wording import number, table, unit_text
 
+FREE_FORCE = 1e-3
+"""What a free force weighs beside a couple: of angles with equal couples those with the least free force are taken."""
+
 
 def curve_of(
     question: Question, star: Star, *, deviations_deg: Sequence[float], engine: Engine | None, speed: float | None
@@ -32,7 +35,7 @@ def curve_of(
     for order in sorted({_order(vector) for _, vector in named if vector.name.startswith("M")}):
         told = _force(question.stars, int(order), engine, speed)
         if all(term.sum.name != told.name for term in terms):
-            terms.append(Term(told, order, 0.0))
+            terms.append(Term(told, order, FREE_FORCE))
     return curve(question.stars, star, terms, deviations_deg=[0.0, *deviations_deg])
 
 
@@ -58,6 +61,7 @@ def uneven_table(curve_: Sequence[Uneven]) -> RenderableType:
         out.add_row(f"{number(found.deviation_deg, digits=4)} deg", *lengths, intervals, later)
     lines = [Text(f"Uneven angles: fires {order}", style="bold"), Text(), out, Text(), Text(_upper(sentence(curve_[-1])) + ".")]
     lines.append(Text("Intervals in firing order; top dead centres of cylinders 1, 2, 3 ... beside those of the even star."))
+    lines.append(Text("Of angles with equal couples, those with the least free force."))
     return Group(*lines)
 
 
