@@ -182,6 +182,12 @@ def test_numbers_stand_off_each_other_and_off_the_points(name: str, logarithmic:
         assert all((np.abs(text - place(row)) > size + 3).any() for row in rows["points"])
 
 
+@pytest.mark.parametrize("name", ["6", "8", "6 four-stroke", "5 four-stroke"])
+def test_every_point_of_a_short_front_has_its_number_also_where_it_stands_on_an_axis(name: str) -> None:
+    rows, _ = layers(charts.pareto_front(found(name)))
+    assert {int(row.text) for row in rows["texts"]} == {row.row for row in rows["points"]}
+
+
 def test_a_third_objective_gives_the_colour() -> None:
     for name, scale in (("7 with neighbours", "ordinal"), ("seven, three couples", "quantitative")):
         answer = found(name)
@@ -193,6 +199,21 @@ def test_a_third_objective_gives_the_colour() -> None:
         assert colour["type"] == scale
         assert [row[colour["field"]] for row in rows] == [row.values[2] for row in answer.rows]
         sound(charts.saved(chart, "svg", title=name))
+
+
+def test_a_list_is_called_one_and_of_very_many_stars_those_that_are_covered_are_not_drawn() -> None:
+    stars = space(9)
+    every = findings(Question(stars, couples(stars, (1, 2)), limits=(Limit(couple(stars, 1), 8.0),), ask=All()))
+    assert len(every.rows) > 2000
+    chart = charts.pareto_front(every, logarithmic=False)
+    rows, _ = layers(chart)
+    assert chart.to_dict()["title"]["text"] == ["Stars by M1 and M2"]
+    assert 1000 < len(rows["points"]) < len(every.rows)
+    values = np.array([row.values for row in every.rows])
+    scale = np.array([330, 250]) / values.max(axis=0)
+    shown = np.array([(row.x, row.y) for row in rows["points"]]) * scale
+    # px: every star is drawn, or covered by one that is
+    assert all(np.abs(one * scale - shown).max(axis=1).min() < 2.5 for one in values)
 
 
 def test_a_crowd_is_listed_as_far_as_it_can_be_read_and_the_rest_is_counted() -> None:
@@ -227,7 +248,7 @@ def test_their_description_is_the_chart() -> None:
 
 @pytest.mark.parametrize("name", ["7", "5 four-stroke", "8"])
 @pytest.mark.parametrize("theta", [0.0, 0.7])
-def test_the_best_stars_have_their_throws_where_they_say_and_their_values_above(name: str, theta: float) -> None:
+def test_the_winners_have_their_throws_where_they_say_and_their_values_above(name: str, theta: float) -> None:
     answer = found(name)
     chart = charts.best_stars(answer, theta=theta, count=3)
     n = answer.question.stars.directions
@@ -279,7 +300,7 @@ def test_what_cannot_be_drawn_is_refused_in_a_sentence() -> None:
     stars = space(6)
     one = findings(Question(stars, couples(stars, (1,))))
     none = findings(Question(stars, couples(stars, (3, 1)), limits=(Limit(couple(stars, 1), 0), Limit(couple(stars, 2), 3.0))))
-    with pytest.raises(charts.ChartError, match="here is one; ask for two or more"):
+    with pytest.raises(charts.ChartError, match="here is one; ask for two, or draw the stars"):
         charts.pareto_front(one)
     with pytest.raises(charts.ChartError, match="none was found within the limits"):
         charts.pareto_front(none)

@@ -25,6 +25,7 @@ from crankstar.charts.drawing import (
 )
 from crankstar.charts.labels import Box, Label, apart, box
 from crankstar.search.engines import firing_order
+from crankstar.search.question import Front
 from crankstar.search.stars import Stars
 from crankstar.wording import number, unit_text
 
@@ -43,6 +44,8 @@ CELL = 2.0
 """px: of other stars in one square of this size one is drawn."""
 MOST_LISTED = 20
 """Points whose firing orders are written below the chart."""
+MOST_DRAWN = 2000
+"""Points that are all drawn; of more those that would cover each other are not."""
 KEY = 400
 """Px that the key may be wide; longer firing orders are folded."""
 LEFT = 24.0
@@ -53,8 +56,6 @@ LINE = 17.0
 """Height of a line of the key, px."""
 GAP, EDGE = 0.18, 0.05
 """Shares of the span of a logarithmic axis: between 0 and the least value, and beyond the outermost ones."""
-BEFORE = -1 - 1j
-"""Where a number would like to stand: below its point and left of it, where a front has neither points nor its line."""
 
 
 class Column(NamedTuple):
@@ -122,7 +123,9 @@ def pareto_front(found: Findings, *, others: Findings | None = None, logarithmic
     """
     heads = columns(found)
     if len(heads) < 2:
-        raise ChartError(f"a front is drawn by two objectives, and here {'is one' if heads else 'are none'}; ask for two or more")
+        raise ChartError(
+            f"a front is drawn by two objectives, and here {'is one' if heads else 'are none'}; ask for two, or draw the stars"
+        )
     if not found.rows:
         raise ChartError("there is no star to draw; none was found within the limits")
     if others is not None and columns(others)[:2] != heads[:2]:
@@ -134,7 +137,8 @@ def pareto_front(found: Findings, *, others: Findings | None = None, logarithmic
     across = _axis([one[0] for one in every], WIDTH, powers=powers and not heads[0].counted)
     upward = _axis([one[1] for one in every], HEIGHT, powers=powers and not heads[1].counted)
     panels = [[_front_panel(found, heads, across, upward, pale)], [key(found)]]
-    title = f"Front of {', '.join(head.name for head in heads[:-1])} and {heads[-1].name}"
+    kind = "Front of" if isinstance(found.question.ask, Front) else "Stars by"
+    title = f"{kind} {', '.join(head.name for head in heads[:-1])} and {heads[-1].name}"
     return figure(panels, title=title, subtitle=[engine_words(found.question.stars)])
 
 
@@ -185,11 +189,14 @@ def _front_panel(found: Findings, heads: Sequence[Column], across: Axis, upward:
     x, y = _channel(alt.X, "x", across, heads[0].title), _channel(alt.Y, "y", upward, heads[1].title)
     layers: list[Any] = []
     if pale:
-        dots = of_rows(_thinned(pale, across, upward)).mark_point(filled=True, shape="circle", size=16, opacity=0.4, color=GREY)
-        layers.append(dots.encode(x=x, y=y))
-    steps = _steps([row.values for row in found.rows], across, upward)
+        spots = [pale[index] for index in _seen(pale, across, upward)]
+        dots = of_rows([{"x": across.drawn(one[0]), "y": upward.drawn(one[1])} for one in spots])
+        layers.append(dots.mark_point(filled=True, shape="circle", size=16, opacity=0.4, color=GREY).encode(x=x, y=y))
+    points = [row.values for row in found.rows]
+    steps = _steps(points, across, upward)
     layers.append(of_rows(steps).mark_line(color=GREY, strokeWidth=1.3, strokeDash=[5, 3]).encode(x=x, y=y, order="at:Q"))
-    rows = [_row(found, heads, place, across, upward) for place in range(len(found.rows))]
+    shown = range(len(points)) if len(points) <= MOST_DRAWN else _seen(points, across, upward)
+    rows = [_row(found, heads, place, across, upward) for place in shown]
     hints = [alt.Tooltip("row:N", title="row"), alt.Tooltip("order:N", title="fires")]
     hints += [alt.Tooltip(f"value{place}:Q", title=head.title) for place, head in enumerate(heads)]
     dots = of_rows(rows).mark_point(filled=True, shape="circle", size=DOT, opacity=1)
@@ -238,10 +245,12 @@ def _colour(heads: Sequence[Column], rows: Sequence[dict[str, Any]]) -> Any:
     return alt.Color("value2:Q", scale=alt.Scale(scheme="viridis"), legend=legend)
 
 
-def _thinned(pale: Sequence[tuple[float, ...]], across: Axis, upward: Axis) -> list[dict[str, float]]:
-    """Of stars that would cover each other the first."""
-    kept = {(round(across.place(one[0]) / CELL), round(upward.place(one[1]) / CELL)): one for one in reversed(pale)}
-    return [{"x": across.drawn(one[0]), "y": upward.drawn(one[1])} for one in kept.values()]
+def _seen(points: Sequence[tuple[float, ...]], across: Axis, upward: Axis) -> list[int]:
+    """Of points that would cover each other the first: their indices."""
+    first: dict[tuple[int, int], int] = {}
+    for index, one in enumerate(points):
+        first.setdefault((round(across.place(one[0]) / CELL), round(upward.place(one[1]) / CELL)), index)
+    return list(first.values())
 
 
 def _steps(points: Sequence[tuple[float, ...]], across: Axis, upward: Axis) -> list[dict[str, float]]:
@@ -270,7 +279,7 @@ def _numbers(
     wanted = list(dict.fromkeys([*on_line, *(row for row in spots if row <= MOST_LISTED)]))
     half = DOT**0.5 / 2
     around = [Box(spot, half, half) for spot in spots.values()]
-    labels = [Label(str(row), spots[row], BEFORE, size=SMALL, gap=half + 1) for row in wanted]
+    labels = [Label(str(row), spots[row], _aside(spots[row]), size=SMALL, gap=half + 1) for row in wanted]
     within = Box(complex(HEIGHT, WIDTH) / 2, WIDTH / 2, HEIGHT / 2)
     moved = apart(labels, theta=0.0, scale=1.0, strokes=list(pairwise(corners)), within=within, around=around)
     numbers, leaders = [], []
@@ -285,6 +294,11 @@ def _numbers(
             (x, y), (x2, y2) = ((across.value(end.imag), upward.value(end.real)) for end in ends)
             leaders.append({"x": x, "y": y, "x2": x2, "y2": y2})
     return numbers, leaders
+
+
+def _aside(spot: complex) -> complex:
+    """Where a number would like to stand: below its point and left of it, where a front has nothing; at an axis inside of it."""
+    return complex(1 if spot.real < LINE else -1, 1 if spot.imag < LINE else -1)
 
 
 def key(found: Findings) -> Panel:
