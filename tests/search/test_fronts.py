@@ -216,6 +216,13 @@ def test_a_list_is_called_one_and_of_very_many_stars_those_that_are_covered_are_
     assert all(np.abs(one * scale - shown).max(axis=1).min() < 2.5 for one in values)
 
 
+def test_a_third_objective_that_is_the_same_for_all_gives_no_colour() -> None:
+    stars = space(8, "four-stroke")
+    answer = findings(Question(stars, (*couples(stars, (1, 2)), neighbours())))
+    assert [row.values for row in answer.rows] == [(0.0, 0.0, 0.0)]
+    assert all("field" not in layer["encoding"].get("color", {}) for layer, _ in drawn(charts.pareto_front(answer))[0])
+
+
 def test_a_crowd_is_listed_as_far_as_it_can_be_read_and_the_rest_is_counted() -> None:
     picture = charts.saved(charts.pareto_front(found("seven, three couples")), "svg", title="seven")
     assert f"and {len(found('seven, three couples').rows) - 20} more" in words_of(picture)

@@ -44,6 +44,8 @@ CELL = 2.0
 """px: of other stars in one square of this size one is drawn."""
 MOST_LISTED = 20
 """Points whose firing orders are written below the chart."""
+CROWD = 40
+"""Points among which a number far from its own tells nothing, even with a line between them."""
 MOST_DRAWN = 2000
 """Points that are all drawn; of more those that would cover each other are not."""
 KEY = 400
@@ -231,10 +233,10 @@ def _row(found: Findings, heads: Sequence[Column], place: int, across: Axis, upw
 
 
 def _colour(heads: Sequence[Column], rows: Sequence[dict[str, Any]]) -> Any:
-    """One colour, or that of the third objective: a few counts by name, a length by a scale."""
+    """One colour, or, where it differs, that of the third objective: a few counts by name, a length by a scale."""
     import altair as alt
 
-    if len(heads) < 3:
+    if len(heads) < 3 or len({row["value2"] for row in rows}) < 2:
         return alt.value(BLUE)
     said = {"title": heads[2].title, "titleColor": GREY, "titleFontSize": TEXT, "titleFontWeight": "normal"}
     kinds = sorted({row["value2"] for row in rows})
@@ -284,8 +286,8 @@ def _numbers(
     moved = apart(labels, theta=0.0, scale=1.0, strokes=list(pairwise(corners)), within=within, around=around)
     numbers, leaders = [], []
     for label in moved:
-        if label.away > 1 and int(label.text) not in on_line and len(rows) > MOST_LISTED:
-            continue  # in a crowd a number far from its point tells nothing
+        if label.away > 1 and int(label.text) not in on_line and len(rows) > CROWD:
+            continue
         middle = box(label, theta=0.0, scale=1.0).middle
         numbers.append({"text": label.text, "x": across.value(middle.imag), "y": upward.value(middle.real)})
         if label.away > 1:
@@ -298,7 +300,8 @@ def _numbers(
 
 def _aside(spot: complex) -> complex:
     """Where a number would like to stand: below its point and left of it, where a front has nothing; at an axis inside of it."""
-    return complex(1 if spot.real < LINE else -1, 1 if spot.imag < LINE else -1)
+    edge = DOT**0.5 / 2
+    return complex(1 if spot.real < edge else -1, 1 if spot.imag < edge else -1)
 
 
 def key(found: Findings) -> Panel:
