@@ -367,7 +367,7 @@ def test_a_search_killed_in_the_middle_goes_on_and_leaves_no_processes(tmp_path,
         children = psutil.Process(process.pid).children(recursive=True)
         assert len(children) >= 2
         os.kill(process.pid, signal.SIGKILL)
-        process.communicate()
+        process.communicate(timeout=20)
     _, alive = psutil.wait_procs(children, timeout=10)
     assert not alive
     written = path.read_bytes()
