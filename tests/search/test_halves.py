@@ -47,7 +47,9 @@ def _rows(share):
     return rows
 
 
-@pytest.mark.parametrize(("cylinders", "cycle", "fixed"), [(22, "two-stroke", 2), (24, "two-stroke", 4), (24, "four-stroke", 4)])
+@pytest.mark.parametrize(
+    ("cylinders", "cycle", "fixed"), [(21, "two-stroke", 2), (22, "two-stroke", 3), (24, "two-stroke", 5), (24, "four-stroke", 5)]
+)
 def test_halves_beyond_memory_are_refused_at_once_with_ways_out(cylinders, cycle, fixed):
     stars = space(cylinders, cycle)
     question = Question(stars, (of(couple(stars, 1)),))

@@ -21,7 +21,7 @@ from crankstar.search.stars import SearchError, Stars
 from crankstar.search.sums import VectorSum
 
 GREATEST_ROWS = 4_000_000
-"""Arrangements of a half that are held at once: ten places (3,628,800), so 21 cylinders; `work.memory` says in how many bytes."""
+"""Arrangements of both halves that are held at once: 9! + 10! of 20 cylinders; a worker then takes 500 MB (`work.memory`)."""
 BUFFER = 1 << 14
 """Stars found before the compiled loop hands them over, at least."""
 
@@ -81,17 +81,21 @@ class Halves:
 def check(question: Question) -> None:
     """Raises SearchError where the halves of a question have more arrangements than can be held."""
     ready = halves(question)
-    rows = max(ready.outer_rows, ready.inner_rows)
+    rows = ready.outer_rows + ready.inner_rows
     if rows <= GREATEST_ROWS:
         return
-    places = len(ready.tables.inner)
-    enough = next(k for k in range(places, 0, -1) if _most_rows(ready.counts, k) <= GREATEST_ROWS)
-    fixed = len(question.stars.places) - 2 * enough
-    ways = [f"fix at least {fixed} throws"]
+    free = len(ready.tables.outer) + len(ready.tables.inner)
+    enough = next(k for k in range(free, 0, -1) if _rows(ready.counts, k) <= GREATEST_ROWS)
+    ways = [f"fix at least {len(question.stars.places) - enough} throws"]
     if question.stars.sharing == 2 and not question.stars.symmetric:
         ways.append("ask for cranks that are symmetric lengthwise")
-    message = f"half a shaft of {places} free throws has up to {rows:,} arrangements, and {GREATEST_ROWS:,} can be held at once"
+    message = f"the halves of a shaft of {free} free throws have {rows:,} arrangements, and {GREATEST_ROWS:,} can be held at once"
     raise SearchError([f"{message}; {' or '.join(ways)}"])
+
+
+def _rows(counts: Sequence[int], free: int) -> int:
+    """Arrangements of both halves of so many free places, at most."""
+    return _most_rows(counts, free // 2) + _most_rows(counts, free - free // 2)
 
 
 @lru_cache(maxsize=8)

@@ -72,7 +72,11 @@ def renumbered(engine: Engine, *, numbers: Mapping[int, int]) -> Engine:
             cycle = engine.cycle_angle / 180 * pi
             angles = (*angles[first:], *(angle + cycle for angle in angles[:first]))
             angles = tuple(angle - cycle * (angles[0] // cycle) for angle in angles)
-    out = _with(engine, cylinders=cylinders, firing_order=order, firing_angles=angles)
+    valves = engine.valves
+    if valves is not None and valves.manifolds:
+        groups = tuple(tuple(numbers.get(number, number) for number in group) for group in valves.manifolds)
+        valves = valves.model_copy(update={"manifolds": groups})
+    out = _with(engine, cylinders=cylinders, firing_order=order, firing_angles=angles, valves=valves)
     if len(out.chambers) != len(engine.chambers):
         raise EngineError([Fault(("cylinders",), "two combustion chambers would have one number; number the chambers as well")])
     return out

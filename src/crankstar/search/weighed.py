@@ -65,7 +65,7 @@ def couple_of(engine: Engine, stars: Stars, order: int, *, speed: float | None =
     >>> from crankstar.catalog import load
     >>> engine = load("sinitsyn-7-first")
     >>> round(couple_of(engine, stars_of(engine), 1).length((0, 4, 2, 5, 1, 3, 6)), 4)
-    0.2673
+    0.8516
     """
     size, shares, _, unit = _waves(engine, order, speed)
     plain = couple(stars, order)
