@@ -57,7 +57,7 @@ def _front(arms: Any, cosines: Any, sines: Any, front: Any) -> int:
             continue
         kept = 0
         for f in range(known):
-            if not (one <= front[f, 0] and two <= front[f, 1]):
+            if not (one <= front[f, 0] + SAME and two <= front[f, 1] + SAME):
                 front[kept] = front[f]
                 kept += 1
         front[kept, 0] = one

@@ -3,16 +3,26 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from math import perm
 from statistics import median
 from time import perf_counter
 from typing import Any
 
+import numpy as np
+
+import exhaustive
+from crankstar.search.halves import halves
 from crankstar.search.hands import cluster
+from crankstar.search.harvest import groups
 from crankstar.search.question import Question
-from crankstar.search.run import searched
+from crankstar.search.run import Outcome, searched
 from crankstar.search.stars import Stars
 from crankstar.search.sums import couple, of
 
+BUDGETS = {12: 0.05, 13: 0.1, 14: 1, 15: None, 16: 60}
+"""Cylinders, and the seconds that a front may take."""
+SAME = 1e-5
+"""Two ways of adding up lengths, one of them through the root of a square that rounds, agree to this."""
 CLUSTER_CYLINDERS = 16
 CLUSTER_RUNS = 3
 
@@ -48,6 +58,45 @@ def by_cluster() -> list[tuple[str, str, str]]:
     ]
 
 
+def timed(cylinders: int, *, runs: int) -> tuple[Outcome, float]:
+    """The search of a front, and the median of its times."""
+    found: list[Outcome] = []
+    times: list[float] = []
+    for _ in range(runs):
+        began = perf_counter()
+        found.append(searched(front(cylinders)))
+        times.append(perf_counter() - began)
+    return found[-1], median(times)
+
+
+def fronts() -> list[tuple[str, str, str]]:
+    """Proven fronts by number of cylinders, in one process, warm."""
+    searched(front(5))
+    out: list[tuple[str, str, str]] = []
+    for cylinders, budget in BUDGETS.items():
+        found, seconds = timed(cylinders, runs=9 if cylinders < 15 else 1)
+        what = f"proven front (M1, M2) of {cylinders} cylinders, {len(groups(found.found))} points, one process, warm"
+        out.append((what, f"{seconds:.3g} s", f"{budget:g} s" if budget else ""))
+    return out
+
+
+def against_exhaustive() -> list[tuple[str, str, str]]:
+    """The search beside a plain enumeration of all stars, compiled too, in one run; both must find the same front."""
+    exhaustive.front(5)
+    out: list[tuple[str, str, str]] = []
+    for cylinders, budget in ((11, ""), (12, ""), (13, "100 times")):
+        found, seconds = timed(cylinders, runs=5)
+        began = perf_counter()
+        plain = exhaustive.front(cylinders)
+        slow = perf_counter() - began
+        ours = [found.found.values[group[0]] * halves(found.question).unit for group in groups(found.found)]
+        if any(min(np.abs(np.array(point) - one).max() for one in ours) > SAME for point in plain):
+            raise AssertionError(f"the fronts of {cylinders} cylinders differ")
+        what = f"all {perm(cylinders - 1):,} stars of {cylinders} cylinders one by one, and how much faster the search is"
+        out.append((what, f"{slow:.3g} s, {slow / seconds:.0f} times", budget))
+    return out
+
+
 def rows() -> list[tuple[str, str, str]]:
     """What is measured, the figure, and the budget where there is one."""
-    return by_cluster()
+    return [*fronts(), *against_exhaustive(), *by_cluster()]

@@ -153,7 +153,7 @@ def figure(path: str) -> str:
 def search(what: str) -> str:
     """What the search finds: a table made by the script beside this one, or what `crankstar search WORDS` draws."""
     if "--chart" in what:
-        return drawn(f"search {what}")
+        return drawn(f"search {what}", kind="chart wide")
     return run_path(str(HERE / "search_page.py"))["page"](what)
 
 
@@ -187,7 +187,7 @@ def plot(words: str) -> str:
     return drawn(f"plot {words}")
 
 
-def drawn(command: str) -> str:
+def drawn(command: str, *, kind: str = "chart") -> str:
     """What a command draws, with the colours of the page for its text, and the command under it."""
     from crankstar.charts import GREY
     from crankstar.cli import app
@@ -199,7 +199,7 @@ def drawn(command: str) -> str:
         drawing = written.getvalue().decode()
     shown = drawing.replace(GREY, "currentColor")
     caption = f"<figcaption><code>crankstar {escape(command)}</code></figcaption>"
-    return f'<figure class="chart" markdown="0">{shown}{caption}</figure>'
+    return f'<figure class="{kind}" markdown="0">{shown}{caption}</figure>'
 
 
 def sources(path: str) -> str:

@@ -15,6 +15,7 @@ from crankstar.search.stars import Stars
 from crankstar.search.sums import Limit, VectorSum, couple, of
 
 NO_BREAK = "\u2060-\u2060"
+SPACE = "\u00a0"
 SHOWN = 12
 MOST = 14
 """Cylinders up to which the fronts are searched anew whenever the page is built: less than a second."""
@@ -47,7 +48,7 @@ def page(what: str) -> str:
 def fronts() -> str:
     """The most useful points of each front: the ends, and the one nearest to nothing."""
     lines = [
-        "| cylinders | stars | points | least M1 | nearest to nothing (M1, M2) | its firing order | least M2 |",
+        "| cylinders | stars | points | M1, M2 at the least M1 | nearest to nothing | its firing order | at the least M2 |",
         "|---|---|---|---|---|---|---|",
     ]
     for cylinders in range(3, MOST + 1):
@@ -59,10 +60,10 @@ def fronts() -> str:
             str(cylinders),
             f"{stars.count:,}",
             str(len(found.rows)),
-            f"{_number(first.values[0])} (M2 {_number(first.values[1])})",
-            f"**{_number(nearest.values[0])}, {_number(nearest.values[1])}**",
+            _pair(first),
+            f"**{_pair(nearest)}**",
             _order(stars, nearest),
-            f"{_number(last.values[1])} (M1 {_number(last.values[0])})",
+            _pair(last),
         ]
         lines.append(f"| {' | '.join(cells)} |")
     return "\n".join(lines)
@@ -90,8 +91,12 @@ def without_second() -> str:
     return "\n".join(lines)
 
 
+def _pair(row: Finding) -> str:
+    return f",{SPACE}".join(map(_number, row.values))
+
+
 def _exact(vector: VectorSum, row: Finding) -> str:
-    return text(radical.length(vector.exact(row.star)).formula)
+    return text(radical.length(vector.exact(row.star)).formula).replace(" ", SPACE)
 
 
 def _order(stars: Stars, row: Finding) -> str:

@@ -48,10 +48,12 @@ CROWD = 40
 """Points among which a number far from its own tells nothing, even with a line between them."""
 MOST_DRAWN = 2000
 """Points that are all drawn; of more those that would cover each other are not."""
-KEY = 400
+KEY = 520
 """Px that the key may be wide; longer firing orders are folded."""
 LEFT = 24.0
 """Px by which the key begins left of the axis."""
+WIDER = 1.14
+"""By how much the letters of a browser's own font may be wider than those that are reckoned with."""
 DASH = 0.33
 """Width of a dash or a point in the size of the letters."""
 LINE = 17.0
@@ -342,4 +344,4 @@ def _text(text: str, x: float, line: float, side: str = "left") -> dict[str, Any
 
 def _width(text: str) -> float:
     """About how wide digits and dashes are, px."""
-    return text_width(text, SMALL) - (LETTER - DASH) * SMALL * (text.count("-") + text.count("."))
+    return WIDER * (text_width(text, SMALL) - (LETTER - DASH) * SMALL * (text.count("-") + text.count(".")))
