@@ -14,6 +14,9 @@ demo: $(RUN_ONLY)
 	@echo "== A real engine, an in-line five (crankstar analyze audi-25-tfsi)"
 	@$(BIN)/crankstar analyze audi-25-tfsi
 	@echo
+	@echo "== A better crank: all ways to set seven throws (crankstar search 7 --cycle two-stroke; the loops are compiled once)"
+	@$(BIN)/crankstar search 7 --cycle two-stroke
+	@echo
 	@echo "== Next: crankstar new vee > mine.toml; edit it; crankstar analyze mine.toml   (the command is $(BIN)/crankstar)"
 
 test: $(READY) lint docs chromium
