@@ -22,6 +22,8 @@ from crankstar.search.sums import VectorSum
 
 GREATEST_ROWS = 4_000_000
 """Arrangements of both halves that are held at once: 9! + 10! of 20 cylinders; a worker then takes 500 MB (`work.memory`)."""
+CACHED_ROWS = 100_000
+"""Arrangements of the inner half, which is looked into all over, up to which it stays in a processor's own cache."""
 BUFFER = 1 << 14
 """Stars found before the compiled loop hands them over, at least."""
 
@@ -182,6 +184,8 @@ def _parted(question: Question, whole: np.ndarray) -> tuple[list[tuple[int, int]
     for _, direction in fixed:
         counts[direction] -= 1
     split = len(free) // 2
+    if _most_rows(counts, len(free) - split) > CACHED_ROWS:
+        split = len(free) - split
     return fixed, free[:split], free[split:], counts
 
 

@@ -78,7 +78,7 @@ class Question:
     @property
     def digest(self) -> str:
         """What tells this question from others, for a checkpoint."""
-        judged = [(judge.name, judge.greatest) for judge in self.judges]
+        judged = [(judge.name, judge.greatest, judge.symmetric) for judge in self.judges]
         words = repr((self.stars, self.objectives, self.limits, self.neighbours_at_most, self.ask, judged))
         return sha256(words.encode()).hexdigest()[:16]
 

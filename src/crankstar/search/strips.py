@@ -24,7 +24,7 @@ from crankstar.search.question import All, Best, Question
 
 WANTED = 8.0
 """Stars that are expected in all strips of a front at once when it is begun."""
-CHEAP = 0.2
+CHEAP = 0.05
 """Pairs weighed for each arrangement formed that cost little beside it."""
 
 
