@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
-from contextlib import contextmanager, nullcontext
+from contextlib import ExitStack, contextmanager, nullcontext
 from pathlib import Path
 
 from crankstar.output import progress, working
 from crankstar.request import RequestError
-from crankstar.search import hands, likeness, run
+from crankstar.search import halves, hands, likeness, run
 from crankstar.search.checkpoint import opened
 from crankstar.search.findings import Findings, findings
+from crankstar.search.question import All
 from crankstar.search.run import Progress
 from crankstar.search.stars import SearchError
 from crankstar.search_request import Request
@@ -34,15 +35,23 @@ def found(
 ) -> Findings:
     """The answer. Raises RequestError where it cannot be had, or takes more than an hour and that was not agreed to."""
     try:
-        with working("getting the compiled loops ready (the first time about ten seconds) ..."):
+        halves.check(wanted.question)
+        with working("getting ready (the first time loops are compiled, about ten seconds) ..."):
             seconds = run.estimate(wanted.question)
         count = workers or os.cpu_count() or 1
         if seconds / count > LONG_SECONDS and not (agreed or scheduler):
             told = f"about {duration(seconds / count)} on {count} processor{'s' if count > 1 else ''}"
             raise RequestError(f"this search takes {told}; add --yes if you want to wait, or --scheduler for a cluster. {NARROWER}")
         kept = opened(Path(checkpoint), wanted.question) if checkpoint else None
-        with _crew(seconds, workers, count, scheduler) as crew, progress("searching") as tell:
+        with ExitStack() as stack:
+            with working(f"asking the scheduler at {scheduler} ..." if scheduler else "starting ..."):
+                crew = stack.enter_context(_crew(seconds, workers, count, scheduler))
+            tell = stack.enter_context(progress("searching"))
             answer = findings(wanted.question, hands=crew, checkpoint=kept, watch=lambda now: tell(now.done, now.blocks, note(now)))
+        most = wanted.question.ask.size
+        if isinstance(wanted.question.ask, All) and len(answer.rows) >= most:
+            many = f"{answer.stars:,} stars lie within these limits, in more classes than the {most:,} that can be listed"
+            raise RequestError(f"{many}; narrow it, as in --limit M1=2, or ask for --best 100")
         return likeness.chosen(answer, wanted.likeness) if wanted.likeness else answer
     except SearchError as error:
         raise RequestError(str(error)) from None

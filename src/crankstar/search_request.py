@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import inf
@@ -15,12 +16,13 @@ from crankstar.request import RequestError
 from crankstar.search import likeness as likenesses
 from crankstar.search import weighed
 from crankstar.search.likeness import Likeness
-from crankstar.search.question import All, Best, Front, Question
+from crankstar.search.question import GREATEST_LIST, All, Best, Front, Question
 from crankstar.search.stars import SearchError, Stars
-from crankstar.search.sums import Limit, Objective, VectorSum, couple, force, neighbours, of, torsion
+from crankstar.search.sums import Limit, Objective, VectorSum, check_torsion, couple, force, neighbours, of, torsion
 from crankstar.star_request import fraction, star_of, stars_of
 
 GREATEST_ORDER = 100
+GREATEST_BEST, USUAL_BEST = 10_000, 20
 NEIGHBOURS = ("neighbours", "neighbors", "adjacent")
 EXAMPLE = "as in M1,M2 (couples), F1 (forces), T3 (torsion, with --mode-shape), neighbours"
 
@@ -38,7 +40,7 @@ class Wish:
     symmetric: bool = False
     avoid_adjacent: bool = False
     front: bool = False
-    best: int | None = None
+    best: str | None = None
     all: bool = False
     all_with: str | None = None
 
@@ -61,7 +63,10 @@ def request(cylinders: int | Engine, cycle: str | None, wish: Wish, *, speed: fl
         raise RequestError(str(error)) from None
     faults: list[str] = []
     maker = _Maker(stars, engine, speed, _shape(wish, stars, faults))
-    objectives = _all_of("M1,M2" if wish.minimise is None else wish.minimise, maker, "--minimise", faults)
+    objectives = _all_of(_usual(maker) if wish.minimise is None else wish.minimise, maker, "--minimise", faults)
+    asked_for = [wish.minimise, wish.zero, *wish.limit, wish.all_with]
+    if wish.mode_shape is not None and not any("T" in (text or "") for text in asked_for):
+        faults.append("--mode-shape: nothing here asks for torsion; name an order of it, as in --minimise M1,M2,T3")
     limits = [Limit(vector, 0.0) for vector in _sums(wish.zero, maker, "--zero", faults)]
     most = 0.0 if wish.avoid_adjacent else inf
     for text in wish.limit:
@@ -101,6 +106,7 @@ class _Maker:
         if not 0 < order <= GREATEST_ORDER:
             raise ValueError(f"{name}: the order can be from 1 to {GREATEST_ORDER}")
         if match[1] == "T":
+            check_torsion(self.stars, order)
             if self.shape is None:
                 raise ValueError(f'{name}: needs the mode shape, as in --mode-shape "1, 0.8, 0.3, -0.3, -0.8, -1"')
             return torsion(self.stars, order=order, shape=self.shape)
@@ -130,12 +136,48 @@ class _Maker:
         return of(vector)
 
 
+def _usual(maker: _Maker) -> str:
+    """What is made least if nothing is said: the first two couples, if they tell stars apart."""
+    telling: list[str] = []
+    for name in ("M1", "M2"):
+        with suppress(ValueError):
+            telling += [name] if _tells(maker.vector(name)) else []
+    return ",".join(telling) or "neighbours"
+
+
+def _tells(vector: VectorSum) -> bool:
+    """Whether a sum is not equally long for all stars."""
+    return len(set(vector.turns)) > 1 and len(set(vector.weights)) > 1
+
+
 def _settled(vector: VectorSum) -> None:
     """Refuses a sum that is equally long for all stars: it tells none from another."""
-    if len(set(vector.turns)) == 1 or len(set(vector.weights)) == 1:
+    if not _tells(vector):
         number = len(set(vector.turns)) == 1
         why = "all throws stand alike to this order" if number else "the throws are evenly spaced"
         raise ValueError(f"{vector.name} is the same for every star, for {why}; leave it out")
+
+
+def whole(option: str, text: str | None, *, most: int = GREATEST_LIST) -> int | None:
+    """A whole number from 1 up. Raises RequestError."""
+    if text is None:
+        return None
+    if not re.fullmatch(r"\d{1,9}", text.strip(), re.ASCII) or not 1 <= int(text) <= most:
+        raise RequestError(f"{option} {one_line(text)}: give a whole number from 1 to {most}")
+    return int(text)
+
+
+def check_use(question: Question, *, chart: str | None, deviations: Sequence[float] | None) -> None:
+    """Refuses, before long work is begun, what could not be made of the answer. Raises RequestError."""
+    if chart == "front" and not (isinstance(question.ask, Front) and len(question.objectives) > 1):
+        raise RequestError("--chart front: a front is of two or more objectives, as in --minimise M1,M2; or draw --chart stars")
+    if deviations is None:
+        return
+    if not any(objective.terms for objective in question.objectives):
+        raise RequestError("--uneven: needs a couple, force or torsion in --minimise, which other angles can make less")
+    even = (360 if question.stars.cycle == "two-stroke" else 720) / question.stars.cylinders
+    if max(deviations) >= even:
+        raise RequestError(f"--uneven: firing intervals of {even:.5g} deg can differ by less than that; give smaller numbers")
 
 
 def deviations(text: str) -> list[float]:
@@ -157,7 +199,7 @@ def _tried(make: Callable[[], Any], option: str, faults: list[str]) -> Any:
     except SearchError as error:
         faults += [f"{option}: {fault}" for fault in error.faults]
     except ValueError as error:
-        faults.append(f"{option}: {error}")
+        faults.append(f"{option}: {error}" if option else str(error))
     return None
 
 
@@ -189,7 +231,10 @@ def _all_of(text: str, maker: _Maker, option: str, faults: list[str]) -> list[tu
 def _sums(text: str | None, maker: _Maker, option: str, faults: list[str]) -> list[VectorSum]:
     if text is not None and not _each(text):
         faults.append(f"{option}: name what is to vanish, as in M2")
-    found = [_tried(lambda name=name: maker.vector(name), option, faults) for name in _each(text)]
+    if any(name in NEIGHBOURS for name in _each(text)):
+        faults.append(f"{option} neighbours: use --avoid-adjacent for that")
+    named = [name for name in _each(text) if name not in NEIGHBOURS]
+    found = [_tried(lambda name=name: maker.vector(name), option, faults) for name in named]
     return [vector for vector in found if vector is not None]
 
 
@@ -201,6 +246,8 @@ def _limit(text: str, maker: _Maker, faults: list[str]) -> Limit | float | None:
         faults.append(f"--limit {one_line(text)}: give what and at most how much (from 0 up), as in M2=1.5 or neighbours=1")
         return None
     if name in NEIGHBOURS:
+        if number.denominator != 1:
+            faults.append(f"--limit {one_line(text)}: neighbours are counted; give a whole number")
         return float(number)
     vector = _tried(lambda: maker.vector(name), "--limit", faults)
     return None if vector is None else Limit(vector, float(number))
@@ -219,7 +266,7 @@ def _shape(wish: Wish, stars: Stars, faults: list[str]) -> tuple[Fraction, ...] 
         faults.append("--mode-shape: is the same at every cylinder, which is no vibration; give the amplitudes of a mode")
     else:
         return tuple(part for part in given if part is not None)
-    return None
+    return tuple(Fraction(place) for place in range(stars.cylinders))  # what is wrong is told; the rest is read on
 
 
 def _ask(wish: Wish, objectives: Sequence[tuple[float, Objective]], faults: list[str]) -> Front | Best | All:
@@ -229,12 +276,11 @@ def _ask(wish: Wish, objectives: Sequence[tuple[float, Objective]], faults: list
         wanted.append("--all-with")
     if len(wanted) > 1:
         faults.append(f"{' and '.join(wanted)}: ask for one of them")
-    if wish.best is not None and not 1 <= wish.best <= 10_000:
-        faults.append(f"--best {wish.best}: can be from 1 to 10000")
+    best = _tried(lambda: whole("--best", wish.best, most=GREATEST_BEST), "", faults)
     if wish.all or wish.all_with is not None:
         return All()
     if wish.best is not None or (len(objectives) == 1 and not wish.front):
-        return Best(wish.best if wish.best is not None else 20)
+        return Best(best or USUAL_BEST)
     if any(weight != 1 for weight, _ in objectives):
         faults.append("--minimise: weights tell only in a list of the best; add --best 20, or leave the weights out")
     return Front()
@@ -266,8 +312,10 @@ def _likeness(
         return None
     star = star_of(text, stars)
     if star is None:
-        kind = "the firing order of a star, as in 1-3-5-4-2, or" if stars.step else ""
-        faults.append(f"--all-with {one_line(text)}: give {kind} values, as in M1=0.2673,M2=1.0056")
+        order = "-".join(map(str, range(1, stars.cylinders + 1)))
+        faults.append(
+            f"--all-with {one_line(text)}: give a firing order of {order} in any order, or values, as in M1=0.2673,M2=1.0056"
+        )
         return None
     return Likeness(vectors, star)
 
@@ -279,11 +327,16 @@ def _near(text: str, maker: _Maker, faults: list[str]) -> Likeness | None:
     for part in _each(text):
         name, _, value = (word.strip() for word in part.partition("="))
         number = fraction(value)
+        if name in NEIGHBOURS:
+            faults.append(
+                f"--all-with {name}: stars are alike by their sums; add --limit neighbours=1 for those with so few neighbours"
+            )
+            continue
         vector = _tried(lambda name=name: maker.vector(name), "--all-with", faults)
         if number is None or number < 0:
             faults.append(f"--all-with {one_line(part)}: give a value from 0 up, as in M1=0.2673")
         elif vector is not None:
-            decimals = len(value.partition(".")[2])
+            plain = value.replace(".", "").isdigit() and number != 0
             vectors.append(vector)
-            near.append((float(number), 0.51 * 10.0**-decimals if number else 0.0))
+            near.append((float(number), 0.51 * 10.0 ** -len(value.partition(".")[2]) if plain else 0.0))
     return Likeness(tuple(vectors), None, tuple(near)) if len(vectors) == len(_each(text)) else None

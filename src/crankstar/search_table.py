@@ -12,11 +12,13 @@ from rich.text import Text
 
 from crankstar.derive import radical
 from crankstar.derive.typeset import text as formula_text
+from crankstar.engine import Engine
+from crankstar.search import weighed
 from crankstar.search.engines import firing_order
 from crankstar.search.findings import Finding, Findings
 from crankstar.search.question import All, Best, Front, Question
 from crankstar.search.stars import Stars
-from crankstar.search.sums import Objective, VectorSum, couple
+from crankstar.search.sums import Limit, Objective, VectorSum, couple
 from crankstar.wording import number, table, unit_text
 
 ZERO = 1e-6
@@ -27,15 +29,30 @@ ROWS = 60
 """Rows of a list that are shown; all of them go into a file."""
 
 
-def search_table(found: Findings, *, rows: int = ROWS) -> RenderableType:
-    """The stars that were found, how many there are, and what proves that these are all."""
+def search_table(found: Findings, *, engine: Engine | None = None, rows: int = ROWS) -> RenderableType:
+    """The stars that were found, how many there are, and what proves that these are all; how the engine they are of does."""
     question = found.question
     shown = found.rows[:rows]
     lines: list[RenderableType] = [Text(heading(question), style="bold"), Text(census(question.stars)), Text()]
     if shown:
         lines += [_table(found, shown), Text()]
-    lines += [Text(line) for line in sentences(found, shown=len(shown))]
+    lines += [Text(line) for line in [*as_it_is(found, engine), *sentences(found, shown=len(shown))]]
     return Group(*lines)
+
+
+def as_it_is(found: Findings, engine: Engine | None) -> list[str]:
+    """How the engine does with the throws that it has, and which row that is."""
+    star = None if engine is None else weighed.star_of(engine, found.question.stars)
+    if star is None:
+        return []
+    question = found.question
+    own = set(question.stars.same(star))
+    there = [place for place, row in enumerate(found.rows, 1) if row.star in own or own & set(row.like)]
+    vectors = [vector for vector in question.sums if vector.unit]
+    sums = ", ".join(f"{vector.name} {number(vector.length(star))} {unit_text(vector.unit)}" for vector in vectors)
+    where = f"row {there[0]}" if there else "in none of these rows"
+    order = "-".join(map(str, firing_order(question.stars, star)))
+    return [f"The engine as it is ({order}) is {where}: {sums}."]
 
 
 def heading(question: Question) -> str:
@@ -45,9 +62,7 @@ def heading(question: Question) -> str:
     asked = {Front: f"front of {what}", Best: f"the best by {what}", All: f"all stars, by {what}" if what else "all stars"}[
         type(question.ask)
     ]
-    limits = [
-        f"{limit.sum.name} {'= 0' if limit.greatest == 0 else f'up to {number(limit.greatest)}'}" for limit in question.limits
-    ]
+    limits = [_limit(limit) for limit in question.limits]
     if question.neighbours_at_most < float("inf"):
         most = question.neighbours_at_most
         limits.append("no neighbours in succession" if most == 0 else f"neighbours in succession up to {most:g}")
@@ -55,14 +70,24 @@ def heading(question: Question) -> str:
     return f"{stars.cylinders} cylinders, {stars.cycle}: {asked}{kept}"
 
 
+def _limit(limit: Limit) -> str:
+    """A limit in words; a length between two that are next to each other is that length."""
+    if limit.greatest == 0:
+        return f"{limit.sum.name} = 0"
+    if limit.least > 0 and limit.greatest - limit.least < 0.05 * limit.greatest:
+        return f"{limit.sum.name} = {number((limit.greatest + limit.least) / 2)}"
+    return f"{limit.sum.name} up to {number(limit.greatest)}"
+
+
 def census(stars: Stars) -> str:
     """How many stars there are, and what is counted once."""
-    throws = f"{stars.directions} directions" + (f", {stars.sharing} cylinders in each" if stars.sharing > 1 else "")
+    throws = _counted(stars.directions, "direction") + (f", {stars.sharing} cylinders in each" if stars.sharing > 1 else "")
     kind = " lengthwise symmetric" if stars.symmetric else ""
     if stars.fixed:
         return f"{throws}: {stars.count:,}{kind} stars with the fixed throws"
     mirrored = stars.classes(reversed_=False)
-    counted = f"{stars.count:,}{kind} stars, turned ones counted once; {mirrored:,} classes with mirrored ones"
+    once = _counted(stars.count, f"{kind} star".strip())
+    counted = f"{once}, turned ones counted once; {_counted(mirrored, 'class')} with mirrored ones"
     ends = stars.classes()
     if ends != mirrored:
         counted += f", {ends:,} with those from the rear end too"
@@ -74,15 +99,27 @@ def _table(found: Findings, shown: Sequence[Finding]) -> RenderableType:
     named = [_head(objective) for objective in question.objectives] + [judge.name for judge in question.judges]
     beside = all(objective.name != "neighbours" for objective in question.objectives)
     counted = ["neighbours"] if beside else []
-    out = table("", "firing order", *named, *counted, "stars", "classes", left=("firing order",))
+    parts = _parts(question)
+    names = [_sum_head(vector) for vector in parts]
+    out = table("", "firing order", *named, *names, *counted, "stars", "classes", left=("firing order",))
     if question.stars.step == 0:
         out.columns[1].header = Text("firing order (one of several)")
     for place, row in enumerate(shown, 1):
         cells = [_cell(question, row, column) for column in range(len(row.values))]
+        cells += [number(vector.length(row.star)) for vector in parts]
         tail = [str(row.neighbours)] if beside else []
         order = "-".join(map(str, firing_order(question.stars, row.star)))
         out.add_row(str(place), order, *cells, *tail, f"{row.stars:,}", f"{row.classes:,}")
     return out
+
+
+def _parts(question: Question) -> list[VectorSum]:
+    """The sums that stand in no column by themselves: those put together in one objective."""
+    return [vector for objective in question.objectives if len(objective.terms) > 1 for _, vector in objective.terms]
+
+
+def _sum_head(vector: VectorSum) -> str:
+    return f"{vector.name} [{unit_text(vector.unit)}]" if vector.unit else vector.name
 
 
 def _head(objective: Objective) -> str:
@@ -130,9 +167,10 @@ def certificate(found: Findings) -> str:
     proof = found.certificate
     where = " or ".join(_strip(found.question, vector, length) for vector, length in proof.strips)
     what = f"all stars{f' with {where}' if where and proof.met < proof.of else ''}"
-    met = f"{proof.met:,} of {proof.of:,}, in {proof.blocks:,} blocks"
+    met = f"{proof.met:,} of {proof.of:,}, in {_counted(proof.blocks, 'block')}"
     if proof.interrupted:
-        return f"INCOMPLETE: stopped before the end ({met}). What is shown is the best so far; nothing is proved."
+        so_far = "What is shown is the best so far; nothing is proved." if found.rows else "Nothing was found yet."
+        return f"INCOMPLETE: stopped before the end ({met}). {so_far} With --checkpoint FILE the same command goes on from there."
     if found.contradicted:
         return f"Proved: no star keeps these limits; {what} were searched ({met})."
     if proof.whole:
@@ -158,15 +196,18 @@ def rows(found: Findings) -> tuple[list[str], list[list[Any]]]:
     heads = ["row", "firing_order", "directions", "throw_angles [deg]"]
     heads += [_head(objective).replace(unit_text(objective.unit), objective.unit) for objective in question.objectives]
     heads += [judge.name for judge in question.judges]
+    parts = _parts(question)
+    heads += [f"{vector.name} [{vector.unit}]" if vector.unit else vector.name for vector in parts]
     heads += [f"|sum z exp(i {order} phi)|" for order in (1, 2)]
-    heads += ["neighbours_in_succession", "stars", "classes"]
+    heads += ["neighbours_in_succession", "stars", "classes", "proved"]
     out: list[list[Any]] = []
     for place, row in enumerate(found.rows, 1):
         angles = [f"{-360 * direction / stars.directions + 0.0:.10g}" for direction in row.star]
         order = "-".join(map(str, firing_order(stars, row.star)))
         lengths = [vector.length(row.star) for vector in couples]
         words = [place, order, " ".join(map(str, row.star)), " ".join(angles)]
-        out.append([*words, *row.values, *lengths, row.neighbours, row.stars, row.classes])
+        told = [*row.values, *(vector.length(row.star) for vector in parts), *lengths]
+        out.append([*words, *told, row.neighbours, row.stars, row.classes, found.certificate.complete])
     return heads, out
 
 

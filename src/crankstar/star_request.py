@@ -7,6 +7,7 @@ from fractions import Fraction
 from typing import get_args
 
 from crankstar.engine import Engine
+from crankstar.fault import counted
 from crankstar.quantity import Cycle, one_line
 from crankstar.request import RequestError
 from crankstar.search import weighed
@@ -56,9 +57,11 @@ def _positions(text: str | None, number: int, faults: list[str]) -> tuple[Fracti
         given = [fraction(part) for part in text.split(",")]
         if any(gap is None or not 0 < gap <= 1000 for gap in given):
             faults.append(f"--pitch {one_line(text)}: give the gaps from the front, in pitches, greater than 0, as in 1,1,1.5,1")
-        elif len(given) not in (1, number - 1):
-            faults.append(f"--pitch: has {len(given)} gaps; {number} cylinders have {number - 1} (from the front, in pitches)")
-        elif len(given) > 1:
+        elif len(given) != number - 1:
+            faults.append(
+                f"--pitch: has {counted(len(given), 'gap')}; {number} cylinders have {number - 1} (from the front, in pitches)"
+            )
+        else:
             gaps = [gap for gap in given if gap is not None]
     places = [Fraction(0)]
     for gap in gaps:
@@ -117,7 +120,8 @@ def star_of(text: str, stars: Stars) -> Star | None:
 def fraction(text: str) -> Fraction | None:
     """A decimal number or fraction exactly; None if it is none, or longer than a number is."""
     text = text.strip()
-    if not re.fullmatch(r"[-+]?(\d{1,12}(\.\d{0,12})?|\.\d{1,12})(/\d{1,6})?", text, re.ASCII) or text.endswith("/0"):
+    form = r"[-+]?(\d{1,12}(\.\d{0,12})?|\.\d{1,12})(/\d{1,6}|[eE][-+]?\d{1,2})?"
+    if not re.fullmatch(form, text, re.ASCII) or text.endswith("/0"):
         return None
     try:
         return Fraction(text)

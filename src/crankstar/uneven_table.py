@@ -15,8 +15,10 @@ from crankstar.search.engines import firing_order
 from crankstar.search.question import Question
 from crankstar.search.stars import SearchError, Star, Stars
 from crankstar.search.sums import VectorSum, force
-from crankstar.wording import number, table, unit_text
+from crankstar.wording import NEGLIGIBLE, number, table, unit_text
 
+SOLVED = 1e-5
+"""Share of the greatest length a sum can have that is nothing beside how near the solver comes."""
 FREE_FORCE = 1e-3
 """What a free force weighs beside a couple: of angles with equal couples those with the least free force are taken."""
 
@@ -53,9 +55,9 @@ def uneven_table(curve_: Sequence[Uneven]) -> RenderableType:
     order = "-".join(map(str, firing_order(first.stars, first.star)))
     heads = [f"{term.sum.name} [{unit_text(term.sum.unit)}]" if term.sum.unit else term.sum.name for term in first.terms]
     out = table("intervals within", *heads, "firing intervals [deg]", "top dead centre later by [deg]")
-    top = max(max(found.before) for found in curve_)
+    reach = [float(sum(map(abs, term.sum.weights))) * term.sum.scale for term in first.terms]
     for found in curve_:
-        lengths = [number(length, top, digits=4) for length in found.after]
+        lengths = [number(length, SOLVED / NEGLIGIBLE * most, digits=4) for length, most in zip(found.after, reach, strict=True)]
         later = " ".join(number(by, 1e3, digits=3) for by in found.later_deg)
         intervals = " ".join(number(interval, digits=5) for interval in found.intervals_deg)
         out.add_row(f"{number(found.deviation_deg, digits=4)} deg", *lengths, intervals, later)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from io import StringIO
 from math import degrees
@@ -18,6 +19,7 @@ from crankstar.firing import Firing, firing
 from crankstar.remedy import Need
 from crankstar.valves import Timing, timing
 
+SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 NEGLIGIBLE = 1e-9
 """A number smaller than this share of the largest beside it is written as 0."""
 
@@ -48,10 +50,10 @@ def timing_lines(engine: Engine) -> list[str]:
 
     >>> from crankstar.catalog import load
     >>> timing_lines(load("kr250-racer"))[1]
-    'exhaust ports: open 85 deg (assumed) before bottom dead centre, close 85 deg (assumed) after bottom dead centre'
+    'exhaust ports or valves: open 85 deg (assumed) before bottom dead centre, close 85 deg (assumed) after bottom dead centre'
     """
     found = timing(engine.valves, cycle=engine.cycle)
-    ports, apart = ("ports", "bottom") if engine.cycle == "two-stroke" else ("valves", "top")
+    ports, apart = ("ports or valves", "bottom") if engine.cycle == "two-stroke" else ("valves", "top")
     lines = []
     for side, opens, closes in (("intake", apart, "bottom"), ("exhaust", "bottom", apart)):
         verbs = (("open", f"{side}_opens", "before", opens), ("close", f"{side}_closes", "after", closes))
@@ -128,8 +130,9 @@ def bearing_text(vector: complex) -> str:
 
 
 def unit_text(unit: str) -> str:
-    """A unit of a Balance in print: m r² ω² for m*r^2*w^2."""
-    return unit.replace("w^2", "ω²").replace("r^2", "r²").replace("*", " ")
+    """A unit of a Balance in print: m r² ω² for m*r^2*w^2, with A₂ for A_2."""
+    plain = unit.replace("w^2", "ω²").replace("r^2", "r²").replace("*", " ")
+    return re.sub(r"_(\d+)", lambda found: found[1].translate(SUBSCRIPTS), plain)
 
 
 def table(*heads: str, left: Sequence[str] = (), folded: Sequence[str] = ()) -> Table:

@@ -147,6 +147,25 @@ def test_the_answer_is_the_same_with_two_workers_and_from_a_checkpoint(run: Run,
         (("7", "--symmetric"), "only a four-stroke engine"),
         (("7", "--front", "--best", "3"), "ask for one of them"),
         (("7", "--best", "0"), "from 1 to 10000"),
+        (("7", "--best", "1.5"), "a whole number"),
+        (("7", "--row", "1.9"), "a whole number"),
+        (("7", "--workers", "1.9"), "a whole number"),
+        (("7", "--pitch", "5"), "has 1 gap; 7 cylinders have 6"),
+        (("7", "--pitch", ""), "says nothing"),
+        (("7", "--checkpoint", ""), "says nothing"),
+        (("7", "--csv", "--json"), "one of them"),
+        (("7", "--csv", "-o", "x.json"), "not what the name says"),
+        (("7", "--checkpoint", "same.csv", "-o", "same.csv"), "is the checkpoint too"),
+        (("7", "--minimise", "neighbours", "--row", "1", "--uneven", "5"), "needs a couple"),
+        (("8", "--row", "1", "--uneven", "5,90"), "up to 60"),
+        (("12", "--row", "1", "--uneven", "60"), "smaller numbers"),
+        (("7", "--mode-shape", "1,2,3,4,5,6,7"), "nothing here asks for torsion"),
+        (("8", "--minimise", "T2.5"), "whole ones"),
+        (("7", "--limit", "neighbours=1.5"), "whole number"),
+        (("7", "--zero", "neighbours"), "--avoid-adjacent"),
+        (("single",), "one cylinder"),
+        (("11", "--all"), "more classes than the 200,000"),
+        (("7", "--scheduler", "\x1b[31mtcp://x"), "no scheduler answers"),
         (("7", "--minimise", "2*M1,M2"), "weights tell only in a list of the best"),
         (("7", "--mode-shape", "1,2", "--minimise", "T1"), "has 2 amplitudes for 7 cylinders"),
         (("7", "--all-with", "1-2-3"), "firing order"),
@@ -156,12 +175,12 @@ def test_the_answer_is_the_same_with_two_workers_and_from_a_checkpoint(run: Run,
         (("7", "-o", "nosuch/x.csv"), "there is no such directory"),
         (("7", "-o", "x.doc"), "let the name end in"),
         (("7", "--chart", "pie", "-o", "x.svg"), "front or stars"),
-        (("7", "--minimise", "M1", "--chart", "front", "-o", "x.svg"), "ask for two, or draw the stars"),
+        (("7", "--minimise", "M1", "--chart", "front", "-o", "x.svg"), "a front is of two or more objectives"),
         (("7", "--set", "a=b"), "has no use for --set"),
         (("i6", "--pitch", "1"), "are in its file"),
         (("i6", "--cycle", "two-stroke"), "is a four-stroke"),
         (("7", "--scheduler", "nonsense"), "no scheduler answers"),
-        (("22", "--cycle", "two-stroke"), "fix throws"),
+        (("22", "--cycle", "two-stroke"), "fix at least 3 throws"),
     ],
 )
 def test_what_cannot_be_searched_is_refused(refused: Callable[..., str], words: tuple[str, ...], told: str) -> None:
@@ -190,3 +209,48 @@ def test_rows_name_their_units() -> None:
     heads, body = rows(findings(Question(stars, (of(couple(stars, 1)), of(couple(stars, 2))))))
     assert "M1 [m*r*w^2*a]" in heads
     assert all(len(row) == len(heads) for row in body)
+
+
+def test_the_row_of_a_point_is_the_star_with_the_fewest_neighbours(run: Run) -> None:
+    (row,) = table(run("search", "12", "--cycle", "two-stroke").out)
+    assert row[2:6] == ["0", "0", "0", "36"]
+
+
+def test_all_with_lists_nothing_but_what_was_asked(run: Run) -> None:
+    out = run("search", "11", "--all-with", "1-2-3-4-5-6-7-8-9-10-11").out
+    assert len(table(out)) == 1
+    assert "Proved: no star keeps" in run("search", "7", "--all-with", "M1=100").out
+    out = run(*SEVEN, "--all-with", "M1=1/3").out
+    assert "Proved: no star keeps" in out
+
+
+def test_a_list_by_several_objectives_shows_each(run: Run) -> None:
+    out = run(*SEVEN, "--minimise", "M1,2*M2", "--best", "1").out
+    ((_, _, together, one, two, *_),) = table(out)
+    assert float(together) == pytest.approx((float(one) ** 2 + 4 * float(two) ** 2) ** 0.5, rel=1e-4)
+
+
+def test_an_engine_is_found_among_the_rows(run: Run) -> None:
+    assert "The engine as it is (1-2-4-5-3) is row 1" in run("search", "audi-25-tfsi", "--minimise", "couple").out
+
+
+def test_couples_are_counted_with_their_harmonic_where_it_is_not_known(run: Run) -> None:
+    out = run(*SEVEN).out
+    assert "M1 [m r ω² a]  M2 [m r ω² A₂ a]" in out
+    assert "M2 [m r ω² a]" in run("search", "man-s90mc-c").out
+
+
+@pytest.mark.parametrize("cylinders", ["2", "3", "4"])
+def test_few_cylinders_need_no_options(run: Run, cylinders: str) -> None:
+    for cycle in ("two-stroke", "four-stroke"):
+        assert table(run("search", cylinders, "--cycle", cycle).out)
+
+
+def test_uneven_angles_are_shown_and_written(run: Run, tmp_path: Path) -> None:
+    out = run(*SEVEN, "--row", "2", "--uneven", "2,5", "-o", "uneven.toml").out
+    assert "local optimum" in out
+    engine = load(str(tmp_path / "uneven.toml"))
+    result = total(balance(engine))
+    first = 2 * abs(result.couple.backward[result.couple.orders == 1][0])
+    row = next(line.split() for line in out.splitlines() if line.strip().startswith("5 deg"))
+    assert first == pytest.approx(float(row[2]), rel=1e-3)

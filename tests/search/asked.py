@@ -15,8 +15,8 @@ def space(cylinders: int, cycle: Any = "two-stroke", **more: Any) -> Stars:
     return Stars(cylinders, cycle, exhaustive.halves(cylinders), **more)
 
 
-def front(cylinders: int) -> Question:
-    stars = space(cylinders)
+def front(cylinders: int, cycle: Any = "two-stroke") -> Question:
+    stars = space(cylinders, cycle)
     return Question(stars, (of(couple(stars, 1)), of(couple(stars, 2))))
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Callable
 from fractions import Fraction
 from functools import cache
 from itertools import combinations, pairwise
@@ -116,7 +117,7 @@ def test_axes_become_logarithmic_where_values_span_powers_of_ten_but_counts_stay
     assert kinds(charts.pareto_front(counted, logarithmic=True)) == ["log", None]
 
 
-@EVERY
+@pytest.mark.parametrize("name", ["6", "7", "8", "5 four-stroke"])
 def test_the_line_goes_through_what_nothing_betters_and_all_stars_are_beyond_it(name: str) -> None:
     answer = found(name)
     rows, _ = layers(charts.pareto_front(answer, logarithmic=False))
@@ -129,6 +130,13 @@ def test_the_line_goes_through_what_nothing_betters_and_all_stars_are_beyond_it(
         beyond = [corner for corner in corners[:-1] if corner[0] <= one]
         assert beyond
         assert min(corner[1] for corner in beyond) <= two
+
+
+@pytest.mark.parametrize("name", ["7 with neighbours", "8 with neighbours", "seven, three couples"])
+def test_a_third_objective_leaves_no_line_that_would_make_good_points_look_bettered(name: str) -> None:
+    rows, _ = layers(charts.pareto_front(found(name)))
+    assert not rows["steps"]
+    assert len(rows["points"]) == len(found(name).rows)
 
 
 def test_other_stars_are_drawn_pale_where_they_do_not_cover_each_other() -> None:
@@ -157,21 +165,59 @@ def test_the_key_has_firing_orders_values_and_neighbours_of_every_row(name: str)
         assert line == [str(place), order, *values]
 
 
+def placing(chart: Any) -> Callable[[float, float], np.ndarray]:
+    """From values to px in the panel of a front."""
+    panel = chart.to_dict()["vconcat"][0]
+    scales = [panel["layer"][-1]["encoding"][side]["scale"] for side in "xy"]
+
+    def place(x: float, y: float) -> np.ndarray:
+        out = []
+        for value, scale, length in zip((x, y), scales, (panel["width"], panel["height"]), strict=True):
+            low, high = scale["domain"]
+            share = np.log(value / low) / np.log(high / low) if scale.get("type") == "log" else (value - low) / (high - low)
+            out.append(share * length)
+        return np.array(out)
+
+    return place
+
+
+@pytest.mark.parametrize("logarithmic", [False, True])
+@pytest.mark.parametrize("name", ["6", "7", "9 with neighbours", "5 four-stroke", "seven, three couples"])
+def test_a_number_stands_nearest_to_its_own_point_or_has_a_line_to_it(name: str, logarithmic: bool) -> None:
+    chart = charts.pareto_front(found(name), logarithmic=logarithmic)
+    rows, _ = layers(chart)
+    place = placing(chart)
+    points = {row.row: place(row.x, row.y) for row in rows["points"]}
+    leaders = [(place(row.x, row.y), place(row.x2, row.y2)) for row in rows["leaders"]]
+    alone = 0
+    for text in rows["texts"]:
+        here, own = place(text.x, text.y), points[int(text.text)]
+        half = np.array([text_width(text.text, SMALL) / 2, SMALL / 2])
+        gaps = {row: np.linalg.norm(np.maximum(np.abs(spot - here) - half, 0)) for row, spot in points.items()}
+        if any(np.linalg.norm(start - own) < 6 and np.linalg.norm(end - here) < 14 for start, end in leaders):
+            continue
+        alone += 1
+        assert gaps[int(text.text)] < 8
+        assert all(gaps[int(text.text)] < gap for row, gap in gaps.items() if not np.allclose(points[row], own))
+    assert alone + len(leaders) == len(rows["texts"])
+
+
+def test_where_a_number_is_left_out_the_figure_says_so() -> None:
+    assert "numbered where there is room" in words_of(
+        charts.saved(charts.pareto_front(found("9 with neighbours")), "svg", title="nine")
+    )
+    assert "numbered where" not in words_of(charts.saved(charts.pareto_front(found("7")), "svg", title="seven"))
+
+
 @pytest.mark.parametrize("logarithmic", [False, True])
 @pytest.mark.parametrize("name", ["6", "7", "8 with neighbours", "5 four-stroke", "seven, three couples"])
 def test_numbers_stand_off_each_other_and_off_the_points(name: str, logarithmic: bool) -> None:
     chart = charts.pareto_front(found(name), logarithmic=logarithmic)
     rows, _ = layers(chart)
-    panel = chart.to_dict()["vconcat"][0]
-    scales = [panel["layer"][-1]["encoding"][side]["scale"] for side in "xy"]
+    where = placing(chart)
 
     def place(row: Any) -> np.ndarray:
-        out = []
-        for value, scale, length in zip((row.x, row.y), scales, (panel["width"], panel["height"]), strict=True):
-            low, high = scale["domain"]
-            share = np.log(value / low) / np.log(high / low) if scale.get("type") == "log" else (value - low) / (high - low)
-            out.append(share * length)
-        return np.array(out)
+        return where(row.x, row.y)
 
     halves = np.array([text_width("1", SMALL) / 2, SMALL / 2 - 1])
     texts = [(place(row), halves * [len(row.text), 1]) for row in rows["texts"]]
@@ -277,6 +323,13 @@ def titles(spec: Any) -> Any:
             yield from titles(inner)
     if "layer" in spec:
         yield spec["title"]["text"]
+
+
+def test_where_more_stars_were_found_than_are_drawn_the_figure_says_so() -> None:
+    answer = found("9 with neighbours")
+    part = f"the first 6 of {len(answer.rows)}"
+    assert part in charts.best_stars(answer).to_dict()["title"]["subtitle"]
+    assert not any("the first" in line for line in charts.best_stars(found("7")).to_dict()["title"]["subtitle"])
 
 
 def test_where_two_cylinders_share_a_throw_both_are_named() -> None:

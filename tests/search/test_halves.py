@@ -13,7 +13,7 @@ from crankstar.search.stars import SearchError
 from crankstar.search.sums import couple, of
 
 FIXED = [
-    Question(space(n, cycle, fixed=fixed), (of(couple(space(n), 1)),))
+    Question(space(n, cycle, fixed=fixed), (of(couple(space(n, cycle), 1)),))
     for n, cycle, fixed in [
         (8, "two-stroke", ((1, 0), (4, 3))),
         (10, "four-stroke", ((2, 1),)),

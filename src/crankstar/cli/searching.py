@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
+from importlib.util import find_spec
 from pathlib import PurePath
 from types import ModuleType
 from typing import TYPE_CHECKING, Annotated
@@ -14,7 +15,7 @@ from crankstar.answer import json_text
 from crankstar.cli.application import app
 from crankstar.cli.options import Settings, Speed, loaded_engine
 from crankstar.engine import Engine
-from crankstar.output import STANDARD_OUTPUT, display, working, writable, write, write_bytes
+from crankstar.output import STANDARD_OUTPUT, complain, display, working, writable, write, write_bytes
 from crankstar.quantity import one_line
 from crankstar.request import RequestError
 
@@ -55,18 +56,18 @@ def search(
     mode_shape: Annotated[str | None, _text("for T: amplitude of the torsional mode at each cylinder")] = None,
     avoid_adjacent: Annotated[bool, _flag("no neighbours may fire one after the other")] = False,
     front: Annotated[bool, _flag("all values of which none can be bettered without another getting worse")] = False,
-    best: Annotated[int | None, _text("so many of the best")] = None,
+    best: Annotated[str | None, _text("so many of the best")] = None,
     every: Annotated[bool, Parameter(name="--all", help="all stars within the limits", negative=())] = False,
     all_with: Annotated[
         str | None, _text("all stars with the same moments as a firing order, 1-6-3-4-5-2-7, or with M1=0.2673,M2=1.0056")
     ] = None,
     speed: Speed = None,
     settings: Settings = None,
-    workers: Annotated[int | None, _text("processes of this machine; else one for each processor")] = None,
+    workers: Annotated[str | None, _text("processes of this machine; else one for each processor")] = None,
     scheduler: Annotated[str | None, _text("a dask scheduler whose workers do the work, as in tcp://host:8786")] = None,
     checkpoint: Annotated[str | None, _text("file in which the search is kept, and from which it goes on")] = None,
     yes: Annotated[bool, _flag("search even if it takes more than an hour")] = False,
-    row: Annotated[int | None, _text("write this row as an engine file instead (-o FILE.toml)")] = None,
+    row: Annotated[str | None, _text("write this row as an engine file instead (-o FILE.toml)")] = None,
     uneven: Annotated[
         str | None, _text("refine the angles of --row, with firing intervals within these of even ones, as in 1,2,5 (degrees)")
     ] = None,
@@ -85,29 +86,51 @@ def search(
     from crankstar.star_request import whole_number
 
     wishes = _wishes()
-    kind = _kind(output=output, row=row, chart=chart, uneven=uneven, csv=csv, json=json)
+    line = wishes.whole("--row", row)
+    crew = wishes.whole("--workers", workers, most=1024)
+    for option, text in (("--checkpoint", checkpoint), ("--scheduler", scheduler), ("--pitch", pitch), ("--fix", fix)):
+        if text is not None and not text.strip():
+            raise RequestError(f"{option}: says nothing; leave it out, or see crankstar search --help")
+    kind = _kind(output=output, row=line, chart=chart, uneven=uneven, csv=csv, json=json)
     deviations = wishes.deviations(uneven) if uneven is not None else None
     number = whole_number(cylinders)
     if number is not None:
         request.alone("a number of cylinders", {"--set": settings or None, "--speed": speed})
-    if workers is not None and not 1 <= workers <= 1024:
-        raise RequestError(f"--workers {workers}: can be from 1 to 1024")
     about = loaded_engine(cylinders, settings) if number is None else number
     pace = request.speed(speed) or (about.speed if isinstance(about, Engine) else None)
     wish = wishes.Wish(
         minimise, zero, tuple(limit or ()), pitch, fix, mode_shape, symmetric, avoid_adjacent, front, best, every, all_with
     )
     wanted = wishes.request(about, cycle, wish, speed=pace)
+    wishes.check_use(wanted.question, chart=chart if chart or kind not in PICTURES else "front", deviations=deviations)
     if output is not None:
         writable(output)
+        if checkpoint is not None and PurePath(checkpoint) == PurePath(output):
+            raise RequestError(f"-o {one_line(output)}: is the checkpoint too; give the answer a file of its own")
     from crankstar import search_job
 
-    answer = search_job.found(wanted, workers=workers, scheduler=scheduler, checkpoint=checkpoint, agreed=yes)
-    if row is not None:
-        _show_row(answer, wanted.engine, row, deviations, pace, output)
+    answer = search_job.found(wanted, workers=crew, scheduler=scheduler, checkpoint=checkpoint, agreed=yes)
+    if answer.certificate.interrupted:
+        return _stopped(answer, wanted.engine, kind, output)
+    if line is not None:
+        _show_row(answer, wanted.engine, line, deviations, pace, output)
     else:
-        _show(answer, kind, chart, output)
-    return 130 if answer.certificate.interrupted else None
+        _show(answer, wanted.engine, kind, chart, output)
+    return None
+
+
+def _stopped(answer: Findings, engine: Engine | None, kind: str, output: str | None) -> int:
+    """Shows the best so far of a search that was stopped, says that it is incomplete, and leaves engines and pictures unwritten."""
+    from crankstar.search_table import certificate, search_table
+
+    if kind in TABLES:
+        _show(answer, engine, kind, None, output)
+        complain(f"crankstar: {certificate(answer)}")
+        return 130
+    display(search_table(answer, engine=engine))
+    if output is not None:
+        complain(f"crankstar: the search was stopped; {one_line(output)} was not written")
+    return 130
 
 
 def _wishes() -> ModuleType:
@@ -135,17 +158,24 @@ def _kind(*, output: str | None, row: int | None, chart: str | None, uneven: str
             raise RequestError(f"--chart {one_line(chart)}: it can be front or stars, as in --chart stars -o stars.svg")
         chart_request.charts()
         return chart_request.suffix(output, PICTURES)
+    if csv and json:
+        raise RequestError("--csv and --json: ask for one of them")
     if csv or json:
-        return "csv" if csv else "json"
+        wanted = "csv" if csv else "json"
+        if output not in STANDARD_OUTPUT and kind not in ("", wanted):
+            raise RequestError(f"-o {one_line(output or '')}: --{wanted} is not what the name says; leave one of them out")
+        return wanted
     if output is not None and output not in STANDARD_OUTPUT and kind not in (*TABLES, *PICTURES, "txt"):
         named = ", ".join(f".{one}" for one in (*TABLES, *PICTURES, "txt"))
         raise RequestError(f"-o {one_line(output)}: let the name end in {named}; or in .toml with --row")
     if kind in PICTURES:
         chart_request.charts()
+    if kind == "parquet" and find_spec("pyarrow") is None:
+        raise RequestError('a .parquet file is written with pyarrow: pip install "crankstar[parquet]"')
     return kind
 
 
-def _show(answer: Findings, kind: str, chart: str | None, output: str | None) -> None:
+def _show(answer: Findings, engine: Engine | None, kind: str, chart: str | None, output: str | None) -> None:
     """Writes the answer as what it is wanted."""
     from crankstar import search_table as tables
 
@@ -154,7 +184,7 @@ def _show(answer: Findings, kind: str, chart: str | None, output: str | None) ->
     elif kind == "json":
         write(json_text(tables.tree(answer)), output)
     elif kind == "parquet":
-        write_bytes(_parquet(answer), output)
+        write_bytes(tables.parquet_bytes(answer), output)
     elif kind in PICTURES:
         drawing = chart_request.charts()
         try:
@@ -163,7 +193,7 @@ def _show(answer: Findings, kind: str, chart: str | None, output: str | None) ->
             raise RequestError(str(error)) from None
         write_bytes(drawing.saved(figure, kind, title=tables.heading(answer.question)), output)
     else:
-        display(tables.search_table(answer), output)
+        display(tables.search_table(answer, engine=engine), output)
 
 
 def _show_row(
@@ -185,18 +215,10 @@ def _show_row(
                 found = uneven_table.curve_of(answer.question, chosen.star, deviations_deg=deviations, engine=engine, speed=speed)
         except SearchError as error:
             raise RequestError(str(error)) from None
-        if output is None:
+        if output not in STANDARD_OUTPUT or output is None:
             display(uneven_table.uneven_table(found))
+        if output is None:
             return
         later = found[-1].later_deg
     build = engines.engine if engine is None else partial(weighed.with_star, engine)
     write(toml(build(stars, chosen.star, later_deg=later)), output)
-
-
-def _parquet(answer: Findings) -> bytes:
-    from crankstar.search_table import parquet_bytes
-
-    try:
-        return parquet_bytes(answer)
-    except ImportError:
-        raise RequestError('a .parquet file is written with pyarrow: pip install "crankstar[parquet]"') from None

@@ -38,6 +38,8 @@ class Tables(NamedTuple):
     """Square of the weight of each sum in each objective [q, m]; the last column is the weight of neighbours in succession."""
     limits: np.ndarray
     """Greatest length of each sum [m], then the greatest number of neighbours in succession; infinite where free."""
+    floors: np.ndarray
+    """Least length of each sum [m]."""
 
 
 class Room(NamedTuple):

@@ -34,7 +34,7 @@ def firing_order(stars: Stars, star: Star) -> tuple[int, ...]:
     >>> firing_order(Stars(6, "four-stroke", row(6)), (0, 1, 2, 2, 1, 0))
     (1, 5, 3, 6, 2, 4)
     """
-    fault = misfit(stars, star)
+    fault = stars.misfit(star)
     if fault:
         raise SearchError([fault])
     n = stars.directions
@@ -43,17 +43,6 @@ def firing_order(stars: Stars, star: Star) -> tuple[int, ...]:
         return _least_neighbours(seats)
     at = {direction: number for number, direction in enumerate(star, 1)}
     return tuple(at[(star[0] + turn * stars.step) % n] for turn in range(n))
-
-
-def misfit(stars: Stars, star: Star) -> str:
-    """Why a row of directions is no star of these: empty if it is one."""
-    said = ", ".join(map(str, star))
-    if len(star) != stars.cylinders:
-        return f"the star ({said}) has {len(star)} throws for {stars.cylinders} cylinders; give a direction for each"
-    if sorted(star) != sorted(d for d in range(stars.directions) for _ in range(stars.sharing)):
-        times = "once" if stars.sharing == 1 else "twice"
-        return f"the star ({said}) has throws elsewhere; give each direction from 0 to {stars.directions - 1} {times}"
-    return ""
 
 
 def _sharing(star: Star, direction: int) -> tuple[int, int]:

@@ -21,7 +21,7 @@ from crankstar.search.sums import VectorSum
 
 @dataclass(frozen=True)
 class Finding:
-    """A star, or one of several with the same values, and how many there are of them.
+    """A star, or of several with the same values the one with the fewest neighbours in succession, and how many there are.
 
     values: of the objectives in their units; neighbours: how many fire one after the other (in the best order); stars: how many
     stars have these values, turned ones once; classes: mirrored ones, and those from the rear, once; like: stars of other classes.
@@ -112,10 +112,11 @@ def _groups(question: Question, found: Harvest) -> list[np.ndarray]:
 
 def _finding(question: Question, found: Harvest, group: np.ndarray, unit: Sequence[float]) -> Finding:
     stars = question.stars
-    ordered = [stars.whole(tuple(int(d) for d in found.stars[row])) for row in group]
+    every = [stars.whole(tuple(int(d) for d in found.stars[row])) for row in group]
+    ordered = sorted(every, key=lambda star: succeeding(stars, star)) if len(every) > 1 else every
     values = tuple(float(value) * size for value, size in zip(found.values[group[0], : len(unit)], unit, strict=True))
     if isinstance(question.ask, Front):
-        many, classes = int(found.times[group].sum()), int(found.classes[group].sum()) // len(question.symmetries)
+        many, classes = int(found.times[group].sum()), -(-int(found.classes[group].sum()) // len(question.symmetries))
     else:
         many, classes = images(question, ordered[0]), 1
     return Finding(
@@ -144,6 +145,9 @@ def succeeding(stars: Stars, star: Star) -> int:
     >>> succeeding(five, (0, 3, 2, 4, 1)), succeeding(five, (0, 3, 1, 4, 2))
     (3, 4)
     """
+    fault = stars.misfit(star)
+    if fault:
+        raise SearchError([fault])
     members = np.array([(place, -1) for place in range(stars.cylinders)], np.int64)
     seat = np.empty((stars.directions, 2), np.int64)
     return int(succession(np.array(star, np.int64), members, stars.step, stars.directions, seat))

@@ -123,6 +123,7 @@ def halves(question: Question) -> Halves:
         step=question.stars.step,
         weights=_weights(question, size),
         limits=limits,
+        floors=np.array(_floors(question, size)),
     )
     return Halves(
         tables,
@@ -238,6 +239,16 @@ def units(question: Question, size: tuple[float, ...]) -> tuple[float, ...]:
         max((abs(weight * vector.scale) * size[place[vector]] for weight, vector in objective.terms), default=0.0) or 1.0
         for objective in question.objectives
     )
+
+
+def _floors(question: Question, size: tuple[float, ...]) -> list[float]:
+    """Least lengths of the sums, in the kernels' units."""
+    out = [0.0] * len(size)
+    place = {vector: o for o, vector in enumerate(question.sums)}
+    for limit in question.limits:
+        o = place[limit.sum]
+        out[o] = max(out[o], limit.least / (limit.sum.scale * size[o]))
+    return out
 
 
 def _limits(question: Question, size: tuple[float, ...]) -> list[float]:

@@ -210,7 +210,8 @@ def values_of(star: Any, tables: Any, sums: Any, values: Any, seat: Any) -> bool
     kept = counted <= tables.limits[lengths]
     for o in range(lengths):
         square = sums[2 * o] * sums[2 * o] + sums[2 * o + 1] * sums[2 * o + 1]
-        if np.sqrt(square) > tables.limits[o] + SAME:
+        length = np.sqrt(square)
+        if length > tables.limits[o] + SAME or length < tables.floors[o] - SAME:
             kept = False
         sums[o] = square
     for q in range(values.shape[0]):

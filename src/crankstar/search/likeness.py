@@ -29,7 +29,7 @@ class Likeness:
 
 
 def question(stars: Stars, likeness: Likeness, objectives: Sequence[Objective]) -> Question:
-    """The question that has all of them in its answer: no sum is longer than wanted.
+    """The question that has all of them in its answer: no sum is longer or shorter than wanted.
 
     >>> from fractions import Fraction
     >>> from crankstar.search.findings import findings
@@ -42,7 +42,7 @@ def question(stars: Stars, likeness: Likeness, objectives: Sequence[Objective]) 
     star = likeness.star
     wanted = likeness.near if star is None else [(vector.length(star), 0.0) for vector in likeness.sums]
     limits = tuple(
-        Limit(vector, length + off + (SLACK * length if length else 0.0))
+        Limit(vector, length + off + SLACK * length, max(0.0, length - off - SLACK * length))
         for vector, (length, off) in zip(likeness.sums, wanted, strict=True)
     )
     return Question(stars, tuple(objectives), limits, ask=All())

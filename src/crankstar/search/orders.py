@@ -206,7 +206,7 @@ def _sensible(engine: Engine, intervals_deg: Sequence[float], tolerance_deg: flo
         raise OrderError(f"{len(intervals_deg)} intervals are given for {count} firings in a cycle; give {count}")
     if min(intervals_deg) < 0 or abs(fsum(intervals_deg) - cycle) > 1e-6 * cycle:
         shown = ", ".join(f"{one:.6g}" for one in intervals_deg)
-        raise OrderError(f"the intervals {shown} deg do not make up a cycle; they must be positive and together {cycle:.0f} deg")
+        raise OrderError(f"the intervals {shown} deg do not make up a cycle; give intervals from 0 up, together {cycle:.0f} deg")
     least = min(one for one in intervals_deg if one > 0)
     if not 0 <= tolerance_deg < least / 2:
         raise OrderError(

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
 from hashlib import sha256
-from math import inf
+from math import inf, isnan
 
-from crankstar.search.stars import Star, Stars
+from crankstar.search.stars import SearchError, Star, Stars
 from crankstar.search.sums import Limit, Objective, VectorSum
 
-KEPT = 16
+KEPT = 64
 """Stars of each point of a front that are kept as examples."""
 GREATEST_LIST = 200_000
 """Stars a list can have."""
@@ -23,6 +23,11 @@ class Front:
 
     examples: int = KEPT
 
+    @property
+    def size(self) -> int:
+        """How many stars are kept, of each point."""
+        return self.examples
+
 
 @dataclass(frozen=True)
 class Best:
@@ -30,12 +35,22 @@ class Best:
 
     count: int = 20
 
+    @property
+    def size(self) -> int:
+        """How many stars are kept."""
+        return self.count
+
 
 @dataclass(frozen=True)
 class All:
     """Asks for all stars within the limits, classes of mirrored stars once, in the order of the objectives."""
 
     greatest: int = GREATEST_LIST
+
+    @property
+    def size(self) -> int:
+        """How many stars are kept."""
+        return self.greatest
 
 
 @dataclass(frozen=True)
@@ -63,6 +78,35 @@ class Question:
     neighbours_at_most: float = inf
     ask: Front | Best | All = field(default_factory=Front)
     judges: tuple[Judge, ...] = ()
+
+    def __post_init__(self) -> None:
+        faults = list(self._faults())
+        if faults:
+            raise SearchError(faults)
+
+    def _faults(self) -> Iterator[str]:
+        for vector in self.sums:
+            if (len(vector.weights), len(vector.turns)) != (self.stars.cylinders, self.stars.directions):
+                yield f"{vector.name} is a sum over other stars: {len(vector.weights)} cylinders in {len(vector.turns)} directions"
+        for limit in self.limits:
+            if not 0 <= limit.least <= limit.greatest:
+                yield f"{limit.sum.name} cannot be from {limit.least:g} to {limit.greatest:g} long"
+        if not self.neighbours_at_most >= 0:
+            yield f"{self.neighbours_at_most:g} neighbours in succession cannot be; give a number from 0 up"
+        if isinstance(self.ask, Best) and len(self.objectives) + len(self.judges) < 1:
+            yield "the best by nothing cannot be told; give an objective"
+        if isinstance(self.ask, Best) and len(self.objectives) > 1:
+            yield "a list of the best has one objective; put several together in one"
+        least = (
+            self.ask.examples
+            if isinstance(self.ask, Front)
+            else self.ask.count
+            if isinstance(self.ask, Best)
+            else self.ask.greatest
+        )
+        if least < 1:
+            yield f"a list of {least} cannot be; ask for at least 1"
+        yield from (f"{judge.name}: at most {judge.greatest} cannot be" for judge in self.judges if isnan(judge.greatest))
 
     @cached_property
     def sums(self) -> tuple[VectorSum, ...]:

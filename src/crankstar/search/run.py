@@ -335,7 +335,9 @@ def _narrower(question: Question) -> Question:
 def _warm() -> None:
     """Loads the compiled loops, so that this is not timed."""
     stars = Stars(4, "two-stroke", tuple(Fraction(3 - 2 * j, 2) for j in range(4)))
-    searched(Question(stars, (of(couple(stars, 1)),)))
+    question = Question(stars, (of(couple(stars, 1)),))
+    ready = halves(question)
+    worked(Stretch(question, strips(question, ready), 0, ready.block_count))  # not `searched`, which would keep an interrupt
 
 
 def memory(question: Question) -> float:

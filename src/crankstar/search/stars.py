@@ -11,13 +11,14 @@ are one class.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from math import factorial
+from math import factorial, isfinite
+from typing import get_args
 
-from crankstar.quantity import Cycle
+from crankstar.quantity import Cycle, one_line
 
 GREATEST_CYLINDERS = 24
 """Cylinders a star can have: a half of more than 12 places is beyond any memory."""
@@ -27,8 +28,8 @@ class SearchError(ValueError):
     """A search that cannot be, in a sentence for each thing wrong with it."""
 
     def __init__(self, faults: list[str]) -> None:
-        self.faults = faults
-        super().__init__("\n".join(faults))
+        self.faults = [one_line(fault, longest=1000) for fault in faults]
+        super().__init__("\n".join(self.faults))
 
 
 Star = tuple[int, ...]
@@ -49,6 +50,57 @@ class Stars:
     positions: tuple[Fraction, ...]
     symmetric: bool = False
     fixed: tuple[tuple[int, int], ...] = ()
+
+    def __post_init__(self) -> None:
+        faults = list(self._faults())
+        if faults:
+            raise SearchError(faults)
+
+    def _faults(self) -> Iterator[str]:
+        if self.cycle not in get_args(Cycle):
+            yield f'the cycle "{self.cycle}" is none; it can be {", ".join(get_args(Cycle))}'
+        if not 1 <= self.cylinders <= GREATEST_CYLINDERS:
+            yield f"{self.cylinders} cylinders have no star; there can be from 1 to {GREATEST_CYLINDERS}"
+            return
+        if len(self.positions) != self.cylinders:
+            yield f"{len(self.positions)} positions are given for {self.cylinders} cylinders; give one for each"
+        elif any(not isfinite(place) for place in self.positions):
+            yield "a position is no finite number"
+        if self.symmetric and (self.sharing == 1 or not self.evenly_placed):
+            yield "only a four-stroke engine with an even number of evenly placed cylinders has symmetric cranks"
+            return
+        yield from self._fixed_faults()
+
+    def _fixed_faults(self) -> Iterator[str]:
+        """What is wrong with fixed throws."""
+        given: dict[int, int] = {}
+        for number, direction in self.fixed:
+            if not 1 <= number <= self.cylinders:
+                yield f"a throw of cylinder {number} is fixed, and there are cylinders 1 to {self.cylinders}"
+            elif not 0 <= direction < self.directions:
+                yield f"cylinder {number} is to have direction {direction}; there are 0 to {self.directions - 1}"
+            elif given.setdefault(number, direction) != direction:
+                yield f"cylinder {number} is to have the directions {given[number]} and {direction}; it can have one"
+        held: dict[int, set[int]] = {}
+        for number, direction in given.items():
+            place = min(number, self.cylinders + 1 - number) if self.symmetric else number
+            held.setdefault(direction, set()).add(place)
+            other = given.get(self.cylinders + 1 - number, direction) if self.symmetric else direction
+            if other != direction:
+                yield f"cylinders {number} and {self.cylinders + 1 - number} of a symmetric crank have the same direction"
+        for direction, places in sorted(held.items()):
+            if len(places) > self.each:
+                yield f"direction {direction} is given to {len(places)} throws; there is room for {self.each}"
+
+    def misfit(self, star: Sequence[int]) -> str:
+        """Why a row of directions is no star of these: empty if it is one."""
+        said = ", ".join(map(str, star))
+        if len(star) != self.cylinders:
+            return f"the star ({said}) has {len(star)} throws for {self.cylinders} cylinders; give a direction for each"
+        if sorted(star) != sorted(d for d in range(self.directions) for _ in range(self.sharing)):
+            times = "once" if self.sharing == 1 else "twice"
+            return f"the star ({said}) has throws elsewhere; give each direction from 0 to {self.directions - 1} {times}"
+        return ""
 
     @property
     def sharing(self) -> int:

@@ -62,15 +62,16 @@ class Objective:
 
 @dataclass(frozen=True)
 class Limit:
-    """A vector sum may be at most so long; 0: it is to vanish, which is proved."""
+    """A vector sum may be at most so long (0: it is to vanish, which is proved), and at least so long."""
 
     sum: VectorSum
     greatest: float
+    least: float = 0.0
 
 
 def force(stars: Stars, order: int) -> VectorSum:
     """F_k, the sum of the unit forces of an order."""
-    return VectorSum(f"F{order}", (Fraction(1),) * stars.cylinders, _turns(stars, order), unit="m*r*w^2")
+    return VectorSum(f"F{order}", (Fraction(1),) * stars.cylinders, _turns(stars, order), unit=_unit(order))
 
 
 def couple(stars: Stars, order: int) -> VectorSum:
@@ -80,7 +81,7 @@ def couple(stars: Stars, order: int) -> VectorSum:
     >>> round(couple(seven, 1).length((0, 1, 2, 3, 4, 5, 6)), 4)
     8.0667
     """
-    return VectorSum(f"M{order}", stars.positions, _turns(stars, order), unit="m*r*w^2*a")
+    return VectorSum(f"M{order}", stars.positions, _turns(stars, order), unit=f"{_unit(order)}*a")
 
 
 def torsion(stars: Stars, *, order: Fraction, shape: Sequence[Fraction]) -> VectorSum:
@@ -92,14 +93,24 @@ def torsion(stars: Stars, *, order: Fraction, shape: Sequence[Fraction]) -> Vect
     """
     if len(shape) != stars.cylinders:
         raise SearchError([f"the mode shape has {len(shape)} amplitudes for {stars.cylinders} cylinders; give one for each"])
-    if stars.cycle == "two-stroke" and order.denominator != 1:
-        raise SearchError([f"T{order}: a two-stroke engine has whole orders only"])
+    check_torsion(stars, order)
     angles = stars.firing_deg() or stars.angles_deg
     if stars.step == 0 and order.denominator != 1:
         message = "where two cylinders share a direction the firing order decides on half orders; search with whole ones"
         raise SearchError([f"T{order}: {message}"])
     turns = tuple(order * angle / 360 % 1 for angle in angles)
-    return VectorSum(f"T{order}", tuple(shape), turns)
+    return VectorSum(f"T{float(order):g}", tuple(shape), turns)
+
+
+def check_torsion(stars: Stars, order: Fraction) -> None:
+    """Raises SearchError where an order of torsion is none, or is not settled by the star."""
+    if stars.cycle == "two-stroke" and order.denominator != 1:
+        raise SearchError([f"T{float(order):g}: a two-stroke engine has whole orders only"])
+
+
+def _unit(order: int) -> str:
+    """The unit of a force whose harmonic A_k is not known; A_1 is 1."""
+    return "m*r*w^2" if order == 1 else f"m*r*w^2*A_{order}"
 
 
 def _turns(stars: Stars, order: int) -> tuple[Fraction, ...]:

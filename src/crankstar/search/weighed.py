@@ -39,7 +39,7 @@ def stars_of(engine: Engine, *, symmetric: bool = False, fixed: tuple[tuple[int,
     cylinders = sorted(engine.cylinders, key=lambda cylinder: -cylinder.z)
     bearings = {round(cylinder.bearing, 9) for cylinder in cylinders}
     throws = {cylinder.throw for cylinder in cylinders}
-    faults: list[str] = []
+    faults: list[str] = ["it has one cylinder, and a star needs two"] if len(cylinders) < 2 else []
     if len({cylinder.shaft for cylinder in cylinders}) > 1 or len(bearings) > 1 or len(throws) < len(cylinders):
         faults.append("its cylinders do not stand in line, each on a throw of its own; give the number of throws instead")
     if any(cylinder.articulated or cylinder.chamber for cylinder in cylinders):
@@ -51,6 +51,22 @@ def stars_of(engine: Engine, *, symmetric: bool = False, fixed: tuple[tuple[int,
     places = [meant.ratio(cylinder.z) for cylinder in cylinders]
     middle = (places[0] + places[-1]) / 2
     return Stars(len(cylinders), engine.cycle, tuple(place - middle for place in places), symmetric, fixed)
+
+
+def star_of(engine: Engine, stars: Stars) -> Star | None:
+    """The star that an engine has now; None where its throws stand elsewhere.
+
+    >>> from crankstar.catalog import load
+    >>> engine = load("i6")
+    >>> star_of(engine, stars_of(engine))
+    (0, 1, 2, 2, 1, 0)
+    """
+    angles = [engine.throw(cylinder).angle for cylinder in sorted(engine.cylinders, key=lambda cylinder: cylinder.number)]
+    places = [(angles[0] - angle) * engine.sense * stars.directions / (2 * pi) for angle in angles]
+    if any(abs(place - round(place)) > ALIKE for place in places):
+        return None
+    star = tuple(round(place) % stars.directions for place in places)
+    return None if stars.misfit(star) else star
 
 
 def force_of(engine: Engine, stars: Stars, order: int, *, speed: float | None = None) -> VectorSum:
