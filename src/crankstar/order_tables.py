@@ -20,11 +20,17 @@ FORMAT = 1
 
 
 class Listing(NamedTuple):
-    """Firing orders of an engine, and, where even ones were asked for and there are none, why."""
+    """Firing orders of an engine, what they were asked to be, and, where even ones were asked for and there are none, why.
+
+    `asked_deg`: the intervals that were asked for, none where any would do; `tolerance_deg`: how far a firing may be from its
+    place, None where that was not said.
+    """
 
     engine: Engine
     orders: tuple[Order, ...]
     why_uneven: str = ""
+    asked_deg: tuple[float, ...] = ()
+    tolerance_deg: float | None = None
 
 
 def orders_table(listing: Listing, *, limit: int) -> RenderableType:
@@ -57,15 +63,10 @@ def _shown(listing: Listing, limit: int, own: int | None) -> list[int]:
 
 def _remarks(listing: Listing, shown: int, own: int | None) -> list[str]:
     count = len(listing.orders)
-    even = [one for one in listing.orders if one.firing.even]
     if not count:
         return ["No firing order is like that; --any --together also lists those in which cylinders fire at once."]
-    orders = f"{count} order{'s' if count > 1 else ''}"
-    if len(even) == count:
-        told = f"{orders} fire{'s' if count == 1 else ''} evenly, every {number(even[0].firing.intervals_deg[0])} deg."
-    else:
-        told = f"{orders}, {len(even) or 'none'} of them even."
-    out = [told + (f" {shown} are shown; --limit shows more, --csv all." if shown < count else "")]
+    more = f" {shown} {'is' if shown == 1 else 'are'} shown; --limit shows more, --csv all." if shown < count else ""
+    out = [_count_sentence(listing) + more]
     if count == 1 and listing.engine.cycle == "two-stroke":
         out.append("There is no other: in a two-stroke engine every dead centre of a cylinder is one at which it fires.")
     if own is not None:
@@ -74,6 +75,20 @@ def _remarks(listing: Listing, shown: int, own: int | None) -> list[str]:
         "Neighbours and pistons on one throw are those that fire one after the other. --row N -o FILE writes an engine file."
     )
     return out
+
+
+def _count_sentence(listing: Listing) -> str:
+    """How many orders there are, and how they fire: evenly, as was asked, or as it comes."""
+    count = len(listing.orders)
+    even = [one for one in listing.orders if one.firing.even]
+    orders, fire = (f"{count} orders", "fire") if count > 1 else ("1 order", "fires")
+    if len(even) == count:
+        return f"{orders} {fire} evenly, every {number(even[0].firing.intervals_deg[0])} deg."
+    if asked := listing.asked_deg:
+        when = f"every {number(asked[0])} deg" if len(set(asked)) == 1 else "at these intervals"
+        near = f", each firing within {number(listing.tolerance_deg)} deg of its place" if listing.tolerance_deg else ""
+        return f"{orders} {fire} {when}{near}."
+    return f"{orders}, none of them even." if not even else f"{orders}, {len(even)} of them even."
 
 
 def _joined(order: Sequence[int]) -> str:

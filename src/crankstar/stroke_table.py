@@ -8,6 +8,7 @@ from rich.console import Group, RenderableType
 from rich.text import Text
 
 from crankstar.engine import Engine
+from crankstar.fault import EngineError, Fault
 from crankstar.firing import Firing
 from crankstar.strokes import (
     EVEN,
@@ -25,15 +26,22 @@ from crankstar.succession import Follower, in_succession, neighbours, partners
 from crankstar.wording import heading, number, table, timing_lines, titled
 
 ALONE = "Every cylinder has an exhaust of its own; valves.manifolds = [[1, 2], ...] in the engine file joins them."
+NO_ORDER = (
+    "is missing, and without it nobody knows which stroke a cylinder is on; `crankstar orders` with this engine lists the orders "
+    "that its crank can fire: give one, as in firing_order = [1, 3, 4, 2]"
+)
+"""What is said of an engine file that has no firing order."""
 
 
 def stroke_tables(engine: Engine) -> RenderableType:
     """The working cycle of an engine as tables. Raises EngineError as `strokes.working_cycle`."""
+    if not engine.firing_order:
+        raise EngineError([Fault(("firing_order",), NO_ORDER)])
     found = working_cycle(engine)
     groups = exhaust_groups(engine)
     lines = [_ring(found.firing), *timing_lines(engine)]
     if found.timing.assumed:
-        lines.append("assumed: typical angles of a road engine, for want of better ones in the file ([valves])")
+        lines.append(f"assumed: typical angles of {engine.cycle} engines, for want of this one's own in the file ([valves])")
     blocks: list[RenderableType] = [heading(engine), *(Text(line) for line in lines), _cylinders(found, groups)]
     if all(len(group.chambers) == 1 for group in groups):
         blocks += [Text(), Text(ALONE), Text()]

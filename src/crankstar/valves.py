@@ -22,7 +22,7 @@ ASSUMED: dict[Cycle, dict[str, float]] = {
     "four-stroke": {name: radians(angle) for name, angle in zip(EVENTS, (15.0, 50.0, 50.0, 15.0), strict=True)},
     "two-stroke": {name: radians(angle) for name, angle in zip(EVENTS, (60.0, 60.0, 85.0, 85.0), strict=True)},
 }
-"""What is assumed where a file gives no angle, radians: a common road engine with poppet valves, a motorcycle's with ports."""
+"""What is assumed where a file gives no angle, radians: common in four-stroke engines with valves, two-stroke ones with ports."""
 SHORTEST, LONGEST = radians(10.0), 2 * pi
 """Radians: no valve or port is open for less, nor for more."""
 GREATEST_BOTH_OPEN = pi

@@ -55,6 +55,32 @@ def test_a_tolerance_lets_slave_rods_fire_evenly(run: Run) -> None:
     assert re.search(r"^ +1 +\* +1-3-5-7-9-2-4-6-8 ", run("orders", "pratt-whitney-wasp", "--tolerance", "4").out, re.MULTILINE)
 
 
+def test_orders_within_a_tolerance_are_said_to_fire_evenly_within_it(run: Run) -> None:
+    told = "4 orders fire every 120 deg, each firing within 0.2 deg of its place."
+    assert told in run("orders", "vw-vr6", "--tolerance", "0.2").out
+    assert told in run("orders", "vw-vr6", "--tolerance", "0.2", "--intervals", "120").out
+    for name in ("radial-9", "pratt-whitney-wasp"):
+        assert (
+            "1 order fires every 80 deg, each firing within 4 deg of its place." in run("orders", name, "--tolerance", "4 deg").out
+        )
+    assert "2 orders fire evenly, every 180 deg." in run("orders", "i4", "--tolerance", "1 deg").out
+
+
+def test_orders_at_given_intervals_are_said_to_have_them(run: Run) -> None:
+    twin = run("orders", "i2-360", "--intervals", "0, 720").out
+    assert re.search(r"^ +1 +1-2 +0-720 ", twin, re.MULTILINE)
+    assert "1 order fires at these intervals." in twin
+    common = run("orders", "gm-3800", "--set", 'layout.pin_split="0 deg"', "--intervals", "90, 150").out
+    assert re.search(r"^ +1 +\* +1-6-5-4-3-2 +150-90-150-90-150-90 ", common, re.MULTILINE)
+
+
+def test_a_list_goes_to_a_file_of_text_or_one_without_an_ending(run: Run, tmp_path: Path) -> None:
+    table = run("orders", "i4").out
+    for name in ("orders.txt", "orders"):
+        run("orders", "i4", "-o", name)
+        assert (tmp_path / name).read_text(encoding="utf-8") == table
+
+
 def test_of_a_two_stroke_engine_it_is_said_that_there_is_one_order(run: Run) -> None:
     out = run("orders", "man-s50mc-c").out
     assert re.search(r"^ +1 +\* +1-5-3-4-2-6 ", out, re.MULTILINE)
@@ -140,7 +166,12 @@ def test_a_row_of_uneven_orders_fires_as_the_table_says(run: Run) -> None:
         (["vees", "8", "--bank", "270"], "a bank angle is above 0 and up to 180 deg"),
         (["vees", "8", "--bank", "wide"], "--bank: "),
         (["vees", "8", "--star", "2"], "a list without --row has no use for --star; leave it out"),
-        (["vees", "8", "--row", "1", "--star", "2"], "--star 2: there is 1; give a number from 1 to 1"),
+        (["vees", "8", "--row", "1", "--star", "2"], "--star 2: there is 1, mirror images and reverses not counted; give 1"),
+        (["vees", "8", "-o", "x.svg"], "-o x.svg: let the name end in .csv, .json, .txt; or in .toml with --row"),
+        (["vees", "8", "--row", "1", "-o", "x.csv"], "-o x.csv: let the name of the engine file end in .toml"),
+        (["orders", "i4", "-o", "x.html"], "-o x.html: let the name end in .csv, .json, .txt; or in .toml with --row"),
+        (["orders", "i4", "-o", "x.toml"], "-o x.toml: let the name end in .csv, .json, .txt; or in .toml with --row"),
+        (["orders", "i2-360", "--intervals", "0, 360"], "give intervals from 0 up, together 720 deg"),
         (["vees", "8", "--row", "99"], "--row 99: there are 15; give a number from 1 to 15"),
     ],
 )
@@ -151,10 +182,33 @@ def test_what_cannot_be_met_is_refused_in_a_sentence(refused: Refused, words: li
 def test_vees_of_six_cylinders_are_listed_best_first(run: Run) -> None:
     out = run("vees", "6", "--bank", "60 deg, 90 deg, 120 deg").out
     assert out.startswith("V6, four-stroke, fires every 120 deg\n")
-    assert re.search(r"^ +1 +60 +60 +0, 120, 240 +2 +0 +0 +0 +1\.5 +0 +1\.5 +1\.5 +0\.38718$", out, re.MULTILINE)
+    assert re.search(r"^ +1 +60 +60 +0, 120, 240 +1 +2 +0 +0 +0 +1\.5 +0 +1\.5 +1\.5 +0\.38718$", out, re.MULTILINE)
     assert re.search(r"^ +2 +90 +30 ", out, re.MULTILINE)
     assert "8 cranks, 4 but for mirror images and reversal, with 4 balances." in out
     assert run("vees", "6", "--bank", "60, 90, 120").out == out
+
+
+def test_who_asks_for_no_bank_angle_is_told_how_to_ask_for_split_pins(run: Run) -> None:
+    told = 'were tried; with split pins others fire evenly too: --bank "{}" asks for them.'
+    for cylinders, angles in (("6", "60 deg, 90 deg"), ("8", "60 deg, 72 deg"), ("12", "90 deg, 72 deg")):
+        assert told.format(angles) in " ".join(run("vees", cylinders).out.split())
+        assert "with split pins others" not in run("vees", cylinders, "--bank", angles, "--limit", "1").out
+    assert "with split pins others" not in run("vees", "6", "--greatest-split", "30").out
+
+
+def test_one_balance_is_not_called_balances(run: Run) -> None:
+    assert "2 cranks, 1 but for mirror images and reversal, with 1 balance.\n" in run("vees", "6").out
+    assert "15 balances. 1 is shown; --limit shows more" in run("vees", "8", "--limit", "1").out
+
+
+def test_stars_are_counted_as_they_are_chosen_from_and_cranks_with_their_mirror_images(run: Run) -> None:
+    found = vees(cylinders=8)
+    assert (len(found[0].stars), found[0].count) == (1, 2)
+    assert re.search(r"^ +1 +90 +0 +0, 90, 270, 180 +1 +2 ", run("vees", "8").out, re.MULTILINE)
+    first = json.loads(run("vees", "8", "--json").out)["solutions"][0]
+    assert (first["stars"], first["cranks"]) == (1, 2)
+    row = next(csv.DictReader(io.StringIO(run("vees", "8", "--csv").out)))
+    assert (row["stars_in_row"], row["cranks_in_row"]) == ("1", "2")
 
 
 def test_split_pins_can_be_limited(run: Run) -> None:

@@ -389,7 +389,7 @@ def test_dead_centres_that_coincide_are_told() -> None:
     ("intervals", "tolerance", "told"),
     [
         ((180, 180, 360), 1e-4, "3 intervals are given for 4 firings in a cycle; give 4"),
-        ((180, 180, 180, 90), 1e-4, "do not make up a cycle; they must be positive and together 720 deg"),
+        ((180, 180, 180, 90), 1e-4, "do not make up a cycle; give intervals from 0 up, together 720 deg"),
         ((360, 360, 180, -180), 1e-4, "do not make up a cycle"),
         ((180, 180, 180, 180), 90.0, "the tolerance is 90 deg; give less than half of the least interval, 90 deg"),
     ],

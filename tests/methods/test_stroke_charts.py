@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from itertools import pairwise
 from math import pi, radians
 from typing import Any
 
@@ -14,8 +15,11 @@ from tests.methods.test_charts_pictures import words_of
 import crankstar
 from crankstar import charts
 from crankstar.arrangement import Basis
+from crankstar.charts.drawing import GREY
 from crankstar.charts.strokes import BLOW_DOWN, EXHAUST, INTAKE, POWER
 from crankstar.layouts import Bank, Crank, tandem
+from crankstar.search.numbering import with_order
+from crankstar.search.orders import even_orders
 from crankstar.strokes import exhaust_groups, exhaust_intervals, working_cycle
 
 ENGINES = (
@@ -121,6 +125,43 @@ def test_the_dots_of_a_firing_ring_stand_at_the_firing_angles(name: str) -> None
         ]
         assert all(len(one) == 1 for one in colours)
         assert len(set().union(*colours)) == len(groups)
+
+
+@pytest.mark.parametrize("name", ["v8-cross-plane", "v8-flat-plane", "merlin", "v12-60", "napier-deltic", "gm-3800", "napier-lion"])
+def test_the_dots_of_a_bank_stand_off_the_lines_of_the_others(name: str) -> None:
+    engine = crankstar.load(name)
+    if not engine.firing_order:
+        engine = with_order(engine, even_orders(engine)[0].firing)
+    (panel,) = drawn(charts.firing_ring(engine))
+    dots = [row for layer, rows in panel if kind(layer) == "point" and "angle" not in layer["encoding"] for row in rows]
+    lines: dict[tuple[str, int], list[complex]] = {}
+    for layer, rows in panel:
+        if kind(layer) == "line":
+            for row in rows:
+                lines.setdefault((row.colour, row.line), []).append(complex(row.y2, row.x2))
+    polygons = [(colour, points) for (colour, _), points in lines.items() if colour != GREY and len(points) > 2]
+    assert len(polygons) == len(exhaust_groups(engine))
+    for colour, points in polygons:
+        along = np.concatenate([np.linspace(a, b, 200) for a, b in pairwise(points)])
+        others = [complex(dot.up, dot.right) for dot in dots if dot.colour != colour]
+        assert min(abs(along - other).min() for other in others) > 0.08
+    radii = [{round(abs(point), 6) for point in points} for _, points in polygons]
+    assert all(len(one) == 1 for one in radii)
+    assert len(set().union(*radii)) == len(radii)
+
+
+@pytest.mark.parametrize("name", ["i4", "v8-cross-plane", "merlin", "napier-deltic", "pratt-whitney-wasp"])
+def test_crank_angles_stand_beside_the_numbers_of_a_ring(name: str) -> None:
+    engine = crankstar.load(name)
+    found = working_cycle(engine)
+    (panel,) = drawn(charts.firing_ring(engine))
+    texts = [row.text for layer, rows in panel if kind(layer) == "text" for row in rows]
+    fires = {one.number: one.fires_deg for one in found.chambers}
+    assert {text.split("\n")[0] for text in texts if "\n" in text} == {str(number) for number in fires}
+    for text in texts:
+        if "\n" in text:
+            number, angle = text.split("\n")
+            assert float(angle.removesuffix("°")) == pytest.approx(fires[int(number)], abs=0.06)
 
 
 def close(dot: Row, fires: float, cycle: float) -> bool:

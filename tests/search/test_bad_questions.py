@@ -55,7 +55,7 @@ def test_stars_that_cannot_be_are_refused(words, told):
         ({"limits": (Limit(couple(SEVEN, 2), nan),)}, "cannot be from"),
         ({"limits": (Limit(couple(SEVEN, 2), 1.0, 2.0),)}, "cannot be from 2 to 1"),
         ({"limits": (Limit(couple(EIGHT, 2), 1.0),)}, "a sum over other stars"),
-        ({"judges": (Judge("any", float, greatest=nan),)}, "at most nan"),
+        ({"judges": (Judge("any", lambda star: float(star[0]), greatest=nan),)}, "at most nan"),
         ({"ask": Best(3), "objectives": (of(couple(SEVEN, 1)), of(couple(SEVEN, 2)))}, "has one objective"),
         ({"ask": Best(3), "objectives": ()}, "by nothing"),
     ],

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from cmath import exp
 from collections.abc import Sequence
 from itertools import accumulate, pairwise
-from math import ceil, floor, log10
+from math import ceil, floor, hypot, log10, radians
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from crankstar.charts.drawing import (
@@ -23,7 +24,7 @@ from crankstar.charts.drawing import (
     of_rows,
     text_width,
 )
-from crankstar.charts.labels import Box, Label, apart, box
+from crankstar.charts.labels import Box, meets
 from crankstar.search.engines import firing_order
 from crankstar.search.question import Front
 from crankstar.search.stars import Stars
@@ -46,6 +47,12 @@ MOST_LISTED = 20
 """Points whose firing orders are written below the chart."""
 CROWD = 40
 """Points among which a number far from its own tells nothing, even with a line between them."""
+RADIUS = DOT**0.5 / 2
+"""Of a mark, px."""
+NEARER = 3.0
+"""Px by which a number without a line is nearer to its own mark than to any other."""
+LED = (20.0, 27.0, 35.0, 45.0)
+"""Px from marks to numbers to which a line leads."""
 MOST_DRAWN = 2000
 """Points that are all drawn; of more those that would cover each other are not."""
 KEY = 520
@@ -121,7 +128,8 @@ def columns(found: Findings) -> tuple[Column, ...]:
 def pareto_front(found: Findings, *, others: Findings | None = None, logarithmic: bool | None = None) -> altair.VConcatChart:
     """The points of a front by their first two objectives, coloured by the third, numbered, with firing orders below.
 
-    No star is below the dashed line and left of it in the first two objectives. `others` are further stars judged by the same
+    With two objectives no star is below the dashed line and left of it; with more there is no such line, since what two of them
+    make look worse may be better in the third. `others` are further stars judged by the same
     two, drawn pale. `logarithmic`: powers of ten on both axes, 0 at a place of its own; left out, where values span two powers
     of ten or more. Counts stay as they are. Raises ChartError.
     """
@@ -140,10 +148,11 @@ def pareto_front(found: Findings, *, others: Findings | None = None, logarithmic
     every = [*points, *pale]
     across = _axis([one[0] for one in every], WIDTH, powers=powers and not heads[0].counted)
     upward = _axis([one[1] for one in every], HEIGHT, powers=powers and not heads[1].counted)
-    panels = [[_front_panel(found, heads, across, upward, pale)], [key(found)]]
+    panel, every_number = _front_panel(found, heads, across, upward, pale)
     kind = "Front of" if isinstance(found.question.ask, Front) else "Stars by"
     title = f"{kind} {', '.join(head.name for head in heads[:-1])} and {heads[-1].name}"
-    return figure(panels, title=title, subtitle=[engine_words(found.question.stars)])
+    told = [] if every_number else ["numbered where there is room"]
+    return figure([[panel], [key(found)]], title=title, subtitle=[engine_words(found.question.stars), *told])
 
 
 def engine_words(stars: Stars) -> str:
@@ -187,7 +196,10 @@ def _axis(values: Sequence[float], length: float, *, powers: bool) -> Axis:
     return Axis((zero or low) / span**EDGE, high * span**EDGE, length, powers=True, zero=zero)
 
 
-def _front_panel(found: Findings, heads: Sequence[Column], across: Axis, upward: Axis, pale: Sequence[tuple[float, ...]]) -> Panel:
+def _front_panel(
+    found: Findings, heads: Sequence[Column], across: Axis, upward: Axis, pale: Sequence[tuple[float, ...]]
+) -> tuple[Panel, bool]:
+    """The points in a panel, and whether each has its number."""
     import altair as alt
 
     x, y = _channel(alt.X, "x", across, heads[0].title), _channel(alt.Y, "y", upward, heads[1].title)
@@ -197,8 +209,9 @@ def _front_panel(found: Findings, heads: Sequence[Column], across: Axis, upward:
         dots = of_rows([{"x": across.drawn(one[0]), "y": upward.drawn(one[1])} for one in spots])
         layers.append(dots.mark_point(filled=True, shape="circle", size=16, opacity=0.4, color=GREY).encode(x=x, y=y))
     points = [row.values for row in found.rows]
-    steps = _steps(points, across, upward)
-    layers.append(of_rows(steps).mark_line(color=GREY, strokeWidth=1.3, strokeDash=[5, 3]).encode(x=x, y=y, order="at:Q"))
+    steps = _steps(points, across, upward) if len(heads) == 2 else []
+    if steps:
+        layers.append(of_rows(steps).mark_line(color=GREY, strokeWidth=1.3, strokeDash=[5, 3]).encode(x=x, y=y, order="at:Q"))
     shown = range(len(points)) if len(points) <= MOST_DRAWN else _seen(points, across, upward)
     rows = [_row(found, heads, place, across, upward) for place in shown]
     hints = [alt.Tooltip("row:N", title="row"), alt.Tooltip("order:N", title="fires")]
@@ -211,7 +224,7 @@ def _front_panel(found: Findings, heads: Sequence[Column], across: Axis, upward:
         layers.append(lines.encode(x=x, y=y, x2="x2:Q", y2="y2:Q"))
     said = of_rows(numbers).mark_text(fontSize=SMALL, color=GREY, baseline="middle")
     layers.append(said.encode(x=x, y=y, text="text:N"))
-    return layered(layers, width=WIDTH, height=HEIGHT)
+    return layered(layers, width=WIDTH, height=HEIGHT), len(numbers) == len(found.rows)
 
 
 def _channel(kind: Any, field: str, axis: Axis, title: str) -> Any:
@@ -273,37 +286,77 @@ def _steps(points: Sequence[tuple[float, ...]], across: Axis, upward: Axis) -> l
 def _numbers(
     rows: Sequence[dict[str, Any]], steps: Sequence[dict[str, float]], across: Axis, upward: Axis
 ) -> tuple[list[dict[str, Any]], list[dict[str, float]]]:
-    """The numbers of the points where there is room for them, off the points, the line and each other; lines to those far off.
+    """The numbers of the points where there is room for them, off the points, the line and each other; lines to those not beside.
 
     Points on the line come first, then those of the key; of others the numbers are left out.
     """
     spots = {row["row"]: complex(upward.place(row["y"]), across.place(row["x"])) for row in rows}
     corners = [complex(upward.place(step["y"]), across.place(step["x"])) for step in steps]
     on_line = [row for row, spot in spots.items() if spot in corners]
-    wanted = list(dict.fromkeys([*on_line, *(row for row in spots if row <= MOST_LISTED)]))
-    half = DOT**0.5 / 2
-    around = [Box(spot, half, half) for spot in spots.values()]
-    labels = [Label(str(row), spots[row], _aside(spots[row]), size=SMALL, gap=half + 1) for row in wanted]
-    within = Box(complex(HEIGHT, WIDTH) / 2, WIDTH / 2, HEIGHT / 2)
-    moved = apart(labels, theta=0.0, scale=1.0, strokes=list(pairwise(corners)), within=within, around=around)
+    lines = [Box((a + b) / 2, abs((b - a).imag) / 2, abs((b - a).real) / 2) for a, b in pairwise(corners)]
+    taken = [Box(spot, RADIUS, RADIUS) for spot in spots.values()]
     numbers, leaders = [], []
-    for label in moved:
-        if label.away > 1 and int(label.text) not in on_line and len(rows) > CROWD:
+    for row in dict.fromkeys([*on_line, *(row for row in spots if row <= MOST_LISTED)]):
+        spot, led = spots[row], row in on_line or len(rows) <= CROWD
+        others = [one for one in spots.values() if one != spot]
+        beside = _beside(str(row), spot, others, taken, lines)
+        placed = beside or (_led(str(row), spot, taken, lines) if led else None)
+        if placed is None:
             continue
-        middle = box(label, theta=0.0, scale=1.0).middle
-        numbers.append({"text": label.text, "x": across.value(middle.imag), "y": upward.value(middle.real)})
-        if label.away > 1:
-            way = (middle - label.anchor) / abs(middle - label.anchor)
-            ends = (label.anchor + half * way, middle - SMALL / 2 * way)
-            (x, y), (x2, y2) = ((across.value(end.imag), upward.value(end.real)) for end in ends)
+        numbers.append({"text": str(row), "x": across.value(placed.middle.imag), "y": upward.value(placed.middle.real)})
+        taken.append(placed)
+        if not beside:
+            line = _leader(spot, placed)
+            taken += [Box(point, 1.0, 1.0) for point in line]
+            (x, y), (x2, y2) = ((across.value(end.imag), upward.value(end.real)) for end in (line[0], line[-1]))
             leaders.append({"x": x, "y": y, "x2": x2, "y2": y2})
     return numbers, leaders
 
 
-def _aside(spot: complex) -> complex:
-    """Where a number would like to stand: below its point and left of it, where a front has nothing; at an axis inside of it."""
-    edge = DOT**0.5 / 2
-    return complex(1 if spot.real < edge else -1, 1 if spot.imag < edge else -1)
+def _beside(text: str, spot: complex, others: Sequence[complex], taken: Sequence[Box], lines: Sequence[Box]) -> Box | None:
+    """A place for a number next to its own dot, nearer to it than to any other; below and left, where fronts end, first."""
+    wide, high = text_width(text, SMALL) / 2, SMALL / 2
+    places = []
+    off = RADIUS + 1.0
+    for up, right in ((-1, 0), (0, -1), (-1, -1), (1, -1), (-1, 1), (1, 0), (1, 1), (0, 1)):
+        places.append(Box(spot + complex(up * (high + off), right * (wide + off)), wide, high))
+    free = [place for place in places if _is_free(place, taken)]
+    own = [place for place in free if all(_gap(place, one) > _gap(place, spot) + NEARER for one in others)]
+    return min(own, key=lambda place: sum(meets(place, line) for line in lines), default=None)
+
+
+def _led(text: str, spot: complex, taken: Sequence[Box], lines: Sequence[Box]) -> Box | None:
+    """The nearest place for a number to which a line can be drawn from its dot that meets nothing; None if there is none."""
+    wide, high = text_width(text, SMALL) / 2, SMALL / 2
+    others = [one for one in taken if one.middle != spot]
+    for far in LED:
+        places = [Box(spot + far * exp(1j * radians(225 + turn)), wide, high) for turn in range(0, 360, 15)]
+        free = [place for place in places if _is_free(place, taken)]
+        free = [place for place in free if all(_is_free(Box(one, 1.5, 1.5), others) for one in _leader(spot, place))]
+        if free:
+            return min(free, key=lambda place: sum(meets(place, line) for line in lines))
+    return None
+
+
+def _leader(spot: complex, place: Box) -> list[complex]:
+    """The points of the line from a dot to its number, from edge to edge, about a px apart."""
+    off = place.middle - spot
+    way = off / abs(off)
+    within = min(place.across / max(abs(way.imag), 1e-9), place.upright / max(abs(way.real), 1e-9))
+    length = abs(off) - 1.0 - within - RADIUS
+    return [spot + way * (RADIUS + length * step / ceil(length)) for step in range(ceil(length) + 1)]
+
+
+def _is_free(place: Box, taken: Sequence[Box]) -> bool:
+    off = place.middle - complex(HEIGHT, WIDTH) / 2
+    inside = abs(off.imag) + place.across <= WIDTH / 2 and abs(off.real) + place.upright <= HEIGHT / 2
+    return inside and not any(meets(place, one) for one in taken)
+
+
+def _gap(place: Box, spot: complex) -> float:
+    """How far a point is from a rectangle, px."""
+    off = spot - place.middle
+    return hypot(max(abs(off.imag) - place.across, 0.0), max(abs(off.real) - place.upright, 0.0))
 
 
 def key(found: Findings) -> Panel:

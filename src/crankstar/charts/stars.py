@@ -27,6 +27,8 @@ TOGETHER = 3.0
 """px: tips nearer than this share a label."""
 WEIGHTS = 0.62
 """Where counterweights are marked, in crank radii."""
+HUB = 0.5
+"""Radius of the arrow that tells which way a shaft turns, in crank radii."""
 
 
 AXIS = 1.5
@@ -66,7 +68,7 @@ def crank_panel(engine: Engine, *, theta: float, width: float = WIDTH, room: flo
         marks = {round(weight.angle, 6): weight.angle for weight in shaft.weights if weight.unbalance}
         dots += [Dot(WEIGHTS * radius * exp(1j * angle), centre, rate, GREY, 170) for angle in marks.values()]
         labels += _throw_labels(engine, shaft, centre, rate)
-        hub, arrow = _rotation(centre, 0.32 * radius, 1 if rate > 0 else -1)
+        hub, arrow = _rotation(centre, HUB * radius, 1 if rate > 0 else -1)
         strokes.append(hub)
         arrows.append(arrow)
         dots.append(Dot(0j, centre, 0.0, GREY, 40))
@@ -125,8 +127,8 @@ def _rotation(centre: complex, radius: float, sense: int) -> tuple[Stroke, Arrow
     """A small arc about a hub with a head that shows the direction of rotation."""
     bearings = np.linspace(-pi * 0.6, pi * 0.5, 30) * sense
     points = tuple(centre + radius * complex(np.exp(1j * bearing)) for bearing in bearings)
-    tip = centre + radius * exp(1j * sense * (bearings[-1] * sense + 0.5))
-    return Stroke(points, width=1.5), Arrow(tip, points[-1], colour=GREY, width=1.5)
+    tip = centre + radius * exp(1j * sense * (bearings[-1] * sense + 0.6))
+    return Stroke(points, width=2), Arrow(tip, points[-1], colour=GREY, width=3)
 
 
 def _crank_frame(

@@ -27,7 +27,8 @@ def best_stars(found: Findings, *, count: int = SHOWN, theta: float = 0.0) -> al
     """The first stars of a search, two in a row, seen from the front at the crank angle `theta` (radians).
 
     Each throw has the number of its cylinder, and cylinder 1 is up at theta = 0; above each star stand its number in the
-    findings, its firing order and its values. `count`: how many are drawn, up to 24. Raises ChartError.
+    findings, its firing order and its values. `count`: how many are drawn, up to 24; if there are more, the subtitle says so.
+    Raises ChartError.
     """
     if not found.rows:
         raise ChartError("there is no star to draw; none was found within the limits")
@@ -36,7 +37,8 @@ def best_stars(found: Findings, *, count: int = SHOWN, theta: float = 0.0) -> al
     theta = checked_angle(theta)
     panels = [_panel(found, place, theta) for place in range(min(count, len(found.rows)))]
     rows = [panels[place : place + 2] for place in range(0, len(panels), 2)]
-    subtitle = filter(None, [engine_words(found.question.stars), units_text(columns(found))])
+    part = f"the first {len(panels)} of {len(found.rows)}" if len(panels) < len(found.rows) else ""
+    subtitle = filter(None, [engine_words(found.question.stars), part, units_text(columns(found))])
     return figure(rows, title="Crank stars from the front", subtitle=list(subtitle), theta=theta)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import PurePath
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 from cyclopts import Parameter
 
@@ -11,16 +11,24 @@ from crankstar import request
 from crankstar.cli.application import app
 from crankstar.cli.options import EngineName, Settings, loaded_engine
 from crankstar.engine import Engine
-from crankstar.output import display, working, write
+from crankstar.output import STANDARD_OUTPUT, display, working, write
+from crankstar.quantity import one_line
 from crankstar.request import RequestError
+
+if TYPE_CHECKING:
+    from crankstar.order_tables import Listing
 
 Limit = Annotated[int, Parameter(help="how many rows to show; --csv and --json have all")]
 Row = Annotated[int | None, Parameter(help="write this row as an engine file, in the explicit form, instead of the table")]
 Json = Annotated[bool, Parameter(help="all rows, one object", negative=())]
 Csv = Annotated[bool, Parameter(help="all rows as CSV", negative=())]
 Place = Annotated[
-    str | None, Parameter(name=["--output", "-o"], help="file to write: the table, .csv, .json, or with --row the engine file")
+    str | None,
+    Parameter(name=["--output", "-o"], help="file to write: .txt for the table, .csv, .json, or with --row the engine file, .toml"),
 ]
+
+KINDS = ("", "csv", "json", "txt")
+"""Endings of the files that lists are written to; a device or a pipe has none."""
 
 
 @app.command
@@ -30,7 +38,7 @@ def orders(
     *,
     intervals: Annotated[
         str | None,
-        Parameter(help='only orders with these intervals, repeated to fill the cycle, as in "90, 150 deg"; 0 for firing together'),
+        Parameter(help='only orders with these intervals, repeated to fill the cycle, as in "90, 150 deg"; 0 for firing at once'),
     ] = None,
     any_: Annotated[
         bool, Parameter(name="--any", help="every order the dead centres allow, even or not, most even first", negative=())
@@ -61,16 +69,12 @@ def orders(
     else:
         request.alone("a list without --any", {"--together": together or None})
     loaded = loaded_engine(engine, settings)
-    near = firing_orders.SAME_PLACE if tolerance is None else request.degrees("--tolerance", tolerance)[0]
     try:
         with working("trying firing orders ..."):
             if any_:
                 listing = tables.Listing(loaded, firing_orders.possible_orders(loaded, together=together))
-            elif intervals is not None:
-                wanted = request.repeated("--intervals", intervals, of=len(loaded.chambers))
-                listing = tables.Listing(loaded, firing_orders.orders_at(loaded, intervals_deg=wanted, tolerance_deg=near))
-            elif tolerance is not None:
-                listing = tables.Listing(loaded, firing_orders.even_orders(loaded, tolerance_deg=near))
+            elif intervals is not None or tolerance is not None:
+                listing = _asked(loaded, intervals, tolerance)
             else:
                 listing = tables.Listing(loaded, firing_orders.most_even_orders(loaded), firing_orders.why_uneven(loaded))
     except OrderError as error:
@@ -83,6 +87,19 @@ def orders(
         write(json_text(tables.orders_tree(listing)), output)
     else:
         display(tables.orders_table(listing, limit=limit), output)
+
+
+def _asked(engine: Engine, intervals: str | None, tolerance: str | None) -> Listing:
+    """The orders with the intervals that are asked for, else the even ones, within a tolerance. Raises OrderError."""
+    from crankstar.order_tables import Listing
+    from crankstar.search.orders import SAME_PLACE, orders_at
+
+    count = len(engine.chambers)
+    near = None if tolerance is None else request.degrees("--tolerance", tolerance)[0]
+    even = (engine.cycle_angle / count,) * count
+    wanted = even if intervals is None else tuple(request.repeated("--intervals", intervals, of=count))
+    found = orders_at(engine, intervals_deg=wanted, tolerance_deg=SAME_PLACE if near is None else near)
+    return Listing(engine, found, asked_deg=wanted, tolerance_deg=near)
 
 
 @app.command
@@ -103,7 +120,9 @@ def vees(
     two_stroke: Annotated[bool, Parameter(help="two-stroke engines; else four-stroke", negative=())] = False,
     limit: Limit = 20,
     row: Row = None,
-    star: Annotated[int, Parameter(help="with --row: which of the cranks with this balance, as counted in --csv")] = 1,
+    star: Annotated[
+        int, Parameter(help="with --row: which of the stars with this balance, mirror images and reverses not counted, as in --csv")
+    ] = 1,
     json: Json = False,
     csv: Csv = False,
     output: Place = None,
@@ -127,13 +146,14 @@ def vees(
         raise RequestError(str(error)) from None
     if row is not None:
         one = found[_index(row, found)]
-        write(_file(engines.engine_of(one, star=_index(star, one.stars, option="--star"))), output)
+        place = _index(star, one.stars, option="--star", besides=", mirror images and reverses not counted")
+        write(_file(engines.engine_of(one, star=place)), output)
     elif kind == "csv":
         write(tables.vees_csv(found), output)
     elif kind == "json":
         write(json_text(tables.vees_tree(found)), output)
     else:
-        display(tables.vees_table(found, limit=limit), output)
+        display(tables.vees_table(found, limit=limit, only_multiples=angles is None and split is None), output)
 
 
 def _kind(output: str | None, *, json: bool, csv: bool, row: int | None, limit: int) -> str:
@@ -145,13 +165,20 @@ def _kind(output: str | None, *, json: bool, csv: bool, row: int | None, limit: 
         request.alone("--row", dict.fromkeys(asked, True))
     if limit < 1:
         raise RequestError(f"--limit {limit}: give a number from 1 up")
-    return asked[0].removeprefix("--") if asked else PurePath(output or "").suffix.lower().removeprefix(".")
+    kind = "" if output in STANDARD_OUTPUT else PurePath(output or "").suffix.lower().removeprefix(".")
+    if row is not None and kind not in ("", "toml"):
+        raise RequestError(f"-o {one_line(output or '')}: let the name of the engine file end in .toml")
+    if row is None and not asked and kind not in KINDS:
+        raise RequestError(f"-o {one_line(output or '')}: let the name end in .csv, .json, .txt; or in .toml with --row")
+    return asked[0].removeprefix("--") if asked else kind
 
 
-def _index(row: int, of: Any, *, option: str = "--row") -> int:
+def _index(row: int, of: Any, *, option: str = "--row", besides: str = "") -> int:
+    """The place of a row, counted from 0; `besides`: what is not among those that are counted. Raises RequestError."""
     if not 1 <= row <= len(of):
-        told = f"there {'is' if len(of) == 1 else 'are'} {len(of) or 'none'}"
-        raise RequestError(f"{option} {row}: {told}{'; give a number from 1 to ' + str(len(of)) if of else ''}")
+        told = f"there {'is' if len(of) == 1 else 'are'} {len(of) or 'none'}{besides}"
+        give = f"; give {'1' if len(of) == 1 else f'a number from 1 to {len(of)}'}" if of else ""
+        raise RequestError(f"{option} {row}: {told}{give}")
     return row - 1
 
 

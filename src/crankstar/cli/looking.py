@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from pathlib import PurePath
 from typing import Annotated
 
 from cyclopts import Parameter
@@ -10,7 +11,7 @@ from cyclopts import Parameter
 from crankstar import request
 from crankstar.cli.application import app
 from crankstar.cli.options import Angles, EngineName, Orders, Output, ReferencePoint, Settings, Speed, loaded_engine
-from crankstar.output import display, terminal_width, working, write
+from crankstar.output import STANDARD_OUTPUT, display, terminal_width, working, write
 from crankstar.quantity import one_line
 from crankstar.request import RequestError
 
@@ -142,9 +143,12 @@ def strokes(
     from crankstar.fault import EngineError
     from crankstar.stroke_table import stroke_tables
 
+    kind = "" if output in STANDARD_OUTPUT else PurePath(output or "").suffix.lower().removeprefix(".")
+    if kind not in ("", "json", "txt"):
+        raise RequestError(f"-o {one_line(output or '')}: let the name end in .json or .txt")
     loaded = loaded_engine(engine, settings)
     try:
-        if json:
+        if json or kind == "json":
             write(answer.json_text(answer.strokes_tree(loaded)), output)
         else:
             display(stroke_tables(loaded), output)
