@@ -95,9 +95,6 @@ def torsion(stars: Stars, *, order: Fraction, shape: Sequence[Fraction]) -> Vect
         raise SearchError([f"the mode shape has {len(shape)} amplitudes for {stars.cylinders} cylinders; give one for each"])
     check_torsion(stars, order)
     angles = stars.firing_deg() or stars.angles_deg
-    if stars.step == 0 and order.denominator != 1:
-        message = "where two cylinders share a direction the firing order decides on half orders; search with whole ones"
-        raise SearchError([f"T{order}: {message}"])
     turns = tuple(order * angle / 360 % 1 for angle in angles)
     return VectorSum(f"T{float(order):g}", tuple(shape), turns)
 
@@ -106,6 +103,9 @@ def check_torsion(stars: Stars, order: Fraction) -> None:
     """Raises SearchError where an order of torsion is none, or is not settled by the star."""
     if stars.cycle == "two-stroke" and order.denominator != 1:
         raise SearchError([f"T{float(order):g}: a two-stroke engine has whole orders only"])
+    if stars.step == 0 and order.denominator != 1:
+        message = "where two cylinders share a direction the firing order decides on half orders; search with whole ones"
+        raise SearchError([f"T{float(order):g}: {message}"])
 
 
 def _unit(order: int) -> str:
