@@ -70,34 +70,34 @@ def write_bytes(content: bytes, place: str | None) -> None:
         sys.stdout.flush()
         sys.stdout.buffer.write(content)
         return
-    try:
+    with _told(place):
         mode = _mode(place)
-        if mode is not None and stat.S_ISDIR(mode):
-            _refuse(place, "is a directory")
         if mode is None or stat.S_ISREG(mode):
             _replace(Path(place).resolve(), content)
         else:
             _pour(place, content)
-    except OSError as error:
-        _refuse(place, error.strerror or str(error))
-    except (ValueError, RuntimeError) as error:
-        if isinstance(error, OutputError):
-            raise
-        _refuse(place, "is not a name a file can have")
 
 
 def writable(place: str) -> None:
     """Refuses, before long work is begun, a place that could not be written to in the end. Raises OutputError."""
     if place in STANDARD_OUTPUT:
         return
-    try:
+    with _told(place):
         mode = _mode(place)
-        if mode is not None and stat.S_ISDIR(mode):
-            _refuse(place, "is a directory")
         if mode is None and not Path(place).resolve().parent.is_dir():
             _refuse(place, "there is no such directory")
         if not os.access(place if mode is not None else Path(place).resolve().parent, os.W_OK):
             _refuse(place, "is write-protected")
+
+
+@contextmanager
+def _told(place: str) -> Iterator[None]:
+    """Tells what is wrong with a place as an OutputError; that it is a directory first of all."""
+    try:
+        mode = _mode(place)
+        if mode is not None and stat.S_ISDIR(mode):
+            _refuse(place, "is a directory")
+        yield
     except OSError as error:
         _refuse(place, error.strerror or str(error))
     except (ValueError, RuntimeError) as error:
