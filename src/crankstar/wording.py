@@ -19,7 +19,6 @@ from crankstar.firing import Firing, firing
 from crankstar.remedy import Need
 from crankstar.valves import Timing, timing
 
-SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 NEGLIGIBLE = 1e-9
 """A number smaller than this share of the largest beside it is written as 0."""
 
@@ -130,9 +129,9 @@ def bearing_text(vector: complex) -> str:
 
 
 def unit_text(unit: str) -> str:
-    """A unit of a Balance in print: m r² ω² for m*r^2*w^2, with A₂ for A_2."""
+    """A unit of a Balance in print: m r² ω² for m*r^2*w^2, with A2 for A_2 (fonts of figures lack small digits)."""
     plain = unit.replace("w^2", "ω²").replace("r^2", "r²").replace("*", " ")
-    return re.sub(r"_(\d+)", lambda found: found[1].translate(SUBSCRIPTS), plain)
+    return re.sub(r"_(\d+)", r"\1", plain)
 
 
 def table(*heads: str, left: Sequence[str] = (), folded: Sequence[str] = ()) -> Table:

@@ -236,7 +236,7 @@ def test_an_engine_is_found_among_the_rows(run: Run) -> None:
 
 def test_couples_are_counted_with_their_harmonic_where_it_is_not_known(run: Run) -> None:
     out = run(*SEVEN).out
-    assert "M1 [m r ω² a]  M2 [m r ω² A₂ a]" in out
+    assert "M1 [m r ω² a]  M2 [m r ω² A2 a]" in out
     assert "M2 [m r ω² a]" in run("search", "man-s90mc-c").out
 
 
