@@ -5,7 +5,7 @@ BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 RUN_ONLY := $(VENV)/.installed
 
-.PHONY: demo test test-long bench docs lint chromium latex clean
+.PHONY: demo test test-long bench docs lint types chromium latex clean
 
 demo: $(RUN_ONLY)
 	@echo "== What the catalog holds (crankstar list)"
@@ -33,6 +33,9 @@ lint: $(READY)
 
 docs: $(READY)
 	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict --quiet --site-dir $(VENV)/site
+
+types: $(READY)
+	$(BIN)/python -m crankstar.exhibit | (cd web && node types.mjs) > web/src/exhibit.new && mv web/src/exhibit.new web/src/exhibit.ts
 
 chromium latex:
 	@sh tests/tools.sh install $@
