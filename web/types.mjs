@@ -4,7 +4,15 @@ import { compile } from 'json-schema-to-typescript'
 
 const banner = '// Generated from src/crankstar/exhibit/records.py by `make types`; not edited by hand.'
 const style = { semi: false, singleQuote: true, printWidth: 120 }
-const made = await compile(JSON.parse(readFileSync(0, 'utf8')), 'Exhibition', {
+/** Tuples as the converter understands them: `prefixItems` by its older name `items`. */
+function olderTuples(schema) {
+  if (Array.isArray(schema)) return schema.map(olderTuples)
+  if (schema === null || typeof schema !== 'object') return schema
+  const { prefixItems, ...rest } = Object.fromEntries(Object.entries(schema).map(([key, value]) => [key, olderTuples(value)]))
+  return prefixItems ? { ...rest, items: prefixItems } : rest
+}
+
+const made = await compile(olderTuples(JSON.parse(readFileSync(0, 'utf8'))), 'Exhibition', {
   bannerComment: banner,
   additionalProperties: false,
   unreachableDefinitions: true,

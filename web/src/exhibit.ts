@@ -79,15 +79,15 @@ export interface Units {
 export interface Sum {
   force: Vectors
   couple: Vectors
-  roll: [unknown, unknown][]
-  torque: [unknown, unknown][]
+  roll: [number, number][]
+  torque: [number, number][]
 }
 /**
  * A vector of the clock plane over the crank angle: a pair [up, right] for each order of the exhibit.
  */
 export interface Vectors {
-  forward: [unknown, unknown][]
-  backward: [unknown, unknown][]
+  forward: [number, number][]
+  backward: [number, number][]
 }
 /**
  * What one cylinder (its piston, rod, share of nothing else) does to the block, at its place along z.
@@ -109,7 +109,7 @@ export interface Whirl {
    * @minItems 3
    * @maxItems 3
    */
-  centre: [unknown, unknown, unknown]
+  centre: [number, number, number]
   mass: number
   /**
    * of the block about axes through its centre of mass: up, right, z
@@ -117,10 +117,10 @@ export interface Whirl {
    * @minItems 3
    * @maxItems 3
    */
-  inertia: [unknown, unknown, unknown]
+  inertia: [number, number, number]
   shift: Vectors
   tilt: Vectors
-  turn: [unknown, unknown][]
+  turn: [number, number][]
   /**
    * what of mass, centre and inertia is an estimate, as sentences; empty if all are given
    */
@@ -140,12 +140,12 @@ export interface Scene {
    * @minItems 3
    * @maxItems 3
    */
-  low: [unknown, unknown, unknown]
+  low: [number, number, number]
   /**
    * @minItems 3
    * @maxItems 3
    */
-  high: [unknown, unknown, unknown]
+  high: [number, number, number]
   shafts: ShaftShown[]
   gears: GearShown[]
   cylinders: CylinderShown[]
@@ -290,7 +290,7 @@ export interface Row {
   /**
    * of the ellipse (vectors only), in the unit of the quantity
    */
-  semi_axes: [unknown, unknown] | null
+  semi_axes: [number, number] | null
   /**
    * bearing of its long axis, radians
    */
