@@ -32,6 +32,9 @@ _LATEX_HEAD = r"""\documentclass[a4paper,11pt]{article}
 \allowdisplaybreaks
 \begin{document}
 """
+ALIGNED = "math .lhs { text-align: right; } math .rhs { text-align: left; }"
+"""Style that sets the equals signs of a chain below each other; attributes would break a strict Content-Security-Policy."""
+
 _STYLE = """
 :root { color-scheme: light dark; --ink: #1c2733; --soft: #5b6b7b; --rule: #d5dce3; --ground: #fdfdfc; --band: #f2f5f7; }
 @media (prefers-color-scheme: dark) {
@@ -200,15 +203,19 @@ def html(chapters: Sequence[Chapter], notation: Notation = CRANKSTAR) -> str:
     parts = "\n".join(_section(shown, letters) for shown, letters in _told_once(chapters, notation))
     return (
         f'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n<title>{name}</title>\n'
-        f'<meta name="viewport" content="width=device-width, initial-scale=1">\n<style>{_STYLE}</style>\n</head>\n'
+        f'<meta name="viewport" content="width=device-width, initial-scale=1">\n<style>{ALIGNED}{_STYLE}</style>\n</head>\n'
         f"<body>\n<main>\n<h1>{name}</h1>\n{parts}\n</main>\n</body>\n</html>\n"
     )
 
 
 def html_part(chapter: Chapter, notation: Notation = CRANKSTAR) -> str:
-    """One chapter as a part of a page."""
-    ((shown, letters),) = _told_once([chapter], notation)
-    return _section(shown, letters)
+    """One chapter as a part of a page whose style has `ALIGNED`."""
+    return html_parts([chapter], notation)[0]
+
+
+def html_parts(chapters: Sequence[Chapter], notation: Notation = CRANKSTAR) -> list[str]:
+    """Chapters as parts of one page, each letter explained where it comes first; the page's style has `ALIGNED`."""
+    return [_section(shown, letters) for shown, letters in _told_once(chapters, notation)]
 
 
 def _section(shown: Chapter, letters: Sequence[Meaning]) -> str:
@@ -243,8 +250,8 @@ def _chain(line: Line) -> str:
             shown = typeset.mathml(piece)
             plus = "" if row == 0 or typeset.text(piece).startswith("−") else "<mo form='infix'>+</mo>"
             rows += (
-                f'<mtr><mtd style="text-align: right"><mrow>{left}</mrow></mtd><mtd>{"<mo>=</mo>" if row == 0 else ""}</mtd>'
-                f'<mtd style="text-align: left"><mrow>{plus}{shown}</mrow></mtd></mtr>'
+                f'<mtr><mtd class="lhs"><mrow>{left}</mrow></mtd><mtd>{"<mo>=</mo>" if row == 0 else ""}</mtd>'
+                f'<mtd class="rhs"><mrow>{plus}{shown}</mrow></mtd></mtr>'
             )
     told = escape(_equations(line).replace("\n", " "))
     return f'<math alttext="{told}"><mtable displaystyle="true">{rows}</mtable></math>'

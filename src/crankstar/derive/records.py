@@ -74,7 +74,7 @@ class Chapter:
         """The chapter typeset, in a notebook."""
         from crankstar.derive import documents
 
-        return documents.html_part(self)
+        return f"<style>{documents.ALIGNED}</style>{documents.html_part(self)}"
 
 
 @dataclass(frozen=True)
