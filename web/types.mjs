@@ -8,7 +8,9 @@ const style = { semi: false, singleQuote: true, printWidth: 120 }
 function olderTuples(schema) {
   if (Array.isArray(schema)) return schema.map(olderTuples)
   if (schema === null || typeof schema !== 'object') return schema
-  const { prefixItems, ...rest } = Object.fromEntries(Object.entries(schema).map(([key, value]) => [key, olderTuples(value)]))
+  const { prefixItems, ...rest } = Object.fromEntries(
+    Object.entries(schema).map(([key, value]) => [key, olderTuples(value)]),
+  )
   return prefixItems ? { ...rest, items: prefixItems } : rest
 }
 

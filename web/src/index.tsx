@@ -1,10 +1,120 @@
+import { render as draw } from 'preact'
+import { type App, createApp } from './app'
+import type { Exhibit } from './exhibit'
 import type { Host } from './host/host'
+import { pageHost } from './host/page'
+import type { Reading, Stage } from './stage/stage'
+import { type State, snapshot } from './state'
+import { Shared } from './ui/context'
+import { Page } from './ui/Page'
+import { adopt } from './ui/sheets'
 
-/** What anywidget calls, and what our own pages call: shows the engine in an element until the returned function is called. */
-function render({ el }: { model: unknown; el: HTMLElement }): () => void {
-  el.textContent = 'crankstar'
-  return () => el.replaceChildren()
+/** What scripts and tests may ask of the element that holds the page, as `element.crankstar`. */
+export interface Handle {
+  /** Resolves when the first frame has been drawn; rejects with what went wrong. */
+  readonly ready: Promise<void>
+  /** The state at this moment, as it would stand in a link, but for the angle while the engine turns. */
+  readonly state: State
+  /** Crank angle in degrees within the cycle; setting it stops the engine there. */
+  theta: number
+  readonly playing: boolean
+  play(): void
+  stop(): void
+  /** The engines on the stage. */
+  readonly exhibits: readonly Exhibit[]
+  /** Where the parts of an engine stand, after everything has been drawn at the present angle. */
+  read(index?: number): Reading
+  /** Milliseconds of script that each of the last frames took, figures included; at most 600. */
+  frameTimes(): number[]
+  /** How the stage draws. */
+  readonly means: Stage['means'] | null
 }
 
-export type { Host }
+export interface Holder extends HTMLElement {
+  crankstar?: Handle
+}
+
+function handleOf(ready: Promise<void>, app: () => App | null, stages: ReadonlyMap<number, Stage>): Handle {
+  const there = (): App => {
+    const found = app()
+    if (!found) throw new Error('The page is not ready: await element.crankstar.ready')
+    return found
+  }
+  return {
+    ready,
+    get state() {
+      return snapshot(there().store)
+    },
+    get theta() {
+      return there().clock.degrees()
+    },
+    set theta(degrees) {
+      there().clock.stop()
+      there().clock.turnTo(degrees)
+    },
+    get playing() {
+      return there().clock.playing.peek()
+    },
+    play: () => there().clock.play(),
+    stop: () => there().clock.stop(),
+    get exhibits() {
+      return there().shown.peek()
+    },
+    read(index = 0) {
+      void there().clock.flush()
+      const stage = stages.get(index)
+      if (!stage) throw new RangeError(`There is no engine ${index} on the stage.`)
+      return stage.read()
+    },
+    frameTimes: () => there().clock.frameTimes(),
+    get means() {
+      return stages.get(0)?.means ?? null
+    },
+  }
+}
+
+/** Shows a host's engines in an element until the returned function is called. */
+export function show(host: Promise<Host>, el: Holder): () => void {
+  const stages = new Map<number, Stage>()
+  let app: App | null = null
+  let ended = false
+  const release = adopt(el)
+  const ready = host.then(async (found) => {
+    if (ended) return
+    app = createApp(found)
+    const made = (index: number, stage: Stage | null): void => {
+      if (stage) stages.set(index, stage)
+      else stages.delete(index)
+    }
+    draw(
+      <Shared.Provider value={app}>
+        <Page made={made} />
+      </Shared.Provider>,
+      el,
+    )
+    await new Promise<void>((done) => requestAnimationFrame(() => done()))
+    await app.clock.flush()
+  })
+  ready.catch((error: unknown) => {
+    draw(<p class="crankstar failed">{error instanceof Error ? error.message : String(error)}</p>, el)
+  })
+  el.crankstar = handleOf(ready, () => app, stages)
+  return () => {
+    ended = true
+    draw(null, el)
+    app?.dispose()
+    release()
+    delete el.crankstar
+  }
+}
+
+/** What anywidget calls: shows the engine of a notebook's model in an element until the returned function is called. */
+function render({ el }: { model: unknown; el: HTMLElement }): () => void {
+  return show(pageHost(document), el)
+}
+
+// A file and a server's page have one element that says so; a notebook has none, and calls `render`.
+const own = typeof document === 'undefined' ? null : document.querySelector<Holder>('[data-crankstar]')
+if (own) show(pageHost(document), own)
+
 export default { render }

@@ -1,0 +1,58 @@
+/** An angle that was typed: in degrees, or a sentence that says what can be typed. */
+export type Typed = { readonly ok: true; readonly degrees: number } | { readonly ok: false; readonly sentence: string }
+
+const ANGLE = /^([+\-−]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:e[+-]?\d+)?)\s*([a-z°]*)$/i
+const DEGREES: Readonly<Record<string, number>> = {
+  '': 1,
+  '°': 1,
+  d: 1,
+  deg: 1,
+  degs: 1,
+  degree: 1,
+  degrees: 1,
+  rad: 180 / Math.PI,
+  radian: 180 / Math.PI,
+  radians: 180 / Math.PI,
+  turn: 360,
+  turns: 360,
+  rev: 360,
+  revs: 360,
+}
+/** Beyond this many degrees a float no longer tells a thousandth of a degree apart well; nobody turns so far. */
+const FURTHEST = 1e7
+const HOW = 'Type degrees, such as 450 or -30, or an angle with its unit: 90 deg, 1.5 rad, 2 turns.'
+
+/** Reads `450`, `-30`, `90 deg`, `1.5 rad`, `2 turns`; a comma may stand for the decimal point. */
+export function typedAngle(text: string): Typed {
+  const given = text.trim()
+  if (given === '') return { ok: false, sentence: `No angle was typed. ${HOW}` }
+  const parts = ANGLE.exec(given)
+  const unit = DEGREES[(parts?.[2] ?? '').toLowerCase()]
+  if (!parts?.[1] || unit === undefined)
+    return { ok: false, sentence: `“${given.slice(0, 40)}” is not an angle. ${HOW}` }
+  const degrees = Number(parts[1].replace(',', '.').replace('−', '-')) * unit
+  if (!(Math.abs(degrees) <= FURTHEST))
+    return { ok: false, sentence: `“${given.slice(0, 40)}” is too far to turn. ${HOW}` }
+  return { ok: true, degrees }
+}
+
+/** An angle within a cycle of `turns` turns: 0 up to, but not, 360 `turns`. */
+export function withinCycle(degrees: number, turns: number): number {
+  const cycle = 360 * turns
+  const rest = ((degrees % cycle) + cycle) % cycle
+  return rest === cycle ? 0 : rest
+}
+
+/** Degrees as text without noise: 450, 22.5, 0.125. */
+export function degreesText(degrees: number): string {
+  const text = degrees.toFixed(3)
+  return text.replace(/\.?0+$/, '').replace(/^-0$/, '0')
+}
+
+/** The least number of turns that is a whole number of cycles of both. */
+export function commonTurns(one: number, other: number): number {
+  let [a, b] = [Math.max(1, Math.round(one)), Math.max(1, Math.round(other))]
+  const product = a * b
+  while (b) [a, b] = [b, a % b]
+  return product / a
+}

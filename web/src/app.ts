@@ -1,0 +1,185 @@
+import { computed, effect, type ReadonlySignal, type Signal, signal } from '@preact/signals'
+import { commonTurns } from './angle'
+import { type Clock, createClock } from './clock'
+import type { Exhibit } from './exhibit'
+import type { Host } from './host/host'
+import { packedTree, unpackedTree } from './packing'
+import { restore, type Store, snapshot, stateOf, stateText, storeOf } from './state'
+
+/** What all parts of the page share. */
+export interface App {
+  readonly host: Host
+  readonly store: Store
+  readonly clock: Clock
+  /** The engine and, where there is one, the engine beside it, as they are. */
+  readonly engines: ReadonlySignal<readonly Exhibit[]>
+  /** The same with counterweights and balance shafts; null where there is nothing to do, undefined until it is known. */
+  readonly cured: ReadonlySignal<readonly (Exhibit | null | undefined)[]>
+  /** What is on the stage and in the panels: one of the two for each engine. */
+  readonly shown: ReadonlySignal<readonly Exhibit[]>
+  /** What went wrong last, as a sentence; empty if nothing. */
+  readonly trouble: Signal<string>
+  /** Whether the page is dark, whatever the reason. */
+  readonly dark: ReadonlySignal<boolean>
+  readonly calm: ReadonlySignal<boolean>
+  /** Puts an engine that was edited on the stage. */
+  put(exhibit: Exhibit): void
+  /** Asks for the engine with weights and shafts, if that was not done yet. */
+  cure(): void
+  dispose(): void
+}
+
+const WRITTEN_AFTER = 300
+
+/** A media query as a signal. */
+function matching(query: string, endings: (() => void)[]): ReadonlySignal<boolean> {
+  const list = matchMedia(query)
+  const matches = signal(list.matches)
+  const changed = (): void => {
+    matches.value = list.matches
+  }
+  list.addEventListener('change', changed)
+  endings.push(() => list.removeEventListener('change', changed))
+  return matches
+}
+
+export function createApp(host: Host): App {
+  const endings: (() => void)[] = []
+  const store = storeOf(stateOf(host.readState()))
+  const systemDark = matching('(prefers-color-scheme: dark)', endings)
+  const calm = matching('(prefers-reduced-motion: reduce)', endings)
+  const trouble = signal('')
+  const own = signal<Exhibit>(host.exhibition.engines[0])
+  const other = signal<Exhibit | null>(null)
+  const known = signal<ReadonlyMap<Exhibit, Exhibit | null>>(new Map())
+
+  const engines = computed(() => (other.value ? [own.value, other.value] : [own.value]))
+  const cured = computed(() => engines.value.map((exhibit) => known.value.get(exhibit)))
+  const shown = computed(() =>
+    engines.value.map((exhibit, index) => (store.fitted.value ? (cured.value[index] ?? exhibit) : exhibit)),
+  )
+  const dark = computed(() => (store.theme.value === 'auto' ? systemDark.value : store.theme.value === 'dark'))
+  const clock = createClock(store.pace, (degrees) => {
+    store.angle.value = degrees
+  })
+
+  const failed = (error: unknown): void => {
+    trouble.value = error instanceof Error ? error.message : String(error)
+  }
+
+  function cure(): void {
+    for (const exhibit of engines.peek()) {
+      if (known.peek().has(exhibit)) continue
+      host.fitted(exhibit).then((found) => {
+        known.value = new Map(known.peek()).set(exhibit, found)
+      }, failed)
+    }
+  }
+
+  /** An engine of the catalog, or one packed into the address; null if it cannot be had. */
+  async function called(name: string): Promise<Exhibit | null> {
+    const service = host.service
+    if (!service) return null
+    const tree = name.startsWith('~') ? await unpackedTree(name.slice(1)) : await service.engine(name)
+    if (tree?.ok) {
+      const answer = await service.exhibit(tree.value)
+      if (answer.ok) return answer.value
+      trouble.value = answer.problems.map((problem) => problem.message).join(' ')
+    } else trouble.value = tree?.problems.map((problem) => problem.message).join(' ') ?? ''
+    return null
+  }
+
+  let ownName = ''
+  endings.push(
+    effect(() => {
+      const name = store.engine.value
+      if (name === ownName) return
+      ownName = name
+      if (name === '') own.value = host.exhibition.engines[0]
+      else
+        called(name).then((exhibit) => {
+          if (exhibit && ownName === name) own.value = exhibit
+        }, failed)
+    }),
+    effect(() => {
+      const name = store.beside.value
+      const second = host.exhibition.engines[1] ?? null
+      if (name === '' || name === '2') other.value = second
+      else if (name === '0') other.value = null
+      else
+        called(name).then((exhibit) => {
+          if (exhibit && store.beside.peek() === name) other.value = exhibit
+        }, failed)
+    }),
+    effect(() => {
+      clock.turns.value = shown.value.reduce((turns, exhibit) => commonTurns(turns, exhibit.turns), 1)
+    }),
+    effect(() => {
+      if (store.fitted.value && engines.value.length) cure()
+    }),
+  )
+
+  let later = 0
+  const write = (): void => {
+    later = 0
+    host.writeState(stateText(snapshot(store)))
+  }
+  let first = true
+  endings.push(
+    effect(() => {
+      snapshot(store)
+      clock.refresh()
+      // the text stands as it was given until something is changed
+      if (!first && !later) later = window.setTimeout(write, WRITTEN_AFTER)
+      first = false
+    }),
+    () => {
+      if (later) window.clearTimeout(later)
+    },
+  )
+
+  /** The clock as the state has it: at an angle, or turning unless calm is asked for. */
+  function start(): void {
+    const angle = store.angle.peek()
+    if (angle !== null) {
+      clock.stop()
+      clock.turnTo(angle)
+    } else if (calm.peek()) clock.turnTo(0)
+    else clock.play()
+  }
+  endings.push(
+    host.onState((text) => {
+      const state = stateOf(text)
+      if (stateText(state) === stateText(snapshot(store))) return
+      restore(store, state)
+      start()
+    }),
+  )
+  start()
+
+  return {
+    host,
+    store,
+    clock,
+    engines,
+    cured,
+    shown,
+    trouble,
+    dark,
+    calm,
+    put(exhibit) {
+      own.value = exhibit
+      ownName = '~'
+      packedTree(exhibit.file).then((packed) => {
+        if (own.peek() !== exhibit) return
+        ownName = `~${packed}`
+        store.engine.value = ownName
+      }, failed)
+    },
+    cure,
+    dispose() {
+      for (const end of endings) end()
+      clock.dispose()
+    },
+  }
+}

@@ -1,0 +1,117 @@
+import { type ReadonlySignal, type Signal, signal } from '@preact/signals'
+import { withinCycle } from './angle'
+
+/** Something that shows the engine at an angle (radians): the stage, a figure, a number. A promise is waited for. */
+export type Follower = (theta: number) => unknown
+
+/** The one thing on the page that knows what time it is. Everything that moves follows it. */
+export interface Clock {
+  readonly playing: ReadonlySignal<boolean>
+  /** Turns of the crankshaft after which everything is back at the start; theta stays within. */
+  readonly turns: Signal<number>
+  /** Crank angle, radians. */
+  theta(): number
+  /** Crank angle in degrees within the cycle. */
+  degrees(): number
+  /** Turns the engine to an angle, degrees; shown with the next frame. */
+  turnTo(degrees: number): void
+  play(): void
+  stop(): void
+  follow(follower: Follower): () => void
+  /** Something else than the angle has changed: everything is shown again with the next frame. */
+  refresh(): void
+  /** Shows everything now, not with the next frame. */
+  flush(): Promise<void>
+  /** Milliseconds of script of the last frames, at most 600. */
+  frameTimes(): number[]
+  dispose(): void
+}
+
+const KEPT = 600
+/** A frame that comes later than this, seconds, is a pause: the engine does not jump over it. */
+const LONGEST = 0.25
+const TURN = 2 * Math.PI
+
+export function createClock(pace: ReadonlySignal<number>, stopped: (degrees: number | null) => void): Clock {
+  const playing = signal(false)
+  const turns = signal(1)
+  const followers = new Set<Follower>()
+  const times: number[] = []
+  let theta = 0
+  let before: number | null = null
+  let asked = 0
+
+  async function show(): Promise<void> {
+    const began = performance.now()
+    const waiting: unknown[] = []
+    for (const follower of followers) {
+      const done = follower(theta)
+      if (done instanceof Promise) waiting.push(done)
+    }
+    if (waiting.length) await Promise.all(waiting)
+    times.push(performance.now() - began)
+    if (times.length > KEPT) times.shift()
+  }
+
+  function frame(now: number): void {
+    asked = 0
+    if (playing.peek()) {
+      const passed = before === null ? 0 : (now - before) / 1000
+      if (passed < LONGEST) theta = (theta + passed * pace.peek() * TURN) % (turns.peek() * TURN)
+      before = now
+    }
+    void show()
+    if (playing.peek()) ask()
+  }
+
+  function ask(): void {
+    // a hidden tab gets no frames; it is asked again when it is seen
+    if (!asked && document.visibilityState !== 'hidden') asked = requestAnimationFrame(frame)
+  }
+
+  function seen(): void {
+    before = null
+    ask()
+  }
+  document.addEventListener('visibilitychange', seen)
+
+  const degrees = (): number => withinCycle((theta / TURN) * 360, turns.peek())
+  return {
+    playing,
+    turns,
+    theta: () => theta,
+    degrees,
+    turnTo(angle) {
+      theta = (withinCycle(angle, turns.peek()) / 360) * TURN
+      if (!playing.peek()) stopped(degrees())
+      ask()
+    },
+    play() {
+      if (playing.peek()) return
+      before = null
+      playing.value = true
+      stopped(null)
+      ask()
+    },
+    stop() {
+      if (!playing.peek()) return
+      playing.value = false
+      stopped(degrees())
+      ask()
+    },
+    follow(follower) {
+      followers.add(follower)
+      ask()
+      return () => followers.delete(follower)
+    },
+    refresh: ask,
+    flush: show,
+    frameTimes: () => [...times],
+    dispose() {
+      document.removeEventListener('visibilitychange', seen)
+      cancelAnimationFrame(asked)
+      playing.value = false
+      followers.clear()
+    },
+  }
+}

@@ -1,0 +1,186 @@
+import { batch, type Signal, signal } from '@preact/signals'
+import { FASTEST, SLOWEST, USUAL } from './pace'
+import { CAMERAS, type Camera } from './stage/stage'
+
+export const TABS = [
+  'orders',
+  'stars',
+  'forces',
+  'strokes',
+  'derivation',
+  'verdict',
+  'remedies',
+  'whirl',
+  'compare',
+  'edit',
+  'about',
+] as const
+export type Tab = (typeof TABS)[number]
+export const THEMES = ['auto', 'light', 'dark'] as const
+export type Theme = (typeof THEMES)[number]
+export const QUANTITIES = ['force', 'couple', 'roll', 'torque'] as const
+export type Quantity = (typeof QUANTITIES)[number]
+
+/** All that makes two people who open the same link see the same thing. */
+export interface State {
+  /** The engine, where it is not the one the page opens with: a catalog name, or `~` and a packed engine file. */
+  readonly engine: string
+  /** Crank angle at which the engine stands, degrees; null while it turns. */
+  readonly angle: number | null
+  readonly camera: Camera
+  readonly tab: Tab
+  readonly force: boolean
+  readonly couple: boolean
+  readonly cylinders: boolean
+  /** Orders that are shown as arrows, as whirl and in figures; null for all. */
+  readonly orders: readonly number[] | null
+  readonly quantity: Quantity
+  /** Length of the arrows, 1 as the stage is designed. */
+  readonly scale: number
+  /** Magnification of the whirl, 0 for none. */
+  readonly whirl: number
+  readonly glass: boolean
+  readonly glow: boolean
+  /** Turns of the crankshaft in a second. */
+  readonly pace: number
+  readonly theme: Theme
+  /** With counterweights and balance shafts. */
+  readonly fitted: boolean
+  /** The engine beside it: a catalog name, or `2` for the second engine of a page; empty for none. */
+  readonly beside: string
+}
+
+export const OPENING: State = {
+  engine: '',
+  angle: null,
+  camera: 'isometric',
+  tab: 'orders',
+  force: true,
+  couple: false,
+  cylinders: false,
+  orders: null,
+  quantity: 'force',
+  scale: 1,
+  whirl: 0,
+  glass: true,
+  glow: true,
+  pace: USUAL,
+  theme: 'auto',
+  fitted: false,
+  beside: '',
+}
+
+/** How a part of the state is written; `read` gives undefined for nonsense. */
+interface Field<T> {
+  readonly key: string
+  read(text: string): T | undefined
+  write(value: T): string
+}
+
+const yesNo = (key: string): Field<boolean> => ({
+  key,
+  read: (text) => (text === '1' ? true : text === '0' ? false : undefined),
+  write: (value) => (value ? '1' : '0'),
+})
+
+const oneOf = <T extends string>(key: string, choices: readonly T[]): Field<T> => ({
+  key,
+  read: (text) => choices.find((choice) => choice === text),
+  write: (value) => value,
+})
+
+const between = (key: string, low: number, high: number): Field<number> => ({
+  key,
+  read: (text) => {
+    const value = text.trim() === '' ? Number.NaN : Number(text)
+    return value >= low && value <= high ? value : undefined
+  },
+  write: (value) => String(Number(value.toPrecision(12))),
+})
+
+const words = (key: string, longest: number): Field<string> => ({
+  key,
+  read: (text) => (text.length <= longest ? text : undefined),
+  write: (value) => value,
+})
+
+const angle: Field<number | null> = {
+  ...between('a', -1e7, 1e7),
+  write: (value) => (value === null ? '' : String(Number(value.toFixed(9)))),
+}
+
+const orders: Field<readonly number[] | null> = {
+  key: 'orders',
+  read: (text) => {
+    const values = text.split('_').map((part) => (part === '' ? Number.NaN : Number(part)))
+    const good = values.every((value) => value > 0 && value <= 1000) && values.length <= 64
+    return good ? [...new Set(values)].sort((one, other) => one - other) : undefined
+  },
+  write: (value) => (value ?? []).join('_'),
+}
+
+const FIELDS: { readonly [K in keyof State]: Field<State[K]> } = {
+  engine: words('engine', 60_000),
+  angle,
+  camera: oneOf('camera', CAMERAS),
+  tab: oneOf('tab', TABS),
+  force: yesNo('force'),
+  couple: yesNo('couple'),
+  cylinders: yesNo('each'),
+  orders,
+  quantity: oneOf('of', QUANTITIES),
+  scale: between('scale', 0.05, 20),
+  whirl: between('whirl', 0, 1e6),
+  glass: yesNo('glass'),
+  glow: yesNo('glow'),
+  pace: between('speed', SLOWEST, FASTEST),
+  theme: oneOf('theme', THEMES),
+  fitted: yesNo('fitted'),
+  beside: words('beside', 60_000),
+}
+const NAMES = Object.keys(FIELDS) as readonly (keyof State)[]
+
+/** The state as text for an address, only what differs from how a page opens: `a=450&camera=front`. */
+export function stateText(state: State): string {
+  const text = new URLSearchParams()
+  const add = <K extends keyof State>(name: K): void => {
+    const written = FIELDS[name].write(state[name])
+    if (written !== FIELDS[name].write(OPENING[name])) text.set(FIELDS[name].key, written)
+  }
+  NAMES.forEach(add)
+  return text.toString()
+}
+
+/** The state that a text stands for. Whatever is not understood is as a page opens. */
+export function stateOf(text: string): State {
+  const given = new URLSearchParams(text.replace(/^#/, ''))
+  const state = { ...OPENING }
+  const take = <K extends keyof State>(name: K): void => {
+    const written = given.get(FIELDS[name].key)
+    const value = written === null ? undefined : FIELDS[name].read(written)
+    if (value !== undefined) state[name] = value
+  }
+  for (const name of NAMES) take(name)
+  return state
+}
+
+/** The state as signals, one for each part. */
+export type Store = { readonly [K in keyof State]: Signal<State[K]> }
+
+export function storeOf(state: State): Store {
+  return Object.fromEntries(NAMES.map((name) => [name, signal(state[name])])) as unknown as Store
+}
+
+/** The state at this moment; an effect that reads it runs again when any part changes. */
+export function snapshot(store: Store): State {
+  return Object.fromEntries(NAMES.map((name) => [name, store[name].value])) as unknown as State
+}
+
+/** Puts every part of a state into the store at once. */
+export function restore(store: Store, state: State): void {
+  const put = <K extends keyof State>(name: K): void => {
+    const part = store[name] as Signal<State[K]>
+    part.value = state[name]
+  }
+  batch(() => NAMES.forEach(put))
+}

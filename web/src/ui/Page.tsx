@@ -1,0 +1,59 @@
+import { useEffect, useRef } from 'preact/hooks'
+import type { Stage } from '../stage/stage'
+import { useApp } from './context'
+import { Header } from './Header'
+import { listenForKeys } from './keys'
+import { Layers } from './Layers'
+import { Now } from './Now'
+import { StageView } from './StageView'
+import { Tabs } from './Tabs'
+import { TimeBar } from './TimeBar'
+
+/** The whole page. `made` is told of every stage when it is there, and when it goes. */
+export function Page({ made }: { made: (index: number, stage: Stage | null) => void }) {
+  const { shown, host, clock, trouble, dark } = useApp()
+  const root = useRef<HTMLDivElement>(null)
+  useEffect(() => {
+    const element = root.current
+    if (!element) return undefined
+    return listenForKeys(host.kind === 'widget' ? element : document, element, clock)
+  }, [host, clock])
+  return (
+    <div
+      class={`crankstar ${host.kind} ${dark.value ? 'dark' : 'light'}`}
+      ref={root}
+      data-playing={clock.playing.value}
+    >
+      <div class="frame">
+        <Header />
+        {trouble.value && (
+          <p class="trouble" role="alert">
+            {trouble.value}
+            <button
+              type="button"
+              class="plain"
+              onClick={() => {
+                trouble.value = ''
+              }}
+            >
+              Close
+            </button>
+          </p>
+        )}
+        <main class="body">
+          <div class="left">
+            <Layers />
+            <div class={`stages${shown.value.length > 1 ? ' two' : ''}`}>
+              {shown.value.map((_, index) => (
+                <StageView key={index} index={index} made={made} />
+              ))}
+            </div>
+            <Now />
+            <TimeBar />
+          </div>
+          <Tabs />
+        </main>
+      </div>
+    </div>
+  )
+}

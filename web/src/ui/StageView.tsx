@@ -1,0 +1,73 @@
+import { effect } from '@preact/signals'
+import { useEffect, useRef } from 'preact/hooks'
+import type { App } from '../app'
+import type { Stage, View } from '../stage/stage'
+import { createStage } from './blank'
+import { useApp } from './context'
+
+/** What the stage is to draw at this angle. */
+function viewOf({ store, dark }: App, theta: number): View {
+  const orders = store.orders.value
+  return {
+    theta,
+    camera: store.camera.value,
+    arrows: {
+      force: store.force.value,
+      couple: store.couple.value,
+      cylinders: store.cylinders.value,
+      orders,
+      scale: store.scale.value,
+    },
+    whirl: { magnification: store.whirl.value, orders },
+    glass: store.glass.value,
+    glow: store.glow.value,
+    dark: dark.value,
+  }
+}
+
+/** One engine on a stage of its own; `index` tells which of those that are shown. */
+export function StageView({ index, made }: { index: number; made: (index: number, stage: Stage | null) => void }) {
+  const app = useApp()
+  const place = useRef<HTMLDivElement>(null)
+
+  useEffect(() => {
+    const element = place.current
+    const first = app.shown.peek()[index]
+    if (!element || !first) return undefined
+    const stage = createStage(element, first, app.clock.refresh)
+    made(index, stage)
+    let current = first
+    const ends = [
+      effect(() => {
+        const exhibit = app.shown.value[index]
+        if (exhibit && exhibit !== current) stage.show(exhibit)
+        current = exhibit ?? current
+        app.clock.refresh()
+      }),
+      app.clock.follow((theta) => stage.draw(viewOf(app, theta))),
+      effect(() => {
+        viewOf(app, 0)
+        app.clock.refresh()
+      }),
+    ]
+    const sized = new ResizeObserver(() => {
+      stage.resize()
+      app.clock.refresh()
+    })
+    sized.observe(element)
+    return () => {
+      sized.disconnect()
+      for (const end of ends) end()
+      made(index, null)
+      stage.dispose()
+    }
+  }, [app, index])
+
+  const exhibit = app.shown.value[index]
+  return (
+    <section class="stage" aria-label={`The engine: ${exhibit?.name ?? ''}`}>
+      <div class="canvas" ref={place} />
+      {app.shown.value.length > 1 && <p class="label">{exhibit?.name}</p>}
+    </section>
+  )
+}

@@ -1,0 +1,27 @@
+import { createContext } from 'preact'
+import { useContext, useEffect } from 'preact/hooks'
+import type { App } from '../app'
+import type { Follower } from '../clock'
+import type { Exhibit } from '../exhibit'
+
+export const Shared = createContext<App | null>(null)
+
+/** What all parts of the page share. */
+export function useApp(): App {
+  const app = useContext(Shared)
+  if (!app) throw new Error('A part of the page stands outside of it.')
+  return app
+}
+
+/** The engine on the stage. */
+export function useExhibit(): Exhibit {
+  const exhibit = useApp().shown.value[0]
+  if (!exhibit) throw new Error('There is no engine.')
+  return exhibit
+}
+
+/** Calls `follower` with every new crank angle while the component is there; anew when an input changes. */
+export function useFollower(follower: Follower, inputs: readonly unknown[]): void {
+  const { clock } = useApp()
+  useEffect(() => clock.follow(follower), [clock, ...inputs])
+}

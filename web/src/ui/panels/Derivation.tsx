@@ -1,0 +1,3 @@
+export function Derivation() {
+  return <p>Derivation</p>
+}

@@ -1,0 +1,3 @@
+export function Forces() {
+  return <p>Forces</p>
+}

@@ -1,0 +1,3 @@
+export function Remedies() {
+  return <p>Remedies</p>
+}

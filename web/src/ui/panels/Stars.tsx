@@ -1,0 +1,3 @@
+export function Stars() {
+  return <p>Stars</p>
+}

@@ -1,0 +1,3 @@
+export function Strokes() {
+  return <p>Strokes</p>
+}

@@ -1,0 +1,3 @@
+export function WhirlPanel() {
+  return <p>WhirlPanel</p>
+}

@@ -1,0 +1,33 @@
+import type { App } from '../app'
+import type { Exhibit, Vectors } from '../exhibit'
+
+/** The share of the engine's size that the greatest movement is magnified to when nothing else was chosen. */
+const SHARE = 0.05
+
+/** A magnification that shows the whirl well: 1, 2 or 5 times a power of ten; 0 where nothing moves. */
+export function suggestedMagnification(exhibit: Exhibit): number {
+  const { low, high } = exhibit.scene
+  const size = Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2])
+  const reach = Math.max(Math.abs(high[2] - exhibit.whirl.centre[2]), Math.abs(exhibit.whirl.centre[2] - low[2]))
+  const most = greatest(exhibit.whirl.shift) + reach * greatest(exhibit.whirl.tilt)
+  if (!(most > 1e-9 * size)) return 0
+  return rounded((SHARE * size) / most)
+}
+
+/** At most so far does a sum of turning vectors reach. */
+function greatest({ forward, backward }: Vectors): number {
+  return [...forward, ...backward].reduce((sum, [up, right]) => sum + Math.hypot(up, right), 0)
+}
+
+function rounded(value: number): number {
+  const power = 10 ** Math.floor(Math.log10(value))
+  const first = value / power
+  return Number(((first < 1.5 ? 1 : first < 3.5 ? 2 : first < 7.5 ? 5 : 10) * power).toPrecision(1))
+}
+
+/** Whirl on, as it is seen well, or off. */
+export function toggledWhirl({ store, shown }: App): void {
+  const exhibit = shown.peek()[0]
+  if (store.whirl.peek() > 0 || !exhibit) store.whirl.value = 0
+  else store.whirl.value = suggestedMagnification(exhibit) || 1
+}
