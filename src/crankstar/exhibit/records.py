@@ -109,7 +109,9 @@ class CylinderShown(Shown):
     bore_to: float = Field(description="upper end of the bore, where the head begins")
     bank: str
     chamber: int
-    fires_deg: float | None = Field(description="crank angle at which its chamber fires, degrees of theta; null without a firing order")
+    fires_deg: float | None = Field(
+        description="crank angle at which its chamber fires, degrees of theta; null without a firing order"
+    )
 
 
 class Scene(Shown):
@@ -162,7 +164,9 @@ class Whirl(Shown):
     shift: Vectors
     tilt: Vectors
     turn: tuple[Pair, ...]
-    assumed: tuple[str, ...] = Field(description="what of mass, centre and inertia is an estimate, as sentences; empty if all are given")
+    assumed: tuple[str, ...] = Field(
+        description="what of mass, centre and inertia is an estimate, as sentences; empty if all are given"
+    )
 
 
 class Row(Shown):
@@ -249,7 +253,9 @@ class Exhibit(Shown):
     stroke_windows: tuple[StrokeWindow, ...]
     charts: tuple[ChartKey, ...]
     derivations: tuple[DerivationKey, ...]
-    remedies: tuple[Table, ...] = Field(description="what `fitted` was fitted with and what it leaves, for a fitted engine; else empty")
+    remedies: tuple[Table, ...] = Field(
+        description="what `fitted` was fitted with and what it leaves, for a fitted engine; else empty"
+    )
 
 
 class StrokeWindow(Shown):

@@ -1,0 +1,86 @@
+"""What holds between web/ and the package: types that are current, a bundle that fits its sources and is small, a lock that is open."""
+
+from __future__ import annotations
+
+import json
+import re
+import runpy
+import shutil
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import pytest
+from tests.front_end import BUNDLE, ROOT, WEB, node
+
+MAKER = runpy.run_path(str(WEB / "bundle.py"))
+MEGABYTE = 1_000_000
+
+
+def test_the_types_of_the_front_end_are_those_of_the_records() -> None:
+    schema = subprocess.run([sys.executable, "-m", "crankstar.exhibit"], capture_output=True, text=True, check=True).stdout
+    made = node("types.mjs", text=schema)
+    assert "export interface Exhibition" in made
+    assert (WEB / "src" / "exhibit.ts").read_text(encoding="utf-8") == made, "run: make types"
+
+
+def test_the_bundle_is_made_from_the_sources_that_are_there() -> None:
+    assert MAKER["fresh"](), "run: make bundle"
+
+
+@pytest.mark.parametrize("changed", ["src/index.tsx", "src/host/host.ts", "package-lock.json", "vite.config.ts"])
+def test_a_change_of_any_source_makes_the_bundle_stale(changed: str, tmp_path: Path) -> None:
+    web = tmp_path / "web"
+    shutil.copytree(WEB, web, ignore=shutil.ignore_patterns("node_modules"))
+    copy = runpy.run_path(str(web / "bundle.py"))
+    assert copy["digest"]() == MAKER["digest"](), "it tells contents, not places and times"
+    (web / changed).write_bytes((web / changed).read_bytes() + b"\n")
+    assert copy["digest"]() != MAKER["digest"]()
+
+
+def test_the_bundle_is_at_most_two_megabytes_and_loads_nothing() -> None:
+    text = BUNDLE.read_text(encoding="utf-8")
+    assert len(text.encode()) <= 2 * MEGABYTE
+    assert not re.search(r"\bimport\s*[\"'(]\s*[\"']?https?:", text)
+    assert not re.search(r"\bfrom\s*[\"']", text[-2000:]), "everything is in one module"
+
+
+def test_versions_of_the_front_end_are_exact_and_the_lock_names_no_place() -> None:
+    package = json.loads((WEB / "package.json").read_text(encoding="utf-8"))
+    lock = json.loads((WEB / "package-lock.json").read_text(encoding="utf-8"))
+    wanted = {**package["dependencies"], **package["devDependencies"]}
+    assert all(re.fullmatch(r"\d+\.\d+\.\d+", version) for version in wanted.values())
+    locked = {name: entry for name, entry in lock["packages"].items() if name}
+    assert {name: locked[f"node_modules/{name}"]["version"] for name in wanted} == wanted
+    assert all("resolved" not in entry and "version" in entry for entry in locked.values())
+
+
+def test_node_to_build_with_is_the_same_in_the_build_hook_and_for_the_checks() -> None:
+    extras = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["optional-dependencies"]
+    assert MAKER["NODE"] in extras["lint"]
+
+
+@pytest.mark.long
+def test_sdist_and_wheel_have_the_page_in_them_and_install_without_node(tmp_path: Path) -> None:
+    def run(*command: str | Path, **environment: str) -> str:
+        done = subprocess.run(
+            command, cwd=tmp_path, capture_output=True, text=True, check=False, env={"PATH": "/usr/bin:/bin", **environment}
+        )
+        assert not done.returncode, done.stdout[-2000:] + done.stderr[-2000:]
+        return done.stdout
+
+    subprocess.run(
+        [sys.executable, "-m", "hatchling", "build", "-t", "sdist", "-d", str(tmp_path)], cwd=ROOT, check=True, capture_output=True
+    )
+    (sdist,) = tmp_path.glob("*.tar.gz")
+    run(sys.executable, "-m", "venv", "fresh")
+    pip = [tmp_path / "fresh/bin/python", "-m", "pip", "--disable-pip-version-check"]
+    # npm would ask this address, at which nobody answers
+    run(*pip, "wheel", "--quiet", "--no-deps", "-w", "wheels", sdist, npm_config_registry="http://127.0.0.1:9/")
+    (wheel,) = (tmp_path / "wheels").glob("*.whl")
+    run(*pip, "install", "--quiet", "-c", ROOT / "constraints.txt", f"{wheel}[charts]")
+    run(tmp_path / "fresh/bin/crankstar", "page", "v8-cross-plane", "-o", "v8.html")
+    page = (tmp_path / "v8.html").read_text(encoding="utf-8")
+    assert "v8-cross-plane" in page
+    assert MEGABYTE / 2 < len(page.encode()) <= 3 * MEGABYTE
