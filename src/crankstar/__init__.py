@@ -14,6 +14,7 @@ a record, a way of looking at it is a function, an engine type is data, and impo
 | `search_request`, `star_request` | which search, of which crank stars, judged by what |
 | `search_job` | a search as the command line runs it: estimated, on so many workers, its progress told |
 | `output` | where results go: terminal, pipe, or a file that appears whole or not at all |
+| `exhibit/` | what the page shows of an engine, as records that are sent to it |
 | `tables`, `description` | a Balance, an Engine as tables for the terminal and the notebook |
 | `charts/` | figures as Altair charts, one function each, and as SVG without a browser |
 | `verdict` | the facts a Balance shows, as short sentences with their numbers |
@@ -37,6 +38,7 @@ a record, a way of looking at it is a function, an engine type is data, and impo
 | `files/` | Engine <-> TOML/JSON, JSON Schema, a sentence for every mistake, starter files |
 | `units` | text <-> SI; the only user of pint |
 | `remedy/` | what is put on an engine so that it shakes less: counterweights, balance shafts; gives Engines back |
+| `whirl` | how the rigid engine moves if nothing holds it |
 | `balance` | Engine -> Balance: what every part does to the block, by cylinder, bank, shaft, in all; units |
 | `mechanism` | an engine, or a batch, as arrays; the laws of force, couple, roll and torque, and their spectra |
 | `strokes` | the strokes of each cylinder, valve and port events, exhausts that meet and disturb each other |

@@ -82,7 +82,7 @@ def _conditions(shown: Analysis) -> RenderableType:
     """What the numbers are counted in, about which point, at what speed, and what is not certain."""
     engine = shown.engine
     lines = [f"couples and rolls about {_point(shown)}; an amplitude a ∠ p means a cos(kθ + p)"]
-    units = _units(engine)
+    units = unit_sizes(engine)
     if shown.real is not None and shown.real.speed is not None:
         lines.append(f"forces at {number(shown.real.speed * 30 / pi)} rpm" + units)
     elif "mass" in engine.relative or "radius" in engine.relative:
@@ -115,7 +115,7 @@ def _point(shown: Analysis) -> str:
     return f"{place} on the axis of shaft {engine.shafts[0].name}" if several else place
 
 
-def _units(engine: Engine) -> str:
+def unit_sizes(engine: Engine) -> str:
     """How much m, r and a are, as far as they are known."""
     first = engine.first
     known = [("m", first.reciprocating_mass, "kg", "mass"), ("r", engine.throw(first).radius * 1000, "mm", "radius")]

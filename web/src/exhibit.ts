@@ -74,7 +74,7 @@ export interface Units {
   length: string
 }
 /**
- * Force, couple, roll of the block and torque on the crankshaft for each order of the exhibit; pairs of signals [real, imaginary].
+ * Force, couple, roll of the block and torque on the crankshaft for each order; pairs of signals are [real, imaginary].
  */
 export interface Sum {
   force: Vectors

@@ -134,7 +134,7 @@ class Vectors(Shown):
 
 
 class Sum(Shown):
-    """Force, couple, roll of the block and torque on the crankshaft for each order of the exhibit; pairs of signals [real, imaginary]."""
+    """Force, couple, roll of the block and torque on the crankshaft for each order; pairs of signals are [real, imaginary]."""
 
     force: Vectors
     couple: Vectors

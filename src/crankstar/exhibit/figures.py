@@ -1,0 +1,70 @@
+"""The figures and derivations of an exhibit by key: compiled Vega specifications, and HTML with MathML."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+from crankstar.engine import Engine
+from crankstar.exhibit.keys import chart_keys, derivation_keys
+from crankstar.quantity import one_line
+
+
+class NoSuchKeyError(ValueError):
+    """A key that no figure or derivation of an engine has, as one sentence."""
+
+
+def chart(engine: Engine, key: str) -> dict[str, Any]:
+    """The figure of that key as a Vega specification, with the signal `theta` (degrees) but no slider for it.
+
+    Raises NoSuchKeyError, or ChartError where the figure cannot be drawn.
+    """
+    import vl_convert
+
+    from crankstar.charts import CHARTS
+
+    figure, *options = key.split(":")
+    asked: dict[str, Any] = {name: value for name, _, value in (part.partition("=") for part in options)}
+    known = CHARTS.get(figure)
+    if (
+        known is None
+        or not asked.keys() <= set(known.options)
+        or asked.get("quantity", "force") not in (*known.quantities, "force")
+    ):
+        raise NoSuchKeyError(f"{one_line(key, longest=60)}: there is no such figure; there are: {', '.join(CHARTS)}")
+    if "order" in asked:
+        asked["order"] = _order(key, asked["order"])
+    if "speed" in known.options:
+        asked["speed"] = engine.speed
+    drawn = known.draw(engine, **asked).to_dict(validate=False)
+    for parameter in drawn.get("params", ()):
+        parameter.pop("bind", None)
+    return vl_convert.vegalite_to_vega(drawn)
+
+
+def _order(key: str, text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        raise NoSuchKeyError(f"{one_line(key, longest=60)}: the order is not a number") from None
+
+
+def derivation(engine: Engine, key: str) -> str:
+    """The derivation of that key (`force:2`) as HTML with MathML; every text in it is escaped, and no style is inline.
+
+    Raises NoSuchKeyError, or DerivationError where it cannot be derived.
+    """
+    from crankstar import derive
+    from crankstar.derive.documents import html_part
+
+    quantity, _, order = key.partition(":")
+    try:
+        wanted = Fraction(order) if len(order) < 20 and "e" not in order.lower() else Fraction(0)
+    except (ValueError, ZeroDivisionError):
+        wanted = Fraction(0)
+    if quantity not in ("force", "couple") or wanted <= 0:
+        raise NoSuchKeyError(f"{one_line(key, longest=60)}: there is no such derivation; ask for one as in force:2")
+    return html_part(derive.derivation(engine, wanted, quantity=quantity).chapter)
+
+
+__all__ = ["NoSuchKeyError", "chart", "chart_keys", "derivation", "derivation_keys"]

@@ -1,0 +1,128 @@
+"""A Balance as the page needs it: vectors of every order for arrows, the table of orders, the free response."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Literal
+
+import numpy as np
+
+from crankstar import phasor, whirl
+from crankstar.balance import Balance, of_parts, total
+from crankstar.engine import Engine
+from crankstar.exhibit.records import Pair, PartForce, Row, Sum, Vectors, Whirl
+from crankstar.mechanism import Totals, block_roll
+from crankstar.phasor import Complex, Spectrum
+from crankstar.wording import NEGLIGIBLE, number, shape, wave
+
+
+def summed(result: Balance) -> Totals:
+    """The sums of a Balance, the roll being that of the block; what is nothing beside its parts is zero."""
+
+    def quiet(whole: Spectrum, parts: Spectrum) -> Spectrum:
+        pushed = (np.abs(parts.forward) + np.abs(parts.backward)).sum(axis=0)
+        heard = np.abs(whole.forward) + np.abs(whole.backward) > NEGLIGIBLE * pushed
+        return phasor.scaled(whole, heard)
+
+    sums = total(result)
+    return Totals(
+        force=quiet(sums.force, result.force),
+        couple=quiet(sums.couple, result.couple),
+        roll=quiet(block_roll(sums), result.roll),
+        torque=quiet(sums.torque, result.torque),
+    )
+
+
+def vectors(spectrum: Spectrum, orders: Sequence[float]) -> Vectors:
+    """A vector of the clock plane at the orders of an exhibit."""
+    one = phasor.selected(spectrum, orders)
+    return Vectors(forward=pairs(one.forward), backward=pairs(one.backward))
+
+
+def pairs(values: Complex) -> tuple[Pair, ...]:
+    """Complex numbers as pairs of floats."""
+    return tuple((float(value.real) + 0.0, float(value.imag) + 0.0) for value in values)
+
+
+def signals(spectrum: Spectrum, orders: Sequence[float]) -> tuple[Pair, ...]:
+    """The amplitudes of a real signal at the orders of an exhibit."""
+    return pairs(phasor.amplitude(phasor.selected(spectrum, orders)))
+
+
+def sums_of(sums: Totals, orders: Sequence[float]) -> Sum:
+    """The whole engine."""
+    return Sum(
+        force=vectors(sums.force, orders),
+        couple=vectors(sums.couple, orders),
+        roll=signals(sums.roll, orders),
+        torque=signals(sums.torque, orders),
+    )
+
+
+def by_cylinder(engine: Engine, result: Balance, orders: Sequence[float], *, along: float) -> tuple[PartForce, ...]:
+    """What each cylinder does to the block."""
+    return tuple(
+        PartForce(
+            number=cylinder.number, z=cylinder.z * along, force=vectors(of_parts(result, cylinder=cylinder.number).force, orders)
+        )
+        for cylinder in engine.cylinders
+    )
+
+
+def free_response(engine: Engine, orders: Sequence[float], *, along: float) -> Whirl:
+    """How the engine moves if nothing holds it."""
+    body = whirl.estimated(engine, along=along)
+    found = whirl.response(engine, body=body, along=along, orders=tuple(orders))
+    return Whirl(
+        centre=body.centre,
+        mass=body.mass,
+        inertia=body.inertia,
+        shift=vectors(found.shift, orders),
+        tilt=vectors(found.tilt, orders),
+        turn=signals(found.turn, orders),
+        assumed=body.assumed,
+    )
+
+
+def rows(sums: Totals, orders: Sequence[float]) -> tuple[Row, ...]:
+    """The table of orders: what is printed, and the ellipse."""
+    out = []
+    for quantity in ("force", "couple"):
+        one = phasor.selected(getattr(sums, quantity), orders)
+        largest = _largest(getattr(sums, quantity))
+        up, right = phasor.vertical(one), phasor.horizontal(one)
+        for index, order in enumerate(orders):
+            path = phasor.ellipse(complex(one.forward[index]), complex(one.backward[index]))
+            out.append(
+                Row(
+                    order=order,
+                    label=number(order),
+                    quantity=quantity,
+                    up=wave(up[index], largest),
+                    right=wave(right[index], largest),
+                    path=shape(path, largest),
+                    greatest=number(path.semi_major, largest),
+                    semi_axes=(path.semi_major, path.semi_minor),
+                    direction=path.bearing,
+                    turning=_turning(path, one.sense),
+                )
+            )
+    for quantity in ("roll", "torque"):
+        signal = getattr(sums, quantity)
+        largest = max(_largest(sums.roll), _largest(sums.torque))
+        for order, size in zip(orders, phasor.amplitude(phasor.selected(signal, orders)), strict=True):
+            told = {"up": wave(size, largest), "right": "", "path": "", "greatest": number(abs(size), largest)}
+            out.append(
+                Row(order=order, label=number(order), quantity=quantity, semi_axes=None, direction=None, turning=None, **told)
+            )
+    return tuple(out)
+
+
+def _turning(path: phasor.Ellipse, sense: int) -> Literal[-1, 0, 1]:
+    """The way an ellipse is run through seen from the front: 1 clockwise, -1 counter-clockwise, 0 a line or nothing."""
+    turning = path.sense * sense
+    return 0 if turning == 0 else 1 if turning > 0 else -1
+
+
+def _largest(spectrum: Spectrum) -> float:
+    return float(np.max(np.abs(spectrum.forward) + np.abs(spectrum.backward), initial=0.0)) or 1.0

@@ -1,0 +1,109 @@
+"""How a rigid engine, free in space, answers to what its moving parts do to it: shift, tilt and turn, order by order.
+
+With M the mass of the whole engine (moving parts included), G its centre of mass, F_k, C_k the force and the couple of
+order k about the plane through G (clock plane), R_k the roll about the axis through G that the block takes, w the crank
+speed, I_up, I_right, I_z the moments of inertia of the engine about axes through G:
+
+    shift_k = -F_k / (M (k w)^2)                                   m, the place of G
+    tilt_k  = -(C_k.up / I_right + i C_k.right / I_up) / (k w)^2   the place of the crank axis for each unit of z from G
+    turn_k  = -R_k / (I_z (k w)^2)                                 rad, clockwise seen from the front
+
+F_k, C_k and R_k grow with w^2, so none of these depends on the speed. `tilt` is a vector of the clock plane like `shift`:
+a point of the axis at z moves by shift + (z - z_G) tilt (and by i * turn * its place from G, for an axis beside G). An
+up-going force in front of G turns the engine about its axis to the right, hence C.up with I_right. The response is that of
+the linear theory: small motions, and moments of inertia that do not change while the parts move; products of inertia are
+left out, and so is what a spinning crankshaft does as a gyroscope. The roll is `mechanism.block_roll`: crankshaft and
+flywheel take the torque and turn on as they did; I_z is that of the engine without them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from crankstar import phasor
+from crankstar.balance import default_reference
+from crankstar.engine import Engine
+from crankstar.mechanism import Reference, block_roll, mechanism, spectra, total
+from crankstar.phasor import Complex, Spectrum
+
+MASS_TO_PISTONS = 40.0
+"""Mass of an engine over that of its reciprocating parts: a V8 of 5 l, 210 kg over 8 times 0.65 kg. Only the size of the
+whirl hangs on it, not the shape of its path, and the size is shown magnified."""
+RADIUS_TO_REACH = 0.5
+"""Radius of the estimated round bar over the greatest distance of a piston pin from its shaft."""
+
+
+@dataclass(frozen=True)
+class Body:
+    """A rigid engine: mass, centre [up, right, z], moments of inertia about axes through it [up, right, z]; what is assumed."""
+
+    mass: float
+    centre: tuple[float, float, float]
+    inertia: tuple[float, float, float]
+    assumed: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Response:
+    """The free response: `shift` (lengths), `tilt` (lengths over lengths along z), `turn` (a real signal, rad), by order."""
+
+    body: Body
+    shift: Spectrum
+    tilt: Spectrum
+    turn: Spectrum
+
+
+def estimated(engine: Engine, *, along: float = 1.0) -> Body:
+    """The engine as a homogeneous round bar about the crankshaft, for want of anything better.
+
+    Its mass is `MASS_TO_PISTONS` reciprocating masses (of a rigid rod a third counts), its length the span of the cylinders
+    and a stroke more, its radius `RADIUS_TO_REACH` of how far the pistons go. A round bar whirls in a circle where the couple
+    is one. `along` is how many units across the crankshaft one along it is (1 but for engines whose bore pitch or stroke is
+    not known).
+    """
+    pistons = sum(c.reciprocating_mass + (c.rod.mass / 3 if c.rod else 0.0) for c in engine.cylinders)
+    places = [cylinder.z * along for cylinder in engine.cylinders]
+    radii = [engine.throw(cylinder).radius for cylinder in engine.cylinders]
+    reach = max(radius + cylinder.rod_length for radius, cylinder in zip(radii, engine.cylinders, strict=True))
+    mass, length, radius = MASS_TO_PISTONS * pistons, max(places) - min(places) + 2 * max(radii), RADIUS_TO_REACH * reach
+    across = mass * (3 * radius**2 + length**2) / 12
+    bar = "mass, centre and inertia are those of a homogeneous round bar about the crankshaft"
+    told = (f"The engine file gives no [block]: {bar}, {MASS_TO_PISTONS:g} times as heavy as the reciprocating parts.",)
+    middle = default_reference(engine).z * along
+    return Body(mass, (0.0, 0.0, middle), (across, across, mass * radius**2 / 2), told)
+
+
+def response(engine: Engine, *, body: Body, along: float = 1.0, orders: tuple[float, ...] | None = None) -> Response:
+    """The free response of an engine as a rigid body; `along` as in `estimated`, `body` in units across the crankshaft.
+
+    >>> from crankstar.catalog import load
+    >>> engine = load("v8-cross-plane")
+    >>> found = response(engine, body=estimated(engine), orders=(1.0,))
+    >>> abs(found.tilt.backward[0]) < 1e-12 * abs(found.tilt.forward[0])  # it whirls in a circle
+    True
+    """
+    up, right, z = body.centre
+    sums = total(spectra(mechanism(engine), reference=Reference(z / along, up, right), orders=orders))
+    force, couple, roll = sums.force, phasor.scaled(sums.couple, along), block_roll(sums)
+    squared = -(force.orders**2)
+    about_up, about_right, about_z = body.inertia
+    tilt = _apart(couple, up=1 / about_right, right=1 / about_up)
+    return Response(
+        body,
+        shift=phasor.scaled(force, 1 / (body.mass * squared)),
+        tilt=phasor.scaled(tilt, 1 / squared),
+        turn=phasor.scaled(roll, 1 / (about_z * squared)),
+    )
+
+
+def _apart(spectrum: Spectrum, *, up: float, right: float) -> Spectrum:
+    """A vector of the clock plane with its upward and its rightward part each multiplied by a factor of its own."""
+    mean, rest = (up + right) / 2, (up - right) / 2
+
+    def mixed(one: Complex, other: Complex) -> Complex:
+        return mean * one + rest * np.conj(other)
+
+    forward, backward = spectrum.forward, spectrum.backward
+    return replace(spectrum, forward=mixed(forward, backward), backward=mixed(backward, forward))
