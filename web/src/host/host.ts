@@ -53,6 +53,13 @@ export interface SearchState {
   sentences: string[]
 }
 
+/** How an engine is fitted with weights and shafts; what is left out is done as its verdict advises. */
+export interface Fitting {
+  factor?: number
+  weights?: 'pins' | 'webs' | 'ends'
+  shafts?: 'none' | 'needed' | 'all'
+}
+
 /** Live editing: engine files as trees, exactly as in TOML. All of it may be aborted. */
 export interface Service {
   schema(): Promise<Tree>
@@ -62,7 +69,10 @@ export interface Service {
   toml(tree: Tree): Promise<Answer<string>>
   /** An engine file that was dropped or opened, TOML or JSON. */
   read(text: string): Promise<Answer<Tree>>
-  startSearch(tree: Tree, wish: Record<string, unknown>): Promise<Answer<SearchState>>
+  /** The engine file with counterweights and balance shafts; null where there is nothing to do. */
+  fitted(tree: Tree, options: Fitting): Promise<Answer<Tree | null>>
+  /** Of the in-line engine of a tree; without one, of `cylinders` and `cycle` in the wish. */
+  startSearch(tree: Tree | null, wish: Record<string, unknown>): Promise<Answer<SearchState>>
   search(id: string): Promise<Answer<SearchState>>
   cancelSearch(id: string): Promise<Answer<SearchState>>
 }

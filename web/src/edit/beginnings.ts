@@ -1,0 +1,51 @@
+import type { Field } from './schema'
+
+/** What a table begins with: its required keys, each with the example of the schema or the least that it can be. */
+export function recordOf(fields: readonly Field[]): Record<string, unknown> {
+  return Object.fromEntries(fields.filter((field) => field.required).map((field) => [field.key, beginningOf(field)]))
+}
+
+function beginningOf(field: Field): unknown {
+  const { kind } = field
+  switch (kind.is) {
+    case 'fixed':
+      return kind.value
+    case 'choice':
+      return kind.among[0]
+    case 'quantity':
+      return field.example
+    case 'number':
+      return kind.range?.[0] ?? 1
+    case 'record':
+    case 'table':
+      return recordOf(kind.fields)
+    case 'records':
+      return [recordOf(kind.fields)]
+    case 'quantities':
+      return [kind.item.example]
+    case 'numbers':
+      return [1]
+    case 'marks':
+      return []
+    case 'ratio':
+      return 1
+    case 'text':
+      return field.example
+  }
+}
+
+const greatest = (numbers: unknown[]) => Math.max(0, ...numbers.map(Number).filter(Number.isFinite))
+
+/** Another table for a list of them: like the last, with the numbers of cylinders that come next. */
+export function another(records: readonly unknown[], fields: readonly Field[]): Record<string, unknown> {
+  const last = records.at(-1)
+  const next = typeof last === 'object' && last !== null ? { ...(last as Record<string, unknown>) } : recordOf(fields)
+  const all = records as Record<string, unknown>[]
+  if (typeof next.number === 'number') next.number = greatest(all.map((record) => record.number)) + 1
+  if (Array.isArray(next.cylinders)) {
+    const most = greatest(all.flatMap((record) => (Array.isArray(record.cylinders) ? record.cylinders : [])))
+    next.cylinders = next.cylinders.map((_, place) => most + place + 1)
+  }
+  if (typeof next.name === 'string' && records.length > 0) next.name = `${next.name} ${records.length + 1}`
+  return next
+}

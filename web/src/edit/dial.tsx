@@ -1,0 +1,81 @@
+import { useRef } from 'preact/hooks'
+import { settled } from './quantity'
+
+const STEPS: Record<string, number> = {
+  ArrowRight: 1,
+  ArrowUp: 1,
+  ArrowLeft: -1,
+  ArrowDown: -1,
+  PageUp: 15,
+  PageDown: -15,
+}
+
+interface Props {
+  /** Degrees, clockwise from up; null where there is no angle to show. */
+  readonly degrees: number | null
+  readonly label: string
+  /** Called while it is turned. */
+  readonly turned: (degrees: number) => void
+  /** Called when a turn is over. */
+  readonly rested: () => void
+}
+
+/** A small wheel for a bearing: drag it, or turn it with the arrow keys (Page keys: 15 deg). Whole degrees; with shift 15, with alt tenths. */
+export function Dial({ degrees, label, turned, rested }: Props) {
+  const held = useRef(false)
+  const at = degrees ?? 0
+
+  const follow = (event: PointerEvent) => {
+    const box = (event.currentTarget as Element).getBoundingClientRect()
+    const right = event.clientX - box.left - box.width / 2
+    const up = box.top + box.height / 2 - event.clientY
+    if (Math.hypot(up, right) < 3) return
+    const step = event.shiftKey ? 15 : event.altKey ? 0.1 : 1
+    turned(settled((Math.atan2(right, up) * 180) / Math.PI, step))
+  }
+
+  return (
+    <span
+      class="dial"
+      role="slider"
+      tabIndex={0}
+      aria-label={label}
+      aria-valuemin={-180}
+      aria-valuemax={180}
+      aria-valuenow={Math.round(settled(at, 0.001) * 1000) / 1000}
+      aria-valuetext={degrees === null ? 'no angle' : `${Math.round(at * 1000) / 1000} degrees clockwise from up`}
+      onPointerDown={(event) => {
+        held.current = true
+        event.currentTarget.setPointerCapture(event.pointerId)
+        follow(event)
+      }}
+      onPointerMove={(event) => held.current && follow(event)}
+      onPointerUp={() => {
+        held.current = false
+        rested()
+      }}
+      onPointerCancel={() => {
+        held.current = false
+        rested()
+      }}
+      onKeyDown={(event) => {
+        const step = STEPS[event.key]
+        if (step === undefined) return
+        event.preventDefault()
+        turned(settled(at + (event.shiftKey && Math.abs(step) === 1 ? 15 * step : step), 0.001))
+      }}
+      onBlur={rested}
+    >
+      <svg viewBox="-20 -20 40 40" aria-hidden="true">
+        <circle class="rim" r="17" />
+        <path class="mark" d="M0 -17V-13" />
+        {degrees !== null && (
+          <g transform={`rotate(${at})`}>
+            <path class="arm" d="M0 0V-11" />
+            <circle class="pin" cy="-12" r="4" />
+          </g>
+        )}
+      </svg>
+    </span>
+  )
+}

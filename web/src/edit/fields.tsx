@@ -1,0 +1,312 @@
+import type { ComponentChildren } from 'preact'
+import { useRef, useState } from 'preact/hooks'
+import { idOf, useSentences, useSession } from './context'
+import { Dial } from './dial'
+import { angle, type Dimension, degrees, parsed, retold, type Scale, scale, settled, shown, typed } from './quantity'
+import type { Field, Kind } from './schema'
+import { at, type Path, same } from './tree'
+
+export interface FieldProps {
+  readonly field: Field
+  readonly path: Path
+  /** In a list of alike records: the help is not said again for each of them. */
+  readonly quiet?: boolean
+}
+
+type Of<T extends Kind['is']> = Extract<Kind, { is: T }>
+
+const USUAL: Record<Dimension, string> = { angle: 'deg', length: 'mm', place: 'mm', mass: 'g', speed: 'rpm', other: '' }
+
+/** A label, what it labels, its help and what is wrong with it. */
+export function Labelled({
+  field,
+  path,
+  quiet,
+  below = false,
+  children,
+}: FieldProps & { below?: boolean; children: ComponentChildren }) {
+  const wrong = useSentences(path, below)
+  const id = idOf(path)
+  return (
+    <div class={wrong.length ? 'field wrong' : 'field'}>
+      <label for={id} title={quiet ? field.help : undefined}>
+        {field.label}
+      </label>
+      <div class="taking">{children}</div>
+      {field.help && (
+        <p class={quiet ? 'aside' : 'help'} id={`${id}-help`}>
+          {field.help}
+        </p>
+      )}
+      <Sentences path={path} below={below} />
+    </div>
+  )
+}
+
+/** What is wrong, beside its field; `below` takes what is wrong inside it too. */
+export function Sentences({ path, below = false }: { path: Path; below?: boolean }) {
+  const lines = useSentences(path, below)
+  const id = `${idOf(path)}-wrong`
+  if (!lines.length) return null
+  return (
+    <div class="sentences" id={id}>
+      {lines.map((line) => (
+        <p key={line}>{line}</p>
+      ))}
+    </div>
+  )
+}
+
+interface BoxProps {
+  readonly path: Path
+  readonly label?: string
+  readonly example?: string
+  readonly take: (text: string) => unknown
+  readonly below?: boolean
+  readonly long?: boolean
+  readonly numeric?: boolean
+}
+
+/** A text box for the value at a path. What is typed stays as it is typed while it means what the file holds. */
+export function Box({ path, label, example, take, below = false, long = false, numeric = false }: BoxProps) {
+  const session = useSession()
+  const [raw, setRaw] = useState<string | null>(null)
+  const wrong = useSentences(path, below).length > 0
+  const value = at(session.tree.value, path)
+  const id = idOf(path)
+  const meant = (text: string) => (text.trim() || typeof path.at(-1) === 'number' ? take(text) : undefined)
+  const text = raw !== null && same(meant(raw), value) ? raw : shown(value)
+  const props = {
+    id,
+    value: text,
+    placeholder: example,
+    'aria-label': label,
+    'aria-invalid': wrong,
+    'aria-describedby': `${wrong ? `${id}-wrong ` : ''}${id}-help`,
+    autocomplete: 'off',
+    spellcheck: false,
+    onInput: (event: { currentTarget: HTMLInputElement | HTMLTextAreaElement }) => {
+      const typedNow = event.currentTarget.value
+      setRaw(typedNow)
+      session.set(path, meant(typedNow), `type ${id}`)
+    },
+    onBlur: () => {
+      setRaw(null)
+      session.rest()
+    },
+  }
+  if (long) return <textarea rows={3} {...props} />
+  return <input type="text" inputMode={numeric ? 'decimal' : 'text'} {...props} />
+}
+
+export function TextField(props: FieldProps) {
+  const { field, path } = props
+  const long = field.kind.is === 'text' && field.kind.long
+  const take = field.kind.is === 'text' ? (text: string) => text : typed
+  return (
+    <Labelled {...props}>
+      <Box path={path} example={field.example} take={take} long={long} />
+    </Labelled>
+  )
+}
+
+export function NumberField(props: FieldProps & { kind: Of<'number'> }) {
+  const { field, path, kind } = props
+  const value = at(useSession().tree.value, path)
+  const [low, high] = kind.range ?? [0, 0]
+  const limits = kind.range && !kind.whole ? { low, high, step: (high - low) / 200 } : null
+  return (
+    <Labelled {...props}>
+      <Box path={path} example={defaulted(field)} take={typed} numeric />
+      {limits && (
+        <Slider
+          path={path}
+          label={field.label}
+          limits={limits}
+          number={typeof value === 'number' ? value : low}
+          told={(number) => number}
+        />
+      )}
+    </Labelled>
+  )
+}
+
+/** Numbers of cylinders: with commas, or with dashes as a firing order is written. */
+export function NumbersField(props: FieldProps) {
+  const take = (text: string) =>
+    text
+      .split(/[\s,;–-]+/)
+      .filter(Boolean)
+      .map(typed)
+  return (
+    <Labelled {...props} below>
+      <Box path={props.path} example={props.field.example} take={take} below />
+    </Labelled>
+  )
+}
+
+export function ChoiceField(props: FieldProps & { kind: Of<'choice'> }) {
+  const { field, path, kind } = props
+  const session = useSession()
+  const value = at(session.tree.value, path) ?? field.initial
+  const known = kind.among.includes(String(value))
+  return (
+    <Labelled {...props}>
+      <select
+        id={idOf(path)}
+        aria-describedby={`${idOf(path)}-help`}
+        value={String(value)}
+        onChange={(event) => session.set(path, event.currentTarget.value)}
+      >
+        {!known && <option value={String(value)}>{value === undefined ? 'choose' : String(value)}</option>}
+        {kind.among.map((one) => (
+          <option key={one} value={one}>
+            {one}
+          </option>
+        ))}
+      </select>
+    </Labelled>
+  )
+}
+
+export function MarksField(props: FieldProps & { kind: Of<'marks'> }) {
+  const { field, path, kind } = props
+  const session = useSession()
+  const value = at(session.tree.value, path)
+  const on = Array.isArray(value) ? value.map(String) : []
+  return (
+    <fieldset class="field marks" id={idOf(path)} tabIndex={-1}>
+      <legend>{field.label}</legend>
+      {kind.among.map((one) => (
+        <label key={one}>
+          <input
+            type="checkbox"
+            checked={on.includes(one)}
+            onChange={(event) => {
+              const next = kind.among.filter((other) =>
+                other === one ? event.currentTarget.checked : on.includes(other),
+              )
+              session.set(path, next.length ? next : undefined)
+            }}
+          />
+          {one}
+        </label>
+      ))}
+      <p class="help">{field.help}</p>
+      <Sentences path={path} below />
+    </fieldset>
+  )
+}
+
+interface SliderProps {
+  readonly path: Path
+  readonly label: string
+  readonly limits: Scale
+  readonly number: number
+  readonly told: (number: number) => unknown
+}
+
+/** A slider beside a text box; a drag is one step of the history, and the scale stays while it lasts. */
+function Slider({ path, label, limits, number, told }: SliderProps) {
+  const session = useSession()
+  const held = useRef<Scale | null>(null)
+  const { low, high, step } = held.current ?? limits
+  const rest = () => {
+    held.current = null
+    session.rest()
+  }
+  return (
+    <input
+      type="range"
+      aria-label={`${label}, slider`}
+      aria-valuetext={shown(told(number))}
+      min={low}
+      max={high}
+      step={step}
+      value={number}
+      onPointerDown={() => {
+        held.current = limits
+      }}
+      onInput={(event) => {
+        held.current ??= limits
+        session.set(path, told(Number(event.currentTarget.value)), `drag ${idOf(path)}`)
+      }}
+      onChange={rest}
+      onBlur={rest}
+    />
+  )
+}
+
+/** What stands in an empty box: the example, or what is taken if it is left out. */
+function defaulted(field: Field): string {
+  if (field.initial !== undefined && field.initial !== null && field.initial !== '') return String(field.initial)
+  return field.example ? `as in ${field.example}` : ''
+}
+
+/** A box for a number with a unit: a bare number that is typed takes the unit that was there. */
+function useTake(path: Path, dimension: Dimension): (text: string) => unknown {
+  const tree = useSession().tree.value
+  const value = at(tree, path)
+  const unit = useRef(USUAL.angle === USUAL[dimension] ? 'deg' : '')
+  const now = parsed(value)
+  if (now) unit.current = now.unit
+  else if (value === undefined) {
+    const measured =
+      dimension === 'mass' ? at(tree, ['cylinder', 'reciprocating_mass']) : at(tree, ['cylinder', 'stroke'])
+    const real = dimension === 'angle' || dimension === 'speed' || typeof measured === 'string'
+    if (!unit.current && real) unit.current = USUAL[dimension]
+  }
+  return (text) => {
+    const meant = typed(text)
+    return typeof meant === 'number' && unit.current ? `${text.trim()} ${unit.current}` : meant
+  }
+}
+
+export function QuantityField(props: FieldProps & { kind: Of<'quantity'> }) {
+  const { field, path, kind } = props
+  const value = at(useSession().tree.value, path)
+  const take = useTake(path, kind.dimension)
+  const given = parsed(value) ?? (value === undefined ? parsed(field.initial) : null)
+  const whole =
+    given && kind.dimension === 'angle' ? { number: degrees(value ?? field.initial) ?? 0, unit: 'deg' } : given
+  const slides = whole && (kind.dimension === 'angle' || value !== undefined)
+  const told = (number: number) =>
+    kind.dimension === 'angle' ? angle(number, value) : retold(number, value, USUAL[kind.dimension])
+  const number = whole && kind.dimension === 'angle' ? settled(whole.number, 1e-6) : whole?.number
+  return (
+    <Labelled {...props}>
+      <Box path={path} example={defaulted(field)} take={take} numeric />
+      {slides && number !== undefined && (
+        <Slider
+          path={path}
+          label={field.label}
+          limits={scale(whole, kind.dimension, kind.positive)}
+          number={number}
+          told={told}
+        />
+      )}
+    </Labelled>
+  )
+}
+
+/** One angle or place of a list: a box and, for an angle, a wheel to turn. */
+export function Item({ field, path, label }: { field: Field; path: Path; label: string }) {
+  const session = useSession()
+  const dimension = field.kind.is === 'quantity' ? field.kind.dimension : 'other'
+  const value = at(session.tree.value, path)
+  const take = useTake(path, dimension)
+  return (
+    <>
+      {dimension === 'angle' && (
+        <Dial
+          degrees={degrees(value)}
+          label={`${label}, wheel`}
+          turned={(deg) => session.set(path, angle(deg, value), `turn ${idOf(path)}`)}
+          rested={session.rest}
+        />
+      )}
+      <Box path={path} label={label} example={field.example} take={take} numeric />
+      <Sentences path={path} />
+    </>
+  )
+}

@@ -1,0 +1,112 @@
+import { useEffect, useRef, useState } from 'preact/hooks'
+import { useSession } from './context'
+import { type Session, told } from './session'
+
+/** Bytes of a file that is read at all; the server takes no more. */
+const LARGEST = 1_000_000
+
+/** A name for the file of an engine: letters, digits and dashes of its name. */
+export function fileName(name: unknown): string {
+  const plain = String(name ?? '')
+    .toLowerCase()
+    .replace(/[^a-z0-9]+/g, '-')
+    .replace(/^-+|-+$/g, '')
+    .slice(0, 60)
+  return `${plain || 'engine'}.toml`
+}
+
+/** Opens an engine file that was chosen or dropped. */
+export async function openFile(session: Session, file: File): Promise<void> {
+  const name = file.name.slice(0, 80)
+  if (file.size > LARGEST) {
+    session.note.value = `${name} is too large for an engine file; open one of up to 1 MB.`
+    return
+  }
+  await session.open(
+    file.text().then((text) => session.service.read(text)),
+    name,
+  )
+}
+
+async function save(session: Session): Promise<void> {
+  const tree = session.tree.value
+  const answer = await told(session.service.toml(tree))
+  if (!answer.ok) {
+    session.note.value = `Not saved: ${answer.problems[0]?.message ?? 'the engine has mistakes'}. Mend what is marked first.`
+    return
+  }
+  const address = URL.createObjectURL(new Blob([answer.value], { type: 'application/toml' }))
+  const link = document.createElement('a')
+  link.href = address
+  link.download = fileName(tree.name)
+  link.click()
+  // The download reads the address after this call has returned.
+  setTimeout(() => URL.revokeObjectURL(address), 10_000)
+  session.note.value = `Saved as ${link.download}.`
+}
+
+/** Open and save. */
+export function FileButtons() {
+  const session = useSession()
+  const chooser = useRef<HTMLInputElement>(null)
+  return (
+    <>
+      <button type="button" onClick={() => chooser.current?.click()}>
+        Open file ...
+      </button>
+      <input
+        ref={chooser}
+        type="file"
+        class="chooser"
+        accept=".toml,.json,application/toml,application/json"
+        aria-label="Engine file to open"
+        tabIndex={-1}
+        onChange={(event) => {
+          const file = event.currentTarget.files?.[0]
+          if (file) void openFile(session, file)
+          event.currentTarget.value = ''
+        }}
+      />
+      <button type="button" onClick={() => void save(session)}>
+        Save as TOML
+      </button>
+    </>
+  )
+}
+
+/** Takes an engine file that is dropped anywhere on the page; shows that it may be while it is dragged over it. */
+export function DropZone() {
+  const session = useSession()
+  const [over, setOver] = useState(false)
+  useEffect(() => {
+    let depth = 0
+    const files = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false
+    const enter = (event: DragEvent) => {
+      if (!files(event)) return
+      event.preventDefault()
+      depth += 1
+      setOver(true)
+    }
+    const leave = () => {
+      depth = Math.max(0, depth - 1)
+      if (!depth) setOver(false)
+    }
+    const stay = (event: DragEvent) => files(event) && event.preventDefault()
+    const drop = (event: DragEvent) => {
+      if (!files(event)) return
+      event.preventDefault()
+      depth = 0
+      setOver(false)
+      const file = event.dataTransfer?.files[0]
+      if (file) void openFile(session, file)
+    }
+    const ends = new AbortController()
+    const { signal } = ends
+    document.addEventListener('dragenter', enter, { signal })
+    document.addEventListener('dragleave', leave, { signal })
+    document.addEventListener('dragover', stay, { signal })
+    document.addEventListener('drop', drop, { signal })
+    return () => ends.abort()
+  }, [session])
+  return over ? <div class="dropzone">Drop an engine file (TOML or JSON) to open it</div> : null
+}

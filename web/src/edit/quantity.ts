@@ -1,0 +1,94 @@
+/** A number with the unit it was given in; '' for a bare number, which is SI or in the engine's own units. */
+export interface Quantity {
+  readonly number: number
+  readonly unit: string
+}
+
+export type Dimension = 'angle' | 'length' | 'place' | 'mass' | 'speed' | 'other'
+
+/** The ends of a slider, and its step. */
+export interface Scale {
+  readonly low: number
+  readonly high: number
+  readonly step: number
+}
+
+/** A value of an engine file as number and unit; null where it is neither a number nor a number with a unit. */
+export function parsed(value: unknown): Quantity | null {
+  if (typeof value === 'number') return Number.isFinite(value) ? { number: value, unit: '' } : null
+  if (typeof value !== 'string') return null
+  const match = /^\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(\S.*?)?\s*$/.exec(value)
+  return match ? { number: Number(match[1]), unit: match[2] ?? '' } : null
+}
+
+/** A number as an engine file writes it, in the unit and in the manner (bare or as text) of the value it takes the place of. */
+export function retold(number: number, was: unknown, usual: string): unknown {
+  const before = parsed(was)
+  const plain = Number(number.toPrecision(12))
+  if (before === null) return usual ? `${plain} ${usual}` : plain
+  if (before.unit) return `${plain} ${before.unit}`
+  return typeof was === 'string' ? `${plain}` : plain
+}
+
+/** Text that was typed, as an engine file holds it: a bare number as a number, all else as the text that it is. */
+export function typed(text: string): unknown {
+  const trimmed = text.trim()
+  return /^[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$/.test(trimmed) ? Number(trimmed) : text
+}
+
+/** What stands in a field for a value. */
+export function shown(value: unknown): string {
+  if (value === undefined || value === null) return ''
+  return typeof value === 'string' ? value : Array.isArray(value) ? value.map(shown).join(', ') : String(value)
+}
+
+const TURN: Record<string, number> = {
+  deg: 360,
+  degree: 360,
+  degrees: 360,
+  '°': 360,
+  turn: 1,
+  turns: 1,
+  '': 2 * Math.PI,
+}
+
+/** How much a full turn is in the unit of an angle. */
+export function turn(unit: string): number {
+  return TURN[unit] ?? (unit.startsWith('rad') ? 2 * Math.PI : 360)
+}
+
+/** An angle in degrees, for a dial; null where it is no angle. */
+export function degrees(value: unknown): number | null {
+  const quantity = parsed(value)
+  return quantity && (quantity.number / turn(quantity.unit)) * 360
+}
+
+/** An angle from degrees, in the unit of the value it takes the place of. */
+export function angle(deg: number, was: unknown): unknown {
+  const unit = parsed(was)?.unit ?? 'deg'
+  return retold((deg / 360) * turn(unit), was, 'deg')
+}
+
+/** An angle between -180 (left out) and 180 degrees, rounded to a step. */
+export function settled(deg: number, step: number): number {
+  const rounded = Math.round(deg / step) * step
+  const within = rounded - 360 * Math.ceil((rounded - 180) / 360)
+  return Object.is(within, -0) ? 0 : within
+}
+
+/** The next number from above among 1, 2, 5, 10, 20, ... */
+export function roundNumber(value: number): number {
+  const power = 10 ** Math.floor(Math.log10(value))
+  return power * ([1, 2, 5, 10].find((step) => step * power >= value * (1 - 1e-9)) ?? 10)
+}
+
+/** A slider's scale about a value: twice it and more, both ways where it may be negative. */
+export function scale(value: Quantity, dimension: Dimension, positive: boolean): Scale {
+  if (dimension === 'angle') {
+    const whole = turn(value.unit)
+    return { low: -whole / 2, high: whole / 2, step: whole === 360 ? 1 : whole / 360 }
+  }
+  const size = Math.abs(value.number) || (value.unit === 'mm' ? 25 : 0.5)
+  const high = roundNumber(1.5 * size)
+  return { low: positive ? high / 200 : -high, high, step: high / 200 }
+}

@@ -1,0 +1,377 @@
+import { useEffect, useRef, useState } from 'preact/hooks'
+import type { Answer, Found, SearchState } from '../host/host'
+import { useSession } from './context'
+import { type Session, told } from './session'
+import { at } from './tree'
+
+/** How often the progress is asked for, milliseconds. */
+const EVERY = 250
+
+/** What may be made least, as `crankstar search --minimise` calls it. */
+const AIMS: readonly [name: string, what: string][] = [
+  ['M1', 'first-order couple'],
+  ['M2', 'second-order couple'],
+  ['M4', 'fourth-order couple'],
+  ['neighbours', 'neighbours that fire one after the other'],
+  ['couple', 'couples of all orders together (of an engine)'],
+]
+
+/** The fields of the dialog, as they stand in it. */
+export interface Asked {
+  readonly of: 'engine' | 'number'
+  readonly cylinders: string
+  readonly cycle: string
+  readonly aims: readonly string[]
+  readonly more: string
+  readonly best: string
+  readonly zero: string
+  readonly limit: string
+  readonly fix: string
+  readonly symmetric: boolean
+  readonly apart: boolean
+}
+
+export const NOTHING_YET: Asked = {
+  of: 'engine',
+  cylinders: '7',
+  cycle: 'two-stroke',
+  aims: ['M1', 'M2'],
+  more: '',
+  best: '',
+  zero: '',
+  limit: '',
+  fix: '',
+  symmetric: false,
+  apart: false,
+}
+
+const numbered = (text: string): unknown => (/^\s*\d+\s*$/.test(text) ? Number(text) : text)
+
+/** The wish that the server takes: only what was said, in the words of the command line. */
+export function wishOf(asked: Asked): Record<string, unknown> {
+  const aims = [...asked.aims, ...asked.more.split(',').map((aim) => aim.trim())].filter(Boolean)
+  const limits = asked.limit.split(',').filter((limit) => limit.trim())
+  return {
+    ...(asked.of === 'number' && { cylinders: numbered(asked.cylinders), cycle: asked.cycle }),
+    ...(aims.length && { minimise: aims.join(',') }),
+    ...(asked.best.trim() && { best: numbered(asked.best) }),
+    ...(asked.zero.trim() && { zero: asked.zero.trim() }),
+    ...(limits.length && { limit: limits.map((limit) => limit.trim()) }),
+    ...(asked.fix.trim() && { fix: asked.fix.trim() }),
+    ...(asked.symmetric && { symmetric: true }),
+    ...(asked.apart && { avoid_adjacent: true }),
+  }
+}
+
+/** The button and its dialog. The dialog keeps what was asked and found while the page is open. */
+export function SearchButton() {
+  const dialog = useRef<HTMLDialogElement>(null)
+  return (
+    <>
+      <button type="button" onClick={() => dialog.current?.showModal()}>
+        Find a better crank ...
+      </button>
+      <dialog class="search" ref={dialog} aria-labelledby="crank-search-title">
+        <SearchDialog close={() => dialog.current?.close()} />
+      </dialog>
+    </>
+  )
+}
+
+function SearchDialog({ close }: { close: () => void }) {
+  const session = useSession()
+  const inline = at(session.tree.value, ['layout', 'type']) === 'inline' || session.tree.value.layout === undefined
+  const [asked, setAsked] = useState<Asked>(NOTHING_YET)
+  const { state, wrong, start, stop } = useSearch(session)
+  const now: Asked = inline ? asked : { ...asked, of: 'number' }
+  const running = state?.state === 'running'
+  return (
+    <>
+      <header>
+        <h2 id="crank-search-title">Find a better crank</h2>
+        <button type="button" aria-label="Close" onClick={close}>
+          ×
+        </button>
+      </header>
+      <form
+        onSubmit={(event) => {
+          event.preventDefault()
+          void start(now)
+        }}
+      >
+        <Whose asked={now} inline={inline} name={String(session.tree.value.name ?? '')} change={setAsked} />
+        <Aims asked={now} change={setAsked} />
+        <Conditions asked={now} change={setAsked} />
+        <div class="bar">
+          <button type="submit" class="chief" disabled={running}>
+            Search
+          </button>
+          {running && (
+            <button type="button" onClick={() => void stop()}>
+              Cancel
+            </button>
+          )}
+        </div>
+      </form>
+      {wrong.length > 0 && (
+        <div class="mistakes" role="alert">
+          {wrong.map((line) => (
+            <p key={line}>{line}</p>
+          ))}
+        </div>
+      )}
+      {state && <Answered state={state} put={(found, row) => putOnStage(session, found, row, close)} />}
+    </>
+  )
+}
+
+function putOnStage(session: Session, found: Found, row: number, close: () => void): void {
+  session.edit(found.tree)
+  session.note.value = `Row ${row} of the search is in the form; undo brings the old engine back.`
+  close()
+}
+
+/** A search that is asked for, followed and stopped. */
+function useSearch(session: Session) {
+  const [state, setState] = useState<SearchState | null>(null)
+  const [wrong, setWrong] = useState<readonly string[]>([])
+  const following = useRef('')
+  const timer = useRef<ReturnType<typeof setTimeout> | undefined>(undefined)
+  useEffect(
+    () => () => {
+      following.current = ''
+      clearTimeout(timer.current)
+    },
+    [],
+  )
+
+  const take = (answer: Answer<SearchState>) => {
+    if (!answer.ok) {
+      setWrong(answer.problems.map(({ path, message }) => (path ? `${path}: ${message}` : message)))
+      setState(null)
+      following.current = ''
+      return
+    }
+    setState(answer.value)
+    following.current = answer.value.state === 'running' ? answer.value.id : ''
+    if (following.current) timer.current = setTimeout(() => void follow(answer.value.id), EVERY)
+  }
+  const follow = async (id: string) => {
+    const answer = await told(session.service.search(id))
+    if (following.current === id) take(answer)
+  }
+  return {
+    state,
+    wrong,
+    start: async (asked: Asked) => {
+      setWrong([])
+      setState(null)
+      take(await told(session.service.startSearch(asked.of === 'engine' ? session.tree.value : null, wishOf(asked))))
+    },
+    stop: async () => {
+      const id = following.current
+      clearTimeout(timer.current)
+      if (id) take(await told(session.service.cancelSearch(id)))
+    },
+  }
+}
+
+interface PartProps {
+  readonly asked: Asked
+  readonly change: (asked: Asked) => void
+}
+
+function Whose({ asked, change, inline, name }: PartProps & { inline: boolean; name: string }) {
+  return (
+    <fieldset>
+      <legend>Of</legend>
+      <label class="mark">
+        <input
+          type="radio"
+          name="of"
+          checked={asked.of === 'engine'}
+          disabled={!inline}
+          onChange={() => change({ ...asked, of: 'engine' })}
+        />
+        <span>
+          the engine on the stage{name && `: ${name}`}
+          {!inline && ' (it is not in line)'}
+        </span>
+      </label>
+      <div class="mark">
+        <label class="mark">
+          <input
+            type="radio"
+            name="of"
+            checked={asked.of === 'number'}
+            onChange={() => change({ ...asked, of: 'number' })}
+          />
+          a number of cylinders
+        </label>
+        <input
+          type="number"
+          aria-label="Number of cylinders"
+          min={2}
+          max={40}
+          value={asked.cylinders}
+          onInput={(event) => change({ ...asked, of: 'number', cylinders: event.currentTarget.value })}
+        />
+        <select
+          aria-label="Cycle"
+          value={asked.cycle}
+          onChange={(event) => change({ ...asked, of: 'number', cycle: event.currentTarget.value })}
+        >
+          <option value="two-stroke">two-stroke</option>
+          <option value="four-stroke">four-stroke</option>
+        </select>
+      </div>
+    </fieldset>
+  )
+}
+
+function Aims({ asked, change }: PartProps) {
+  return (
+    <fieldset>
+      <legend>Make least</legend>
+      {AIMS.filter(([name]) => name !== 'couple' || asked.of === 'engine').map(([name, what]) => (
+        <label class="mark" key={name}>
+          <input
+            type="checkbox"
+            checked={asked.aims.includes(name)}
+            onChange={(event) => {
+              const aims = AIMS.map(([one]) => one).filter((one) =>
+                one === name ? event.currentTarget.checked : asked.aims.includes(one),
+              )
+              change({ ...asked, aims })
+            }}
+          />
+          <span>
+            <b>{name}</b> {what}
+          </span>
+        </label>
+      ))}
+      <Line label="Others" example="M3, F1, 2*M2" value={asked.more} change={(more) => change({ ...asked, more })} />
+    </fieldset>
+  )
+}
+
+function Conditions({ asked, change }: PartProps) {
+  return (
+    <details>
+      <summary>Conditions</summary>
+      <Line
+        label="How many of the best"
+        example="all that none betters (the front)"
+        value={asked.best}
+        change={(best) => change({ ...asked, best })}
+      />
+      <Line label="Must vanish" example="M2" value={asked.zero} change={(zero) => change({ ...asked, zero })} />
+      <Line
+        label="At most"
+        example="M2=1.5, neighbours=1"
+        value={asked.limit}
+        change={(limit) => change({ ...asked, limit })}
+      />
+      <Line label="Throws that stay" example="1=0,4=3" value={asked.fix} change={(fix) => change({ ...asked, fix })} />
+      <label class="mark">
+        <input
+          type="checkbox"
+          checked={asked.symmetric}
+          onChange={(event) => change({ ...asked, symmetric: event.currentTarget.checked })}
+        />
+        rear half the image of the front half
+      </label>
+      <label class="mark">
+        <input
+          type="checkbox"
+          checked={asked.apart}
+          onChange={(event) => change({ ...asked, apart: event.currentTarget.checked })}
+        />
+        no neighbours fire one after the other
+      </label>
+    </details>
+  )
+}
+
+function Line({
+  label,
+  example,
+  value,
+  change,
+}: {
+  label: string
+  example: string
+  value: string
+  change: (value: string) => void
+}) {
+  return (
+    <label class="line">
+      <span>{label}</span>
+      <input
+        type="text"
+        placeholder={example}
+        autocomplete="off"
+        spellcheck={false}
+        value={value}
+        onInput={(event) => change(event.currentTarget.value)}
+      />
+    </label>
+  )
+}
+
+const TOLD = { running: 'Searching', done: 'Done', cancelled: 'Cancelled', failed: 'The search broke off' }
+
+/** Progress, then the rows. */
+function Answered({ state, put }: { state: SearchState; put: (found: Found, row: number) => void }) {
+  const share = state.blocks > 0 ? state.done / state.blocks : 0
+  const running = state.state === 'running'
+  return (
+    <div class="answer">
+      <p role="status">
+        {TOLD[state.state]}
+        {running && ` ${Math.floor(100 * share)} %`}
+        {state.note && `: ${state.note}`}
+      </p>
+      {running && <progress aria-label="Progress of the search" max={1} {...(state.blocks > 0 && { value: share })} />}
+      {state.rows.length > 0 && (
+        <div class="scrolls">
+          <table>
+            <thead>
+              <tr>
+                {state.heads.map((head) => (
+                  <th key={head} scope="col">
+                    {head}
+                  </th>
+                ))}
+                <th scope="col">
+                  <span class="aside">Engine</span>
+                </th>
+              </tr>
+            </thead>
+            <tbody>
+              {state.rows.map((row, index) => (
+                <tr key={row.cells.join(' ')}>
+                  {row.cells.map((cell, place) => (
+                    <td key={place}>{cell}</td>
+                  ))}
+                  <td>
+                    <button
+                      type="button"
+                      aria-label={`Put row ${index + 1} on the stage`}
+                      onClick={() => put(row, index + 1)}
+                    >
+                      Put on the stage
+                    </button>
+                  </td>
+                </tr>
+              ))}
+            </tbody>
+          </table>
+        </div>
+      )}
+      {state.sentences.map((line) => (
+        <p key={line}>{line}</p>
+      ))}
+    </div>
+  )
+}

@@ -1,0 +1,170 @@
+import { batch, computed, type ReadonlySignal, type Signal, signal } from '@preact/signals'
+import type { Exhibit, Problem } from '../exhibit'
+import type { Answer, CatalogEntry, Service, Tree } from '../host/host'
+import { after, begun, type History } from './history'
+import { asked, sentence } from './live'
+import { type Form, formOf, forms } from './schema'
+import { type Path, put, read, same, within } from './tree'
+
+/** Puts a valid engine on the stage. */
+export type Shown = (exhibit: Exhibit, tree: Tree) => void
+
+/** A mistake and the place in the engine file that it is about. */
+export interface Placed extends Problem {
+  readonly at: Path
+}
+
+/**
+ * The engine file that is being edited: what is in the form, valid or not, with its history; the engine on the stage is the last
+ * valid one. It outlives the form, so that a look at another tab loses nothing.
+ */
+export interface Session {
+  readonly service: Service
+  readonly tree: ReadonlySignal<Tree>
+  readonly form: ReadonlySignal<Form | undefined>
+  readonly forms: Signal<readonly Form[]>
+  readonly catalog: Signal<readonly CatalogEntry[]>
+  readonly problems: Signal<readonly Placed[]>
+  readonly busy: Signal<boolean>
+  /** What was done or went wrong last, for everyone to see and hear. */
+  readonly note: Signal<string>
+  readonly canUndo: ReadonlySignal<boolean>
+  readonly canRedo: ReadonlySignal<boolean>
+  /** Puts another engine file in place of this one. Edits of one gesture are one step of undo. */
+  edit(to: Tree, gesture?: string): void
+  set(path: Path, value: unknown, gesture?: string): void
+  /** Ends a gesture: the next edit is a step of its own. */
+  rest(): void
+  undo(): void
+  redo(): void
+  /** Takes over the engine that was put on the stage by others. */
+  adopt(tree: Tree): void
+  /** Makes an answer with an engine file the engine, or tells what is wrong with it. Returns whether it was one. */
+  open(answer: Promise<Answer<Tree>>, what: string): Promise<boolean>
+  /** What may change from one drawing of the shell to the next. */
+  shown: Shown
+}
+
+function historyOf(tree: Tree): Signal<History<Tree>> {
+  return signal(begun(tree))
+}
+
+/** A session that begins with an engine. */
+export function session(service: Service, tree: Tree, shown: Shown): Session {
+  const history = historyOf(tree)
+  const present = computed(() => history.value.present)
+  const allForms = signal<readonly Form[]>([])
+  const catalog = signal<readonly CatalogEntry[]>([])
+  const problems = signal<readonly Placed[]>([])
+  const busy = signal(false)
+  const note = signal('')
+  let onStage = tree
+
+  const live = asked<Tree, Exhibit>({
+    send: (subject, abort) => service.exhibit(subject, abort),
+    answered: (answer, subject, newest) => {
+      if (answer.ok) {
+        onStage = subject
+        self.shown(answer.value, subject)
+      }
+      if (newest) problems.value = answer.ok ? [] : placed(answer.problems)
+    },
+    waiting: (now) => {
+      busy.value = now
+    },
+  })
+
+  const move = (change: Parameters<typeof after<Tree>>[1]) => {
+    const was = history.value.present
+    history.value = after(history.value, change)
+    if (history.value.present !== was) live.ask(history.value.present)
+  }
+
+  const self: Session = {
+    service,
+    tree: present,
+    form: computed(() => formOf(allForms.value, present.value)),
+    forms: allForms,
+    catalog,
+    problems,
+    busy,
+    note,
+    shown,
+    canUndo: computed(() => history.value.past.length > 0),
+    canRedo: computed(() => history.value.future.length > 0),
+    edit: (to, gesture) => move(gesture === undefined ? { kind: 'edit', to } : { kind: 'edit', to, gesture }),
+    set: (path, value, gesture) => self.edit(put(history.value.present, path, value), gesture),
+    rest: () => move({ kind: 'rest' }),
+    undo: () => move({ kind: 'undo' }),
+    redo: () => move({ kind: 'redo' }),
+    adopt(given) {
+      if (same(given, onStage) || same(given, present.peek())) return
+      onStage = given
+      live.stop()
+      batch(() => {
+        history.value = after(history.value, { kind: 'edit', to: given })
+        problems.value = []
+        busy.value = false
+      })
+    },
+    async open(answer, what) {
+      const found = await told(answer)
+      batch(() => {
+        if (found.ok) self.edit(found.value)
+        else problems.value = placed(found.problems)
+        note.value = found.ok
+          ? `${what} is in the form.`
+          : `${what} could not be opened; the engine on the stage stays.`
+      })
+      return found.ok
+    },
+  }
+
+  void service.schema().then(
+    (schema) => {
+      allForms.value = forms(schema)
+    },
+    (reason: unknown) => {
+      note.value = sentence(reason)
+    },
+  )
+  void service.catalog().then(
+    (entries) => {
+      catalog.value = entries
+    },
+    (reason: unknown) => {
+      note.value = sentence(reason)
+    },
+  )
+  return self
+}
+
+/** An answer in any case: that there is none is a problem too. */
+export async function told<T>(answer: Promise<Answer<T>>): Promise<Answer<T>> {
+  try {
+    return await answer
+  } catch (reason) {
+    return { ok: false, problems: [{ path: '', message: sentence(reason) }] }
+  }
+}
+
+function placed(problems: readonly Problem[]): Placed[] {
+  return problems.map((problem) => ({ ...problem, at: read(problem.path) }))
+}
+
+/** The sentences that belong to a field; `below` takes those of all that is in it too. */
+export function sentencesAt(problems: readonly Placed[], path: Path, below: boolean): string[] {
+  return problems
+    .filter(({ at }) => at.length > 0 && within(at, path) && (below || at.length === path.length))
+    .map(({ message }) => message)
+}
+
+const sessions = new WeakMap<Service, Session>()
+
+/** The session of a service, begun with an engine if there is none. */
+export function sessionOf(service: Service, tree: Tree, shown: Shown): Session {
+  const found = sessions.get(service) ?? session(service, tree, shown)
+  sessions.set(service, found)
+  found.shown = shown
+  return found
+}
