@@ -1,7 +1,7 @@
-import { useRef } from 'preact/hooks'
+import { useMemo, useRef } from 'preact/hooks'
 import type { Exhibit } from '../exhibit'
+import { type Coefficients, coefficientsOf, type Plane, phaseOf, signalAt, signalOf, turn, vectorAt } from '../phasor'
 import { useApp, useFollower } from './context'
-import { bound, signalAt, vectorAt, weightsOf } from './vectors'
 
 /** Force, couple and roll at this very angle, of the chosen orders. */
 export function Now() {
@@ -19,23 +19,17 @@ function Numbers({ exhibit }: { exhibit: Exhibit }) {
   const { store } = useApp()
   const cells = useRef<HTMLDListElement>(null)
   const orders = store.orders.value
+  const now = useMemo(() => numbersOf(exhibit), [exhibit])
   useFollower(
     (theta) => {
       const fields = cells.current?.querySelectorAll('output')
       if (!fields) return
-      const { force, couple, roll } = exhibit.total
-      const weights = weightsOf(exhibit, orders)
-      const [up, right] = vectorAt(exhibit, force, weights, theta)
-      const [pitch, yaw] = vectorAt(exhibit, couple, weights, theta)
-      const turn = signalAt(exhibit, roll, weights, theta)
-      const [f, c, r] = [decimals(bound(force)), decimals(bound(couple)), decimals(reach(roll))]
-      const texts = [signed(up, f), signed(right, f), signed(pitch, c), signed(yaw, c), signed(turn, r)]
-      texts.forEach((text, index) => {
+      now(theta, orders).forEach((text, index) => {
         const field = fields[index]
         if (field && field.textContent !== text) field.textContent = text
       })
     },
-    [exhibit, orders],
+    [now, orders],
   )
   const { units } = exhibit
   return (
@@ -70,8 +64,31 @@ function Vector({ label, unit }: { label: string; unit: string }) {
   )
 }
 
-function reach(pairs: readonly (readonly [number, number])[]): number {
-  return pairs.reduce((sum, [real, imaginary]) => sum + Math.hypot(real, imaginary), 0)
+type Texts = (theta: number, orders: readonly number[] | null) => readonly string[]
+
+/** What tells the numbers of an engine as texts: force up and right, couple up and right, roll. */
+function numbersOf({ orders, sense, total }: Exhibit): Texts {
+  const phase = phaseOf(orders.length, sense)
+  const force = coefficientsOf(total.force)
+  const couple = coefficientsOf(total.couple)
+  const roll = signalOf(total.roll)
+  const digits = [force, couple, roll].map((numbers) => decimals(bound(numbers))) as [number, number, number]
+  const place: Plane = [0, 0]
+  return (theta, chosen) => {
+    turn(phase, orders, theta, chosen)
+    const [up, right] = vectorAt(force, phase, place)
+    const texts = [signed(up, digits[0]), signed(right, digits[0])]
+    const [front, side] = vectorAt(couple, phase, place)
+    return [...texts, signed(front, digits[1]), signed(side, digits[1]), signed(signalAt(roll, phase), digits[2])]
+  }
+}
+
+/** Nothing with these coefficients becomes greater than this. */
+function bound(coefficients: Coefficients): number {
+  let sum = 0
+  for (let index = 0; index + 1 < coefficients.length; index += 2)
+    sum += Math.hypot(coefficients[index] as number, coefficients[index + 1] as number)
+  return sum
 }
 
 /** So many decimals that the greatest value has four figures; the same all the time, so that nothing jumps. */

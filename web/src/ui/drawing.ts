@@ -1,0 +1,46 @@
+import { Error as ERRORS, type Loader, loader, parse, type Spec as VegaSpec, View } from 'vega'
+import { expressionInterpreter } from 'vega-interpreter'
+import type { Spec } from '../host/host'
+
+/** A figure that is drawn in an element, and can be turned. */
+export interface Drawing {
+  /** Whether it depends on the crank angle. */
+  readonly turns: boolean
+  /** Resolves when it has been drawn at that angle, degrees. */
+  turnTo(degrees: number): Promise<unknown>
+  dispose(): void
+}
+
+const THETA = 'theta'
+
+/** Figures bring their data along: nothing is ever fetched for them, and nothing in them is a link. */
+const nothing = (): Promise<never> => Promise.reject(new Error('A figure asked for something outside of it.'))
+const closed: Loader = { ...loader(), load: nothing, sanitize: nothing, http: nothing, file: nothing }
+
+/** Draws a compiled Vega specification, without making code from text. */
+export async function drawn(element: HTMLElement, spec: Spec): Promise<Drawing> {
+  const view = new View(parse(spec as unknown as VegaSpec, undefined, { ast: true }), {
+    expr: expressionInterpreter,
+    renderer: 'svg',
+    container: element,
+    hover: false,
+    loader: closed,
+    logLevel: ERRORS,
+  })
+  try {
+    await view.runAsync()
+  } catch (error) {
+    view.finalize()
+    element.replaceChildren()
+    throw error
+  }
+  const turns = Object.hasOwn(view.getState().signals ?? {}, THETA)
+  return {
+    turns,
+    turnTo: (degrees) => (view.signal(THETA) === degrees ? Promise.resolve() : view.signal(THETA, degrees).runAsync()),
+    dispose() {
+      view.finalize()
+      element.replaceChildren()
+    },
+  }
+}
