@@ -14,6 +14,7 @@ a record, a way of looking at it is a function, an engine type is data, and impo
 | `search_request`, `star_request` | which search, of which crank stars, judged by what |
 | `search_job` | a search as the command line runs it: estimated, on so many workers, its progress told |
 | `output` | where results go: terminal, pipe, or a file that appears whole or not at all |
+| `page` | the page as one file that needs no network |
 | `exhibit/` | what the page shows of an engine, as records that are sent to it |
 | `tables`, `description` | a Balance, an Engine as tables for the terminal and the notebook |
 | `charts/` | figures as Altair charts, one function each, and as SVG without a browser |

@@ -2,12 +2,12 @@
 
 | module | one line |
 |---|---|
-| `looking`, `picturing`, `firing`, `making`, `searching` | verbs to look, draw, list what can fire, make or judge files, search |
+| `looking`, `picturing`, `showing`, `firing`, `making`, `searching` | verbs to look, draw, show, list firings, make or judge files, search |
 | `options` | options that several verbs share |
 | `application` | how a command line is read, and how the process ends |
 """
 
-from crankstar.cli import firing, looking, making, options, picturing, searching
+from crankstar.cli import firing, looking, making, options, picturing, searching, showing
 from crankstar.cli.application import app, main
 
-__all__ = ["app", "firing", "looking", "main", "making", "options", "picturing", "searching"]
+__all__ = ["app", "firing", "looking", "main", "making", "options", "picturing", "searching", "showing"]

@@ -2,6 +2,7 @@
 
 | module | one line |
 |---|---|
+| `library` | all that a file or a notebook must have with it, packed |
 | `exhibits` | Engine -> Exhibit, Exhibition; the engine with what the verdict recommends |
 | `figures` | a figure as a compiled Vega specification, a derivation as HTML, by key |
 | `keys` | which figures and derivations an engine has |
