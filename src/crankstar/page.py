@@ -33,16 +33,16 @@ def bundle() -> str:
 
 def policy(*scripts: str) -> str:
     """The Content-Security-Policy of a page that runs these inline scripts and nothing else."""
-    hashes = " ".join(f"'sha256-{b64encode(sha256(script.encode()).digest()).decode()}'" for script in scripts)
+    hashes = " ".join(f"'sha256-{b64encode(sha256(script.encode()).digest()).decode()}'" for script in scripts) or "'none'"
     rest = "img-src data: blob:; base-uri 'none'; form-action 'none'"
-    return f"default-src 'none'; script-src {hashes or "'none'"}; {rest}"
+    return f"default-src 'none'; script-src {hashes}; {rest}"
 
 
 def inlined(script: str) -> str:
-    """A script as it can stand inside a script element: no text in it ends the element, or opens one in a comment.
+    r"""A script as it can stand inside a script element: no text in it ends the element, or opens one in a comment.
 
-    >>> inlined('a = "</script><script>"')
-    'a = "<\\\\/script>\\\\x3cscript>"'
+    >>> print(inlined('a = "</script><script>"'))
+    a = "<\/script>\x3cscript>"
     """
     return re.sub(r"<(script)", r"\\x3c\1", re.sub(r"</(script)", r"<\\/\1", script, flags=re.IGNORECASE), flags=re.IGNORECASE)
 

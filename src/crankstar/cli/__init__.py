@@ -2,7 +2,7 @@
 
 | module | one line |
 |---|---|
-| `looking`, `picturing`, `showing`, `firing`, `making`, `searching` | verbs to look, draw, show, list firings, make or judge files, search |
+| `looking`, `picturing`, `showing`, `firing`, `making`, `searching` | verbs to look, draw, show, list firings, make files, search |
 | `options` | options that several verbs share |
 | `application` | how a command line is read, and how the process ends |
 """
