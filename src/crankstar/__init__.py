@@ -9,6 +9,7 @@ a record, a way of looking at it is a function, an engine type is data, and impo
 | module | one line |
 |---|---|
 | `cli/` | verbs only; no logic |
+| `server/` | the local server: engines analysed as they are edited, over HTTP |
 | `request` | what the words of a command line ask for |
 | `chart_request` | which figure, with which options, written as what |
 | `search_request`, `star_request` | which search, of which crank stars, judged by what |
@@ -51,6 +52,7 @@ a record, a way of looking at it is a function, an engine type is data, and impo
 | `engine` | the Engine: shafts and cylinders together, and what they must be to make one |
 | `valves` | when valves or ports open and close: given, assumed, impossible |
 | `records` | frozen records: Shaft, Throw, Weight, Cylinder, Rod, Valves, Provenance |
+| `interrupts` | interrupts from the keyboard, kept from processes that are started |
 | `fault` | what is wrong with an engine: each fault with its place, and the words to say it in |
 | `quantity` | what a number or text in a record is: dimension, unit of example, limits |
 | `phasor` | spectra over crank order: add, shift, scale, evaluate, ellipse, peak |

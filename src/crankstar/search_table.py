@@ -95,22 +95,30 @@ def census(stars: Stars) -> str:
 
 
 def _table(found: Findings, shown: Sequence[Finding]) -> RenderableType:
+    heads, body = cells(found, shown)
+    out = table(*heads, left=(heads[1],))
+    for row in body:
+        out.add_row(*row)
+    return out
+
+
+def cells(found: Findings, shown: Sequence[Finding]) -> tuple[list[str], list[list[str]]]:
+    """Rows of an answer as they are printed, and the heads of their columns."""
     question = found.question
     named = [_head(objective) for objective in question.objectives] + [judge.name for judge in question.judges]
     beside = all(objective.name != "neighbours" for objective in question.objectives)
     counted = ["neighbours"] if beside else []
     parts = _parts(question)
     names = [_sum_head(vector) for vector in parts]
-    out = table("", "firing order", *named, *names, *counted, "stars", "classes", left=("firing order",))
-    if question.stars.step == 0:
-        out.columns[1].header = Text("firing order (one of several)")
+    order_head = "firing order (one of several)" if question.stars.step == 0 else "firing order"
+    body: list[list[str]] = []
     for place, row in enumerate(shown, 1):
-        cells = [_cell(question, row, column) for column in range(len(row.values))]
-        cells += [number(vector.length(row.star)) for vector in parts]
+        values = [_cell(question, row, column) for column in range(len(row.values))]
+        values += [number(vector.length(row.star)) for vector in parts]
         tail = [str(row.neighbours)] if beside else []
         order = "-".join(map(str, firing_order(question.stars, row.star)))
-        out.add_row(str(place), order, *cells, *tail, f"{row.stars:,}", f"{row.classes:,}")
-    return out
+        body.append([str(place), order, *values, *tail, f"{row.stars:,}", f"{row.classes:,}"])
+    return ["", order_head, *named, *names, *counted, "stars", "classes"], body
 
 
 def _parts(question: Question) -> list[VectorSum]:

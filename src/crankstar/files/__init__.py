@@ -10,7 +10,7 @@
 """
 
 from crankstar.files.read import STANDARD_INPUT, EngineFileError, Problem, changed, engine_of, keys_of, read, read_tree, tree_of
-from crankstar.files.write import explicit, schema, toml
+from crankstar.files.write import explicit, schema, toml, tree_text
 
 __all__ = [
     "STANDARD_INPUT",
@@ -25,4 +25,5 @@ __all__ = [
     "schema",
     "toml",
     "tree_of",
+    "tree_text",
 ]

@@ -25,7 +25,12 @@ def explicit(engine: Engine) -> dict[str, Any]:
 
 def toml(engine: Engine) -> str:
     """An engine as a TOML file in the explicit form; reading it gives the same engine."""
-    text = tomli_w.dumps(explicit(engine))
+    return tree_text(explicit(engine))
+
+
+def tree_text(tree: dict[str, Any]) -> str:
+    """A tree of keys as TOML, short lists on one line. Raises TypeError or ValueError for what TOML has no words for."""
+    text = tomli_w.dumps(tree)
     for inner in (8, 4):  # short lists in lists first
         text = re.sub(rf"\[\n((?: {{{inner}}}\S[^\n]{{0,29}},\n)+) {{{inner - 4}}}\]", _on_one_line, text)
     return text

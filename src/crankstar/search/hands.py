@@ -15,6 +15,7 @@ from multiprocessing.connection import Connection
 from multiprocessing.resource_tracker import ensure_running
 from typing import Any
 
+from crankstar.interrupts import held_back
 from crankstar.search.stars import SearchError
 from crankstar.search.work import Stretch, worked
 
@@ -65,7 +66,7 @@ class Processes(Hands):
 
     def submit(self, stretch: Stretch) -> Future[Any]:
         """The harvest of a stretch, some day. A pool that is broken, or was dropped, is replaced."""
-        with _without_interrupts():
+        with held_back():
             try:
                 return self.executor.submit(worked, stretch)
             except RuntimeError:
@@ -77,19 +78,6 @@ class Processes(Hands):
         """Ends the processes."""
         self.lifeline.close()
         self.executor.shutdown(wait=True, cancel_futures=True)
-
-
-@contextmanager
-def _without_interrupts() -> Iterator[None]:
-    """Keeps interrupts from the keyboard back for a moment: processes that are started in it never get any."""
-    if not hasattr(signal, "pthread_sigmask"):
-        yield
-        return
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-    try:
-        yield
-    finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def _tied(end: Connection) -> None:

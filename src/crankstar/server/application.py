@@ -1,0 +1,116 @@
+"""The application: its routes, its refusals in one shape, its description."""
+
+from __future__ import annotations
+
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+from typing import Any
+
+from fastapi import FastAPI, Request, Response
+from fastapi.exceptions import RequestValidationError
+from starlette.exceptions import HTTPException
+
+from crankstar import __version__
+from crankstar.fault import where
+from crankstar.quantity import seen
+from crankstar.server import pages, routes
+from crankstar.server.answers import Answers
+from crankstar.server.crew import Crew
+from crankstar.server.guard import Guard
+from crankstar.server.refusal import Refused, refused
+from crankstar.server.searches import Searches
+
+DESCRIPTION = """How a piston engine shakes: forces, couples and rolls of every order, figures, derivations, remedies, searches.
+
+Every question holds its engine, by its name in the catalog or as the tree of an engine file (`/api/schema` says what may stand
+in it). Whatever is wrong is answered in one shape, `{"problems": [{"path": ..., "message": ...}]}`: every mistake, its key path,
+and what would be right."""
+OPENS_WITH = "v8-cross-plane"
+
+
+def application(*, crew: Crew, engine: Any = OPENS_WITH, shown: str = OPENS_WITH, host: str = "127.0.0.1") -> Guard:
+    """The ASGI application of the server.
+
+    `engine`: what the page opens with, a name or a tree; `shown`: the words by which it was named.
+    """
+    searches = Searches()
+
+    @asynccontextmanager
+    async def lifespan(_: FastAPI) -> AsyncIterator[None]:
+        crew.begin()
+        try:
+            yield
+        finally:
+            searches.end()
+            crew.end()
+
+    app = FastAPI(title="crankstar", version=__version__, description=DESCRIPTION, docs_url=None, redoc_url=None, lifespan=lifespan)
+    app.state.answers = Answers(crew)
+    app.state.searches = searches
+    app.state.engine, app.state.shown = engine, shown
+    app.include_router(routes.router)
+    app.include_router(pages.router)
+    app.add_exception_handler(Refused, _refuse)
+    app.add_exception_handler(HTTPException, _refuse_http)
+    app.add_exception_handler(RequestValidationError, _refuse_invalid)
+    return Guard(app, host=host)  # pyright: ignore[reportArgumentType]  # Starlette's own types of the same
+
+
+def _shown(refusal: Refused, headers: Any = None) -> Response:
+    return Response(refusal.body, refusal.status, media_type=routes.JSON, headers=headers)
+
+
+async def _refuse(_: Request, error: Exception) -> Response:
+    assert isinstance(error, Refused)  # noqa: S101  # it is registered for nothing else
+    return _shown(error)
+
+
+HTTP = {404: "there is no such address; /docs has those that there are", 405: "this address is not asked so; /docs says how"}
+
+
+async def _refuse_http(_: Request, error: Exception) -> Response:
+    assert isinstance(error, HTTPException)  # noqa: S101
+    if isinstance(error.detail, list):
+        return _shown(Refused(error.status_code, error.detail))
+    return _shown(refused(error.status_code, HTTP.get(error.status_code, "this cannot be answered")), error.headers)
+
+
+async def _refuse_invalid(_: Request, error: Exception) -> Response:
+    assert isinstance(error, RequestValidationError)  # noqa: S101
+    return _shown(Refused(422, [(_path(fault["loc"]), _sentence(fault)) for fault in error.errors()]))
+
+
+def _path(loc: tuple[str | int, ...]) -> str:
+    """A place in a question, as in an engine file."""
+    return where(loc[1:]) if len(loc) > 1 else ""
+
+
+NEEDED = {
+    "string_type": "text is needed",
+    "int_type": "a whole number is needed",
+    "float_type": "a number is needed",
+    "bool_type": "true or false is needed",
+    "list_type": "a list is needed",
+    "model_attributes_type": "an object is needed",
+}
+BOUNDS = {
+    "greater_than_equal": "it must be at least {ge}",
+    "less_than_equal": "it must be at most {le}",
+    "literal_error": "it can be {expected}",
+    "string_too_long": "at most {max_length} letters are allowed",
+    "too_long": "at most {max_length} entries are allowed",
+}
+
+
+def _sentence(fault: Any) -> str:
+    """What pydantic finds wrong with a question, said to the one who asks."""
+    kind, context = fault["type"], fault.get("ctx") or {}
+    if kind == "missing":
+        return "is missing; /docs says what is asked here"
+    if kind == "extra_forbidden":
+        return "unknown key; /docs says what is asked here"
+    if kind == "value_error":
+        return str(context["error"])
+    if kind in BOUNDS:
+        return f"is {seen(fault['input'])}; {BOUNDS[kind].format_map(context)}".replace("'", '"')
+    return f"is {seen(fault['input'])}; {NEEDED.get(kind, 'it cannot be used here; /docs says what is asked')}"

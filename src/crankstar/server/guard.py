@@ -1,0 +1,202 @@
+"""Who may ask what: the host that is named, the kind and size of a question; and what every answer says to the browser.
+
+A page of another site may not ask through the browser of the one who runs the server: neither under its own name for this
+machine (the host is looked at), nor across sites (the origin is looked at, and a question must be JSON, which a browser asks
+leave for), nor in a frame. Nobody may keep a question open for long, or send one that fills the memory.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import ipaddress
+import logging
+import socket
+from collections.abc import Awaitable, Callable, Iterable, MutableMapping
+from typing import Any
+
+from crankstar.quantity import one_line
+from crankstar.server.crew import FAILED
+from crankstar.server.refusal import Refused, refused
+
+GREATEST_QUESTION = 1_000_000
+"""Bytes."""
+QUESTION_SECONDS = 10.0
+"""How long a question may take to come."""
+LOOPBACK = frozenset({"localhost", "127.0.0.1", "::1"})
+PAGE_POLICY = (
+    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; connect-src 'self'; "
+    "base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
+)
+"""What a page of this server may load and do: nothing inline, nothing from elsewhere."""
+POLICY = "default-src 'none'; frame-ancestors 'none'"
+ALWAYS = {
+    "x-content-type-options": "nosniff",
+    "referrer-policy": "no-referrer",
+    "cross-origin-resource-policy": "same-origin",
+    "cross-origin-opener-policy": "same-origin",
+}
+USUAL = {"content-security-policy": POLICY, "cache-control": "no-store"}
+
+Message = MutableMapping[str, Any]
+Receive = Callable[[], Awaitable[Message]]
+Send = Callable[[Message], Awaitable[None]]
+Application = Callable[[Message, Receive, Send], Awaitable[None]]
+log = logging.getLogger("crankstar.server")
+
+
+def hosts_of(host: str) -> frozenset[str] | None:
+    """The names by which a server that listens at `host` may be called; None: any in numbers, and the machine's own."""
+    return LOOPBACK if host in LOOPBACK else None
+
+
+class Guard:
+    """Stands before an ASGI application."""
+
+    def __init__(self, application: Application, *, host: str = "127.0.0.1", seconds: float = QUESTION_SECONDS) -> None:
+        self.application = application
+        self.hosts = hosts_of(host)
+        self.own = {host.lower(), socket.gethostname().lower(), "localhost"}
+        self.seconds = seconds
+
+    async def __call__(self, scope: Message, receive: Receive, send: Send) -> None:
+        """Refuses a question, or hands it on whole; one whose asker leaves is given up."""
+        if scope["type"] != "http":
+            if scope["type"] == "lifespan":
+                await self.application(scope, receive, send)
+            return
+        answer = _Answer(send)
+        try:
+            heads = {name.decode("latin-1"): value.decode("latin-1") for name, value in scope["headers"]}
+            self._check(scope, heads)
+            body = await self._body(heads, receive)
+            await _until_left(self.application(scope, _given(body), answer.send), receive)
+        except Refused as refusal:
+            await answer.refuse(refusal)
+        except asyncio.CancelledError:
+            raise
+        except Exception:
+            log.exception("a question failed")
+            await answer.refuse(refused(500, FAILED))
+
+    def _check(self, scope: Message, heads: dict[str, str]) -> None:
+        host = heads.get("host", "")
+        if not self._known(host):
+            raise refused(421, f"this server is not called {one_line(host, longest=100)}; ask for it by the address it said")
+        origin = heads.get("origin")
+        if origin is not None and origin.lower() not in (f"http://{host.lower()}", f"https://{host.lower()}"):
+            raise refused(403, "a page of another site asks this; open the page of this server itself")
+        if scope["method"] in ("POST", "PUT", "PATCH") and not _is_json(heads.get("content-type", "")):
+            raise refused(415, "the question must be JSON, with the header Content-Type: application/json")
+
+    def _known(self, host: str) -> bool:
+        name = _name_of(host)
+        if self.hosts is not None:
+            return name in self.hosts
+        return name in self.own or _is_address(name)
+
+    async def _body(self, heads: dict[str, str], receive: Receive) -> bytes:
+        """The whole question. Raises Refused where it is too long, or too long in coming."""
+        told = heads.get("content-length", "0")
+        too_large = refused(413, f"the question is larger than {GREATEST_QUESTION // 1_000_000} MB; an engine file has a few kB")
+        if not told.isdecimal() or int(told[:20]) > GREATEST_QUESTION:
+            raise too_large
+        parts: list[bytes] = []
+        size = 0
+        try:
+            async with asyncio.timeout(self.seconds):
+                while True:
+                    message = await receive()
+                    if message["type"] != "http.request":
+                        raise refused(400, "the question broke off")
+                    parts.append(message.get("body", b""))
+                    size += len(parts[-1])
+                    if size > GREATEST_QUESTION:
+                        raise too_large
+                    if not message.get("more_body"):
+                        return b"".join(parts)
+        except TimeoutError:
+            raise refused(408, f"the question did not come within {self.seconds:g} s; send it at once") from None
+
+
+class _Answer:
+    """An answer on its way to the browser, with the headers that every answer has."""
+
+    def __init__(self, send: Send) -> None:
+        self._send = send
+        self.begun = False
+
+    async def send(self, message: Message) -> None:
+        """Sends a part of the answer."""
+        if message["type"] == "http.response.start":
+            self.begun = True
+            heads = list(message.get("headers", ()))
+            present = {name.lower() for name, _ in heads}
+            added = {**ALWAYS, **{name: value for name, value in USUAL.items() if name.encode() not in present}}
+            message = {**message, "headers": [*heads, *((name.encode(), value.encode()) for name, value in added.items())]}
+        await self._send(message)
+
+    async def refuse(self, refusal: Refused) -> None:
+        """Sends a refusal, unless an answer has been begun."""
+        if self.begun:
+            return
+        body = refusal.body
+        heads = [(b"content-type", b"application/json"), (b"content-length", str(len(body)).encode())]
+        if refusal.status in (408, 413):
+            heads.append((b"connection", b"close"))  # what is still to come of the question is not wanted
+        await self.send({"type": "http.response.start", "status": refusal.status, "headers": heads})
+        await self.send({"type": "http.response.body", "body": body})
+
+
+def _given(body: bytes) -> Receive:
+    """What hands a question on that has come already."""
+    messages: list[Message] = [{"type": "http.request", "body": body, "more_body": False}]
+
+    async def receive() -> Message:
+        if messages:
+            return messages.pop()
+        await asyncio.Event().wait()  # until the application has ended
+        raise AssertionError
+
+    return receive
+
+
+async def _until_left(answering: Awaitable[None], receive: Receive) -> None:
+    """Answers, unless the asker leaves before."""
+    work = asyncio.ensure_future(answering)
+    leaving = asyncio.ensure_future(_left(receive))
+    try:
+        await asyncio.wait({work, leaving}, return_when=asyncio.FIRST_COMPLETED)
+        if work.done():
+            work.result()
+    finally:
+        await _ended([work, leaving])
+
+
+async def _left(receive: Receive) -> None:
+    while (await receive())["type"] != "http.disconnect":
+        pass
+
+
+async def _ended(tasks: Iterable[asyncio.Future[None]]) -> None:
+    for task in tasks:
+        task.cancel()
+    await asyncio.gather(*tasks, return_exceptions=True)
+
+
+def _is_json(kind: str) -> bool:
+    return kind.split(";")[0].strip().lower() == "application/json"
+
+
+def _name_of(host: str) -> str:
+    """The name in a Host header, without its port."""
+    name, colon, port = host.lower().rpartition(":")
+    name = name if colon and port.isdecimal() else host.lower()
+    return name[1:-1] if name.startswith("[") and name.endswith("]") else name
+
+
+def _is_address(name: str) -> bool:
+    try:
+        ipaddress.ip_address(name)
+    except ValueError:
+        return False
+    return True

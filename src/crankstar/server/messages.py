@@ -1,0 +1,173 @@
+"""Questions and answers of the API as records; what an engine looks like is said by its own schema (`/api/schema`)."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, WithJsonSchema
+
+from crankstar.exhibit.records import Problem
+from crankstar.quantity import seen
+
+LONGEST_NAME = 100
+EXAMPLE = {
+    "format": 1,
+    "name": "V2, 90 deg",
+    "firing_order": [1, 2],
+    "cylinder": {"bore": "90 mm", "stroke": "70 mm", "rod_length": "130 mm", "reciprocating_mass": "500 g"},
+    "layout": {
+        "type": "vee",
+        "banks": [{"bearing": "-45 deg", "cylinders": [1]}, {"bearing": "45 deg", "cylinders": [2]}],
+        "throws": ["0 deg"],
+    },
+}
+
+
+def _engine(value: Any) -> Any:
+    if isinstance(value, str) and len(value) > LONGEST_NAME:
+        raise ValueError(f"has {len(value)} letters; names of the catalog have fewer than {LONGEST_NAME}")
+    if not isinstance(value, str | dict):
+        raise ValueError(f"is {seen(value)}; give the name of an engine of the catalog, or the keys of an engine file")
+    return value
+
+
+EngineAsked = Annotated[
+    Any,
+    AfterValidator(_engine),
+    WithJsonSchema(
+        {
+            "anyOf": [
+                {"type": "string", "maxLength": LONGEST_NAME, "description": "the name of an engine of the catalog"},
+                {"type": "object", "description": "an engine file as a tree of keys, in the short or the explicit form"},
+            ],
+            "examples": ["v8-cross-plane", EXAMPLE],
+        }
+    ),
+]
+Word = Annotated[str, Field(max_length=500)]
+Key = Annotated[str, Field(max_length=200, examples=["spectrum:quantity=force"])]
+
+
+class Message(BaseModel):
+    """What all of these share: nothing unknown in them."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True, strict=True)
+
+
+class EngineQuestion(Message):
+    """An engine: its name in the catalog, or its file as a tree."""
+
+    engine: EngineAsked
+
+
+class ChartQuestion(EngineQuestion):
+    """A figure of an engine, or of two side by side."""
+
+    key: Key = Field(description="the key of a figure, as an exhibit names it")
+    beside: EngineAsked | None = Field(default=None, description="a second engine, drawn beside the first in the same scale")
+
+
+class DerivationQuestion(EngineQuestion):
+    """A derivation of an engine."""
+
+    key: Annotated[str, Field(max_length=200, examples=["force:2"])] = Field(description="its key, as an exhibit names it")
+
+
+class FittedQuestion(EngineQuestion):
+    """How an engine is to be fitted with weights and balance shafts; with nothing said, as its verdict advises."""
+
+    factor: Annotated[float, Field(ge=0, le=2)] | None = Field(default=None, description="balance factor of the counterweights")
+    weights: Literal["pins", "webs", "ends"] | None = Field(default=None, description="where the counterweights go")
+    shafts: Literal["none", "needed", "all"] | None = Field(default=None, description="which balance shafts")
+
+
+class TextQuestion(Message):
+    """The text of an engine file, TOML or JSON."""
+
+    text: Annotated[str, Field(max_length=1_000_000)]
+
+
+class SearchQuestion(Message):
+    """What a search is to find, in the words of `crankstar search`: of an in-line engine, or of a number of cylinders."""
+
+    engine: EngineAsked | None = Field(default=None, description="an in-line engine whose cylinders they are")
+    cylinders: Annotated[int, Field(ge=2, le=40)] | None = Field(default=None, description="how many, where there is no engine")
+    cycle: Literal["two-stroke", "four-stroke"] | None = None
+    minimise: Word | None = Field(default=None, description="what to make least, as in M1,M2", examples=["M1,M2"])
+    zero: Word | None = Field(default=None, description="what is to vanish exactly, as in M2")
+    limit: Annotated[list[Word], Field(max_length=20)] = Field(default=[], description="what may be at most so great: M2=1.5")
+    pitch: Word | None = Field(default=None, description="gaps between cylinders from the front, in pitches")
+    fix: Word | None = Field(default=None, description="throws that stay, as in 1=0,4=3")
+    mode_shape: Word | None = Field(default=None, description="amplitude of the torsional mode at each cylinder")
+    symmetric: bool = Field(default=False, description="only cranks whose rear half is the image of the front half")
+    avoid_adjacent: bool = Field(default=False, description="no neighbours may fire one after the other")
+    front: bool = Field(default=False, description="all values of which none can be bettered without another getting worse")
+    best: Annotated[int, Field(ge=1, le=200)] | None = Field(default=None, description="so many of the best")
+    all_with: Word | None = Field(default=None, description="all stars with the same moments as a firing order")
+
+
+class Refusal(BaseModel):
+    """Why a question is not answered: every mistake, its place and what would be right."""
+
+    problems: list[Problem]
+
+
+class CatalogEntry(BaseModel):
+    """An engine of the catalog."""
+
+    name: str = Field(description="what to ask for it by")
+    title: str
+    layout: str
+    cylinders: int
+    cycle: str
+
+
+class DerivationShown(BaseModel):
+    """A derivation: HTML with MathML, every name in it escaped."""
+
+    html: str
+
+
+class FittedShown(BaseModel):
+    """An engine with weights and balance shafts as an exhibit (its file is the tree), or null where there is nothing to do."""
+
+    exhibit: dict[str, Any] | None
+
+
+class TomlShown(BaseModel):
+    """An engine file."""
+
+    toml: str
+
+
+class TreeShown(BaseModel):
+    """An engine file as a tree of keys."""
+
+    tree: dict[str, Any]
+
+
+class Found(BaseModel):
+    """A row of what a search found."""
+
+    cells: list[str]
+    tree: dict[str, Any] = Field(description="the engine file that it makes")
+
+
+class SearchShown(BaseModel):
+    """How far a search has come, and what it found."""
+
+    id: str
+    state: Literal["running", "done", "cancelled", "failed"]
+    done: int = Field(description="blocks that were searched")
+    blocks: int = Field(description="of so many; 0 until that is known")
+    note: str = Field(description="how fast it is and how long it will take yet, or why it failed")
+    heads: list[str]
+    rows: list[Found]
+    sentences: list[str] = Field(description="what was asked, and what proves that the answer is complete")
+
+
+class Health(BaseModel):
+    """That the server is there."""
+
+    state: Literal["well"] = "well"
+    version: str

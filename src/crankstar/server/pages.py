@@ -1,0 +1,181 @@
+"""The page and its scripts, and the description of the API for people: all of it from this machine, nothing inline."""
+
+from __future__ import annotations
+
+import gzip
+import hashlib
+from functools import lru_cache
+from importlib.resources import files
+from typing import NamedTuple
+
+from fastapi import APIRouter, Request, Response
+
+from crankstar.server.guard import PAGE_POLICY
+from crankstar.server.refusal import refused
+
+SHELL = """<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>crankstar</title>
+<link rel="icon" href="data:,">
+<link rel="stylesheet" href="/page.css">
+<script type="module" src="/start.js"></script>
+</head>
+<body>
+<main id="crankstar"></main>
+<noscript>This page needs JavaScript: switch it on, or use the command line (crankstar --help).</noscript>
+</body>
+</html>
+"""
+STYLE = """html, body { margin: 0; height: 100% }
+noscript, .failed { display: block; padding: 2em; font: 1rem system-ui, sans-serif }
+"""
+START = """import page from '/app.js?v=%s'
+
+const el = document.getElementById('crankstar')
+const told = { host: 'server' }
+const model = { get: name => told[name], set() {}, save_changes() {}, on() {}, off() {}, send() {} }
+try {
+  await page.render({ model, el })
+} catch (error) {
+  el.className = 'failed'
+  el.textContent = `The page could not be started (${error.message}). Reload it; if that does not help, start crankstar serve anew.`
+  throw error
+}
+"""
+"""What hands the bundle its element, as a notebook would."""
+UNBUILT = """const el = document.getElementById('crankstar')
+el.className = 'failed'
+el.textContent = 'The page was not built with this installation. In a checkout: make bundle. The API is there all the same: /docs'
+"""
+DOCS = """<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>crankstar API</title>
+<link rel="icon" href="data:,">
+<link rel="stylesheet" href="/docs/swagger-ui.css">
+<link rel="stylesheet" href="/docs/page.css">
+<script defer src="/docs/swagger-ui-bundle.js"></script>
+<script defer src="/docs/start.js"></script>
+</head>
+<body>
+<main id="crankstar"></main>
+<noscript>This page needs JavaScript; /openapi.json has the same as JSON.</noscript>
+</body>
+</html>
+"""
+DOCS_START = """window.SwaggerUIBundle({
+  url: '/openapi.json', dom_id: '#crankstar', deepLinking: true, validatorUrl: null, tryItOutEnabled: true,
+  presets: [window.SwaggerUIBundle.presets.apis],
+})
+"""
+DOCS_STYLE = "body { margin: 0; background: #fff }\n"
+HTML, SCRIPT, CSS = "text/html", "text/javascript", "text/css"
+FOR_EVER = "public, max-age=31536000, immutable"
+ASK_AGAIN = "no-cache"
+
+
+class Asset(NamedTuple):
+    """A file that is sent as it is: its bytes, the same compressed, and a name of its content."""
+
+    plain: bytes
+    small: bytes
+    digest: str
+
+
+@lru_cache(maxsize=8)
+def _asset(name: str, changed: float) -> Asset:
+    """A file of the bundle as it was when it was changed."""
+    del changed
+    plain = (files("crankstar") / "bundle" / name).read_bytes()
+    return Asset(plain, gzip.compress(plain, 6, mtime=0), hashlib.sha256(plain).hexdigest()[:16])
+
+
+def asset(name: str) -> Asset | None:
+    """A file of the bundle; None where it was not built."""
+    place = files("crankstar") / "bundle" / name
+    try:
+        return _asset(name, place.stat().st_mtime)  # pyright: ignore[reportAttributeAccessIssue]  # a real file wherever we run
+    except FileNotFoundError:
+        return None
+
+
+router = APIRouter(include_in_schema=False)
+
+
+def _text(text: str, kind: str) -> Response:
+    policy = {"content-security-policy": PAGE_POLICY} if kind == HTML else {}
+    return Response(text, media_type=kind, headers={"cache-control": ASK_AGAIN, **policy})
+
+
+def _file(request: Request, name: str, kind: str) -> Response:
+    """A file of the bundle: for ever under an address with its digest, else asked for again. Raises Refused."""
+    found = asset(name)
+    if found is None:
+        raise refused(404, f"{name} was not built with this installation")
+    tag = f'"{found.digest}"'
+    heads = {"etag": tag, "cache-control": FOR_EVER if request.query_params.get("v") == found.digest else ASK_AGAIN}
+    if request.headers.get("if-none-match") == tag:
+        return Response(status_code=304, headers=heads)
+    if "gzip" in request.headers.get("accept-encoding", ""):
+        return Response(found.small, media_type=kind, headers={**heads, "content-encoding": "gzip", "vary": "accept-encoding"})
+    return Response(found.plain, media_type=kind, headers={**heads, "vary": "accept-encoding"})
+
+
+@router.get("/")
+async def page() -> Response:
+    """The page on which the engine turns."""
+    return _text(SHELL, HTML)
+
+
+@router.get("/page.css")
+async def style() -> Response:
+    """What the page looks like until the bundle is there."""
+    return _text(STYLE, CSS)
+
+
+@router.get("/start.js")
+async def start() -> Response:
+    """What starts the bundle."""
+    found = asset("crankstar.js")
+    return _text(UNBUILT if found is None else START % found.digest, SCRIPT)
+
+
+@router.get("/app.js")
+async def bundle(request: Request) -> Response:
+    """The bundle."""
+    return _file(request, "crankstar.js", SCRIPT)
+
+
+@router.get("/docs")
+async def docs() -> Response:
+    """The API for people."""
+    return _text(DOCS, HTML)
+
+
+@router.get("/docs/page.css")
+async def docs_style() -> Response:
+    """The ground of that page."""
+    return _text(DOCS_STYLE, CSS)
+
+
+@router.get("/docs/start.js")
+async def docs_start() -> Response:
+    """What starts it."""
+    return _text(DOCS_START, SCRIPT)
+
+
+@router.get("/docs/swagger-ui-bundle.js")
+async def docs_script(request: Request) -> Response:
+    """Swagger UI."""
+    return _file(request, "swagger-ui-bundle.js", SCRIPT)
+
+
+@router.get("/docs/swagger-ui.css")
+async def docs_sheet(request: Request) -> Response:
+    """What it looks like."""
+    return _file(request, "swagger-ui.css", CSS)

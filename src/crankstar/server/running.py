@@ -1,0 +1,113 @@
+"""A server that runs: its port taken, its address said, served until it is interrupted."""
+
+from __future__ import annotations
+
+import errno
+import os
+import signal
+import socket
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from types import FrameType
+from typing import Any
+
+import uvicorn
+
+from crankstar.quantity import one_line
+from crankstar.request import RequestError
+from crankstar.server.application import application
+from crankstar.server.crew import Processes
+from crankstar.server.guard import LOOPBACK
+
+TASK_SECONDS = 10.0
+"""How long an answer may take."""
+LEAVE_SECONDS = 2
+"""How long answers that are under way may take when the server is stopped."""
+GREATEST_PROCESSES = 4
+GREATEST_CONNECTIONS = 500
+
+
+def opened(host: str, port: int) -> socket.socket:
+    """A socket that listens at an address; port 0 is any that is free. Raises RequestError that says what to do."""
+    try:
+        family, kind, protocol, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM, flags=socket.AI_PASSIVE)[0]
+    except (OSError, UnicodeError, OverflowError):
+        told = "is no address of this machine; leave it out, or give one as in 127.0.0.1"
+        raise RequestError(f"--host {one_line(host)}: {told}") from None
+    taken = socket.socket(family, kind, protocol)
+    try:
+        if os.name == "posix":
+            taken.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        taken.bind(address)
+        taken.listen(GREATEST_CONNECTIONS)
+    except OSError as error:
+        taken.close()
+        raise RequestError(_refusal(host, port, error)) from None
+    taken.setblocking(False)
+    return taken
+
+
+def _refusal(host: str, port: int, error: OSError) -> str:
+    if error.errno == errno.EADDRINUSE:
+        other = port + 1 if port < 65535 else 8000
+        why = "is in use, perhaps by another crankstar serve"
+        return f"--port {port}: {why}; take another, as in --port {other}, or --port 0 for a free one"
+    if error.errno == errno.EACCES:
+        return f"--port {port}: may not be used by you; take one from 1024 up, as in --port 8000"
+    return f"--host {one_line(host)}: cannot be used ({error.strerror}); leave it out, or give an address of this machine"
+
+
+def address_of(taken: socket.socket, host: str) -> str:
+    """The address of the page, as one types it."""
+    port = taken.getsockname()[1]
+    name = "127.0.0.1" if host in ("0.0.0.0", "") else "[::1]" if host == "::" else f"[{host}]" if ":" in host else host  # noqa: S104
+    return f"http://{name}:{port}/"
+
+
+def serve(taken: socket.socket, *, host: str, engine: Any, shown: str, ready: Callable[[], None]) -> None:
+    """Serves until an interrupt or a signal to end; `ready` is called once questions are answered."""
+    crew = Processes(max(1, min(os.cpu_count() or 1, GREATEST_PROCESSES)), seconds=TASK_SECONDS)
+    app = application(crew=crew, engine=engine, shown=shown, host=host)
+    settings: dict[str, Any] = {"lifespan": "on", "log_config": None, "access_log": False, "server_header": False, "ws": "none"}
+    config = uvicorn.Config(
+        app,
+        **settings,
+        http="h11",
+        loop="asyncio",
+        timeout_graceful_shutdown=LEAVE_SECONDS,
+        limit_concurrency=GREATEST_CONNECTIONS,
+        proxy_headers=False,
+    )
+    _Server(config, ready).run(sockets=[taken])
+
+
+class _Server(uvicorn.Server):
+    """The server, ended by signals without their being raised once more."""
+
+    def __init__(self, config: uvicorn.Config, ready: Callable[[], None]) -> None:
+        super().__init__(config)
+        self._ready = ready
+
+    async def startup(self, sockets: list[socket.socket] | None = None) -> None:
+        """Begins to answer, and says so."""
+        await super().startup(sockets)
+        if self.started:
+            self._ready()
+
+    @contextmanager
+    def capture_signals(self) -> Iterator[None]:
+        """Takes the signals that end a server for itself; a second one ends it at once."""
+        before = {one: signal.signal(one, self._told) for one in (signal.SIGINT, signal.SIGTERM)}
+        try:
+            yield
+        finally:
+            for one, handler in before.items():
+                signal.signal(one, handler)
+
+    def _told(self, number: int, frame: FrameType | None) -> None:
+        self.handle_exit(number, frame)
+
+
+def is_loopback(host: str) -> bool:
+    """Whether only this machine can reach a server that listens there."""
+    return host in LOOPBACK

@@ -1,0 +1,124 @@
+"""A search in a process of its own: it says how far it is, stops when it is told to, and ends with its parent."""
+
+from __future__ import annotations
+
+import _thread
+import os
+import signal
+import threading
+import time
+from contextlib import suppress
+from multiprocessing.connection import Connection
+from typing import Any
+
+from crankstar import files
+from crankstar.engine import Engine
+from crankstar.server.refusal import refused
+from crankstar.server.tasks import engine_of, mistakes_told
+from crankstar.wording import duration
+
+LONGEST_SECONDS = 600.0
+"""A search that is thought to take longer on one processor is not begun."""
+TELLING_SECONDS = 0.2
+"""How often progress is told."""
+ROWS = 60
+"""Rows of an answer that are sent."""
+NARROWER = "fix throws, take symmetric cranks, let a sum vanish; or use `crankstar search`, which waits as long as you like"
+
+
+def requested(asked: dict[str, Any]) -> Any:
+    """What the words of a question ask for, as a search_request.Request. Raises Refused with every mistake in them."""
+    from crankstar import search_request
+
+    engine, cylinders = asked["engine"], asked["cylinders"]
+    if (engine is None) == (cylinders is None):
+        raise refused(422, "give an engine, or a number of cylinders")
+    words = {name: asked[name] for name in ("minimise", "zero", "pitch", "fix", "mode_shape", "all_with")}
+    switches = {name: asked[name] for name in ("symmetric", "avoid_adjacent", "front")}
+    best = None if asked["best"] is None else str(asked["best"])
+    wish = search_request.Wish(limit=tuple(asked["limit"]), best=best, **words, **switches)
+    with mistakes_told():
+        about = cylinders if engine is None else engine_of(engine)[0]
+        speed = about.speed if isinstance(about, Engine) else None
+        return search_request.request(about, asked["cycle"], wish, speed=speed)
+
+
+def work(way: Connection, asked: dict[str, Any]) -> None:
+    """The whole life of the process: it tells ("progress", ...), and in the end ("done", ...) or ("failed", sentence)."""
+    signal.signal(
+        signal.SIGINT, signal.default_int_handler
+    )  # the search takes it; the terminal's is masked
+    threading.Thread(target=_listen, args=(way,), daemon=True).start()
+    try:
+        told = _found(way, asked)
+    except KeyboardInterrupt:
+        told = ("done", True, [], [], ["Stopped before anything was found."])
+    except Exception as error:  # noqa: BLE001  # whatever it is, the one who asked is told
+        told = ("failed", _sentence(error))
+    with suppress(OSError):
+        way.send(told)
+    way.close()
+    os._exit(0)
+
+
+def _sentence(error: Exception) -> str:
+    from crankstar.request import RequestError
+    from crankstar.search.stars import SearchError
+    from crankstar.server.refusal import Refused
+
+    if isinstance(error, Refused):
+        return "; ".join(message for _, message in error.problems)
+    known = isinstance(error, (RequestError, SearchError))
+    return str(error) if known else "crankstar has failed at this search, which is a mistake of crankstar"
+
+
+def _listen(way: Connection) -> None:
+    """Stops the search when the parent says so, and ends the process when the parent is gone."""
+    try:
+        while way.recv() == "stop":
+            _thread.interrupt_main()
+    except (EOFError, OSError):
+        os._exit(1)
+
+
+def _found(way: Connection, asked: dict[str, Any]) -> tuple[Any, ...]:
+    from crankstar.search import halves, run
+    from crankstar.search.findings import findings
+    from crankstar.search_job import note
+
+    wanted = requested(asked)
+    halves.check(wanted.question)
+    seconds = run.estimate(wanted.question)
+    if seconds > LONGEST_SECONDS:
+        told = f"this search takes about {duration(seconds)} on one processor, too long for a page"
+        raise refused(422, f"{told}. To narrow it: {NARROWER}")
+    last = 0.0
+
+    def tell(now: run.Progress) -> None:
+        nonlocal last
+        if time.monotonic() - last > TELLING_SECONDS:
+            last = time.monotonic()
+            way.send(("progress", now.done, now.blocks, note(now)))
+
+    answer = findings(wanted.question, watch=tell)
+    return ("done", answer.certificate.interrupted, *_told(answer, wanted))
+
+
+def _told(answer: Any, wanted: Any) -> tuple[list[str], list[tuple[list[str], dict[str, Any]]], list[str]]:
+    """Heads, rows with the engine files that they make, and sentences."""
+    from crankstar import search_table
+    from crankstar.search import engines, likeness, weighed
+
+    answer = likeness.chosen(answer, wanted.likeness) if wanted.likeness else answer
+    shown = answer.rows[:ROWS]
+    heads, cells = search_table.cells(answer, shown)
+    made = [
+        engines.engine(answer.question.stars, row.star)
+        if wanted.engine is None
+        else weighed.with_star(wanted.engine, answer.question.stars, row.star)
+        for row in shown
+    ]
+    trees = [files.explicit(engine) for engine in made]
+    words = [search_table.heading(answer.question), search_table.census(answer.question.stars)]
+    words += [*search_table.as_it_is(answer, wanted.engine), *search_table.sentences(answer, shown=len(shown))]
+    return heads, list(zip(cells, trees, strict=True)), words

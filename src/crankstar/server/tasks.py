@@ -1,0 +1,149 @@
+"""What the processes of the crew are given to do: an engine as a name or tree, and what is asked of it, to the answer as JSON.
+
+An engine is a name of the catalog or a tree of keys; no file is ever opened by a name that comes from outside.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from functools import lru_cache
+from typing import Any
+
+from crankstar import catalog, files
+from crankstar.engine import Engine
+from crankstar.fault import EngineError, where
+from crankstar.files import EngineFileError
+from crankstar.request import RequestError
+from crankstar.server.refusal import Refused, refused
+
+Tree = dict[str, Any]
+ENGINE = "the engine"
+KEPT = 64
+"""Engines that a process keeps at hand."""
+
+
+@contextmanager
+def mistakes_told() -> Iterator[None]:
+    """Turns what is wrong with a question into a refusal of it."""
+    try:
+        yield
+    except EngineFileError as error:
+        raise Refused(422, error.problems) from None
+    except EngineError as error:
+        raise Refused(422, [(where(fault.path), fault.message) for fault in error.faults]) from None
+    except RequestError as error:
+        raise Refused(422, [("", line) for line in str(error).split("\n")]) from None
+
+
+def answered(value: Any) -> bytes:
+    """An answer as JSON, in ASCII."""
+    return json.dumps(value, allow_nan=False, separators=(",", ":")).encode("ascii")
+
+
+def catalog_tree(name: str) -> Tree:
+    """The tree of an engine of the catalog. Raises Refused with 404; no other file is looked for."""
+    if name not in catalog.names():
+        raise refused(404, "there is no such engine in the catalog; /api/catalog names all of them")
+    return catalog.tree_of(name)[1]
+
+
+def tree_of(engine: str | Tree) -> Tree:
+    """The tree of an engine that is asked about. Raises Refused."""
+    if isinstance(engine, dict):
+        return engine
+    if engine not in catalog.names():
+        raise Refused(422, [("engine", "there is no such engine in the catalog; /api/catalog names all of them")])
+    return catalog.tree_of(engine)[1]
+
+
+def engine_of(engine: str | Tree) -> tuple[Engine, Tree]:
+    """An engine that is asked about, and its tree. Raises EngineFileError, Refused."""
+    tree = tree_of(engine)
+    return _kept(json.dumps(tree)), tree
+
+
+@lru_cache(maxsize=KEPT)
+def _kept(text: str) -> Engine:
+    return files.engine_of(json.loads(text), name=ENGINE)
+
+
+def exhibit(engine: str | Tree) -> bytes:
+    """All that the page is told of an engine. Raises Refused."""
+    from crankstar.exhibit import exhibit as shown
+
+    with mistakes_told():
+        made, tree = engine_of(engine)
+        return shown(made, tree).model_dump_json().encode("utf-8")
+
+
+def opening(engine: str | Tree, shown: str) -> bytes:
+    """What the page opens with: an engine, and the words by which it was named. Raises Refused."""
+    return b"{}"
+
+
+def chart(engine: str | Tree, key: str, beside: str | Tree | None) -> bytes:
+    """A figure by its key, as a Vega specification. Raises Refused."""
+    return b"{}"
+
+
+def derivation(engine: str | Tree, key: str) -> bytes:
+    """A derivation by its key, as HTML. Raises Refused."""
+    return b"{}"
+
+
+def fitted(engine: str | Tree, options: dict[str, Any]) -> bytes:
+    """An engine with weights and balance shafts as an exhibit, or null where there is nothing to do. Raises Refused."""
+    return b"{}"
+
+
+def toml(engine: str | Tree) -> bytes:
+    """An engine file as it was given, in TOML. Raises Refused where it is none, or cannot be written so that it is read again."""
+    with mistakes_told():
+        made, tree = engine_of(engine)
+        try:
+            text = files.tree_text(_without_nothing(tree))
+        except (TypeError, ValueError):
+            text = files.toml(made)
+        if files.engine_of(files.tree_of(text)) != made:
+            text = files.toml(made)
+        return answered({"toml": text})
+
+
+def _without_nothing(value: Any) -> Any:
+    """A tree without what is null, which TOML does not have."""
+    if isinstance(value, Mapping):
+        return {key: _without_nothing(item) for key, item in value.items() if item is not None}
+    return [_without_nothing(item) for item in value] if isinstance(value, list) else value
+
+
+def read(text: str) -> bytes:
+    """The tree of the text of an engine file, TOML or JSON, once it is found to be an engine. Raises Refused."""
+    with mistakes_told():
+        tree = files.tree_of(text.removeprefix("\ufeff"), name=ENGINE)
+        files.engine_of(tree, name=ENGINE)
+        return answered({"tree": tree})
+
+
+def schema() -> bytes:
+    """The JSON Schema of engine files."""
+    return answered(files.schema())
+
+
+def summaries() -> bytes:
+    """What there is in the catalog."""
+    return answered([entry._asdict() for entry in catalog.summaries()])
+
+
+def catalog_answer(name: str) -> bytes:
+    """The tree of an engine of the catalog. Raises Refused."""
+    return answered(catalog_tree(name))
+
+
+def search_checked(asked: dict[str, Any]) -> bytes:
+    """Nothing, once the words of a search are found to ask for something. Raises Refused."""
+    from crankstar.server.search_process import requested
+
+    requested(asked)
+    return b""
