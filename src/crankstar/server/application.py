@@ -53,7 +53,7 @@ def application(*, crew: Crew, engine: Any = OPENS_WITH, shown: str = OPENS_WITH
     app.add_exception_handler(Refused, _refuse)
     app.add_exception_handler(HTTPException, _refuse_http)
     app.add_exception_handler(RequestValidationError, _refuse_invalid)
-    return Guard(app, host=host)  # pyright: ignore[reportArgumentType]  # Starlette's own types of the same
+    return Guard(app, host=host)
 
 
 def _shown(refusal: Refused, headers: Any = None) -> Response:
@@ -70,8 +70,8 @@ HTTP = {404: "there is no such address; /docs has those that there are", 405: "t
 
 async def _refuse_http(_: Request, error: Exception) -> Response:
     assert isinstance(error, HTTPException)  # noqa: S101
-    if isinstance(error.detail, list):
-        return _shown(Refused(error.status_code, error.detail))
+    if isinstance(error, routes.NotStrictError):
+        return _shown(error.refusal)
     return _shown(refused(error.status_code, HTTP.get(error.status_code, "this cannot be answered")), error.headers)
 
 

@@ -61,10 +61,9 @@ class EngineQuestion(Message):
 
 
 class ChartQuestion(EngineQuestion):
-    """A figure of an engine, or of two side by side."""
+    """A figure of an engine."""
 
     key: Key = Field(description="the key of a figure, as an exhibit names it")
-    beside: EngineAsked | None = Field(default=None, description="a second engine, drawn beside the first in the same scale")
 
 
 class DerivationQuestion(EngineQuestion):

@@ -21,10 +21,10 @@ SHELL = """<!doctype html>
 <title>crankstar</title>
 <link rel="icon" href="data:,">
 <link rel="stylesheet" href="/page.css">
-<script type="module" src="/start.js"></script>
+<script type="module" src="%s"></script>
 </head>
 <body>
-<main id="crankstar"></main>
+<main data-crankstar="server"></main>
 <noscript>This page needs JavaScript: switch it on, or use the command line (crankstar --help).</noscript>
 </body>
 </html>
@@ -32,21 +32,7 @@ SHELL = """<!doctype html>
 STYLE = """html, body { margin: 0; height: 100% }
 noscript, .failed { display: block; padding: 2em; font: 1rem system-ui, sans-serif }
 """
-START = """import page from '/app.js?v=%s'
-
-const el = document.getElementById('crankstar')
-const told = { host: 'server' }
-const model = { get: name => told[name], set() {}, save_changes() {}, on() {}, off() {}, send() {} }
-try {
-  await page.render({ model, el })
-} catch (error) {
-  el.className = 'failed'
-  el.textContent = `The page could not be started (${error.message}). Reload it; if that does not help, start crankstar serve anew.`
-  throw error
-}
-"""
-"""What hands the bundle its element, as a notebook would."""
-UNBUILT = """const el = document.getElementById('crankstar')
+UNBUILT = """const el = document.querySelector('[data-crankstar]')
 el.className = 'failed'
 el.textContent = 'The page was not built with this installation. In a checkout: make bundle. The API is there all the same: /docs'
 """
@@ -129,7 +115,8 @@ def _file(request: Request, name: str, kind: str) -> Response:
 @router.get("/")
 async def page() -> Response:
     """The page on which the engine turns."""
-    return _text(SHELL, HTML)
+    found = asset("crankstar.js")
+    return _text(SHELL % ("/unbuilt.js" if found is None else f"/app.js?v={found.digest}"), HTML)
 
 
 @router.get("/page.css")
@@ -138,11 +125,10 @@ async def style() -> Response:
     return _text(STYLE, CSS)
 
 
-@router.get("/start.js")
-async def start() -> Response:
-    """What starts the bundle."""
-    found = asset("crankstar.js")
-    return _text(UNBUILT if found is None else START % found.digest, SCRIPT)
+@router.get("/unbuilt.js")
+async def unbuilt() -> Response:
+    """What says that there is no bundle."""
+    return _text(UNBUILT, SCRIPT)
 
 
 @router.get("/app.js")

@@ -10,7 +10,7 @@ from starlette.exceptions import HTTPException
 
 from crankstar import files
 from crankstar.exhibit.records import Exhibit, Exhibition
-from crankstar.server import messages, tasks
+from crankstar.server import messages, search_process, tasks
 from crankstar.server.answers import Answers
 from crankstar.server.crew import Task
 from crankstar.server.refusal import Refused, refused
@@ -39,16 +39,24 @@ MISSING: Told = {404: {"model": messages.Refusal, "description": "There is nothi
 CROWDED: Told = {429: {"model": messages.Refusal, "description": "As many searches as may be are under way."}}
 
 
+class NotStrictError(HTTPException):
+    """A refusal in the one kind of exception that the framework lets through where it reads a question."""
+
+    def __init__(self, refusal: Refused) -> None:
+        super().__init__(refusal.status)
+        self.refusal = refusal
+
+
 class StrictRequest(Request):
     """A question whose JSON is read as engine files are: no key twice, nothing nested without end, sentences for mistakes."""
 
     async def json(self) -> Any:
-        """The question as a tree. Raises HTTPException, which the framework lets through."""
+        """The question as a tree. Raises NotStrictError."""
         if not hasattr(self, "_json"):
             try:
                 self._json = strict(await self.body())
             except Refused as refusal:
-                raise HTTPException(refusal.status, detail=refusal.problems) from None  # pyright: ignore[reportArgumentType]
+                raise NotStrictError(refusal) from None
         return self._json
 
 
@@ -141,7 +149,7 @@ async def exhibit(request: Request, question: messages.EngineQuestion) -> Respon
 @router.post("/chart", response_model=dict[str, Any], responses=ASK, summary="A figure of an engine", tags=["engines"])
 async def chart(request: Request, question: messages.ChartQuestion) -> Response:
     """A Vega specification; where the figure turns it has one parameter, `theta`, in degrees."""
-    return await _answer(request, tasks.chart, bounded(question.engine), question.key, bounded(question.beside))
+    return await _answer(request, tasks.chart, bounded(question.engine), question.key)
 
 
 @router.post(
@@ -180,7 +188,7 @@ async def start_search(request: Request, question: messages.SearchQuestion) -> R
     """Starts a search, which goes on by itself; ask for it by its id."""
     asked = question.model_dump() | {"engine": bounded(question.engine)}
     searches: Searches = request.app.state.searches
-    await request.app.state.answers.crew.do(tasks.search_checked, asked)
+    await request.app.state.answers.crew.do(search_process.checked, asked)
     return Response(searches.begun(asked), media_type=JSON)
 
 

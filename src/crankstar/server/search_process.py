@@ -43,11 +43,15 @@ def requested(asked: dict[str, Any]) -> Any:
         return search_request.request(about, asked["cycle"], wish, speed=speed)
 
 
+def checked(asked: dict[str, Any]) -> bytes:
+    """Nothing, once the words of a search are found to ask for something. Raises Refused."""
+    requested(asked)
+    return b""
+
+
 def work(way: Connection, asked: dict[str, Any]) -> None:
     """The whole life of the process: it tells ("progress", ...), and in the end ("done", ...) or ("failed", sentence)."""
-    signal.signal(
-        signal.SIGINT, signal.default_int_handler
-    )  # the search takes it; the terminal's is masked
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # the search takes it; the terminal's is masked
     threading.Thread(target=_listen, args=(way,), daemon=True).start()
     try:
         told = _found(way, asked)

@@ -11,10 +11,18 @@ from contextlib import contextmanager
 from functools import lru_cache
 from typing import Any
 
-from crankstar import catalog, files
+from pydantic import BaseModel
+
+from crankstar import __version__, catalog, files, fitting, workshop
+from crankstar.charts import ChartError
+from crankstar.derive import DerivationError
 from crankstar.engine import Engine
+from crankstar.exhibit import exhibits, tellings
+from crankstar.exhibit.figures import NoSuchKeyError
+from crankstar.exhibit.records import Exhibit, Exhibition
 from crankstar.fault import EngineError, where
 from crankstar.files import EngineFileError
+from crankstar.remedy import RemedyError
 from crankstar.request import RequestError
 from crankstar.server.refusal import Refused, refused
 
@@ -25,16 +33,16 @@ KEPT = 64
 
 
 @contextmanager
-def mistakes_told() -> Iterator[None]:
-    """Turns what is wrong with a question into a refusal of it."""
+def mistakes_told(at: str = "") -> Iterator[None]:
+    """Turns what is wrong with a question into a refusal of it; `at` is where mistakes stand that say nothing of it."""
     try:
         yield
     except EngineFileError as error:
         raise Refused(422, error.problems) from None
     except EngineError as error:
         raise Refused(422, [(where(fault.path), fault.message) for fault in error.faults]) from None
-    except RequestError as error:
-        raise Refused(422, [("", line) for line in str(error).split("\n")]) from None
+    except (RequestError, RemedyError, DerivationError, ChartError, NoSuchKeyError) as error:
+        raise Refused(422, [(at, line) for line in str(error).split("\n")]) from None
 
 
 def answered(value: Any) -> bytes:
@@ -70,32 +78,66 @@ def _kept(text: str) -> Engine:
 
 
 def exhibit(engine: str | Tree) -> bytes:
-    """All that the page is told of an engine. Raises Refused."""
-    from crankstar.exhibit import exhibit as shown
-
+    """All that the page is told of an engine, but for its neighbours in the catalog, which take long. Raises Refused."""
     with mistakes_told():
-        made, tree = engine_of(engine)
-        return shown(made, tree).model_dump_json().encode("utf-8")
+        return _json(_exhibit(engine))
+
+
+def _exhibit(engine: str | Tree) -> Exhibit:
+    made, tree = engine_of(engine)
+    return exhibits.exhibit(made, file=tree, neighbours=False)
+
+
+def _json(record: BaseModel) -> bytes:
+    return record.model_dump_json().encode("utf-8")
 
 
 def opening(engine: str | Tree, shown: str) -> bytes:
     """What the page opens with: an engine, and the words by which it was named. Raises Refused."""
-    return b"{}"
+    with mistakes_told():
+        command = f"crankstar serve {shown}"
+        return _json(
+            Exhibition(engines=(_exhibit(engine),), fitted=(None,), sources=(shown,), command=command, version=__version__)
+        )
 
 
-def chart(engine: str | Tree, key: str, beside: str | Tree | None) -> bytes:
+def chart(engine: str | Tree, key: str) -> bytes:
     """A figure by its key, as a Vega specification. Raises Refused."""
-    return b"{}"
+    from crankstar.exhibit import figures
+
+    with mistakes_told(at="key"):
+        made, _ = engine_of(engine)
+        return answered(figures.chart(made, key))
 
 
 def derivation(engine: str | Tree, key: str) -> bytes:
     """A derivation by its key, as HTML. Raises Refused."""
-    return b"{}"
+    from crankstar.exhibit import figures
+
+    with mistakes_told(at="key"):
+        made, _ = engine_of(engine)
+        return answered({"html": figures.derivation(made, key)})
 
 
 def fitted(engine: str | Tree, options: dict[str, Any]) -> bytes:
     """An engine with weights and balance shafts as an exhibit, or null where there is nothing to do. Raises Refused."""
-    return b"{}"
+    with mistakes_told():
+        made, _ = engine_of(engine)
+        found = _fitted(made, **options) if options else exhibits.fitted(made)
+        return b'{"exhibit":' + (b"null" if found is None else _json(found)) + b"}"
+
+
+def _fitted(engine: Engine, *, factor: float | None = None, weights: Any = None, shafts: Any = "none") -> Exhibit | None:
+    """An engine with what was asked for: counterweights of a factor, shafts that are needed then."""
+    after = engine
+    if factor is not None or weights is not None:
+        after = fitting.by_factor(after, factor=exhibits.HALF if factor is None else factor, weights=weights or "webs")
+    if shafts != "none":
+        after = fitting.with_shafts(after, ratios=shafts, places=fitting.ShaftPlaces())
+    if after is engine:
+        return None
+    job = workshop.Job(before=engine, after=after, factor=factor, speed=engine.speed)
+    return exhibits.exhibit(after, neighbours=False, remedies=tellings.tables(workshop.balance_card(job)))
 
 
 def toml(engine: str | Tree) -> bytes:
@@ -139,11 +181,3 @@ def summaries() -> bytes:
 def catalog_answer(name: str) -> bytes:
     """The tree of an engine of the catalog. Raises Refused."""
     return answered(catalog_tree(name))
-
-
-def search_checked(asked: dict[str, Any]) -> bytes:
-    """Nothing, once the words of a search are found to ask for something. Raises Refused."""
-    from crankstar.server.search_process import requested
-
-    requested(asked)
-    return b""
