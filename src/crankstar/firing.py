@@ -9,6 +9,7 @@ one after the other within one cycle; where there is a choice, the most even int
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import pairwise
 from math import inf
 from typing import NamedTuple
@@ -76,10 +77,19 @@ def _dead_centres(engine: Engine, *, outward: float) -> dict[int, DeadCentre]:
     lag = np.array([engine.throw(c).angle - engine.cylinders[root[i]].bearing for i, c in enumerate(engine.cylinders)])
     ratio = np.array([float(engine.shaft(c.shaft).speed_ratio) * engine.sense for c in engine.cylinders])
     area = outward * np.array([1.0 if c.bore is None else c.bore**2 for c in engine.cylinders])
-    return {
-        number: _dead_centre(links, [place[c.number] for c in pistons], lag, ratio, area)
-        for number, pistons in engine.chambers.items()
-    }
+    chambers = tuple((number, tuple(place[c.number] for c in pistons)) for number, pistons in engine.chambers.items())
+    arrays = (*(getattr(links, name) for name in motion.ARRAYS), lag, ratio, area)
+    return dict(_kept(links.master, tuple(tuple(map(float, values)) for values in arrays), chambers))
+
+
+@lru_cache(maxsize=256)
+def _kept(
+    master: tuple[int, ...], arrays: tuple[tuple[float, ...], ...], chambers: tuple[tuple[int, tuple[int, ...]], ...]
+) -> tuple[tuple[int, DeadCentre], ...]:
+    """Dead centres by chamber: found once for an engine, of which firing, strokes, verdict and drawing all ask them."""
+    *linked, lag, ratio, area = (np.array(values) for values in arrays)
+    links = motion.Linkage(master=master, **dict(zip(motion.ARRAYS, linked, strict=True)))
+    return tuple((number, _dead_centre(links, list(pistons), lag, ratio, area)) for number, pistons in chambers)
 
 
 def _dead_centre(links: motion.Linkage, pistons: list[int], lag: np.ndarray, ratio: np.ndarray, area: np.ndarray) -> DeadCentre:

@@ -96,7 +96,7 @@ def rods(links: Linkage, psi: ArrayLike) -> Rods:
 
     Raises ValueError with a sentence where a rod cannot reach its cylinder.
     """
-    shape = np.broadcast_shapes(*(np.shape(getattr(links, name)) for name in _ARRAYS))
+    shape = np.broadcast_shapes(*(np.shape(getattr(links, name)) for name in ARRAYS))
     turning = np.exp(1j * np.asarray(psi, float))
     if all(index < 0 for index in links.master):
         pin = np.broadcast_to(links.crank_radius, shape)[..., None] * turning
@@ -118,7 +118,8 @@ def rods(links: Linkage, psi: ArrayLike) -> Rods:
     return out
 
 
-_ARRAYS = ("crank_radius", "rod_length", "offset", "bearing", "knuckle_radius", "knuckle_angle")
+ARRAYS = ("crank_radius", "rod_length", "offset", "bearing", "knuckle_radius", "knuckle_angle")
+"""The arrays of a Linkage."""
 
 
 def _picked(values: Real | Complex, shape: tuple[int, ...], at: list[int] | slice) -> Complex:
@@ -138,9 +139,7 @@ def _levels(master: tuple[int, ...]) -> tuple[tuple[int, ...], ...]:
 
 def _reached(links: Linkage, at: list[int] | slice, joint: Path) -> Rods:
     """From the big-end pins to the piston pins of the same cylinders."""
-    shape = (
-        joint.place.shape[:-1] if isinstance(at, slice) else np.broadcast_shapes(*(np.shape(getattr(links, n)) for n in _ARRAYS))
-    )
+    shape = joint.place.shape[:-1] if isinstance(at, slice) else np.broadcast_shapes(*(np.shape(getattr(links, n)) for n in ARRAYS))
     axis = np.exp(1j * _picked(links.bearing, shape, at))
     offset, length = _picked(links.offset, shape, at), _picked(links.rod_length, shape, at)
     along = [part / axis for part in joint]
@@ -222,7 +221,7 @@ def chain(links: Linkage, index: int) -> list[int]:
 
 def parted(links: Linkage, chain: list[int]) -> Linkage:
     """The rods of one chain only, from the crank pin outward."""
-    return Linkage(**{name: getattr(links, name)[..., chain] for name in _ARRAYS}, master=tuple(range(-1, len(chain) - 1)))
+    return Linkage(**{name: getattr(links, name)[..., chain] for name in ARRAYS}, master=tuple(range(-1, len(chain) - 1)))
 
 
 def checked(engine: Engine) -> Engine:
