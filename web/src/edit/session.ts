@@ -64,7 +64,7 @@ export function session(service: Service, tree: Tree, shown: Shown): Session {
     send: (subject, abort) => service.exhibit(subject, abort),
     answered: (answer, subject, newest) => {
       if (answer.ok) {
-        onStage = subject
+        onStage = answer.value.file
         self.shown(answer.value, subject)
       }
       if (newest) problems.value = answer.ok ? [] : placed(answer.problems)
