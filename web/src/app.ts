@@ -2,7 +2,7 @@ import { computed, effect, type ReadonlySignal, type Signal, signal } from '@pre
 import { commonTurns } from './angle'
 import { type Clock, createClock } from './clock'
 import type { Exhibit } from './exhibit'
-import type { Host } from './host/host'
+import type { Host, Tree } from './host/host'
 import { packedTree, unpackedTree } from './packing'
 import { restore, type Store, snapshot, stateOf, stateText, storeOf } from './state'
 
@@ -23,7 +23,7 @@ export interface App {
   readonly dark: ReadonlySignal<boolean>
   readonly calm: ReadonlySignal<boolean>
   /** Puts an engine that was edited on the stage. */
-  put(exhibit: Exhibit): void
+  put(exhibit: Exhibit, tree: Tree): void
   /** Asks for the engine with weights and shafts, if that was not done yet. */
   cure(): void
   dispose(): void
@@ -167,11 +167,12 @@ export function createApp(host: Host): App {
     trouble,
     dark,
     calm,
-    put(exhibit) {
-      own.value = exhibit
+    put(exhibit, tree) {
+      const edited = { ...exhibit, file: tree }
+      own.value = edited
       ownName = '~'
-      packedTree(exhibit.file).then((packed) => {
-        if (own.peek() !== exhibit) return
+      packedTree(tree).then((packed) => {
+        if (own.peek() !== edited) return
         ownName = `~${packed}`
         store.engine.value = ownName
       }, failed)

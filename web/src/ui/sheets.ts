@@ -1,4 +1,6 @@
+import derivation from './derivation.css?inline'
 import narrow from './narrow.css?inline'
+import panels from './panels.css?inline'
 import style from './style.css?inline'
 
 const sheets = new Map<string, CSSStyleSheet>()
@@ -16,7 +18,7 @@ function sheetOf(css: string): CSSStyleSheet {
 const users = new Map<CSSStyleSheet, number>()
 
 /** Our styles for the document (or shadow) that an element is in, until the returned function is called. */
-export function adopt(element: Element, css: readonly string[] = [style, narrow]): () => void {
+export function adopt(element: Element, css: readonly string[] = [style, panels, derivation, narrow]): () => void {
   const found = element.getRootNode()
   const root = found instanceof ShadowRoot ? found : element.ownerDocument
   const own = css.map(sheetOf)

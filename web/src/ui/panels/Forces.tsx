@@ -1,6 +1,48 @@
+import { QUANTITIES } from '../../state'
+import { Choice } from '../Choice'
+import { useApp, useExhibit } from '../context'
 import { Figure } from '../Figure'
-import { useExhibit } from '../context'
+import { orderText } from '../OrderChoice'
+
+/** A quantity over the crank angle, and the path that its vector runs through. */
 export function Forces() {
+  const { store } = useApp()
   const exhibit = useExhibit()
-  return <div class="figures">{exhibit.charts.filter((one) => ['over-turn','hodograph'].includes(one.figure)).slice(0,8).map((one) => <Figure key={one.key} exhibit={exhibit} chart={one.key} label={one.label} />)}</div>
+  const quantity = store.quantity.value
+  const single = store.orders.value?.length === 1 ? store.orders.value[0] : undefined
+  const paths = exhibit.charts.filter((chart) => chart.figure === 'hodograph' && chart.quantity === quantity)
+  const path = paths.find((chart) => chart.order === single) ?? paths.find((chart) => chart.order == null)
+  const over = exhibit.charts.find((chart) => chart.figure === 'over-turn' && chart.quantity === quantity)
+  const orders = paths.flatMap((chart) => (chart.order == null ? [] : [chart.order]))
+  return (
+    <>
+      <div class="controls">
+        <Choice
+          label="Over the crank angle"
+          value={quantity}
+          choices={QUANTITIES.map((one) => ({ value: one, label: one }))}
+          chosen={(value) => {
+            store.quantity.value = value
+          }}
+        />
+        {paths.length > 0 && (
+          <Choice
+            label="Path of order"
+            value={path?.order == null ? '' : String(path.order)}
+            choices={[
+              { value: '', label: 'all' },
+              ...orders.map((one) => ({ value: String(one), label: orderText(exhibit, one) })),
+            ]}
+            chosen={(value) => {
+              store.orders.value = value === '' ? null : [Number(value)]
+            }}
+          />
+        )}
+      </div>
+      <div class="figures">
+        {over && <Figure key={over.key} exhibit={exhibit} chart={over.key} label={over.label} />}
+        {path && <Figure key={path.key} exhibit={exhibit} chart={path.key} label={path.label} />}
+      </div>
+    </>
+  )
 }

@@ -1,3 +1,27 @@
+import { useExhibit } from '../context'
+import { DataTable } from '../DataTable'
+import { Figure } from '../Figure'
+
+const DRAWN = ['stroke-chart', 'firing-ring']
+
+/** When each cylinder fires, what its valves do, and how the exhausts meet. */
 export function Strokes() {
-  return <p>Strokes</p>
+  const exhibit = useExhibit()
+  const charts = exhibit.charts.filter((chart) => DRAWN.includes(chart.figure))
+  if (!charts.length && !exhibit.strokes.length)
+    return <p>The engine file gives no firing order: nothing is known of the strokes.</p>
+  return (
+    <>
+      <div class="figures">
+        {charts.map((chart) => (
+          <Figure key={chart.key} exhibit={exhibit} chart={chart.key} label={chart.label} />
+        ))}
+      </div>
+      {exhibit.strokes
+        .filter((table) => table.rows.length > 0 || (table.notes?.length ?? 0) > 0)
+        .map((table) => (
+          <DataTable key={table.title} table={table.title === exhibit.name ? { ...table, title: '' } : table} />
+        ))}
+    </>
+  )
 }

@@ -1,0 +1,52 @@
+import type { Table } from '../exhibit'
+
+const NUMERIC = /^[-−+~≈]?[\d.]/
+
+/** A table of text; it scrolls sideways by itself where it is too wide. */
+export function DataTable({ table }: { table: Table }) {
+  const { title, heads, rows, notes = [] } = table
+  if (!rows.length && !notes.length) return title ? <h3>{title}</h3> : null
+  return (
+    <section class="table">
+      {title && <h3>{title}</h3>}
+      {rows.length > 0 && (
+        // biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls is reached by keyboard
+        <section class="scroll" tabIndex={0} aria-label={title || 'Table'}>
+          <table>
+            {heads.length > 0 && (
+              <thead>
+                <tr>
+                  {heads.map((head, column) => (
+                    <th key={column} scope="col" class={isNumeric(rows, column) ? 'right' : ''}>
+                      {head}
+                    </th>
+                  ))}
+                </tr>
+              </thead>
+            )}
+            <tbody>
+              {rows.map((row, index) => (
+                <tr key={index}>
+                  {row.map((cell, column) => (
+                    <td key={column} class={isNumeric(rows, column) ? 'right' : ''}>
+                      {cell}
+                    </td>
+                  ))}
+                </tr>
+              ))}
+            </tbody>
+          </table>
+        </section>
+      )}
+      {notes.map((note) => (
+        <p key={note} class="soft small">
+          {note}
+        </p>
+      ))}
+    </section>
+  )
+}
+
+function isNumeric(rows: readonly (readonly string[])[], column: number): boolean {
+  return rows.every((row) => !row[column] || NUMERIC.test(row[column]))
+}
