@@ -15,6 +15,7 @@ a record, a way of looking at it is a function, an engine type is data, and impo
 | `search_request`, `star_request` | which search, of which crank stars, judged by what |
 | `search_job` | a search as the command line runs it: estimated, on so many workers, its progress told |
 | `output` | where results go: terminal, pipe, or a file that appears whole or not at all |
+| `notebook` | the page as a widget in a notebook |
 | `page` | the page as one file that needs no network |
 | `exhibit/` | what the page shows of an engine, as records that are sent to it |
 | `tables`, `description` | a Balance, an Engine as tables for the terminal and the notebook |
@@ -78,6 +79,7 @@ if TYPE_CHECKING:
     from crankstar.catalog import load, names
     from crankstar.derive import derivation, family, signs
     from crankstar.files import EngineFileError
+    from crankstar.notebook import widget
 
 __version__ = "0.1.0"
 
@@ -103,6 +105,7 @@ __all__ = [
     "of_parts",
     "signs",
     "total",
+    "widget",
 ]
 
 
@@ -113,6 +116,7 @@ _LATE = {
     "derivation": "crankstar.derive",
     "family": "crankstar.derive",
     "signs": "crankstar.derive",
+    "widget": "crankstar.notebook",
 }
 
 

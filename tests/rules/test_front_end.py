@@ -1,4 +1,4 @@
-"""What holds between web/ and the package: types that are current, a bundle that fits its sources and is small, a lock that is open."""
+"""What holds between web/ and the package: types that are current, a bundle that fits its sources, a lock that is open."""
 
 from __future__ import annotations
 

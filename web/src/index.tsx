@@ -3,6 +3,7 @@ import { type App, createApp } from './app'
 import type { Exhibit } from './exhibit'
 import type { Host } from './host/host'
 import { pageHost } from './host/page'
+import { linked, type Model, widgetHost } from './host/widget'
 import type { Reading, Stage } from './stage/stage'
 import { type State, snapshot } from './state'
 import { Shared } from './ui/context'
@@ -73,15 +74,17 @@ function handleOf(ready: Promise<void>, app: () => App | null, stages: ReadonlyM
   }
 }
 
-/** Shows a host's engines in an element until the returned function is called. */
-export function show(host: Promise<Host>, el: Holder): () => void {
+/** Shows a host's engines in an element until the returned function is called; `bound` may tie the page to something else. */
+export function show(host: Promise<Host>, el: Holder, bound?: (app: App) => () => void): () => void {
   const stages = new Map<number, Stage>()
   let app: App | null = null
   let ended = false
+  let unbind: (() => void) | undefined
   const release = adopt(el)
   const ready = host.then(async (found) => {
     if (ended) return
     app = createApp(found)
+    unbind = bound?.(app)
     const made = (index: number, stage: Stage | null): void => {
       if (stage) stages.set(index, stage)
       else stages.delete(index)
@@ -101,6 +104,7 @@ export function show(host: Promise<Host>, el: Holder): () => void {
   el.crankstar = handleOf(ready, () => app, stages)
   return () => {
     ended = true
+    unbind?.()
     draw(null, el)
     app?.dispose()
     release()
@@ -109,8 +113,20 @@ export function show(host: Promise<Host>, el: Holder): () => void {
 }
 
 /** What anywidget calls: shows the engine of a notebook's model in an element until the returned function is called. */
-function render({ el }: { model: unknown; el: HTMLElement }): () => void {
-  return show(pageHost(document), el)
+function render({ model, el }: { model: Model; el: HTMLElement }): () => void {
+  // else JupyterLab takes our keys for its own
+  el.dataset.lmSuppressShortcuts = 'true'
+  const begin = (): (() => void) => show(widgetHost(model), el, (app) => linked(model, app))
+  let end = begin()
+  const again = (): void => {
+    end()
+    end = begin()
+  }
+  model.on('change:data', again)
+  return () => {
+    model.off('change:data', again)
+    end()
+  }
 }
 
 // A file and a server's page have one element that says so; a notebook has none, and calls `render`.

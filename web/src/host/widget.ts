@@ -1,0 +1,132 @@
+import { effect } from '@preact/signals'
+import type { App } from '../app'
+import type { Exhibit, Exhibition } from '../exhibit'
+import type { Host, Spec } from './host'
+import { unpacked } from './page'
+
+/** The model of a notebook's widget, as anywidget gives it (Anywidget Front-End Module). */
+export interface Model {
+  get(name: string): unknown
+  set(name: string, value: unknown): void
+  save_changes(): void
+  send(content: unknown): void
+  on(event: string, told: (content: unknown) => void): void
+  off(event: string, told: (content: unknown) => void): void
+}
+
+/** The key of the crank angle in the text of a state: a notebook has its own traits for that. */
+const ANGLE = 'a'
+/** Degrees by which two angles differ that are the same. */
+const SAME = 1e-9
+/** Milliseconds that a kernel may take to answer: it may be at work in another cell. */
+const PATIENCE = 60_000
+
+const textOf = (model: Model, name: string): string => String(model.get(name) ?? '')
+const angleOf = (model: Model): number => Number(model.get('theta')) || 0
+
+function put(model: Model, name: string, value: unknown): void {
+  if (model.get(name) === value) return
+  model.set(name, value)
+  model.save_changes()
+}
+
+/** What the kernel is asked; `fitted` for the engine with weights and shafts. */
+interface Question {
+  engine: number
+  fitted: boolean
+  what: 'chart' | 'derivation'
+  key: string
+}
+
+interface Told {
+  id: unknown
+  value?: unknown
+  sentence?: unknown
+}
+
+const isTold = (content: unknown): content is Told => typeof content === 'object' && content !== null && 'id' in content
+
+let asked = 0
+
+/** Asks the kernel of the notebook; several views of one model each hear only their own answers. */
+function kernel(model: Model, question: Question): Promise<unknown> {
+  asked += 1
+  const id = `${asked} ${Math.random()}`
+  return new Promise((found, failed) => {
+    const over = (): void => {
+      window.clearTimeout(late)
+      model.off('msg:custom', told)
+    }
+    const told = (content: unknown): void => {
+      if (!isTold(content) || content.id !== id) return
+      over()
+      if (content.value === undefined) failed(new Error(String(content.sentence)))
+      else found(content.value)
+    }
+    const late = window.setTimeout(() => {
+      over()
+      failed(new Error('The kernel of the notebook does not answer. Is it running, and idle?'))
+    }, PATIENCE)
+    model.on('msg:custom', told)
+    model.send({ ...question, id })
+  })
+}
+
+/** Where an exhibit stands in what the kernel has. */
+function placeIn({ engines, fitted }: Exhibition, exhibit: Exhibit): Pick<Question, 'engine' | 'fitted'> {
+  const engine = engines.indexOf(exhibit)
+  return engine >= 0 ? { engine, fitted: false } : { engine: fitted.indexOf(exhibit), fitted: true }
+}
+
+/** A cell of a notebook: its engines are in the trait `data`, the view in `state`; angle and motion have traits of their own. */
+export async function widgetHost(model: Model): Promise<Host> {
+  const { exhibition } = (await unpacked(textOf(model, 'data'))) as { exhibition: Exhibition }
+  const ask = (exhibit: Exhibit, what: Question['what'], key: string): Promise<unknown> =>
+    kernel(model, { ...placeIn(exhibition, exhibit), what, key })
+  const readState = (): string => {
+    const state = new URLSearchParams(textOf(model, 'state'))
+    state.delete(ANGLE)
+    if (model.get('playing') !== true) state.set(ANGLE, String(angleOf(model)))
+    return state.toString()
+  }
+  return {
+    kind: 'widget',
+    exhibition,
+    chart: (exhibit, key) => ask(exhibit, 'chart', key) as Promise<Spec>,
+    derivation: (exhibit, key) => ask(exhibit, 'derivation', key) as Promise<string>,
+    fitted: (exhibit) => Promise.resolve(exhibition.fitted[exhibition.engines.indexOf(exhibit)] ?? null),
+    readState,
+    writeState: (text) => {
+      const state = new URLSearchParams(text)
+      state.delete(ANGLE)
+      put(model, 'state', state.toString())
+    },
+    onState: (changed) => {
+      const told = (): void => changed(readState())
+      model.on('change:state', told)
+      return () => model.off('change:state', told)
+    },
+  }
+}
+
+/** The engine turns and stands as the model says, and the model says what the engine does; returns what ends that. */
+export function linked(model: Model, { clock, store }: Pick<App, 'clock' | 'store'>): () => void {
+  const turn = (): void => {
+    if (Math.abs(angleOf(model) - clock.degrees()) < SAME) return
+    clock.stop()
+    clock.turnTo(angleOf(model))
+  }
+  const move = (): void => (model.get('playing') === true ? clock.play() : clock.stop())
+  model.on('change:theta', turn)
+  model.on('change:playing', move)
+  const end = effect(() => {
+    const angle = store.angle.value
+    if (angle !== null && Math.abs(angle - angleOf(model)) >= SAME) put(model, 'theta', angle)
+    put(model, 'playing', angle === null)
+  })
+  return () => {
+    end()
+    model.off('change:theta', turn)
+    model.off('change:playing', move)
+  }
+}
