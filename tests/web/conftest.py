@@ -9,6 +9,9 @@ import pytest
 from playwright.sync_api import Browser, Page, sync_playwright
 from tests.tools import path_of
 from tests.web.browsing import ARGUMENTS, root, watched
+from tests.web.serving import server
+
+__all__ = ["browser", "page", "server"]
 
 
 @pytest.fixture(scope="session")

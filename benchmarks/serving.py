@@ -1,0 +1,82 @@
+"""Fifty people who edit engines at the same time, against a real `crankstar serve`: how long each change takes to be shown.
+
+Each of them changes a bank angle or a throw, waits for the exhibit, looks at it for a second, and changes it again; no two
+engines are alike, so that no answer is there already. Run it with: python benchmarks/serving.py [PEOPLE] [SECONDS] [PAUSE]
+"""
+
+from __future__ import annotations
+
+import http.client
+import json
+import os
+import random
+import sys
+import threading
+import time
+from pathlib import Path
+from urllib.parse import urlsplit
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+
+from tests.web.serving import Server, serving
+
+from crankstar.catalog import tree_of
+
+ENGINES = ("v8-cross-plane", "v12-60", "audi-25-tfsi", "radial-9")
+
+
+class Person(threading.Thread):
+    """Somebody who edits an engine."""
+
+    def __init__(self, server: Server, number: int, until: float, pause: float) -> None:
+        super().__init__(daemon=True)
+        self.random = random.Random(number)
+        self.place = urlsplit(server.address)
+        self.tree = tree_of(ENGINES[number % len(ENGINES)])[1]
+        self.until, self.pause = until, pause
+        self.took: list[float] = []
+        self.faults: list[str] = []
+
+    def run(self) -> None:
+        line = http.client.HTTPConnection(self.place.hostname or "", self.place.port, timeout=30)
+        time.sleep(self.random.uniform(0, self.pause))
+        while time.monotonic() < self.until:
+            self.tree["speed"] = f"{self.random.uniform(500, 9000)} rpm"
+            began = time.perf_counter()
+            try:
+                line.request("POST", "/api/exhibit", json.dumps({"engine": self.tree}), {"Content-Type": "application/json"})
+                answer = line.getresponse()
+                body = answer.read()
+                if answer.status != 200:
+                    self.faults.append(f"{answer.status}: {body[:200]!r}")
+            except OSError as error:
+                self.faults.append(repr(error))
+            self.took.append(time.perf_counter() - began)
+            time.sleep(self.random.uniform(0.5, 1.5) * self.pause)
+
+
+def main(people: int = 50, seconds: float = 20.0, pause: float = 1.0) -> None:
+    """Prints percentiles of the time from a question to its whole answer."""
+    with serving() as server:
+        alone = Person(server, 0, time.monotonic() + 4, 0.02)
+        alone.run()
+        told("one person", alone.took[5:], alone.faults)
+        crowd = [Person(server, number, time.monotonic() + seconds, pause) for number in range(people)]
+        for person in crowd:
+            person.start()
+        for person in crowd:
+            person.join()
+        took = [each for person in crowd for each in person.took]
+        told(f"{people} people, {len(took) / seconds:.0f} changes a second", took, [fault for one in crowd for fault in one.faults])
+
+
+def told(who: str, took: list[float], faults: list[str]) -> None:
+    """One line of figures."""
+    took = sorted(took)
+    middle, most = (1e3 * took[int(len(took) * share)] for share in (0.5, 0.95))
+    print(f"{who}: median {middle:.0f} ms, p95 {most:.0f} ms, longest {1e3 * took[-1]:.0f} ms, {len(faults)} errors {faults[:3]}")
+
+
+if __name__ == "__main__":
+    print(f"{os.cpu_count()} processors")
+    main(*(float(word) if "." in word else int(word) for word in sys.argv[1:]))
