@@ -17,6 +17,7 @@ a record, a way of looking at it is a function, an engine type is data, and impo
 | `output` | where results go: terminal, pipe, or a file that appears whole or not at all |
 | `notebook` | the page as a widget in a notebook |
 | `page` | the page as one file that needs no network |
+| `report/` | the report as one HTML file without a script, and as a PDF |
 | `exhibit/` | what the page shows of an engine, as records that are sent to it |
 | `tables`, `description` | a Balance, an Engine as tables for the terminal and the notebook |
 | `charts/` | figures as Altair charts, one function each, and as SVG without a browser |

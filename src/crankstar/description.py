@@ -24,23 +24,29 @@ def description(engine: Engine) -> RenderableType:
     if engine.relative:
         unit = {"mass": "masses in m", "radius": "lengths across the crankshaft in r", "pitch": "lengths along it in a"}
         blocks.append(Text("not known, so counted in units of themselves: " + ", ".join(unit[name] for name in engine.relative)))
-    blocks += [_rotors(engine), _cylinders(engine), _harmonics(engine)]
+    blocks += [rotors(engine), cylinders(engine), harmonics(engine)]
     if engine.valves is not None:
         blocks += [Text(), *(Text(line) for line in timing_lines(engine))]
     for title, body in (("source", engine.source), ("notes", engine.notes)):
         if body:
             blocks.append(Text(f"{title}: {body}"))
     if engine.provenance:
-        heads = ("value", "status", "source")
-        out = table(*heads, left=heads, folded=("source",))
-        for path, origin in engine.provenance.items():
-            style = "yellow" if origin.status in ("unverified", "placeholder") else ""
-            out.add_row(Text(path), Text(origin.status, style=style), Text(origin.source))
-        blocks.append(titled("Where the values come from", out))
+        blocks.append(origins(engine))
     return Group(*blocks)
 
 
-def _rotors(engine: Engine) -> RenderableType:
+def origins(engine: Engine) -> RenderableType:
+    """Where each value of the engine file comes from."""
+    heads = ("value", "status", "source")
+    out = table(*heads, left=heads, folded=("source",))
+    for path, origin in engine.provenance.items():
+        style = "yellow" if origin.status in ("unverified", "placeholder") else ""
+        out.add_row(Text(path), Text(origin.status, style=style), Text(origin.source))
+    return titled("Where the values come from", out)
+
+
+def rotors(engine: Engine) -> RenderableType:
+    """Shafts with their throws and weights, part by part."""
     across, along, mass = _lengths(engine)
     unbalance = f"unbalance\n[{mass[1]} {'m' if across[1] == 'mm' else 'r'}]"
     heads = (
@@ -71,7 +77,8 @@ def _rotors(engine: Engine) -> RenderableType:
     return titled("Shafts, throws and weights", out)
 
 
-def _cylinders(engine: Engine) -> RenderableType:
+def cylinders(engine: Engine) -> RenderableType:
+    """Cylinders with their places, sizes, masses and dead centres."""
     across, along, mass = _lengths(engine)
     centres = dead_centres(engine)
     heads = [
@@ -104,7 +111,7 @@ def _cylinders(engine: Engine) -> RenderableType:
     return titled("Cylinders", out)
 
 
-def _harmonics(engine: Engine) -> RenderableType:
+def harmonics(engine: Engine) -> RenderableType:
     """The harmonics of the first cylinder's piston, exact, and from the textbook's series in lambda where there is one."""
     first = engine.first
     radius = engine.throw(first).radius

@@ -32,6 +32,7 @@ from crankstar.records import Record
 
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
+FRAME = ROOT / "src" / "crankstar" / "report" / "frame.svg"
 
 
 def script(name: str) -> ModuleType:
@@ -229,19 +230,19 @@ def test_the_numbers_on_the_page_of_theory_are_so() -> None:
 
 
 def test_the_figure_can_be_read_by_those_who_do_not_see_it() -> None:
-    drawing = ElementTree.parse(DOCS / "figures" / "frame.svg").getroot()  # noqa: S314 - our own
+    drawing = ElementTree.parse(FRAME).getroot()  # noqa: S314 - our own
     space = "{http://www.w3.org/2000/svg}"
     assert drawing.get("role") == "img"
     labels = (drawing.get("aria-labelledby") or "").split()
     assert labels == [part.get("id") for part in (drawing.find(f"{space}title"), drawing.find(f"{space}desc")) if part is not None]
-    assert "figures/frame.svg" in text_of("docs/conventions.md")
+    assert "report/frame.svg" in text_of("docs/conventions.md")
 
 
 def test_nothing_on_a_page_comes_from_another_place() -> None:
     """The pages can be read without a network: no fonts, scripts or pictures from elsewhere."""
     assert "font: false" in text_of("mkdocs.yml")
     assert "extra_javascript" not in text_of("mkdocs.yml")
-    for path in (*PAGES, DOCS / "figures" / "frame.svg", DOCS / "stylesheets" / "extra.css"):
+    for path in (*PAGES, FRAME, DOCS / "stylesheets" / "extra.css"):
         written = path.read_text(encoding="utf-8")
         assert not re.search(r'!\[[^\]]*\]\(\w+://|(?:src|xlink:href)="\w+://|url\(["\']?\w+://|@import', written)
 
