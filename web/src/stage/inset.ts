@@ -1,0 +1,137 @@
+import { css, type Palette } from './palette'
+import { roundValue } from './sheet'
+
+const SIZE = 148
+const FONT = '11px system-ui, sans-serif'
+
+/** Paths of the crank axis at its two ends, [up, right], in the scene's unit. */
+export interface Paths {
+  readonly front: [number, number][]
+  readonly rear: [number, number][]
+}
+
+/** A small drawing in a corner: how the crank axis moves at the front and at the rear, seen from the front. */
+export class Inset {
+  readonly canvas: HTMLCanvasElement
+  #paths: Paths = { front: [], rear: [] }
+  #outlines: [Path2D, Path2D] = [new Path2D(), new Path2D()]
+  #pixels = 0
+  #ring = 0
+  #label = ''
+
+  constructor(parent: HTMLElement) {
+    this.canvas = document.createElement('canvas')
+    Object.assign(this.canvas.style, {
+      position: 'absolute',
+      right: '10px',
+      top: '10px',
+      width: `${SIZE}px`,
+      height: `${SIZE + 34}px`,
+      pointerEvents: 'none',
+    })
+    this.canvas.setAttribute('aria-hidden', 'true')
+    parent.append(this.canvas)
+  }
+
+  get paths(): Paths {
+    return this.#paths
+  }
+
+  /** Takes new paths; `unit` is the scene's. */
+  trace(paths: Paths, unit: string): void {
+    this.#paths = paths
+    const most = Math.max(...[...paths.front, ...paths.rear].map(([up, right]) => Math.hypot(up, right)), 0)
+    this.#pixels = most > 0 ? (0.4 * SIZE) / most : 0
+    this.#ring = most > 0 ? roundValue(1.0001 * most) : 0
+    this.#label = most > 0 ? `ring: ${small(this.#ring, unit)}` : 'stays at rest'
+    this.#outlines = [this.#outline(paths.front), this.#outline(paths.rear)]
+  }
+
+  #outline(path: readonly [number, number][]): Path2D {
+    const outline = new Path2D()
+    path.forEach(([up, right], index) => {
+      if (index === 0) outline.moveTo(right * this.#pixels, -up * this.#pixels)
+      else outline.lineTo(right * this.#pixels, -up * this.#pixels)
+    })
+    return outline
+  }
+
+  /** Draws the paths, and dots where the two ends are now. */
+  draw(front: readonly number[], rear: readonly number[], palette: Palette, density: number): void {
+    const to = this.canvas.getContext('2d')
+    if (!to) return
+    const wide = Math.round(SIZE * density)
+    const high = Math.round((SIZE + 34) * density)
+    if (this.canvas.width !== wide || this.canvas.height !== high) {
+      this.canvas.width = wide
+      this.canvas.height = high
+    }
+    to.setTransform(density, 0, 0, density, 0, 0)
+    to.clearRect(0, 0, SIZE, SIZE + 34)
+    to.translate(SIZE / 2, SIZE / 2)
+    this.#ground(to, palette)
+    const colours = [css(palette.crankshaft[0]), css(palette.force)] as const
+    for (const end of [1, 0] as const) {
+      to.strokeStyle = to.fillStyle = colours[end]
+      to.lineWidth = 1.8
+      to.setLineDash(end === 1 ? DASHED : WHOLE)
+      to.stroke(this.#outlines[end])
+      const at = end === 0 ? front : rear
+      to.beginPath()
+      to.arc((at[1] as number) * this.#pixels, -(at[0] as number) * this.#pixels, 4, 0, 2 * Math.PI)
+      to.fill()
+    }
+    to.setLineDash(WHOLE)
+    to.font = FONT
+    to.textBaseline = 'top'
+    to.textAlign = 'right'
+    to.fillStyle = colours[0]
+    to.fillText('front end', -6, SIZE / 2 + 3)
+    to.textAlign = 'left'
+    to.fillStyle = colours[1]
+    to.fillText('rear end', 6, SIZE / 2 + 3)
+    to.textAlign = 'center'
+    to.fillStyle = palette.text
+    to.fillText(this.#label, 0, SIZE / 2 + 18)
+  }
+
+  #ground(to: CanvasRenderingContext2D, palette: Palette): void {
+    to.fillStyle = palette.paper
+    to.globalAlpha = 0.72
+    to.beginPath()
+    to.arc(0, 0, SIZE / 2 - 1, 0, 2 * Math.PI)
+    to.fill()
+    to.globalAlpha = 1
+    to.strokeStyle = palette.quiet
+    to.lineWidth = 1
+    to.globalAlpha = 0.45
+    to.beginPath()
+    to.moveTo(-SIZE / 2 + 6, 0)
+    to.lineTo(SIZE / 2 - 6, 0)
+    to.moveTo(0, -SIZE / 2 + 6)
+    to.lineTo(0, SIZE / 2 - 6)
+    to.stroke()
+    if (this.#ring > 0) {
+      to.setLineDash(DASHED)
+      to.beginPath()
+      to.arc(0, 0, this.#ring * this.#pixels, 0, 2 * Math.PI)
+      to.stroke()
+      to.setLineDash(WHOLE)
+    }
+    to.globalAlpha = 1
+  }
+
+  set visible(shown: boolean) {
+    this.canvas.style.display = shown ? '' : 'none'
+  }
+}
+
+const DASHED = [4, 3]
+const WHOLE: number[] = []
+
+/** A small length of the scene, as one says it. */
+function small(value: number, unit: string): string {
+  if (unit !== 'm') return `${+value.toPrecision(2)} ${unit}`
+  if (value < 1e-3) return `${+(value * 1e6).toPrecision(2)} µm`
+  return `${+(value * 1e3).toPrecision(2)} mm`
+}

@@ -1,0 +1,114 @@
+import type { Exhibit } from '../exhibit'
+import { type Coefficients, coefficientsOf, greatest, type Phase, type Plane, phaseOf, turn, vectorAt } from '../phasor'
+import type { View } from './stage'
+
+/** A force to be drawn: where its arrow begins (x, y, z) and the vector in units of the longest of its kind. */
+export interface Pull {
+  readonly kind: 'force' | 'part' | 'couple'
+  readonly x: number
+  readonly y: number
+  readonly z: number
+  up: number
+  right: number
+}
+
+/** All that pulls at the block at an instant. */
+export interface Load {
+  readonly pulls: Pull[]
+  /** Values for which an arrow has the design length at scale 1; 0 where there is nothing to draw. */
+  force: number
+  couple: number
+}
+
+/** What is smaller than this share of the greatest force of a cylinder (or of its couple) is rounding, and no arrow. */
+const ROUNDING = 1e-9
+
+/** Forces of an exhibit as arrows. The couple is a pair of forces at the two ends, in the plane in which it acts. */
+export class Loads {
+  readonly #exhibit: Exhibit
+  readonly #force: Coefficients
+  readonly #couple: Coefficients
+  readonly #parts: Coefficients[]
+  readonly #phase: Phase
+  readonly #load: Load
+  readonly #place: Plane = [0, 0]
+  /** The view for which the lengths of arrows have been worked out. */
+  #scaled = ''
+
+  constructor(exhibit: Exhibit) {
+    this.#exhibit = exhibit
+    this.#force = coefficientsOf(exhibit.total.force)
+    this.#couple = coefficientsOf(exhibit.total.couple)
+    this.#parts = exhibit.cylinders.map((part) => coefficientsOf(part.force))
+    this.#phase = phaseOf(exhibit.orders.length, exhibit.sense)
+    this.#load = { pulls: this.#begun(), force: 0, couple: 0 }
+  }
+
+  /** Where arrows begin: the total at the reference point, the couple at both ends, a cylinder's above its head. */
+  #begun(): Pull[] {
+    const { scene, reference_z } = this.#exhibit
+    const axis = { x: scene.shafts[0]?.right ?? 0, y: scene.shafts[0]?.up ?? 0, up: 0, right: 0 }
+    const [from, to] = [scene.low[2], scene.high[2]]
+    const parts = scene.cylinders.map((c): Pull => {
+      const shaft = scene.shafts[c.shaft]
+      const [up, right] = [Math.cos(c.bearing), Math.sin(c.bearing)]
+      const high = c.bore_to + 0.12 * c.bore
+      const x = (shaft?.right ?? 0) + high * right + c.offset * up
+      const y = (shaft?.up ?? 0) + high * up - c.offset * right
+      return { kind: 'part', x, y, z: c.z, up: 0, right: 0 }
+    })
+    return [
+      { kind: 'force', z: reference_z, ...axis },
+      { kind: 'couple', z: to, ...axis },
+      { kind: 'couple', z: from, ...axis },
+      ...parts,
+    ]
+  }
+
+  /** The arrows at the view's crank angle; those that are not wanted, or nothing, are zero. */
+  at(view: View): Load {
+    const { theta, arrows } = view
+    const load = this.#load
+    const { orders } = this.#exhibit
+    if (!arrows.force && !arrows.couple) {
+      for (const pull of load.pulls) pull.up = pull.right = 0
+      load.force = load.couple = 0
+      return load
+    }
+    this.#scale(view)
+    turn(this.#phase, orders, theta, arrows.orders)
+    this.#put(0, this.#force, arrows.force ? load.force : 0, 1)
+    this.#put(1, this.#couple, arrows.couple ? load.couple : 0, 1)
+    this.#put(2, this.#couple, arrows.couple ? load.couple : 0, -1)
+    for (let index = 0; index < this.#parts.length; index++) {
+      const scale = arrows.force && arrows.cylinders ? load.force : 0
+      this.#put(3 + index, this.#parts[index] as Coefficients, scale, 1)
+    }
+    return load
+  }
+
+  #put(index: number, coefficients: Coefficients, scale: number, sign: number): void {
+    const pull = this.#load.pulls[index]
+    if (!pull) return
+    vectorAt(coefficients, this.#phase, this.#place)
+    pull.up = scale > 0 ? (sign * this.#place[0]) / scale : 0
+    pull.right = scale > 0 ? (sign * this.#place[1]) / scale : 0
+  }
+
+  /** The greatest of what is shown, whenever that is something else than before. */
+  #scale({ arrows }: View): void {
+    const key = `${arrows.cylinders} ${arrows.orders?.join() ?? 'all'}`
+    if (key === this.#scaled) return
+    this.#scaled = key
+    const { orders, turns, cylinders, reference_z } = this.#exhibit
+    const most = (of: Coefficients, chosen: readonly number[] | null) => greatest(of, orders, chosen, turns)
+    const parts = this.#parts.map((part) => most(part, arrows.orders))
+    const force = most(this.#force, arrows.orders)
+    const couple = most(this.#couple, arrows.orders)
+    const alone = Math.max(0, ...parts)
+    const arm = Math.max(0, ...cylinders.map((part) => Math.abs(part.z - reference_z)))
+    const shown = arrows.cylinders ? Math.max(force, alone) : force
+    this.#load.force = shown > ROUNDING * alone ? shown : 0
+    this.#load.couple = couple > ROUNDING * alone * arm ? couple : 0
+  }
+}

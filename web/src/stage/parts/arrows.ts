@@ -1,0 +1,75 @@
+import type { Group } from 'three'
+import { Batch } from '../batch'
+import type { Load } from '../load'
+import type { Arrow, Materials } from '../materials'
+import { Solid } from '../solid'
+
+/** How thick an arrow is, as a share of the design length; heads are three times that wide. */
+const THICK: Readonly<Record<Arrow, number>> = { force: 0.045, couple: 0.038, part: 0.026 }
+
+/** Arrows for what pulls at the block: the total, the couple as a pair, and each cylinder's. */
+export function arrows(parent: Group, load: Load, paint: Materials): { move(length: number): void; dispose(): void } {
+  const shaft = () => {
+    const stick: [number, number, number][] = [
+      [0, 0, 0],
+      [1, 0, 0],
+      [1, 1, 0],
+      [0, 1, 0],
+    ]
+    return new Solid().turned(stick, 0, 2 * Math.PI, 12).shape()
+  }
+  const head = () => {
+    const cone: [number, number, number][] = [
+      [0, 0, 0],
+      [1, 0, 0],
+      [0, 1, 0],
+    ]
+    return new Solid().turned(cone, 0, 2 * Math.PI, 18).shape()
+  }
+  const kinds: Arrow[] = ['part', 'couple', 'force']
+  const drawn = kinds.map((kind, rank) => {
+    const pulls = load.pulls.filter((pull) => pull.kind === kind)
+    const material = paint.arrows[kind]
+    const shafts = new Batch(parent, shaft(), pulls.length, material, null, 10 + 2 * rank)
+    const heads = new Batch(parent, head(), pulls.length, material, null, 11 + 2 * rank)
+    return { kind, pulls, shafts, heads }
+  })
+  return {
+    /** Puts the arrows as the load says; the greatest is `length` long. */
+    move: (length: number) => {
+      for (const { kind, pulls, shafts, heads } of drawn) {
+        const thick = THICK[kind] * length
+        let some = false
+        for (let index = 0; index < pulls.length; index++) {
+          const pull = pulls[index] as (typeof pulls)[number]
+          const share = Math.hypot(pull.up, pull.right)
+          const long = share * length
+          if (long < 0.2 * thick) {
+            shafts.put(index, pull.x, pull.y, pull.z, 1, 0, 0, 0, 0)
+            heads.put(index, pull.x, pull.y, pull.z, 1, 0, 0, 0, 0)
+            continue
+          }
+          some = true
+          const [up, right] = [pull.up / share, pull.right / share]
+          // A short arrow is all head, and a smaller one.
+          const tip = Math.min(3.6 * thick, 0.75 * long)
+          const wide = (tip / 3.6) * 1.45
+          const stick = long - tip
+          shafts.put(index, pull.x, pull.y, pull.z, up, right, Math.min(thick / 2, wide / 2), stick)
+          heads.put(index, pull.x + right * stick, pull.y + up * stick, pull.z, up, right, wide, tip)
+        }
+        shafts.visible = some
+        heads.visible = some
+        if (!some) continue
+        shafts.placed()
+        heads.placed()
+      }
+    },
+    dispose: () => {
+      for (const { shafts, heads } of drawn) {
+        shafts.dispose()
+        heads.dispose()
+      }
+    },
+  }
+}

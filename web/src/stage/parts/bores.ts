@@ -1,0 +1,61 @@
+import type { Group } from 'three'
+import type { CylinderShown, Scene } from '../../exhibit'
+import { Batch } from '../batch'
+import type { Materials } from '../materials'
+import { Solid } from '../solid'
+
+/** Thickness of a cylinder head as a share of the bore, and how much wider than the bore it is. */
+const HEAD = 0.09
+const BRIM = 1.14
+
+/** Cylinder bores of glass, each with its head; opposed pistons share a bore and have none. */
+export function bores(parent: Group, scene: Scene, paint: Materials): Batch[] {
+  const { cylinders } = scene
+  const tube = new Solid().turned([
+    [1, 0, 0],
+    [1, 1, 0],
+  ])
+  const tubes = new Batch(parent, tube.shape(), cylinders.length, paint.glass, paint.glassLines, 4)
+  cylinders.forEach((c, index) => {
+    stand(tubes, index, c, scene, c.bore_from, c.bore_to - c.bore_from, c.bore / 2)
+  })
+  tubes.placed()
+  const headed = cylinders.filter((c) => !facesAnother(c, cylinders))
+  if (headed.length === 0) return [tubes]
+  const disc = new Solid().turned([
+    [0, 0, 0],
+    [1, 0, 0],
+    [1, 1, 0],
+    [0, 1, 0],
+  ])
+  const heads = new Batch(parent, disc.shape(), headed.length, paint.glass, paint.glassLines, 4)
+  headed.forEach((c, index) => {
+    stand(heads, index, c, scene, c.bore_to, HEAD * c.bore, (BRIM * c.bore) / 2)
+  })
+  heads.placed()
+  return [tubes, heads]
+}
+
+/** Whether another piston works in the same chamber from the other side. */
+function facesAnother(cylinder: CylinderShown, cylinders: readonly CylinderShown[]): boolean {
+  return cylinders.some(
+    (other) => other.chamber === cylinder.chamber && Math.cos(other.bearing - cylinder.bearing) < -0.99,
+  )
+}
+
+/** Puts something that is 1 high and has radius 1 on a cylinder's axis, `from` along it from the shaft. */
+export function stand(
+  batch: Batch,
+  index: number,
+  cylinder: CylinderShown,
+  scene: Scene,
+  from: number,
+  high: number,
+  radius: number,
+): void {
+  const shaft = scene.shafts[cylinder.shaft]
+  const [up, right] = [Math.cos(cylinder.bearing), Math.sin(cylinder.bearing)]
+  const y = (shaft?.up ?? 0) + from * up - cylinder.offset * right
+  const x = (shaft?.right ?? 0) + from * right + cylinder.offset * up
+  batch.put(index, x, y, cylinder.z, up, right, radius, high)
+}

@@ -1,0 +1,97 @@
+import type { Group } from 'three'
+import type { GearShown, Scene, ShaftShown } from '../../exhibit'
+import type { Places } from '../../motion'
+import { Batch } from '../batch'
+import type { Materials } from '../materials'
+import { band, circle, gear, sector, towards } from '../outlines'
+import { type Shape, Solid } from '../solid'
+import { toothBearings } from './meshing'
+import type { Part } from './part'
+
+export interface Shafts extends Part {
+  /** What each shaft of the scene is drawn as. */
+  readonly drawn: readonly Batch[]
+}
+
+/** Crankshafts, balance shafts and the gears on them; `sense` is that of the exhibit. */
+export function shafts(parent: Group, scene: Scene, sense: number, paint: Materials): Shafts {
+  const turning: { batch: Batch; shaft: ShaftShown; z: number; start: number }[] = scene.shafts.map((shaft) => {
+    const colour = shaft.kind === 'crankshaft' ? paint.paints.crankshaft : paint.paints.balanceShaft
+    return { batch: new Batch(parent, shapeOf(shaft), 1, colour, paint.lines), shaft, z: 0, start: 0 }
+  })
+  const drawn = turning.map(({ batch }) => batch)
+  const bearings = toothBearings(scene)
+  scene.gears.forEach((wheel, index) => {
+    const shaft = scene.shafts[wheel.shaft]
+    if (!shaft) return
+    const batch = new Batch(parent, wheelOf(wheel, shaft), 1, paint.paints.gear, paint.lines)
+    turning.push({ batch, shaft, z: wheel.z, start: bearings[index] ?? 0 })
+  })
+  return {
+    drawn,
+    move: (_: Places, theta: number) => {
+      for (const { batch, shaft, z, start } of turning) {
+        const bearing = start + sense * shaft.speed_ratio * theta
+        batch.put(0, shaft.right, shaft.up, z, Math.cos(bearing), Math.sin(bearing))
+        batch.placed()
+      }
+    },
+    dispose: () => {
+      for (const { batch } of turning) batch.dispose()
+    },
+  }
+}
+
+/** A shaft as it stands at theta = 0, its axis at the origin: journals, pins, webs, weights. */
+function shapeOf(shaft: ShaftShown): Shape {
+  const solid = new Solid()
+  for (const [from, to] of journals(shaft)) solid.prism(circle(0, 0, shaft.journal_radius, 36), from, to, 1)
+  for (const pin of shaft.throws) {
+    const [x, y] = towards(pin.angle)
+    solid.prism(circle(x * pin.radius, y * pin.radius, pin.pin_radius, 36), pin.pin_from, pin.pin_to, 1)
+  }
+  for (const web of shaft.webs) {
+    const pin = shaft.throws[web.throw]
+    if (!pin) continue
+    const outline = band(1.28 * shaft.journal_radius, pin.radius, pin.angle, 1.26 * pin.pin_radius)
+    solid.prism(outline, web.z_from, web.z_to)
+  }
+  for (const weight of shaft.weights) {
+    const { inner_radius, outer_radius, angle, half_angle, z, thickness } = weight
+    const inner = shaft.kind === 'crankshaft' ? Math.min(inner_radius, shaft.journal_radius) : inner_radius
+    solid.prism(sector(inner, outer_radius, angle, half_angle), z - thickness / 2, z + thickness / 2)
+  }
+  return solid.shape()
+}
+
+/** Where along z the shaft itself is: everywhere but between the webs of its throws. */
+function journals(shaft: ShaftShown): [number, number][] {
+  const gaps = shaft.throws.map((pin): [number, number] => [pin.pin_from, pin.pin_to]).sort((a, b) => a[0] - b[0])
+  const whole: [number, number][] = []
+  let from = shaft.z_from
+  for (const [low, high] of gaps) {
+    if (low > from) whole.push([from, low])
+    from = Math.max(from, high)
+  }
+  if (shaft.z_to > from) whole.push([from, shaft.z_to])
+  return whole
+}
+
+/** A gear wheel with holes where there is room for them, its first tooth up. */
+function wheelOf(wheel: GearShown, shaft: ShaftShown): Shape {
+  const hub = 1.5 * shaft.journal_radius
+  const rim = 0.8 * wheel.radius
+  const room = rim - hub
+  const hole = 0.36 * room
+  const ring = (hub + rim) / 2
+  const holes =
+    hole > 0.07 * wheel.radius
+      ? Array.from({ length: 5 }, (_, index) => {
+          const [x, y] = towards((index * 2 * Math.PI) / 5)
+          return circle(x * ring, y * ring, hole, 24)
+        })
+      : []
+  const half = wheel.thickness / 2
+  const solid = new Solid().prism(gear(wheel.radius, wheel.teeth), -half, half, 0, holes)
+  return solid.prism(circle(0, 0, 1.25 * shaft.journal_radius, 28), -1.25 * half, 1.25 * half, 1).shape()
+}

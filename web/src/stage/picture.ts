@@ -1,0 +1,34 @@
+import type { Exhibit } from '../exhibit'
+import type { Chain, Places } from '../motion'
+import type { Frame } from './cameras'
+import type { Load } from './load'
+import type { Palette } from './palette'
+import type { Reading, Stage, View } from './stage'
+import type { Displacement } from './whirl'
+
+/** All that is known of an instant before it is drawn. */
+export interface Instant {
+  view: View
+  frame: Frame
+  /** Where the rods are. */
+  places: Places
+  /** How the block has moved, not magnified. */
+  moved: Displacement
+  load: Load
+  /** Length of the longest arrow, in the scene's unit. */
+  arrow: number
+  palette: Palette
+}
+
+/** Draws the engine itself on a canvas: with WebGL, or flat. */
+export interface Picture {
+  readonly means: Stage['means']
+  readonly canvas: HTMLCanvasElement
+  show(exhibit: Exhibit, chain: Chain): void
+  draw(instant: Instant): void
+  /** Where things stand in what was drawn last, the whirl taken away. */
+  pistons(): Reading['pistons']
+  pins(): Reading['pins']
+  size(width: number, height: number, density: number): void
+  dispose(): void
+}

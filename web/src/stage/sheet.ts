@@ -1,0 +1,164 @@
+import type { Exhibit } from '../exhibit'
+import { dot, type Frame, type Vector } from './cameras'
+import type { Load } from './load'
+import { css, type Palette } from './palette'
+
+const FONT = 'system-ui, sans-serif'
+/** Length of the frame's axes on the screen, pixels. */
+const AXIS = 30
+/** Labels nearer to each other than this are written as one, pixels. */
+const CLOSE = 15
+const AXES: readonly { along: Vector; name: string }[] = [
+  { along: [1, 0, 0], name: 'x right' },
+  { along: [0, 1, 0], name: 'y up' },
+  { along: [0, 0, 1], name: 'z front' },
+]
+
+/** What is written on the drawing: numbers of cylinders, the frame's axes, how long the arrows are. */
+export interface Writing {
+  readonly frame: Frame
+  readonly width: number
+  readonly height: number
+  readonly palette: Palette
+  readonly load: Load
+  /** Length of the longest arrow, in the scene's unit, with its scale. */
+  readonly arrow: number
+}
+
+/** Puts a point of the scene on the screen. */
+export function projected({ frame, width, height }: Writing, point: Vector): [number, number] {
+  const pixels = height / 2 / frame.half
+  const from: Vector = [point[0] - frame.centre[0], point[1] - frame.centre[1], point[2] - frame.centre[2]]
+  return [width / 2 + pixels * dot(from, frame.look.right), height / 2 - pixels * dot(from, frame.look.up)]
+}
+
+/** Writes the sheet afresh. */
+export function write(to: CanvasRenderingContext2D, exhibit: Exhibit, writing: Writing): void {
+  const { width, height, palette } = writing
+  to.clearRect(0, 0, width, height)
+  to.lineCap = 'round'
+  numbers(to, exhibit, writing)
+  axes(to, writing)
+  const lines = [
+    { value: writing.load.force, unit: exhibit.units.force, colour: palette.force, name: 'force' },
+    { value: writing.load.couple, unit: exhibit.units.couple, colour: palette.couple, name: 'couple' },
+  ].filter((line) => line.value > 0)
+  lines.forEach((line, index) => {
+    scale(to, writing, line, height - 20 - 22 * (lines.length - 1 - index))
+  })
+}
+
+/** The number of every cylinder beyond its head; cylinders behind each other in one label. */
+function numbers(to: CanvasRenderingContext2D, { scene }: Exhibit, writing: Writing): void {
+  const labels: { x: number; y: number; names: number[] }[] = []
+  for (const c of scene.cylinders) {
+    const shaft = scene.shafts[c.shaft]
+    const [up, right] = [Math.cos(c.bearing), Math.sin(c.bearing)]
+    const high = c.bore_to + 0.22 * c.bore
+    const y = (shaft?.up ?? 0) + high * up - c.offset * right
+    const x = (shaft?.right ?? 0) + high * right + c.offset * up
+    const at = projected(writing, [x, y, c.z])
+    const near = labels.find((label) => Math.hypot(label.x - at[0], label.y - at[1]) < CLOSE)
+    if (near) near.names.push(c.number)
+    else labels.push({ x: at[0], y: at[1], names: [c.number] })
+  }
+  to.font = `600 12px ${FONT}`
+  to.textAlign = 'center'
+  to.textBaseline = 'middle'
+  for (const { x, y, names } of labels) {
+    const text = names.length > 4 ? `${names[0]} … ${names[names.length - 1]}` : names.join(' · ')
+    to.lineWidth = 3
+    to.strokeStyle = writing.palette.paper
+    to.strokeText(text, x, y)
+    to.fillStyle = writing.palette.text
+    to.fillText(text, x, y)
+  }
+}
+
+/** The frame's axes in the lower left corner; one that points at the eye is a dot, one that points away a cross. */
+function axes(to: CanvasRenderingContext2D, { frame, height, palette }: Writing): void {
+  const [x, y] = [50, height - 50]
+  to.strokeStyle = palette.quiet
+  to.fillStyle = palette.quiet
+  to.font = `11px ${FONT}`
+  to.lineWidth = 1.4
+  for (const { along, name } of AXES) {
+    const [right, up] = [dot(along, frame.look.right), dot(along, frame.look.up)]
+    const long = Math.hypot(right, up)
+    if (long < 0.12) {
+      end(to, x, y, dot(along, frame.look.back) > 0)
+      to.textAlign = 'right'
+      to.textBaseline = 'top'
+      to.fillText(name, x - 7, y + 6)
+      continue
+    }
+    const [tipX, tipY] = [x + AXIS * right, y - AXIS * up]
+    line(to, x, y, tipX, tipY)
+    to.textAlign = right > 0.3 * long ? 'left' : right < -0.3 * long ? 'right' : 'center'
+    to.textBaseline = up > 0.5 * long ? 'bottom' : up < -0.5 * long ? 'top' : 'middle'
+    to.fillText(name, tipX + (6 * right) / long, tipY - (6 * up) / long)
+  }
+}
+
+function end(to: CanvasRenderingContext2D, x: number, y: number, towardsEye: boolean): void {
+  to.beginPath()
+  to.arc(x, y, 5, 0, 2 * Math.PI)
+  to.stroke()
+  if (towardsEye) {
+    to.beginPath()
+    to.arc(x, y, 1.8, 0, 2 * Math.PI)
+    to.fill()
+  } else {
+    for (const side of [-1, 1]) line(to, x - 3.5, y - 3.5 * side, x + 3.5, y + 3.5 * side)
+  }
+}
+
+function line(to: CanvasRenderingContext2D, x: number, y: number, toX: number, toY: number): void {
+  to.beginPath()
+  to.moveTo(x, y)
+  to.lineTo(toX, toY)
+  to.stroke()
+}
+
+/** An arrow of a round value beside what it is. */
+function scale(
+  to: CanvasRenderingContext2D,
+  { arrow, frame, height, width, palette }: Writing,
+  { value, unit, colour, name }: { value: number; unit: string; colour: number; name: string },
+  y: number,
+): void {
+  const perPixel = value / ((arrow * height) / 2 / frame.half)
+  const round = roundValue(perPixel * Math.min(96, width / 5))
+  const long = round / perPixel
+  const x = width < 560 ? 104 : 128
+  to.strokeStyle = to.fillStyle = css(colour)
+  to.lineWidth = 3
+  line(to, x, y, x + long - 6, y)
+  to.beginPath()
+  to.moveTo(x + long, y)
+  to.lineTo(x + long - 9, y - 5)
+  to.lineTo(x + long - 9, y + 5)
+  to.fill()
+  to.fillStyle = palette.text
+  to.font = `12px ${FONT}`
+  to.textAlign = 'left'
+  to.textBaseline = 'middle'
+  const what = name === 'couple' && width >= 560 ? 'couple, a pair of forces in the plane in which it acts' : name
+  to.fillText(`${quantity(round, unit)}  ${what}`, x + long + 8, y)
+}
+
+/** The greatest of 1, 2, 5, 10, ... that is not above a value. */
+export function roundValue(value: number): number {
+  const power = 10 ** Math.floor(Math.log10(value))
+  const step = value / power
+  return power * (step >= 5 ? 5 : step >= 2 ? 2 : 1)
+}
+
+/** A round value with its unit, in thousands where SI has a letter for them. */
+export function quantity(value: number, unit: string): string {
+  const si = unit === 'N' || unit.startsWith('N')
+  if (si && value >= 1e6) return `${+(value / 1e6).toPrecision(3)} M${unit}`
+  if (si && value >= 1e3) return `${+(value / 1e3).toPrecision(3)} k${unit}`
+  if (si && value < 1e-2) return `${+(value * 1e3).toPrecision(3)} m${unit}`
+  return `${+value.toPrecision(3)} ${unit}`
+}

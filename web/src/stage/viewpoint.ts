@@ -1,0 +1,53 @@
+import { between, type Frame, frameOf, HOME, type Orbit, type Vector } from './cameras'
+import type { Camera } from './stage'
+
+/** How long the way from one camera to another takes, ms. */
+const WAY = 420
+
+/** Where one looks from at the moment: on a camera, or on the way from one to another. */
+export class Viewpoint {
+  readonly orbit: Orbit = { ...HOME }
+  #camera: Camera | null = null
+  #from: Frame | null = null
+  #since = 0
+  #last: Frame | null = null
+
+  get camera(): Camera | null {
+    return this.#camera
+  }
+
+  /** Whether the picture will be another one in a moment by itself. */
+  get moving(): boolean {
+    return this.#from !== null
+  }
+
+  /** The frame at time `now` (ms) for a camera, a box and a stage. */
+  frame(camera: Camera, low: Vector, high: Vector, aspect: number, now: number): Frame {
+    const goal = this.#shifted(frameOf(camera, this.orbit, low, high, aspect), camera)
+    if (this.#camera !== null && this.#camera !== camera && this.#last !== null && !still()) {
+      this.#from = this.#last
+      this.#since = now
+    }
+    this.#camera = camera
+    const share = this.#from ? (now - this.#since) / WAY : 1
+    if (share >= 1) this.#from = null
+    const eased = share < 0.5 ? 4 * share ** 3 : 1 - (2 - 2 * share) ** 3 / 2
+    this.#last = this.#from ? between(this.#from, goal, eased) : goal
+    return this.#last
+  }
+
+  /** A free look may be nearer, and beside the middle. */
+  #shifted(frame: Frame, camera: Camera): Frame {
+    if (camera !== 'orbit') return frame
+    const half = frame.half / this.orbit.zoom
+    const { right, up } = frame.look
+    const [x, y] = [this.orbit.x * half, this.orbit.y * half]
+    const centre = frame.centre.map((at, i) => at + x * (right[i] as number) + y * (up[i] as number))
+    return { look: frame.look, half, centre: centre as unknown as Vector }
+  }
+}
+
+/** Whether the reader has asked for less movement. */
+function still(): boolean {
+  return globalThis.matchMedia?.('(prefers-reduced-motion: reduce)').matches ?? false
+}

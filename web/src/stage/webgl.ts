@@ -1,0 +1,176 @@
+import { Matrix4, OrthographicCamera, Scene, Vector3, WebGLRenderer } from 'three'
+import type { Exhibit } from '../exhibit'
+import type { Chain } from '../motion'
+import type { Batch } from './batch'
+import { materials } from './materials'
+import { LIGHT, type Palette } from './palette'
+import { arrows } from './parts/arrows'
+import { Block } from './parts/block'
+import { bores } from './parts/bores'
+import { glow } from './parts/glow'
+import type { Part } from './parts/part'
+import { pistons } from './parts/pistons'
+import { rods } from './parts/rods'
+import { shafts } from './parts/shafts'
+import type { Instant, Picture } from './picture'
+import type { Reading } from './stage'
+
+/** The parts of one engine, as they hang on its block. */
+interface Machine {
+  readonly exhibit: Exhibit
+  readonly block: Block
+  readonly moving: readonly Part[]
+  readonly pistons: ReturnType<typeof pistons>
+  readonly shafts: ReturnType<typeof shafts>
+  readonly glow: ReturnType<typeof glow>
+  readonly glass: readonly Batch[]
+  arrows: ReturnType<typeof arrows> | null
+}
+
+/** A picture by WebGL, or null where that is not to be had. */
+export function webglPicture(): Picture | null {
+  const canvas = document.createElement('canvas')
+  const wish: WebGLContextAttributes = { alpha: true, antialias: true, powerPreference: 'default', stencil: false }
+  // Asked for here, because three complains on the console where there is none.
+  const context = canvas.getContext('webgl2', wish)
+  return context ? new WebglPicture(canvas, context) : null
+}
+
+class WebglPicture implements Picture {
+  readonly means = 'webgl'
+  readonly canvas: HTMLCanvasElement
+  readonly #renderer: WebGLRenderer
+  readonly #scene = new Scene()
+  readonly #camera = new OrthographicCamera()
+  readonly #paint = materials()
+  readonly #basis = [new Vector3(), new Vector3(), new Vector3()] as const
+  #machine: Machine | null = null
+  #palette: Palette | null = null
+  #reach = 1
+  #aspect = 1
+
+  constructor(canvas: HTMLCanvasElement, context: WebGL2RenderingContext) {
+    this.canvas = canvas
+    this.#renderer = new WebGLRenderer({ canvas, context, alpha: true, antialias: true })
+    this.#renderer.setClearColor(0, 0)
+    this.#camera.matrixAutoUpdate = false
+    this.#scene.matrixAutoUpdate = false
+  }
+
+  show(exhibit: Exhibit, _chain: Chain): void {
+    this.#clear()
+    const { scene, sense } = exhibit
+    const block = new Block(exhibit.whirl)
+    const heads = pistons(block.group, scene, this.#paint)
+    const turning = shafts(block.group, scene, sense, this.#paint)
+    const shine = glow(block.group, exhibit, this.#paint)
+    this.#scene.add(block.group)
+    this.#machine = {
+      exhibit,
+      block,
+      moving: [heads, rods(block.group, scene, this.#paint), turning, shine],
+      pistons: heads,
+      shafts: turning,
+      glow: shine,
+      glass: bores(block.group, scene, this.#paint),
+      arrows: null,
+    }
+    this.#reach = 4 * Math.hypot(...scene.high.map((high, i) => high - (scene.low[i] as number)))
+  }
+
+  draw({ view, frame, places, moved, load, arrow, palette }: Instant): void {
+    const machine = this.#machine
+    if (!machine) return
+    if (palette !== this.#palette) {
+      this.#paint.dress(palette, palette !== LIGHT)
+      this.#palette = palette
+    }
+    machine.glow.visible = view.glow
+    for (const part of machine.moving) part.move(places, view.theta)
+    for (const batch of machine.glass) batch.visible = view.glass
+    machine.block.move(moved, view.whirl.magnification)
+    machine.arrows ??= arrows(machine.block.group, load, this.#paint)
+    machine.arrows.move(arrow)
+    this.#look(frame)
+    this.#renderer.render(this.#scene, this.#camera)
+  }
+
+  #look({ look, centre, half }: Instant['frame']): void {
+    const camera = this.#camera
+    const [right, up, back] = this.#basis
+    right.set(...look.right)
+    up.set(...look.up)
+    back.set(...look.back)
+    camera.matrix.makeBasis(right, up, back)
+    const away = this.#reach
+    camera.matrix.setPosition(
+      centre[0] + away * look.back[0],
+      centre[1] + away * look.back[1],
+      centre[2] + away * look.back[2],
+    )
+    camera.matrixWorldNeedsUpdate = true
+    camera.top = half
+    camera.bottom = -half
+    camera.right = half * this.#aspect
+    camera.left = -camera.right
+    camera.near = 0
+    camera.far = 2 * away
+    camera.updateProjectionMatrix()
+  }
+
+  pistons(): Reading['pistons'] {
+    const machine = this.#machine
+    if (!machine) return {}
+    const { cylinders } = machine.exhibit.scene
+    return Object.fromEntries(
+      machine.pistons.places.map(({ batch, index }, place) => {
+        return [cylinders[place]?.number ?? 0, this.#read(batch, index, 0, 0, 0)]
+      }),
+    )
+  }
+
+  pins(): Reading['pins'] {
+    const machine = this.#machine
+    if (!machine) return []
+    return machine.exhibit.scene.shafts.map((shaft, index) => {
+      const batch = machine.shafts.drawn[index] as Batch
+      return shaft.throws.map((pin) => {
+        return this.#read(batch, 0, pin.radius * Math.sin(pin.angle), pin.radius * Math.cos(pin.angle), pin.z)
+      })
+    })
+  }
+
+  /** A point of a drawn thing, [up, right, z], from the matrices it was drawn with. */
+  #read(batch: Batch, index: number, x: number, y: number, z: number): [number, number, number] {
+    const point = new Vector3(x, y, z)
+    const place = new Matrix4()
+    batch.mesh.getMatrixAt(index, place)
+    point.applyMatrix4(place).applyMatrix4(batch.mesh.matrixWorld)
+    this.#machine?.block.unmoved(point)
+    return [point.y, point.x, point.z]
+  }
+
+  size(width: number, height: number, density: number): void {
+    this.#aspect = width / height
+    this.#renderer.setPixelRatio(density)
+    this.#renderer.setSize(width, height, false)
+  }
+
+  #clear(): void {
+    const machine = this.#machine
+    if (!machine) return
+    for (const part of machine.moving) part.dispose()
+    for (const batch of machine.glass) batch.dispose()
+    machine.arrows?.dispose()
+    this.#scene.remove(machine.block.group)
+    this.#machine = null
+  }
+
+  dispose(): void {
+    this.#clear()
+    this.#paint.dispose()
+    this.#renderer.dispose()
+    // Browsers keep only a few contexts: this one is given back at once.
+    this.#renderer.getContext().getExtension('WEBGL_lose_context')?.loseContext()
+  }
+}
