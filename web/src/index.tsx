@@ -3,6 +3,7 @@ import { type App, createApp } from './app'
 import type { Exhibit } from './exhibit'
 import type { Host } from './host/host'
 import { pageHost } from './host/page'
+import { serverHost } from './host/server'
 import { linked, type Model, widgetHost } from './host/widget'
 import type { Reading, Stage } from './stage/stage'
 import { type State, snapshot } from './state'
@@ -131,6 +132,6 @@ function render({ model, el }: { model: Model; el: HTMLElement }): () => void {
 
 // A file and a server's page have one element that says so; a notebook has none, and calls `render`.
 const own = typeof document === 'undefined' ? null : document.querySelector<Holder>('[data-crankstar]')
-if (own) show(pageHost(document), own)
+if (own) show(own.dataset.crankstar === 'server' ? serverHost() : pageHost(document), own)
 
 export default { render }

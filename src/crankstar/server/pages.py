@@ -24,7 +24,7 @@ SHELL = """<!doctype html>
 <script type="module" src="%s"></script>
 </head>
 <body>
-<main data-crankstar="server"></main>
+<div data-crankstar="server"></div>
 <noscript>This page needs JavaScript: switch it on, or use the command line (crankstar --help).</noscript>
 </body>
 </html>

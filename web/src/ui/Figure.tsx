@@ -1,47 +1,56 @@
 import { useSignal } from '@preact/signals'
 import { useEffect, useRef } from 'preact/hooks'
 import type { Exhibit } from '../exhibit'
-import type { Spec } from '../host/host'
 import { useApp } from './context'
 import { type Drawing, drawn } from './drawing'
 
-/** A figure of an engine by its key; it turns with the engine. */
+/** A figure of an engine by its key; it turns with the engine. What was drawn stays until the next is there. */
 export function Figure({ exhibit, chart, label }: { exhibit: Exhibit; chart: string; label: string }) {
   const { host, clock } = useApp()
   const place = useRef<HTMLDivElement>(null)
+  const shown = useRef<Drawing | null>(null)
+  const last = useRef<Promise<unknown>>(Promise.resolve())
   const trouble = useSignal('')
   const there = useSignal(false)
   const attempt = useSignal(0)
   const again = attempt.value
 
   useEffect(() => {
-    const element = place.current
-    if (!element) return undefined
     let ended = false
-    let drawing: Drawing | null = null
-    let unfollow = (): void => undefined
-    trouble.value = ''
-    const show = async (spec: Spec): Promise<void> => {
-      const made = await drawn(element, spec)
-      if (ended) return made.dispose()
-      drawing = made
-      there.value = true
-      if (made.turns) unfollow = clock.follow(() => made.turnTo(clock.degrees() % (360 * exhibit.turns)))
-    }
-    host
-      .chart(exhibit, chart)
-      .then((spec) => (ended ? undefined : show(spec)))
-      .catch((error: unknown) => {
+    async function draw(): Promise<void> {
+      if (ended) return
+      try {
+        const spec = await host.chart(exhibit, chart)
         if (ended) return
+        const made = await drawn(spec)
+        if (ended) return made.dispose()
+        if (made.turns) await made.turnTo(clock.degrees() % (360 * exhibit.turns))
+        shown.current?.dispose()
+        place.current?.replaceChildren(made.element)
+        shown.current = made
+        there.value = true
+        trouble.value = ''
+      } catch (error) {
+        if (ended) return
+        shown.current?.dispose()
+        shown.current = null
         there.value = false
         trouble.value = error instanceof Error ? error.message : String(error)
-      })
+      }
+    }
+    // one after the other: while an engine is being dragged only the newest is asked for
+    last.current = last.current.then(draw)
+    const unfollow = clock.follow(() => {
+      const drawing = shown.current
+      return drawing?.turns ? drawing.turnTo(clock.degrees() % (360 * exhibit.turns)) : undefined
+    })
     return () => {
       ended = true
       unfollow()
-      drawing?.dispose()
     }
   }, [host, clock, exhibit, chart, again])
+
+  useEffect(() => () => shown.current?.dispose(), [])
 
   return (
     <figure class={`figure${there.value ? '' : ' empty'}`} data-chart={chart}>

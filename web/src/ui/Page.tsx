@@ -18,6 +18,8 @@ export function Page({ made }: { made: (index: number, stage: Stage | null) => v
     if (!element) return undefined
     return listenForKeys(host.kind === 'widget' ? element : document, element, clock)
   }, [host, clock])
+  // a notebook has a main part of its own
+  const Body = host.kind === 'widget' ? 'div' : 'main'
   return (
     <div
       class={`crankstar ${host.kind} ${dark.value ? 'dark' : 'light'}`}
@@ -40,7 +42,7 @@ export function Page({ made }: { made: (index: number, stage: Stage | null) => v
             </button>
           </p>
         )}
-        <main class="body">
+        <Body class="body">
           <div class="left">
             <Layers />
             <div class={`stages${shown.value.length > 1 ? ' two' : ''}`}>
@@ -52,7 +54,7 @@ export function Page({ made }: { made: (index: number, stage: Stage | null) => v
             <TimeBar />
           </div>
           <Tabs />
-        </main>
+        </Body>
       </div>
     </div>
   )

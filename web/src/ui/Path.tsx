@@ -4,7 +4,7 @@ const ZERO = 1e-9
 
 /** Whether anything is left of a row. */
 export function isNothing(row: Row): boolean {
-  return row.path === 'none' || (row.semi_axes !== null && row.semi_axes[0] < ZERO)
+  return row.path === 'none' || row.greatest === '0' || (row.semi_axes !== null && row.semi_axes[0] < ZERO)
 }
 
 /** The path of a vector over a turn, drawn to its own scale, with a dot where it is now; for a signal a line with a dot. */
@@ -22,5 +22,5 @@ export function Path({ row }: { row: Row }) {
 function Ellipse({ row, axes }: { row: Row; axes: readonly [number, number] }) {
   const [long, short] = axes
   const turned = ((row.direction ?? 0) / Math.PI) * 180 - 90
-  return <ellipse class="line" rx={1} ry={short / long} transform={`rotate(${turned.toFixed(3)})`} />
+  return <ellipse class="line" rx={1} ry={Math.max(0.01, short / long)} transform={`rotate(${turned.toFixed(3)})`} />
 }

@@ -2,8 +2,9 @@ import { Error as ERRORS, type Loader, loader, parse, type Spec as VegaSpec, Vie
 import { expressionInterpreter } from 'vega-interpreter'
 import type { Spec } from '../host/host'
 
-/** A figure that is drawn in an element, and can be turned. */
+/** A figure that has been drawn in an element of its own, and can be turned. */
 export interface Drawing {
+  readonly element: HTMLElement
   /** Whether it depends on the crank angle. */
   readonly turns: boolean
   /** Resolves when it has been drawn at that angle, degrees. */
@@ -18,7 +19,8 @@ const nothing = (): Promise<never> => Promise.reject(new Error('A figure asked f
 const closed: Loader = { ...loader(), load: nothing, sanitize: nothing, http: nothing, file: nothing }
 
 /** Draws a compiled Vega specification, without making code from text. */
-export async function drawn(element: HTMLElement, spec: Spec): Promise<Drawing> {
+export async function drawn(spec: Spec): Promise<Drawing> {
+  const element = document.createElement('div')
   const view = new View(parse(spec as unknown as VegaSpec, undefined, { ast: true }), {
     expr: expressionInterpreter,
     renderer: 'svg',
@@ -31,16 +33,16 @@ export async function drawn(element: HTMLElement, spec: Spec): Promise<Drawing> 
     await view.runAsync()
   } catch (error) {
     view.finalize()
-    element.replaceChildren()
     throw error
   }
   const turns = Object.hasOwn(view.getState().signals ?? {}, THETA)
   return {
+    element,
     turns,
     turnTo: (degrees) => (view.signal(THETA) === degrees ? Promise.resolve() : view.signal(THETA, degrees).runAsync()),
     dispose() {
       view.finalize()
-      element.replaceChildren()
+      element.remove()
     },
   }
 }
