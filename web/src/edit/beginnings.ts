@@ -15,7 +15,7 @@ function beginningOf(field: Field): unknown {
     case 'quantity':
       return field.example
     case 'number':
-      return kind.range?.[0] ?? 1
+      return Number.isFinite(kind.low) ? kind.low : 1
     case 'record':
     case 'table':
       return recordOf(kind.fields)

@@ -4,6 +4,7 @@ import { idOf, useSentences, useSession } from './context'
 import { Dial } from './dial'
 import { angle, type Dimension, degrees, parsed, retold, type Scale, scale, settled, shown, typed } from './quantity'
 import type { Field, Kind } from './schema'
+import { TYPING } from './session'
 import { at, type Path, same } from './tree'
 
 export interface FieldProps {
@@ -88,7 +89,7 @@ export function Box({ path, label, example, take, below = false, long = false, n
     onInput: (event: { currentTarget: HTMLInputElement | HTMLTextAreaElement }) => {
       const typedNow = event.currentTarget.value
       setRaw(typedNow)
-      session.set(path, meant(typedNow), `type ${id}`)
+      session.set(path, meant(typedNow), TYPING + id)
     },
     onBlur: () => {
       setRaw(null)
@@ -110,22 +111,24 @@ export function TextField(props: FieldProps) {
   )
 }
 
+/** The ends of a number's slider: its own limits, or about its value where it has none. */
+function limitsOf({ low, high }: Of<'number'>, number: number): Scale {
+  if (Number.isFinite(low) && Number.isFinite(high)) return { low, high, step: (high - low) / 200 }
+  const about = scale({ number, unit: '' }, 'other', low >= 0)
+  return { ...about, low: Math.max(about.low, low), high: Math.min(about.high, high) }
+}
+
 export function NumberField(props: FieldProps & { kind: Of<'number'> }) {
   const { field, path, kind } = props
   const value = at(useSession().tree.value, path)
-  const [low, high] = kind.range ?? [0, 0]
-  const limits = kind.range && !kind.whole ? { low, high, step: (high - low) / 200 } : null
+  const bounded = Number.isFinite(kind.low) && Number.isFinite(kind.high)
+  const number = typeof value === 'number' ? value : bounded ? kind.low : null
+  const limits = number === null || kind.whole ? null : limitsOf(kind, number)
   return (
     <Labelled {...props}>
       <Box path={path} example={defaulted(field)} take={typed} numeric />
-      {limits && (
-        <Slider
-          path={path}
-          label={field.label}
-          limits={limits}
-          number={typeof value === 'number' ? value : low}
-          told={(number) => number}
-        />
+      {limits && number !== null && (
+        <Slider path={path} label={field.label} limits={limits} number={number} told={(moved) => moved} />
       )}
     </Labelled>
   )
@@ -276,7 +279,7 @@ export function QuantityField(props: FieldProps & { kind: Of<'quantity'> }) {
   return (
     <Labelled {...props}>
       <Box path={path} example={defaulted(field)} take={take} numeric />
-      {slides && number !== undefined && (
+      {slides && number !== undefined ? (
         <Slider
           path={path}
           label={field.label}
@@ -284,6 +287,8 @@ export function QuantityField(props: FieldProps & { kind: Of<'quantity'> }) {
           number={number}
           told={told}
         />
+      ) : (
+        <span class="room" />
       )}
     </Labelled>
   )

@@ -1,5 +1,6 @@
 import { idOf, useSession } from './context'
 import { TYPES, withLayout } from './layouts'
+import { Fit } from './fit'
 import { AnyField, Fields, Folded } from './records'
 import { EXPLICIT, type Field } from './schema'
 import type { Placed } from './session'
@@ -10,13 +11,15 @@ interface Group {
   readonly open: boolean
 }
 
+const COUNTERWEIGHTS = 'Counterweights and balance shafts'
+
 /** What engineers change first stands first. Keys that no group names, new ones too, stand under the last. */
 const GROUPS: readonly Group[] = [
   { title: 'Engine', keys: ['name', 'cycle', 'rotation', 'firing_order', 'speed'], open: true },
   { title: 'Layout', keys: ['layout'], open: true },
   { title: 'Shafts, throws and weights', keys: ['shaft', 'bore_pitch'], open: true },
   { title: 'Cylinder', keys: ['cylinder'], open: true },
-  { title: 'Counterweights', keys: ['balance_factor'], open: true },
+  { title: COUNTERWEIGHTS, keys: ['balance_factor'], open: true },
   { title: 'Cylinders one by one', keys: ['cylinders'], open: false },
   { title: 'Block', keys: ['block'], open: false },
   { title: 'Valves or ports', keys: ['valves'], open: false },
@@ -34,6 +37,7 @@ export function EngineForm() {
     keys: form.fields.filter((field) => !named.has(field.key)).map((field) => field.key),
     open: false,
   }
+  // The explicit form has its counterweights at the shafts; that it can be fitted with others stands here all the same.
   const groups = [...GROUPS, rest].map((group) => ({
     ...group,
     fields: group.keys.flatMap((key) => form.fields.filter((f) => f.key === key)),
@@ -41,7 +45,7 @@ export function EngineForm() {
   return (
     <form class="form" onSubmit={(event) => event.preventDefault()}>
       {groups
-        .filter((group) => group.fields.length > 0)
+        .filter((group) => group.fields.length > 0 || group.title === COUNTERWEIGHTS)
         .map((group) => (
           <GroupOf key={`${form.type} ${group.title}`} title={group.title} open={group.open} fields={group.fields} />
         ))}
@@ -56,6 +60,7 @@ function GroupOf({ title, open, fields }: { title: string; open: boolean; fields
       {() => (
         <>
           {title === 'Layout' && <LayoutType />}
+          {title === COUNTERWEIGHTS && <Fit />}
           {fields.map((field) => {
             const { kind, key } = field
             // A group with one table in it is that table: it needs no frame of its own.

@@ -7,7 +7,7 @@ export type Kind =
   | { readonly is: 'fixed'; readonly value: unknown }
   | { readonly is: 'choice'; readonly among: readonly string[] }
   | { readonly is: 'text'; readonly long: boolean }
-  | { readonly is: 'number'; readonly whole: boolean; readonly range: readonly [number, number] | null }
+  | { readonly is: 'number'; readonly whole: boolean; readonly low: number; readonly high: number }
   | { readonly is: 'ratio' }
   | { readonly is: 'quantity'; readonly dimension: Dimension; readonly positive: boolean }
   | { readonly is: 'numbers' }
@@ -90,9 +90,9 @@ function kindOf(schema: Tree, node: Node): Kind {
   }
   if (given.length > 1) return { is: 'ratio' }
   if (first.type === 'number' || first.type === 'integer') {
-    const { minimum, maximum } = first
-    const range = typeof minimum === 'number' && typeof maximum === 'number' ? ([minimum, maximum] as const) : null
-    return { is: 'number', whole: first.type === 'integer', range }
+    const low = Number(first.minimum ?? first.exclusiveMinimum ?? Number.NEGATIVE_INFINITY)
+    const high = Number(first.maximum ?? Number.POSITIVE_INFINITY)
+    return { is: 'number', whole: first.type === 'integer', low, high }
   }
   return { is: 'text', long: Number(first.maxLength) >= 10000 }
 }

@@ -45,6 +45,10 @@ export interface Session {
   shown: Shown
 }
 
+/** A gesture that begins with this is typing, which a pause ends, milliseconds. */
+export const TYPING = 'type '
+const PAUSE = 1000
+
 function historyOf(tree: Tree): Signal<History<Tree>> {
   return signal(begun(tree))
 }
@@ -59,6 +63,7 @@ export function session(service: Service, tree: Tree, shown: Shown): Session {
   const busy = signal(false)
   const note = signal('')
   let onStage = tree
+  let lastEdit = 0
 
   const live = asked<Tree, Exhibit>({
     send: (subject, abort) => service.exhibit(subject, abort),
@@ -77,7 +82,9 @@ export function session(service: Service, tree: Tree, shown: Shown): Session {
   const move = (change: Parameters<typeof after<Tree>>[1]) => {
     const was = history.value.present
     history.value = after(history.value, change)
-    if (history.value.present !== was) live.ask(history.value.present)
+    if (history.value.present === was) return
+    note.value = ''
+    live.ask(history.value.present)
   }
 
   const self: Session = {
@@ -92,7 +99,12 @@ export function session(service: Service, tree: Tree, shown: Shown): Session {
     shown,
     canUndo: computed(() => history.value.past.length > 0),
     canRedo: computed(() => history.value.future.length > 0),
-    edit: (to, gesture) => move(gesture === undefined ? { kind: 'edit', to } : { kind: 'edit', to, gesture }),
+    edit(to, gesture) {
+      const now = performance.now()
+      if (gesture?.startsWith(TYPING) && now - lastEdit > PAUSE) move({ kind: 'rest' })
+      lastEdit = now
+      move(gesture === undefined ? { kind: 'edit', to } : { kind: 'edit', to, gesture })
+    },
     set: (path, value, gesture) => self.edit(put(history.value.present, path, value), gesture),
     rest: () => move({ kind: 'rest' }),
     undo: () => move({ kind: 'undo' }),
@@ -148,7 +160,8 @@ export async function told<T>(answer: Promise<Answer<T>>): Promise<Answer<T>> {
   }
 }
 
-function placed(problems: readonly Problem[]): Placed[] {
+/** Problems with the places that they name. */
+export function placed(problems: readonly Problem[]): Placed[] {
   return problems.map((problem) => ({ ...problem, at: read(problem.path) }))
 }
 

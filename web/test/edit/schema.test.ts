@@ -73,7 +73,7 @@ test.each([
   ['notes', { is: 'text', long: true }],
   ['cycle', { is: 'choice', among: ['two-stroke', 'four-stroke'] }],
   ['relative', { is: 'marks', among: ['mass', 'radius'] }],
-  ['balance_factor', { is: 'number', whole: false, range: [0, 2] }],
+  ['balance_factor', { is: 'number', whole: false, low: 0, high: 2 }],
 ])('%s takes what the schema says', (key, kind) => {
   expect(field(short?.fields, key).kind).toEqual(kind)
 })

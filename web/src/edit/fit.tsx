@@ -1,0 +1,82 @@
+import { useState } from 'preact/hooks'
+import type { Fitting } from '../host/host'
+import { useSession } from './context'
+import { placed, told } from './session'
+
+const WEIGHTS: Record<string, Fitting['weights']> = { 'opposite each pin': 'pins', 'on the webs': 'webs', 'at the ends': 'ends' }
+const SHAFTS: Record<string, Fitting['shafts']> = { none: 'none', 'where needed': 'needed', 'for all that is left': 'all' }
+const ADVISED = 'as its verdict advises'
+
+/** Puts counterweights and balance shafts on the engine; what it becomes has every weight in it (explicit form). */
+export function Fit() {
+  const session = useSession()
+  const [factor, setFactor] = useState('')
+  const [weights, setWeights] = useState(ADVISED)
+  const [shafts, setShafts] = useState(ADVISED)
+  const [busy, setBusy] = useState(false)
+
+  const fit = async () => {
+    const at = WEIGHTS[weights]
+    const which = SHAFTS[shafts]
+    const options: Fitting = {
+      ...(factor.trim() && { factor: Number(factor.replace(',', '.')) }),
+      ...(at && { weights: at }),
+      ...(which && { shafts: which }),
+    }
+    setBusy(true)
+    const answer = await told(session.service.fitted(session.tree.value, options))
+    setBusy(false)
+    if (!answer.ok) {
+      session.note.value = 'The engine could not be fitted.'
+      session.problems.value = placed(answer.problems)
+    } else if (answer.value === null) session.note.value = 'There is nothing to fit: weights and shafts would take nothing away.'
+    else {
+      session.edit(answer.value)
+      session.note.value = 'Fitted. The engine is in the explicit form now, weight by weight; undo takes them off again.'
+    }
+  }
+
+  return (
+    <div class="fit">
+      <p class="help">Weights and shafts that take away what they can. The engine is then in the explicit form, weight by weight.</p>
+      <label>
+        Balance factor
+        <input
+          type="text"
+          inputMode="decimal"
+          placeholder="the best"
+          autocomplete="off"
+          value={factor}
+          onInput={(event) => setFactor(event.currentTarget.value)}
+        />
+      </label>
+      <Choice label="Counterweights" among={Object.keys(WEIGHTS)} value={weights} choose={setWeights} />
+      <Choice label="Balance shafts" among={Object.keys(SHAFTS)} value={shafts} choose={setShafts} />
+      <button type="button" disabled={busy} onClick={() => void fit()}>
+        Fit
+      </button>
+    </div>
+  )
+}
+
+interface ChoiceProps {
+  readonly label: string
+  readonly among: readonly string[]
+  readonly value: string
+  readonly choose: (value: string) => void
+}
+
+function Choice({ label, among, value, choose }: ChoiceProps) {
+  return (
+    <label>
+      {label}
+      <select value={value} onChange={(event) => choose(event.currentTarget.value)}>
+        {[ADVISED, ...among].map((one) => (
+          <option key={one} value={one}>
+            {one}
+          </option>
+        ))}
+      </select>
+    </label>
+  )
+}
