@@ -75,7 +75,7 @@ export function FileButtons() {
 }
 
 /** Takes an engine file that is dropped anywhere on the page; shows that it may be while it is dragged over it. */
-export function DropZone() {
+export function DropZone({ opens }: { opens: () => void }) {
   const session = useSession()
   const [over, setOver] = useState(false)
   useEffect(() => {
@@ -98,7 +98,9 @@ export function DropZone() {
       depth = 0
       setOver(false)
       const file = event.dataTransfer?.files[0]
-      if (file) void openFile(session, file)
+      if (!file) return
+      opens()
+      void openFile(session, file)
     }
     const ends = new AbortController()
     const { signal } = ends
@@ -107,6 +109,6 @@ export function DropZone() {
     document.addEventListener('dragover', stay, { signal })
     document.addEventListener('drop', drop, { signal })
     return () => ends.abort()
-  }, [session])
-  return over ? <div class="dropzone">Drop an engine file (TOML or JSON) to open it</div> : null
+  }, [session, opens])
+  return over ? <div class="edit-dropzone">Drop an engine file (TOML or JSON) to open it</div> : null
 }

@@ -25,7 +25,7 @@ export function Editor({ service, tree, shown }: Props) {
   const session = sessionOf(service, tree, shown)
   const root = useRef<HTMLElement>(null)
   useEffect(() => session.adopt(tree), [session, tree])
-  useEffect(() => undoKeys(session), [session])
+  useEffect(session.load, [session])
   return (
     <Provider value={session}>
       <section class="editor" ref={root} aria-label="Editor" aria-busy={session.busy.value}>
@@ -45,8 +45,19 @@ export function Editor({ service, tree, shown }: Props) {
         </p>
         <Mistakes session={session} root={() => root.current} />
         <EngineForm />
-        <DropZone />
       </section>
+    </Provider>
+  )
+}
+
+/** What editing does whichever tab is open: undo by keys, and a file that is dropped; `opens` is called when it is. */
+export function EditAnywhere({ service, tree, shown, opens }: Props & { opens: () => void }) {
+  const session = sessionOf(service, tree, shown)
+  useEffect(() => session.adopt(tree), [session, tree])
+  useEffect(() => undoKeys(session), [session])
+  return (
+    <Provider value={session}>
+      <DropZone opens={opens} />
     </Provider>
   )
 }

@@ -18,20 +18,24 @@ export interface Asking<Q, A> {
   readonly answered: (answer: Answer<A>, subject: Q, newest: boolean) => void
   /** Told when it begins to wait and when it has all answers. */
   readonly waiting: (busy: boolean) => void
-  /** Calls back at the next frame. Returns what calls it off. */
+  /** Calls back after a breath. Returns what calls it off. */
   readonly soon?: (call: () => void) => () => void
 }
 
-const atNextFrame = (call: () => void): (() => void) => {
-  const id = requestAnimationFrame(call)
-  return () => cancelAnimationFrame(id)
+/** How long changes are gathered before they are sent, milliseconds: what comes in one breath is one question. */
+const BREATH = 4
+
+// Not the next frame: where frames are slow, that would be the longest part of the wait.
+const afterABreath = (call: () => void): (() => void) => {
+  const id = setTimeout(call, BREATH)
+  return () => clearTimeout(id)
 }
 
 /**
  * One question at a time, the newest last. While one is on its way the newest waits for it, so that a drag shows what it passes;
  * one that takes longer than PATIENCE is given up for it.
  */
-export function asked<Q, A>({ send, answered, waiting, soon = atNextFrame }: Asking<Q, A>): Asked<Q> {
+export function asked<Q, A>({ send, answered, waiting, soon = afterABreath }: Asking<Q, A>): Asked<Q> {
   let next: { subject: Q } | null = null
   let callOff: (() => void) | null = null
   let way: { abort: AbortController; since: number } | null = null

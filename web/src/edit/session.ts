@@ -37,6 +37,8 @@ export interface Session {
   rest(): void
   undo(): void
   redo(): void
+  /** Asks for what the form is made of, if that was not done. */
+  load(): void
   /** Takes over the engine that was put on the stage by others. */
   adopt(tree: Tree): void
   /** Makes an answer with an engine file the engine, or tells what is wrong with it. Returns whether it was one. */
@@ -64,6 +66,7 @@ export function session(service: Service, tree: Tree, shown: Shown): Session {
   const note = signal('')
   let onStage = tree
   let lastEdit = 0
+  let loading = false
 
   const live = asked<Tree, Exhibit>({
     send: (subject, abort) => service.exhibit(subject, abort),
@@ -119,6 +122,20 @@ export function session(service: Service, tree: Tree, shown: Shown): Session {
         busy.value = false
       })
     },
+    load() {
+      if (loading) return
+      loading = true
+      const failed = (reason: unknown) => {
+        loading = false
+        note.value = sentence(reason)
+      }
+      void service.schema().then((schema) => {
+        allForms.value = forms(schema)
+      }, failed)
+      void service.catalog().then((entries) => {
+        catalog.value = entries
+      }, failed)
+    },
     async open(answer, what) {
       const found = await told(answer)
       batch(() => {
@@ -132,22 +149,6 @@ export function session(service: Service, tree: Tree, shown: Shown): Session {
     },
   }
 
-  void service.schema().then(
-    (schema) => {
-      allForms.value = forms(schema)
-    },
-    (reason: unknown) => {
-      note.value = sentence(reason)
-    },
-  )
-  void service.catalog().then(
-    (entries) => {
-      catalog.value = entries
-    },
-    (reason: unknown) => {
-      note.value = sentence(reason)
-    },
-  )
   return self
 }
 

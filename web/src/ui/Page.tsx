@@ -1,6 +1,7 @@
 import { useEffect, useRef } from 'preact/hooks'
 import type { Stage } from '../stage/stage'
 import { useApp } from './context'
+import { Editing } from './Editing'
 import { Header } from './Header'
 import { listenForKeys } from './keys'
 import { Layers } from './Layers'
@@ -55,6 +56,7 @@ export function Page({ made }: { made: (index: number, stage: Stage | null) => v
           </div>
           <Tabs />
         </Body>
+        <Editing />
       </div>
     </div>
   )

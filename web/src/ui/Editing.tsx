@@ -1,0 +1,21 @@
+import { useCallback, useEffect, useRef } from 'preact/hooks'
+import { EditAnywhere, editStyle } from '../edit'
+import { useApp } from './context'
+import { adopt } from './sheets'
+
+/** What editing needs whichever tab is open, where there is a server that edits. */
+export function Editing() {
+  const { host, engines, put, store } = useApp()
+  const place = useRef<HTMLDivElement>(null)
+  useEffect(() => (place.current ? adopt(place.current, [editStyle]) : undefined), [])
+  const opens = useCallback(() => {
+    store.tab.value = 'edit'
+  }, [store])
+  const exhibit = engines.value[0]
+  if (!host.service || !exhibit) return null
+  return (
+    <div ref={place}>
+      <EditAnywhere service={host.service} tree={exhibit.file} shown={put} opens={opens} />
+    </div>
+  )
+}
