@@ -1,8 +1,8 @@
 import { effect } from '@preact/signals'
 import { useEffect, useRef } from 'preact/hooks'
 import type { App } from '../app'
+import { createStage } from '../stage'
 import type { Stage, View } from '../stage/stage'
-import { createStage } from './blank'
 import { useApp } from './context'
 
 /** What the stage is to draw at this angle. */
