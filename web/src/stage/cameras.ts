@@ -1,3 +1,4 @@
+import { type Disc, reach } from './extent'
 import type { Camera } from './stage'
 
 /** A point or direction of the drawing: x to the right, y up, z to the front of the engine. */
@@ -31,7 +32,7 @@ const ISOMETRIC = { azimuth: Math.PI / 4, elevation: Math.atan(Math.SQRT1_2) }
 export const HOME: Readonly<Orbit> = { azimuth: 0.6, elevation: 0.42, zoom: 1, x: 0, y: 0 }
 
 /** Room left round the engine, as a share of its size on the screen. */
-const MARGIN = 1.12
+const MARGIN = 1.1
 
 /**
  * The looks of the drawing. Plan and side view have the front of the engine at the left, so that they stand under each other
@@ -41,11 +42,11 @@ export function lookOf(camera: Camera, orbit: Readonly<Orbit>): Look {
   if (camera === 'front') return { right: [1, 0, 0], up: [0, 1, 0], back: [0, 0, 1] }
   if (camera === 'plan') return { right: [0, 0, -1], up: [-1, 0, 0], back: [0, 1, 0] }
   if (camera === 'side') return { right: [0, 0, -1], up: [0, 1, 0], back: [1, 0, 0] }
-  return around(camera === 'isometric' ? ISOMETRIC : orbit)
+  return upright(camera === 'isometric' ? ISOMETRIC : orbit)
 }
 
 /** The look from an azimuth and an elevation, the vertical upright. */
-function around({ azimuth, elevation }: { azimuth: number; elevation: number }): Look {
+function upright({ azimuth, elevation }: { azimuth: number; elevation: number }): Look {
   const [sin, cos] = [Math.sin(azimuth), Math.cos(azimuth)]
   const [rise, level] = [Math.sin(elevation), Math.cos(elevation)]
   return { right: [cos, 0, -sin], up: [-rise * sin, level, -rise * cos], back: [level * sin, rise, level * cos] }
@@ -55,23 +56,31 @@ export function dot(a: Vector, b: Vector): number {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/** What is seen by a camera of a box (corners x, y, z) on a stage with this ratio of width to height. */
-export function frameOf(camera: Camera, orbit: Readonly<Orbit>, low: Vector, high: Vector, aspect: number): Frame {
+/** What a camera sees of things that fill these discs, on a stage with this ratio of width to height. */
+export function frameOf(camera: Camera, orbit: Readonly<Orbit>, discs: readonly Disc[], aspect: number): Frame {
   const look = lookOf(camera, orbit)
-  const centre: Vector = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2]
-  const extent = (axis: Vector) => {
-    let sum = 0
-    for (let index = 0; index < 3; index++) {
-      sum += (Math.abs(axis[index] as number) * ((high[index] as number) - (low[index] as number))) / 2
-    }
-    return sum
-  }
-  // A free look keeps its size while it turns: the sphere round the box, a little cut, because corners are seldom filled.
-  const round = camera === 'orbit' ? 0.86 * Math.hypot(extent([1, 0, 0]), extent([0, 1, 0]), extent([0, 0, 1])) : 0
-  const wide = round || extent(look.right)
-  const tall = round || extent(look.up)
-  return { look, centre, half: MARGIN * Math.max(tall, wide / aspect) }
+  const spans = [look.right, look.up, look.back].map((axis) => reach(discs, axis, [0, 0]))
+  const [wide, tall, deep] = spans as [Span, Span, Span]
+  const middle = ([low, high]: Span) => (low + high) / 2
+  const at = (index: 0 | 1 | 2) =>
+    middle(wide) * look.right[index] + middle(tall) * look.up[index] + middle(deep) * look.back[index]
+  if (camera === 'orbit') return around(look, discs, aspect)
+  const half = MARGIN * Math.max((tall[1] - tall[0]) / 2, (wide[1] - wide[0]) / 2 / aspect)
+  return { look, centre: [at(0), at(1), at(2)], half }
 }
+
+/** A free look keeps its middle and its size while it turns: those of a ball round everything. */
+function around(look: Look, discs: readonly Disc[], aspect: number): Frame {
+  const span = (axis: Vector) => reach(discs, axis, [0, 0])
+  const spans = [span([1, 0, 0]), span([0, 1, 0]), span([0, 0, 1])]
+  const centre = spans.map(([low, high]) => (low + high) / 2) as unknown as Vector
+  const ball = Math.max(
+    ...discs.map((disc) => Math.hypot(...disc.centre.map((at, i) => at - (centre[i] as number)), disc.radius)),
+  )
+  return { look, centre, half: (MARGIN * ball) / Math.min(1, aspect) }
+}
+
+type Span = [number, number]
 
 /** A frame part of the way from one to another, `share` from 0 to 1: the look turns, the rest slides. */
 export function between(from: Frame, to: Frame, share: number): Frame {

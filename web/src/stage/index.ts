@@ -1,5 +1,6 @@
 import type { Exhibit } from '../exhibit'
 import { type Chain, chainOf, moved, type Places, placesOf } from '../motion'
+import { type Disc, discsOf } from './extent'
 import { flatPicture } from './flat'
 import { Inset } from './inset'
 import { Loads } from './load'
@@ -29,6 +30,7 @@ class EngineStage implements Stage {
   readonly #viewpoint = new Viewpoint()
   readonly #unlisten: () => void
   #exhibit: Exhibit
+  #discs: readonly Disc[]
   #chain: Chain
   #places: Places
   #loads: Loads
@@ -59,6 +61,7 @@ class EngineStage implements Stage {
     this.#inset = new Inset(this.#root)
     element.append(this.#root)
     this.#exhibit = exhibit
+    this.#discs = discsOf(exhibit.scene)
     this.#chain = chainOf(exhibit.scene, exhibit.sense)
     this.#places = placesOf(this.#chain)
     this.#loads = new Loads(exhibit)
@@ -83,6 +86,7 @@ class EngineStage implements Stage {
 
   show(exhibit: Exhibit): void {
     this.#exhibit = exhibit
+    this.#discs = discsOf(exhibit.scene)
     this.#chain = chainOf(exhibit.scene, exhibit.sense)
     this.#places = placesOf(this.#chain)
     this.#loads = new Loads(exhibit)
@@ -101,13 +105,7 @@ class EngineStage implements Stage {
     const { low, high } = scene
     const { width, height } = this.#size
     const palette = view.dark ? DARK : LIGHT
-    const frame = this.#viewpoint.frame(
-      view.camera,
-      [low[1], low[0], low[2]],
-      [high[1], high[0], high[2]],
-      width / height,
-      performance.now(),
-    )
+    const frame = this.#viewpoint.frame(view.camera, this.#discs, width / height, performance.now())
     const instant = this.#now(view)
     moved(this.#chain, view.theta, this.#places)
     instant.view = view

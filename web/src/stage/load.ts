@@ -1,5 +1,6 @@
 import type { Exhibit } from '../exhibit'
 import { type Coefficients, coefficientsOf, greatest, type Phase, type Plane, phaseOf, turn, vectorAt } from '../phasor'
+import { along } from './extent'
 import type { View } from './stage'
 
 /** A force to be drawn: where its arrow begins (x, y, z) and the vector in units of the longest of its kind. */
@@ -50,11 +51,7 @@ export class Loads {
     const axis = { x: scene.shafts[0]?.right ?? 0, y: scene.shafts[0]?.up ?? 0, up: 0, right: 0 }
     const [from, to] = [scene.low[2], scene.high[2]]
     const parts = scene.cylinders.map((c): Pull => {
-      const shaft = scene.shafts[c.shaft]
-      const [up, right] = [Math.cos(c.bearing), Math.sin(c.bearing)]
-      const high = c.bore_to + 0.12 * c.bore
-      const x = (shaft?.right ?? 0) + high * right + c.offset * up
-      const y = (shaft?.up ?? 0) + high * up - c.offset * right
+      const [x, y] = along(scene, c, c.bore_to + 0.12 * c.bore)
       return { kind: 'part', x, y, z: c.z, up: 0, right: 0 }
     })
     return [

@@ -1,5 +1,6 @@
 import type { Exhibit } from '../exhibit'
 import { dot, type Frame, type Vector } from './cameras'
+import { along, facesAnother } from './extent'
 import type { Load } from './load'
 import { css, type Palette } from './palette'
 
@@ -48,25 +49,27 @@ export function write(to: CanvasRenderingContext2D, exhibit: Exhibit, writing: W
   })
 }
 
-/** The number of every cylinder beyond its head; cylinders behind each other in one label. */
+/** The number of every cylinder beyond its head; those behind each other in one label, none on top of another. */
 function numbers(to: CanvasRenderingContext2D, { scene }: Exhibit, writing: Writing): void {
-  const labels: { x: number; y: number; names: number[] }[] = []
+  const labels: { x: number; y: number; near: number; names: number[] }[] = []
   for (const c of scene.cylinders) {
-    const shaft = scene.shafts[c.shaft]
-    const [up, right] = [Math.cos(c.bearing), Math.sin(c.bearing)]
-    const high = c.bore_to + 0.22 * c.bore
-    const y = (shaft?.up ?? 0) + high * up - c.offset * right
-    const x = (shaft?.right ?? 0) + high * right + c.offset * up
-    const at = projected(writing, [x, y, c.z])
-    const near = labels.find((label) => Math.hypot(label.x - at[0], label.y - at[1]) < CLOSE)
-    if (near) near.names.push(c.number)
-    else labels.push({ x: at[0], y: at[1], names: [c.number] })
+    const beyond = facesAnother(c, scene.cylinders) ? 0 : 0.22 * c.bore
+    const point = along(scene, c, c.bore_to + beyond)
+    const [x, y] = projected(writing, point)
+    const near = dot(point, writing.frame.look.back)
+    const label = labels.find((one) => Math.hypot(one.x - x, one.y - y) < CLOSE)
+    if (label) label.names.push(c.number)
+    else labels.push({ x, y, near, names: [c.number] })
   }
   to.font = `600 12px ${FONT}`
   to.textAlign = 'center'
   to.textBaseline = 'middle'
-  for (const { x, y, names } of labels) {
+  const taken: { x: number; y: number; half: number }[] = []
+  for (const { x, y, names } of labels.sort((a, b) => b.near - a.near)) {
     const text = names.length > 4 ? `${names[0]} … ${names[names.length - 1]}` : names.join(' · ')
+    const half = to.measureText(text).width / 2 + 2
+    if (taken.some((one) => Math.abs(one.x - x) < one.half + half && Math.abs(one.y - y) < 13)) continue
+    taken.push({ x, y, half })
     to.lineWidth = 3
     to.strokeStyle = writing.palette.paper
     to.strokeText(text, x, y)
@@ -77,7 +80,7 @@ function numbers(to: CanvasRenderingContext2D, { scene }: Exhibit, writing: Writ
 
 /** The frame's axes in the lower left corner; one that points at the eye is a dot, one that points away a cross. */
 function axes(to: CanvasRenderingContext2D, { frame, height, palette }: Writing): void {
-  const [x, y] = [50, height - 50]
+  const [x, y] = [66, height - 50]
   to.strokeStyle = palette.quiet
   to.fillStyle = palette.quiet
   to.font = `11px ${FONT}`
@@ -130,7 +133,7 @@ function scale(
   const perPixel = value / ((arrow * height) / 2 / frame.half)
   const round = roundValue(perPixel * Math.min(96, width / 5))
   const long = round / perPixel
-  const x = width < 560 ? 104 : 128
+  const x = width < 560 ? 140 : 156
   to.strokeStyle = to.fillStyle = css(colour)
   to.lineWidth = 3
   line(to, x, y, x + long - 6, y)

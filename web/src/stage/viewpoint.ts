@@ -1,4 +1,5 @@
 import { between, type Frame, frameOf, HOME, type Orbit, type Vector } from './cameras'
+import type { Disc } from './extent'
 import type { Camera } from './stage'
 
 /** How long the way from one camera to another takes, ms. */
@@ -21,9 +22,9 @@ export class Viewpoint {
     return this.#from !== null
   }
 
-  /** The frame at time `now` (ms) for a camera, a box and a stage. */
-  frame(camera: Camera, low: Vector, high: Vector, aspect: number, now: number): Frame {
-    const goal = this.#shifted(frameOf(camera, this.orbit, low, high, aspect), camera)
+  /** The frame at time `now` (ms) for a camera, what it looks at and the shape of the stage. */
+  frame(camera: Camera, discs: readonly Disc[], aspect: number, now: number): Frame {
+    const goal = this.#shifted(frameOf(camera, this.orbit, discs, aspect), camera)
     if (this.#camera !== null && this.#camera !== camera && this.#last !== null && !still()) {
       this.#from = this.#last
       this.#since = now

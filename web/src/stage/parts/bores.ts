@@ -1,6 +1,7 @@
 import type { Group } from 'three'
 import type { CylinderShown, Scene } from '../../exhibit'
 import { Batch } from '../batch'
+import { along, boreEnd, facesAnother } from '../extent'
 import type { Materials } from '../materials'
 import { Solid } from '../solid'
 
@@ -17,7 +18,7 @@ export function bores(parent: Group, scene: Scene, paint: Materials): Batch[] {
   ])
   const tubes = new Batch(parent, tube.shape(), cylinders.length, paint.glass, paint.glassLines, 4)
   cylinders.forEach((c, index) => {
-    stand(tubes, index, c, scene, c.bore_from, c.bore_to - c.bore_from, c.bore / 2)
+    stand(tubes, index, c, scene, c.bore_from, boreEnd(scene, c) - c.bore_from, c.bore / 2)
   })
   tubes.placed()
   const headed = cylinders.filter((c) => !facesAnother(c, cylinders))
@@ -36,13 +37,6 @@ export function bores(parent: Group, scene: Scene, paint: Materials): Batch[] {
   return [tubes, heads]
 }
 
-/** Whether another piston works in the same chamber from the other side. */
-function facesAnother(cylinder: CylinderShown, cylinders: readonly CylinderShown[]): boolean {
-  return cylinders.some(
-    (other) => other.chamber === cylinder.chamber && Math.cos(other.bearing - cylinder.bearing) < -0.99,
-  )
-}
-
 /** Puts something that is 1 high and has radius 1 on a cylinder's axis, `from` along it from the shaft. */
 export function stand(
   batch: Batch,
@@ -53,9 +47,6 @@ export function stand(
   high: number,
   radius: number,
 ): void {
-  const shaft = scene.shafts[cylinder.shaft]
-  const [up, right] = [Math.cos(cylinder.bearing), Math.sin(cylinder.bearing)]
-  const y = (shaft?.up ?? 0) + from * up - cylinder.offset * right
-  const x = (shaft?.right ?? 0) + from * right + cylinder.offset * up
-  batch.put(index, x, y, cylinder.z, up, right, radius, high)
+  const [x, y, z] = along(scene, cylinder, from)
+  batch.put(index, x, y, z, Math.cos(cylinder.bearing), Math.sin(cylinder.bearing), radius, high)
 }

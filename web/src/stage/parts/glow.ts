@@ -2,6 +2,7 @@ import { DynamicDrawUsage, type Group, InstancedBufferAttribute } from 'three'
 import type { Exhibit } from '../../exhibit'
 import type { Places } from '../../motion'
 import { Batch } from '../batch'
+import { boreEnd } from '../extent'
 import type { Materials } from '../materials'
 import { Solid } from '../solid'
 import { tint, windowsOf } from '../strokes'
@@ -28,6 +29,7 @@ export function glow(parent: Group, exhibit: Exhibit, paint: Materials): Part & 
   const hues = new InstancedBufferAttribute(new Float32Array(4 * cylinders.length), 4)
   hues.setUsage(DynamicDrawUsage)
   batch.mesh.geometry.setAttribute('hue', hues)
+  const ends = cylinders.map((c) => boreEnd(scene, c))
   const axes = cylinders.map((c) => [Math.cos(c.bearing), Math.sin(c.bearing)] as const)
   const part = {
     visible: true,
@@ -42,7 +44,7 @@ export function glow(parent: Group, exhibit: Exhibit, paint: Materials): Part & 
         const up = (piston[2 * index] as number) - (shaft?.up ?? 0)
         const right = (piston[2 * index + 1] as number) - (shaft?.right ?? 0)
         const crown = up * axis[0] + right * axis[1] + c.pin_height
-        stand(batch, index, c, scene, crown, Math.max(1e-6 * c.bore, c.bore_to - crown), 0.49 * c.bore)
+        stand(batch, index, c, scene, crown, Math.max(1e-6 * c.bore, (ends[index] as number) - crown), 0.49 * c.bore)
         tint(windows[index] ?? [], degrees, cycle, hues.array as Float32Array, 4 * index)
       }
       hues.needsUpdate = true
