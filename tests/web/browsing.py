@@ -22,6 +22,8 @@ ELSEWHERE = re.compile(r"^(?!file:///|data:|blob:|https?://127\.0\.0\.1[:/])")
 """An address that a page of ours has no business with."""
 NEWS = frozenset({"error", "warning", "assert"})
 """The kinds of console messages that are complaints."""
+DRIVER = re.compile(r"^\[\.WebGL-0x[0-9a-f]+\]GL Driver Message \(OpenGL, Performance, ")
+"""How Chromium says that drawing without a graphics card is slow, which it is."""
 SETTLED = "() => new Promise(done => requestAnimationFrame(() => setTimeout(done)))"
 
 TOO_WIDE = """() => {
@@ -56,7 +58,7 @@ def watched(browser: Browser, complaints: list[str], *, width: int = 1280, heigh
     """An empty page in a browser profile of its own; what is wrong with it is added to the complaints until it is closed."""
 
     def said(message: ConsoleMessage) -> None:
-        if message.type in NEWS:
+        if message.type in NEWS and not DRIVER.match(message.text):
             place = message.location
             complaints.append(f"console {message.type}: {message.text} ({place['url']}:{place['lineNumber'] + 1})")
 

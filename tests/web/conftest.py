@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from pathlib import Path
 
 import pytest
 from playwright.sync_api import Browser, Page, sync_playwright
 from tests.tools import path_of
 from tests.web.browsing import ARGUMENTS, root, watched
+from tests.web.engine_page import written
 from tests.web.serving import server
 
-__all__ = ["browser", "page", "server"]
+__all__ = ["browser", "built_page", "page", "server"]
 
 
 @pytest.fixture(scope="session")
@@ -34,3 +36,16 @@ def page(browser: Browser) -> Iterator[Page]:
         yield page
     if complaints:
         pytest.fail("\n".join(["the page complains:", *dict.fromkeys(complaints)]), pytrace=False)
+
+
+@pytest.fixture(scope="session")
+def built_page(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., Path]:
+    """The page of one or two catalog engines as a file, written once: `built_page("v8-cross-plane", figures=True)`."""
+    base = tmp_path_factory.getbasetemp()
+    folder = (base.parent if os.environ.get("PYTEST_XDIST_WORKER") else base) / "pages"
+    folder.mkdir(exist_ok=True)
+
+    def build(*names: str, figures: bool = False) -> Path:
+        return written(folder, *names, figures=figures)
+
+    return build

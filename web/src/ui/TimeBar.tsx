@@ -104,8 +104,9 @@ function AngleField() {
   const told = useId()
   useFollower(() => {
     const input = field.current
-    // what is being typed is not overwritten
-    if (!input || (document.activeElement === input && input.dataset.typed) || wrong.peek()) return
+    // what is being typed, or about to be typed while the engine turns, is not overwritten
+    const meant = document.activeElement === input && (input?.dataset.typed || clock.playing.peek())
+    if (!input || meant || wrong.peek()) return
     input.value = clock.playing.peek() ? clock.degrees().toFixed(0) : degreesText(clock.degrees())
   }, [])
 
