@@ -31,8 +31,15 @@ export interface Orbit {
 const ISOMETRIC = { azimuth: Math.PI / 4, elevation: Math.atan(Math.SQRT1_2) }
 export const HOME: Readonly<Orbit> = { azimuth: 0.6, elevation: 0.42, zoom: 1, x: 0, y: 0 }
 
-/** Room left round the engine, as a share of its size on the screen. */
-const MARGIN = 1.1
+/** What the picture is fitted into. */
+export interface Screen {
+  /** Width over height. */
+  readonly aspect: number
+  /** Share of the height, at the lower edge, that is kept for what is written there. */
+  readonly foot: number
+  /** How much larger than the engine the picture is. */
+  readonly margin: number
+}
 
 /**
  * The looks of the drawing. Plan and side view have the front of the engine at the left, so that they stand under each other
@@ -56,28 +63,35 @@ export function dot(a: Vector, b: Vector): number {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/** What a camera sees of things that fill these discs, on a stage with this ratio of width to height. */
-export function frameOf(camera: Camera, orbit: Readonly<Orbit>, discs: readonly Disc[], aspect: number): Frame {
+/** What a camera sees of things that fill these discs, on a screen. */
+export function frameOf(camera: Camera, orbit: Readonly<Orbit>, discs: readonly Disc[], screen: Screen): Frame {
   const look = lookOf(camera, orbit)
   const spans = [look.right, look.up, look.back].map((axis) => reach(discs, axis, [0, 0]))
   const [wide, tall, deep] = spans as [Span, Span, Span]
   const middle = ([low, high]: Span) => (low + high) / 2
   const at = (index: 0 | 1 | 2) =>
     middle(wide) * look.right[index] + middle(tall) * look.up[index] + middle(deep) * look.back[index]
-  if (camera === 'orbit') return around(look, discs, aspect)
-  const half = MARGIN * Math.max((tall[1] - tall[0]) / 2, (wide[1] - wide[0]) / 2 / aspect)
-  return { look, centre: [at(0), at(1), at(2)], half }
+  if (camera === 'orbit') return around(look, discs, screen)
+  return raised(look, [at(0), at(1), at(2)], (wide[1] - wide[0]) / 2, (tall[1] - tall[0]) / 2, screen)
 }
 
 /** A free look keeps its middle and its size while it turns: those of a ball round everything. */
-function around(look: Look, discs: readonly Disc[], aspect: number): Frame {
+function around(look: Look, discs: readonly Disc[], screen: Screen): Frame {
   const span = (axis: Vector) => reach(discs, axis, [0, 0])
   const spans = [span([1, 0, 0]), span([0, 1, 0]), span([0, 0, 1])]
   const centre = spans.map(([low, high]) => (low + high) / 2) as unknown as Vector
   const ball = Math.max(
     ...discs.map((disc) => Math.hypot(...disc.centre.map((at, i) => at - (centre[i] as number)), disc.radius)),
   )
-  return { look, centre, half: (MARGIN * ball) / Math.min(1, aspect) }
+  return raised(look, centre, ball, ball, screen)
+}
+
+/** The frame in which so much to either side and up and down fits between the screen's top and its foot. */
+function raised(look: Look, middle: Vector, wide: number, tall: number, { aspect, foot, margin }: Screen): Frame {
+  const half = margin * Math.max(tall / (1 - foot), wide / aspect)
+  const down = half * foot
+  const centre = middle.map((at, index) => at - down * (look.up[index] as number)) as unknown as Vector
+  return { look, centre, half }
 }
 
 type Span = [number, number]

@@ -14,8 +14,12 @@ import { webglPicture } from './webgl'
 import { Whirling } from './whirl'
 
 /** How long the longest arrow is at scale 1, as a share of the engine's greatest breadth or height. */
-const ARROW = 0.34
+const ARROW = 0.28
 const DENSEST = 2
+/** Kept at the lower edge for axes and scales, pixels. */
+const FOOT = 58
+/** Room round the engine, and with arrows on every cylinder. */
+const [MARGIN, ROOMY] = [1.06, 1.25]
 
 export const createStage: CreateStage = (element, exhibit, onOrbit) =>
   new EngineStage(element, exhibit, onOrbit, webglPicture() ?? flatPicture())
@@ -105,7 +109,12 @@ class EngineStage implements Stage {
     const { low, high } = scene
     const { width, height } = this.#size
     const palette = view.dark ? DARK : LIGHT
-    const frame = this.#viewpoint.frame(view.camera, this.#discs, width / height, performance.now())
+    const screen = {
+      aspect: width / height,
+      foot: Math.min(0.25, FOOT / height),
+      margin: view.arrows.force && view.arrows.cylinders ? ROOMY : MARGIN,
+    }
+    const frame = this.#viewpoint.frame(view.camera, this.#discs, screen, performance.now())
     const instant = this.#now(view)
     moved(this.#chain, view.theta, this.#places)
     instant.view = view
@@ -152,18 +161,20 @@ class EngineStage implements Stage {
     canvas.style.cursor = free ? 'grab' : ''
   }
 
-  /** The sheet changes only with the camera, the size, the colours and the scale of arrows. */
-  #write({ frame, palette, load, arrow }: Instant): void {
+  /** Unless the engine moves, the sheet changes only with the camera, the size, the colours and the scale of arrows. */
+  #write({ view, frame, palette, load, arrow, moved: displacement }: Instant): void {
     const { width, height, density } = this.#size
     const { look, centre, half } = frame
     const { force, couple } = load
-    const state = [...look.right, ...look.up, ...centre, half, width, height, density, palette, force, couple, arrow]
+    const { magnification } = view.whirl
+    const still = [...look.right, ...look.up, ...centre, half, width, height, density, palette, force, couple, arrow]
+    const state = magnification > 0 ? [...still, magnification, view.theta, view.whirl.orders] : still
     if (same(state, this.#written)) return
     this.#written = state
     const to = this.#sheet.getContext('2d')
     if (!to) return
     to.setTransform(density, 0, 0, density, 0, 0)
-    write(to, this.#exhibit, { frame, width, height, palette, load, arrow })
+    write(to, this.#exhibit, { frame, width, height, palette, load, arrow, moved: displacement, magnification })
   }
 
   #trace({ view, moved: displacement, palette }: Instant): void {
@@ -185,10 +196,9 @@ class EngineStage implements Stage {
     const [front, rear] = this.#whirling.ends
     const { orders } = view.whirl
     const whirling = new Whirling(this.#exhibit)
-    this.#inset.trace(
-      { front: whirling.path(front, orders), rear: whirling.path(rear, orders) },
-      this.#exhibit.scene.length_unit,
-    )
+    const { length_unit, low, high } = this.#exhibit.scene
+    const paths = { front: whirling.path(front, orders), rear: whirling.path(rear, orders) }
+    this.#inset.trace(paths, length_unit, Math.max(high[0] - low[0], high[1] - low[1]))
   }
 
   read(): Reading {

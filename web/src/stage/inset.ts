@@ -1,5 +1,6 @@
 import { css, type Palette } from './palette'
 import { roundValue } from './sheet'
+import { REST } from './whirl'
 
 const SIZE = 148
 const FONT = '11px system-ui, sans-serif'
@@ -37,13 +38,14 @@ export class Inset {
     return this.#paths
   }
 
-  /** Takes new paths; `unit` is the scene's. */
-  trace(paths: Paths, unit: string): void {
+  /** Takes new paths; `unit` is the scene's, `size` the engine's. */
+  trace(paths: Paths, unit: string, size: number): void {
     this.#paths = paths
     const most = Math.max(...[...paths.front, ...paths.rear].map(([up, right]) => Math.hypot(up, right)), 0)
-    this.#pixels = most > 0 ? (0.4 * SIZE) / most : 0
-    this.#ring = most > 0 ? roundValue(1.0001 * most) : 0
-    this.#label = most > 0 ? `ring: ${small(this.#ring, unit)}` : 'stays at rest'
+    const some = most > REST * size
+    this.#pixels = some ? (0.4 * SIZE) / most : 0
+    this.#ring = some ? roundValue(1.0001 * most) : 0
+    this.#label = some ? `ring: ${small(this.#ring, unit)}` : 'stays at rest'
     this.#outlines = [this.#outline(paths.front), this.#outline(paths.rear)]
   }
 

@@ -21,8 +21,8 @@ export interface Load {
   couple: number
 }
 
-/** What is smaller than this share of the greatest force of a cylinder (or of its couple) is rounding, and no arrow. */
-const ROUNDING = 1e-9
+/** A sum that is less than this share of the greatest force of a cylinder (or of its couple) is not drawn larger for that. */
+const LITTLE = 0.02
 
 /** Forces of an exhibit as arrows. The couple is a pair of forces at the two ends, in the plane in which it acts. */
 export class Loads {
@@ -67,18 +67,13 @@ export class Loads {
     const { theta, arrows } = view
     const load = this.#load
     const { orders } = this.#exhibit
-    if (!arrows.force && !arrows.couple) {
-      for (const pull of load.pulls) pull.up = pull.right = 0
-      load.force = load.couple = 0
-      return load
-    }
     this.#scale(view)
     turn(this.#phase, orders, theta, arrows.orders)
-    this.#put(0, this.#force, arrows.force ? load.force : 0, 1)
-    this.#put(1, this.#couple, arrows.couple ? load.couple : 0, 1)
-    this.#put(2, this.#couple, arrows.couple ? load.couple : 0, -1)
+    this.#put(0, this.#force, load.force, 1)
+    this.#put(1, this.#couple, load.couple, 1)
+    this.#put(2, this.#couple, load.couple, -1)
     for (let index = 0; index < this.#parts.length; index++) {
-      const scale = arrows.force && arrows.cylinders ? load.force : 0
+      const scale = arrows.cylinders ? load.force : 0
       this.#put(3 + index, this.#parts[index] as Coefficients, scale, 1)
     }
     return load
@@ -94,7 +89,7 @@ export class Loads {
 
   /** The greatest of what is shown, whenever that is something else than before. */
   #scale({ arrows }: View): void {
-    const key = `${arrows.cylinders} ${arrows.orders?.join() ?? 'all'}`
+    const key = `${arrows.force} ${arrows.couple} ${arrows.cylinders} ${arrows.orders?.join() ?? 'all'}`
     if (key === this.#scaled) return
     this.#scaled = key
     const { orders, turns, cylinders, reference_z } = this.#exhibit
@@ -104,8 +99,7 @@ export class Loads {
     const couple = most(this.#couple, arrows.orders)
     const alone = Math.max(0, ...parts)
     const arm = Math.max(0, ...cylinders.map((part) => Math.abs(part.z - reference_z)))
-    const shown = arrows.cylinders ? Math.max(force, alone) : force
-    this.#load.force = shown > ROUNDING * alone ? shown : 0
-    this.#load.couple = couple > ROUNDING * alone * arm ? couple : 0
+    this.#load.force = !arrows.force ? 0 : Math.max(force, (arrows.cylinders ? 1 : LITTLE) * alone)
+    this.#load.couple = !arrows.couple ? 0 : Math.max(couple, LITTLE * alone * arm)
   }
 }

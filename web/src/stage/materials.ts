@@ -1,4 +1,4 @@
-import { AdditiveBlending, DoubleSide, NormalBlending, ShaderMaterial, Vector3 } from 'three'
+import { DoubleSide, ShaderMaterial, Vector3 } from 'three'
 import { channels, type Palette } from './palette'
 
 /**
@@ -131,7 +131,6 @@ export function materials(): Materials {
       set(glass, 'opacity', dark ? 0.2 : 0.17)
       colour(glassLines, 'base', palette.glass)
       set(glassLines, 'opacity', dark ? 0.42 : 0.5)
-      glow.blending = dark ? AdditiveBlending : NormalBlending
     },
     dispose: () => {
       for (const material of all) material.dispose()

@@ -37,7 +37,7 @@ export const LIGHT: Palette = {
 }
 
 export const DARK: Palette = {
-  crankshaft: [0xd9473b, 0xf0998d],
+  crankshaft: [0xbf3f35, 0xdc8a7f],
   balanceShaft: [0x1da27e, 0x7bd0b8],
   gear: [0xb8954f, 0xdcc48c],
   piston: [0x98a5b1, 0x6c7986],

@@ -3,6 +3,7 @@ import { dot, type Frame, type Vector } from './cameras'
 import { along, facesAnother } from './extent'
 import type { Load } from './load'
 import { css, type Palette } from './palette'
+import { type Displacement, displaced } from './whirl'
 
 const FONT = 'system-ui, sans-serif'
 /** Length of the frame's axes on the screen, pixels. */
@@ -24,6 +25,9 @@ export interface Writing {
   readonly load: Load
   /** Length of the longest arrow, in the scene's unit, with its scale. */
   readonly arrow: number
+  /** How the block has moved, and how much that is magnified. */
+  readonly moved: Displacement
+  readonly magnification: number
 }
 
 /** Puts a point of the scene on the screen. */
@@ -50,11 +54,12 @@ export function write(to: CanvasRenderingContext2D, exhibit: Exhibit, writing: W
 }
 
 /** The number of every cylinder beyond its head; those behind each other in one label, none on top of another. */
-function numbers(to: CanvasRenderingContext2D, { scene }: Exhibit, writing: Writing): void {
+function numbers(to: CanvasRenderingContext2D, { scene, whirl }: Exhibit, writing: Writing): void {
   const labels: { x: number; y: number; near: number; names: number[] }[] = []
   for (const c of scene.cylinders) {
     const beyond = facesAnother(c, scene.cylinders) ? 0 : 0.22 * c.bore
-    const point = along(scene, c, c.bore_to + beyond)
+    const rest = along(scene, c, c.bore_to + beyond)
+    const point = displaced(whirl, writing.moved, writing.magnification, rest, [0, 0, 0])
     const [x, y] = projected(writing, point)
     const near = dot(point, writing.frame.look.back)
     const label = labels.find((one) => Math.hypot(one.x - x, one.y - y) < CLOSE)
@@ -80,7 +85,7 @@ function numbers(to: CanvasRenderingContext2D, { scene }: Exhibit, writing: Writ
 
 /** The frame's axes in the lower left corner; one that points at the eye is a dot, one that points away a cross. */
 function axes(to: CanvasRenderingContext2D, { frame, height, palette }: Writing): void {
-  const [x, y] = [66, height - 50]
+  const [x, y] = [78, height - 50]
   to.strokeStyle = palette.quiet
   to.fillStyle = palette.quiet
   to.font = `11px ${FONT}`
@@ -133,7 +138,7 @@ function scale(
   const perPixel = value / ((arrow * height) / 2 / frame.half)
   const round = roundValue(perPixel * Math.min(96, width / 5))
   const long = round / perPixel
-  const x = width < 560 ? 140 : 156
+  const x = width < 560 ? 150 : 166
   to.strokeStyle = to.fillStyle = css(colour)
   to.lineWidth = 3
   line(to, x, y, x + long - 6, y)
@@ -146,7 +151,7 @@ function scale(
   to.font = `12px ${FONT}`
   to.textAlign = 'left'
   to.textBaseline = 'middle'
-  const what = name === 'couple' && width >= 560 ? 'couple, a pair of forces in the plane in which it acts' : name
+  const what = name === 'couple' && width >= 560 ? 'couple, as a pair of forces in its plane' : name
   to.fillText(`${quantity(round, unit)}  ${what}`, x + long + 8, y)
 }
 

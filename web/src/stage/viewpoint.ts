@@ -1,4 +1,4 @@
-import { between, type Frame, frameOf, HOME, type Orbit, type Vector } from './cameras'
+import { between, type Frame, frameOf, HOME, type Orbit, type Screen, type Vector } from './cameras'
 import type { Disc } from './extent'
 import type { Camera } from './stage'
 
@@ -22,9 +22,9 @@ export class Viewpoint {
     return this.#from !== null
   }
 
-  /** The frame at time `now` (ms) for a camera, what it looks at and the shape of the stage. */
-  frame(camera: Camera, discs: readonly Disc[], aspect: number, now: number): Frame {
-    const goal = this.#shifted(frameOf(camera, this.orbit, discs, aspect), camera)
+  /** The frame at time `now` (ms) for a camera, what it looks at and what it is fitted into. */
+  frame(camera: Camera, discs: readonly Disc[], screen: Screen, now: number): Frame {
+    const goal = this.#shifted(frameOf(camera, this.orbit, discs, screen), camera)
     if (this.#camera !== null && this.#camera !== camera && this.#last !== null && !still()) {
       this.#from = this.#last
       this.#since = now

@@ -1,4 +1,4 @@
-import type { Exhibit } from '../exhibit'
+import type { Exhibit, Whirl } from '../exhibit'
 import {
   type Coefficients,
   coefficientsOf,
@@ -10,6 +10,7 @@ import {
   turn,
   vectorAt,
 } from '../phasor'
+import type { Vector } from './cameras'
 
 /**
  * The small motion of the rigid engine at an instant: the centre goes by `up`, `right`; the axis by `tiltUp`, `tiltRight` more
@@ -93,3 +94,42 @@ export class Whirling {
 export function rotation(moved: Displacement, magnification: number): [number, number, number] {
   return [-moved.tiltUp * magnification, moved.tiltRight * magnification, -moved.turn * magnification]
 }
+
+/**
+ * Where a point of the block (x, y, z) is drawn: a true rotation about the centre of mass by the small angles times the
+ * magnification, and the shift. Written into `out`.
+ */
+export function displaced(
+  whirl: Whirl,
+  moved: Displacement,
+  magnification: number,
+  [x, y, z]: Vector,
+  out: [number, number, number],
+): [number, number, number] {
+  const [cy, cx, cz] = whirl.centre
+  const [wx, wy, wz] = rotation(moved, magnification)
+  const angle = Math.hypot(wx, wy, wz)
+  const [rx, ry, rz] = [x - cx, y - cy, z - cz]
+  // Rodrigues' formula with sin(a)/a and (1 - cos(a))/a^2, which have limits where nothing turns.
+  const first = angle > 1e-9 ? Math.sin(angle) / angle : 1
+  const second = angle > 1e-9 ? (1 - Math.cos(angle)) / angle ** 2 : 0.5
+  const along = second * (wx * rx + wy * ry + wz * rz)
+  const cosine = Math.cos(angle)
+  out[0] = cx + rx * cosine + first * (wy * rz - wz * ry) + along * wx + moved.right * magnification
+  out[1] = cy + ry * cosine + first * (wz * rx - wx * rz) + along * wy + moved.up * magnification
+  out[2] = cz + rz * cosine + first * (wx * ry - wy * rx) + along * wz
+  return out
+}
+
+/** A magnification at which the ends of the crank axis move by a twentieth of the engine's size; 1 if they stay at rest. */
+export function fittingMagnification(exhibit: Exhibit, chosen: readonly number[] | null = null): number {
+  const whirling = new Whirling(exhibit)
+  const { low, high } = exhibit.scene
+  const size = Math.max(high[0] - low[0], high[1] - low[1])
+  const lengths = whirling.ends.flatMap((z) => whirling.path(z, chosen)).map(([up, right]) => Math.hypot(up, right))
+  const most = Math.max(...lengths)
+  return most > REST * size ? +((0.05 * size) / most).toPrecision(2) : 1
+}
+
+/** A path that is shorter than this share of the engine's size is none. */
+export const REST = 1e-7
