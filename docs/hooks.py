@@ -41,6 +41,7 @@ TABLES: dict[str, type[Record]] = {
     "rod": records.Rod,
     "articulated": records.Articulation,
     "valves": records.Valves,
+    "block": records.Block,
     "provenance": records.Provenance,
     **{kind: _layout(kind) for kind in layouts.LAYOUTS},
     "bank": layouts.Bank,

@@ -13,6 +13,7 @@ from crankstar import motion
 from crankstar.catalog import Summary
 from crankstar.engine import Engine
 from crankstar.firing import dead_centres
+from crankstar.records import Block
 from crankstar.wording import heading, number, table, timing_lines, titled
 
 HIGHEST_HARMONIC, SMALLEST_HARMONIC = 8, 1e-12
@@ -27,6 +28,8 @@ def description(engine: Engine) -> RenderableType:
     blocks += [rotors(engine), cylinders(engine), harmonics(engine)]
     if engine.valves is not None:
         blocks += [Text(), *(Text(line) for line in timing_lines(engine))]
+    if engine.block is not None:
+        blocks.append(_block(engine, engine.block))
     for title, body in (("source", engine.source), ("notes", engine.notes)):
         if body:
             blocks.append(Text(f"{title}: {body}"))
@@ -109,6 +112,19 @@ def cylinders(engine: Engine) -> RenderableType:
             number(centres[cylinder.chamber or cylinder.number].angle_deg, 360.0),
         )
     return titled("Cylinders", out)
+
+
+def _block(engine: Engine, block: Block) -> RenderableType:
+    """The whole engine as a rigid body."""
+    across, along, mass = _lengths(engine)
+    unit = "m r²" if "mass" in engine.relative else "kg r²" if "radius" in engine.relative else "kg m²"
+    place = "the middle" if block.z is None else f"z = {number(block.z * along[0], 1.0)} {along[1]}"
+    words = f"mass {number(block.mass * mass[0])} {mass[1]}, centre of mass {number(block.up * across[0], 1.0)} {across[1]} up, "
+    words += f"{number(block.right * across[0], 1.0)} {across[1]} right, {place}"
+    if block.inertia is not None:
+        shown = ", ".join(f"{number(size)} ({name})" for name, size in zip(("up", "right", "z"), block.inertia, strict=True))
+        words += f"; moments of inertia {shown} {unit}"
+    return titled("Block: the whole engine as a rigid body", Text(words))
 
 
 def harmonics(engine: Engine) -> RenderableType:

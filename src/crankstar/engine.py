@@ -17,11 +17,13 @@ from pydantic import Field, model_validator
 from crankstar import valves
 from crankstar.fault import EngineError, Fault, counted, cylinders, listed
 from crankstar.quantity import GREATEST_LENGTH, GREATEST_RELATIVE, Pitch, Unknown, seen
-from crankstar.records import GREATEST_CYLINDERS, Cylinder, Identity, Shaft, Throw
+from crankstar.records import GREATEST_CYLINDERS, Block, Cylinder, Identity, Shaft, Throw
 
 MINIMUM_CLEARANCE = 1.001
 """Least rod length over (crank radius + |offset|): nearer to locking, forces run away and no real engine is there."""
 
+ROUNDED = 1e-3
+"""Share by which moments of inertia given to a few figures may miss what they must be."""
 GREATEST_SHAFTS = 16
 GREATEST_CHAIN = 8
 """Rods one on the other: real engines have one on a master; a longer chain is a mistake, and dear to follow."""
@@ -138,8 +140,27 @@ def _faults(engine: Engine) -> Iterator[Fault]:
     yield from _cylinder_faults(engine)
     yield from _firing_faults(engine)
     yield from valves.faults(engine.valves, cycle=engine.cycle, chambers=engine.chambers)
+    yield from _block_faults(engine.block)
     if len(set(engine.relative)) != len(engine.relative):
         yield Fault(("relative",), "names the same thing twice; name each once")
+
+
+def _block_faults(block: Block | None) -> Iterator[Fault]:
+    """Moments of inertia that no body has: each is at most the sum of the two others."""
+    if block is None:
+        return
+    told = {name: getattr(block, name) for name in ("inertia_up", "inertia_right", "inertia_z")}
+    missing = [name for name, value in told.items() if value is None]
+    if 0 < len(missing) < len(told):
+        yield Fault(("block", missing[0]), "is missing, and other moments of inertia are given; give all three, or none of them")
+    if missing:
+        return
+    name = max(told, key=told.__getitem__)
+    rest = sum(told.values()) - told[name]
+    if told[name] > rest * (1 + ROUNDED):
+        others = " and ".join(other for other in told if other != name)
+        message = f"is {told[name]:.6g}, more than {others} together ({rest:.6g}); no body has such moments of inertia"
+        yield Fault(("block", name), message)
 
 
 def _shaft_faults(engine: Engine) -> Iterator[Fault]:

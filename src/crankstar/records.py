@@ -1,4 +1,4 @@
-"""The frozen records an engine is made of, in SI units: shafts, throws, weights, cylinders, rods, valves, and who the engine is.
+"""The frozen records an engine is made of, in SI units: shafts, throws, weights, cylinders, rods, valves, the block, and who it is.
 
 Bearings and positions are those of the clock plane: `up` and `right` seen from the front, angles clockwise from up, z
 positive to the front. What they must be together is checked by `engine`.
@@ -13,6 +13,7 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from crankstar.quantity import (
     Angle,
+    BodyInertia,
     Cycle,
     Inertia,
     Length,
@@ -145,6 +146,37 @@ class Valves(Record):
     )
 
 
+class Block(Record):
+    """The whole engine as the rigid body that its moving parts shake: mass, centre of mass, moments of inertia.
+
+    All of it, as it hangs on its mounts, moving parts included; about z without crankshaft and flywheel, which turn on
+    whatever the block does. What is left out is estimated where it is needed, and marked so.
+    """
+
+    mass: MovingMass = Field(description="of the whole engine, moving parts included", examples=["165 kg"])
+    up: Length = Field(default=0.0, description="height of its centre of mass over the reference shaft")
+    right: Length = Field(default=0.0, description="its centre of mass to the right of the reference shaft, seen from the front")
+    z: Position | None = Field(
+        default=None, description="its centre of mass, positive to the front; the middle of the cylinders if left out"
+    )
+    inertia_up: BodyInertia | None = Field(
+        default=None, description="about the axis upward through its centre of mass (yaw); give all three or none"
+    )
+    inertia_right: BodyInertia | None = Field(
+        default=None, description="about the axis to the right through its centre of mass (pitch)"
+    )
+    inertia_z: BodyInertia | None = Field(
+        default=None, description="about the axis along z through its centre of mass (roll), without crankshaft and flywheel"
+    )
+
+    @property
+    def inertia(self) -> tuple[float, float, float] | None:
+        """The three moments of inertia: up, right, z; None where they are not given."""
+        if self.inertia_up is None or self.inertia_right is None or self.inertia_z is None:
+            return None
+        return self.inertia_up, self.inertia_right, self.inertia_z
+
+
 class Provenance(Record):
     """Where a value of an engine file comes from."""
 
@@ -174,6 +206,7 @@ class Identity(Record):
     valves: Valves | None = Field(
         default=None, description="when valves or ports are open; typical angles are assumed for what is left out"
     )
+    block: Block | None = Field(default=None, description="mass, centre of mass and moments of inertia of the whole engine")
     source: Text = Field(default="", description="where the numbers come from")
     notes: Text = Field(default="", description="anything a reader should know")
     provenance: dict[Line, Provenance] = Field(default={}, max_length=1000, description="by key path: where each value comes from")

@@ -55,44 +55,62 @@ class Response:
     turn: Spectrum
 
 
-def estimated(engine: Engine, *, along: float = 1.0) -> Body:
-    """The engine as a homogeneous round bar about the crankshaft, for want of anything better.
+def body(engine: Engine, *, along: float = 1.0) -> Body:
+    """The engine as a rigid body, as its file gives it in `[block]`; what is missing there is that of a round bar, and told.
 
-    Its mass is `MASS_TO_PISTONS` reciprocating masses (of a rigid rod a third counts), its length the span of the cylinders
-    and a stroke more, its radius `RADIUS_TO_REACH` of how far the pistons go. A round bar whirls in a circle where the couple
-    is one. `along` is how many units across the crankshaft one along it is (1 but for engines whose bore pitch or stroke is
-    not known).
+    The bar is homogeneous and lies along the crankshaft about the centre of mass. Its mass is `MASS_TO_PISTONS` reciprocating
+    masses (of a rigid rod a third counts), its length the span of the cylinders and a stroke more, its radius
+    `RADIUS_TO_REACH` of how far the pistons go. A round bar whirls in a circle where the couple is one. `along` is how many
+    units across the crankshaft one along it is (1 but for engines whose bore pitch or stroke is not known); the body is in units
+    across.
     """
+    block, middle = engine.block, default_reference(engine).z
     pistons = sum(c.reciprocating_mass + (c.rod.mass / 3 if c.rod else 0.0) for c in engine.cylinders)
+    mass = MASS_TO_PISTONS * pistons if block is None else block.mass
+    centre = (0.0, 0.0, middle * along)
+    if block is not None:
+        centre = (block.up, block.right, (middle if block.z is None else block.z) * along)
+    inertia = None if block is None else block.inertia
+    bar = "a homogeneous round bar about the crankshaft"
+    if inertia is not None:
+        return Body(mass, centre, inertia)
+    told = f"The engine file gives no moments of inertia in [block]: they are those of {bar}."
+    if block is None:
+        told = (
+            f"The engine file gives no [block]: mass, centre and inertia are those of {bar}, {MASS_TO_PISTONS:g} times as heavy as "
+        )
+        told += "the reciprocating parts."
+    return Body(mass, centre, _bar(engine, mass, along), (told,))
+
+
+def _bar(engine: Engine, mass: float, along: float) -> tuple[float, float, float]:
+    """The moments of inertia of the estimated bar: m (3 R^2 + L^2)/12 across, m R^2/2 along."""
     places = [cylinder.z * along for cylinder in engine.cylinders]
-    radii = [engine.throw(cylinder).radius for cylinder in engine.cylinders]
-    reach = max(radius + cylinder.rod_length for radius, cylinder in zip(radii, engine.cylinders, strict=True))
-    mass, length, radius = MASS_TO_PISTONS * pistons, max(places) - min(places) + 2 * max(radii), RADIUS_TO_REACH * reach
+    strokes = [engine.throw(cylinder).radius for cylinder in engine.cylinders]
+    reach = max(radius + cylinder.rod_length for radius, cylinder in zip(strokes, engine.cylinders, strict=True))
+    length, radius = max(places) - min(places) + 2 * max(strokes), RADIUS_TO_REACH * reach
     across = mass * (3 * radius**2 + length**2) / 12
-    bar = "mass, centre and inertia are those of a homogeneous round bar about the crankshaft"
-    told = (f"The engine file gives no [block]: {bar}, {MASS_TO_PISTONS:g} times as heavy as the reciprocating parts.",)
-    middle = default_reference(engine).z * along
-    return Body(mass, (0.0, 0.0, middle), (across, across, mass * radius**2 / 2), told)
+    return across, across, mass * radius**2 / 2
 
 
-def response(engine: Engine, *, body: Body, along: float = 1.0, orders: tuple[float, ...] | None = None) -> Response:
-    """The free response of an engine as a rigid body; `along` as in `estimated`, `body` in units across the crankshaft.
+def response(engine: Engine, *, of: Body, along: float = 1.0, orders: tuple[float, ...] | None = None) -> Response:
+    """The free response of an engine as a rigid body; `along` as in `body`, `of` the body that answers, in units across.
 
     >>> from crankstar.catalog import load
     >>> engine = load("v8-cross-plane")
-    >>> found = response(engine, body=estimated(engine), orders=(1.0,))
-    >>> abs(found.tilt.backward[0]) < 1e-12 * abs(found.tilt.forward[0])  # it whirls in a circle
+    >>> found = response(engine, of=body(engine), orders=(1.0,))
+    >>> float(abs(found.tilt.forward[0])) > 1e12 * float(abs(found.tilt.backward[0]))  # it whirls in a circle
     True
     """
-    up, right, z = body.centre
+    up, right, z = of.centre
     sums = total(spectra(mechanism(engine), reference=Reference(z / along, up, right), orders=orders))
     force, couple, roll = sums.force, phasor.scaled(sums.couple, along), block_roll(sums)
     squared = -(force.orders**2)
-    about_up, about_right, about_z = body.inertia
+    about_up, about_right, about_z = of.inertia
     tilt = _apart(couple, up=1 / about_right, right=1 / about_up)
     return Response(
-        body,
-        shift=phasor.scaled(force, 1 / (body.mass * squared)),
+        of,
+        shift=phasor.scaled(force, 1 / (of.mass * squared)),
         tilt=phasor.scaled(tilt, 1 / squared),
         turn=phasor.scaled(roll, 1 / (about_z * squared)),
     )

@@ -71,8 +71,8 @@ def by_cylinder(engine: Engine, result: Balance, orders: Sequence[float], *, alo
 
 def free_response(engine: Engine, orders: Sequence[float], *, along: float) -> Whirl:
     """How the engine moves if nothing holds it."""
-    body = whirl.estimated(engine, along=along)
-    found = whirl.response(engine, body=body, along=along, orders=tuple(orders))
+    body = whirl.body(engine, along=along)
+    found = whirl.response(engine, of=body, along=along, orders=tuple(orders))
     return Whirl(
         centre=body.centre,
         mass=body.mass,

@@ -1,0 +1,155 @@
+"""A free engine: its centre of mass stays where it is, its angular momentum what it was; and engines that whirl in a circle."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from tests.newton import Rate, Road, road
+from tests.strategies import PLACES, engines, number
+
+import crankstar
+from crankstar import phasor, whirl
+from crankstar.balance import Reference
+from crankstar.engine import Engine
+from crankstar.records import Block
+from crankstar.whirl import Body
+
+TOLERANCE = 1e-9
+PARTS = st.tuples(number(0.1, 20.0), number(0.1, 20.0), number(0.1, 20.0))
+BODIES = st.builds(
+    lambda mass, centre, parts: Body(mass, centre, (parts[0] + parts[1], parts[1] + parts[2], parts[2] + parts[0])),
+    number(20.0, 900.0),
+    st.tuples(PLACES, PLACES, PLACES),
+    PARTS,
+)
+
+
+def varying(samples: np.ndarray) -> np.ndarray:
+    """What is left when the mean over the period is taken away."""
+    return samples - samples.mean(axis=0)
+
+
+def moments(walked: Road, body: Body) -> tuple[np.ndarray, np.ndarray, float]:
+    """Sums over the moving bodies of mass times place, and of mass times place times arm along z, as `up + i*right`."""
+    first = np.zeros(len(walked.theta), np.clongdouble)
+    second = np.zeros(len(walked.theta), np.clongdouble)
+    whole = 0.0
+    for part in walked.bodies:
+        moved = varying(part.mass * (part.centre[:, 1] + 1j * part.centre[:, 0]))
+        first += moved
+        second += (part.z - body.centre[2]) * moved
+        whole = max(whole, float(np.abs(moved).max()))
+    return first, second, whole
+
+
+def angular(walked: Road, body: Body, sense: int) -> tuple[np.ndarray, float]:
+    """The clockwise angular momentum of moving bodies and flywheel about the axis through the centre of mass, at 1 rad/s.
+
+    The flywheel takes from the parts what they lose of their kinetic energy.
+    """
+    turns = round(float(walked.theta[1] * len(walked.theta) / (2 * np.pi)))
+    rate = Rate(turns, len(walked.theta))
+    up, right, _ = body.centre
+    out, whole = np.zeros(len(walked.theta), np.longdouble), 0.0
+    for part in walked.bodies:
+        velocity, spin = rate(part.centre), rate(part.counter_clockwise)
+        arm = part.centre + np.array(part.axis) - np.array([right, up])
+        moved = part.mass * (arm[:, 1] * velocity[:, 0] - arm[:, 0] * velocity[:, 1]) - part.inertia * spin
+        energy = part.mass * np.sum(velocity**2, axis=1) / 2 + part.inertia * spin**2 / 2
+        out += varying(moved) - sense * varying(energy)
+        whole = max(whole, float(np.abs(moved).max()), float(np.abs(energy).max()))
+    return out, whole
+
+
+@settings(max_examples=60)
+@given(engines(known=True), BODIES)
+def test_centre_of_mass_and_angular_momentum_stay_what_they_were(engine: Engine, body: Body) -> None:
+    walked = road(engine, reference=Reference(0.0), speed=1.0)
+    found = whirl.response(engine, of=body)
+    few = slice(None, None, max(1, len(walked.theta) // 50))
+    theta = walked.theta[few].astype(float)
+    first, second, whole = (part[few] if isinstance(part, np.ndarray) else part for part in moments(walked, body))
+    shift, tilt = phasor.value(found.shift, theta), phasor.value(found.tilt, theta)
+    assert np.abs(body.mass * shift + first).max() <= TOLERANCE * whole
+    about_up, about_right, about_z = body.inertia
+    swung = about_right * tilt.real + 1j * about_up * tilt.imag
+    reach = max(abs(part.z - body.centre[2]) for part in walked.bodies) + 1e-3
+    assert np.abs(swung + second).max() <= TOLERANCE * whole * reach
+    turning = phasor.real_signal(found.turn.orders, 1j * found.turn.orders * phasor.amplitude(found.turn))
+    spun, most = angular(walked, body, engine.sense)
+    assert np.abs(about_z * phasor.value(turning, theta).real + spun[few]).max() <= 10 * TOLERANCE * most
+
+
+def axes(found: whirl.Response, order: float) -> tuple[float, float]:
+    tilt = phasor.selected(found.tilt, order)
+    path = phasor.ellipse(complex(tilt.forward[0]), complex(tilt.backward[0]))
+    return path.semi_major, path.semi_minor
+
+
+@pytest.mark.parametrize("name", ["v8-cross-plane", "ford-coyote", "toyota-1uz-fe"])
+def test_a_cross_plane_v8_whirls_in_a_circle_about_its_middle(name: str) -> None:
+    engine = crankstar.load(name)
+    found = whirl.response(engine, of=whirl.body(engine))
+    long, short = axes(found, 1.0)
+    assert long > 0
+    assert short == pytest.approx(long, rel=0.01)
+    first = phasor.selected(found.shift, 1.0)
+    assert np.abs(first.forward[0]) + np.abs(first.backward[0]) < 1e-9 * long
+
+
+def test_a_cross_plane_v8_whirls_as_far_as_its_couple_says() -> None:
+    """sqrt(10) m r a of couple about the middle, by hand, over the inertia of the bar; order 1, so k is 1."""
+    engine = crankstar.load("v8-cross-plane")
+    body = whirl.body(engine)
+    pistons = 8.0
+    length, radius = 3.2 + 2.0, 0.5 * (1 + engine.first.rod_length)
+    assert body.mass == pytest.approx(40 * pistons)
+    assert body.inertia[1] == pytest.approx(40 * pistons * (3 * radius**2 + length**2) / 12)
+    long, _ = axes(whirl.response(engine, of=body), 1.0)
+    assert long * body.inertia[1] == pytest.approx(10**0.5, rel=1e-9)
+
+
+def test_a_heavy_flat_engine_makes_an_ellipse_of_a_round_couple() -> None:
+    engine = crankstar.load("v8-cross-plane")
+    bar = whirl.body(engine)
+    flat = Body(bar.mass, bar.centre, (3 * bar.inertia[0], bar.inertia[1], bar.inertia[2]))
+    long, short = axes(whirl.response(engine, of=flat), 1.0)
+    assert long == pytest.approx(3 * short)
+
+
+def test_the_block_of_a_file_is_what_answers_and_what_it_leaves_out_is_told() -> None:
+    engine = crankstar.load("audi-25-tfsi")
+    assert "homogeneous round bar" in whirl.body(engine).assumed[0]
+    known = Block(mass=180.0, up=0.1, right=-0.01, z=0.02, inertia_up=11.0, inertia_right=12.0, inertia_z=5.0)
+    body = whirl.body(engine.model_copy(update={"block": known}))
+    assert body == Body(180.0, (0.1, -0.01, 0.02), (11.0, 12.0, 5.0))
+    weighed = whirl.body(engine.model_copy(update={"block": Block(mass=180.0)}))
+    assert weighed.mass == 180.0
+    assert weighed.inertia[0] == weighed.inertia[1]
+    assert "moments of inertia" in weighed.assumed[0]
+
+
+def test_lengths_along_a_shaft_of_unknown_pitch_are_counted_in_units_across() -> None:
+    """An engine in its own units, and the same engine in units of which one along is `along` of those across."""
+    engine = crankstar.load("i4")
+    along = 2.36
+    body = whirl.body(engine, along=along)
+    assert body.centre == (0.0, 0.0, 0.0)
+    stretched = engine.model_copy(
+        update={
+            "shafts": tuple(
+                shaft.model_copy(
+                    update={"throws": tuple(throw.model_copy(update={"z": throw.z * along}) for throw in shaft.throws)}
+                )
+                for shaft in engine.shafts
+            ),
+            "cylinders": tuple(c.model_copy(update={"z": c.z * along}) for c in engine.cylinders),
+        }
+    )
+    assert whirl.body(stretched) == body
+    shifted = Body(body.mass, (0.0, 0.0, 1.5), body.inertia)
+    one, other = whirl.response(engine, of=shifted, along=along), whirl.response(stretched, of=shifted)
+    for name in ("shift", "tilt", "turn"):
+        assert np.allclose(getattr(one, name).forward, getattr(other, name).forward, rtol=1e-12, atol=1e-15)
