@@ -1,28 +1,249 @@
 import type { Exhibit } from '../exhibit'
-import type { Chain } from '../motion'
+import type { Chain, Places } from '../motion'
+import { type Body, bodiesOf, coloursOf } from './bodies'
+import { dot, type Vector } from './cameras'
+import { boreEnd } from './extent'
+import { hull } from './hull'
+import { css } from './palette'
 import type { Instant, Picture } from './picture'
 import type { Reading } from './stage'
+import { tint, windowsOf } from './strokes'
+import { displaced } from './whirl'
 
-/** A picture without WebGL. */
+/** A picture without WebGL: the same views, made of the outlines of convex bodies, the farthest first. */
 export function flatPicture(): Picture {
   return new FlatPicture()
+}
+
+/** Where a body stands: its origin, and the direction [up, right] of its y-axis. */
+interface Stand {
+  x: number
+  y: number
+  z: number
+  up: number
+  right: number
 }
 
 class FlatPicture implements Picture {
   readonly means = 'flat'
   readonly canvas = document.createElement('canvas')
+  #exhibit: Exhibit | null = null
+  #bodies: Body[] = []
+  #windows: ReturnType<typeof windowsOf> = []
+  readonly #hue = new Float32Array(4)
+  #size = { width: 1, height: 1, density: 1 }
+  /** Where the pistons and the pins of the shafts were drawn, [up, right, z]. */
+  #pistons: Reading['pistons'] = {}
+  #pins: Reading['pins'] = []
 
-  show(_exhibit: Exhibit, _chain: Chain): void {}
-  draw(_instant: Instant): void {}
+  show(exhibit: Exhibit, _chain: Chain): void {
+    this.#exhibit = exhibit
+    this.#bodies = bodiesOf(exhibit.scene)
+    this.#windows = windowsOf(exhibit)
+  }
+
+  draw(instant: Instant): void {
+    const to = this.canvas.getContext('2d')
+    const exhibit = this.#exhibit
+    if (!to || !exhibit) return
+    const { width, height, density } = this.#size
+    to.setTransform(density, 0, 0, density, 0, 0)
+    to.clearRect(0, 0, width, height)
+    to.lineJoin = 'round'
+    this.#pistons = {}
+    this.#pins = exhibit.scene.shafts.map(() => [])
+    const project = this.#projection(instant, exhibit)
+    const drawn = this.#bodies
+      .filter(({ fill }) => (fill === 'glass' ? instant.view.glass : fill !== 'charge' || instant.view.glow))
+      .map((body) => this.#flattened(body, exhibit, instant, project))
+    for (const shape of drawn.sort((a, b) => a.depth - b.depth)) this.#paint(to, shape, instant)
+    this.#arrows(to, instant, project)
+    this.#note(exhibit, instant)
+  }
+
+  /** Takes a point of the block to the screen: x, y, and how near it is. */
+  #projection({ frame, moved, view }: Instant, { whirl }: Exhibit): (point: Vector) => [number, number, number] {
+    const { width, height } = this.#size
+    const { look, centre, half } = frame
+    const pixels = height / 2 / half
+    const at: [number, number, number] = [0, 0, 0]
+    return (point) => {
+      displaced(whirl, moved, view.whirl.magnification, point, at)
+      const from: Vector = [at[0] - centre[0], at[1] - centre[1], at[2] - centre[2]]
+      return [
+        width / 2 + pixels * dot(from, look.right),
+        height / 2 - pixels * dot(from, look.up),
+        dot(from, look.back),
+      ]
+    }
+  }
+
+  #flattened(
+    body: Body,
+    exhibit: Exhibit,
+    { places, view }: Instant,
+    project: (p: Vector) => [number, number, number],
+  ) {
+    const stand = standOf(body, exhibit, places, view.theta)
+    const count = body.points.length / 3
+    const stretch = body.carrier === 'charge' ? chargeHeight(body, exhibit, places) : 1
+    const flat = new Float64Array(2 * count)
+    const depths: [number, number] = [0, 0]
+    for (let index = 0; index < count; index++) {
+      const [x, y, z] = body.points.subarray(3 * index, 3 * index + 3) as unknown as Vector
+      const place: Vector = [
+        stand.x + x * stand.up + y * stretch * stand.right,
+        stand.y - x * stand.right + y * stretch * stand.up,
+        stand.z + z,
+      ]
+      const [right, down, near] = project(place)
+      flat[2 * index] = right
+      flat[2 * index + 1] = down
+      depths[index < count / 2 ? 0 : 1] += (2 * near) / count
+    }
+    // What is inside a bore is painted over it: glass stands behind everything at its place.
+    const depth = (depths[0] + depths[1]) / 2 - (body.fill === 'glass' ? 1e-3 : 0)
+    return { body, flat, depth, nearer: depths[1] > depths[0] ? count / 2 : 0 }
+  }
+
+  #paint(to: CanvasRenderingContext2D, shape: Flattened, { palette, view }: Instant): void {
+    const { body, flat, nearer } = shape
+    const [side, cap] = coloursOf(body.fill, palette)
+    const glass = body.fill === 'glass'
+    trace(to, flat, hull(flat))
+    if (body.fill === 'charge') {
+      this.#glow(to, body, view.theta)
+      return
+    }
+    to.fillStyle = css(side, glass ? 0.13 : 1)
+    to.fill()
+    to.strokeStyle = glass ? css(palette.glass, 0.6) : css(palette.edge, palette.edgeOpacity)
+    to.lineWidth = 1
+    to.stroke()
+    const count = flat.length / 4
+    trace(
+      to,
+      flat,
+      Array.from({ length: count }, (_, index) => nearer + index),
+    )
+    to.fillStyle = css(cap, glass ? 0.08 : 1)
+    to.fill()
+    to.stroke()
+  }
+
+  /** Tints what is in a bore by its stroke. */
+  #glow(to: CanvasRenderingContext2D, body: Body, theta: number): void {
+    const cycle = this.#exhibit?.cycle_deg ?? 720
+    tint(this.#windows[body.index] ?? [], (theta * 180) / Math.PI, cycle, this.#hue, 0)
+    const [red, green, blue, opacity] = this.#hue as unknown as [number, number, number, number]
+    if (opacity <= 0) return
+    to.fillStyle = `rgb(${255 * red} ${255 * green} ${255 * blue} / ${opacity})`
+    to.fill()
+  }
+
+  #arrows(to: CanvasRenderingContext2D, { load, arrow, palette }: Instant, project: (p: Vector) => number[]): void {
+    to.lineCap = 'round'
+    for (const { kind, x, y, z, up, right } of load.pulls) {
+      const [fromX, fromY] = project([x, y, z]) as [number, number]
+      const [tipX, tipY] = project([x + right * arrow, y + up * arrow, z]) as [number, number]
+      const long = Math.hypot(tipX - fromX, tipY - fromY)
+      if (long < 3) continue
+      const [dx, dy] = [(tipX - fromX) / long, (tipY - fromY) / long]
+      const head = Math.min(12, 0.7 * long)
+      to.strokeStyle = to.fillStyle = css(palette[kind])
+      to.lineWidth = kind === 'part' ? 2 : 3.5
+      to.beginPath()
+      to.moveTo(fromX, fromY)
+      to.lineTo(tipX - head * dx, tipY - head * dy)
+      to.stroke()
+      to.beginPath()
+      to.moveTo(tipX, tipY)
+      to.lineTo(tipX - head * dx + 0.45 * head * dy, tipY - head * dy - 0.45 * head * dx)
+      to.lineTo(tipX - head * dx - 0.45 * head * dy, tipY - head * dy + 0.45 * head * dx)
+      to.fill()
+    }
+  }
+
+  /** Keeps where things were drawn. */
+  #note(exhibit: Exhibit, { places, view }: Instant): void {
+    const { scene, sense } = exhibit
+    scene.cylinders.forEach((c, index) => {
+      this.#pistons[c.number] = [places.piston[2 * index] as number, places.piston[2 * index + 1] as number, c.z]
+    })
+    this.#pins = scene.shafts.map((shaft) =>
+      shaft.throws.map(({ angle, radius, z }): [number, number, number] => {
+        const bearing = angle + sense * shaft.speed_ratio * view.theta
+        return [shaft.up + radius * Math.cos(bearing), shaft.right + radius * Math.sin(bearing), z]
+      }),
+    )
+  }
+
   pistons(): Reading['pistons'] {
-    return {}
+    return this.#pistons
   }
+
   pins(): Reading['pins'] {
-    return []
+    return this.#pins
   }
+
   size(width: number, height: number, density: number): void {
+    this.#size = { width, height, density }
     this.canvas.width = Math.round(width * density)
     this.canvas.height = Math.round(height * density)
   }
-  dispose(): void {}
+
+  dispose(): void {
+    this.#exhibit = null
+    this.#bodies = []
+  }
+}
+
+/** A body on the screen: its points [x, y], how near it is, and which of its points are the nearer cap. */
+interface Flattened {
+  readonly body: Body
+  readonly flat: Float64Array
+  readonly depth: number
+  readonly nearer: number
+}
+
+function standOf(body: Body, exhibit: Exhibit, places: Places, theta: number): Stand {
+  const { scene, sense } = exhibit
+  const { index } = body
+  if (body.carrier === 'shaft') {
+    const shaft = scene.shafts[index]
+    const bearing = body.bearing + sense * (shaft?.speed_ratio ?? 1) * theta
+    return { x: shaft?.right ?? 0, y: shaft?.up ?? 0, z: 0, up: Math.cos(bearing), right: Math.sin(bearing) }
+  }
+  const c = scene.cylinders[index]
+  const bearing = c?.bearing ?? 0
+  const [up, right] = [Math.cos(bearing), Math.sin(bearing)]
+  const at = 2 * index
+  if (body.carrier === 'piston' || body.carrier === 'charge') {
+    const above = body.carrier === 'charge' ? (c?.pin_height ?? 0) : 0
+    const [x, y] = [places.piston[at + 1] as number, places.piston[at] as number]
+    return { x: x + above * right, y: y + above * up, z: c?.z ?? 0, up, right }
+  }
+  if (body.carrier === 'rod') {
+    const direction = { up: places.direction[at] as number, right: places.direction[at + 1] as number }
+    return { x: places.bigEnd[at + 1] as number, y: places.bigEnd[at] as number, z: c?.rod_z ?? 0, ...direction }
+  }
+  const shaft = scene.shafts[c?.shaft ?? 0]
+  const offset = c?.offset ?? 0
+  return { x: (shaft?.right ?? 0) + offset * up, y: (shaft?.up ?? 0) - offset * right, z: c?.z ?? 0, up, right }
+}
+
+/** How far it is from the crown of a piston to the end of its bore. */
+function chargeHeight({ index }: Body, { scene }: Exhibit, { piston }: Places): number {
+  const c = scene.cylinders[index]
+  const shaft = scene.shafts[c?.shaft ?? 0]
+  if (!c || !shaft) return 0
+  const up = (piston[2 * index] as number) - shaft.up
+  const right = (piston[2 * index + 1] as number) - shaft.right
+  return boreEnd(scene, c) - c.pin_height - up * Math.cos(c.bearing) - right * Math.sin(c.bearing)
+}
+
+function trace(to: CanvasRenderingContext2D, flat: Float64Array, corners: readonly number[]): void {
+  to.beginPath()
+  for (const corner of corners) to.lineTo(flat[2 * corner] as number, flat[2 * corner + 1] as number)
+  to.closePath()
 }

@@ -1,0 +1,119 @@
+import type { Scene } from '../exhibit'
+import { boreEnd } from './extent'
+import { band, circle, gear, type Outline, sector, strip, towards } from './outlines'
+import type { Palette } from './palette'
+import { toothBearings } from './parts/meshing'
+import { PIN } from './parts/pistons'
+
+/**
+ * What a body moves with: a shaft, a piston or a rod, by its index; or it stands on the axis of a cylinder. A charge is 1 high
+ * from the crown of its piston to the end of its bore.
+ */
+export type Carrier = 'shaft' | 'piston' | 'rod' | 'bore' | 'charge'
+export type Fill = 'crankshaft' | 'balanceShaft' | 'gear' | 'piston' | 'rod' | 'slave' | 'glass' | 'charge'
+
+/** A convex body between two equal caps, for flat drawings: the points of one cap after the other, [x, y, z] each. */
+export interface Body {
+  readonly points: Float64Array
+  readonly carrier: Carrier
+  readonly index: number
+  readonly fill: Fill
+  /** Bearing at which it sits on its shaft. */
+  readonly bearing: number
+}
+
+/** Everything of a scene as convex bodies, in the frames of what carries them. */
+export function bodiesOf(scene: Scene): Body[] {
+  return [...turning(scene), ...wheels(scene), ...reciprocating(scene)]
+}
+
+function turning(scene: Scene): Body[] {
+  return scene.shafts.flatMap((shaft, index) => {
+    const fill = shaft.kind === 'crankshaft' ? 'crankshaft' : 'balanceShaft'
+    const body = (outline: Outline, from: number, to: number) => prism(outline, from, to, 'shaft', index, fill)
+    const cuts = [shaft.z_from, ...shaft.throws.flatMap((pin) => [pin.pin_from, pin.pin_to]), shaft.z_to]
+    cuts.sort((a, b) => a - b)
+    const journals = cuts.slice(1).flatMap((to, part) => {
+      const from = cuts[part] as number
+      const middle = (from + to) / 2
+      const free = shaft.throws.every((pin) => middle < pin.pin_from || middle > pin.pin_to)
+      return free && to > from ? [body(circle(0, 0, shaft.journal_radius, 20), from, to)] : []
+    })
+    const pins = shaft.throws.map((pin) => {
+      const [x, y] = towards(pin.angle)
+      return body(circle(x * pin.radius, y * pin.radius, pin.pin_radius, 18), pin.pin_from, pin.pin_to)
+    })
+    const webs = shaft.webs.flatMap((web) => {
+      const pin = shaft.throws[web.throw]
+      if (!pin) return []
+      return [
+        body(band(1.28 * shaft.journal_radius, pin.radius, pin.angle, 1.26 * pin.pin_radius), web.z_from, web.z_to),
+      ]
+    })
+    const weights = shaft.weights.map(({ angle, half_angle, outer_radius, z, thickness }) => {
+      return body(sector(0, outer_radius, angle, Math.min(half_angle, 1.57)), z - thickness / 2, z + thickness / 2)
+    })
+    return [...journals, ...pins, ...webs, ...weights]
+  })
+}
+
+function wheels(scene: Scene): Body[] {
+  const bearings = toothBearings(scene)
+  return scene.gears.map((wheel, index) => {
+    const [from, to] = [wheel.z - wheel.thickness / 2, wheel.z + wheel.thickness / 2]
+    return prism(gear(wheel.radius, wheel.teeth), from, to, 'shaft', wheel.shaft, 'gear', bearings[index])
+  })
+}
+
+function reciprocating(scene: Scene): Body[] {
+  return scene.cylinders.flatMap((c, index) => {
+    const pin = scene.shafts[c.shaft]?.throws[c.throw]?.pin_radius ?? 0.2 * c.crank_radius
+    const big = c.rod === 'slave' ? 0.8 * pin : 1.36 * pin
+    const half = c.rod_width / 2
+    const fill = c.rod === 'slave' || c.rod === 'blade' ? 'slave' : 'rod'
+    const small = 1.5 * PIN * c.bore
+    return [
+      upright(0.5 * c.bore, c.bore_from, boreEnd(scene, c), 'bore', index, 'glass'),
+      upright(0.485 * c.bore, 0, 1, 'charge', index, 'charge'),
+      upright(0.49 * c.bore, -c.skirt, c.pin_height, 'piston', index, 'piston'),
+      prism(circle(0, 0, big, 20), -half, half, 'rod', index, fill),
+      prism(strip(0, c.rod_length, 0.6 * big, 0.7 * small), -0.5 * half, 0.5 * half, 'rod', index, fill),
+      prism(circle(0, c.rod_length, small, 16), -half, half, 'rod', index, fill),
+      ...knuckles(scene, index).map((outline) => prism(outline, -half, half, 'rod', index, fill)),
+    ]
+  })
+}
+
+/** What carries the knuckle pins of a master rod. */
+function knuckles(scene: Scene, index: number): Outline[] {
+  const slaves = scene.cylinders.filter((other) => other.master === index)
+  const pin = (radius: number) => 0.3 * radius
+  if (slaves.length > 3)
+    return [circle(0, 0, Math.max(...slaves.map((c) => c.knuckle_radius + pin(c.knuckle_radius))), 28)]
+  return slaves.map((c) => band(c.knuckle_radius * 0.6, c.knuckle_radius, c.knuckle_angle, pin(c.knuckle_radius)))
+}
+
+function prism(
+  outline: Outline,
+  from: number,
+  to: number,
+  carrier: Carrier,
+  index: number,
+  fill: Fill,
+  bearing = 0,
+): Body {
+  const cap = (z: number) => outline.flatMap(([x, y]) => [x, y, z])
+  return { points: Float64Array.from([...cap(from), ...cap(to)]), carrier, index, fill, bearing }
+}
+
+/** A cylinder about the carrier's own y-axis. */
+function upright(radius: number, low: number, high: number, carrier: Carrier, index: number, fill: Fill): Body {
+  const ring = circle(0, 0, radius, 24)
+  const cap = (y: number) => ring.flatMap(([x, z]) => [x, y, -z])
+  return { points: Float64Array.from([...cap(low), ...cap(high)]), carrier, index, fill, bearing: 0 }
+}
+
+/** The two colours of a body: its side, and the cap that faces the eye. */
+export function coloursOf(fill: Fill, palette: Palette): readonly [number, number] {
+  return fill === 'glass' || fill === 'charge' ? [palette.glass, palette.glass] : palette[fill]
+}
