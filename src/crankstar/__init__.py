@@ -18,6 +18,7 @@ a record, a way of looking at it is a function, an engine type is data, and impo
 | `notebook` | the page as a widget in a notebook |
 | `page` | the page as one file that needs no network |
 | `report/` | the report as one HTML file without a script, and as a PDF |
+| `views` | an engine from the front, the side and above as still drawings |
 | `exhibit/` | what the page shows of an engine, as records that are sent to it |
 | `tables`, `description` | a Balance, an Engine as tables for the terminal and the notebook |
 | `charts/` | figures as Altair charts, one function each, and as SVG without a browser |

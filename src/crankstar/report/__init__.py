@@ -5,6 +5,7 @@
 | `printing` | the report as a PDF, by a Chromium that is there |
 | `document` | the sections put together, with the style sheet and its hash |
 | `ending` | sources, conventions, the command that makes the report again |
+| `whirling` | the paths of the ends of the crankshaft if nothing held the engine |
 | `cures` | what weights and balance shafts do: before and after |
 | `pages` | crankshaft, strokes, orders, vectors, derivations, another engine beside it |
 | `title` | the first page: data, and the verdict |

@@ -9,16 +9,18 @@ from importlib.resources import files
 
 from crankstar import __version__
 from crankstar.derive.documents import ALIGNED
-from crankstar.report import cures, ending, gallery, pages, title
+from crankstar.report import cures, ending, gallery, pages, title, whirling
 from crankstar.report.markup import text
 from crankstar.report.matter import Matter
 
 PAGES: tuple[tuple[str, pages.Page], ...] = (
+    ("the views", pages.looks),
     ("the crankshaft", pages.crankshaft),
     ("strokes", pages.strokes),
     ("orders", pages.orders),
     ("vector stars and polygons", pages.vectors),
     ("forces over the crank angle", pages.over_the_turn),
+    ("the free response", whirling.free_response),
     ("remedies", cures.remedies),
     ("the other engine", pages.beside),
     ("derivations", pages.derivations),

@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from importlib.resources import files
 
-import tomli_w
-
 from crankstar import __version__, description
+from crankstar.answer import json_text
+from crankstar.files.write import tree_text
 from crankstar.report.gallery import Gallery
 from crankstar.report.markup import of, paragraph, section, text
 from crankstar.report.matter import Matter
@@ -43,8 +43,16 @@ def again(matter: Matter, gallery: Gallery) -> str:  # noqa: ARG001
     """The command that writes this report again, and the engine file as it was read."""
     told = paragraph(f"Made by crankstar {__version__} with this command; the same engine file gives the same report to the byte.")
     command = f"<pre><code>{text(matter.command)}</code></pre>"
-    file = f'<h3>The engine file</h3><pre class="file"><code>{_shown(tomli_w.dumps(matter.tree))}</code></pre>'
+    file = f'<h3>The engine file</h3><pre class="file"><code>{_shown(_file(matter))}</code></pre>'
     return section("How to repeat it", told + command + file, name="again")
+
+
+def _file(matter: Matter) -> str:
+    """The engine file as TOML, or, where it is of a kind that TOML has no words for, as JSON."""
+    try:
+        return tree_text(dict(matter.tree))
+    except (TypeError, ValueError):
+        return json_text(dict(matter.tree))
 
 
 def _shown(file: str) -> str:

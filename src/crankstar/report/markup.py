@@ -15,6 +15,8 @@ from crankstar.quantity import CONTROL
 
 NUMBER = re.compile(r"[-−+]?\d[\d.,]*(e[-+]?\d+)?([ \d.°∠–-]*)?")
 """What stands to the right in its column."""
+SHORT = 24
+"""Rows of a table that is kept on one page."""
 
 
 def text(words: object) -> str:
@@ -117,7 +119,8 @@ def _table(
     above_it = f"<h3>{text(title)}</h3>" if title else ""  # a caption would be as narrow as the table
     label = f' role="region" tabindex="0" aria-label="{text(title or "table")}"'
     thead = f"<thead><tr>{above}</tr></thead>" if any(str(head).strip() for head in heads) else ""
-    return f'{above_it}<div class="table"{label}><table>{thead}<tbody>{body}</tbody></table></div>'
+    kind = "table short" if len(rows) <= SHORT else "table"
+    return f'{above_it}<div class="{kind}"{label}><table>{thead}<tbody>{body}</tbody></table></div>'
 
 
 def _cell(cell: object) -> str:

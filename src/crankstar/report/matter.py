@@ -12,6 +12,8 @@ import numpy as np
 from crankstar import phasor
 from crankstar.balance import total
 from crankstar.engine import Engine
+from crankstar.exhibit.records import Scene
+from crankstar.exhibit.scene import scene
 from crankstar.tables import Analysis, analysis
 from crankstar.wording import NEGLIGIBLE
 
@@ -39,13 +41,18 @@ class Matter:
 
     def about(self, *, orders: tuple[float, ...] | None) -> Matter:
         """The same of these orders."""
-        return replace(self, orders=orders)
+        return replace(self, orders=tuple(sorted(orders)) if orders else None)
 
     @cached_property
     def shown(self) -> Analysis:
         """The engine with its Balance, and the orders that are shown."""
         found = analysis(self.engine, speed=self.speed)
         return found._replace(orders=self.orders, turning=self.orders) if self.orders else found
+
+    @cached_property
+    def scene(self) -> Scene:
+        """The engine as things that can be drawn."""
+        return scene(self.engine)
 
     @property
     def at(self) -> float | None:

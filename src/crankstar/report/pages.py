@@ -12,17 +12,29 @@ from crankstar import derive, description, tables
 from crankstar.derive import documents
 from crankstar.fault import EngineError
 from crankstar.report.gallery import Gallery
-from crankstar.report.markup import figures, of, paragraph, section
+from crankstar.report.markup import figure, figures, of, paragraph, section
 from crankstar.report.matter import Matter, Quantity
 from crankstar.stroke_table import stroke_tables
+from crankstar.views import views
 from crankstar.wording import number, timing_lines
 
 BOTH: tuple[Quantity, Quantity] = ("force", "couple")
 FULL = (1.0, 2.0)
 """The orders whose derivation is given step by step unless orders are named; of the others the result."""
+MANY = 16
+"""Pistons from which on only results are given: step by step an order of a Deltic takes ten pages."""
 
 Page = Callable[[Matter, Gallery], str]
 """A section of the report."""
+
+
+def looks(matter: Matter, gallery: Gallery) -> str:  # noqa: ARG001 - all pages are made alike
+    """The engine from the front, the side and above, and what of its proportions is assumed."""
+    captions = ("From the front.", "From the right side; the front is at the left.", "From above; the front is at the left.")
+    drawn = [figure(*pair) for pair in zip(views(matter.scene, name=matter.engine.name), captions, strict=True)]
+    assumed = "".join(paragraph(line, "note") for line in matter.scene.assumed)
+    told = paragraph("Drawn at θ = 0 to one scale, the crankshaft in red.")
+    return section("Views", told + figures(drawn, "views") + assumed, name="views")
 
 
 def crankshaft(matter: Matter, gallery: Gallery) -> str:
@@ -47,7 +59,7 @@ def strokes(matter: Matter, gallery: Gallery) -> str:
         lines = "".join(paragraph(line) for line in timing_lines(matter.engine)) if matter.engine.valves is not None else ""
         return section("Strokes", paragraph(told) + lines, name="strokes")
     drawn = [
-        gallery.figure("stroke-chart", "When intake and exhaust are open, and when each cylinder fires.", "wide"),
+        gallery.figure("stroke-chart", "When intake and exhaust are open, and when each cylinder fires."),
         gallery.figure("firing-ring", "The cylinders round the working cycle."),
     ]
     rest = Group(*shown.renderables[1:]) if isinstance(shown, Group) else shown  # the heading is on the first page
@@ -58,7 +70,7 @@ def orders(matter: Matter, gallery: Gallery) -> str:
     """The table of orders, the spectrum, and the paths of what remains."""
     shown = tables.report(matter.shown)
     rest = Group(*shown.renderables[1:]) if isinstance(shown, Group) else shown
-    drawn = [gallery.figure("spectrum", "How great force, couple and roll of each order become.", "wide", speed=matter.at)]
+    drawn = [gallery.figure("spectrum", "How great force, couple and roll of each order become.", speed=matter.at)]
     paths = [
         gallery.figure(
             "hodograph", f"The path of the {quantity} of order {number(order)}.", order=order, quantity=quantity, speed=matter.at
@@ -66,7 +78,7 @@ def orders(matter: Matter, gallery: Gallery) -> str:
         for quantity in BOTH
         for order in matter.left(quantity)
     ]
-    return section("Orders", of(rest) + figures(drawn) + figures(paths), name="orders")
+    return section("Orders", of(rest) + figures([*drawn, *paths]), name="orders")
 
 
 def vectors(matter: Matter, gallery: Gallery) -> str:
@@ -110,11 +122,13 @@ def derivations(matter: Matter, gallery: Gallery) -> str:  # noqa: ARG001 - all 
                 continue
             if found.zero and not found.why:
                 proved.append(f"{quantity} of order {number(order)}")
-            whole = matter.orders or order in FULL
+            whole = len(matter.engine.cylinders) <= MANY and (matter.orders or order in FULL)
             chapters.append(found.chapter if whole else replace(found.chapter, steps=found.steps[-2:-1]))
     if not chapters:
         return ""
     told = f"Proved to be exactly zero: {', '.join(proved)}." if proved else "None of these orders is exactly zero."
+    if len(matter.engine.cylinders) > MANY:
+        told += " Given here are the results; crankstar derive gives every step."
     shown = "".join(documents.html_parts(chapters))
     return section("Derivations", paragraph(told) + shown.replace("<h3>", "<h4>").replace("</h3>", "</h4>"), name="derivations")
 

@@ -62,7 +62,7 @@ def data(matter: Matter) -> list[Datum]:
     fires = firing_sentence(firing(engine)).removeprefix("fires ") if engine.firing_order else "no firing order given"
     out = [
         Datum("Cylinders", f"{count}{pistons}"),
-        Datum("Cycle", f"{engine.cycle}, turning {engine.rotation} seen from the front"),
+        Datum("Cycle", f"{engine.cycle}, {engine.rotation} from the front"),
         Datum("Firing order", fires, ("firing_order", "firing_angles")),
         Datum("Cylinder bearings", f"{_span(degrees(one.bearing) for one in engine.cylinders)} deg", ("bearing", "bank_angle")),
         *_lengths(engine),
@@ -72,7 +72,7 @@ def data(matter: Matter) -> list[Datum]:
         own = engine.speed is not None and abs(matter.at - engine.speed) < 1e-9 * engine.speed
         out.append(Datum("Speed for the forces", f"{number(matter.at * 30 / pi)} rpm", ("speed",) if own else ()))
     else:
-        out.append(Datum("Forces are counted in", "m r ω², the same at every speed"))
+        out.append(Datum("Unit of force, at any speed", "m r ω²"))
     return out
 
 
