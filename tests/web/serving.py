@@ -2,23 +2,23 @@
 
 from __future__ import annotations
 
+import http.client
 import json
-import os
 import re
 import signal
 import subprocess
 import sys
-import urllib.error
-import urllib.request
+import threading
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from dataclasses import dataclass
 from typing import Any, NamedTuple
+from urllib.parse import urlsplit
 
 import pytest
 
 READY = re.compile(r"serving at (http://\S+/)")
-END_SECONDS = 10
+END_SECONDS = 20
 
 
 class Answer(NamedTuple):
@@ -39,33 +39,29 @@ class Server:
 
     address: str
     process: subprocess.Popen[str]
+    said: list[str]
+    listener: threading.Thread
 
     def ask(self, path: str, question: Any = None, *, method: str | None = None, heads: dict[str, str] | None = None) -> Answer:
         """An answer of the API: POST with a question, GET without."""
         body = question if isinstance(question, bytes | None) else json.dumps(question).encode()
         wanted = {"Content-Type": "application/json", **(heads or {})}
-        request = urllib.request.Request(self.address + path, body, wanted, method=method)  # noqa: S310  # our own address
-        try:
-            with urllib.request.urlopen(request, timeout=60) as answer:  # noqa: S310
-                return Answer(answer.status, _lower(answer.headers), answer.read())
-        except urllib.error.HTTPError as error:
-            with error:
-                return Answer(error.code, _lower(error.headers), error.read())
+        place = urlsplit(self.address)
+        with closing(http.client.HTTPConnection(place.hostname or "", place.port, timeout=60)) as line:
+            line.request(method or ("GET" if body is None else "POST"), f"/{path}", body, wanted)
+            answer = line.getresponse()
+            return Answer(answer.status, {name.lower(): value for name, value in answer.getheaders()}, answer.read())
 
     def end(self, number: int = signal.SIGTERM) -> tuple[int, str]:
-        """Ends the server by a signal; its exit code and all that it has said since it was ready."""
+        """Ends the server by a signal; its exit code, and all that it said after the line with its address."""
         self.process.send_signal(number)
         try:
-            _, said = self.process.communicate(timeout=END_SECONDS)
+            code = self.process.wait(END_SECONDS)
         except subprocess.TimeoutExpired:
             self.process.kill()
-            _, said = self.process.communicate()
-            pytest.fail(f"the server did not end within {END_SECONDS} s: {said}")
-        return self.process.returncode, said
-
-
-def _lower(heads: Any) -> dict[str, str]:
-    return {name.lower(): value for name, value in heads.items()}
+            pytest.fail(f"the server did not end within {END_SECONDS} s: {''.join(self.said)}")
+        self.listener.join(END_SECONDS)
+        return code, "".join(self.said)
 
 
 def command(*arguments: str) -> list[str]:
@@ -74,17 +70,24 @@ def command(*arguments: str) -> list[str]:
 
 
 @contextmanager
-def serving(*arguments: str) -> Iterator[Server]:
-    """A server, started with these words of the command line, and ended in the end whatever happens."""
-    process = subprocess.Popen(command(*arguments), stderr=subprocess.PIPE, text=True, env={**os.environ, "COLUMNS": "200"})
+def serving(*arguments: str, alone: bool = False) -> Iterator[Server]:
+    """A server, started with these words of the command line, and ended in the end whatever happens.
+
+    `alone`: it leads a group of processes of its own, as one that was started in a terminal.
+    """
+    process = subprocess.Popen(command(*arguments), stderr=subprocess.PIPE, text=True, start_new_session=alone)
     assert process.stderr is not None
+    said: list[str] = []
+    listener = threading.Thread(target=said.extend, args=(process.stderr,), daemon=True)
     try:
         first = process.stderr.readline()
+        listener.start()
         found = READY.search(first)
         if found is None:
             process.kill()
-            pytest.fail(f"the server did not start: {first}{process.communicate()[1]}")
-        yield Server(found[1], process)
+            listener.join(END_SECONDS)
+            pytest.fail(f"the server did not start: {first}{''.join(said)}")
+        yield Server(found[1], process, said, listener)
     finally:
         if process.poll() is None:
             process.terminate()
@@ -92,7 +95,9 @@ def serving(*arguments: str) -> Iterator[Server]:
                 process.wait(END_SECONDS)
             except subprocess.TimeoutExpired:
                 process.kill()
-        process.communicate()
+        process.wait()
+        listener.join(END_SECONDS)
+        process.stderr.close()
 
 
 @pytest.fixture(scope="session")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import PurePath
 from typing import Annotated
 
 from cyclopts import Parameter
@@ -49,6 +50,6 @@ def serve(
 
             webbrowser.open(address)
 
-    shown = "standard input" if engine in ("-", STANDARD_INPUT) else one_line(engine)
+    shown = "standard input" if engine in ("-", STANDARD_INPUT) else one_line(PurePath(engine).name)
     with taken:
         running.serve(taken, host=host, engine=tree, shown=shown, ready=ready)

@@ -14,6 +14,10 @@ class NoSuchKeyError(ValueError):
     """A key that no figure or derivation of an engine has, as one sentence."""
 
 
+CHOSEN_BY = {"order", "quantity"}
+"""The options that a key may have."""
+
+
 def chart(engine: Engine, key: str) -> dict[str, Any]:
     """The figure of that key as a Vega specification, with the signal `theta` (degrees) but no slider for it.
 
@@ -28,7 +32,7 @@ def chart(engine: Engine, key: str) -> dict[str, Any]:
     known = CHARTS.get(figure)
     if (
         known is None
-        or not asked.keys() <= set(known.options)
+        or not asked.keys() <= set(known.options) & CHOSEN_BY
         or asked.get("quantity", "force") not in (*known.quantities, "force")
     ):
         raise NoSuchKeyError(f"{one_line(key, longest=60)}: there is no such figure; there are: {', '.join(CHARTS)}")

@@ -12,7 +12,6 @@ import logging
 import multiprocessing
 import os
 import signal
-import time
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
@@ -25,6 +24,13 @@ from crankstar.server.refusal import Refused, refused
 
 GREATEST_WAITING = 500
 """Tasks that may wait for a process."""
+WAITING_SECONDS = 30.0
+"""How long a task may wait for a process, which may have to be started."""
+STARTING_SECONDS = 60.0
+"""How long a process may take to be ready."""
+READY = "ready"
+IDLE_SECONDS = 0.3
+"""When nobody asks anything for so long, a new process makes ready for figures."""
 TOO_LONG = "this takes longer than {seconds:g} s and was given up; ask for less, or use the command line, which waits"
 BUSY = "too much is asked at once; wait a moment and ask again"
 LOST = "the process that reckoned this was lost, perhaps for want of memory; ask for less, or ask again"
@@ -90,16 +96,15 @@ class Processes:
         """What a task gives. Raises Refused where the task does, where it takes too long and where too many wait."""
         if self.waiting >= GREATEST_WAITING:
             raise refused(503, BUSY)
-        until = time.monotonic() + self.seconds
         self.waiting += 1
         try:
-            async with asyncio.timeout(self.seconds):
+            async with asyncio.timeout(WAITING_SECONDS):
                 worker = await self.idle.get()
         except TimeoutError:
             raise refused(503, BUSY) from None
         finally:
             self.waiting -= 1
-        work = asyncio.get_running_loop().run_in_executor(self.threads, worker.do, task, arguments, until)
+        work = asyncio.get_running_loop().run_in_executor(self.threads, worker.do, task, arguments, self.seconds)
         work.add_done_callback(partial(self._free, worker))
         try:
             return _opened(await asyncio.shield(work))
@@ -143,7 +148,7 @@ class _Worker:
         self.ended = False
 
     def ready(self) -> None:
-        """Starts the process if it is not there."""
+        """Starts the process if it is not there, and waits until it can work."""
         if self.ended or (self.process is not None and self.process.is_alive()):
             return
         context = multiprocessing.get_context("spawn")
@@ -152,15 +157,18 @@ class _Worker:
         with held_back():
             self.process.start()
         far.close()
+        with suppress(EOFError, OSError):  # it is lost, which the next task will notice
+            if self.way.poll(STARTING_SECONDS):
+                self.way.recv()
 
-    def do(self, task: Task, arguments: tuple[Any, ...], until: float) -> bytes | Refused:
+    def do(self, task: Task, arguments: tuple[Any, ...], seconds: float) -> bytes | Refused:
         """What the process answers. Raises TimeoutError and ends the process where it takes too long, EOFError if it is lost."""
         self.ready()
         if self.way is None or self.ended:
             raise EOFError
         try:
             self.way.send((task, arguments))
-            if not self.way.poll(max(until - time.monotonic(), 0.1)):
+            if not self.way.poll(seconds):
                 raise TimeoutError
             return self.way.recv()
         except (EOFError, OSError, TimeoutError):
@@ -185,8 +193,11 @@ def _work(way: Connection) -> None:
     """A process at work: task after task, until its parent lets go of the other end of the way."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     with suppress(EOFError, OSError, ImportError):
-        import crankstar.server.tasks  # noqa: F401  # the first asker need not wait for it
+        from crankstar.server import tasks  # the first asker need not wait for it
 
+        way.send(READY)
+        if not way.poll(IDLE_SECONDS):
+            tasks.drawing_made_ready()
         while True:
             task, arguments = way.recv()
             way.send(_done(task, arguments))

@@ -20,6 +20,8 @@ from crankstar.server.refusal import Refused, refused
 
 GREATEST_QUESTION = 1_000_000
 """Bytes."""
+GREATEST_HEARD_OUT = 20_000_000
+"""Bytes of a question that is too long which are let pass by: a browser hears the refusal only when it has sent all of it."""
 QUESTION_SECONDS = 10.0
 """How long a question may take to come."""
 LOOPBACK = frozenset({"localhost", "127.0.0.1", "::1"})
@@ -36,6 +38,12 @@ ALWAYS = {
     "cross-origin-opener-policy": "same-origin",
 }
 USUAL = {"content-security-policy": POLICY, "cache-control": "no-store"}
+
+
+def heads_always() -> list[tuple[bytes, bytes]]:
+    """The headers of an answer that says nothing else."""
+    return [(name.encode(), value.encode()) for name, value in {**ALWAYS, **USUAL}.items()]
+
 
 Message = MutableMapping[str, Any]
 Receive = Callable[[], Awaitable[Message]]
@@ -98,7 +106,7 @@ class Guard:
         """The whole question. Raises Refused where it is too long, or too long in coming."""
         told = heads.get("content-length", "0")
         too_large = refused(413, f"the question is larger than {GREATEST_QUESTION // 1_000_000} MB; an engine file has a few kB")
-        if not told.isdecimal() or int(told[:20]) > GREATEST_QUESTION:
+        if not told.isdecimal() or int(told[:20]) > GREATEST_HEARD_OUT:
             raise too_large
         parts: list[bytes] = []
         size = 0
@@ -111,8 +119,11 @@ class Guard:
                     parts.append(message.get("body", b""))
                     size += len(parts[-1])
                     if size > GREATEST_QUESTION:
+                        parts.clear()
+                    over = not message.get("more_body")
+                    if size > (GREATEST_QUESTION if over else GREATEST_HEARD_OUT):
                         raise too_large
-                    if not message.get("more_body"):
+                    if over:
                         return b"".join(parts)
         except TimeoutError:
             raise refused(408, f"the question did not come within {self.seconds:g} s; send it at once") from None
@@ -131,8 +142,8 @@ class _Answer:
             self.begun = True
             heads = list(message.get("headers", ()))
             present = {name.lower() for name, _ in heads}
-            added = {**ALWAYS, **{name: value for name, value in USUAL.items() if name.encode() not in present}}
-            message = {**message, "headers": [*heads, *((name.encode(), value.encode()) for name, value in added.items())]}
+            added = [(name, value) for name, value in heads_always() if name not in present]
+            message = {**message, "headers": [*heads, *added]}
         await self._send(message)
 
     async def refuse(self, refusal: Refused) -> None:

@@ -11,20 +11,24 @@ from contextlib import contextmanager
 from types import FrameType
 from typing import Any
 
+import h11
 import uvicorn
+from uvicorn.protocols.http.h11_impl import H11Protocol
 
 from crankstar.quantity import one_line
 from crankstar.request import RequestError
+from crankstar.server import guard
 from crankstar.server.application import application
 from crankstar.server.crew import Processes
-from crankstar.server.guard import LOOPBACK
+from crankstar.server.refusal import refused
 
 TASK_SECONDS = 10.0
 """How long an answer may take."""
 LEAVE_SECONDS = 2
 """How long answers that are under way may take when the server is stopped."""
 GREATEST_PROCESSES = 4
-GREATEST_CONNECTIONS = 500
+GREATEST_UNHEARD = 500
+"""Askers that may wait until they are heard."""
 
 
 def opened(host: str, port: int) -> socket.socket:
@@ -39,7 +43,7 @@ def opened(host: str, port: int) -> socket.socket:
         if os.name == "posix":
             taken.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         taken.bind(address)
-        taken.listen(GREATEST_CONNECTIONS)
+        taken.listen(GREATEST_UNHEARD)
     except OSError as error:
         taken.close()
         raise RequestError(_refusal(host, port, error)) from None
@@ -68,17 +72,31 @@ def serve(taken: socket.socket, *, host: str, engine: Any, shown: str, ready: Ca
     """Serves until an interrupt or a signal to end; `ready` is called once questions are answered."""
     crew = Processes(max(1, min(os.cpu_count() or 1, GREATEST_PROCESSES)), seconds=TASK_SECONDS)
     app = application(crew=crew, engine=engine, shown=shown, host=host)
-    settings: dict[str, Any] = {"lifespan": "on", "log_config": None, "access_log": False, "server_header": False, "ws": "none"}
+    settings: dict[str, Any] = {
+        "lifespan": "on",
+        "log_config": None,
+        "access_log": False,
+        "server_header": False,
+        "ws": "none",
+        "log_level": "error",
+    }
     config = uvicorn.Config(
-        app,
-        **settings,
-        http="h11",
-        loop="asyncio",
-        timeout_graceful_shutdown=LEAVE_SECONDS,
-        limit_concurrency=GREATEST_CONNECTIONS,
-        proxy_headers=False,
+        app, **settings, http=_Protocol, loop="asyncio", timeout_graceful_shutdown=LEAVE_SECONDS, proxy_headers=False
     )
     _Server(config, ready).run(sockets=[taken])
+
+
+class _Protocol(H11Protocol):
+    """HTTP, with our own words for what is none."""
+
+    def send_400_response(self, msg: str) -> None:
+        """Refuses what came, and hangs up."""
+        del msg
+        body = refused(400, "this is no question in HTTP").body
+        heads = [(b"content-type", b"application/json"), (b"connection", b"close"), *guard.heads_always()]
+        answer = (h11.Response(status_code=400, headers=heads), h11.Data(data=body), h11.EndOfMessage())
+        self.transport.write(b"".join(self.conn.send(event) or b"" for event in answer))
+        self.transport.close()
 
 
 class _Server(uvicorn.Server):
@@ -110,4 +128,4 @@ class _Server(uvicorn.Server):
 
 def is_loopback(host: str) -> bool:
     """Whether only this machine can reach a server that listens there."""
-    return host in LOOPBACK
+    return host in guard.LOOPBACK

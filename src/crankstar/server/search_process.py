@@ -54,7 +54,7 @@ def work(way: Connection, asked: dict[str, Any]) -> None:
     signal.signal(signal.SIGINT, signal.default_int_handler)  # the search takes it; the terminal's is masked
     threading.Thread(target=_listen, args=(way,), daemon=True).start()
     try:
-        told = _found(way, asked)
+        told = found(way, asked)
     except KeyboardInterrupt:
         told = ("done", True, [], [], ["Stopped before anything was found."])
     except Exception as error:  # noqa: BLE001  # whatever it is, the one who asked is told
@@ -85,7 +85,8 @@ def _listen(way: Connection) -> None:
         os._exit(1)
 
 
-def _found(way: Connection, asked: dict[str, Any]) -> tuple[Any, ...]:
+def found(way: Connection, asked: dict[str, Any]) -> tuple[Any, ...]:
+    """What the process tells in the end. Raises Refused for what would take too long, SearchError for what cannot be searched."""
     from crankstar.search import halves, run
     from crankstar.search.findings import findings
     from crankstar.search_job import note

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from functools import lru_cache
 from typing import Any
 
@@ -101,6 +101,15 @@ def opening(engine: str | Tree, shown: str) -> bytes:
         )
 
 
+def drawing_made_ready() -> None:
+    """Loads what draws figures, half a second's work, before somebody waits for one."""
+    with suppress(ImportError):
+        import altair
+        import vl_convert
+
+        del altair, vl_convert
+
+
 def chart(engine: str | Tree, key: str) -> bytes:
     """A figure by its key, as a Vega specification. Raises Refused."""
     from crankstar.exhibit import figures
@@ -162,6 +171,8 @@ def _without_nothing(value: Any) -> Any:
 
 def read(text: str) -> bytes:
     """The tree of the text of an engine file, TOML or JSON, once it is found to be an engine. Raises Refused."""
+    if not text.strip():
+        raise Refused(422, [("text", "is empty; give the text of an engine file")])
     with mistakes_told():
         tree = files.tree_of(text.removeprefix("\ufeff"), name=ENGINE)
         files.engine_of(tree, name=ENGINE)

@@ -1,0 +1,204 @@
+"""Whatever is wrong with a question is said in one shape, in words, with nothing of the machine in it."""
+
+from __future__ import annotations
+
+import http.client
+import json
+import socket
+import time
+from pathlib import Path
+from typing import Any
+from urllib.parse import urlsplit
+
+import pytest
+from tests.web.serving import Answer, Server
+
+import crankstar
+from crankstar.server import guard
+
+PLACES = {str(Path.cwd()), str(Path.home()), str(Path(crankstar.__file__).parent), "site-packages", "Traceback", ".py"}
+"""What no answer may hold."""
+
+
+def words(answer: Answer, status: int) -> list[str]:
+    """The sentences of a refusal, once its shape is found to be right."""
+    assert answer.status == status, answer.body
+    assert answer.heads["content-type"] == "application/json"
+    assert answer.heads["x-content-type-options"] == "nosniff"
+    assert answer.json.keys() == {"problems"}
+    assert all(problem.keys() == {"path", "message"} for problem in answer.json["problems"])
+    assert not [place for place in PLACES if place in answer.body.decode()]
+    told = [f"{problem['path']}: {problem['message']}" for problem in answer.json["problems"]]
+    assert told
+    return told
+
+
+@pytest.mark.parametrize(
+    ("body", "message"),
+    [
+        (b"", "is missing"),
+        (b"[]", "is not a JSON object"),
+        (b"null", "is not a JSON object"),
+        (b'"v8"', "is not a JSON object"),
+        (b"{", "is not JSON"),
+        (b'{"engine": "i4"', "is not JSON"),
+        (b"{}", "engine: is missing"),
+        (b'{"engine": 3}', "engine: is 3; give the name of an engine of the catalog, or the keys of an engine file"),
+        (b'{"engine": null}', "engine: is null; give the name"),
+        (b'{"engine": []}', "engine: is a list; give the name"),
+        (b'{"engine": "i4", "more": 1}', "more: unknown key"),
+        (b'{"engine": "i4", "engine": "i6"}', 'has the key "engine" twice'),
+        (b'{"engine": {"name": "a", "name": "b"}}', 'has the key "name" twice'),
+        (b'{"engine": {"speed": NaN, "layout": {"type": "inline"}}}', "speed: is nan"),
+        (b'{"engine": {"speed": 1e999, "layout": {"type": "inline"}}}', "speed: is inf"),
+        (b'{"engine": {"speed": ' + b"9" * 5000 + b"}}", "a number of thousands of digits"),
+        (b'{"engine": ' + b"[" * 100_000 + b"]" * 100_000 + b"}", "nested too deeply"),
+        (b'{"engine": {"a": ' + b'{"a": ' * 20 + b"1" + b"}" * 20 + b"}}", "nested too deeply"),
+        (b'{"engine": {"a": [' + b"1," * 30_000 + b"1]}}", "no engine needs so many"),
+        (b'{"engine": {"\\ud800": "\\udfff"}}', "text of whole characters is needed"),
+        (b'\xff{"engine": "i4"}', "not text in UTF-8"),
+        (b'{"engine": "' + b"i" * 200 + b'"}', "has 200 letters"),
+    ],
+)
+def test_a_question_that_cannot_be_read_is_told_of_in_words(body: bytes, message: str, server: Server) -> None:
+    told = words(server.ask("api/exhibit", body, method="POST"), 422)
+    assert any(message in one for one in told), told
+
+
+@pytest.mark.parametrize(
+    ("path", "question", "message"),
+    [
+        ("api/chart", {"engine": "i4"}, "key: is missing"),
+        ("api/chart", {"engine": "i4", "key": "nonsense"}, "there is no such figure"),
+        ("api/chart", {"engine": "i4", "key": "hodograph:order=nan"}, "key: "),
+        ("api/chart", {"engine": "i4", "key": "hodograph:order=1e400"}, "key: "),
+        ("api/chart", {"engine": "i4", "key": "hodograph:order=-1"}, "key: "),
+        ("api/chart", {"engine": "i4", "key": "hodograph:order=2:quantity=__class__"}, "key: "),
+        ("api/chart", {"engine": "i4", "key": "hodograph:reference=2"}, "key: "),
+        ("api/chart", {"engine": "i4", "key": "forces:angles=1"}, "key: "),
+        ("api/derivation", {"engine": "i4", "key": "force"}, "there is no such derivation"),
+        ("api/derivation", {"engine": "i4", "key": "force:1e9"}, "there is no such derivation"),
+        ("api/derivation", {"engine": "i4", "key": "force:" + "9" * 19}, "key: "),
+        ("api/fitted", {"engine": "i4", "factor": "a"}, 'factor: is "a"; a number is needed'),
+        ("api/fitted", {"engine": "i4", "factor": 9}, "factor: is 9; it must be at most 2"),
+        ("api/fitted", {"engine": "i4", "weights": "wings"}, 'weights: is "wings"; it can be "pins", "webs" or "ends"'),
+        ("api/read", {"text": ""}, "is empty"),
+        ("api/read", {"text": "\0"}, "is not TOML"),
+        ("api/read", {"text": "a = "}, "is not TOML"),
+        ("api/read", {"text": "{"}, "is not JSON"),
+        ("api/read", {"text": 5}, "text: is 5; text is needed"),
+    ],
+)
+def test_a_question_that_asks_for_what_there_is_not_is_told_so(path: str, question: Any, message: str, server: Server) -> None:
+    told = words(server.ask(path, question), 422)
+    assert any(message in one for one in told), told
+
+
+def test_other_addresses_methods_and_kinds_are_refused_in_the_same_shape(server: Server) -> None:
+    assert words(server.ask("api/nothing"), 404)
+    assert words(server.ask("nothing.php"), 404)
+    assert words(server.ask("api/exhibit"), 405)
+    assert words(server.ask("api/health", method="DELETE"), 405)
+    assert words(server.ask("", method="BREW"), 405)
+    plain = server.ask("api/exhibit", b'{"engine": "i4"}', heads={"Content-Type": "text/plain"})
+    assert "application/json" in words(plain, 415)[0]
+    form = server.ask("api/exhibit", b"engine=i4", heads={"Content-Type": "application/x-www-form-urlencoded"})
+    assert words(form, 415)
+
+
+def test_a_question_that_is_too_large_is_not_read(server: Server) -> None:
+    body = b'{"engine": "' + b" " * guard.GREATEST_QUESTION + b'"}'
+    assert "larger than 1 MB" in words(server.ask("api/exhibit", body), 413)[0]
+    told = server.ask("api/exhibit", b"{}", heads={"Content-Length": "99999999999"})
+    assert words(told, 413)
+
+
+def test_what_is_no_question_at_all_is_refused_in_the_same_shape(server: Server) -> None:
+    assert words(server.ask("api/exhibit", b"{}", heads={"Content-Length": "9" * 30}), 400)
+    with socket.create_connection(_place(server)) as line:
+        line.sendall(b"\x16\x03\x01 a handshake\r\n\r\n")
+        line.settimeout(10)
+        said = b"".join(iter(lambda: line.recv(65536), b""))
+    assert said.startswith(b"HTTP/1.1 400 ")
+    assert json.loads(said.split(b"\r\n\r\n")[1])["problems"]
+
+
+def test_a_question_without_end_is_not_kept(server: Server) -> None:
+    line = _line(server)
+    line.putrequest("POST", "/api/exhibit")
+    line.putheader("Content-Type", "application/json")
+    line.putheader("Transfer-Encoding", "chunked")
+    line.endheaders()
+    try:
+        for _ in range(400):
+            line.send(b"10000\r\n" + b" " * 0x10000 + b"\r\n")
+    except (BrokenPipeError, ConnectionResetError):
+        pass  # it hung up on us, as it may
+    else:
+        assert line.getresponse().status == 413
+    line.close()
+
+
+@pytest.mark.parametrize(
+    "host", ["evil.example", "evil.example:8000", "127.0.0.1.evil.example", "localhost.evil.example", "", "a b"]
+)
+def test_a_server_is_only_asked_under_names_of_this_machine(host: str, server: Server) -> None:
+    answer = server.ask("api/health", heads={"Host": host})
+    assert "ask for it by the address it said" in words(answer, 421)[0]
+
+
+@pytest.mark.parametrize("host", ["localhost", "127.0.0.1", "LOCALHOST:1", "[::1]:8000"])
+def test_it_answers_to_the_names_of_this_machine(host: str, server: Server) -> None:
+    assert server.ask("api/health", heads={"Host": host}).status == 200
+
+
+def test_a_page_of_another_site_may_not_ask(server: Server) -> None:
+    for origin in ("https://evil.example", "null", "http://127.0.0.1:1"):
+        assert words(server.ask("api/exhibit", {"engine": "i4"}, heads={"Origin": origin}), 403)
+    own = server.ask("api/exhibit", {"engine": "i4"}, heads={"Origin": server.address.rstrip("/")})
+    assert own.status == 200
+    assert "access-control-allow-origin" not in own.heads
+
+
+def test_every_answer_tells_the_browser_to_be_careful(server: Server) -> None:
+    for path in ("", "docs", "api/health", "api/nothing", "openapi.json", "page.css"):
+        heads = server.ask(path).heads
+        assert heads["content-security-policy"].startswith("default-src 'none'")
+        assert "unsafe" not in heads["content-security-policy"]
+        assert "frame-ancestors 'none'" in heads["content-security-policy"]
+        assert (heads["x-content-type-options"], heads["referrer-policy"]) == ("nosniff", "no-referrer")
+        assert "server" not in heads
+
+
+def test_an_asker_who_is_slow_is_sent_away_and_one_who_leaves_is_forgotten(server: Server) -> None:
+    line = _line(server)
+    line.putrequest("POST", "/api/exhibit")
+    line.putheader("Content-Type", "application/json")
+    line.putheader("Content-Length", "100")
+    line.endheaders()
+    line.send(b"{")
+    line.close()
+    assert server.ask("api/health").status == 200
+
+
+@pytest.mark.long
+def test_a_question_that_comes_too_slowly_is_given_up(server: Server) -> None:
+    with socket.create_connection(_place(server)) as line:
+        line.sendall(
+            b"POST /api/exhibit HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: 100\r\n\r\n{"
+        )
+        began = time.monotonic()
+        line.settimeout(3 * guard.QUESTION_SECONDS)
+        said = line.recv(65536)
+        assert b" 408 " in said.split(b"\r\n")[0]
+        assert json.loads(said.split(b"\r\n\r\n")[1] or line.recv(65536))["problems"]
+        assert time.monotonic() - began < 2 * guard.QUESTION_SECONDS
+
+
+def _place(server: Server) -> tuple[str, int]:
+    place = urlsplit(server.address)
+    return place.hostname or "", place.port or 0
+
+
+def _line(server: Server) -> http.client.HTTPConnection:
+    return http.client.HTTPConnection(*_place(server), timeout=30)

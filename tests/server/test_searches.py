@@ -1,0 +1,127 @@
+"""Searches over HTTP: begun, looked at, stopped; limits; what they find is what the package finds."""
+
+from __future__ import annotations
+
+import time
+from typing import Any
+
+import pytest
+from tests.web.serving import Server, serving
+
+import crankstar
+from crankstar import files
+from crankstar.search.findings import findings
+from crankstar.search_request import Wish, request
+
+LONG = {"cylinders": 15, "cycle": "two-stroke", "minimise": "M1,M2,M3", "front": True}
+"""Takes minutes."""
+
+
+def begun(server: Server, question: Any) -> Any:
+    answer = server.ask("api/search", question)
+    assert answer.status == 200, answer.body
+    return answer.json
+
+
+def looked(server: Server, search: Any) -> Any:
+    return server.ask(f"api/search/{search['id']}").json
+
+
+def ended(server: Server, search: Any, *, seconds: float = 60.0) -> Any:
+    """The search once it has ended."""
+    until = time.monotonic() + seconds
+    while search["state"] == "running" and time.monotonic() < until:
+        time.sleep(0.1)
+        search = looked(server, search)
+    assert search["state"] != "running"
+    return search
+
+
+def test_a_search_finds_what_the_package_finds_and_each_row_makes_its_engine(server: Server) -> None:
+    search = ended(server, begun(server, {"cylinders": 7, "cycle": "two-stroke"}))
+    ours = findings(request(7, "two-stroke", Wish()).question)
+    assert search["state"] == "done"
+    assert search["done"] == search["blocks"] > 0
+    assert "Proved complete" in search["sentences"][-1]
+    assert len(search["rows"]) == len(ours.rows)
+    for row in search["rows"]:
+        engine = files.engine_of(row["tree"])
+        assert "-".join(map(str, engine.firing_order)) == row["cells"][search["heads"].index("firing order")]
+
+
+def test_the_cranks_of_an_engine_keep_its_cylinders(server: Server) -> None:
+    search = ended(server, begun(server, {"engine": "audi-25-tfsi", "minimise": "M1", "best": 3}))
+    assert len(search["rows"]) == 3
+    assert any("The engine as it is" in sentence for sentence in search["sentences"])
+    audi = crankstar.load("audi-25-tfsi")
+    for row in search["rows"]:
+        assert [c.rod_length for c in files.engine_of(row["tree"]).cylinders] == [c.rod_length for c in audi.cylinders]
+
+
+@pytest.mark.parametrize(
+    ("question", "told"),
+    [
+        ({}, "give an engine, or a number of cylinders"),
+        ({"engine": "i4", "cylinders": 4}, "give an engine, or a number of cylinders"),
+        ({"engine": "v8-cross-plane"}, "do not stand in line"),
+        ({"engine": "no such"}, "there is no such engine"),
+        ({"cylinders": 1}, "it must be at least 2"),
+        ({"cylinders": 7, "minimise": "X1, M"}, "there is no"),
+        ({"cylinders": 7, "zero": "neighbours"}, "--avoid-adjacent"),
+        ({"cylinders": 7, "limit": ["M1"]}, "give what and at most how much"),
+        ({"cylinders": 7, "best": 3, "front": True}, "ask for one of them"),
+        ({"cylinders": 7, "minimise": "M1" * 400}, "at most 500 letters"),
+        ({"cylinders": 7, "engine": {"name": "x"}}, "give an engine, or a number of cylinders"),
+    ],
+)
+def test_words_that_ask_for_nothing_are_refused_at_once(question: Any, told: str, server: Server) -> None:
+    answer = server.ask("api/search", question)
+    assert answer.status == 422
+    assert any(told in problem["message"] for problem in answer.json["problems"]), answer.json
+
+
+def test_a_search_that_is_too_great_says_so(server: Server) -> None:
+    search = ended(server, begun(server, {"cylinders": 24, "cycle": "two-stroke"}))
+    assert search["state"] == "failed"
+    assert "fix at least" in search["note"]
+
+
+def test_a_search_that_takes_too_long_for_a_page_is_not_begun(monkeypatch: pytest.MonkeyPatch) -> None:
+    from multiprocessing import Pipe
+
+    from crankstar.search import run
+    from crankstar.server import search_process
+    from crankstar.server.messages import SearchQuestion
+    from crankstar.server.refusal import Refused
+
+    monkeypatch.setattr(run, "estimate", lambda _: 2 * search_process.LONGEST_SECONDS)
+    near, _far = Pipe()
+    with pytest.raises(Refused) as caught:
+        search_process.found(near, SearchQuestion(cylinders=9, cycle="two-stroke").model_dump())
+    assert "takes about 20 min on one processor, too long for a page" in caught.value.problems[0][1]
+
+
+def test_searches_are_stopped_with_what_they_have_and_only_so_many_run_at_once() -> None:
+    with serving() as server:
+        first, second = begun(server, LONG), begun(server, LONG)
+        crowded = server.ask("api/search", LONG)
+        assert crowded.status == 429
+        assert "are under way already" in crowded.json["problems"][0]["message"]
+        until = time.monotonic() + 60
+        while not looked(server, first)["done"] and time.monotonic() < until:
+            time.sleep(0.2)
+        assert looked(server, first)["state"] == "running"
+        for search in (first, second):
+            assert server.ask(f"api/search/{search['id']}", method="DELETE").status == 200
+            stopped = ended(server, search)
+            assert stopped["state"] == "cancelled"
+            assert any("INCOMPLETE" in one or "Stopped" in one for one in stopped["sentences"])
+        again = begun(server, {"cylinders": 4, "cycle": "two-stroke", "minimise": "M1"})
+        assert ended(server, again)["state"] == "done"
+
+
+def test_a_search_that_is_not_there_is_told_of(server: Server) -> None:
+    for method in ("GET", "DELETE"):
+        answer = server.ask("api/search/nothing", method=method)
+        assert answer.status == 404
+        assert "there is no such search" in answer.json["problems"][0]["message"]

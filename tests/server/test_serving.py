@@ -1,0 +1,138 @@
+"""`crankstar serve` from its start to its end: what it says, what it refuses before it starts, what it leaves behind: nothing."""
+
+from __future__ import annotations
+
+import os
+import re
+import signal
+import socket
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+from tests.web.serving import serving
+
+HINT = "Open it in a browser; Ctrl-C ends it.\n"
+WRONG = 'format = 1\nname = "wrong"\ncycle = "three-stroke"\n'
+
+
+def refused(*words: str, env: dict[str, str] | None = None) -> str:
+    """What a command line says that is refused."""
+    line = [sys.executable, "-m", "crankstar", "serve", *words]
+    ran = subprocess.run(line, capture_output=True, text=True, timeout=60, check=False, env=env)
+    assert ran.returncode == 2, ran.stderr
+    assert "Traceback" not in ran.stderr
+    assert ran.stdout == ""
+    return ran.stderr
+
+
+def children(process: int) -> list[int]:
+    """The processes that a process has started, and those that these have."""
+    own = [int(pid) for task in Path(f"/proc/{process}/task").glob("*/children") for pid in task.read_text().split()]
+    return own + [pid for child in own for pid in children(child)]
+
+
+def alive(process: int) -> bool:
+    try:
+        return Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
+    except FileNotFoundError:
+        return False
+
+
+def gone(processes: list[int]) -> bool:
+    """Whether processes have ended, or end soon."""
+    until = time.monotonic() + 10
+    while time.monotonic() < until:
+        if not any(map(alive, processes)):
+            return True
+        time.sleep(0.05)
+    return False
+
+
+KILLED = pytest.param(signal.SIGKILL, marks=pytest.mark.long)
+
+
+@pytest.mark.skipif(not Path("/proc").is_dir(), reason="counts processes by /proc")
+@pytest.mark.parametrize("number", [signal.SIGTERM, KILLED])
+def test_it_ends_without_a_word_and_leaves_no_process(number: signal.Signals) -> None:
+    with serving("i4") as server:
+        assert server.ask("api/exhibit", {"engine": "i4"}).status == 200
+        assert server.ask("api/search", {"cylinders": 9, "cycle": "two-stroke"}).status == 200
+        workers = children(server.process.pid)
+        assert len(workers) >= 2
+        code, said = server.end(number)
+        assert code == (-signal.SIGKILL if number == signal.SIGKILL else 0)
+        assert said == HINT
+        assert gone(workers)
+
+
+def test_an_interrupt_from_the_keyboard_which_every_process_gets_ends_it_just_so() -> None:
+    with serving("i4", alone=True) as server:
+        os.killpg(server.process.pid, signal.SIGINT)
+        assert server.process.wait(20) == 0
+        server.listener.join(20)
+        assert "".join(server.said) == HINT
+
+
+def test_it_opens_with_the_file_and_the_changes_it_is_given(tmp_path: Path) -> None:
+    from crankstar.catalog import path_of
+
+    source = path_of("v8-cross-plane")
+    assert source is not None
+    file = tmp_path / "mine.toml"
+    file.write_bytes(source.read_bytes())
+    with serving(str(file), "--set", "name=</script><b>mine") as server:
+        shown = server.ask("api/opening").json
+        assert shown["engines"][0]["name"] == "</script><b>mine"
+        assert str(tmp_path) not in server.ask("api/opening").body.decode()
+
+
+def test_a_port_in_use_is_told_with_the_next_step() -> None:
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        port = taken.getsockname()[1]
+        said = refused("--port", str(port))
+        assert f"--port {port}: is in use" in said
+        assert re.search(r"as in --port \d+, or --port 0", said)
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (["--port", "70000"], "give a number from 0 to 65535"),
+        (["--port", "http"], "into a whole number"),
+        (["--host", "no.such.host.invalid"], "is no address of this machine"),
+        (["--host", "192.0.2.1", "--port", "0"], "cannot be used"),
+        (["no-such-engine"], "there is no such engine in the catalog"),
+        (["i4", "--set", "cycle=three-stroke"], "cycle: "),
+    ],
+)
+def test_what_cannot_be_served_is_refused_before_it_starts(words: list[str], told: str) -> None:
+    assert told in refused(*words)
+
+
+def test_an_engine_with_mistakes_is_refused_with_all_of_them(tmp_path: Path) -> None:
+    file = tmp_path / "wrong.toml"
+    file.write_text(WRONG)
+    said = refused(str(file))
+    assert "cycle: " in said
+    assert "layout: is missing" in said
+
+
+def test_without_the_extra_it_says_what_to_install(tmp_path: Path) -> None:
+    (tmp_path / "fastapi.py").write_text("raise ImportError('No module named fastapi')")
+    said = refused("i4", env={**os.environ, "PYTHONPATH": str(tmp_path)})
+    assert 'pip install "crankstar[server]"' in said
+
+
+def test_it_says_so_when_other_machines_can_reach_it() -> None:
+    with serving("--host", "0.0.0.0") as server:  # noqa: S104  # that is what is asked
+        address = server.address.replace("0.0.0.0", "127.0.0.1")  # noqa: S104
+        assert address == server.address
+        assert server.ask("api/health").status == 200
+        assert server.ask("api/health", heads={"Host": "evil.example"}).status == 421
+        assert server.ask("api/health", heads={"Host": f"{socket.gethostname()}:80"}).status == 200
+        assert server.ask("api/health", heads={"Host": "192.0.2.7"}).status == 200
+        _, said = server.end()
+        assert "Whoever can reach this machine can use it" in said
