@@ -1,0 +1,85 @@
+"""The page of the server, and its description of the API, in a real browser: nothing inline, nothing from elsewhere."""
+
+from __future__ import annotations
+
+from playwright.sync_api import Browser, Page
+from tests.web.browsing import watched
+from tests.web.serving import Server, serving
+
+HOSTILE = "</script><img src=x onerror=alert(1)>"
+READY = "() => document.querySelector('[data-crankstar]').crankstar.ready"
+
+
+def opened(page: Page, server: Server) -> None:
+    page.goto(server.address)
+    page.evaluate(READY)
+
+
+def test_the_page_shows_the_engine_it_was_started_with(page: Page, server: Server) -> None:
+    opened(page, server)
+    names = page.evaluate("document.querySelector('[data-crankstar]').crankstar.exhibits.map(one => one.name)")
+    assert names == ["V8, cross-plane crank, 90 deg"]
+    reading = page.evaluate("document.querySelector('[data-crankstar]').crankstar.read()")
+    assert len(reading["pistons"]) == 8
+
+
+def test_every_panel_opens_under_the_policy_of_the_server(page: Page, server: Server) -> None:
+    """The page fixture fails for anything that the policy refuses, which the browser says on the console."""
+    opened(page, server)
+    tabs = page.get_by_role("tab").all()
+    assert len(tabs) >= 8
+    for tab in tabs:
+        tab.click()
+        page.wait_for_load_state("networkidle")
+    page.get_by_role("tab", name="Derivation").click()
+    page.wait_for_selector("math")
+    page.get_by_role("tab", name="Stars").click()
+    page.wait_for_selector("svg.marks")
+
+
+def test_a_file_is_handed_out_as_a_download(page: Page, server: Server) -> None:
+    opened(page, server)
+    with page.expect_download() as waited:
+        page.evaluate(
+            """() => {
+                const link = document.createElement('a')
+                link.href = URL.createObjectURL(new Blob(['name = "mine"']))
+                link.download = 'mine.toml'
+                link.click()
+            }"""
+        )
+    assert waited.value.suggested_filename == "mine.toml"
+
+
+def test_a_script_that_is_written_into_the_page_does_not_run(browser: Browser, server: Server) -> None:
+    complaints: list[str] = []
+    with watched(browser, complaints) as page:
+        opened(page, server)
+        page.evaluate(
+            """() => {
+                const part = document.createElement('div')
+                part.setAttribute('onclick', 'document.title = "broken"')
+                part.click()
+            }"""
+        )
+        assert page.title() != "broken"
+    assert len(complaints) == 1
+    assert "Content Security Policy directive" in complaints[0]
+
+
+def test_a_hostile_name_is_text_on_the_page(page: Page) -> None:
+    with serving("i4", "--set", f"name={HOSTILE}") as server:
+        opened(page, server)
+        assert page.get_by_text(HOSTILE).count() >= 1
+        assert page.locator("img[src='x']").count() == 0
+
+
+def test_the_api_is_described_without_a_network(page: Page, server: Server) -> None:
+    page.goto(server.address + "docs")
+    page.wait_for_selector("#operations-engines-exhibit_api_exhibit_post")
+    for route in ("exhibit", "chart", "derivation", "fitted", "toml", "read", "search"):
+        assert page.get_by_text(f"/api/{route}", exact=True).count() >= 1
+    page.locator("#operations-server-health_api_health_get button").first.click()
+    page.get_by_role("button", name="Execute").click()
+    page.wait_for_selector("text=Server response")
+    assert page.get_by_text('"state": "well"').count() >= 1
