@@ -36,7 +36,7 @@ TOO_WIDE = """() => {
     const free = ([element, ...above]) => [element, ...above].every(one => style(one).position !== 'fixed') && !above.some(scrolls)
     const wrong = element => {
         const { left, right, width, height } = element.getBoundingClientRect()
-        if (!width || !height || !element.checkVisibility() || !free(lineage(element))) return ''
+        if (width <= 1 || height <= 1 || !element.checkVisibility() || !free(lineage(element))) return ''
         if (right > edge + 1 || left < -1) return `reaches from ${Math.round(left)} to ${Math.round(right)} of ${edge}`
         return hides(element) && element.scrollWidth > element.clientWidth + 1 ? 'hides a part of what it holds' : ''
     }

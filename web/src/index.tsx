@@ -82,6 +82,11 @@ export function show(host: Promise<Host>, el: Holder, bound?: (app: App) => () =
   let ended = false
   let unbind: (() => void) | undefined
   const release = adopt(el)
+  // the stage comes with the first effects, and so do the keys
+  let begun = (): void => {}
+  const staged = new Promise<void>((done) => {
+    begun = done
+  })
   const ready = host.then(async (found) => {
     if (ended) return
     app = createApp(found)
@@ -89,6 +94,7 @@ export function show(host: Promise<Host>, el: Holder, bound?: (app: App) => () =
     const made = (index: number, stage: Stage | null): void => {
       if (stage) stages.set(index, stage)
       else stages.delete(index)
+      begun()
     }
     draw(
       <Shared.Provider value={app}>
@@ -96,7 +102,7 @@ export function show(host: Promise<Host>, el: Holder, bound?: (app: App) => () =
       </Shared.Provider>,
       el,
     )
-    await new Promise<void>((done) => requestAnimationFrame(() => done()))
+    await staged
     await app.clock.flush()
   })
   ready.catch((error: unknown) => {
@@ -105,6 +111,7 @@ export function show(host: Promise<Host>, el: Holder, bound?: (app: App) => () =
   el.crankstar = handleOf(ready, () => app, stages)
   return () => {
     ended = true
+    begun()
     unbind?.()
     draw(null, el)
     app?.dispose()

@@ -16,11 +16,15 @@ export function DataTable({ table }: { table: Table }) {
             {heads.length > 0 && (
               <thead>
                 <tr>
-                  {heads.map((head, column) => (
-                    <th key={column} scope="col" class={isNumeric(rows, column) ? 'right' : ''}>
-                      {head}
-                    </th>
-                  ))}
+                  {heads.map((head, column) =>
+                    head ? (
+                      <th key={column} scope="col" class={isNumeric(rows, column) ? 'right' : ''}>
+                        {head}
+                      </th>
+                    ) : (
+                      <td key={column} />
+                    ),
+                  )}
                 </tr>
               </thead>
             )}

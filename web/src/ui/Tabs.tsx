@@ -76,8 +76,10 @@ export function Tabs() {
   useEffect(() => {
     const strip = list.current
     const tab = strip?.querySelector<HTMLElement>('[aria-selected="true"]')
+    if (!strip || !tab) return
     // scrollIntoView would also move the page
-    if (strip && tab) strip.scrollLeft = tab.offsetLeft - (strip.clientWidth - tab.offsetWidth) / 2
+    const before = tab.getBoundingClientRect().left - strip.getBoundingClientRect().left
+    strip.scrollLeft += before - (strip.clientWidth - tab.offsetWidth) / 2
   }, [chosen])
 
   return (
@@ -108,6 +110,7 @@ export function Tabs() {
         tabIndex={0}
         data-panel={chosen}
       >
+        <h2 class="unseen">{PANELS[chosen].label}</h2>
         <Content key={chosen} />
       </div>
     </section>
