@@ -137,14 +137,14 @@ class Pen(NamedTuple):
         path = "L".join(f"{x:g} {y:g}" for x, y in hull)
         return Part(float(np.mean(near)), f'<path d="M{path}Z" {style}/>')
 
-    def disc(self, centre: complex, radius: float, ends: tuple[float, float], style: str) -> Part:
+    def disc(self, centre: complex, ends: tuple[float, float], style: str, *, radius: float) -> Part:
         """A round body along z: a circle from the front, a rectangle from elsewhere."""
         if self.look is FRONT:
             x, y, near = self.at(centre, max(ends))
             return Part(float(near), f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{radius * self.scale:.1f}" {style}/>')
         return self.outline(centre + radius * np.array([1, 1j, -1, -1j]), ends, style)
 
-    def barrel(self, centre: complex, axis: complex, along: tuple[float, float], radius: float, z: float, style: str) -> Part:
+    def barrel(self, centre: complex, axis: complex, along: tuple[float, float], style: str, *, radius: float, z: float) -> Part:
         """A round body along an axis of the clock plane."""
         places = [centre + axis * (end + 1j * radius * np.imag(RING)) for end in along]
         return self.hull(np.concatenate(places), np.tile(z + radius * np.real(RING), 2), style)
@@ -179,13 +179,13 @@ def _shaft(shaft: ShaftShown, pen: Pen) -> Iterator[Part]:
     axis = complex(shaft.up, shaft.right)
     colour = RED if shaft.kind == "crankshaft" else GREEN
     solid = _style(colour, fill=0.45, line=0.9)
-    yield pen.disc(axis, shaft.journal_radius, (shaft.z_from, shaft.z_to), solid)
+    yield pen.disc(axis, (shaft.z_from, shaft.z_to), solid, radius=shaft.journal_radius)
     for web in shaft.webs:
         throw = shaft.throws[web.throw]
         yield pen.outline(_web(shaft, throw), (web.z_from, web.z_to), _style(colour, fill=0.28, line=0.9))
     for throw in shaft.throws:
         pin = axis + throw.radius * np.exp(1j * throw.angle)
-        yield pen.disc(complex(pin), throw.pin_radius, (throw.pin_from, throw.pin_to), _style(colour, fill=0.8, line=0.9))
+        yield pen.disc(complex(pin), (throw.pin_from, throw.pin_to), _style(colour, fill=0.8, line=0.9), radius=throw.pin_radius)
     for weight in shaft.weights:
         yield _weight(axis, weight, pen, _style(colour, fill=0.28, line=0.9))
 
@@ -213,18 +213,21 @@ def _weight(axis: complex, weight: WeightShown, pen: Pen, style: str) -> Part:
 def _gear(scene: Scene, gear: GearShown, pen: Pen) -> Part:
     shaft = scene.shafts[gear.shaft]
     ends = (gear.z - gear.thickness / 2, gear.z + gear.thickness / 2)
-    return pen.disc(complex(shaft.up, shaft.right), gear.radius, ends, _style("currentColor", fill=0, line=0.8, dash="3 2"))
+    dashed = _style("currentColor", fill=0, line=0.8, dash="3 2")
+    return pen.disc(complex(shaft.up, shaft.right), ends, dashed, radius=gear.radius)
 
 
 def _cylinder(scene: Scene, one: CylinderShown, place: Placed, pen: Pen, *, hidden: bool) -> Iterator[Part]:
     """The bore as an outline, the piston and the rod."""
     axis = complex(np.exp(1j * one.bearing))
     foot = _foot(scene, one)
-    yield pen.barrel(foot, axis, (one.bore_from, one.bore_to), one.bore / 2, one.z, _style("currentColor", fill=0, line=0.7))
+    thin = _style("currentColor", fill=0, line=0.7)
+    yield pen.barrel(foot, axis, (one.bore_from, one.bore_to), thin, radius=one.bore / 2, z=one.z)
     high = ((place.piston - foot) / axis).real
     body = (high - one.skirt, high + one.pin_height)
     line = 0.4 if hidden else 0.9
-    yield pen.barrel(foot, axis, body, 0.49 * one.bore, one.z, _style("currentColor", fill=0 if hidden else 0.16, line=line))
+    grey = _style("currentColor", fill=0 if hidden else 0.16, line=line)
+    yield pen.barrel(foot, axis, body, grey, radius=0.49 * one.bore, z=one.z)
     width = (one.rod_z - one.rod_width / 2, one.rod_z + one.rod_width / 2)
     yield pen.outline(_rod(scene, one, place), width, _style("currentColor", fill=0.03 if hidden else 0.3, line=line))
 
