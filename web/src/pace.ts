@@ -18,13 +18,13 @@ export function placeOf(pace: number): number {
 
 /** A factor as one says it: 80, 1200, 2.5. */
 function factorText(factor: number): string {
-  const rounded = Number(factor.toPrecision(factor >= 10 ? 2 : 2))
+  const rounded = Number(factor.toPrecision(2))
   return rounded.toLocaleString('en', { maximumFractionDigits: 2, useGrouping: false })
 }
 
 /** "as at 6000 rpm, slowed 80 times": what the pace is to the speed of the engine file. */
 export function paceWords(pace: number, speedRpm: number | null): string {
-  if (speedRpm === null || speedRpm <= 0) return 'no speed in the engine file: forces in units that hold at any speed'
+  if (speedRpm === null || speedRpm <= 0) return 'the engine file names no speed'
   const factor = speedRpm / (60 * pace)
   const speed = `as at ${Number(speedRpm.toPrecision(6))} rpm`
   if (Math.abs(factor - 1) < 0.05) return `${speed}, as fast as the engine`

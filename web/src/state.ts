@@ -56,7 +56,7 @@ export const OPENING: State = {
   camera: 'isometric',
   tab: 'orders',
   force: true,
-  couple: false,
+  couple: true,
   cylinders: false,
   orders: null,
   quantity: 'force',

@@ -1,5 +1,6 @@
 import type { Table } from '../exhibit'
 
+const SHORT = 22
 const NUMERIC = /^[-−+~≈]?[\d.]/
 
 /** A table of text; it scrolls sideways by itself where it is too wide. */
@@ -32,7 +33,7 @@ export function DataTable({ table }: { table: Table }) {
               {rows.map((row, index) => (
                 <tr key={index}>
                   {row.map((cell, column) => (
-                    <td key={column} class={isNumeric(rows, column) ? 'right' : ''}>
+                    <td key={column} class={cellClass(rows, column)}>
                       {cell}
                     </td>
                   ))}
@@ -49,6 +50,12 @@ export function DataTable({ table }: { table: Table }) {
       ))}
     </section>
   )
+}
+
+/** Numbers stand at the right; what is short stays on one line. */
+function cellClass(rows: readonly (readonly string[])[], column: number): string {
+  const short = rows.every((row) => (row[column]?.length ?? 0) <= SHORT)
+  return `${isNumeric(rows, column) ? 'right' : ''}${short ? ' short' : ''}`
 }
 
 function isNumeric(rows: readonly (readonly string[])[], column: number): boolean {

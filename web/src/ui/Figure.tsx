@@ -22,7 +22,7 @@ export function Figure({ exhibit, chart, label }: { exhibit: Exhibit; chart: str
       try {
         const spec = await host.chart(exhibit, chart)
         if (ended) return
-        const made = await drawn(spec)
+        const made = await drawn(spec, 360 * exhibit.turns)
         if (ended) return made.dispose()
         if (made.turns) await made.turnTo(clock.degrees() % (360 * exhibit.turns))
         shown.current?.dispose()

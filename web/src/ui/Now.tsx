@@ -9,13 +9,13 @@ export function Now() {
   return (
     <section class="now" aria-label="At this angle">
       {shown.value.map((exhibit, index) => (
-        <Numbers key={index} exhibit={exhibit} />
+        <Numbers key={index} exhibit={exhibit} named={shown.value.length > 1} />
       ))}
     </section>
   )
 }
 
-function Numbers({ exhibit }: { exhibit: Exhibit }) {
+function Numbers({ exhibit, named }: { exhibit: Exhibit; named: boolean }) {
   const { store } = useApp()
   const cells = useRef<HTMLDListElement>(null)
   const orders = store.orders.value
@@ -34,6 +34,7 @@ function Numbers({ exhibit }: { exhibit: Exhibit }) {
   const { units } = exhibit
   return (
     <dl ref={cells}>
+      {named && <div class="whose">{exhibit.name}</div>}
       <Vector label="Force" unit={units.force} />
       <Vector label="Couple" unit={units.couple} />
       <div>

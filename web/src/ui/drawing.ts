@@ -1,6 +1,7 @@
-import { Error as ERRORS, type Loader, loader, parse, type Spec as VegaSpec, View } from 'vega'
+import { Error as ERRORS, type Loader, loader, parse, View, type ViewOptions } from 'vega'
 import { expressionInterpreter } from 'vega-interpreter'
 import type { Spec } from '../host/host'
+import { framed } from './framing'
 
 /** A figure that has been drawn in an element of its own, and can be turned. */
 export interface Drawing {
@@ -18,24 +19,36 @@ const THETA = 'theta'
 const nothing = (): Promise<never> => Promise.reject(new Error('A figure asked for something outside of it.'))
 const closed: Loader = { ...loader(), load: nothing, sanitize: nothing, http: nothing, file: nothing }
 
-/** Draws a compiled Vega specification, without making code from text. */
-export async function drawn(spec: Spec): Promise<Drawing> {
+/** A view of a specification, without making code from text. */
+function viewOf(spec: Spec, options: ViewOptions): View {
+  const common = { expr: expressionInterpreter, hover: false, loader: closed, logLevel: ERRORS }
+  return new View(parse(spec, undefined, { ast: true }), { ...common, ...options })
+}
+
+const turning = ({ signals }: Spec): boolean =>
+  Array.isArray(signals) && signals.some((one: { name?: unknown }) => one.name === THETA)
+
+/** The specification with panels that do not change their size as it turns. */
+async function steady(spec: Spec, cycleDegrees: number): Promise<Spec> {
+  const look = viewOf(spec, { renderer: 'none' })
+  try {
+    return await framed(spec, look, THETA, cycleDegrees)
+  } finally {
+    look.finalize()
+  }
+}
+
+/** Draws a compiled Vega specification; `cycleDegrees` is after how much everything is back at the start. */
+export async function drawn(spec: Spec, cycleDegrees: number): Promise<Drawing> {
   const element = document.createElement('div')
-  const view = new View(parse(spec as unknown as VegaSpec, undefined, { ast: true }), {
-    expr: expressionInterpreter,
-    renderer: 'svg',
-    container: element,
-    hover: false,
-    loader: closed,
-    logLevel: ERRORS,
-  })
+  const turns = turning(spec)
+  const view = viewOf(turns ? await steady(spec, cycleDegrees) : spec, { renderer: 'svg', container: element })
   try {
     await view.runAsync()
   } catch (error) {
     view.finalize()
     throw error
   }
-  const turns = Object.hasOwn(view.getState().signals ?? {}, THETA)
   return {
     element,
     turns,
