@@ -113,8 +113,8 @@ export async function widgetHost(model: Model): Promise<Host> {
 export function linked(model: Model, { clock, store }: Pick<App, 'clock' | 'store'>): () => void {
   const turn = (): void => {
     if (Math.abs(angleOf(model) - clock.degrees()) < SAME) return
-    clock.stop()
     clock.turnTo(angleOf(model))
+    clock.stop()
   }
   const move = (): void => (model.get('playing') === true ? clock.play() : clock.stop())
   model.on('change:theta', turn)
