@@ -22,10 +22,10 @@ export function wentHome(orbit: Orbit): void {
 /** Does what a key asks for; false if the key means nothing here. */
 export function pressed(orbit: Orbit, key: string): boolean {
   const step = KEY_STEP / RADIANS_PER_PIXEL
-  if (key === 'ArrowLeft') dragged(orbit, step, 0)
-  else if (key === 'ArrowRight') dragged(orbit, -step, 0)
-  else if (key === 'ArrowUp') dragged(orbit, 0, step)
-  else if (key === 'ArrowDown') dragged(orbit, 0, -step)
+  if (key === 'ArrowLeft') dragged(orbit, -step, 0)
+  else if (key === 'ArrowRight') dragged(orbit, step, 0)
+  else if (key === 'ArrowUp') dragged(orbit, 0, -step)
+  else if (key === 'ArrowDown') dragged(orbit, 0, step)
   else if (key === '+' || key === '=') zoomed(orbit, ZOOM_STEP)
   else if (key === '-') zoomed(orbit, 1 / ZOOM_STEP)
   else if (key === 'Home') wentHome(orbit)

@@ -1,0 +1,93 @@
+import type { CylinderShown, Exhibit, ShaftShown } from '../../src/exhibit'
+
+/** A shaft with nothing on it. */
+export function shaft(changes: Partial<ShaftShown> = {}): ShaftShown {
+  return {
+    name: 'crank',
+    kind: 'crankshaft',
+    speed_ratio: 1,
+    up: 0,
+    right: 0,
+    z_from: -1,
+    z_to: 2,
+    journal_radius: 0.2,
+    throws: [],
+    webs: [],
+    weights: [],
+    ...changes,
+  }
+}
+
+export function cylinder(changes: Partial<CylinderShown> = {}): CylinderShown {
+  return {
+    number: 1,
+    shaft: 0,
+    throw: 0,
+    throw_angle: 0,
+    crank_radius: 1,
+    bearing: 0,
+    z: 0,
+    offset: 0,
+    rod_length: 4,
+    master: -1,
+    knuckle_radius: 0,
+    knuckle_angle: 0,
+    rod: 'plain',
+    rod_z: 0,
+    rod_width: 0.4,
+    bore: 2,
+    pin_height: 1,
+    skirt: 1,
+    bore_from: 2,
+    bore_to: 6.2,
+    bank: '',
+    chamber: 1,
+    fires_deg: 0,
+    ...changes,
+  }
+}
+
+/** An exhibit of one order whose forces and response are given. */
+export function exhibit(changes: Partial<Exhibit> = {}): Exhibit {
+  const none = { forward: [[0, 0]], backward: [[0, 0]] } as Exhibit['total']['force']
+  return {
+    name: 'test',
+    file: {},
+    cycle_deg: 720,
+    turns: 2,
+    sense: 1,
+    speed_rpm: null,
+    units: { force: 'N', couple: 'N*m', roll: 'N*m', length: 'm' },
+    heading: [],
+    reference_z: 0,
+    orders: [1],
+    total: { force: none, couple: none, roll: [[0, 0]], torque: [[0, 0]] },
+    cylinders: [{ number: 1, z: 0, force: none }],
+    whirl: {
+      centre: [0.3, 0.1, 0.5],
+      mass: 1,
+      inertia: [1, 1, 1],
+      shift: none,
+      tilt: none,
+      turn: [[0, 0]],
+      assumed: [],
+    },
+    scene: {
+      length_unit: 'm',
+      low: [-2, -2, -1],
+      high: [7, 2, 2],
+      shafts: [shaft()],
+      gears: [],
+      cylinders: [cylinder()],
+      assumed: [],
+    },
+    table: [],
+    verdict: [],
+    strokes: [],
+    stroke_windows: [],
+    charts: [],
+    derivations: [],
+    remedies: [],
+    ...changes,
+  }
+}

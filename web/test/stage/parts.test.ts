@@ -1,0 +1,206 @@
+import { describe, expect, test } from 'vitest'
+import type { Exhibit, GearShown, Scene } from '../../src/exhibit'
+import { along, boreEnd, facesAnother } from '../../src/stage/extent'
+import { hull } from '../../src/stage/hull'
+import { Loads } from '../../src/stage/load'
+import { band, circle, gear, type Outline, sector } from '../../src/stage/outlines'
+import { toothBearings } from '../../src/stage/parts/meshing'
+import { quantity, roundValue } from '../../src/stage/sheet'
+import { Solid } from '../../src/stage/solid'
+import type { View } from '../../src/stage/stage'
+import { tint, windowsOf } from '../../src/stage/strokes'
+import { cylinder, exhibit, shaft } from './engine'
+
+const area = (ring: Outline) =>
+  ring.reduce((sum, [x, y], index) => {
+    const [nextX, nextY] = ring[(index + 1) % ring.length] as [number, number]
+    return sum + (x * nextY - nextX * y) / 2
+  }, 0)
+
+describe('outlines run counter-clockwise', () => {
+  test.each([
+    ['a circle', circle(1, 2, 3, 400), 9 * Math.PI],
+    ['a band', band(1, 3, 0.7, 1), Math.PI + 6],
+    ['a sector', sector(1, 2, 2, 0.5), 1.5],
+    ['a gear', gear(1, 40), Math.PI],
+  ])('%s', (_, ring, expected) => {
+    expect(area(ring) / expected).toBeGreaterThan(0.97)
+    expect(area(ring) / expected).toBeLessThan(1.01)
+  })
+})
+
+test('the faces of a solid are closed and look outward: its volume is that of the prism and the turned shape', () => {
+  const volume = (solid: Solid) => {
+    const { faces } = solid.shape()
+    const at = faces.getAttribute('position')
+    const index = faces.getIndex()?.array ?? []
+    let sum = 0
+    for (let step = 0; step < index.length; step += 3) {
+      const corner = (turn: number) => {
+        const point = index[step + turn] as number
+        return [at.getX(point), at.getY(point), at.getZ(point)] as const
+      }
+      const [[ax, ay, az], [bx, by, bz], [cx, cy, cz]] = [corner(0), corner(1), corner(2)]
+      sum += (ax * (by * cz - bz * cy) - ay * (bx * cz - bz * cx) + az * (bx * cy - by * cx)) / 6
+    }
+    return sum
+  }
+  const square: Outline = [
+    [0, 0],
+    [2, 0],
+    [2, 1],
+    [0, 1],
+  ]
+  const hole: Outline = [
+    [0.5, 0.25],
+    [1, 0.25],
+    [1, 0.75],
+    [0.5, 0.75],
+  ]
+  expect(volume(new Solid().prism(square, 1, 4))).toBeCloseTo(6, 5)
+  expect(volume(new Solid().prism(square, 4, 1, 0, [hole]))).toBeCloseTo(6 - 0.75, 5)
+  const ring: [number, number, number][] = [
+    [1, 0, 0],
+    [2, 0, 0],
+    [2, 1, 0],
+    [1, 1, 0],
+    [1, 0, 0],
+  ]
+  expect(volume(new Solid().turned(ring, 0, 2 * Math.PI, 400))).toBeCloseTo(3 * Math.PI, 2)
+  expect(volume(new Solid().turned(ring, 0.3, 1.3, 400))).toBeCloseTo(1.5, 2)
+})
+
+test('the hull of points is what a rubber band round them would be', () => {
+  const points = [0, 0, 2, 0, 1, 0.5, 2, 2, 0, 2, 1, 1, 1, 0]
+  expect(new Set(hull(points))).toEqual(new Set([0, 1, 3, 4]))
+})
+
+test('teeth of gears that mesh stand in the gaps of each other, at any crank angle and whatever way they turn', () => {
+  const wheel = (index: number, radius: number, teeth: number): GearShown => ({
+    shaft: index,
+    radius,
+    z: 0,
+    thickness: 0.1,
+    teeth,
+  })
+  const shafts = [
+    shaft(),
+    shaft({ up: 2.1, right: 2.8, speed_ratio: -2 / 1.5 }),
+    shaft({ up: 2.1, right: 6.8, speed_ratio: 0.8 }),
+  ]
+  const gears = [wheel(0, 2, 40), wheel(1, 1.5, 30), wheel(2, 2.5, 50)]
+  const scene: Scene = { ...exhibit().scene, shafts, gears }
+  const bearings = toothBearings(scene)
+  for (const theta of [0, 0.37, 5]) {
+    for (const [a, b] of [
+      [0, 1],
+      [1, 2],
+    ] as const) {
+      const [from, to] = [shafts[a], shafts[b]] as [ReturnType<typeof shaft>, ReturnType<typeof shaft>]
+      const line = Math.atan2(to.right - from.right, to.up - from.up)
+      const share = (index: number, away: number) => {
+        const bearing = (bearings[index] as number) + (shafts[index]?.speed_ratio ?? 0) * theta
+        return ((bearing - away) * (gears[index]?.teeth ?? 0)) / (2 * Math.PI)
+      }
+      const both = share(a, line) + share(b, line + Math.PI)
+      expect(Math.abs(both - Math.round(both - 0.5) - 0.5)).toBeLessThan(1e-9)
+    }
+  }
+})
+
+test('opposed pistons share a bore to the middle between them, others end at their heads', () => {
+  const pair = [cylinder({ number: 1, bearing: Math.PI }), cylinder({ number: 2, shaft: 1 })]
+  const scene: Scene = { ...exhibit().scene, cylinders: pair, shafts: [shaft({ up: 14 }), shaft()] }
+  expect(pair.map((c) => facesAnother(c, pair))).toEqual([true, true])
+  expect(boreEnd(scene, pair[0] as (typeof pair)[0])).toBeCloseTo(7, 12)
+  expect(boreEnd(exhibit().scene, cylinder())).toBe(6.2)
+  expect(along(scene, cylinder({ bearing: Math.PI / 2, offset: 0.5 }), 3).map((part) => +part.toFixed(12))).toEqual([
+    3, 13.5, 0,
+  ])
+})
+
+describe('arrows', () => {
+  const view = (arrows: Partial<View['arrows']>): View => ({
+    theta: 0,
+    camera: 'front',
+    arrows: { force: true, couple: true, cylinders: true, orders: null, scale: 1, ...arrows },
+    whirl: { magnification: 0, orders: null },
+    glass: true,
+    glow: true,
+    dark: false,
+  })
+  const loaded: Exhibit = exhibit({
+    total: {
+      force: { forward: [[3, 0]], backward: [[0, 0]] },
+      couple: { forward: [[0, 2]], backward: [[0, 0]] },
+      roll: [[0, 0]],
+      torque: [[0, 0]],
+    },
+    cylinders: [{ number: 1, z: 0, force: { forward: [[2, 0]], backward: [[2, 0]] } }],
+  })
+
+  test('the longest of those shown has the design length, all forces have one scale', () => {
+    const { pulls, force } = new Loads(loaded).at(view({}))
+    expect(force).toBeCloseTo(4, 12)
+    const rounded = (value: number) => +value.toFixed(12) + 0
+    expect(pulls.map((pull) => [pull.kind, rounded(pull.up), rounded(pull.right)])).toEqual([
+      ['force', 0.75, 0],
+      ['couple', 0, 1],
+      ['couple', 0, -1],
+      ['part', 1, 0],
+    ])
+    expect(new Loads(loaded).at(view({ cylinders: false })).force).toBeCloseTo(3, 12)
+  })
+
+  test('what is not wanted is not drawn', () => {
+    const loads = new Loads(loaded)
+    expect(
+      loads
+        .at(view({ force: false }))
+        .pulls.filter((pull) => pull.up || pull.right)
+        .map((pull) => pull.kind),
+    ).toEqual(['couple', 'couple'])
+    expect(loads.at(view({ orders: [2] })).pulls.every((pull) => !pull.up && !pull.right)).toBe(true)
+  })
+
+  test('a sum that is rounding beside its parts is no arrow', () => {
+    const little = { forward: [[1e-9, 0]], backward: [[0, 0]] } as Exhibit['total']['force']
+    const [total] = new Loads({ ...loaded, total: { ...loaded.total, force: little } }).at(
+      view({ cylinders: false }),
+    ).pulls
+    expect(total?.up).toBeLessThan(1e-6)
+  })
+})
+
+test('a cylinder is tinted by its stroke; a flash dies away', () => {
+  const windows = windowsOf(
+    exhibit({
+      stroke_windows: [
+        { chamber: 1, stroke: 'intake', from_deg: 300, to_deg: 580 },
+        { chamber: 1, stroke: 'power', from_deg: 700, to_deg: 880 },
+      ],
+    }),
+  )
+  const out = new Float32Array(4)
+  const at = (degrees: number) => {
+    tint(windows[0] ?? [], degrees, 720, out, 0)
+    return [...out]
+  }
+  const [begun, later] = [at(-20), at(120)]
+  expect(begun[3]).toBeGreaterThan(0.8)
+  expect(later[3]).toBeLessThan(0.3)
+  expect(at(700 + 720 * 5)).toEqual(begun)
+  expect(at(170)[3]).toBe(0)
+  expect(at(400)[2]).toBeGreaterThan(at(400)[0] as number)
+})
+
+test('scales are round numbers with units', () => {
+  expect([0.0034, 1, 4.9, 51, 199].map(roundValue).map((value) => +value.toPrecision(3))).toEqual([
+    0.002, 1, 2, 50, 100,
+  ])
+  expect([quantity(2000, 'N'), quantity(0.005, 'N*m'), quantity(0.2, 'm r w^2')]).toEqual([
+    '2 kN',
+    '5 mN*m',
+    '0.2 m r w^2',
+  ])
+})
