@@ -1,0 +1,199 @@
+"""The report: its numbers are those of `analyze`, its proofs are there, nothing in it runs, the same engine gives the same bytes."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from tests.report.reading import Reader, amplitude, vouched
+
+import crankstar
+from crankstar import answer, catalog, derive, verdict
+from crankstar.balance import balance
+from crankstar.files import engine_of
+from crankstar.report import Matter, report
+
+HOSTILE = "</script><img src=x onerror=alert(1)><style>*{}</style> & \"'`\\ 01"
+ENGINES = ("v8-cross-plane", "audi-25-tfsi", "single", "kr250-production", "jumo-205")
+
+
+def matter(name: str, **more: Any) -> Matter:
+    _, tree = catalog.tree_of(name)
+    return Matter(engine_of(tree, name=name), tree, f"crankstar report {name} -o report.html", **more)
+
+
+@pytest.fixture(scope="module")
+def written() -> dict[str, str]:
+    return {name: report(matter(name)) for name in ENGINES}
+
+
+@pytest.mark.parametrize("name", ENGINES)
+def test_a_report_is_well_formed_and_nothing_in_it_can_run_or_be_fetched(written: dict[str, str], name: str) -> None:
+    read = Reader(written[name])
+    assert not {"script", "link", "img", "iframe", "object", "embed", "form", "base"} & {tag.name for tag in read.tags}
+    for tag in read.tags:
+        assert not [key for key in tag.attributes if key.startswith("on") or key in ("style", "src", "href", "xlink:href")]
+    (style,) = read.styles()
+    assert vouched(style) in read.policy()
+    assert read.policy().startswith("default-src 'none'; style-src 'sha256-")
+    assert "@import" not in style
+    assert "url(" not in style
+    names = [tag.attributes["id"] for tag in read.tags if "id" in tag.attributes]
+    assert len(names) == len(set(names))
+
+
+@pytest.mark.parametrize("name", ENGINES)
+def test_every_section_is_there(written: dict[str, str], name: str) -> None:
+    sections = [tag.attributes["id"] for tag in Reader(written[name]).tags if tag.name == "section" and "id" in tag.attributes]
+    always = ["data", "verdict", "views", "crankshaft", "strokes", "orders", "vectors", "turn", "whirl", "remedies"]
+    assert sections == [*always, "derivations", "sources", "conventions", "again"]
+    assert written[name].count("<svg") >= 10
+    assert "<!--figure" not in written[name]
+
+
+@pytest.mark.parametrize("name", ENGINES)
+def test_the_table_of_orders_says_what_the_machine_readable_answer_says(written: dict[str, str], name: str) -> None:
+    """The tables divide each order by the harmonic of the first piston; times that harmonic they are the answer of --json."""
+    engine = crankstar.load(name)
+    result = balance(engine)
+    tree = answer.tree(engine.name, result)
+    read = Reader(written[name])
+    for quantity in ("force", "couple"):
+        heads, *rows = read.table(f"{quantity.capitalize()} on the block")
+        assert [float(row[0]) for row in rows] == [one["order"] for one in tree["orders"]]
+        for row, one in zip(rows, tree["orders"], strict=True):
+            cells = dict(zip(heads, row, strict=True))
+            harmonic = 1.0 if cells["Aₖ"] == "-" else abs(float(cells["Aₖ"]))
+            forward, backward = (complex(*one[quantity][way]) for way in ("forward", "backward"))
+            for head, size in (("up", forward + backward.conjugate()), ("right", (forward - backward.conjugate()) / 1j)):
+                assert abs(amplitude(cells[head])) * harmonic == pytest.approx(abs(size), rel=2e-4, abs=1e-9)
+
+
+def test_forces_in_newtons_are_those_of_the_answer_at_the_speed_of_the_engine(written: dict[str, str]) -> None:
+    engine = crankstar.load("audi-25-tfsi")
+    tree = answer.tree(engine.name, balance(engine, speed=engine.speed))
+    heads, *rows = Reader(written["audi-25-tfsi"]).table("Couple on the block")
+    for row, one in zip(rows, tree["orders"], strict=True):
+        greatest = sum(abs(complex(*one["couple"][way])) for way in ("forward", "backward"))
+        assert float(row[heads.index("[N m]")]) == pytest.approx(greatest, rel=1e-4, abs=1e-6)
+
+
+def test_a_speed_that_is_asked_for_is_the_one_of_every_number() -> None:
+    page = report(matter("audi-25-tfsi", speed=100.0, orders=(1.0, 2.0)))
+    heads, *rows = Reader(page).table("Couple on the block")
+    tree = answer.tree("", balance(crankstar.load("audi-25-tfsi"), speed=100.0), orders=[1.0, 2.0])
+    for row, one in zip(rows, tree["orders"], strict=True):
+        greatest = sum(abs(complex(*one["couple"][way])) for way in ("forward", "backward"))
+        assert float(row[heads.index("[N m]")]) == pytest.approx(greatest, rel=1e-4)
+    assert len(rows) == 2
+    assert "954.93 rpm" in page
+    assert "6500 rpm" not in page.split('id="again"')[0].split('id="sources"')[0]
+
+
+@pytest.mark.parametrize("name", ENGINES)
+def test_the_verdict_and_every_source_are_in_it(written: dict[str, str], name: str) -> None:
+    engine = crankstar.load(name)
+    shown = Reader(written[name]).text()
+    assert all(fact.sentence in shown for fact in verdict.verdict(engine))
+    rows = Reader(written[name]).table("Where the values come from")[1:]
+    assert rows == [[path, origin.status, origin.source] for path, origin in engine.provenance.items()]
+
+
+def test_values_that_nobody_vouches_for_are_marked_beside_them(written: dict[str, str]) -> None:
+    page = written["audi-25-tfsi"]
+    assert '<dt>Rod between centres</dt><dd>144 mm <span class="doubt">unverified</span></dd>' in page
+    assert "<dt>Bore</dt><dd>82.5 mm</dd>" in page
+    assert '<dt>Speed for the forces</dt><dd>6500 rpm <span class="doubt">unverified</span></dd>' in page
+    assert "<dt>Swept volume</dt><dd>2480.4 cm³</dd>" in page  # pi/4 * 8.25² * 9.28 * 5
+
+
+@pytest.mark.parametrize("name", ["v8-cross-plane", "audi-25-tfsi"])
+def test_derivations_are_there_with_what_is_proved_to_be_zero(written: dict[str, str], name: str) -> None:
+    engine = crankstar.load(name)
+    page = written[name]
+    proved = [
+        f"{quantity} of order {order}"
+        for quantity in ("force", "couple")
+        for order in (1, 2, 4, 6)
+        if derive.derivation(engine, order, quantity).zero
+    ]
+    assert f"Proved to be exactly zero: {', '.join(proved)}." in page
+    assert page.count('<section class="derivation">') == 8
+    assert "<math" in page
+
+
+def test_orders_that_are_named_are_derived_in_full() -> None:
+    page = report(matter("i4", orders=(4.0,)))
+    assert page.count('<section class="derivation">') == 2  # of the force and the couple
+    assert "Every cylinder along its own axis" in page
+
+
+def test_the_same_engine_gives_the_same_bytes(written: dict[str, str]) -> None:
+    assert report(matter("single")) == written["single"]
+
+
+def test_the_name_of_an_engine_is_text_everywhere() -> None:
+    tree = {**catalog.tree_of("i4")[1], "name": HOSTILE, "notes": HOSTILE, "source": HOSTILE}
+    engine = engine_of(tree, name="hostile")
+    page = report(Matter(engine, tree, f"crankstar report {HOSTILE}", beside=engine))
+    read = Reader(page)
+    assert not {"script", "img"} & {tag.name for tag in read.tags}
+    assert sum(tag.name == "style" for tag in read.tags) == 1
+    (style,) = read.styles()
+    assert vouched(style) in read.policy()
+    assert "<" not in style
+    assert ("h1", HOSTILE) in {(path[-1], data) for path, data in read.texts if path}
+
+
+def test_the_running_title_cannot_leave_its_string() -> None:
+    name = 'a"; } * { display: none } \\'
+    tree = {**catalog.tree_of("single")[1], "name": name}
+    (style,) = Reader(report(Matter(engine_of(tree, name="x"), tree, ""))).styles()
+    assert style.endswith('"; } }\n')
+    assert "display: none }" not in style.split("@top-left")[-1]
+
+
+def test_another_engine_stands_beside_it() -> None:
+    page = report(matter("i4", beside=crankstar.load("v8-flat-plane")))
+    read = Reader(page)
+    rows = read.table("Greatest value of each order")
+    assert [" ".join(head.split()) for head in rows[0][1:]][1].startswith("V8, flat-plane")
+    second = next(row for row in rows if row[0].startswith("force, order 2"))
+    assert float(second[2]) == pytest.approx(2**0.5 * float(second[1]), rel=1e-3)  # 4√2 A2 beside 4 A2
+
+
+def test_an_engine_without_a_firing_order_has_no_strokes_but_a_sentence() -> None:
+    tree = {key: value for key, value in catalog.tree_of("v8-cross-plane")[1].items() if key != "firing_order"}
+    page = report(Matter(engine_of(tree, name="x"), tree, ""))
+    assert "gives no firing order" in page
+    assert "Strokes and events" not in page
+
+
+def test_remedies_leave_what_a_balance_says_they_leave(written: dict[str, str]) -> None:
+    rows = Reader(written["v8-cross-plane"]).table("What is left")
+    found = {row[1]: row[-1] for row in rows[1:]}
+    assert found["couple as it was [m r ω² a]"] == "3.1623"  # √10
+    assert found["couple now [m r ω² a]"] == "0"
+
+
+def test_the_file_in_the_report_is_the_engine(written: dict[str, str]) -> None:
+    """What is printed at the end can be read again and is the same engine."""
+    import tomllib
+
+    (file,) = [data for path, data in Reader(written["audi-25-tfsi"]).texts if path[-2:] == ("pre", "code") and "format" in data]
+    assert engine_of(tomllib.loads(file), name="again") == crankstar.load("audi-25-tfsi")
+
+
+def test_a_cross_plane_crankshaft_whirls_in_a_circle(written: dict[str, str]) -> None:
+    rows = Reader(written["v8-cross-plane"]).table("Paths, order by order")
+    assert rows[1][1] == rows[1][3] == "circle with the crank"
+
+
+def test_a_file_that_toml_has_no_words_for_is_shown_as_json(tmp_path: Path) -> None:
+    tree = {**catalog.tree_of("single")[1], "speed": None}
+    place = tmp_path / "x.json"
+    place.write_text(json.dumps(tree), encoding="utf-8")
+    page = report(Matter(crankstar.load("single"), tree, ""))
+    assert "&quot;speed&quot;: null" in page
