@@ -52,7 +52,7 @@ export function FileButtons() {
   return (
     <>
       <button type="button" onClick={() => chooser.current?.click()}>
-        Open file ...
+        Open ...
       </button>
       <input
         ref={chooser}
