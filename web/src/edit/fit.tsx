@@ -1,4 +1,4 @@
-import { useState } from 'preact/hooks'
+import { useId, useState } from 'preact/hooks'
 import type { Fitting } from '../host/host'
 import { useSession } from './context'
 import { placed, told } from './session'
@@ -10,6 +10,7 @@ const ADVISED = 'as its verdict advises'
 /** Puts counterweights and balance shafts on the engine; what it becomes has every weight in it (explicit form). */
 export function Fit() {
   const session = useSession()
+  const id = useId()
   const [factor, setFactor] = useState('')
   const [weights, setWeights] = useState(ADVISED)
   const [shafts, setShafts] = useState(ADVISED)
@@ -39,9 +40,10 @@ export function Fit() {
   return (
     <div class="fit">
       <p class="help">Weights and shafts that take away what they can. The engine is then in the explicit form, weight by weight.</p>
-      <label>
-        Balance factor
+      <div>
+        <label for={id}>Balance factor</label>
         <input
+          id={id}
           type="text"
           inputMode="decimal"
           placeholder="the best"
@@ -49,7 +51,7 @@ export function Fit() {
           value={factor}
           onInput={(event) => setFactor(event.currentTarget.value)}
         />
-      </label>
+      </div>
       <Choice label="Counterweights" among={Object.keys(WEIGHTS)} value={weights} choose={setWeights} />
       <Choice label="Balance shafts" among={Object.keys(SHAFTS)} value={shafts} choose={setShafts} />
       <button type="button" disabled={busy} onClick={() => void fit()}>
@@ -67,16 +69,17 @@ interface ChoiceProps {
 }
 
 function Choice({ label, among, value, choose }: ChoiceProps) {
+  const id = useId()
   return (
-    <label>
-      {label}
-      <select value={value} onChange={(event) => choose(event.currentTarget.value)}>
+    <div>
+      <label for={id}>{label}</label>
+      <select id={id} value={value} onChange={(event) => choose(event.currentTarget.value)}>
         {[ADVISED, ...among].map((one) => (
           <option key={one} value={one}>
             {one}
           </option>
         ))}
       </select>
-    </label>
+    </div>
   )
 }

@@ -91,6 +91,11 @@ function Mistakes({ session, root }: { session: Session; root: () => HTMLElement
           </li>
         ))}
       </ul>
+      {problems.some(({ at }) => at[0] === 'firing_order') && (
+        <button type="button" class="way-out" onClick={() => session.set(['firing_order'], undefined)}>
+          Leave the firing order out
+        </button>
+      )}
     </div>
   )
 }
