@@ -219,7 +219,8 @@ def test_throws_are_added_moved_and_removed(editing: Page) -> None:
 
 
 def test_an_engine_of_the_catalog_is_chosen_with_keys_alone(editing: Page) -> None:
-    editing.get_by_role("combobox", name="Engine of the catalog").focus()
+    box = editing.get_by_role("combobox", name="Engine of the catalog")
+    box.focus()
     editing.keyboard.type("two-stroke tandem racer")
     options = editing.get_by_role("listbox", name="Engines").get_by_role("option")
     count = options.count()
@@ -227,7 +228,7 @@ def test_an_engine_of_the_catalog_is_chosen_with_keys_alone(editing: Page) -> No
     editing.keyboard.press("ArrowDown")
     chosen = editing.locator('[role=option][aria-selected="true"]')
     expect(chosen).to_have_count(1)
-    assert editing.get_by_role("combobox").get_attribute("aria-activedescendant") == chosen.get_attribute("id")
+    assert box.get_attribute("aria-activedescendant") == chosen.get_attribute("id")
     title = chosen.locator(".title").inner_text()
     editing.keyboard.press("Enter")
     expect(editing.locator("h1")).to_have_text(title)
@@ -316,7 +317,7 @@ def test_a_hostile_name_is_text_everywhere(editing: Page) -> None:
 def test_a_row_of_a_search_becomes_the_engine(editing: Page) -> None:
     editing.get_by_role("button", name="Find a better crank").click()
     dialog = editing.get_by_role("dialog", name="Find a better crank")
-    dialog.get_by_label("Number of cylinders").fill("7")
+    dialog.get_by_role("spinbutton", name="Number of cylinders").fill("7")
     dialog.get_by_role("button", name="Search").click()
     rows = dialog.locator("tbody tr")
     rows.first.wait_for(timeout=90_000)  # the first search of an installation compiles its loops
@@ -333,7 +334,7 @@ def test_a_row_of_a_search_becomes_the_engine(editing: Page) -> None:
 def test_a_search_is_cancelled(editing: Page) -> None:
     editing.get_by_role("button", name="Find a better crank").click()
     dialog = editing.get_by_role("dialog")
-    dialog.get_by_label("Number of cylinders").fill("14")
+    dialog.get_by_role("spinbutton", name="Number of cylinders").fill("14")
     dialog.get_by_role("button", name="Search").click()
     dialog.get_by_role("progressbar").wait_for()
     dialog.get_by_role("button", name="Cancel").click()

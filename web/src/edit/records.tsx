@@ -60,7 +60,8 @@ export function AnyField(props: FieldProps): JSX.Element | null {
 export function Fields({ fields, path, quiet = false }: { fields: readonly Field[]; path: Path; quiet?: boolean }) {
   const session = useSession()
   const here = at(session.tree.value, path)
-  const open = fields.filter((field) => field.required || OPEN.has(field.key) || fields.length <= FEW)
+  const chief = fields.filter((field) => field.required || OPEN.has(field.key))
+  const open = chief.length === 0 || fields.length <= FEW ? fields : chief
   const folded = fields.filter((field) => !open.includes(field) && field.kind.is !== 'fixed')
   const given = folded.filter((field) => at(here, [field.key]) !== undefined)
   const each = (list: readonly Field[]) =>
