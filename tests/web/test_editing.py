@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Browser, Locator, Page, expect
 from tests.web.browsing import too_wide, watched
-from tests.web.serving import Server, serving
+from tests.web.serving import Server
 
 from crankstar import files
 
@@ -338,7 +338,7 @@ def test_a_search_is_cancelled(editing: Page) -> None:
     dialog.get_by_role("button", name="Search").click()
     dialog.get_by_role("progressbar").wait_for()
     dialog.get_by_role("button", name="Cancel").click()
-    expect(dialog.get_by_role("status")).to_contain_text("Cancelled")
+    expect(dialog.get_by_role("status")).to_contain_text("Cancelled", timeout=1000 * WAIT_SECONDS)
     expect(dialog.get_by_role("progressbar")).to_have_count(0)
     expect(dialog.get_by_role("button", name="Search")).to_be_enabled()
 
@@ -361,14 +361,20 @@ def test_fitting_puts_weights_on_and_undo_takes_them_off(editing: Page) -> None:
     eventually(lambda: "layout" in on_stage(editing)["file"], True)
 
 
-@pytest.mark.parametrize("engine", ["v8-cross-plane", "napier-deltic", "radial-9"])
 @pytest.mark.parametrize("width", [400, 900, 1600])
-def test_nothing_reaches_over_the_edge(browser: Browser, engine: str, width: int) -> None:
+def test_nothing_reaches_over_the_edge(browser: Browser, server: Server, width: int) -> None:
     complaints: list[str] = []
-    with serving(engine) as server, watched(browser, complaints, width=width, height=900) as page:
-        opened(page, server)
-        page.locator(".editor .form > details:nth-of-type(3) > summary").click()
-        assert not too_wide(page)
+    with watched(browser, complaints, width=width, height=700) as page:
+        for engine in ("v8-cross-plane", "napier-deltic", "radial-9"):
+            opened(page, server, f"tab=edit&a=0&engine={engine}")
+            page.reload()
+            page.locator(".editor .form .field").first.wait_for()
+            assert not beyond(page)
         page.get_by_role("button", name="Find a better crank").click()
-        assert not too_wide(page)
+        assert not beyond(page)
     assert not complaints
+
+
+def beyond(page: Page) -> list[str]:
+    """What reaches over an edge or is cut off, but for what is there for those who listen."""
+    return [line for line in too_wide(page) if not re.match(r"\w+\.(unseen|aside|chooser)\b", line)]

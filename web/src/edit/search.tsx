@@ -82,7 +82,7 @@ function SearchDialog({ close }: { close: () => void }) {
   const session = useSession()
   const inline = at(session.tree.value, ['layout', 'type']) === 'inline' || session.tree.value.layout === undefined
   const [asked, setAsked] = useState<Asked>(NOTHING_YET)
-  const { state, wrong, start, stop } = useSearch(session)
+  const { state, wrong, ending, start, stop } = useSearch(session)
   const now: Asked = inline ? asked : { ...asked, of: 'number' }
   const running = state?.state === 'running'
   return (
@@ -107,8 +107,8 @@ function SearchDialog({ close }: { close: () => void }) {
             Search
           </button>
           {running && (
-            <button type="button" onClick={() => void stop()}>
-              Cancel
+            <button type="button" disabled={ending} onClick={() => void stop()}>
+              {ending ? 'Cancelling ...' : 'Cancel'}
             </button>
           )}
         </div>
@@ -135,6 +135,7 @@ function putOnStage(session: Session, found: Found, row: number, close: () => vo
 function useSearch(session: Session) {
   const [state, setState] = useState<SearchState | null>(null)
   const [wrong, setWrong] = useState<readonly string[]>([])
+  const [ending, setEnding] = useState(false)
   const following = useRef('')
   const timer = useRef<ReturnType<typeof setTimeout> | undefined>(undefined)
   useEffect(
@@ -163,14 +164,17 @@ function useSearch(session: Session) {
   return {
     state,
     wrong,
+    ending,
     start: async (asked: Asked) => {
       setWrong([])
       setState(null)
+      setEnding(false)
       take(await told(session.service.startSearch(asked.of === 'engine' ? session.tree.value : null, wishOf(asked))))
     },
     stop: async () => {
       const id = following.current
       clearTimeout(timer.current)
+      setEnding(true)
       if (id) take(await told(session.service.cancelSearch(id)))
     },
   }
