@@ -9,8 +9,6 @@ export interface Clock {
   readonly playing: ReadonlySignal<boolean>
   /** Turns of the crankshaft after which everything is back at the start; theta stays within. */
   readonly turns: Signal<number>
-  /** Crank angle, radians. */
-  theta(): number
   /** Crank angle in degrees within the cycle. */
   degrees(): number
   /** Turns the engine to an angle, degrees; shown with the next frame. */
@@ -30,19 +28,20 @@ export interface Clock {
 const KEPT = 600
 /** A frame that comes later than this, seconds, is a pause: the engine does not jump over it. */
 const LONGEST = 0.25
-const TURN = 2 * Math.PI
 
 export function createClock(pace: ReadonlySignal<number>, stopped: (degrees: number | null) => void): Clock {
   const playing = signal(false)
   const turns = signal(1)
   const followers = new Set<Follower>()
   const times: number[] = []
-  let theta = 0
+  // kept in degrees, so that 450 stays 450 in links
+  let angle = 0
   let before: number | null = null
   let asked = 0
 
   async function show(): Promise<void> {
     const began = performance.now()
+    const theta = (angle * Math.PI) / 180
     const waiting: unknown[] = []
     for (const follower of followers) {
       const done = follower(theta)
@@ -57,7 +56,7 @@ export function createClock(pace: ReadonlySignal<number>, stopped: (degrees: num
     asked = 0
     if (playing.peek()) {
       const passed = before === null ? 0 : (now - before) / 1000
-      if (passed < LONGEST) theta = (theta + passed * pace.peek() * TURN) % (turns.peek() * TURN)
+      if (passed < LONGEST) angle = withinCycle(angle + passed * pace.peek() * 360, turns.peek())
       before = now
     }
     void show()
@@ -75,14 +74,13 @@ export function createClock(pace: ReadonlySignal<number>, stopped: (degrees: num
   }
   document.addEventListener('visibilitychange', seen)
 
-  const degrees = (): number => withinCycle((theta / TURN) * 360, turns.peek())
+  const degrees = (): number => withinCycle(angle, turns.peek())
   return {
     playing,
     turns,
-    theta: () => theta,
     degrees,
-    turnTo(angle) {
-      theta = (withinCycle(angle, turns.peek()) / 360) * TURN
+    turnTo(wanted) {
+      angle = withinCycle(wanted, turns.peek())
       if (!playing.peek()) stopped(degrees())
       ask()
     },

@@ -1,6 +1,6 @@
 import { idOf, useSession } from './context'
-import { TYPES, withLayout } from './layouts'
 import { Fit } from './fit'
+import { TYPES, withLayout } from './layouts'
 import { AnyField, Fields, Folded } from './records'
 import { EXPLICIT, type Field } from './schema'
 import type { Placed } from './session'

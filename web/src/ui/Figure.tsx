@@ -12,11 +12,13 @@ export function Figure({ exhibit, chart, label }: { exhibit: Exhibit; chart: str
   const last = useRef<Promise<unknown>>(Promise.resolve())
   const trouble = useSignal('')
   const there = useSignal(false)
+  const busy = useSignal(true)
   const attempt = useSignal(0)
   const again = attempt.value
 
   useEffect(() => {
     let ended = false
+    busy.value = true
     async function draw(): Promise<void> {
       if (ended) return
       try {
@@ -36,6 +38,8 @@ export function Figure({ exhibit, chart, label }: { exhibit: Exhibit; chart: str
         shown.current = null
         there.value = false
         trouble.value = error instanceof Error ? error.message : String(error)
+      } finally {
+        if (!ended) busy.value = false
       }
     }
     // one after the other: while an engine is being dragged only the newest is asked for
@@ -53,7 +57,7 @@ export function Figure({ exhibit, chart, label }: { exhibit: Exhibit; chart: str
   useEffect(() => () => shown.current?.dispose(), [])
 
   return (
-    <figure class={`figure${there.value ? '' : ' empty'}`} data-chart={chart}>
+    <figure class={`figure${there.value ? '' : ' empty'}`} data-chart={chart} aria-busy={busy.value}>
       <div class="drawing" ref={place} role="img" aria-label={`${label}. ${exhibit.name}.`} />
       {!there.value && !trouble.value && <p class="wait">Drawing: {label} …</p>}
       {trouble.value && (

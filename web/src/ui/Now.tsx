@@ -33,17 +33,19 @@ function Numbers({ exhibit, named }: { exhibit: Exhibit; named: boolean }) {
   )
   const { units } = exhibit
   return (
-    <dl ref={cells}>
-      {named && <div class="whose">{exhibit.name}</div>}
-      <Vector label="Force" unit={units.force} />
-      <Vector label="Couple" unit={units.couple} />
-      <div>
-        <dt>Roll</dt>
-        <dd>
-          <output aria-live="off" aria-label="roll" /> <span class="unit">{units.roll}</span>
-        </dd>
-      </div>
-    </dl>
+    <div class="numbers">
+      {named && <h2 class="whose">{exhibit.name}</h2>}
+      <dl ref={cells}>
+        <Vector label="Force" unit={units.force} />
+        <Vector label="Couple" unit={units.couple} />
+        <div>
+          <dt>Roll</dt>
+          <dd>
+            <output aria-live="off" aria-label="roll" /> <span class="unit">{units.roll}</span>
+          </dd>
+        </div>
+      </dl>
+    </div>
   )
 }
 
