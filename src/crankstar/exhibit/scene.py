@@ -81,13 +81,18 @@ def _unbalance_scale(engine: Engine, cranks: dict[int, Crank], sizes: Proportion
     """Density with which weights are drawn: that of steel; without masses or sizes, one that suits the greatest of them."""
     if {"mass", "radius"}.isdisjoint(engine.relative):
         return STEEL
-    needed = []
-    for index, shaft in enumerate(engine.shafts):
-        inner, room = _weight_room(engine, index, cranks.get(index), sizes, places)
-        for lump in _lumps(shaft, cranks.get(index), sizes):
-            sector = 2 / 3 * sin(HALF_ANGLE) * lump.thickness * ((0.9 * room) ** 3 - inner**3)
-            needed.append(abs(lump.vector) / max(sector, 1e-12))
-    return max(needed, default=1.0) or 1.0
+    for with_throws in (True, False):  # balance shafts can be as long as they need, webs are as thick as they are
+        needed = []
+        for index, shaft in enumerate(engine.shafts):
+            if bool(shaft.throws) is not with_throws:
+                continue
+            inner, room = _weight_room(engine, index, cranks.get(index), sizes, places)
+            for lump in _lumps(shaft, cranks.get(index), sizes):
+                sector = 2 / 3 * sin(HALF_ANGLE) * lump.thickness * ((0.9 * room) ** 3 - inner**3)
+                needed.append(abs(lump.vector) / max(sector, 1e-12))
+        if any(needed):
+            return max(needed)
+    return 1.0
 
 
 def _lumps(shaft: Shaft, drawn: Crank | None, sizes: Proportions) -> list[Lump]:
