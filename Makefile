@@ -18,6 +18,13 @@ demo: $(RUN_ONLY) bundle
 	@echo "== A better crank: all ways to set seven throws (crankstar search 7 --cycle two-stroke; the loops are compiled once)"
 	@$(BIN)/crankstar search 7 --cycle two-stroke
 	@echo
+	@echo "== The same engine on paper and turning: demo/audi.html, demo/audi-page.html"
+	@mkdir -p demo
+	@$(BIN)/crankstar report audi-25-tfsi -o demo/audi.html
+	@$(BIN)/crankstar page audi-25-tfsi -o demo/audi-page.html
+	@echo "The report: $(CURDIR)/demo/audi.html"
+	@echo "The page:   $(CURDIR)/demo/audi-page.html   (open them in a browser)"
+	@echo
 	@echo "== Next: crankstar new vee > mine.toml; edit it; crankstar analyze mine.toml   (the command is $(BIN)/crankstar)"
 
 test: $(READY) front-end lint docs chromium
@@ -59,7 +66,7 @@ bench: $(READY)
 	$(BIN)/python benchmarks/run.py
 
 clean:
-	rm -rf $(VENV) dist site web/node_modules src/crankstar/bundle
+	rm -rf $(VENV) dist site demo web/node_modules src/crankstar/bundle
 
 $(RUN_ONLY): pyproject.toml constraints.txt
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "crankstar needs Python 3.11 or newer; name one with: make PYTHON=python3.12 ...")'

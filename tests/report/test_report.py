@@ -1,4 +1,4 @@
-"""The report: its numbers are those of `analyze`, its proofs are there, nothing in it runs, the same engine gives the same bytes."""
+"""The report: its numbers are those of `analyze`, its proofs are there, nothing in it runs; the same engine, the same bytes."""
 
 from __future__ import annotations
 

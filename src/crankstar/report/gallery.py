@@ -51,7 +51,7 @@ class Gallery:
 @contextmanager
 def opened(matter: Matter) -> Iterator[Gallery]:
     """A gallery in which drawing goes on beside other work; what is not yet begun when it closes is not drawn."""
-    pool = ThreadPoolExecutor(1)
+    pool = ThreadPoolExecutor(2)  # one draws while the other waits for its picture
     try:
         yield Gallery(matter, pool)
     finally:
