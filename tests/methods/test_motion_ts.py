@@ -79,7 +79,7 @@ def at(engine: Engine, shown: Exhibit, theta: float, chosen: tuple[float, ...] |
         "chosen": chosen,
         "force": vector(shown.total.force),
         "couple": vector(shown.total.couple),
-        "roll": float(phasor.value(kept(roll, chosen), theta).real),
+        "roll": float(np.real(phasor.value(kept(roll, chosen), theta))),
         "parts": [vector(part.force) for part in shown.cylinders],
     }
 
