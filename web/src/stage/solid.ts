@@ -26,15 +26,14 @@ export class Solid {
     const [low, high] = from < to ? [from, to] : [to, from]
     for (const ring of [outline, ...holes]) this.#wall(ring, low, high, tint, ring === outline ? 1 : -1)
     const corners = [outline, ...holes].flat()
-    const flat = (ring: Outline) => ring.map(([x, y]) => new Vector2(x, y))
-    const triangles = ShapeUtils.triangulateShape(flat(outline), holes.map(flat))
+    const triangles = holes.length === 0 && convex(outline) ? fan(outline.length) : cut(outline, holes)
     for (const [z, front] of [
       [low, false],
       [high, true],
     ] as const) {
       const first = this.#positions.length / 3
       for (const [x, y] of corners) this.#point(x, y, z, 0, 0, front ? 1 : -1, tint)
-      for (const [a, b, c] of triangles as [number, number, number][]) {
+      for (const [a, b, c] of triangles) {
         this.#index.push(first + a, first + (front ? b : c), first + (front ? c : b))
       }
     }
@@ -122,7 +121,7 @@ export class Solid {
       this.#point(radius * cos, height, radius * sin, -side * sin, 0, side * cos, tint)
     }
     for (let corner = 1; corner + 1 < profile.length; corner++) {
-      this.#index.push(first, first + corner + (last ? 1 : 0), first + corner + (last ? 0 : 1))
+      this.#index.push(first, first + corner + (last ? 0 : 1), first + corner + (last ? 1 : 0))
     }
   }
 
@@ -143,6 +142,27 @@ export class Solid {
     lines.setAttribute('position', floats(this.#lines, 3))
     return { faces, lines }
   }
+}
+
+/** Whether an outline never bends inward, so that it can be cut from one of its corners. */
+function convex(ring: Outline): boolean {
+  return ring.every(([x, y], index) => {
+    const [a, b] = [ring[(index + 1) % ring.length], ring[(index + 2) % ring.length]] as [Corner, Corner]
+    return (a[0] - x) * (b[1] - a[1]) - (a[1] - y) * (b[0] - a[0]) >= 0
+  })
+}
+
+type Corner = readonly [number, number]
+type Triangle = readonly [number, number, number]
+
+function fan(corners: number): Triangle[] {
+  return Array.from({ length: corners - 2 }, (_, index) => [0, index + 1, index + 2] as const)
+}
+
+/** Triangles of any outline, with holes. */
+function cut(outline: Outline, holes: readonly Outline[]): Triangle[] {
+  const flat = (ring: Outline) => ring.map(([x, y]) => new Vector2(x, y))
+  return ShapeUtils.triangulateShape(flat(outline), holes.map(flat)) as unknown as Triangle[]
 }
 
 function unit(x: number, y: number): [number, number] {

@@ -38,7 +38,8 @@ test('the faces of a solid are closed and look outward: its volume is that of th
     for (let step = 0; step < index.length; step += 3) {
       const corner = (turn: number) => {
         const point = index[step + turn] as number
-        return [at.getX(point), at.getY(point), at.getZ(point)] as const
+        // Seen from a point that is in the plane of no face, so that each of them counts.
+        return [at.getX(point) + 0.7, at.getY(point) - 0.4, at.getZ(point) + 1.3] as const
       }
       const [[ax, ay, az], [bx, by, bz], [cx, cy, cz]] = [corner(0), corner(1), corner(2)]
       sum += (ax * (by * cz - bz * cy) - ay * (bx * cz - bz * cx) + az * (bx * cy - by * cx)) / 6
