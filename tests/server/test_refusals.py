@@ -100,6 +100,8 @@ def test_other_addresses_methods_and_kinds_are_refused_in_the_same_shape(server:
     assert words(server.ask("api/exhibit"), 405)
     assert words(server.ask("api/health", method="DELETE"), 405)
     assert words(server.ask("", method="BREW"), 405)
+    assert server.ask("api/search/x", method="PUT").heads["allow"] == "DELETE, GET"
+    assert server.ask("api/exhibit").heads["allow"] == "POST"
     plain = server.ask("api/exhibit", b'{"engine": "i4"}', heads={"Content-Type": "text/plain"})
     assert "application/json" in words(plain, 415)[0]
     form = server.ask("api/exhibit", b"engine=i4", heads={"Content-Type": "application/x-www-form-urlencoded"})

@@ -9,6 +9,7 @@ from typing import Any
 from fastapi import FastAPI, Request, Response
 from fastapi.exceptions import RequestValidationError
 from starlette.exceptions import HTTPException
+from starlette.routing import Match, Route
 
 from crankstar import __version__
 from crankstar.fault import where
@@ -68,11 +69,19 @@ async def _refuse(_: Request, error: Exception) -> Response:
 HTTP = {404: "there is no such address; /docs has those that there are", 405: "this address is not asked so; /docs says how"}
 
 
-async def _refuse_http(_: Request, error: Exception) -> Response:
+async def _refuse_http(request: Request, error: Exception) -> Response:
     assert isinstance(error, HTTPException)  # noqa: S101
     if isinstance(error, routes.NotStrictError):
         return _shown(error.refusal)
-    return _shown(refused(error.status_code, HTTP.get(error.status_code, "this cannot be answered")), error.headers)
+    heads = {"allow": ", ".join(_methods(request))} if error.status_code == 405 else error.headers
+    return _shown(refused(error.status_code, HTTP.get(error.status_code, "this cannot be answered")), heads)
+
+
+def _methods(request: Request) -> list[str]:
+    """How an address may be asked, by all routes together; the framework names only those of the first."""
+    every = [route for route in (*routes.router.routes, *pages.router.routes) if isinstance(route, Route)]
+    there = [route for route in every if route.matches(request.scope)[0] is not Match.NONE]
+    return sorted({method for route in there for method in route.methods or ()})
 
 
 async def _refuse_invalid(_: Request, error: Exception) -> Response:

@@ -66,6 +66,10 @@ class Guard:
         self.own = {host.lower(), socket.gethostname().lower(), "localhost"}
         self.seconds = seconds
 
+    def description(self) -> dict[str, Any]:
+        """The description of the API (OpenAPI)."""
+        return self.application.openapi()  # pyright: ignore[reportFunctionMemberAccess]  # a FastAPI stands behind it
+
     async def __call__(self, scope: Message, receive: Receive, send: Send) -> None:
         """Refuses a question, or hands it on whole; one whose asker leaves is given up."""
         if scope["type"] != "http":

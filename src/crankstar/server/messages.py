@@ -83,7 +83,7 @@ class FittedQuestion(EngineQuestion):
 class TextQuestion(Message):
     """The text of an engine file, TOML or JSON."""
 
-    text: Annotated[str, Field(max_length=1_000_000)]
+    text: str = Field(description="as long as a question may be")
 
 
 class SearchQuestion(Message):

@@ -1,0 +1,97 @@
+"""Any engine at all, good or spoilt, and any question the description of the API allows: answers or sentences, nothing else."""
+
+from __future__ import annotations
+
+import json
+import os
+import random
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+import schemathesis
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from schemathesis.checks import CHECKS
+from tests.spoilt import TREES, mutated
+from tests.strategies import OF_ANY_KIND
+from tests.web.serving import Server
+
+from crankstar import files
+from crankstar.engine import Engine
+from crankstar.exhibit.records import Exhibit
+from crankstar.server import tasks
+from crankstar.server.application import application
+from crankstar.server.crew import Alone
+from crankstar.server.refusal import Refused
+from crankstar.server.routes import bounded
+
+LONG = os.environ.get("HYPOTHESIS_PROFILE") == "long"
+API = schemathesis.openapi.from_dict(application(crew=Alone()).description())
+PATIENT = [HealthCheck.too_slow, HealthCheck.data_too_large, HealthCheck.filter_too_much]
+ANY_ENGINE = st.one_of(*OF_ANY_KIND.values())
+
+
+def answer(task: Callable[..., bytes], *asked: Any) -> Any:
+    """What a task answers, as JSON without anything that JSON does not have; None where it refuses in sentences."""
+
+    def refuse(name: str) -> Any:
+        raise AssertionError(f"{name} is no JSON")
+
+    try:
+        return json.loads(task(*asked), parse_constant=refuse)
+    except Refused as caught:
+        refusal = caught
+    assert refusal.status == 422
+    assert json.loads(refusal.body)["problems"]
+    return None
+
+
+def check(engine: str | dict[str, Any], chance: random.Random) -> bool:
+    """Asks everything of an engine that is not too much; whether it was one."""
+    shown = answer(tasks.exhibit, engine)
+    text = answer(tasks.toml, engine)
+    assert (shown is None) == (text is None)
+    if shown is None:
+        return False
+    exhibit = Exhibit.model_validate_json(json.dumps(shown))
+    answer(tasks.fitted, engine, {})
+    answer(tasks.chart, engine, chance.choice(exhibit.charts).key)
+    answer(tasks.derivation, engine, chance.choice(exhibit.derivations).key)
+    assert files.engine_of(files.tree_of(text["toml"])).name == exhibit.name
+    return True
+
+
+@given(engine=ANY_ENGINE, seed=st.integers(0, 1000))
+@settings(max_examples=200 if LONG else 8, suppress_health_check=PATIENT)
+def test_all_that_is_asked_of_any_engine_is_answered(engine: Engine, seed: int) -> None:
+    assert check(json.loads(json.dumps(files.explicit(engine))), random.Random(seed))  # noqa: S311
+
+
+@pytest.mark.parametrize("seeds", [range(60), pytest.param(range(60, 3000), marks=pytest.mark.long)], ids=["some", "many"])
+def test_a_spoilt_engine_is_answered_or_refused_in_sentences(seeds: range) -> None:
+    good = 0
+    for seed in seeds:
+        chance = random.Random(seed)  # noqa: S311
+        tree = mutated(chance.choice(TREES), chance)
+        try:
+            tree = json.loads(json.dumps(tree))
+        except (TypeError, ValueError):
+            continue  # it cannot come over the wire
+        if answer(lambda tree=tree: json.dumps(bounded(tree)).encode()) is not None:
+            good += check(tree, chance)
+    assert 0 < good < len(seeds)
+
+
+@API.parametrize()
+@settings(max_examples=100 if LONG else 8, suppress_health_check=PATIENT, deadline=None)
+def test_whatever_the_description_allows_is_answered_as_it_says(case: Any, server: Server) -> None:
+    """Schemathesis: no failure of the server, and status, kind, headers and shape of every answer as described."""
+    if case.operation.path == "/api/search" and case.method == "POST":
+        case.body = {"cylinders": 1} if isinstance(case.body, dict) else case.body  # searches would take all the processors
+    found = case.call(base_url=server.address.rstrip("/"), timeout=30)
+    case.validate_response(found, excluded_checks=REFUSED_IN_WORDS)
+
+
+REFUSED_IN_WORDS = [check for check in CHECKS.get_all() if check.__name__ in ("positive_data_acceptance", "unsupported_method")]
+"""What a schema cannot say of an engine is refused with 422; methods that are unknown to HTTP with 400 or 405."""
