@@ -1,11 +1,13 @@
+import { measured } from './measured'
+import { parsed } from './quantity'
 import type { Field } from './schema'
 
-/** What a table begins with: its required keys, each with the example of the schema or the least that it can be. */
-export function recordOf(fields: readonly Field[]): Record<string, unknown> {
-  return Object.fromEntries(fields.filter((field) => field.required).map((field) => [field.key, beginningOf(field)]))
+/** What a table begins with: its required keys, each with the example of the schema or the least that it can be; in `tree`'s units. */
+export function recordOf(fields: readonly Field[], tree: unknown = {}): Record<string, unknown> {
+  return Object.fromEntries(fields.filter((field) => field.required).map((field) => [field.key, beginningOf(field, tree)]))
 }
 
-function beginningOf(field: Field): unknown {
+function beginningOf(field: Field, tree: unknown): unknown {
   const { kind } = field
   switch (kind.is) {
     case 'fixed':
@@ -13,19 +15,21 @@ function beginningOf(field: Field): unknown {
     case 'choice':
       return kind.among[0]
     case 'quantity':
-      return field.example
+      if (measured(tree, [field.key], kind.dimension)) return field.example
+      return kind.dimension === 'mass' ? (parsed(field.example)?.number ?? 1) : kind.positive ? 1 : 0
     case 'number':
       return Number.isFinite(kind.low) ? kind.low : 1
     case 'record':
     case 'table':
-      return recordOf(kind.fields)
+      return recordOf(kind.fields, tree)
     case 'records':
-      return [recordOf(kind.fields)]
+      return [recordOf(kind.fields, tree)]
     case 'quantities':
       return [kind.item.example]
     case 'numbers':
       return [1]
     case 'marks':
+    case 'lists':
       return []
     case 'ratio':
       return 1
@@ -37,9 +41,9 @@ function beginningOf(field: Field): unknown {
 const greatest = (numbers: unknown[]) => Math.max(0, ...numbers.map(Number).filter(Number.isFinite))
 
 /** Another table for a list of them: like the last, with the numbers of cylinders that come next. */
-export function another(records: readonly unknown[], fields: readonly Field[]): Record<string, unknown> {
+export function another(records: readonly unknown[], fields: readonly Field[], tree: unknown = {}): Record<string, unknown> {
   const last = records.at(-1)
-  const next = typeof last === 'object' && last !== null ? { ...(last as Record<string, unknown>) } : recordOf(fields)
+  const next = typeof last === 'object' && last !== null ? { ...(last as Record<string, unknown>) } : recordOf(fields, tree)
   const all = records as Record<string, unknown>[]
   if (typeof next.number === 'number') next.number = greatest(all.map((record) => record.number)) + 1
   if (Array.isArray(next.cylinders)) {

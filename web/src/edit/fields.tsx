@@ -2,6 +2,7 @@ import type { ComponentChildren } from 'preact'
 import { useRef, useState } from 'preact/hooks'
 import { idOf, useSentences, useSession } from './context'
 import { Dial } from './dial'
+import { measured } from './measured'
 import { angle, type Dimension, degrees, parsed, retold, type Scale, scale, settled, shown, typed } from './quantity'
 import type { Field, Kind } from './schema'
 import { TYPING } from './session'
@@ -134,16 +135,26 @@ export function NumberField(props: FieldProps & { kind: Of<'number'> }) {
   )
 }
 
-/** Numbers of cylinders: with commas, or with dashes as a firing order is written. */
+/** Numbers with commas, or with dashes as a firing order is written. */
+const numbersIn = (text: string): unknown[] =>
+  text
+    .split(/[\s,;–-]+/)
+    .filter(Boolean)
+    .map(typed)
+
+/** Lists of numbers, with semicolons between them. */
+const listsIn = (text: string): unknown[] =>
+  text
+    .split(';')
+    .filter((part) => part.trim())
+    .map(numbersIn)
+
+/** Numbers of cylinders, or lists of them. */
 export function NumbersField(props: FieldProps) {
-  const take = (text: string) =>
-    text
-      .split(/[\s,;–-]+/)
-      .filter(Boolean)
-      .map(typed)
+  const { field, path } = props
   return (
     <Labelled {...props} below>
-      <Box path={props.path} example={props.field.example} take={take} below />
+      <Box path={path} example={field.example} take={field.kind.is === 'lists' ? listsIn : numbersIn} below />
     </Labelled>
   )
 }
@@ -246,19 +257,14 @@ function defaulted(field: Field): string {
   return field.example ? `as in ${field.example}` : ''
 }
 
-/** A box for a number with a unit: a bare number that is typed takes the unit that was there. */
+/** A box for a number with a unit: a bare number that is typed takes the unit that was there, or the usual one. */
 function useTake(path: Path, dimension: Dimension): (text: string) => unknown {
   const tree = useSession().tree.value
   const value = at(tree, path)
-  const unit = useRef(USUAL.angle === USUAL[dimension] ? 'deg' : '')
+  const unit = useRef('')
   const now = parsed(value)
   if (now) unit.current = now.unit
-  else if (value === undefined) {
-    const measured =
-      dimension === 'mass' ? at(tree, ['cylinder', 'reciprocating_mass']) : at(tree, ['cylinder', 'stroke'])
-    const real = dimension === 'angle' || dimension === 'speed' || typeof measured === 'string'
-    if (!unit.current && real) unit.current = USUAL[dimension]
-  }
+  else if (value === undefined && measured(tree, path, dimension)) unit.current ||= USUAL[dimension]
   return (text) => {
     const meant = typed(text)
     return typeof meant === 'number' && unit.current ? `${text.trim()} ${unit.current}` : meant
@@ -267,7 +273,8 @@ function useTake(path: Path, dimension: Dimension): (text: string) => unknown {
 
 export function QuantityField(props: FieldProps & { kind: Of<'quantity'> }) {
   const { field, path, kind } = props
-  const value = at(useSession().tree.value, path)
+  const session = useSession()
+  const value = at(session.tree.value, path)
   const take = useTake(path, kind.dimension)
   const given = parsed(value) ?? (value === undefined ? parsed(field.initial) : null)
   const whole =
@@ -278,6 +285,14 @@ export function QuantityField(props: FieldProps & { kind: Of<'quantity'> }) {
   const number = whole && kind.dimension === 'angle' ? settled(whole.number, 1e-6) : whole?.number
   return (
     <Labelled {...props}>
+      {kind.dimension === 'angle' && (
+        <Dial
+          degrees={number ?? null}
+          label={`${field.label}, wheel`}
+          turned={(deg) => session.set(path, angle(deg, value), `turn ${idOf(path)}`)}
+          rested={session.rest}
+        />
+      )}
       <Box path={path} example={defaulted(field)} take={take} numeric />
       {slides && number !== undefined ? (
         <Slider

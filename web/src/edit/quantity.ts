@@ -36,10 +36,11 @@ export function typed(text: string): unknown {
   return /^[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$/.test(trimmed) ? Number(trimmed) : text
 }
 
-/** What stands in a field for a value. */
+/** What stands in a field for a value: lists with commas, lists of lists with semicolons between them. */
 export function shown(value: unknown): string {
   if (value === undefined || value === null) return ''
-  return typeof value === 'string' ? value : Array.isArray(value) ? value.map(shown).join(', ') : String(value)
+  if (Array.isArray(value)) return value.map(shown).join(value.some(Array.isArray) ? '; ' : ', ')
+  return String(value)
 }
 
 const TURN: Record<string, number> = {

@@ -13,6 +13,7 @@ import {
   Sentences,
   TextField,
 } from './fields'
+import { shown } from './quantity'
 import type { Field, Kind } from './schema'
 import { at, moved, type Path, within } from './tree'
 
@@ -42,6 +43,7 @@ export function AnyField(props: FieldProps): JSX.Element | null {
     case 'quantity':
       return <QuantityField {...props} kind={kind} />
     case 'numbers':
+    case 'lists':
       return <NumbersField {...props} />
     case 'marks':
       return <MarksField {...props} kind={kind} />
@@ -109,7 +111,7 @@ export function Folded({ title, open, paths, children }: FoldedProps) {
 /** Up, down and away for an item of a list. */
 function Buttons({ list, index, count, name }: { list: Path; index: number; count: number; name: string }) {
   const session = useSession()
-  const to = (place: number) => session.edit(moved(session.tree.value, list, index, place))
+  const to = (place: number) => session.set(list, at(moved(session.tree.value, list, index, place), list))
   return (
     <span class="buttons">
       <button type="button" aria-label={`${name}: up`} title="up" disabled={index === 0} onClick={() => to(index - 1)}>
@@ -178,7 +180,7 @@ function RecordField({ field, path, kind }: FieldProps & { kind: Of<'record'> })
       <p class="help">{field.help}</p>
       {(there || always) && <Fields fields={kind.fields} path={path} />}
       {!always && (
-        <button type="button" class="add" onClick={() => session.set(path, there ? undefined : recordOf(kind.fields))}>
+        <button type="button" class="add" onClick={() => session.set(path, there ? undefined : recordOf(kind.fields, session.tree.value))}>
           {there ? `Leave out ${field.label.toLowerCase()}` : `Give ${field.label.toLowerCase()}`}
         </button>
       )}
@@ -187,15 +189,14 @@ function RecordField({ field, path, kind }: FieldProps & { kind: Of<'record'> })
   )
 }
 
-/** A record of a list, by what tells it from the others. */
+/** A record of a list, by what tells it from the others: its number or place, its name, where it points. */
 function nameOf(kind: string, record: unknown, index: number): string {
-  const name = at(record, ['name']) ?? at(record, ['number'])
-  const one = kind.replace(/s$/, '')
-  return name === undefined || name === null
-    ? `${one} ${index + 1}`
-    : typeof name === 'number'
-      ? `${one} ${name}`
-      : `${one} ${index + 1}: ${String(name)}`
+  const number = at(record, ['number'])
+  const name = at(record, ['name'])
+  const angle = at(record, ['angle']) ?? at(record, ['bearing'])
+  const which = `${kind.replace(/s$/, '')} ${typeof number === 'number' ? number : index + 1}`
+  const said = [name, angle].filter((one) => one !== undefined && one !== null && one !== '')
+  return said.length ? `${which}: ${said.map(shown).join(', ')}` : which
 }
 
 const MANY = 4
@@ -222,7 +223,7 @@ function RecordsField({ field, path, kind }: FieldProps & { kind: Of<'records'> 
           <Sentences path={[...path, index]} />
         </div>
       ))}
-      <button type="button" class="add" onClick={() => session.set(path, [...records, another(records, kind.fields)])}>
+      <button type="button" class="add" onClick={() => session.set(path, [...records, another(records, kind.fields, session.tree.value)])}>
         Add {one}
       </button>
       <Sentences path={path} />
@@ -238,7 +239,7 @@ function TableField({ field, path, kind }: FieldProps & { kind: Of<'table'> }) {
   const id = idOf(path)
   const add = () => {
     if (!key.trim() || keys.includes(key)) return
-    session.set([...path, key.trim()], recordOf(kind.fields))
+    session.set([...path, key.trim()], recordOf(kind.fields, session.tree.value))
     setKey('')
   }
   return (

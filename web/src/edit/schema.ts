@@ -1,5 +1,5 @@
 import type { Tree } from '../host/host'
-import type { Dimension } from './quantity'
+import { type Dimension, shown } from './quantity'
 import { at } from './tree'
 
 /** What a field of an engine file takes, read from the JSON Schema of the files. */
@@ -11,6 +11,7 @@ export type Kind =
   | { readonly is: 'ratio' }
   | { readonly is: 'quantity'; readonly dimension: Dimension; readonly positive: boolean }
   | { readonly is: 'numbers' }
+  | { readonly is: 'lists' }
   | { readonly is: 'marks'; readonly among: readonly string[] }
   | { readonly is: 'quantities'; readonly item: Field }
   | { readonly is: 'record'; readonly fields: readonly Field[] }
@@ -67,6 +68,7 @@ function listKind(schema: Tree, way: Node): Kind {
   const item = (way.items ?? {}) as Node
   const inner = fieldOf(schema, '', item, true)
   if (inner.kind.is === 'quantity') return { is: 'quantities', item: { ...inner, help: text(way.description) } }
+  if (inner.kind.is === 'numbers') return { is: 'lists' }
   if (inner.kind.is === 'choice') return { is: 'marks', among: inner.kind.among }
   if (inner.kind.is === 'record') return { is: 'records', fields: inner.kind.fields }
   return { is: 'numbers' }
@@ -105,7 +107,7 @@ export function worded(key: string): string {
 
 function exampleOf(schema: Tree, node: Node): string {
   const given = nodes(node.examples)[0] ?? ways(schema, node).flatMap((way) => nodes(way.examples))[0]
-  return given === undefined ? '' : Array.isArray(given) ? given.join(', ') : String(given)
+  return given === undefined ? '' : shown(given)
 }
 
 function fieldOf(schema: Tree, key: string, node: Node, required: boolean): Field {

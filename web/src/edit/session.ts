@@ -4,6 +4,7 @@ import type { Answer, CatalogEntry, Service, Tree } from '../host/host'
 import { after, begun, type History } from './history'
 import { asked, sentence } from './live'
 import { type Form, formOf, forms } from './schema'
+import { withoutSources } from './sources'
 import { type Path, put, read, same, within } from './tree'
 
 /** Puts a valid engine on the stage. */
@@ -108,7 +109,7 @@ export function session(service: Service, tree: Tree, shown: Shown): Session {
       lastEdit = now
       move(gesture === undefined ? { kind: 'edit', to } : { kind: 'edit', to, gesture })
     },
-    set: (path, value, gesture) => self.edit(put(history.value.present, path, value), gesture),
+    set: (path, value, gesture) => self.edit(withoutSources(put(history.value.present, path, value), path), gesture),
     rest: () => move({ kind: 'rest' }),
     undo: () => move({ kind: 'undo' }),
     redo: () => move({ kind: 'redo' }),

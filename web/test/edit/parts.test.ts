@@ -3,7 +3,9 @@ import { matching } from '../../src/edit/catalog'
 import { fileName } from '../../src/edit/files'
 import { numbersOf, TYPES, withLayout } from '../../src/edit/layouts'
 import { NOTHING_YET, wishOf } from '../../src/edit/search'
+import { measured } from '../../src/edit/measured'
 import { sentencesAt } from '../../src/edit/session'
+import { withoutSources } from '../../src/edit/sources'
 
 const entries = [
   { name: 'v8-cross-plane', title: 'V8, cross-plane crank, 90 deg', layout: 'vee', cylinders: 8, cycle: 'four-stroke' },
@@ -93,4 +95,25 @@ test('a sentence stands beside the field that it names, and with those above onl
   expect(sentencesAt(problems, ['layout', 'throws'], false)).toEqual([])
   expect(sentencesAt(problems, ['layout', 'throws'], true)).toEqual(['no angle'])
   expect(sentencesAt(problems, [], true)).toEqual(['no angle'])
+})
+
+test('a value that was changed loses the source of the old one, and nothing else does', () => {
+  const published = { status: 'published' }
+  const tree = { provenance: { 'layout.banks': published, 'layout.throws': published, 'cylinder.bore': published } }
+  const left = (path: (string | number)[]) => Object.keys((withoutSources(tree, path).provenance ?? {}) as object)
+  expect(left(['layout', 'banks', 0, 'bearing'])).toEqual(['layout.throws', 'cylinder.bore'])
+  expect(left(['layout'])).toEqual(['cylinder.bore'])
+  expect(left(['cylinder', 'stroke'])).toEqual(['layout.banks', 'layout.throws', 'cylinder.bore'])
+  expect(withoutSources(tree, ['provenance', 'cylinder.bore'])).toBe(tree)
+  expect(withoutSources({ provenance: { speed: published } }, ['speed'])).toEqual({})
+})
+
+test('what an engine counts in its own units has none', () => {
+  const real = { cylinder: { stroke: '80 mm', reciprocating_mass: '500 g' } }
+  expect(measured(real, ['cylinder', 'bore'], 'length')).toBe(true)
+  expect(measured({}, ['cylinder', 'bore'], 'length')).toBe(false)
+  expect(measured({}, ['speed'], 'speed')).toBe(true)
+  expect(measured(real, ['layout', 'bore_pitch'], 'place')).toBe(true)
+  expect(measured(real, ['layout', 'bank_offset'], 'place')).toBe(false)
+  expect(measured({ cylinder: { stroke: '80 mm' } }, ['block', 'inertia_z'], 'other')).toBe(false)
 })

@@ -38,6 +38,7 @@ const schema = {
         name: { type: 'string', maxLength: 200 },
         notes: { type: 'string', maxLength: 10000 },
         cycle: { enum: ['two-stroke', 'four-stroke'], default: 'four-stroke' },
+        manifolds: { type: 'array', items: { type: 'array', items: { type: 'integer' } }, examples: [[[1, 4], [2, 3]]] },
         relative: { type: 'array', items: { enum: ['mass', 'radius'] } },
         balance_factor: { anyOf: [{ type: 'number', minimum: 0, maximum: 2 }, { type: 'null' }] },
         provenance: { type: 'object', additionalProperties: { properties: { status: { enum: ['published'] } } } },
@@ -72,6 +73,7 @@ test.each([
   ['name', { is: 'text', long: false }],
   ['notes', { is: 'text', long: true }],
   ['cycle', { is: 'choice', among: ['two-stroke', 'four-stroke'] }],
+  ['manifolds', { is: 'lists' }],
   ['relative', { is: 'marks', among: ['mass', 'radius'] }],
   ['balance_factor', { is: 'number', whole: false, low: 0, high: 2 }],
 ])('%s takes what the schema says', (key, kind) => {
@@ -104,6 +106,10 @@ test('words beside a reference stand over those of what it refers to', () => {
 
 test('a new record has what it must have', () => {
   expect(recordOf(inner(layout))).toEqual({ type: 'vee', banks: [{ cylinders: [1] }], throws: ['90 deg'] })
+  const mass = { ...field(inner(layout), 'bore_pitch'), required: true, example: '165 kg' } as const
+  const heavy = { ...mass, kind: { is: 'quantity', dimension: 'mass', positive: true } } as const
+  expect(recordOf([heavy])).toEqual({ bore_pitch: 165 })
+  expect(recordOf([heavy], { cylinder: { reciprocating_mass: '1 kg' } })).toEqual({ bore_pitch: '165 kg' })
 })
 
 test('another record is like the last, with the numbers that come next', () => {
