@@ -4,7 +4,9 @@ import type { Field } from './schema'
 
 /** What a table begins with: its required keys, each with the example of the schema or the least that it can be; in `tree`'s units. */
 export function recordOf(fields: readonly Field[], tree: unknown = {}): Record<string, unknown> {
-  return Object.fromEntries(fields.filter((field) => field.required).map((field) => [field.key, beginningOf(field, tree)]))
+  return Object.fromEntries(
+    fields.filter((field) => field.required).map((field) => [field.key, beginningOf(field, tree)]),
+  )
 }
 
 function beginningOf(field: Field, tree: unknown): unknown {
@@ -41,9 +43,14 @@ function beginningOf(field: Field, tree: unknown): unknown {
 const greatest = (numbers: unknown[]) => Math.max(0, ...numbers.map(Number).filter(Number.isFinite))
 
 /** Another table for a list of them: like the last, with the numbers of cylinders that come next. */
-export function another(records: readonly unknown[], fields: readonly Field[], tree: unknown = {}): Record<string, unknown> {
+export function another(
+  records: readonly unknown[],
+  fields: readonly Field[],
+  tree: unknown = {},
+): Record<string, unknown> {
   const last = records.at(-1)
-  const next = typeof last === 'object' && last !== null ? { ...(last as Record<string, unknown>) } : recordOf(fields, tree)
+  const next =
+    typeof last === 'object' && last !== null ? { ...(last as Record<string, unknown>) } : recordOf(fields, tree)
   const all = records as Record<string, unknown>[]
   if (typeof next.number === 'number') next.number = greatest(all.map((record) => record.number)) + 1
   if (Array.isArray(next.cylinders)) {

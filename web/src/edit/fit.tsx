@@ -3,8 +3,16 @@ import type { Fitting } from '../host/host'
 import { useSession } from './context'
 import { placed, told } from './session'
 
-const WEIGHTS: Record<string, Fitting['weights']> = { 'opposite each pin': 'pins', 'on the webs': 'webs', 'at the ends': 'ends' }
-const SHAFTS: Record<string, Fitting['shafts']> = { none: 'none', 'where needed': 'needed', 'for all that is left': 'all' }
+const WEIGHTS: Record<string, Fitting['weights']> = {
+  'opposite each pin': 'pins',
+  'on the webs': 'webs',
+  'at the ends': 'ends',
+}
+const SHAFTS: Record<string, Fitting['shafts']> = {
+  none: 'none',
+  'where needed': 'needed',
+  'for all that is left': 'all',
+}
 const ADVISED = 'as its verdict advises'
 
 /** Puts counterweights and balance shafts on the engine; what it becomes has every weight in it (explicit form). */
@@ -30,16 +38,20 @@ export function Fit() {
     if (!answer.ok) {
       session.note.value = 'The engine could not be fitted.'
       session.problems.value = placed(answer.problems)
-    } else if (answer.value === null) session.note.value = 'There is nothing to fit: weights and shafts would take nothing away.'
+    } else if (answer.value === null)
+      session.note.value = 'There is nothing to fit: weights and shafts would take nothing away.'
     else {
       session.edit(answer.value)
-      session.note.value = 'Fitted. The engine is in the explicit form now, weight by weight; undo takes them off again.'
+      session.note.value =
+        'Fitted. The engine is in the explicit form now, weight by weight; undo takes them off again.'
     }
   }
 
   return (
     <div class="fit">
-      <p class="help">Weights and shafts that take away what they can. The engine is then in the explicit form, weight by weight.</p>
+      <p class="help">
+        Weights and shafts that take away what they can. The engine is then in the explicit form, weight by weight.
+      </p>
       <div>
         <label for={id}>Balance factor</label>
         <input

@@ -180,7 +180,11 @@ function RecordField({ field, path, kind }: FieldProps & { kind: Of<'record'> })
       <p class="help">{field.help}</p>
       {(there || always) && <Fields fields={kind.fields} path={path} />}
       {!always && (
-        <button type="button" class="add" onClick={() => session.set(path, there ? undefined : recordOf(kind.fields, session.tree.value))}>
+        <button
+          type="button"
+          class="add"
+          onClick={() => session.set(path, there ? undefined : recordOf(kind.fields, session.tree.value))}
+        >
           {there ? `Leave out ${field.label.toLowerCase()}` : `Give ${field.label.toLowerCase()}`}
         </button>
       )}
@@ -223,7 +227,11 @@ function RecordsField({ field, path, kind }: FieldProps & { kind: Of<'records'> 
           <Sentences path={[...path, index]} />
         </div>
       ))}
-      <button type="button" class="add" onClick={() => session.set(path, [...records, another(records, kind.fields, session.tree.value)])}>
+      <button
+        type="button"
+        class="add"
+        onClick={() => session.set(path, [...records, another(records, kind.fields, session.tree.value)])}
+      >
         Add {one}
       </button>
       <Sentences path={path} />

@@ -44,7 +44,12 @@ test('what is typed is a number only if it is one', () => {
 
 test('values stand in a field as they stand in the file', () => {
   expect(shown([1, 3, 4, 2])).toBe('1, 3, 4, 2')
-  expect(shown([[1, 4], [2, 3]])).toBe('1, 4; 2, 3')
+  expect(
+    shown([
+      [1, 4],
+      [2, 3],
+    ]),
+  ).toBe('1, 4; 2, 3')
   expect(shown(null)).toBe('')
   expect(shown('<b>')).toBe('<b>')
 })

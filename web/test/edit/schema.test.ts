@@ -38,7 +38,16 @@ const schema = {
         name: { type: 'string', maxLength: 200 },
         notes: { type: 'string', maxLength: 10000 },
         cycle: { enum: ['two-stroke', 'four-stroke'], default: 'four-stroke' },
-        manifolds: { type: 'array', items: { type: 'array', items: { type: 'integer' } }, examples: [[[1, 4], [2, 3]]] },
+        manifolds: {
+          type: 'array',
+          items: { type: 'array', items: { type: 'integer' } },
+          examples: [
+            [
+              [1, 4],
+              [2, 3],
+            ],
+          ],
+        },
         relative: { type: 'array', items: { enum: ['mass', 'radius'] } },
         balance_factor: { anyOf: [{ type: 'number', minimum: 0, maximum: 2 }, { type: 'null' }] },
         provenance: { type: 'object', additionalProperties: { properties: { status: { enum: ['published'] } } } },
