@@ -31,6 +31,9 @@ export interface Orbit {
 const ISOMETRIC = { azimuth: Math.PI / 4, elevation: Math.atan(Math.SQRT1_2) }
 export const HOME: Readonly<Orbit> = { azimuth: 0.6, elevation: 0.42, zoom: 1, x: 0, y: 0 }
 
+/** Share of the ball round an engine that it fills from where one mostly looks. */
+const FILLED = 0.92
+
 /** What the picture is fitted into. */
 export interface Screen {
   /** Width over height. */
@@ -83,7 +86,7 @@ function around(look: Look, discs: readonly Disc[], screen: Screen): Frame {
   const ball = Math.max(
     ...discs.map((disc) => Math.hypot(...disc.centre.map((at, i) => at - (centre[i] as number)), disc.radius)),
   )
-  return raised(look, centre, ball, ball, screen)
+  return raised(look, centre, FILLED * ball, FILLED * ball, screen)
 }
 
 /** The frame in which so much to either side and up and down fits between the screen's top and its foot. */

@@ -212,6 +212,8 @@ class EngineStage implements Stage {
     const density = Math.min(DENSEST, globalThis.devicePixelRatio || 1)
     this.#size = { width, height, density }
     this.#picture.size(width, height, density)
+    this.#inset.fit(width, height)
+    this.#traced = []
     this.#sheet.width = Math.round(width * density)
     this.#sheet.height = Math.round(height * density)
     this.#written = []

@@ -2,7 +2,9 @@ import { css, type Palette } from './palette'
 import { roundValue } from './sheet'
 import { REST } from './whirl'
 
-const SIZE = 148
+/** Side of the drawing, pixels: at most, at least, and as a share of the stage; the words below it need their width. */
+const [LARGEST, SMALLEST, SHARE] = [148, 76, 0.27]
+const [WORDS, BELOW] = [124, 34]
 const FONT = '11px system-ui, sans-serif'
 
 /** Paths of the crank axis at its two ends, [up, right], in the scene's unit. */
@@ -16,6 +18,7 @@ export class Inset {
   readonly canvas: HTMLCanvasElement
   #paths: Paths = { front: [], rear: [] }
   #outlines: [Path2D, Path2D] = [new Path2D(), new Path2D()]
+  #side = LARGEST
   #pixels = 0
   #ring = 0
   #label = ''
@@ -26,8 +29,6 @@ export class Inset {
       position: 'absolute',
       right: '10px',
       top: '10px',
-      width: `${SIZE}px`,
-      height: `${SIZE + 34}px`,
       pointerEvents: 'none',
     })
     this.canvas.setAttribute('aria-hidden', 'true')
@@ -38,14 +39,21 @@ export class Inset {
     return this.#paths
   }
 
+  /** Takes the measure of the stage, before paths are traced. */
+  fit(width: number, height: number): void {
+    this.#side = Math.round(Math.max(SMALLEST, Math.min(LARGEST, SHARE * width, 1.3 * SHARE * height)))
+    this.canvas.style.width = `${Math.max(WORDS, this.#side)}px`
+    this.canvas.style.height = `${this.#side + BELOW}px`
+  }
+
   /** Takes new paths; `unit` is the scene's, `size` the engine's. */
   trace(paths: Paths, unit: string, size: number): void {
     this.#paths = paths
     const most = Math.max(...[...paths.front, ...paths.rear].map(([up, right]) => Math.hypot(up, right)), 0)
     const some = most > REST * size
-    this.#pixels = some ? (0.4 * SIZE) / most : 0
+    this.#pixels = some ? (0.4 * this.#side) / most : 0
     this.#ring = some ? roundValue(1.0001 * most) : 0
-    this.#label = some ? `ring: ${small(this.#ring, unit)}` : 'stays at rest'
+    this.#label = some ? `ring: ${small(this.#ring, unit)}` : 'axis stays at rest'
     this.#outlines = [this.#outline(paths.front), this.#outline(paths.rear)]
   }
 
@@ -62,18 +70,20 @@ export class Inset {
   draw(front: readonly number[], rear: readonly number[], palette: Palette, density: number): void {
     const to = this.canvas.getContext('2d')
     if (!to) return
-    const wide = Math.round(SIZE * density)
-    const high = Math.round((SIZE + 34) * density)
+    const side = this.#side
+    const across = Math.max(WORDS, side)
+    const wide = Math.round(across * density)
+    const high = Math.round((side + BELOW) * density)
     if (this.canvas.width !== wide || this.canvas.height !== high) {
       this.canvas.width = wide
       this.canvas.height = high
     }
     to.setTransform(density, 0, 0, density, 0, 0)
-    to.clearRect(0, 0, SIZE, SIZE + 34)
-    to.translate(SIZE / 2, SIZE / 2)
+    to.clearRect(0, 0, across, side + BELOW)
+    to.translate(across / 2, side / 2)
     this.#ground(to, palette)
     const colours = [css(palette.crankshaft[0]), css(palette.force)] as const
-    for (const end of [1, 0] as const) {
+    for (const end of [0, 1] as const) {
       to.strokeStyle = to.fillStyle = colours[end]
       to.lineWidth = 1.8
       to.setLineDash(end === 1 ? DASHED : WHOLE)
@@ -88,30 +98,31 @@ export class Inset {
     to.textBaseline = 'top'
     to.textAlign = 'right'
     to.fillStyle = colours[0]
-    to.fillText('front end', -6, SIZE / 2 + 3)
+    to.fillText('front end', -6, side / 2 + 3)
     to.textAlign = 'left'
     to.fillStyle = colours[1]
-    to.fillText('rear end', 6, SIZE / 2 + 3)
+    to.fillText('rear end', 6, side / 2 + 3)
     to.textAlign = 'center'
     to.fillStyle = palette.text
-    to.fillText(this.#label, 0, SIZE / 2 + 18)
+    to.fillText(this.#label, 0, side / 2 + 18)
   }
 
   #ground(to: CanvasRenderingContext2D, palette: Palette): void {
+    const half = this.#side / 2
     to.fillStyle = palette.paper
     to.globalAlpha = 0.72
     to.beginPath()
-    to.arc(0, 0, SIZE / 2 - 1, 0, 2 * Math.PI)
+    to.arc(0, 0, half - 1, 0, 2 * Math.PI)
     to.fill()
     to.globalAlpha = 1
     to.strokeStyle = palette.quiet
     to.lineWidth = 1
     to.globalAlpha = 0.45
     to.beginPath()
-    to.moveTo(-SIZE / 2 + 6, 0)
-    to.lineTo(SIZE / 2 - 6, 0)
-    to.moveTo(0, -SIZE / 2 + 6)
-    to.lineTo(0, SIZE / 2 - 6)
+    to.moveTo(-half + 6, 0)
+    to.lineTo(half - 6, 0)
+    to.moveTo(0, -half + 6)
+    to.lineTo(0, half - 6)
     to.stroke()
     if (this.#ring > 0) {
       to.setLineDash(DASHED)

@@ -21,8 +21,10 @@ export interface Load {
   couple: number
 }
 
+/** A sum that is less than this share of what it is a sum of is rounding, and nothing to be drawn. */
+const ROUNDING = 1e-9
 /** A sum that is less than this share of the greatest force of a cylinder (or of its couple) is not drawn larger for that. */
-const LITTLE = 0.02
+const LITTLE = 0.1
 
 /** Forces of an exhibit as arrows. The couple is a pair of forces at the two ends, in the plane in which it acts. */
 export class Loads {
@@ -99,7 +101,9 @@ export class Loads {
     const couple = most(this.#couple, arrows.orders)
     const alone = Math.max(0, ...parts)
     const arm = Math.max(0, ...cylinders.map((part) => Math.abs(part.z - reference_z)))
-    this.#load.force = !arrows.force ? 0 : Math.max(force, (arrows.cylinders ? 1 : LITTLE) * alone)
-    this.#load.couple = !arrows.couple ? 0 : Math.max(couple, LITTLE * alone * arm)
+    const shown = arrows.cylinders ? Math.max(force, alone) : force
+    const pair = alone * arm
+    this.#load.force = arrows.force && shown > ROUNDING * alone ? Math.max(shown, LITTLE * alone) : 0
+    this.#load.couple = arrows.couple && couple > ROUNDING * pair ? Math.max(couple, LITTLE * pair) : 0
   }
 }

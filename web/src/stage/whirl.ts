@@ -121,15 +121,5 @@ export function displaced(
   return out
 }
 
-/** A magnification at which the ends of the crank axis move by a twentieth of the engine's size; 1 if they stay at rest. */
-export function fittingMagnification(exhibit: Exhibit, chosen: readonly number[] | null = null): number {
-  const whirling = new Whirling(exhibit)
-  const { low, high } = exhibit.scene
-  const size = Math.max(high[0] - low[0], high[1] - low[1])
-  const lengths = whirling.ends.flatMap((z) => whirling.path(z, chosen)).map(([up, right]) => Math.hypot(up, right))
-  const most = Math.max(...lengths)
-  return most > REST * size ? +((0.05 * size) / most).toPrecision(2) : 1
-}
-
 /** A path that is shorter than this share of the engine's size is none. */
 export const REST = 1e-7

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest'
 import type { Exhibit, Vectors } from '../../src/exhibit'
-import { type Displacement, displaced, fittingMagnification, rotation, Whirling } from '../../src/stage/whirl'
+import { type Displacement, displaced, rotation, Whirling } from '../../src/stage/whirl'
 import { exhibit } from './engine'
 
 const vectors = (forward: [number, number], backward: [number, number] = [0, 0]): Vectors => ({
@@ -71,10 +71,4 @@ test('orders that are not chosen do not move it', () => {
   const road = new Whirling(whirling({ shift: vectors([1, 0]) }))
   expect(road.at(0.4, [2]).up).toBe(0)
   expect(road.at(0.4, [1]).up).toBeCloseTo(Math.cos(0.4), 12)
-})
-
-test('the magnification that fits moves the ends by a twentieth of the engine, and is 1 for one at rest', () => {
-  const shown = whirling({ shift: vectors([1e-3, 0]) })
-  expect(fittingMagnification(shown) * 1e-3).toBeCloseTo(0.05 * 9, 2)
-  expect(fittingMagnification(whirling({}))).toBe(1)
 })
