@@ -19,7 +19,7 @@ demo: $(RUN_ONLY) bundle
 	@echo "== A better crank: all ways to set seven throws (crankstar search 7 --cycle two-stroke; the loops are compiled once)"
 	@$(BIN)/crankstar search 7 --cycle two-stroke
 	@echo
-	@echo "== The same engine on paper and turning: demo/audi.html, demo/audi-page.html"
+	@echo "== The in-line five as a report, and turning (crankstar report audi-25-tfsi, crankstar page audi-25-tfsi)"
 	@mkdir -p demo
 	@$(BIN)/crankstar report audi-25-tfsi -o demo/audi.html
 	@$(BIN)/crankstar page audi-25-tfsi -o demo/audi-page.html

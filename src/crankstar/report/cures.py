@@ -33,7 +33,7 @@ def remedies(matter: Matter, gallery: Gallery) -> str:
     after = job.after.model_copy(update={"name": "with " + " and ".join(done)})
     drawn = gallery.figure("spectrum", "The spectra before and after, on common axes.", "wide", beside=after, speed=matter.at)
     told = paragraph(f"Fitted with {' and '.join(done)}.")
-    return section("Remedies", told + of(rest) + figures([drawn]), name="remedies")
+    return section("Remedies", told + figures([drawn]) + of(rest), name="remedies")
 
 
 def _fitted(engine: Engine, factor: float) -> tuple[Job, list[str]]:

@@ -15,6 +15,8 @@ from crankstar.quantity import CONTROL
 
 NUMBER = re.compile(r"[-−+]?\d[\d.,]*(e[-+]?\d+)?([ \d.°∠–-]*)?")
 """What stands to the right in its column."""
+BROAD = 8
+"""Columns from which on a table is set in smaller letters, so that it fits a page."""
 SHORT = 24
 """Rows of a table that is kept on one page."""
 
@@ -37,7 +39,7 @@ def listing(items: Sequence[object]) -> str:
 def table(heads: Sequence[object], rows: Sequence[Sequence[object]], *, title: str = "", kinds: Sequence[str] = ()) -> str:
     """A table under its title; columns of numbers stand to the right. `kinds` are the classes of rows, one for each."""
     right = [all(NUMBER.fullmatch(str(row[place])) for row in rows if str(row[place])) for place in range(len(heads))]
-    return _table(heads, rows, right, title=title, kinds=kinds)
+    return _table(heads, rows, ["r k" if side else "k" for side in right], title=title, kinds=kinds)
 
 
 def of(renderable: object) -> str:
@@ -98,16 +100,16 @@ def _of_table(shown: Table, title: str) -> str:
     return _table(
         heads,
         rows,
-        [column.justify == "right" for column in shown.columns],
+        [("r " if column.justify == "right" else "") + ("k" if column.no_wrap else "") for column in shown.columns],
         title=title,
         kinds=[str(row.style or "") for row in shown.rows],
     )
 
 
 def _table(
-    heads: Sequence[object], rows: Sequence[Sequence[object]], right: Sequence[bool], *, title: str, kinds: Sequence[str]
+    heads: Sequence[object], rows: Sequence[Sequence[object]], sides: Sequence[str], *, title: str, kinds: Sequence[str]
 ) -> str:
-    sides = ["r" if side else "" for side in right]
+    """`sides` are the classes of the columns: r for those that stand to the right, k for those that are kept on one line."""
     above = "".join(
         f'<th scope="col"{_class(side)}>{_cell(head)}</th>' if str(head).strip() else "<td></td>"
         for head, side in zip(heads, sides, strict=True)
@@ -119,7 +121,7 @@ def _table(
     above_it = f"<h3>{text(title)}</h3>" if title else ""  # a caption would be as narrow as the table
     label = f' role="region" tabindex="0" aria-label="{text(title or "table")}"'
     thead = f"<thead><tr>{above}</tr></thead>" if any(str(head).strip() for head in heads) else ""
-    kind = "table short" if len(rows) <= SHORT else "table"
+    kind = "table" + (" short" if len(rows) <= SHORT else "") + (" broad" if len(heads) >= BROAD else "")
     return f'{above_it}<div class="{kind}"{label}><table>{thead}<tbody>{body}</tbody></table></div>'
 
 

@@ -103,7 +103,7 @@ def over_the_turn(matter: Matter, gallery: Gallery) -> str:
     drawn = [
         gallery.figure("over-turn", f"{quantity.capitalize()} over the crank angle.", quantity=quantity, speed=matter.at)
         for quantity in ("force", "couple", "torque")
-        if quantity == "torque" or matter.pushing(quantity)
+        if quantity != "couple" or matter.left(quantity)
     ]
     return section("Over the crank angle", figures(drawn), name="turn")
 

@@ -15,6 +15,8 @@ from crankstar.wording import firing_sentence, number
 
 UNSURE = ("placeholder", "unverified")
 """The states of a value that are marked, the worse first."""
+LONG = 40
+"""Letters of a value that takes a line of its own."""
 
 
 class Datum(NamedTuple):
@@ -39,7 +41,8 @@ def title(matter: Matter) -> str:
 def _row(engine: Engine, one: Datum) -> str:
     state = status(engine, one.keys)
     mark = f' <span class="doubt">{state}</span>' if state else ""
-    return f"<div><dt>{text(one.label)}</dt><dd>{text(one.value)}{mark}</dd></div>"
+    long = ' class="long"' if len(one.value) > LONG else ""
+    return f"<div{long}><dt>{text(one.label)}</dt><dd>{text(one.value)}{mark}</dd></div>"
 
 
 def status(engine: Engine, keys: Iterable[str]) -> str:
