@@ -85,6 +85,8 @@ class FlatPicture implements Picture {
     project: (p: Vector) => [number, number, number],
   ) {
     const stand = standOf(body, exhibit, places, view.theta)
+    if (body.carrier === 'piston')
+      this.#pistons[exhibit.scene.cylinders[body.index]?.number ?? 0] = [stand.y, stand.x, stand.z]
     const count = body.points.length / 3
     const stretch = body.carrier === 'charge' ? chargeHeight(body, exhibit, places) : 1
     const flat = new Float64Array(2 * count)
@@ -164,12 +166,9 @@ class FlatPicture implements Picture {
     }
   }
 
-  /** Keeps where things were drawn. */
-  #note(exhibit: Exhibit, { places, view }: Instant): void {
+  /** Keeps where the crank pins were drawn. */
+  #note(exhibit: Exhibit, { view }: Instant): void {
     const { scene, sense } = exhibit
-    scene.cylinders.forEach((c, index) => {
-      this.#pistons[c.number] = [places.piston[2 * index] as number, places.piston[2 * index + 1] as number, c.z]
-    })
     this.#pins = scene.shafts.map((shaft) =>
       shaft.throws.map(({ angle, radius, z }): [number, number, number] => {
         const bearing = angle + sense * shaft.speed_ratio * view.theta

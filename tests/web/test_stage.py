@@ -1,0 +1,94 @@
+"""What is drawn of an engine in a real browser: cameras, the free view, the whirl, and where pins stand."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Locator, Page
+from tests.web.browsing import SETTLED
+from tests.web.engine_page import drawn, farthest_off, handle, opened
+
+from crankstar.catalog import load
+
+Build = Callable[..., Path]
+ENGINE = "audi-25-tfsi"
+QUIET = "a=40&force=0&couple=0"
+
+
+def stage(page: Page) -> Locator:
+    """The element the engine is drawn on."""
+    return page.locator("canvas[role=img]")
+
+
+def seen(page: Page) -> bytes:
+    """The picture of the stage as it is now, once all that was asked for is drawn."""
+    page.evaluate(SETTLED)
+    return stage(page).screenshot()
+
+
+def test_every_camera_draws_something_else_and_comes_back_to_the_same(built_page: Build, page: Page) -> None:
+    page.emulate_media(reduced_motion="reduce")
+    path = built_page(ENGINE)
+    pictures = {}
+    for camera in ("front", "plan", "side", "isometric", "orbit", "front"):
+        opened(page, path, f"{QUIET}&camera={camera}")
+        page.reload()
+        page.wait_for_function("document.querySelector('[data-crankstar]')?.crankstar")
+        picture = seen(page)
+        assert pictures.setdefault(camera, picture) == picture
+        assert camera in (stage(page).get_attribute("aria-label") or "").replace("free view", "orbit")
+    assert len(set(pictures.values())) == 5
+
+
+def test_keys_and_dragging_turn_the_free_view_and_home_puts_it_back(built_page: Build, page: Page) -> None:
+    page.emulate_media(reduced_motion="reduce")
+    opened(page, built_page(ENGINE), f"{QUIET}&camera=orbit")
+    begun = seen(page)
+    stage(page).focus()
+    page.keyboard.press("ArrowRight")
+    turned = seen(page)
+    assert turned != begun
+    assert handle(page, "theta") == pytest.approx(40), "the key belongs to the view, not to the crank"
+    page.keyboard.press("Home")
+    stage(page).blur()
+    assert seen(page) == begun
+    box = stage(page).bounding_box()
+    assert box
+    page.mouse.move(box["x"] + 200, box["y"] + 150)
+    page.mouse.down()
+    page.mouse.move(box["x"] + 260, box["y"] + 150, steps=3)
+    page.mouse.up()
+    assert seen(page) != begun
+
+
+def test_on_the_fixed_cameras_the_wheel_scrolls_the_page_and_turns_nothing(built_page: Build, page: Page) -> None:
+    opened(page, built_page(ENGINE), f"{QUIET}&camera=front")
+    prevented = "canvas => !canvas.dispatchEvent(new WheelEvent('wheel', { deltaY: 9, cancelable: true }))"
+    assert stage(page).evaluate(prevented) is False
+    opened(page, built_page(ENGINE), f"{QUIET}&camera=orbit")
+    page.evaluate(SETTLED)
+    assert stage(page).evaluate(prevented) is True
+
+
+def test_the_whirl_moves_all_that_is_drawn_and_is_taken_away_from_what_is_read(built_page: Build, page: Page) -> None:
+    opened(page, built_page(ENGINE), f"{QUIET}&camera=side")
+    still = seen(page)
+    opened(page, built_page(ENGINE), f"{QUIET}&camera=side&whirl=300")
+    assert seen(page) != still
+    assert farthest_off(load(ENGINE), drawn(page)) < 1e-6
+
+
+@pytest.mark.parametrize("name", ["audi-25-tfsi", "pratt-whitney-wasp", "napier-deltic"])
+def test_crank_pins_are_drawn_where_their_shafts_carry_them(name: str, built_page: Build, page: Page) -> None:
+    opened(page, built_page(name), "a=77")
+    engine = load(name)
+    read = handle(page, "read().pins")
+    for shaft, pins in zip(engine.shafts, read, strict=True):
+        assert len(pins) == len(shaft.throws)
+        for throw, (up, right, _) in zip(shaft.throws, pins, strict=True):
+            bearing = throw.angle + engine.sense * float(shaft.speed_ratio) * math.radians(77)
+            place = (shaft.up + throw.radius * math.cos(bearing), shaft.right + throw.radius * math.sin(bearing))
+            assert math.dist((up, right), place) < 2e-6 * throw.radius
