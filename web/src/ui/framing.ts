@@ -25,8 +25,11 @@ interface Mark {
   readonly items?: readonly Item[]
 }
 
-/** Angles at which a panel is looked at; labels reach farthest near some of them. */
-const LOOKS = 12
+/** How often a panel is looked at, at angles that no order repeats; labels reach farthest near some of them. */
+const LOOKS = 21
+const GOLDEN = (Math.sqrt(5) - 1) / 2
+/** What a label may reach farther between two looks, px. */
+const MARGIN = 3
 
 /** The panels of a figure that stand beside or below each other, by name. */
 export function panelsOf(spec: Part): readonly string[] {
@@ -44,7 +47,7 @@ export async function framed(spec: Spec, look: View, theta: string, cycleDegrees
   const names = new Set(panelsOf(spec))
   const reach = new Map<string, Bounds>()
   for (let step = 0; step < LOOKS; step++) {
-    await look.signal(theta, (cycleDegrees * step) / LOOKS).runAsync()
+    await look.signal(theta, cycleDegrees * ((step * GOLDEN) % 1)).runAsync()
     const root = (look.scenegraph() as unknown as { root: Mark }).root
     for (const [name, bounds] of found(root, names)) reach.set(name, united(reach.get(name), bounds))
   }
@@ -82,6 +85,7 @@ function withFrames<T extends Part>(part: T, reach: ReadonlyMap<string, Bounds>)
 
 function frame({ x1, y1, x2, y2 }: Bounds): Part {
   const value = (number: number) => ({ value: number })
-  const enter = { x: value(x1), y: value(y1), x2: value(x2), y2: value(y2), fill: { value: 'transparent' } }
+  const [left, top, right, bottom] = [x1 - MARGIN, y1 - MARGIN, x2 + MARGIN, y2 + MARGIN].map(value)
+  const enter = { x: left, y: top, x2: right, y2: bottom, fill: { value: 'transparent' } }
   return { type: 'rect', aria: false, interactive: false, encode: { enter } } as Part
 }

@@ -1,0 +1,233 @@
+"""What stands about the stage: panels, figures, numbers and switches follow the crank angle, and a link shows the same again."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Locator, Page, expect
+from tests.web.engine_page import handle, opened
+
+from crankstar import phasor
+from crankstar.balance import balance, total
+from crankstar.catalog import load
+from crankstar.exhibit import exhibition
+from crankstar.exhibit.library import held
+from crankstar.page import document
+
+Build = Callable[..., Path]
+CROSS, FLAT = "v8-cross-plane", "v8-flat-plane"
+HOSTILE = '</script><img src=x onerror="document.title=1"><b>V8</b>'
+
+
+def number(text: str | None) -> float:
+    """A number of the page, its minus a true minus."""
+    return float((text or "").replace("\N{MINUS SIGN}", "-").strip("\N{FIGURE SPACE} "))
+
+
+def numbers(page: Page) -> dict[str, float]:
+    """The numbers below the stage."""
+    fields = page.get_by_label("At this angle").locator("output").all()
+    return {str(field.get_attribute("aria-label")): number(field.text_content()) for field in fields}
+
+
+def tab(page: Page, name: str) -> Locator:
+    """Opens a panel and waits for its figures."""
+    page.get_by_role("tab", name=name, exact=True).click()
+    expect(page.locator("[aria-busy=true]")).to_have_count(0)
+    return page.get_by_role("tabpanel")
+
+
+@pytest.mark.parametrize("angle", [0.0, 40.0, 123.4, 451.0])
+@pytest.mark.parametrize("name", [CROSS, "audi-25-tfsi", "kr250-racer"])
+def test_the_numbers_below_the_stage_are_those_of_python(name: str, angle: float, built_page: Build, page: Page) -> None:
+    opened(page, built_page(name), f"a={angle}")
+    engine = load(name)
+    result = balance(engine, speed=engine.speed)
+    sums = total(result)
+    theta = math.radians(angle)
+    seen = numbers(page)
+    for label, spectrum, parts in (("Force", sums.force, result.force), ("Couple", sums.couple, result.couple)):
+        most = abs(spectrum.forward).sum() + abs(spectrum.backward).sum()
+        shown = 1e-3 * most + 1e-6 * (abs(parts.forward).sum() + abs(parts.backward).sum())
+        vector = complex(phasor.value(spectrum, theta))
+        assert seen[f"{label} up"] == pytest.approx(vector.real, abs=shown)
+        assert seen[f"{label} right"] == pytest.approx(vector.imag, abs=shown)
+
+
+def test_only_the_chosen_order_is_counted(built_page: Build, page: Page) -> None:
+    opened(page, built_page(CROSS), "a=40&orders=4")
+    assert numbers(page)["Couple up"] == 0
+    page.get_by_role("button", name="Order 1, couple: show it alone").click()
+    assert handle(page, "state.orders") == [1]
+    assert abs(numbers(page)["Couple up"]) > 0.5
+    page.get_by_role("button", name="Order 1, couple: show it alone").click()
+    assert handle(page, "state.orders") is None
+
+
+def test_the_dot_in_the_table_is_where_the_vector_points(built_page: Build, page: Page) -> None:
+    opened(page, built_page(CROSS), "a=0&tab=orders")
+    couple = total(balance(load(CROSS))).couple
+    first = phasor.selected(couple, [1.0])
+    dot = page.locator("tr", has=page.get_by_role("button", name="Order 1, couple")).locator("circle")
+    for angle in (0, 40, 200):
+        page.evaluate(f"document.querySelector('[data-crankstar]').crankstar.theta = {angle}")
+        handle(page, "read()")
+        vector = complex(phasor.value(first, math.radians(angle)))
+        right, up = (float(dot.get_attribute(name) or "nan") for name in ("cx", "cy"))
+        assert complex(-up, right) == pytest.approx(vector / abs(vector), abs=2e-3)
+
+
+def test_figures_follow_the_crank_angle(built_page: Build, page: Page) -> None:
+    opened(page, built_page(CROSS, figures=True), "a=0&of=couple")
+    tab(page, "Forces")
+    places = []
+    for angle in (90, 180, 270):
+        page.evaluate(f"document.querySelector('[data-crankstar]').crankstar.theta = {angle}")
+        page.evaluate("() => new Promise(done => requestAnimationFrame(() => setTimeout(done, 50)))")
+        over = page.locator("[data-chart='over-turn:quantity=couple'] .mark-rule line[stroke='#d55e00']")
+        shifts = [str(line.get_attribute("transform")) for line in over.all()]
+        places.append(max(float(re.findall(r"translate\(([-\d.]+)", shift)[0]) for shift in shifts))
+    assert places[2] - places[1] == pytest.approx(places[1] - places[0], rel=0.01)
+    assert places[1] - places[0] > 20
+
+
+def test_a_figure_keeps_its_size_while_it_turns(built_page: Build, page: Page) -> None:
+    opened(page, built_page(CROSS, figures=True), "a=0&of=couple")
+    tab(page, "Stars")
+    sizes: set[tuple[str, ...]] = set()
+    for angle in range(0, 720, 45):
+        page.evaluate(f"document.querySelector('[data-crankstar]').crankstar.theta = {angle}")
+        page.evaluate("() => new Promise(done => requestAnimationFrame(() => setTimeout(done, 10)))")
+        titles = page.locator(".figure .role-title-text text").all()
+        places = [title.evaluate("text => text.getBoundingClientRect().left.toFixed(0)") for title in titles]
+        sizes.add((*places, *(str(svg.get_attribute("viewBox")) for svg in page.locator(".figure svg.marks").all())))
+    assert len(sizes) == 1
+
+
+def test_a_link_shows_the_same_again(built_page: Build, page: Page) -> None:
+    file = built_page(CROSS)
+    opened(page, file, "")
+    page.get_by_role("radio", name="Front").check()
+    page.get_by_role("tab", name="Verdict").click()
+    page.get_by_role("checkbox", name="Each cylinder").check()
+    page.get_by_role("button", name="Stop").click()
+    field = page.get_by_label("Crank angle: type degrees")
+    field.fill("450")
+    field.press("Enter")
+    page.wait_for_function("() => location.hash.includes('a=450')")
+    before = handle(page, "state")
+    link = page.url
+    page.goto("about:blank")
+    page.goto(link)
+    page.evaluate("async () => await document.querySelector('[data-crankstar]').crankstar.ready")
+    assert handle(page, "state") == before
+    assert (before["camera"], before["tab"], before["angle"], before["cylinders"]) == ("front", "verdict", 450, True)
+    expect(page.get_by_role("tab", name="Verdict")).to_have_attribute("aria-selected", "true")
+
+
+def test_a_page_that_plays_does_not_write_its_angle_all_the_time(built_page: Build, page: Page) -> None:
+    opened(page, built_page(CROSS), "")
+    page.evaluate(
+        "() => { window.written = 0; const old = history.replaceState; history.replaceState = function(...all)"
+        " { window.written += 1; return old.apply(this, all) } }"
+    )
+    page.wait_for_timeout(900)
+    assert page.evaluate("window.written") == 0
+    assert "a=" not in page.url
+
+
+def test_the_address_that_is_changed_by_hand_is_followed(built_page: Build, page: Page) -> None:
+    opened(page, built_page(CROSS), "a=10&tab=orders")
+    page.evaluate("location.hash = 'a=77&tab=about&camera=side&whatever=<b>'")
+    page.wait_for_function("() => document.querySelector('[data-crankstar]').crankstar.theta === 77")
+    assert handle(page, "state.camera") == "side"
+    expect(page.get_by_role("tab", name="About")).to_have_attribute("aria-selected", "true")
+
+
+def test_weights_take_the_couple_from_a_cross_plane_crank_in_all_parts(built_page: Build, page: Page) -> None:
+    opened(page, built_page(CROSS, figures=True), "a=40&orders=1")
+    panel = tab(page, "Weights and shafts")
+    before = numbers(page)
+    assert math.hypot(before["Couple up"], before["Couple right"]) == pytest.approx(math.sqrt(10), rel=1e-3)
+    panel.get_by_role("radio", name="with weights and shafts").check()
+    page.wait_for_function("() => document.querySelector('[data-crankstar]').crankstar.exhibits[0].remedies.length > 0")
+    page.evaluate("() => new Promise(done => requestAnimationFrame(() => setTimeout(done)))")
+    after = numbers(page)
+    assert math.hypot(after["Couple up"], after["Couple right"]) < 1e-3
+    expect(panel.get_by_role("heading", name="Bobweights")).to_be_visible()
+    expect(panel.locator("[data-chart=spectrum]")).to_have_count(2)
+
+
+def test_two_engines_stand_side_by_side(built_page: Build, page: Page) -> None:
+    opened(page, built_page(CROSS, FLAT), "a=40&tab=compare")
+    heads = page.get_by_role("columnheader").all_text_contents()
+    assert heads == ["order", load(CROSS).name, load(FLAT).name]
+    line = page.get_by_role("row", name=re.compile("^force 2"))
+    expect(line).to_contain_text("horizontal line")
+    expect(page.locator(".stage canvas").first).to_be_visible()
+    assert page.locator(".stage").count() == 2
+    page.get_by_role("checkbox", name="Show both engines").uncheck()
+    assert page.locator(".stage").count() == 1
+
+
+def test_derivations_are_typeset(built_page: Build, page: Page) -> None:
+    opened(page, built_page(CROSS, figures=True), "a=0&of=couple&orders=1")
+    panel = tab(page, "Derivation")
+    expect(panel.locator("math").first).to_be_visible()
+    assert panel.locator("math").count() > 10
+    expect(panel.get_by_role("heading", name=re.compile("couple", re.IGNORECASE)).first).to_be_visible()
+
+
+def test_the_whirl_is_switched_on_at_a_size_that_is_seen_and_its_estimate_is_named(built_page: Build, page: Page) -> None:
+    opened(page, built_page(CROSS), "a=0&tab=whirl")
+    panel = page.get_by_role("tabpanel")
+    expect(panel.get_by_text("Estimate.")).to_be_visible()
+    assert handle(page, "state.whirl") == 0
+    panel.get_by_role("checkbox", name="Show it on the stage").check()
+    assert handle(page, "state.whirl") >= 1
+    panel.get_by_role("checkbox", name="Show it on the stage").uncheck()
+    assert handle(page, "state.whirl") == 0
+
+
+def test_colours_are_changed_by_a_button_and_kept(built_page: Build, page: Page) -> None:
+    opened(page, built_page(CROSS), "a=0")
+    button = page.get_by_role("button", name=re.compile("^Colours"))
+    button.click()
+    button.click()
+    assert handle(page, "state.theme") == "dark"
+    expect(page.locator(".crankstar.dark")).to_have_count(1)
+    page.wait_for_function("() => location.hash.includes('theme=dark')")
+
+
+def test_a_figure_that_is_not_there_says_so_and_can_be_asked_for_again(built_page: Build, page: Page) -> None:
+    opened(page, built_page(CROSS), "a=0&tab=stars")
+    place = page.locator("[data-chart=crank-star]")
+    expect(place).to_contain_text("This figure is not in this file.")
+    place.get_by_role("button", name="Try again").click()
+    expect(place).to_contain_text("This figure is not in this file.")
+
+
+def test_names_are_text_everywhere(tmp_path: Path, page: Page) -> None:
+    engine = load("v2-90").model_copy(update={"name": HOSTILE})
+    file = tmp_path / "hostile.html"
+    file.write_text(document(held([engine])), encoding="utf-8")
+    opened(page, file, "a=0")
+    title = page.title()
+    for each in page.get_by_role("tab").all():
+        each.click()
+        expect(page.locator("[aria-busy=true]")).to_have_count(0)
+        assert page.locator("[data-crankstar] :is(img, b)").count() == 0
+    assert page.title() == title
+    expect(page.get_by_role("heading", level=1)).to_have_text(HOSTILE)
+
+
+def test_a_file_without_its_data_says_what_to_do(tmp_path: Path, page: Page) -> None:
+    whole = document({"exhibition": exhibition([load(CROSS)]).model_dump(mode="json"), "libraries": [], "fitted": []})
+    file = tmp_path / "cut.html"
+    file.write_text(re.sub(r'(id="crankstar-data">).*?(</script>)', r"\1\2", whole, flags=re.DOTALL), encoding="utf-8")
+    page.goto(file.as_uri())
+    expect(page.locator(".failed")).to_contain_text("crankstar page ENGINE -o FILE.html")
