@@ -242,6 +242,17 @@ def test_another_layout_begins_as_an_engine(editing: Page, kind: str) -> None:
     expect(editing.locator(".mistakes")).to_have_count(0)
 
 
+def test_the_explicit_form_is_the_same_engine_part_by_part(editing: Page) -> None:
+    before = on_stage(editing)
+    editing.get_by_label("Type", exact=True).select_option("explicit")
+    eventually(lambda: len(on_stage(editing)["file"].get("shaft", [])), 1)
+    after = on_stage(editing)
+    assert [len(shaft["throw"]) for shaft in after["file"]["shaft"]] == [4]
+    assert after["table"] == before["table"]
+    editing.get_by_role("button", name="Add weight").click()
+    expect(field(editing, "edit:shaft[1].weight[1].unbalance")).to_be_visible()
+
+
 def test_every_key_of_the_schema_has_a_field(editing: Page, server: Server) -> None:
     schema = server.ask("api/schema").json
     for _ in range(2):  # what was folded holds folds itself

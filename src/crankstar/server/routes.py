@@ -181,6 +181,12 @@ async def read(request: Request, question: messages.TextQuestion) -> Response:
     return await _answer(request, tasks.read, question.text)
 
 
+@router.post("/explicit", response_model=messages.TreeShown, responses=ASK, summary="An engine, part by part", tags=["files"])
+async def explicit(request: Request, question: messages.EngineQuestion) -> Response:
+    """The same engine in the explicit form: every shaft, throw, weight and cylinder by itself."""
+    return await _answer(request, tasks.explicit, bounded(question.engine))
+
+
 @router.post(
     "/search", response_model=messages.SearchShown, responses=ASK | CROWDED, summary="Search for a better crank", tags=["search"]
 )

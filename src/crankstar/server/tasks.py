@@ -179,6 +179,13 @@ def read(text: str) -> bytes:
         return answered({"tree": tree})
 
 
+def explicit(engine: str | Tree) -> bytes:
+    """The tree of an engine in the explicit form, every shaft, throw, weight and cylinder by itself. Raises Refused."""
+    with mistakes_told():
+        made, _ = engine_of(engine)
+        return answered({"tree": files.explicit(made)})
+
+
 def schema() -> bytes:
     """The JSON Schema of engine files."""
     return answered(files.schema())

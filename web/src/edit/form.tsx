@@ -94,13 +94,19 @@ function LayoutType() {
         <select
           id="edit:layout.type"
           value={type}
-          onChange={(event) => session.edit(withLayout(session.tree.value, event.currentTarget.value))}
+          onChange={(event) => {
+            const chosen = event.currentTarget.value
+            if (chosen === EXPLICIT)
+              void session.open(session.service.explicit(session.tree.value), 'The explicit form')
+            else session.edit(withLayout(session.tree.value, chosen))
+          }}
         >
           {TYPES.map((one) => (
             <option key={one} value={one}>
               {one}
             </option>
           ))}
+          <option value={EXPLICIT}>explicit: every shaft, throw and weight</option>
         </select>
       </div>
       <p class="help">another type begins with the same cylinders, evenly spaced throws and no firing order</p>

@@ -67,6 +67,8 @@ export interface Service {
   engine(name: string): Promise<Answer<Tree>>
   exhibit(tree: Tree, signal?: AbortSignal): Promise<Answer<Exhibit>>
   toml(tree: Tree): Promise<Answer<string>>
+  /** The same engine in the explicit form, part by part. */
+  explicit(tree: Tree): Promise<Answer<Tree>>
   /** An engine file that was dropped or opened, TOML or JSON. */
   read(text: string): Promise<Answer<Tree>>
   /** The engine file with counterweights and balance shafts; null where there is nothing to do. */

@@ -48,6 +48,7 @@ export function service(base = ''): Service {
     engine: (name) => called<Tree>(base, `catalog/${encodeURIComponent(name)}`),
     exhibit: (tree, signal) => post<Exhibit>('exhibit', { engine: tree }, signal),
     toml: async (tree) => part(await post<{ toml: string }>('toml', { engine: tree }), ({ toml }) => toml),
+    explicit: async (tree) => part(await post<{ tree: Tree }>('explicit', { engine: tree }), (found) => found.tree),
     read: async (text) => part(await post<{ tree: Tree }>('read', { text }), ({ tree }) => tree),
     fitted: async (tree, options) =>
       part(
