@@ -248,7 +248,8 @@ def test_the_explicit_form_is_the_same_engine_part_by_part(editing: Page) -> Non
     eventually(lambda: len(on_stage(editing)["file"].get("shaft", [])), 1)
     after = on_stage(editing)
     assert [len(shaft["throw"]) for shaft in after["file"]["shaft"]] == [4]
-    assert after["table"] == before["table"]
+    greatest = [[row["greatest"] for row in exhibit["table"]] for exhibit in (before, after)]
+    assert greatest[0] == greatest[1]
     editing.get_by_role("button", name="Add weight").click()
     expect(field(editing, "edit:shaft[1].weight[1].unbalance")).to_be_visible()
 
