@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
@@ -23,6 +24,9 @@ FULL = (1.0, 2.0)
 """The orders whose derivation is given step by step unless orders are named; of the others the result."""
 MANY = 16
 """Pistons from which on only results are given: step by step an order of a Deltic takes ten pages."""
+
+LEVEL = re.compile(r"(?<=<h)[23](?=>)|(?<=</h)[23](?=>)")
+"""The level of a heading of a derivation, which stands in a section of the report."""
 
 Page = Callable[[Matter, Gallery], str]
 """A section of the report."""
@@ -130,7 +134,11 @@ def derivations(matter: Matter, gallery: Gallery) -> str:  # noqa: ARG001 - all 
     if len(matter.engine.cylinders) > MANY:
         told += " Given here are the results; crankstar derive gives every step."
     shown = "".join(documents.html_parts(chapters))
-    return section("Derivations", paragraph(told) + shown.replace("<h3>", "<h4>").replace("</h3>", "</h4>"), name="derivations")
+    return section("Derivations", paragraph(told) + LEVEL.sub(_lower, shown), name="derivations")
+
+
+def _lower(level: re.Match[str]) -> str:
+    return str(int(level.group()) + 1)
 
 
 def beside(matter: Matter, gallery: Gallery) -> str:

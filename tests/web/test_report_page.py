@@ -1,0 +1,58 @@
+"""The report in a browser: nothing to complain of under its own policy, wide and narrow, light and dark, and on paper."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page
+
+from crankstar import catalog
+from crankstar.files import engine_of
+from crankstar.report import Matter, report
+
+
+@pytest.fixture(scope="module")
+def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    _, tree = catalog.tree_of("audi-25-tfsi")
+    out = tmp_path_factory.mktemp("report") / "audi.html"
+    out.write_text(
+        report(Matter(engine_of(tree, name="audi"), tree, "crankstar report audi-25-tfsi -o report.html")), encoding="utf-8"
+    )
+    return out
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("width", [400, 1600])
+def test_a_report_fits_the_window_and_takes_its_colours(page: Page, place: Path, width: int, scheme: str) -> None:
+    page.set_viewport_size({"width": width, "height": 900})
+    page.emulate_media(color_scheme=scheme)  # pyright: ignore[reportArgumentType]
+    page.goto(place.as_uri())
+    assert page.evaluate("document.documentElement.scrollWidth") <= width
+    # its style sheet is in force under its own policy: the ground is that of the scheme
+    ground = page.evaluate("getComputedStyle(document.body).backgroundColor")
+    assert ground == {"light": "rgb(255, 255, 255)", "dark": "rgb(20, 25, 31)"}[scheme]
+    assert page.evaluate(
+        "[...document.querySelectorAll('main > section svg')].every(svg => svg.getBoundingClientRect().width > 60)"
+    )
+    assert page.evaluate("[...document.querySelectorAll('math')].every(math => math.getBoundingClientRect().height > 5)")
+
+
+def test_a_reader_who_does_not_see_it_finds_headings_and_names(page: Page, place: Path) -> None:
+    page.goto(place.as_uri())
+    levels = page.evaluate("[...document.querySelectorAll('h1, h2, h3, h4')].map(h => Number(h.tagName[1]))")
+    assert levels[0] == 1
+    assert levels.count(1) == 1
+    assert all(after - before <= 1 for before, after in pairwise(levels))
+    assert page.evaluate("[...document.querySelectorAll('svg')].every(svg => svg.querySelector('title')?.textContent)")
+    assert page.evaluate("[...document.querySelectorAll('[tabindex]')].every(part => part.getAttribute('aria-label'))")
+
+
+def test_on_paper_no_figure_and_no_line_is_wider_than_the_page(page: Page, place: Path) -> None:
+    page.emulate_media(media="print")
+    page.set_viewport_size({"width": 673, "height": 980})  # A4 less its margins, in px
+    page.goto(place.as_uri())
+    parts = "[...document.querySelectorAll('figure, table, .line, pre')]"
+    assert page.evaluate(f"{parts}.filter(part => part.getBoundingClientRect().right > 674).length") == 0
+    assert page.evaluate("getComputedStyle(document.body).backgroundColor") == "rgb(255, 255, 255)"
