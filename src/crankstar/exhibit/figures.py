@@ -24,6 +24,7 @@ def chart(engine: Engine, key: str) -> dict[str, Any]:
     Raises NoSuchKeyError, or ChartError where the figure cannot be drawn.
     """
     import vl_convert
+    from altair.utils.schemapi import debug_mode
 
     from crankstar.charts import CHARTS
 
@@ -40,7 +41,8 @@ def chart(engine: Engine, key: str) -> dict[str, Any]:
         asked["order"] = _order(key, asked["order"])
     if "speed" in known.options:
         asked["speed"] = engine.speed
-    drawn = known.draw(engine, **asked).to_dict(validate=False)
+    with debug_mode(False):  # each part would be held against the schema of Vega-Lite; the tests of the figures do that
+        drawn = known.draw(engine, **asked).to_dict(validate=False)
     for parameter in drawn.get("params", ()):
         parameter.pop("bind", None)
     return vl_convert.vegalite_to_vega(drawn)

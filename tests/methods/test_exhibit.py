@@ -1,0 +1,333 @@
+"""What the page is told of an engine: the numbers of the analysis, its tables, figures and derivations by key, and the file."""
+
+from __future__ import annotations
+
+import gzip
+import json
+import re
+from base64 import b64decode, b64encode
+from hashlib import sha256
+from html.parser import HTMLParser
+from math import radians
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+from tests.newton import road
+from tests.strategies import OF_ANY_KIND, engines
+
+from crankstar import answer, balance, motion, page
+from crankstar.catalog import load, names
+from crankstar.charts import ChartError
+from crankstar.derive import DerivationError
+from crankstar.engine import Engine
+from crankstar.exhibit import exhibit, exhibition, fitted
+from crankstar.exhibit.figures import NoSuchKeyError, chart, derivation
+from crankstar.exhibit.library import held, packed
+from crankstar.exhibit.records import Exhibit, Exhibition, Vectors
+from crankstar.firing import unfit
+from crankstar.mechanism import Reference
+from crankstar.page import PageError, document, inlined
+
+SOME = ["v8-cross-plane", "audi-25-tfsi", "pratt-whitney-wasp", "kr250-racer", "jumo-205", "vw-vr6", "single"]
+HOSTILE = "</script><img src=x onerror=alert(1)>\"'&--><!--<script>"
+
+
+def told(name: str) -> Exhibit:
+    return exhibit(load(name), neighbours=False)
+
+
+def at(vectors: Vectors, orders: tuple[float, ...], sense: int, theta: float) -> complex:
+    """A vector of the clock plane at a crank angle, as records.py says how to add it up."""
+    parts = zip(orders, vectors.forward, vectors.backward, strict=True)
+    return sum(complex(*f) * np.exp(1j * sense * k * theta) + complex(*b) * np.exp(-1j * sense * k * theta) for k, f, b in parts)
+
+
+@pytest.mark.parametrize("name", SOME)
+def test_the_sums_are_those_of_the_public_answer(name: str) -> None:
+    engine, shown = load(name), told(name)
+    public = answer.tree(engine.name, balance(engine, speed=engine.speed), orders=shown.orders)
+    assert shown.orders == tuple(row["order"] for row in public["orders"])
+    for place, row in enumerate(public["orders"]):
+        for quantity in ("force", "couple"):
+            found = getattr(shown.total, quantity)
+            largest = max(abs(complex(*pair)) for pair in (*found.forward, *found.backward)) or 1.0
+            for way in ("forward", "backward"):
+                assert getattr(found, way)[place] == pytest.approx(tuple(row[quantity][way]), abs=1e-8 * largest)
+
+
+@settings(max_examples=15)
+@given(engines(known=True), st.floats(0, 12))
+def test_arrows_are_what_the_bodies_do_but_for_orders_above_the_sixth(engine: Engine, theta: float) -> None:
+    """Total, and the piston, rod and big end of each cylinder; by momentum, in which all orders are, and those are taken out."""
+    shown = exhibit(engine.model_copy(update={"speed": 1.0}), neighbours=False)
+    walked = road(engine, reference=Reference(0.0), speed=1.0)
+    turns = round(float(walked.theta[1] * len(walked.theta) / (2 * np.pi)))
+    number = len(walked.theta)
+    largest = max(float(np.abs(push.force).max()) for push in walked.pushes)
+
+    def of(chosen: list[int]) -> complex:
+        force = np.sum([walked.pushes[i].force[:, 1] + 1j * walked.pushes[i].force[:, 0] for i in chosen], axis=0)
+        spectrum = np.fft.fft(force.astype(complex)) / number
+        orders = np.fft.fftfreq(number, 1 / number) / turns
+        kept = np.any(np.isclose(np.abs(orders)[:, None], np.array(shown.orders)), axis=1)
+        return complex(np.sum(spectrum[kept] * np.exp(1j * orders[kept] * theta)))
+
+    everything = of(list(range(len(walked.bodies))))
+    assert abs(at(shown.total.force, shown.orders, shown.sense, theta) - everything) < 1e-7 * largest
+    for cylinder in shown.cylinders:
+        own = [i for i, body in enumerate(walked.bodies) if body.cylinder == cylinder.number]
+        expected = of(own) if own else 0.0
+        assert abs(at(cylinder.force, shown.orders, shown.sense, theta) - expected) < 1e-7 * largest
+
+
+@pytest.mark.parametrize("name", [*SOME, "bmw-r1200", "v2-90"])
+def test_ellipses_of_the_table_are_the_paths_of_the_vectors(name: str) -> None:
+    shown = told(name)
+    theta = np.linspace(0, 2 * np.pi, 721)
+    for row in shown.table:
+        if row.quantity not in ("force", "couple"):
+            assert row.semi_axes is None
+            continue
+        place = shown.orders.index(row.order)
+        vectors = getattr(shown.total, row.quantity)
+        f, b = complex(*vectors.forward[place]), complex(*vectors.backward[place])
+        path = f * np.exp(1j * shown.sense * theta) + b * np.exp(-1j * shown.sense * theta)
+        assert row.semi_axes is not None
+        assert row.semi_axes == pytest.approx((np.abs(path).max(), np.abs(path).min()), abs=6e-3 * (np.abs(path).max() + 1e-12))
+        swept = np.sum(np.imag(np.conj(path[:-1]) * path[1:]))
+        flat = row.semi_axes[1] < 1e-9 * row.semi_axes[0] or row.path == "none"
+        assert row.turning == (0 if flat else np.sign(swept))
+        if not flat and row.semi_axes[0] > 1.001 * row.semi_axes[1] and row.direction is not None:
+            far = path[np.abs(path).argmax()]
+            assert abs(np.sin(np.angle(far) - row.direction)) < 0.02
+
+
+@pytest.mark.parametrize("name", SOME)
+def test_strokes_are_those_of_the_public_answer(name: str) -> None:
+    engine, shown = load(name), told(name)
+    if not engine.firing_order:
+        assert shown.stroke_windows == ()
+        return
+    public = answer.strokes_tree(engine)
+    windows = {(one.chamber, one.stroke): [one.from_deg, one.to_deg] for one in shown.stroke_windows}
+    expected = {(one["number"], stroke): window for one in public["cylinders"] for stroke, window in one["strokes"].items()}
+    assert windows == expected
+    fires = {c.chamber: c.fires_deg for c in shown.scene.cylinders}
+    assert fires == {one["number"]: pytest.approx(one["fires_deg"]) for one in public["cylinders"]}
+    (table,) = [table for table in shown.strokes if table.title.startswith("Strokes and events")]
+    assert len(table.rows) == len(public["cylinders"])
+    assert all(len(row) == len(table.heads) for row in table.rows)
+
+
+def test_what_a_notebook_says_of_strokes_is_all_there() -> None:
+    """No line of the terminal's tables is lost on the way."""
+    from crankstar.stroke_table import stroke_tables
+    from crankstar.wording import html
+
+    engine = load("v8-cross-plane")
+    plain = re.sub(r"\s+", " ", re.sub(r"<[^>]+>", " ", html(stroke_tables(engine))))
+    shown = told("v8-cross-plane").strokes
+    said = " ".join([*(t.title for t in shown), *(line for t in shown for line in t.notes)])
+    for words in ("Exhaust pulses", "Blow-down into an open exhaust", "Neighbours that fire one after the other", "typical angles"):
+        assert words in plain
+        assert words in said
+
+
+def greatest(vectors: Vectors, place: int) -> float:
+    return abs(complex(*vectors.forward[place])) + abs(complex(*vectors.backward[place]))
+
+
+def test_the_fitted_engine_is_quiet_in_what_it_was_fitted_for() -> None:
+    four, eight = fitted(load("i4")), fitted(load("v8-cross-plane"))
+    assert four is not None
+    assert eight is not None
+    assert greatest(told("i4").total.force, 1) > 1.0
+    assert greatest(four.total.force, 1) < 1e-9
+    assert greatest(told("v8-cross-plane").total.couple, 0) == pytest.approx(10**0.5, rel=1e-6)
+    assert greatest(eight.total.couple, 0) < 1e-9
+    assert [shaft.kind for shaft in four.scene.shafts] == ["crankshaft", "balance shaft", "balance shaft"]
+    assert [shaft.speed_ratio for shaft in four.scene.shafts] == [1.0, 2.0, -2.0]
+    assert any(table.title == "What is left" for table in eight.remedies)
+    assert fitted(load("i6")) is None
+
+
+@settings(max_examples=25)
+@given(st.one_of(*OF_ANY_KIND.values()))
+def test_any_engine_at_all_has_an_exhibit_and_perhaps_a_fitted_one(engine: Engine) -> None:
+    assume(not motion.unreachable(engine) and not unfit(engine))  # as for every engine of a file
+    shown = exhibition([engine], neighbours=False)
+    again = Exhibition.model_validate_json(shown.model_dump_json())
+    assert again == shown
+    json.loads(json.dumps(shown.model_dump(mode="json"), allow_nan=False))
+
+
+LONG = [pytest.param(name, marks=pytest.mark.long) for name in ("v8-cross-plane", "vw-vr6")]
+
+
+@pytest.mark.parametrize("name", ["kr250-racer", "single", *LONG])
+def test_every_key_of_an_exhibit_can_be_asked_for(name: str) -> None:
+    engine, shown = load(name), told(name)
+    assert len({key.key for key in shown.charts}) == len(shown.charts)
+    for key in shown.charts:
+        made = chart(engine, key.key)
+        signals = {signal["name"]: signal for signal in made.get("signals", ())}
+        assert ("theta" in signals) is key.turning
+        assert all("bind" not in signal for signal in signals.values())
+        assert "vega/v6" in made["$schema"] or "vega/v5" in made["$schema"]
+    for key in shown.derivations:
+        made_html = derivation(engine, key.key)
+        assert "<math" in made_html
+        assert " style=" not in made_html
+
+
+@pytest.mark.parametrize(
+    "key",
+    [
+        *("", "nothing", "force:2", "../secret", "shaft:order=1", "crank-star:theta=1", "polygon:angle=3"),
+        *(
+            "polygon:order=x:quantity=force",
+            "polygon:quantity=roll",
+            "over-turn:quantity=",
+            "polygon:order=nan",
+            "polygon:order=-1",
+        ),
+    ],
+)
+def test_a_figure_that_is_not_there_is_refused_in_a_sentence(key: str) -> None:
+    with pytest.raises((NoSuchKeyError, ChartError)) as refused:
+        chart(load("i4"), key)
+    assert len(str(refused.value)) > 20
+
+
+@pytest.mark.parametrize(
+    "key", ["", "force", "force:", "force:x", "force:0", "force:-1", "force:1e9", "force:1/0", "roll:1", "force:٢x"]
+)
+def test_a_derivation_that_is_not_there_is_refused_in_a_sentence(key: str) -> None:
+    with pytest.raises((NoSuchKeyError, DerivationError)) as refused:
+        derivation(load("i4"), key)
+    assert len(str(refused.value)) > 20
+
+
+@given(st.text(max_size=40))
+def test_no_key_at_all_is_answered_with_a_traceback(key: str) -> None:
+    engine = load("single")
+    for ask in (chart, derivation):
+        with pytest.raises((NoSuchKeyError, ChartError, DerivationError)):
+            ask(engine, key + "?")
+
+
+class Reader(HTMLParser):
+    """What a browser finds in a page: the elements, and the texts of its scripts."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.elements: list[tuple[str, dict[str, str | None]]] = []
+        self.scripts: list[str] = []
+        self._inside: str | None = None
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.elements.append((tag, dict(attrs)))
+        self._inside = tag if tag in ("script", "title") else None
+        if tag == "script":
+            self.scripts.append("")
+
+    def handle_data(self, data: str) -> None:
+        if self._inside == "script":
+            self.scripts[-1] += data
+
+    def handle_endtag(self, tag: str) -> None:
+        del tag
+        self._inside = None
+
+
+def read(text: str) -> Reader:
+    reader = Reader()
+    reader.feed(text)
+    return reader
+
+
+@pytest.fixture
+def small_bundle(monkeypatch: pytest.MonkeyPatch, tmp_path: Any) -> str:
+    """A front-end of a few words that says all that could end a script."""
+    script = "const x = '</script>', y = '<!-- <script>', z = `</SCRIPT >`, r = /<\\/script/; export default {}\n"
+    path = tmp_path / "crankstar.js"
+    path.write_text(script, encoding="utf-8")
+    monkeypatch.setattr(page, "BUNDLE", path)
+    return script
+
+
+def hostile() -> Engine:
+    return load("i4").model_copy(update={"name": HOSTILE, "source": HOSTILE})
+
+
+def tree() -> dict[str, Any]:
+    shown = exhibition([hostile()], neighbours=False).model_dump(mode="json")
+    return {"exhibition": shown, "libraries": [{"charts": {}, "derivations": {}}], "fitted": [None]}
+
+
+def test_nothing_in_a_name_becomes_an_element_of_the_page(small_bundle: str) -> None:
+    found = read(document(tree()))
+    tags = [tag for tag, _ in found.elements]
+    assert tags.count("script") == 2
+    assert "img" not in tags
+    assert all(not name.startswith("on") and name != "style" for _, attributes in found.elements for name in attributes)
+    assert len(found.scripts) == 2
+    held_there = json.loads(found.scripts[0])
+    assert held_there["encoding"] == "gzip+base64"
+    assert json.loads(gzip.decompress(b64decode(held_there["data"]))) == tree()
+    assert found.scripts[1].strip() == inlined(small_bundle).strip()
+
+
+def test_the_policy_allows_that_one_script_and_asks_nothing_of_the_network(small_bundle: str) -> None:
+    del small_bundle
+    text = document(tree())
+    found = read(text)
+    (policy,) = [a["content"] for tag, a in found.elements if a.get("http-equiv") == "Content-Security-Policy"]
+    digest = b64encode(sha256(found.scripts[1].encode()).digest()).decode()
+    assert policy is not None
+    assert f"script-src 'sha256-{digest}';" in policy
+    assert policy.startswith("default-src 'none';")
+    assert "unsafe" not in policy
+    assert not re.search(r"https?://", text)
+    assert not any({"src", "href"} & attributes.keys() for _, attributes in found.elements)
+    (language,) = [a.get("lang") for tag, a in found.elements if tag == "html"]
+    assert language == "en"
+
+
+def test_a_script_says_the_same_when_it_stands_in_a_page(small_bundle: str) -> None:
+    """What is escaped is the same character to JavaScript: undone, it is the script again."""
+    back = (
+        inlined(small_bundle).replace("<\\/script", "</script").replace("<\\/SCRIPT", "</SCRIPT").replace("\\x3cscript", "<script")
+    )
+    assert back == small_bundle.replace("/<\\/script/", "/</script/")
+
+
+def test_without_a_bundle_it_is_said_how_to_build_it(monkeypatch: pytest.MonkeyPatch, tmp_path: Any) -> None:
+    monkeypatch.setattr(page, "BUNDLE", tmp_path / "none.js")
+    with pytest.raises(PageError, match=r"python web/bundle\.py"):
+        document(tree())
+
+
+def test_a_file_has_every_figure_and_derivation_of_its_engines_with_it() -> None:
+    steps: list[tuple[int, int, str]] = []
+    made = held([load("i4")], sources=["i4"], tell=lambda *step: steps.append(step))
+    shown = Exhibition.model_validate(made["exhibition"])
+    for library, one in ((made["libraries"][0], shown.engines[0]), (made["fitted"][0], shown.fitted[0])):
+        assert one is not None
+        assert set(library["charts"]) == {key.key for key in one.charts}
+        assert set(library["derivations"]) == {key.key for key in one.derivations}
+    assert [done for done, _, _ in steps] == list(range(steps[0][1]))
+    assert len(packed(made)) < 500_000
+
+
+def test_all_engines_have_a_name_for_every_line_under_it() -> None:
+    for name in names():
+        shown = told(name)
+        assert shown.heading[0].startswith(shown.file.get("cycle", "four-stroke"))
+        assert all(line.strip() == line and "\n" not in line for line in shown.heading)
+        assert shown.cycle_deg in (360.0, 720.0)
+        assert shown.turns * 360 >= shown.cycle_deg
+        assert radians(shown.cycle_deg) > 0
