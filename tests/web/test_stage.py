@@ -92,3 +92,19 @@ def test_crank_pins_are_drawn_where_their_shafts_carry_them(name: str, built_pag
             bearing = throw.angle + engine.sense * float(shaft.speed_ratio) * math.radians(77)
             place = (shaft.up + throw.radius * math.cos(bearing), shaft.right + throw.radius * math.sin(bearing))
             assert math.dist((up, right), place) < 2e-6 * throw.radius
+
+
+def test_a_graphics_card_that_goes_away_and_comes_back_leaves_the_same_picture(built_page: Build, page: Page) -> None:
+    opened(page, built_page(ENGINE), f"{QUIET}&camera=front")
+    before = seen(page)
+    taken = """async canvas => {
+        const card = canvas.getContext('webgl2').getExtension('WEBGL_lose_context')
+        const happened = name => new Promise(done => canvas.addEventListener(name, done, { once: true }))
+        const [lost, found] = [happened('webglcontextlost'), happened('webglcontextrestored')]
+        card.loseContext()
+        await lost
+        setTimeout(() => card.restoreContext())
+        await found
+    }"""
+    stage(page).evaluate(taken)
+    assert seen(page) == before

@@ -191,6 +191,8 @@ class FlatPicture implements Picture {
     this.canvas.height = Math.round(height * density)
   }
 
+  lose(): void {}
+
   dispose(): void {
     this.#exhibit = null
     this.#bodies = []

@@ -79,7 +79,8 @@ class EngineStage implements Stage {
         this.#again()
       },
     )
-    picture.canvas.addEventListener('webglcontextrestored', this.#again)
+    picture.canvas.addEventListener('webglcontextlost', this.#lost)
+    picture.canvas.addEventListener('webglcontextrestored', this.#found)
     picture.show(exhibit, this.#chain)
     this.resize()
   }
@@ -147,6 +148,14 @@ class EngineStage implements Stage {
     cancelAnimationFrame(this.#awaited)
     this.#awaited = 0
     if (this.#view) this.draw(this.#view)
+  }
+
+  /** The graphics card was taken away, which a sleeping laptop may do; at once, while nothing can be deleted twice. */
+  readonly #lost = (): void => this.#picture.lose()
+
+  readonly #found = (): void => {
+    this.#picture.show(this.#exhibit, this.#chain)
+    this.#again()
   }
 
   /** Tells those who do not see it what is shown, and whether keys turn it. */
@@ -227,7 +236,8 @@ class EngineStage implements Stage {
   dispose(): void {
     cancelAnimationFrame(this.#awaited)
     this.#unlisten()
-    this.#picture.canvas.removeEventListener('webglcontextrestored', this.#again)
+    this.#picture.canvas.removeEventListener('webglcontextlost', this.#lost)
+    this.#picture.canvas.removeEventListener('webglcontextrestored', this.#found)
     this.#picture.dispose()
     this.#root.remove()
     this.#view = null

@@ -30,5 +30,7 @@ export interface Picture {
   pistons(): Reading['pistons']
   pins(): Reading['pins']
   size(width: number, height: number, density: number): void
+  /** Lets go of what the graphics card has taken back; `show` builds it anew. */
+  lose(): void
   dispose(): void
 }

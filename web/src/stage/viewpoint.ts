@@ -5,6 +5,8 @@ import type { Camera } from './stage'
 /** How long the way from one camera to another takes, ms. */
 const WAY = 420
 
+const ORBITED = ['azimuth', 'elevation', 'zoom', 'x', 'y'] as const
+
 /** Where one looks from at the moment: on a camera, or on the way from one to another. */
 export class Viewpoint {
   readonly orbit: Orbit = { ...HOME }
@@ -12,6 +14,8 @@ export class Viewpoint {
   #from: Frame | null = null
   #since = 0
   #last: Frame | null = null
+  /** What the last frame was asked for with: as long as nothing changes, neither does it. */
+  #asked: readonly unknown[] = []
 
   get camera(): Camera | null {
     return this.#camera
@@ -24,6 +28,9 @@ export class Viewpoint {
 
   /** The frame at time `now` (ms) for a camera, what it looks at and what it is fitted into. */
   frame(camera: Camera, discs: readonly Disc[], screen: Screen, now: number): Frame {
+    const asked = [camera, discs, screen.aspect, screen.foot, screen.margin, ...ORBITED.map((name) => this.orbit[name])]
+    if (this.#last && !this.#from && asked.every((value, index) => value === this.#asked[index])) return this.#last
+    this.#asked = asked
     const goal = this.#shifted(frameOf(camera, this.orbit, discs, screen), camera)
     if (this.#camera !== null && this.#camera !== camera && this.#last !== null && !still()) {
       this.#from = this.#last

@@ -166,9 +166,13 @@ class WebglPicture implements Picture {
     this.#machine = null
   }
 
-  dispose(): void {
+  lose(): void {
     this.#clear()
     this.#paint.dispose()
+  }
+
+  dispose(): void {
+    this.lose()
     this.#renderer.dispose()
     // Browsers keep only a few contexts: this one is given back at once.
     this.#renderer.getContext().getExtension('WEBGL_lose_context')?.loseContext()
