@@ -60,8 +60,8 @@ def exhibit(
     `neighbours`: the verdict also names engines of the catalog that do better, which takes much the longest when first asked.
     """
     result = balance(engine, speed=engine.speed)
-    orders = orders_present(result)
     sums = numbers.summed(result)
+    orders = numbers.orders_shown(result, sums)
     along = proportions(engine).along
     strokes, windows = _strokes(engine)
     return Exhibit(
@@ -88,8 +88,8 @@ def exhibit(
         verdict=tuple(Fact(about=fact.about, sentence=fact.sentence) for fact in verdict(engine, neighbours=neighbours)),
         strokes=strokes,
         stroke_windows=windows,
-        charts=chart_keys(engine, orders),
-        derivations=derivation_keys(orders),
+        charts=chart_keys(engine, orders_present(result)),
+        derivations=derivation_keys(orders_present(result)),
         remedies=tuple(remedies),
     )
 

@@ -8,6 +8,7 @@ from typing import Literal
 import numpy as np
 
 from crankstar import phasor, whirl
+from crankstar.answer import GREATEST_DEFAULT_ORDER, SIGNIFICANT, orders_present
 from crankstar.balance import Balance, of_parts, total
 from crankstar.engine import Engine
 from crankstar.exhibit.records import Pair, PartForce, Row, Sum, Vectors, Whirl
@@ -31,6 +32,16 @@ def summed(result: Balance) -> Totals:
         roll=quiet(block_roll(sums), result.roll),
         torque=quiet(sums.torque, result.torque),
     )
+
+
+def orders_shown(result: Balance, sums: Totals) -> tuple[float, ...]:
+    """The orders of a page: those at which a part pushes, and those in which the block rolls though no part pushes.
+
+    A centred piston has no roll of its own; the block rolls because a flywheel takes up the torque.
+    """
+    rolls = np.abs(sums.roll.forward) + np.abs(sums.roll.backward)
+    left = (rolls > SIGNIFICANT * rolls.max(initial=0.0)) & (sums.roll.orders <= GREATEST_DEFAULT_ORDER)
+    return tuple(sorted({*orders_present(result), *sums.roll.orders[left].tolist()}))
 
 
 def vectors(spectrum: Spectrum, orders: Sequence[float]) -> Vectors:
