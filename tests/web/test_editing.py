@@ -336,7 +336,7 @@ def test_a_row_of_a_search_becomes_the_engine(editing: Page) -> None:
     assert rows.count() == 4
     expect(rows.nth(1)).to_contain_text("1-7-2-5-4-3-6")
     expect(dialog).to_contain_text("Proved complete")
-    dialog.get_by_role("button", name="Put row 2 on the stage").click()
+    dialog.get_by_role("button", name="Put on the stage: row 2").click()
     expect(dialog).to_be_hidden()
     eventually(lambda: on_stage(editing)["file"]["firing_order"], [1, 7, 2, 5, 4, 3, 6])
     editing.get_by_role("button", name="Undo").click()

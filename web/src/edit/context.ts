@@ -1,7 +1,8 @@
+import { computed } from '@preact/signals'
 import { createContext } from 'preact'
-import { useContext } from 'preact/hooks'
+import { useContext, useMemo } from 'preact/hooks'
 import { type Session, sentencesAt } from './session'
-import { type Path, written } from './tree'
+import { at, type Path, written } from './tree'
 
 const Editing = createContext<Session | null>(null)
 
@@ -17,6 +18,14 @@ export function useSession(): Session {
 /** The id of a field's element, so that an error can lead there. */
 export function idOf(path: Path): string {
   return `edit:${written(path).replace(/\s/g, '_')}`
+}
+
+/** The value at a path. What shows it is drawn again only when it changes: a form of hundreds of fields is as quick as a short one. */
+export function useValue(path: Path): unknown {
+  const session = useSession()
+  const key = written(path)
+  // a path is made anew at each drawing; what it says is its key
+  return useMemo(() => computed(() => at(session.tree.value, path)), [session, key]).value
 }
 
 /** The sentences beside a field. */

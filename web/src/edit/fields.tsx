@@ -1,6 +1,6 @@
 import type { ComponentChildren } from 'preact'
 import { useRef, useState } from 'preact/hooks'
-import { idOf, useSentences, useSession } from './context'
+import { idOf, useSentences, useSession, useValue } from './context'
 import { Dial } from './dial'
 import { measured } from './measured'
 import { angle, type Dimension, degrees, parsed, retold, type Scale, scale, settled, shown, typed } from './quantity'
@@ -74,7 +74,7 @@ export function Box({ path, label, example, take, below = false, long = false, n
   const session = useSession()
   const [raw, setRaw] = useState<string | null>(null)
   const wrong = useSentences(path, below).length > 0
-  const value = at(session.tree.value, path)
+  const value = useValue(path)
   const id = idOf(path)
   const meant = (text: string) => (text.trim() || typeof path.at(-1) === 'number' ? take(text) : undefined)
   const text = raw !== null && same(meant(raw), value) ? raw : shown(value)
@@ -121,7 +121,7 @@ function limitsOf({ low, high }: Of<'number'>, number: number): Scale {
 
 export function NumberField(props: FieldProps & { kind: Of<'number'> }) {
   const { field, path, kind } = props
-  const value = at(useSession().tree.value, path)
+  const value = useValue(path)
   const bounded = Number.isFinite(kind.low) && Number.isFinite(kind.high)
   const number = typeof value === 'number' ? value : bounded ? kind.low : null
   const limits = number === null || kind.whole ? null : limitsOf(kind, number)
@@ -162,7 +162,7 @@ export function NumbersField(props: FieldProps) {
 export function ChoiceField(props: FieldProps & { kind: Of<'choice'> }) {
   const { field, path, kind } = props
   const session = useSession()
-  const value = at(session.tree.value, path) ?? field.initial
+  const value = useValue(path) ?? field.initial
   const known = kind.among.includes(String(value))
   return (
     <Labelled {...props}>
@@ -186,7 +186,7 @@ export function ChoiceField(props: FieldProps & { kind: Of<'choice'> }) {
 export function MarksField(props: FieldProps & { kind: Of<'marks'> }) {
   const { field, path, kind } = props
   const session = useSession()
-  const value = at(session.tree.value, path)
+  const value = useValue(path)
   const on = Array.isArray(value) ? value.map(String) : []
   return (
     <fieldset class="field marks" id={idOf(path)} tabIndex={-1}>
@@ -259,7 +259,7 @@ function defaulted(field: Field): string {
 
 /** A box for a number with a unit: a bare number that is typed takes the unit that was there, or the usual one. */
 function useTake(path: Path, dimension: Dimension): (text: string) => unknown {
-  const tree = useSession().tree.value
+  const tree = useSession().tree.peek()
   const value = at(tree, path)
   const unit = useRef('')
   const now = parsed(value)
@@ -274,7 +274,7 @@ function useTake(path: Path, dimension: Dimension): (text: string) => unknown {
 export function QuantityField(props: FieldProps & { kind: Of<'quantity'> }) {
   const { field, path, kind } = props
   const session = useSession()
-  const value = at(session.tree.value, path)
+  const value = useValue(path)
   const take = useTake(path, kind.dimension)
   const given = parsed(value) ?? (value === undefined ? parsed(field.initial) : null)
   const whole =
@@ -313,7 +313,7 @@ export function QuantityField(props: FieldProps & { kind: Of<'quantity'> }) {
 export function Item({ field, path, label }: { field: Field; path: Path; label: string }) {
   const session = useSession()
   const dimension = field.kind.is === 'quantity' ? field.kind.dimension : 'other'
-  const value = at(session.tree.value, path)
+  const value = useValue(path)
   const take = useTake(path, dimension)
   return (
     <>

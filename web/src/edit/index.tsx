@@ -1,4 +1,4 @@
-import { useEffect, useRef } from 'preact/hooks'
+import { useEffect, useMemo, useRef } from 'preact/hooks'
 import type { Exhibit } from '../exhibit'
 import type { Service, Tree } from '../host/host'
 import { CatalogPicker } from './catalog'
@@ -24,6 +24,8 @@ interface Props {
 export function Editor({ service, tree, shown }: Props) {
   const session = sessionOf(service, tree, shown)
   const root = useRef<HTMLElement>(null)
+  // drawn once: its fields follow the engine by themselves
+  const form = useMemo(() => <EngineForm />, [])
   useEffect(() => session.adopt(tree), [session, tree])
   useEffect(session.load, [session])
   return (
@@ -44,7 +46,7 @@ export function Editor({ service, tree, shown }: Props) {
           {session.note.value}
         </p>
         <Mistakes session={session} root={() => root.current} />
-        <EngineForm />
+        {form}
       </section>
     </Provider>
   )

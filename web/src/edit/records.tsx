@@ -1,7 +1,7 @@
 import type { ComponentChildren, JSX } from 'preact'
 import { useState } from 'preact/hooks'
 import { another, recordOf } from './beginnings'
-import { idOf, useSession } from './context'
+import { idOf, useSession, useValue } from './context'
 import {
   ChoiceField,
   type FieldProps,
@@ -61,7 +61,7 @@ export function AnyField(props: FieldProps): JSX.Element | null {
 /** The fields of a table: what engineers change first lies open, the rest is folded. */
 export function Fields({ fields, path, quiet = false }: { fields: readonly Field[]; path: Path; quiet?: boolean }) {
   const session = useSession()
-  const here = at(session.tree.value, path)
+  const here = at(session.tree.peek(), path)
   const chief = fields.filter((field) => field.required || OPEN.has(field.key))
   const open = chief.length === 0 || fields.length <= FEW ? fields : chief
   const folded = fields.filter((field) => !open.includes(field) && field.kind.is !== 'fixed')
@@ -140,7 +140,7 @@ function Buttons({ list, index, count, name }: { list: Path; index: number; coun
 
 function QuantitiesField({ field, path, kind }: FieldProps & { kind: Of<'quantities'> }) {
   const session = useSession()
-  const value = at(session.tree.value, path)
+  const value = useValue(path)
   const items: unknown[] = Array.isArray(value) ? value : []
   const id = idOf(path)
   const name = field.label.replace(/s$/, '')
@@ -171,7 +171,7 @@ function QuantitiesField({ field, path, kind }: FieldProps & { kind: Of<'quantit
 
 function RecordField({ field, path, kind }: FieldProps & { kind: Of<'record'> }) {
   const session = useSession()
-  const there = at(session.tree.value, path) !== undefined
+  const there = useValue(path) !== undefined
   const id = idOf(path)
   const always = field.required || kind.fields.every((inner) => !inner.required)
   return (
@@ -207,7 +207,7 @@ const MANY = 4
 
 function RecordsField({ field, path, kind }: FieldProps & { kind: Of<'records'> }) {
   const session = useSession()
-  const value = at(session.tree.value, path)
+  const value = useValue(path)
   const records: unknown[] = Array.isArray(value) ? value : []
   const id = idOf(path)
   const one = field.label.replace(/s$/, '').toLowerCase()
@@ -242,7 +242,7 @@ function RecordsField({ field, path, kind }: FieldProps & { kind: Of<'records'> 
 function TableField({ field, path, kind }: FieldProps & { kind: Of<'table'> }) {
   const session = useSession()
   const [key, setKey] = useState('')
-  const value = at(session.tree.value, path)
+  const value = useValue(path)
   const keys = Object.keys((value ?? {}) as object)
   const id = idOf(path)
   const add = () => {

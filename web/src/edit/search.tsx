@@ -344,7 +344,7 @@ function Answered({ state, put }: { state: SearchState; put: (found: Found, row:
               <tr>
                 {state.heads.map((head) => (
                   <th key={head} scope="col">
-                    {head}
+                    {head || <span class="aside">row</span>}
                   </th>
                 ))}
                 <th scope="col">
@@ -361,7 +361,7 @@ function Answered({ state, put }: { state: SearchState; put: (found: Found, row:
                   <td>
                     <button
                       type="button"
-                      aria-label={`Put row ${index + 1} on the stage`}
+                      aria-label={`Put on the stage: row ${index + 1}`}
                       onClick={() => put(row, index + 1)}
                     >
                       Put on the stage

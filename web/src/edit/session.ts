@@ -76,7 +76,8 @@ export function session(service: Service, tree: Tree, shown: Shown): Session {
         onStage = answer.value.file
         self.shown(answer.value, subject)
       }
-      if (newest) problems.value = answer.ok ? [] : placed(answer.problems)
+      const wrong = answer.ok ? [] : placed(answer.problems)
+      if (newest && (wrong.length || problems.peek().length)) problems.value = wrong
     },
     waiting: (now) => {
       busy.value = now

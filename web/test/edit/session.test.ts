@@ -1,0 +1,108 @@
+import { afterEach, beforeEach, expect, test, vi } from 'vitest'
+import { session } from '../../src/edit/session'
+import type { Exhibit } from '../../src/exhibit'
+import type { Answer, Service, Tree } from '../../src/host/host'
+
+beforeEach(() => void vi.useFakeTimers())
+afterEach(() => void vi.useRealTimers())
+
+const settle = () => vi.advanceTimersByTimeAsync(1000)
+const wrong = { path: 'layout.banks[1].bearing', message: 'is "xx"' }
+
+/** A session with a server that finds `xx` wrong, and what it put on the stage. */
+function begun(more: Partial<Service> = {}) {
+  const onStage: Tree[] = []
+  const service = {
+    exhibit: async (tree: Tree): Promise<Answer<Exhibit>> =>
+      JSON.stringify(tree).includes('xx')
+        ? { ok: false, problems: [wrong] }
+        : { ok: true, value: { file: tree } as unknown as Exhibit },
+    schema: async () => ({ anyOf: [] }),
+    catalog: async () => [],
+    ...more,
+  } as Service
+  const tree = { name: 'V2', layout: { type: 'vee', banks: [{ bearing: '45 deg' }] } }
+  return { onStage, tree, now: session(service, tree, (exhibit) => onStage.push(exhibit.file)) }
+}
+
+const bearing = ['layout', 'banks', 0, 'bearing']
+
+test('what is valid comes on the stage, what is not does not and is told where it is', async () => {
+  const { now, onStage } = begun()
+  now.set(bearing, 'xx')
+  await settle()
+  expect(onStage).toEqual([])
+  expect(now.problems.value).toEqual([{ ...wrong, at: bearing }])
+  now.set(bearing, '30 deg')
+  await settle()
+  expect(onStage).toHaveLength(1)
+  expect(now.problems.value).toEqual([])
+})
+
+test('an engine that others put on the stage is taken over as a step that can be undone', async () => {
+  const { now, onStage, tree } = begun()
+  const other = { name: 'I4' }
+  now.adopt(other)
+  await settle()
+  expect(now.tree.value).toEqual(other)
+  expect(onStage).toEqual([])
+  now.undo()
+  await settle()
+  expect(onStage).toEqual([tree])
+})
+
+test('the engine that the form itself put on the stage is not taken over, and a draft with a mistake stays', async () => {
+  const { now, onStage } = begun()
+  now.set(['name'], 'V2 b')
+  await settle()
+  now.adopt({ ...onStage[0] })
+  expect(now.canRedo.value).toBe(false)
+  now.set(bearing, 'xx')
+  await settle()
+  now.adopt({ ...onStage[0] })
+  expect(now.tree.value).toMatchObject({ layout: { banks: [{ bearing: 'xx' }] } })
+  now.undo()
+  now.undo()
+  expect(now.canUndo.value).toBe(false)
+})
+
+test('typing is one step until a pause', async () => {
+  const { now, tree } = begun()
+  now.set(['name'], 'a', 'type name')
+  now.set(['name'], 'ab', 'type name')
+  await vi.advanceTimersByTimeAsync(2000)
+  now.set(['name'], 'abc', 'type name')
+  now.undo()
+  expect(now.tree.value.name).toBe('ab')
+  now.undo()
+  expect(now.tree.value).toEqual(tree)
+})
+
+test('a file that is no engine changes nothing but the list of mistakes', async () => {
+  const { now, tree, onStage } = begun()
+  const opened = await now.open(Promise.resolve({ ok: false, problems: [wrong] }), 'x.toml')
+  await settle()
+  expect(opened).toBe(false)
+  expect(now.tree.value).toEqual(tree)
+  expect(onStage).toEqual([])
+  expect(now.problems.value).toHaveLength(1)
+  expect(now.note.value).toContain('x.toml could not be opened')
+})
+
+test('what the form is made of is asked for once, and again after a failure', async () => {
+  let asked = 0
+  const { now } = begun({
+    schema: async () => {
+      asked += 1
+      if (asked === 1) throw new TypeError('Failed to fetch')
+      return { anyOf: [] }
+    },
+  })
+  now.load()
+  await settle()
+  expect(now.note.value).toContain('The server does not answer')
+  now.load()
+  now.load()
+  await settle()
+  expect(asked).toBe(2)
+})
