@@ -63,8 +63,9 @@ front-end: $(READY)
 chromium latex:
 	@sh tests/tools.sh install $@
 
-bench: $(READY)
+bench: $(READY) front-end chromium
 	$(BIN)/python benchmarks/run.py
+	$(BIN)/python benchmarks/page.py
 
 clean:
 	rm -rf $(VENV) dist site demo web/node_modules src/crankstar/bundle

@@ -104,6 +104,7 @@ export function show(host: Promise<Host>, el: Holder, bound?: (app: App) => () =
     )
     await staged
     await app.clock.flush()
+    performance.mark('crankstar ready')
   })
   ready.catch((error: unknown) => {
     draw(<p class="crankstar failed">{error instanceof Error ? error.message : String(error)}</p>, el)

@@ -1,0 +1,59 @@
+"""The pictures of the page that the README shows: `.venv/bin/python docs/pictures.py` draws them again.
+
+Two engines as `crankstar page` writes them, in a Chromium without a window, one light and one dark.
+"""
+
+from __future__ import annotations
+
+import sys
+import tempfile
+from pathlib import Path
+from typing import Literal, NamedTuple
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+
+from playwright.sync_api import expect, sync_playwright
+from tests.tools import path_of
+from tests.web.browsing import ARGUMENTS, root
+from tests.web.engine_page import opened, written
+
+PICTURES = Path(__file__).parent / "pictures"
+GREATEST = 150_000
+"""Bytes of a picture: they are in git."""
+
+
+class Shot(NamedTuple):
+    """A picture: its file, the engine, what is seen of it, and the colours."""
+
+    file: str
+    engine: str
+    state: str
+    colours: Literal["light", "dark"]
+
+
+SHOTS = (
+    Shot("page-light.png", "v8-cross-plane", "a=40&camera=isometric&tab=orders&couple=1", "light"),
+    Shot("page-dark.png", "pratt-whitney-wasp", "a=75&camera=front&tab=forces", "dark"),
+)
+
+
+def main() -> None:
+    """Draws all of them."""
+    with sync_playwright() as playwright, tempfile.TemporaryDirectory() as folder:
+        browser = playwright.chromium.launch(executable_path=path_of("chromium"), chromium_sandbox=not root(), args=ARGUMENTS)
+        for shot in SHOTS:
+            size = {"width": 1000, "height": 640}
+            with browser.new_context(viewport=size, color_scheme=shot.colours) as context, context.new_page() as page:  # pyright: ignore[reportArgumentType]
+                opened(page, written(Path(folder), shot.engine, figures=True), shot.state)
+                expect(page.locator("[aria-busy=true]")).to_have_count(0)
+                page.wait_for_timeout(1000)  # the camera has come to rest
+                page.screenshot(path=PICTURES / shot.file)
+            bytes_written = (PICTURES / shot.file).stat().st_size
+            print(f"{shot.file}: {bytes_written:,} bytes")
+            if bytes_written > GREATEST:
+                sys.exit(f"{shot.file} is larger than {GREATEST:,} bytes")
+        browser.close()
+
+
+if __name__ == "__main__":
+    main()
