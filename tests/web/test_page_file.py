@@ -1,0 +1,62 @@
+"""A page as `crankstar page` writes it, opened from disk: small, without a network, nothing but its own script."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, Page
+from tests.web.browsing import watched
+from tests.web.engine_page import READY, handle, opened
+
+from crankstar import cli
+from crankstar.catalog import load
+from crankstar.page import NO_SCRIPT
+
+GREATEST = 3_000_000
+"""Bytes of a page."""
+Build = Callable[..., Path]
+
+
+def test_the_file_of_a_v12_is_small_and_opens(tmp_path: Path, page: Page) -> None:
+    place = tmp_path / "v12.html"
+    with pytest.raises(SystemExit) as left:
+        cli.main(["page", "v12-60", "-o", str(place)])
+    assert left.value.code == 0
+    assert place.stat().st_size < GREATEST
+    opened(page, place, "a=90&tab=stars")
+    assert page.title() == load("v12-60").name
+    page.wait_for_selector(".vega-embed svg, svg.marks, figure svg")
+    assert handle(page, "theta") == 90
+
+
+def test_without_scripts_it_says_what_it_needs(browser: Browser, built_page: Build) -> None:
+    context = browser.new_context(java_script_enabled=False)
+    try:
+        quiet = context.new_page()
+        quiet.goto(built_page("single").as_uri())
+        assert NO_SCRIPT in quiet.inner_text("body")
+        assert quiet.inner_text("h1") == load("single").name
+    finally:
+        context.close()
+
+
+def test_no_other_script_runs_in_it_and_nothing_is_loaded(browser: Browser, built_page: Build, tmp_path: Path) -> None:
+    """Scripts, handlers, styles and pictures that are written into the file are refused by its policy."""
+    worse = tmp_path / "worse.html"
+    injected = (
+        "<script>window.broken = 1</script><img src=x onerror='window.broken = 2'><script src='https://example.org/x.js'></script>"
+        "<p id=told style='color: rgb(1, 2, 3)'>text</p>"
+    )
+    text = built_page("single").read_text(encoding="utf-8")
+    worse.write_text(text.replace("<noscript>", f"{injected}<noscript>", 1), encoding="utf-8")
+    complaints: list[str] = []
+    with watched(browser, complaints) as page:
+        page.goto(worse.as_uri())
+        page.evaluate(READY)
+        assert page.evaluate("() => window.broken") is None
+        assert page.evaluate("() => getComputedStyle(document.querySelector('#told')).color") != "rgb(1, 2, 3)"
+        refused = page.evaluate("() => fetch('https://example.org/').then(() => 'loaded', () => 'refused')")
+        assert refused == "refused"
+    assert any("Content Security Policy" in complaint for complaint in complaints)
