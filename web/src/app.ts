@@ -80,12 +80,12 @@ export function createApp(host: Host): App {
   async function called(name: string): Promise<Exhibit | null> {
     const service = host.service
     if (!service) return null
-    const tree = name.startsWith('~') ? await unpackedTree(name.slice(1)) : await service.engine(name)
-    if (tree?.ok) {
-      const answer = await service.exhibit(tree.value)
-      if (answer.ok) return answer.value
-      trouble.value = answer.problems.map((problem) => problem.message).join(' ')
-    } else trouble.value = tree?.problems.map((problem) => problem.message).join(' ') ?? ''
+    const packed = name.startsWith('~')
+    const tree = packed ? await unpackedTree(name.slice(1)) : await service.engine(name)
+    const answer = tree.ok ? await service.exhibit(tree.value) : tree
+    if (answer.ok) return answer.value
+    const sentences = answer.problems.map((problem) => problem.message).join(' ')
+    trouble.value = packed ? sentences : `“${name.slice(0, 60)}” of this link cannot be shown: ${sentences}`
     return null
   }
 
@@ -116,6 +116,10 @@ export function createApp(host: Host): App {
     }),
     effect(() => {
       if (store.fitted.value && engines.value.length) cure()
+    }),
+    effect(() => {
+      // a file has its title written in it, a notebook is not ours
+      if (host.kind === 'server') document.title = engines.value.map(({ name }) => name).join(' and ')
     }),
   )
 
