@@ -119,7 +119,7 @@ class Pen(NamedTuple):
     x0: float
     y0: float
 
-    def at(self, place: ArrayLike, z: ArrayLike) -> tuple[Real, Real, Real]:
+    def at(self, place: ArrayLike, *, z: ArrayLike) -> tuple[Real, Real, Real]:
         """Points of the clock plane at z: x, y, and how near."""
         spot: Complex = np.asarray(place, complex)
         across, upward, near = self.look.turned(np.real(spot), np.imag(spot), np.asarray(z, float))
@@ -131,7 +131,7 @@ class Pen(NamedTuple):
 
     def hull(self, places: Complex, z: Real, style: str) -> Part:
         """What a convex solid with these corners covers."""
-        x, y, near = self.at(places, z)
+        x, y, near = self.at(places, z=z)
         shape = np.broadcast_shapes(x.shape, y.shape)
         hull = _hull(np.stack([np.broadcast_to(x, shape), np.broadcast_to(y, shape)], axis=-1))
         path = "L".join(f"{x:g} {y:g}" for x, y in hull)
@@ -140,11 +140,11 @@ class Pen(NamedTuple):
     def disc(self, centre: complex, ends: tuple[float, float], style: str, *, radius: float) -> Part:
         """A round body along z: a circle from the front, a rectangle from elsewhere."""
         if self.look is FRONT:
-            x, y, near = self.at(centre, max(ends))
+            x, y, near = self.at(centre, z=max(ends))
             return Part(float(near), f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{radius * self.scale:.1f}" {style}/>')
         return self.outline(centre + radius * np.array([1, 1j, -1, -1j]), ends, style)
 
-    def barrel(self, centre: complex, axis: complex, along: tuple[float, float], style: str, *, radius: float, z: float) -> Part:
+    def barrel(self, centre: complex, along: tuple[float, float], style: str, *, axis: complex, radius: float, z: float) -> Part:
         """A round body along an axis of the clock plane."""
         places = [centre + axis * (end + 1j * radius * np.imag(RING)) for end in along]
         return self.hull(np.concatenate(places), np.tile(z + radius * np.real(RING), 2), style)
@@ -205,7 +205,7 @@ def _weight(axis: complex, weight: WeightShown, pen: Pen, style: str) -> Part:
     rim = np.concatenate([outer, inner[::-1]])
     if pen.look is not FRONT:
         return pen.outline(rim, ends, style)
-    across, down, _ = pen.at(rim, ends[1])
+    across, down, _ = pen.at(rim, z=ends[1])
     path = "L".join(f"{x:.1f} {y:.1f}" for x, y in zip(across, down, strict=True))
     return Part(ends[1], f'<path d="M{path}Z" {style}/>')
 
@@ -222,12 +222,12 @@ def _cylinder(scene: Scene, one: CylinderShown, place: Placed, pen: Pen, *, hidd
     axis = complex(np.exp(1j * one.bearing))
     foot = _foot(scene, one)
     thin = _style("currentColor", fill=0, line=0.7)
-    yield pen.barrel(foot, axis, (one.bore_from, one.bore_to), thin, radius=one.bore / 2, z=one.z)
+    yield pen.barrel(foot, (one.bore_from, one.bore_to), thin, axis=axis, radius=one.bore / 2, z=one.z)
     high = ((place.piston - foot) / axis).real
     body = (high - one.skirt, high + one.pin_height)
     line = 0.4 if hidden else 0.9
     grey = _style("currentColor", fill=0 if hidden else 0.16, line=line)
-    yield pen.barrel(foot, axis, body, grey, radius=0.49 * one.bore, z=one.z)
+    yield pen.barrel(foot, body, grey, axis=axis, radius=0.49 * one.bore, z=one.z)
     width = (one.rod_z - one.rod_width / 2, one.rod_z + one.rod_width / 2)
     yield pen.outline(_rod(scene, one, place), width, _style("currentColor", fill=0.03 if hidden else 0.3, line=line))
 
@@ -249,7 +249,7 @@ def _numbers(scene: Scene, pen: Pen) -> Iterator[str]:
     groups: dict[tuple[float, float, float], list[int]] = {}
     for one in scene.cylinders:
         if pen.look is FRONT or one.bore * pen.scale >= LEAST:
-            x, y, _ = pen.at(_label(scene, one, pen), one.z)
+            x, y, _ = pen.at(_label(scene, one, pen), z=one.z)
             aside = round(sin(one.bearing), 6) if pen.look is FRONT else 0.0
             groups.setdefault((round(float(x), 1), round(float(y), 1), aside), []).append(one.number)
     written: list[tuple[float, float, float]] = []
