@@ -118,3 +118,18 @@ test('that no server answers is told as a sentence, and the next question is ask
   expect(problems).toEqual([sentence(new TypeError('Failed to fetch')), 'well'])
   expect(problems[0]).toContain('crankstar serve')
 })
+
+test('an answer that comes although its question was given up is not told', async () => {
+  const told: number[] = []
+  const live = asked<number, number>({
+    send: (subject) =>
+      new Promise((done) => setTimeout(() => done({ ok: true, value: subject }), subject === 1 ? PATIENCE + 500 : 10)),
+    answered: (answer) => answer.ok && told.push(answer.value),
+    waiting: () => undefined,
+  })
+  live.ask(1)
+  await vi.advanceTimersByTimeAsync(20)
+  live.ask(2)
+  await vi.advanceTimersByTimeAsync(5000)
+  expect(told).toEqual([2])
+})
