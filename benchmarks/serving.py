@@ -1,6 +1,6 @@
 """Fifty people who edit engines at the same time, against a real `crankstar serve`: how long each change takes to be shown.
 
-Each of them changes a bank angle or a throw, waits for the exhibit, looks at it for a second, and changes it again; no two
+Each of them changes how long the rods are, waits for the exhibit, looks at it for a second, and changes it again; no two
 engines are alike, so that no answer is there already. Run it with: python benchmarks/serving.py [PEOPLE] [SECONDS] [PAUSE]
 """
 
@@ -30,7 +30,7 @@ class Person(threading.Thread):
 
     def __init__(self, server: Server, number: int, until: float, pause: float) -> None:
         super().__init__(daemon=True)
-        self.random = random.Random(number)
+        self.random = random.Random(number)  # noqa: S311
         self.place = urlsplit(server.address)
         self.tree = tree_of(ENGINES[number % len(ENGINES)])[1]
         self.until, self.pause = until, pause
@@ -41,7 +41,8 @@ class Person(threading.Thread):
         line = http.client.HTTPConnection(self.place.hostname or "", self.place.port, timeout=30)
         time.sleep(self.random.uniform(0, self.pause))
         while time.monotonic() < self.until:
-            self.tree["speed"] = f"{self.random.uniform(500, 9000)} rpm"
+            self.tree.setdefault("cylinder", {}).pop("rod_length", None)
+            self.tree["cylinder"]["rod_ratio"] = self.random.uniform(3.5, 5.0)
             began = time.perf_counter()
             try:
                 line.request("POST", "/api/exhibit", json.dumps({"engine": self.tree}), {"Content-Type": "application/json"})
@@ -55,19 +56,23 @@ class Person(threading.Thread):
             time.sleep(self.random.uniform(0.5, 1.5) * self.pause)
 
 
-def main(people: int = 50, seconds: float = 20.0, pause: float = 1.0) -> None:
+def main(people: float = 50, seconds: float = 20.0, pause: float = 1.0) -> None:
     """Prints percentiles of the time from a question to its whole answer."""
     with serving() as server:
         alone = Person(server, 0, time.monotonic() + 4, 0.02)
         alone.run()
         told("one person", alone.took[5:], alone.faults)
-        crowd = [Person(server, number, time.monotonic() + seconds, pause) for number in range(people)]
+        crowd = [Person(server, number, time.monotonic() + seconds, pause) for number in range(int(people))]
         for person in crowd:
             person.start()
         for person in crowd:
             person.join()
         took = [each for person in crowd for each in person.took]
-        told(f"{people} people, {len(took) / seconds:.0f} changes a second", took, [fault for one in crowd for fault in one.faults])
+        told(
+            f"{people:.0f} people, {len(took) / seconds:.0f} changes a second",
+            took,
+            [fault for one in crowd for fault in one.faults],
+        )
 
 
 def told(who: str, took: list[float], faults: list[str]) -> None:
@@ -79,4 +84,4 @@ def told(who: str, took: list[float], faults: list[str]) -> None:
 
 if __name__ == "__main__":
     print(f"{os.cpu_count()} processors")
-    main(*(float(word) if "." in word else int(word) for word in sys.argv[1:]))
+    main(*map(float, sys.argv[1:]))

@@ -1,0 +1,42 @@
+"""Tasks that processes of a crew are tried with."""
+
+from __future__ import annotations
+
+import os
+import time
+
+from crankstar.server.refusal import refused
+
+
+def number() -> bytes:
+    """Which process does it."""
+    return str(os.getpid()).encode()
+
+
+def sleep(seconds: float) -> bytes:
+    """Takes a while."""
+    time.sleep(seconds)
+    return b"slept"
+
+
+def die() -> bytes:
+    """Loses its process."""
+    os._exit(3)
+
+
+def fail() -> bytes:
+    """Goes wrong."""
+    raise RuntimeError("/home/somebody/secret.py")
+
+
+def refuse() -> bytes:
+    """Refuses."""
+    raise refused(418, "this is a teapot")
+
+
+def count(path: str) -> bytes:
+    """Adds a line to a file, slowly."""
+    time.sleep(0.3)
+    with open(path, "a", encoding="utf-8") as file:  # noqa: PTH123
+        file.write("once\n")
+    return b"counted"
