@@ -68,11 +68,8 @@ def main(people: float = 50, seconds: float = 20.0, pause: float = 1.0) -> None:
         for person in crowd:
             person.join()
         took = [each for person in crowd for each in person.took]
-        told(
-            f"{people:.0f} people, {len(took) / seconds:.0f} changes a second",
-            took,
-            [fault for one in crowd for fault in one.faults],
-        )
+        faults = [fault for person in crowd for fault in person.faults]
+        told(f"{people:.0f} people, {len(took) / seconds:.0f} changes a second", took, faults)
 
 
 def told(who: str, took: list[float], faults: list[str]) -> None:
