@@ -6,11 +6,14 @@ import json
 from typing import Any
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from tests.commands import Run
 from tests.texts import EXPLICIT, SHORT, spoilt, told
 
 import crankstar
 from crankstar.files import engine_of, toml, tree_of
+from crankstar.records import Block
 
 GIVEN = {
     "mass": "165 kg",
@@ -82,3 +85,28 @@ def test_show_tells_of_the_block(run: Run) -> None:
     said = run("show", "audi-25-tfsi", "--set", "block.mass='183 kg'", "--set", "block.up='90 mm'").out
     assert "Block: the whole engine as a rigid body" in said
     assert "mass 183 kg, centre of mass 90 mm up, 0 mm right, the middle" in said
+
+
+SIZES = st.floats(1e-3, 1e3).map(lambda size: float(f"{size:.6g}"))
+PLACES = st.floats(-2, 2).map(lambda place: round(place, 6))
+
+
+@st.composite
+def blocks(draw: st.DrawFn) -> Block:
+    """Any block that a body could be: moments of inertia are sums of two of three shares."""
+    inertia: dict[str, float] = {}
+    if draw(st.booleans()):
+        one, two, three = draw(SIZES), draw(SIZES), draw(SIZES)
+        inertia = {"inertia_up": one + two, "inertia_right": two + three, "inertia_z": three + one}
+    z = draw(st.none() | PLACES)
+    return Block(mass=draw(SIZES), up=draw(PLACES), right=draw(PLACES), z=z, **inertia)
+
+
+@given(blocks())
+def test_any_block_is_the_same_written_and_read_back(block: Block) -> None:
+    engine = engine_of(tree_of(SHORT)).model_copy(update={"block": block})
+    again = engine_of(tree_of(toml(engine))).block
+    assert again is not None
+    for name in Block.model_fields:
+        value = getattr(block, name)
+        assert getattr(again, name) == (None if value is None else pytest.approx(value, rel=1e-12, abs=1e-12))

@@ -199,8 +199,11 @@ def test_gears_mesh_and_turn_as_their_shafts_do(name: str) -> None:
 
 
 def test_two_pistons_in_one_cylinder_do_not_meet() -> None:
-    for name in ("jumo-205", "napier-deltic"):
-        engine, found = drawn(name)
+    close = load("jumo-205")
+    reach = close.first.rod_length + close.throw(close.first).radius
+    nearer = close.shafts[1].model_copy(update={"up": -2 * reach - 0.01})
+    for engine in (load("napier-deltic"), close, close.model_copy(update={"shafts": (close.shafts[0], nearer)})):
+        found = scene(engine)
         shown = {c.number: c for c in found.cylinders}
         for one, other in engine.chambers.values():
             (_, a), (_, b) = where(engine, one.number), where(engine, other.number)

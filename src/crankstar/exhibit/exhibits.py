@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from importlib.metadata import version
 from math import lcm, pi
 from typing import Any
 
@@ -39,8 +40,6 @@ def exhibition(
 
     `files_given` are the trees of their files, `sources` the words with which they were named.
     """
-    import crankstar
-
     trees = [dict(tree) for tree in files_given] or [files.explicit(engine) for engine in engines]
     shown = tuple(exhibit(engine, file=tree, neighbours=neighbours) for engine, tree in zip(engines, trees, strict=True))
     return Exhibition(
@@ -48,7 +47,7 @@ def exhibition(
         fitted=tuple(fitted(engine) for engine in engines),
         sources=tuple(sources),
         command=command,
-        version=crankstar.__version__,
+        version=version("crankstar"),
     )
 
 
