@@ -83,9 +83,11 @@ function Line({ row }: { row: Row }) {
           {row.label}
         </button>
       </th>
-      <td class="drawn">
-        <Path row={row} />
-        <span>{row.path}</span>
+      <td>
+        <span class="drawn">
+          <Path row={row} />
+          <span>{row.path}</span>
+        </span>
       </td>
       <td class="right">{row.greatest}</td>
       <td>{row.up}</td>
