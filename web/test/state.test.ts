@@ -1,4 +1,5 @@
 import { describe, expect, test } from 'vitest'
+import documents from '../../docs/page.md?raw'
 import { OPENING, type State, stateOf, stateText } from '../src/state'
 
 const OTHER: State = {
@@ -71,6 +72,10 @@ describe('the state as text', () => {
 
   test('nonsense in one part leaves the others', () => {
     expect(stateOf('a=90&camera=above&tab=stars')).toEqual({ ...OPENING, angle: 90, tab: 'stars' })
+  })
+
+  test('every key is told of in the documents', () => {
+    for (const key of new URLSearchParams(stateText(OTHER)).keys()) expect(documents).toContain(`\`${key}=`)
   })
 
   test('orders come sorted and once', () => {
