@@ -38,6 +38,7 @@ class EngineStage implements Stage {
   #chain: Chain
   #places: Places
   #loads: Loads
+  #beside: readonly Exhibit[] = []
   #whirling: Whirling
   #instant: Instant | null = null
   #view: View | null = null
@@ -95,12 +96,18 @@ class EngineStage implements Stage {
     this.#chain = chainOf(exhibit.scene, exhibit.sense)
     this.#places = placesOf(this.#chain)
     this.#loads = new Loads(exhibit)
+    this.#loads.beside = this.#beside
     this.#whirling = new Whirling(exhibit)
     this.#written = []
     this.#traced = []
     this.#instant = null
     this.#picture.show(exhibit, this.#chain)
     if (this.#view) this.draw(this.#view)
+  }
+
+  beside(exhibits: readonly Exhibit[]): void {
+    this.#beside = exhibits
+    this.#loads.beside = exhibits
   }
 
   draw(view: View): void {

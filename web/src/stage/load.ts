@@ -35,6 +35,7 @@ export class Loads {
   readonly #phase: Phase
   readonly #load: Load
   readonly #place: Plane = [0, 0]
+  #beside: readonly Exhibit[] = []
   /** The view for which the lengths of arrows have been worked out. */
   #scaled = ''
 
@@ -45,6 +46,12 @@ export class Loads {
     this.#parts = exhibit.cylinders.map((part) => coefficientsOf(part.force))
     this.#phase = phaseOf(exhibit.orders.length, exhibit.sense)
     this.#load = { pulls: this.#begun(), force: 0, couple: 0 }
+  }
+
+  /** Engines that are looked at together with this one: arrows of the same length mean the same in all of them. */
+  set beside(exhibits: readonly Exhibit[]) {
+    this.#beside = exhibits
+    this.#scaled = ''
   }
 
   /** Where arrows begin: the total at the reference point, the couple at both ends, a cylinder's above its head. */
@@ -89,21 +96,31 @@ export class Loads {
     pull.right = scale > 0 ? (sign * this.#place[1]) / scale : 0
   }
 
-  /** The greatest of what is shown, whenever that is something else than before. */
+  /** The greatest of what is shown here or at its side, whenever that is something else than before. */
   #scale({ arrows }: View): void {
     const key = `${arrows.force} ${arrows.couple} ${arrows.cylinders} ${arrows.orders?.join() ?? 'all'}`
     if (key === this.#scaled) return
     this.#scaled = key
-    const { orders, turns, cylinders, reference_z } = this.#exhibit
-    const most = (of: Coefficients, chosen: readonly number[] | null) => greatest(of, orders, chosen, turns)
-    const parts = this.#parts.map((part) => most(part, arrows.orders))
-    const force = most(this.#force, arrows.orders)
-    const couple = most(this.#couple, arrows.orders)
-    const alone = Math.max(0, ...parts)
-    const arm = Math.max(0, ...cylinders.map((part) => Math.abs(part.z - reference_z)))
-    const shown = arrows.cylinders ? Math.max(force, alone) : force
-    const pair = alone * arm
-    this.#load.force = arrows.force && shown > ROUNDING * alone ? Math.max(shown, LITTLE * alone) : 0
-    this.#load.couple = arrows.couple && couple > ROUNDING * pair ? Math.max(couple, LITTLE * pair) : 0
+    this.#load.force = 0
+    this.#load.couple = 0
+    for (const exhibit of [this.#exhibit, ...this.#beside]) {
+      const { force, couple } = longest(exhibit, arrows)
+      if (exhibit.units.force === this.#exhibit.units.force) this.#load.force = Math.max(this.#load.force, force)
+      if (exhibit.units.couple === this.#exhibit.units.couple) this.#load.couple = Math.max(this.#load.couple, couple)
+    }
+  }
+}
+
+/** What the longest arrows of an engine stand for; 0 where nothing is to be drawn. */
+function longest(exhibit: Exhibit, arrows: View['arrows']): { force: number; couple: number } {
+  const { orders, turns, cylinders, reference_z, total } = exhibit
+  const most = (of: Coefficients) => greatest(of, orders, arrows.orders, turns)
+  const [force, couple] = [most(coefficientsOf(total.force)), most(coefficientsOf(total.couple))]
+  const alone = Math.max(0, ...cylinders.map((part) => most(coefficientsOf(part.force))))
+  const shown = arrows.cylinders ? Math.max(force, alone) : force
+  const pair = alone * Math.max(0, ...cylinders.map((part) => Math.abs(part.z - reference_z)))
+  return {
+    force: arrows.force && shown > ROUNDING * alone ? Math.max(shown, LITTLE * alone) : 0,
+    couple: arrows.couple && couple > ROUNDING * pair ? Math.max(couple, LITTLE * pair) : 0,
   }
 }

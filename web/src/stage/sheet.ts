@@ -138,7 +138,11 @@ function scale(
   const perPixel = value / ((arrow * height) / 2 / frame.half)
   const round = roundValue(perPixel * Math.min(96, width / 5))
   const long = round / perPixel
-  const x = width < 560 ? 150 : 166
+  to.font = `12px ${FONT}`
+  const what = name === 'couple' && width >= 560 ? 'couple, as a pair of forces in its plane' : name
+  const told = `${quantity(round, unit)}  ${what}`
+  const right = width - long - 12 - to.measureText(told).width
+  const x = Math.max(4, Math.min(width < 560 ? 150 : 166, right))
   to.strokeStyle = to.fillStyle = css(colour)
   to.lineWidth = 3
   line(to, x, y, x + long - 6, y)
@@ -148,11 +152,9 @@ function scale(
   to.lineTo(x + long - 9, y + 5)
   to.fill()
   to.fillStyle = palette.text
-  to.font = `12px ${FONT}`
   to.textAlign = 'left'
   to.textBaseline = 'middle'
-  const what = name === 'couple' && width >= 560 ? 'couple, as a pair of forces in its plane' : name
-  to.fillText(`${quantity(round, unit)}  ${what}`, x + long + 8, y)
+  to.fillText(told, x + long + 8, y)
 }
 
 /** The greatest of 1, 2, 5, 10, ... that is not above a value. */

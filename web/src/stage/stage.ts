@@ -40,6 +40,8 @@ export interface Reading {
 export interface Stage {
   /** Puts another engine in the place of the one shown; keeps camera position where it can. */
   show(exhibit: Exhibit): void
+  /** Engines that are compared with this one: arrows of one length stand for the same force in all. `draw` follows. */
+  beside(exhibits: readonly Exhibit[]): void
   draw(view: View): void
   read(): Reading
   /** After the element has changed its size; `draw` follows. */

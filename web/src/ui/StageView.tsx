@@ -1,6 +1,7 @@
 import { effect } from '@preact/signals'
 import { useEffect, useRef } from 'preact/hooks'
 import type { App } from '../app'
+import type { Exhibit } from '../exhibit'
 import { createStage } from '../stage'
 import type { Stage, View } from '../stage/stage'
 import { useApp } from './context'
@@ -42,6 +43,9 @@ export function StageView({ index, made }: { index: number; made: (index: number
         const exhibit = app.shown.value[index]
         if (exhibit && exhibit !== current) stage.show(exhibit)
         current = exhibit ?? current
+        // as it is and with weights, this engine and the one beside it: all to one scale
+        const all = [...app.engines.value, ...app.cured.value]
+        stage.beside(all.filter((one): one is Exhibit => one != null && one !== current))
         app.clock.refresh()
       }),
       app.clock.follow((theta) => stage.draw(viewOf(app, theta))),

@@ -1,6 +1,6 @@
 import type { App } from '../app'
 import type { Exhibit, Vectors } from '../exhibit'
-import { coefficientsOf, greatest as farthest } from '../phasor'
+import { Whirling } from '../stage/whirl'
 
 /** The share of the engine's size that the greatest movement is magnified to when nothing else was chosen. */
 const SHARE = 0.05
@@ -42,20 +42,11 @@ export interface End {
 
 /** The two ends of the crankshaft and how far the axis moves there, of some orders or (null) of all. */
 export function endsOf(exhibit: Exhibit, orders: readonly number[] | null): readonly [End, End] {
-  const shaft = exhibit.scene.shafts[0]
-  const ends = [
-    { name: 'front', z: shaft?.z_to ?? exhibit.scene.high[2] },
-    { name: 'rear', z: shaft?.z_from ?? exhibit.scene.low[2] },
-  ] as const
-  const shift = coefficientsOf(exhibit.whirl.shift)
-  const tilt = coefficientsOf(exhibit.whirl.tilt)
-  const moved = (z: number): number => {
-    const arm = z - exhibit.whirl.centre[2]
-    const both = shift.map((value, index) => value + arm * (tilt[index] ?? 0))
-    return farthest(both, exhibit.orders, orders, exhibit.turns)
-  }
+  const whirling = new Whirling(exhibit)
+  const [front, rear] = whirling.ends
+  const moved = (z: number): number => Math.max(...whirling.path(z, orders).map(([up, right]) => Math.hypot(up, right)))
   return [
-    { ...ends[0], greatest: moved(ends[0].z) },
-    { ...ends[1], greatest: moved(ends[1].z) },
+    { name: 'front', z: front, greatest: moved(front) },
+    { name: 'rear', z: rear, greatest: moved(rear) },
   ]
 }

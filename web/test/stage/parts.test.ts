@@ -153,6 +153,18 @@ describe('arrows', () => {
     expect(new Loads(loaded).at(view({ cylinders: false })).force).toBeCloseTo(3, 12)
   })
 
+  test('engines side by side share the scale of their arrows, if they count in the same unit', () => {
+    const twice = exhibit({
+      ...loaded,
+      total: { ...loaded.total, force: { forward: [[6, 0]], backward: [[0, 0]] } },
+    })
+    const loads = new Loads(loaded)
+    loads.beside = [twice]
+    expect(loads.at(view({ cylinders: false })).force).toBeCloseTo(6, 12)
+    loads.beside = [{ ...twice, units: { ...twice.units, force: 'N' } }]
+    expect(loads.at(view({ cylinders: false })).force).toBeCloseTo(3, 12)
+  })
+
   test('what is not wanted is not drawn', () => {
     const loads = new Loads(loaded)
     expect(
