@@ -161,7 +161,7 @@ describe('arrows', () => {
     const loads = new Loads(loaded)
     loads.beside = [twice]
     expect(loads.at(view({ cylinders: false })).force).toBeCloseTo(6, 12)
-    loads.beside = [{ ...twice, units: { ...twice.units, force: 'N' } }]
+    loads.beside = [{ ...twice, units: { ...twice.units, force: 'm r ω²' } }]
     expect(loads.at(view({ cylinders: false })).force).toBeCloseTo(3, 12)
   })
 
