@@ -11,7 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import pairwise
-from math import inf
+from math import asin, degrees, inf, pi
 from typing import NamedTuple
 
 import numpy as np
@@ -93,6 +93,26 @@ def _kept(
 
 
 def _dead_centre(links: motion.Linkage, pistons: list[int], lag: np.ndarray, ratio: np.ndarray, area: np.ndarray) -> DeadCentre:
+    """Where rod and crank lie in line, for one piston on a crank pin; else searched for.
+
+    For an offset e that is at sin psi = e/(l + r) at the top, at psi = 180 deg + asin(e/(l - r)) at the bottom.
+    """
+    first = pistons[0]
+    crank, rod, offset = (float(values[first]) for values in (links.crank_radius, links.rod_length, links.offset))
+    if len(pistons) > 1 or links.master[first] >= 0 or rod - crank <= abs(offset):
+        return _searched(links, pistons, lag, ratio, area)
+    psi = asin(offset / (rod + crank)) if area[first] > 0 else pi + asin(offset / (rod - crank))
+    return _centre((psi - float(lag[first])) / float(ratio[first]), abs(float(ratio[first])))
+
+
+def _centre(theta: float, speed: float) -> DeadCentre:
+    """The dead centre at theta (radians) of a shaft that turns so many times as fast as the first."""
+    turn = 360.0 / speed
+    angle = degrees(theta) % turn
+    return DeadCentre(0.0 if min(angle, turn - angle) < SAME_ANGLE / 100 else angle, turn)
+
+
+def _searched(links: motion.Linkage, pistons: list[int], lag: np.ndarray, ratio: np.ndarray, area: np.ndarray) -> DeadCentre:
     """Search a grid over one turn of the pistons' own shaft, then Newton's method on the outward travel's derivative."""
     speed = abs(float(ratio[pistons[0]]))
     grid = np.arange(360) * (2 * np.pi / 360)
@@ -104,9 +124,7 @@ def _dead_centre(links: motion.Linkage, pistons: list[int], lag: np.ndarray, rat
         theta += float(np.clip(step, -0.02 / speed, 0.02 / speed))
         if abs(step) < 1e-15:
             break
-    turn = 360.0 / speed
-    angle = float(np.degrees(theta)) % turn
-    return DeadCentre(0.0 if min(angle, turn - angle) < SAME_ANGLE / 100 else angle, turn)
+    return _centre(theta, speed)
 
 
 def _outward(

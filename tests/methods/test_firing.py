@@ -7,11 +7,13 @@ from math import asin, degrees, pi, radians
 
 import numpy as np
 import pytest
+from hypothesis import given
+from tests.strategies import engines
 
 from crankstar.arrangement import Basis, Sizes
 from crankstar.engine import Engine
 from crankstar.fault import EngineError
-from crankstar.firing import DeadCentre, _evenest, dead_centres, firing, unfit
+from crankstar.firing import DeadCentre, _dead_centres, _evenest, _kept, _searched, dead_centres, firing, unfit
 from crankstar.layouts import Bank, Crank, Row, inline, opposed, radial, tandem, vee
 
 SIZES = Sizes(stroke=0.08, rod_length=0.14, bore=0.08)
@@ -33,6 +35,22 @@ def test_an_offset_cylinder_is_at_dead_centre_where_crank_and_rod_are_in_line() 
     centres = dead_centres(turned)
     assert centres[1].angle_deg == pytest.approx(0, abs=1e-9)
     assert centres[2].angle_deg == pytest.approx(360 - degrees(1.0))
+
+
+@given(engine=engines())
+def test_crank_and_rod_are_in_line_where_a_search_finds_the_piston_farthest(engine: Engine) -> None:
+    for outward in (1.0, -1.0):
+        _kept.cache_clear()
+        known = _dead_centres(engine, outward=outward)
+        _kept.cache_clear()
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr("crankstar.firing._dead_centre", _searched)
+            searched = _dead_centres(engine, outward=outward)
+        _kept.cache_clear()
+        for number, found in searched.items():
+            away = abs(found.angle_deg - known[number].angle_deg)
+            assert min(away, found.period_deg - away) < 1e-5
+            assert found.period_deg == known[number].period_deg
 
 
 @pytest.mark.parametrize("ratio", [1, -1])
