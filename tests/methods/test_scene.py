@@ -194,8 +194,9 @@ def test_gears_mesh_and_turn_as_their_shafts_do(name: str) -> None:
         for shaft, gear in ((one, first), (other, second)):
             assert shaft.z_from <= gear.z <= shaft.z_to
         assert all(abs(first.z - other.z) >= first.thickness for other in found.gears if other not in (first, second))
-        rods = [c.rod_z - c.rod_width / 2 for c in found.cylinders]
-        assert first.z + first.thickness / 2 < min(rods)
+        behind = [c.rod_z - c.rod_width / 2 for c in found.cylinders]
+        behind += [w.z - w.thickness / 2 for shaft in found.shafts for w in shaft.weights]
+        assert first.z + first.thickness / 2 < min(behind)
 
 
 def test_two_pistons_in_one_cylinder_do_not_meet() -> None:

@@ -36,7 +36,8 @@ def scene(engine: Engine) -> Scene:
         assumed += drawn.assumed
     places = _places(engine, sizes, assumed)
     reach = max(throw.radius + 1.6 * throw.pin_radius for drawn in cranks.values() for throw in drawn.throws)
-    rear = min(drawn.ends[0] for drawn in cranks.values())
+    standing = [lump for index, shaft in enumerate(engine.shafts) for lump in _lumps(shaft, cranks.get(index), sizes)]
+    rear = min([drawn.ends[0] for drawn in cranks.values()] + [lump.z - lump.thickness / 2 for lump in standing])
     wheels, told = gears(engine, places, reach=reach, bore=sizes.bore, behind=rear)
     assumed += told
     scale = _unbalance_scale(engine, cranks, sizes, places)
