@@ -10,6 +10,8 @@ const FONT = 'system-ui, sans-serif'
 const AXIS = 30
 /** Labels nearer to each other than this are written as one, pixels. */
 const CLOSE = 15
+/** Below this there is no room for the scales of arrows beside the axes, pixels. */
+const NARROW = 300
 const AXES: readonly { along: Vector; name: string }[] = [
   { along: [1, 0, 0], name: 'x right' },
   { along: [0, 1, 0], name: 'y up' },
@@ -49,7 +51,9 @@ export function write(to: CanvasRenderingContext2D, exhibit: Exhibit, writing: W
     { value: writing.load.couple, unit: exhibit.units.couple, colour: palette.couple, name: 'couple' },
   ].filter((line) => line.value > 0)
   lines.forEach((line, index) => {
-    scale(to, writing, line, height - 20 - 22 * (lines.length - 1 - index))
+    // on a narrow stage there is no room beside the axes: the scales go under the name of the engine
+    const y = width < NARROW ? 36 + 20 * index : height - 20 - 22 * (lines.length - 1 - index)
+    scale(to, writing, line, y)
   })
 }
 
@@ -142,7 +146,7 @@ function scale(
   const what = name === 'couple' && width >= 560 ? 'couple, as a pair of forces in its plane' : name
   const told = `${quantity(round, unit)}  ${what}`
   const right = width - long - 12 - to.measureText(told).width
-  const x = Math.max(4, Math.min(width < 560 ? 150 : 166, right))
+  const x = width < NARROW ? 12 : Math.max(4, Math.min(width < 560 ? 150 : 166, right))
   to.strokeStyle = to.fillStyle = css(colour)
   to.lineWidth = 3
   line(to, x, y, x + long - 6, y)
