@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import TYPE_CHECKING, Literal
+from functools import reduce
+from typing import TYPE_CHECKING, Literal, NamedTuple
 
 from crankstar.balance import default_reference
-from crankstar.engine import Engine
+from crankstar.engine import GREATEST_SHAFTS, Engine
 from crankstar.remedy import (
     GREATEST_RATIO,
     Aim,
@@ -24,6 +25,7 @@ from crankstar.remedy import (
     with_balance_shaft,
     with_counterweights,
     with_roll_cancelled,
+    with_turning_cancelled,
     with_web_weights,
     without_counterweights,
     without_weights,
@@ -38,6 +40,24 @@ Places = Literal["pins", "webs", "ends"]
 
 Wanted = Literal["needed", "all"]
 """Which balance shafts: those of the lowest order that is left, or of the first and second."""
+
+
+FACTORS = (0.5, 0.0, 1.0)
+"""Balance factors that can leave nothing turning with a crankshaft: of one crankshaft half; of two that turn against each
+other none where their pistons move against each other, all of the reciprocating mass where they move together."""
+
+
+class Fitted(NamedTuple):
+    """An engine with what its verdict recommends, what that is in words, and by which balance factor if it is one of these."""
+
+    after: Engine
+    done: tuple[str, ...]
+    factor: float | None
+
+    @property
+    def told(self) -> str:
+        """What was done, as one sentence."""
+        return f"Fitted with {' and '.join(self.done)}."
 
 
 @dataclass(frozen=True)
@@ -60,6 +80,51 @@ def by_factor(engine: Engine, *, factor: float, weights: Places | Sequence[Plane
     if weights in ("webs", "ends"):
         return with_web_weights(engine, factor=factor, ends_only=weights == "ends")
     return with_counterweights(engine, factor=factor, planes=sorted({plane.z for plane in _planes(engine, weights)}, reverse=True))
+
+
+def recommended(engine: Engine) -> Fitted | None:
+    """The engine with what its verdict says can be done, or None where nothing of the first two orders is left.
+
+    Where something turns with a crankshaft there are other counterweights (`quiet_cranks`), and no force and no couple of the
+    first two orders is left that turns as a crankshaft does. The rest needs balance shafts; there are those of the lowest
+    order that is left, as engines are built.
+
+    >>> from crankstar.catalog import load
+    >>> recommended(load("v8-cross-plane")).told
+    'Fitted with counterweights on all webs (balance factor 0.5).'
+    >>> recommended(load("i4")).told
+    'Fitted with balance shafts of speed ratios 2 and -2.'
+    """
+    after, factor, done = engine, FACTORS[0], []
+    cranks = {shaft.speed_ratio for shaft in engine.shafts if shaft.throws}
+    if any(need.ratio in cranks for need in needs(engine)):
+        after, factor = quiet_cranks(engine)
+        other = "other " if any(shaft.weights for shaft in engine.shafts if shaft.throws) else ""
+        how = "the end webs (by no balance factor)" if factor is None else f"all webs (balance factor {factor:g})"
+        bare = not any(shaft.weights for shaft in after.shafts if shaft.throws)
+        done.append("no counterweights" if bare else f"{other}counterweights on {how}")
+    ratios = _wanted(after, lowest=True) if needs(after) else []
+    if ratios and len(after.shafts) + len(ratios) <= GREATEST_SHAFTS:
+        after = with_shafts(after, ratios="needed", places=ShaftPlaces())
+        several = "balance shafts of speed ratios" if len(ratios) > 1 else "a balance shaft of speed ratio"
+        done.append(f"{several} {' and '.join(map(str, ratios))}")
+    return Fitted(after, tuple(done), factor) if done else None
+
+
+def quiet_cranks(engine: Engine) -> tuple[Engine, float | None]:
+    """The engine with counterweights that leave nothing turning as a crankshaft does, and the balance factor that they follow.
+
+    That holds for force and couple up to order 2. They stand on all webs if a balance factor does it; where none does, they stand
+    on the end webs and follow none (None): where cylinder axes miss the crankshaft (VR engines), or crankshafts turn against each
+    other and share unevenly (Deltic).
+    """
+    cranks = {shaft.speed_ratio for shaft in engine.shafts if shaft.throws}
+    for factor in FACTORS:
+        weighted = with_web_weights(engine, factor=factor)
+        if not any(need.ratio in cranks for need in needs(weighted)):
+            return weighted, factor
+    bare = without_counterweights(engine)
+    return reduce(lambda made, ratio: with_turning_cancelled(made, ratio=ratio), sorted(cranks), bare), None
 
 
 def best(

@@ -17,10 +17,11 @@ from crankstar.catalog import load, summaries
 from crankstar.engine import Engine
 from crankstar.fault import EngineError
 from crankstar.firing import firing
+from crankstar.fitting import quiet_cranks
 from crankstar.mechanism import Totals
 from crankstar.phasor import Spectrum
 from crankstar.records import Shaft
-from crankstar.remedy import bobweight, loads, main_bearings, needs, with_counterweights, without_counterweights
+from crankstar.remedy import bobweight, loads, main_bearings, needs, without_counterweights
 from crankstar.remedy.planes import spans
 from crankstar.strokes import exhaust_groups, exhaust_intervals, working_cycle
 from crankstar.succession import Follower, in_succession, partners
@@ -236,23 +237,23 @@ def _roll(result: Balance, sums: Totals) -> str:
 
 
 def _cures(engine: Engine) -> list[str]:
-    """What removes what remains of the first two orders, and what half the reciprocating mass leaves."""
+    """What removes what remains of the first two orders, and what the best balance factor leaves."""
     found = needs(engine)
     told = [_sentence(one) for one in cures(engine, found)] or ["Nothing of the first and second order is left to cure."]
     cranks = tuple(shaft for shaft in engine.shafts if shaft.throws)
     engine = engine.model_copy(update={"shafts": cranks})  # without the balance shafts it may have
-    bare = needs(without_counterweights(engine), highest=1)
-    if any(need.ratio == 1 for need in bare):
-        half = with_counterweights(engine, factor=0.5)
-        left = [need for need in needs(half, highest=1) if need.ratio != 1]
-        scale, unit = (1.0, "m") if "mass" in engine.relative else (1000.0, "g")
-        heaviest = scale * max(bobweight(pin, 0.5) for pin in loads(engine))
-        first = f"Counterweights of a balance factor of 0.5 (heaviest bobweight {number(heaviest)} {unit})"
-        if not left:
+    ratios = {shaft.speed_ratio for shaft in cranks}
+    if any(need.ratio in ratios for need in needs(without_counterweights(engine), highest=1)):
+        fitted, factor = quiet_cranks(engine)
+        first = "No balance factor, but weights of their own on the end webs take away what turns with a crankshaft, and"
+        if factor is not None:
+            scale, unit = (1.0, "m") if "mass" in engine.relative else (1000.0, "g")
+            heaviest = scale * max(bobweight(pin, factor) for pin in loads(engine))
+            first = f"Counterweights of a balance factor of {factor:g} (heaviest bobweight {number(heaviest)} {unit})"
+        if not needs(fitted, highest=1):
             told.append(f"{first} leave nothing of the first order.")
         else:
-            sizes = _first_left(half)
-            told.append(f"{first} leave of the first order {sizes}, turning against the crank.")
+            told.append(f"{first} leave of the first order {_first_left(fitted)}, turning against the crank.")
     return told
 
 

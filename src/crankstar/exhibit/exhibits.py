@@ -18,14 +18,9 @@ from crankstar.exhibit.proportions import proportions
 from crankstar.exhibit.records import Exhibit, Exhibition, Fact, StrokeWindow, Table, Units
 from crankstar.exhibit.scene import scene
 from crankstar.fault import EngineError
-from crankstar.fitting import ShaftPlaces
-from crankstar.remedy import RemedyError, needs
 from crankstar.strokes import working_cycle
 from crankstar.verdict import verdict
 from crankstar.wording import number, unit_text
-
-HALF = 0.5
-"""Share of the reciprocating masses that counterweights take: all of order 1 that turns with the crank, of plain rods."""
 
 
 def exhibition(
@@ -94,23 +89,13 @@ def exhibit(
 
 
 def remedied(engine: Engine) -> tuple[Engine, tuple[Table, ...]] | None:
-    """The engine with what the verdict recommends, and tables of it: counterweights if order 1 turns with a crank, then shafts.
-
-    None where there is nothing of the first two orders to take away.
-    """
-    after = engine
-    cranks = {shaft.speed_ratio for shaft in engine.shafts if shaft.throws}
-    try:
-        if any(need.ratio in cranks for need in needs(engine)):
-            after = fitting.by_factor(engine, factor=HALF, weights="webs")
-        if needs(after):
-            after = fitting.with_shafts(after, ratios="needed", places=ShaftPlaces())
-    except RemedyError:
-        pass
-    if after is engine:
+    """The engine with what the verdict recommends, and tables of it; None where there is nothing of the first two orders."""
+    found = fitting.recommended(engine)
+    if found is None:
         return None
-    job = workshop.Job(before=engine, after=after, factor=HALF, speed=engine.speed)
-    return after, tellings.tables(workshop.balance_card(job))
+    told = Table(title="", heads=(), rows=(), notes=(found.told,))
+    job = workshop.Job(before=engine, after=found.after, factor=found.factor, speed=engine.speed)
+    return found.after, (told, *tellings.tables(workshop.balance_card(job)))
 
 
 def fitted(engine: Engine) -> Exhibit | None:

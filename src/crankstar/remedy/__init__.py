@@ -16,7 +16,15 @@ from crankstar.remedy.best import Best, Limit, bearing_load, best_weights, said,
 from crankstar.remedy.counterweights import RemedyError, with_counterweights, with_web_weights, without_counterweights
 from crankstar.remedy.loads import Load, bobweight, loads
 from crankstar.remedy.planes import end_planes, end_webs, main_bearings, webs
-from crankstar.remedy.shafts import GREATEST_RATIO, Need, needs, with_balance_shaft, with_balance_shafts, with_roll_cancelled
+from crankstar.remedy.shafts import (
+    GREATEST_RATIO,
+    Need,
+    needs,
+    with_balance_shaft,
+    with_balance_shafts,
+    with_roll_cancelled,
+    with_turning_cancelled,
+)
 
 __all__ = [
     "GREATEST_RATIO",
@@ -42,6 +50,7 @@ __all__ = [
     "with_balance_shafts",
     "with_counterweights",
     "with_roll_cancelled",
+    "with_turning_cancelled",
     "with_web_weights",
     "without_counterweights",
     "without_weights",

@@ -30,7 +30,8 @@ from crankstar.engine import GREATEST_SHAFTS, Engine
 from crankstar.mechanism import Totals, block_roll, mechanism, spectra, total
 from crankstar.phasor import Spectrum
 from crankstar.records import Shaft, Weight
-from crankstar.remedy.counterweights import NEGLIGIBLE, RemedyError, apart, least_weights
+from crankstar.remedy.counterweights import NEGLIGIBLE, RemedyError, apart, least_weights, turned_weights
+from crankstar.remedy.planes import end_webs
 
 GREATEST_RATIO = 8
 HEARD = 1e-9
@@ -141,6 +142,38 @@ def _unbalances(force: complex, couple: complex, arms: Sequence[float], squared:
     if abs(couple - arms[0] * force) > HEARD * pushed:
         raise RemedyError("one plane takes away a force that acts in it, and here is a couple too; give two planes or more")
     return [-force / squared]
+
+
+def with_turning_cancelled(engine: Engine, *, ratio: Fraction | int) -> Engine:
+    """The engine with what is left of the vector that turns at this speed ratio taken away by the crankshafts of that ratio.
+
+    It is added to the weights on their end webs, and is the least that does it. A balance factor cannot always do it: no share of
+    the reciprocating masses is what turns with the crank where cylinder axes miss it. Raises RemedyError if no crankshaft has
+    this ratio.
+
+    >>> from crankstar.catalog import load
+    >>> [str(need.ratio) for need in needs(with_turning_cancelled(load("vw-vr6"), ratio=1), highest=1)]
+    ['-1']
+    """
+    ratio = _fraction(ratio)
+    places = [place for place, shaft in enumerate(engine.shafts) if shaft.throws and shaft.speed_ratio == ratio]
+    if not places:
+        raise RemedyError(f"no crankshaft has the speed ratio {ratio}; a balance shaft can take away what turns with it")
+    reference = default_reference(engine)
+    parts = spectra(mechanism(engine), reference=reference)
+    force, couple = _vectors(parts, total(parts), ratio)
+    if not (force or couple):
+        return engine
+    at = [(place, plane) for place in places for plane in end_webs(engine, engine.shafts[place])]
+    vectors = _unbalances(force, couple, [plane - reference.z for _, plane in at], float(ratio) ** 2, _pushed(parts.couple))
+    shafts = list(engine.shafts)
+    for place in places:
+        there = [(weight.z, weight.unbalance * np.exp(1j * weight.angle)) for weight in shafts[place].weights]
+        there += [(plane, vector) for (where, plane), vector in zip(at, vectors, strict=True) if where == place]
+        planes = list(dict.fromkeys(plane for plane, _ in there))
+        sums = [sum(vector for one, vector in there if one == plane) for plane in planes]
+        shafts[place] = shafts[place].model_copy(update={"weights": tuple(turned_weights(sums, planes))})
+    return engine.model_copy(update={"shafts": tuple(shafts)})
 
 
 def with_balance_shafts(

@@ -140,7 +140,7 @@ def _fitted(engine: Engine, *, factor: float | None = None, weights: Any = None,
     """An engine with what was asked for: counterweights of a factor, shafts that are needed then."""
     after = engine
     if factor is not None or weights is not None:
-        after = fitting.by_factor(after, factor=exhibits.HALF if factor is None else factor, weights=weights or "webs")
+        after = fitting.by_factor(after, factor=fitting.FACTORS[0] if factor is None else factor, weights=weights or "webs")
     if shafts != "none":
         after = fitting.with_shafts(after, ratios=shafts, places=fitting.ShaftPlaces())
     if after is engine:

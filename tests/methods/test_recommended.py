@@ -1,0 +1,115 @@
+"""An engine fitted with what its verdict recommends does what the verdict says: judged by the momentum of its bodies.
+
+The verdict says in words which counterweights and shafts take what away; here words are held to the fitted engine, and what
+that is left with is worked out from the places of its bodies alone (`tests.newton`).
+"""
+
+from __future__ import annotations
+
+import re
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from tests.newton import road
+
+import crankstar
+from crankstar.balance import default_reference
+from crankstar.engine import Engine
+from crankstar.fitting import Fitted, recommended
+from crankstar.remedy import RemedyError, needs, with_turning_cancelled
+from crankstar.verdict import verdict
+
+NOTHING = 1e-8
+"""Share of what all bodies push, in the order of which they push most."""
+WEIGHTS = re.compile(r"(?:other )?counterweights on the crankshaft")
+FACTOR = re.compile(r"Counterweights of a balance factor of ([\d.]+) ")
+
+
+def left(engine: Engine, ratios: set[Fraction]) -> dict[Fraction, tuple[float, float]]:
+    """Force and couple that turn at each ratio, as shares of what the bodies push, from the rates of change of momentum."""
+    reference = default_reference(engine)
+    found = road(engine, reference=reference, speed=1.0)
+    pushes = np.array([push.force[:, 1] + 1j * push.force[:, 0] for push in found.pushes])
+    arms = np.array([body.z - reference.z for body in found.bodies])
+    out = {}
+    for ratio in ratios:
+        waves = np.exp(-1j * engine.sense * float(ratio) * found.theta)
+        each = (pushes * waves).mean(axis=1)
+        scale = np.abs(pushes).max(axis=1)
+        reach = np.abs(arms * scale).sum() or 1.0
+        out[ratio] = (float(abs(each.sum()) / scale.sum()), float(abs((arms * each).sum()) / reach))
+    return out
+
+
+def cured(name: str) -> list[str]:
+    return [fact.sentence for fact in verdict(crankstar.load(name), neighbours=False) if fact.about == "cure"]
+
+
+def added(engine: Engine, found: Fitted) -> list[Fraction]:
+    return [shaft.speed_ratio for shaft in found.after.shafts[len(engine.shafts) :]]
+
+
+@pytest.mark.parametrize("name", crankstar.names())
+def test_nothing_is_left_of_what_the_verdict_says_can_be_taken_away(name: str) -> None:
+    engine, told, found = crankstar.load(name), cured(name), recommended(crankstar.load(name))
+    if found is None:
+        assert told[0] == "Nothing of the first and second order is left to cure."
+        return
+    cranks = {shaft.speed_ratio for shaft in engine.shafts if shaft.throws}
+    gone = cranks | set(added(engine, found))
+    after = left(found.after, gone)
+    assert max(max(pair) for pair in after.values()) < NOTHING, after
+    before = left(engine, gone)
+    assert max(max(pair) for pair in before.values()) > 1e3 * NOTHING
+    assert any(WEIGHTS.search(sentence) for sentence in told) == ("counterweights" in found.told)
+    for sentence in filter(WEIGHTS.search, told):
+        order, way = re.findall(r"Order (\d+), .* (with|against) the crank: ", sentence)[0]
+        assert int(order) * {"with": 1, "against": -1}[way] in gone
+    for ratio in added(engine, found):
+        assert any(re.search(rf"speed ratios? (?:2 and )?{ratio}\b|speed ratios {ratio} and", sentence) for sentence in told), ratio
+
+
+@pytest.mark.parametrize("name", crankstar.names())
+def test_what_is_left_is_of_a_higher_order_than_what_was_taken_by_shafts(name: str) -> None:
+    engine, found = crankstar.load(name), recommended(crankstar.load(name))
+    if found is None:
+        return
+    orders = {abs(need.ratio) for need in needs(found.after)}
+    assert all(order > abs(ratio) for order in orders for ratio in added(engine, found))
+    assert not orders & {1}
+
+
+@pytest.mark.parametrize("name", crankstar.names())
+def test_the_factor_of_the_verdict_is_that_of_the_fitted_engine(name: str) -> None:
+    found = recommended(crankstar.load(name))
+    factors = [float(said.group(1)) for sentence in cured(name) if (said := FACTOR.match(sentence))]
+    if found is not None and factors and "counterweights" in found.told:
+        assert factors == [found.factor]
+        assert f"(balance factor {found.factor:g})" in found.told
+
+
+def test_two_crankshafts_that_turn_against_each_other_need_no_half() -> None:
+    """Pistons that move together need all of their mass on the cranks, such as move against each other none of it."""
+    told = {name: recommended(crankstar.load(name)) for name in ("kr250-racer", "kr250-racer-simultaneous", "brough-golden-dream")}
+    racer, together = told["kr250-racer"], told["kr250-racer-simultaneous"]
+    assert racer is not None
+    assert racer.factor == 0.0
+    assert not any(shaft.weights for shaft in racer.after.shafts if shaft.throws)
+    assert together is not None
+    assert together.factor == 1.0
+    assert told["brough-golden-dream"] is None  # it has them
+    assert {getattr(recommended(crankstar.load(name)), "factor", None) for name in ("single", "v8-cross-plane", "radial-9")} == {
+        0.5
+    }
+
+
+@pytest.mark.parametrize("name", ["vw-vr6", "napier-deltic"])
+def test_where_no_factor_will_do_the_end_webs_follow_none(name: str) -> None:
+    engine, found = crankstar.load(name), recommended(crankstar.load(name))
+    assert found is not None
+    assert found.factor is None
+    assert all(len(shaft.weights) == 2 for shaft in found.after.shafts if shaft.throws)
+    assert any(sentence.startswith("No balance factor, but weights") for sentence in cured(name))
+    with pytest.raises(RemedyError, match="no crankshaft has the speed ratio 7"):
+        with_turning_cancelled(engine, ratio=7)
