@@ -19,6 +19,7 @@ from crankstar.charts.pushes import pushes
 from crankstar.charts.vectors import harmonic
 from crankstar.engine import Engine
 from crankstar.mechanism import Reference, block_roll
+from crankstar.records import Shaft
 from crankstar.remedy import with_balance_shaft, with_counterweights
 
 ENGINES = (
@@ -340,6 +341,15 @@ def test_the_forces_on_the_cylinders_add_up_to_those_of_the_engine(name: str) ->
     found = pushes(engine, angles=(0.3, 2.0), orders=(1, 2))
     wanted = phasor.value(phasor.selected(total(balance(engine)).force, [1, 2]), [0.3, 2.0])
     assert close(sum((one.net for one in found), np.zeros(2, complex)), wanted, 10)
+
+
+def test_a_bare_shaft_is_drawn_as_long_as_the_engine() -> None:
+    engine = crankstar.load("i4")
+    bare = Shaft(name="camshaft", speed_ratio=Fraction(1, 2))
+    crank, camshaft = drawn(charts.shaft_elevation(engine.model_copy(update={"shafts": (*engine.shafts, bare)})))
+    ((left, right),) = [(row.x, row.x2) for _, rows in camshaft for row in rows if "upper" in row]
+    numbers = [row.x for layer, rows in crank if kind(layer) == "text" for row in rows if row.y > 0]
+    assert left < min(numbers) < max(numbers) < right
 
 
 def test_a_balance_shaft_pushes_by_itself() -> None:

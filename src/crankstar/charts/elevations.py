@@ -150,6 +150,8 @@ def _journals(engine: Engine, shaft: Shaft, along: Along) -> list[dict[str, Any]
     half = _half_pin(shaft, along)
     points = [along.at(place) for place in sorted({t.z for t in shaft.throws}, reverse=True)]
     places = [along.at(weight.z) for weight in shaft.weights]
+    if not points and not places:  # a bare shaft, which only turns: as long as the engine
+        places = [along.at(cylinder.z) for cylinder in engine.cylinders]
     edges = [min([*points, *places]) - half - 16]
     for point in points:
         edges += [point - half, point + half]
