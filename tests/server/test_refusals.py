@@ -18,6 +18,7 @@ from crankstar.server import guard
 
 PLACES = {str(Path.cwd()), str(Path.home()), str(Path(crankstar.__file__).parent), "site-packages", "Traceback", ".py"}
 """What no answer may hold."""
+WHOLE = b"GET /api/health HTTP/1.1\r\nHost: localhost\r\n\r\n"
 
 
 def words(answer: Answer, status: int) -> list[str]:
@@ -195,6 +196,23 @@ def test_a_question_that_comes_too_slowly_is_given_up(server: Server) -> None:
         assert b" 408 " in said.split(b"\r\n")[0]
         assert json.loads(said.split(b"\r\n\r\n")[1] or line.recv(65536))["problems"]
         assert time.monotonic() - began < 2 * guard.QUESTION_SECONDS
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("said_before", [b"", WHOLE], ids=["at first", "after an answer"])
+@pytest.mark.parametrize("head", [b"", b"GET / HTTP/1.1\r\nHost: localh"], ids=["nothing", "half a head"])
+def test_who_does_not_say_what_is_asked_is_hung_up_on(said_before: bytes, head: bytes, server: Server) -> None:
+    with socket.create_connection(_place(server)) as line:
+        line.settimeout(3 * guard.QUESTION_SECONDS)
+        line.sendall(said_before)
+        answered = b""
+        while said_before and not answered.endswith(b"}"):
+            answered += line.recv(65536)
+        began = time.monotonic()
+        line.sendall(head)
+        said = b"".join(iter(lambda: line.recv(65536), b""))
+        assert time.monotonic() - began < 2 * guard.QUESTION_SECONDS
+        assert said.startswith(b"HTTP/1.1 408 ") if head else said == b""
 
 
 def _place(server: Server) -> tuple[str, int]:

@@ -57,6 +57,11 @@ def hosts_of(host: str) -> frozenset[str] | None:
     return LOOPBACK if host in LOOPBACK else None
 
 
+def too_late(seconds: float) -> Refused:
+    """The refusal of a question that is not whole after so long."""
+    return refused(408, f"the question did not come within {seconds:g} s; send it at once")
+
+
 class Guard:
     """Stands before an ASGI application."""
 
@@ -130,7 +135,7 @@ class Guard:
                     if over:
                         return b"".join(parts)
         except TimeoutError:
-            raise refused(408, f"the question did not come within {self.seconds:g} s; send it at once") from None
+            raise too_late(self.seconds) from None
 
 
 class _Answer:

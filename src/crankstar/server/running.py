@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import errno
 import os
 import signal
@@ -20,7 +21,7 @@ from crankstar.request import RequestError
 from crankstar.server import guard
 from crankstar.server.application import application
 from crankstar.server.crew import Processes
-from crankstar.server.refusal import refused
+from crankstar.server.refusal import Refused, refused
 
 TASK_SECONDS = 10.0
 """How long an answer may take."""
@@ -87,14 +88,52 @@ def serve(taken: socket.socket, *, host: str, engine: Any, shown: str, ready: Ca
 
 
 class _Protocol(H11Protocol):
-    """HTTP, with our own words for what is none."""
+    """HTTP, with our own words for what is none; who does not say within a time what is asked is hung up on."""
+
+    _patience: asyncio.TimerHandle | None = None
+
+    def connection_made(self, transport: asyncio.Transport) -> None:
+        """Begins to wait for the head of a question."""
+        super().connection_made(transport)
+        self._wait()
+
+    def data_received(self, data: bytes) -> None:
+        """Takes what comes; a head that is still not whole must be so soon."""
+        super().data_received(data)
+        if self.conn.their_state is not h11.IDLE:
+            self._wait_no_more()
+        elif self._patience is None:
+            self._wait()
+
+    def connection_lost(self, exc: Exception | None) -> None:
+        """Waits for nothing more."""
+        self._wait_no_more()
+        super().connection_lost(exc)
 
     def send_400_response(self, msg: str) -> None:
         """Refuses what came, and hangs up."""
         del msg
-        body = refused(400, "this is no question in HTTP").body
+        self._hang_up(refused(400, "this is no question in HTTP"))
+
+    def _wait(self) -> None:
+        self._patience = self.loop.call_later(guard.QUESTION_SECONDS, self._too_late)
+
+    def _wait_no_more(self) -> None:
+        if self._patience is not None:
+            self._patience.cancel()
+            self._patience = None
+
+    def _too_late(self) -> None:
+        if self.transport.is_closing():
+            return
+        if self.conn.trailing_data[0]:
+            self._hang_up(guard.too_late(guard.QUESTION_SECONDS))
+        else:
+            self.transport.close()  # a browser that opened a line to have it ready
+
+    def _hang_up(self, refusal: Refused) -> None:
         heads = [(b"content-type", b"application/json"), (b"connection", b"close"), *guard.heads_always()]
-        answer = (h11.Response(status_code=400, headers=heads), h11.Data(data=body), h11.EndOfMessage())
+        answer = (h11.Response(status_code=refusal.status, headers=heads), h11.Data(data=refusal.body), h11.EndOfMessage())
         self.transport.write(b"".join(self.conn.send(event) or b"" for event in answer))
         self.transport.close()
 
