@@ -31,7 +31,7 @@ vl-convert are loaded when a figure is asked for; they come with `pip install "c
 
 from crankstar.charts.compared import judged, over_rods
 from crankstar.charts.comparison import side_by_side
-from crankstar.charts.drawing import GREY, ChartError, svg
+from crankstar.charts.drawing import GREY, ChartError, svg, swiftly
 from crankstar.charts.elevations import shaft_elevation
 from crankstar.charts.fronts import pareto_front
 from crankstar.charts.hodographs import hodograph
@@ -70,5 +70,6 @@ __all__ = [
     "stroke_chart",
     "svg",
     "swept",
+    "swiftly",
     "vector_star",
 ]

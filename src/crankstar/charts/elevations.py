@@ -113,7 +113,7 @@ def _shaft_panel(engine: Engine, shaft: Shaft, along: Along, zero: float, *, nam
         .encode(x=x, y=y, strokeWidth=alt.StrokeWidth("width:Q", scale=None), **ends)
     )
     words = of_rows(texts).mark_text(baseline="middle")
-    words = words.encode(x=x, y=height, text="text:N", size=alt.Size("size:Q", scale=None), color=colour)
+    words = words.encode(x=x, y=height, text=alt.Text("text:N"), size=alt.Size("size:Q", scale=None), color=colour)
     return layered([still, moving, words], width=WIDTH, height=ROW, title=name)
 
 

@@ -211,7 +211,9 @@ def _front_panel(
     points = [row.values for row in found.rows]
     steps = _steps(points, across, upward) if len(heads) == 2 else []
     if steps:
-        layers.append(of_rows(steps).mark_line(color=GREY, strokeWidth=1.3, strokeDash=[5, 3]).encode(x=x, y=y, order="at:Q"))
+        layers.append(
+            of_rows(steps).mark_line(color=GREY, strokeWidth=1.3, strokeDash=[5, 3]).encode(x=x, y=y, order=alt.Order("at:Q"))
+        )
     shown = range(len(points)) if len(points) <= MOST_DRAWN else _seen(points, across, upward)
     rows = [_row(found, heads, place, across, upward) for place in shown]
     hints = [alt.Tooltip("row:N", title="row"), alt.Tooltip("order:N", title="fires")]
@@ -221,9 +223,9 @@ def _front_panel(
     numbers, leaders = _numbers(rows, steps, across, upward)
     if leaders:
         lines = of_rows(leaders).mark_rule(color=GREY, strokeWidth=0.8)
-        layers.append(lines.encode(x=x, y=y, x2="x2:Q", y2="y2:Q"))
+        layers.append(lines.encode(x=x, y=y, x2=alt.X2("x2:Q"), y2=alt.Y2("y2:Q")))
     said = of_rows(numbers).mark_text(fontSize=SMALL, color=GREY, baseline="middle")
-    layers.append(said.encode(x=x, y=y, text="text:N"))
+    layers.append(said.encode(x=x, y=y, text=alt.Text("text:N")))
     return layered(layers, width=WIDTH, height=HEIGHT), len(numbers) == len(found.rows)
 
 
@@ -252,7 +254,7 @@ def _colour(heads: Sequence[Column], rows: Sequence[dict[str, Any]]) -> Any:
     import altair as alt
 
     if len(heads) < 3 or len({row["value2"] for row in rows}) < 2:
-        return alt.value(BLUE)
+        return alt.ColorValue(BLUE)
     said = {"title": heads[2].title, "titleColor": GREY, "titleFontSize": TEXT, "titleFontWeight": "normal"}
     kinds = sorted({row["value2"] for row in rows})
     if heads[2].counted and len(kinds) <= len(PALETTE):
@@ -387,7 +389,7 @@ def key(found: Findings) -> Panel:
     layers = []
     for side in ("left", "right"):
         mark = of_rows([text for text in texts if text["side"] == side]).mark_text(fontSize=SMALL, color=GREY, align=side)
-        layers.append(mark.encode(x=x, y=y, text="text:N"))
+        layers.append(mark.encode(x=x, y=y, text=alt.Text("text:N")))
     return layered(layers, width=ends[-1] - LEFT, height=line * LINE)
 
 

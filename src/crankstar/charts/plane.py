@@ -187,8 +187,8 @@ def _lines(alt: Any, rows: list[dict[str, Any]], x: Any, y: Any, *, dashed: bool
     return mark.encode(
         x=x,
         y=y,
-        detail="line:N",
-        order="at:Q",
+        detail=alt.Detail("line:N"),
+        order=alt.Order("at:Q"),
         color=alt.Color("colour:N", scale=None),
         strokeWidth=alt.StrokeWidth("width:Q", scale=None),
     )
@@ -290,7 +290,7 @@ def _texts(alt: Any, labels: Sequence[Label], frame: Frame, x: Any, y: Any) -> A
     return base.mark_text(baseline="middle", align="center", lineBreak="\n").encode(
         x=_moved(x, "x3:Q"),
         y=_moved(y, "y3:Q"),
-        text="text:N",
+        text=alt.Text("text:N"),
         color=alt.Color("colour:N", scale=None),
         size=alt.Size("size:Q", scale=None),
     )

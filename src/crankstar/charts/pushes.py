@@ -224,5 +224,5 @@ def _key(entries: Sequence[tuple[str, str]]) -> Panel:
     colour = alt.Color("colour:N", scale=None)
     base = of_rows(rows)
     marks = base.mark_point(shape="square", filled=True, size=90, opacity=1).encode(x=x, color=colour)
-    words = base.mark_text(align="left", dx=9, fontSize=TEXT, baseline="middle").encode(x=x, text="text:N", color=colour)
+    words = base.mark_text(align="left", dx=9, fontSize=TEXT, baseline="middle").encode(x=x, text=alt.Text("text:N"), color=colour)
     return layered([marks, words], width=WIDTH, height=14)

@@ -26,13 +26,13 @@ def saved(chart: Any, suffix: str, *, title: str) -> bytes:
     if kind == "svg":
         return svg(chart, title).encode()
     if kind == "png":
-        return vl_convert.vegalite_to_png({**chart.to_dict(), "background": GROUND}, scale=DENSITY)
+        return vl_convert.vegalite_to_png({**chart.to_dict(validate=False), "background": GROUND}, scale=DENSITY)
     if kind == "pdf":
-        return vl_convert.vegalite_to_pdf(chart.to_dict())
+        return vl_convert.vegalite_to_pdf(chart.to_dict(validate=False))
     if kind == "html":
         return _page(chart, title).encode()
     if kind == "json":
-        return json.dumps({**chart.to_dict(), "description": title}, ensure_ascii=False, indent=1).encode()
+        return json.dumps({**chart.to_dict(validate=False), "description": title}, ensure_ascii=False, indent=1).encode()
     raise ChartError(
         f"a chart cannot be written as {suffix!r}; end the name of the file in one of {', '.join('.' + s for s in SUFFIXES)}"
     )

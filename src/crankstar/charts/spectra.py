@@ -121,15 +121,15 @@ def _panel(one: Bars, orders: Sequence[float], reach: float, width: float, *, fo
     ]
     if tops and width / len(names) > 26:
         text = of_rows(tops).mark_text(dy=-8, fontSize=SMALL, color=GREY)
-        layers.append(text.encode(x=x, y=y, text="text:N"))
+        layers.append(text.encode(x=x, y=y, text=alt.Text("text:N")))
     if not tops:
         middle = of_rows([{"to": 0.6 * reach}]).mark_text(fontSize=13, color=GREY)
-        layers.append(middle.encode(x=alt.value(width / 2), y=y, text=alt.value(f"no {one.quantity}")))
+        layers.append(middle.encode(x=alt.XValue(width / 2), y=y, text=alt.TextValue(f"no {one.quantity}")))
     return layered(layers, width=width, height=90, title=title)
 
 
 def _colour(alt: Any, one: Bars, colours: Any, legend: Any) -> Any:
-    return alt.value(GREY) if one.quantity == "roll" else alt.Color("what:N", scale=colours, legend=legend)
+    return alt.ColorValue(GREY) if one.quantity == "roll" else alt.Color("what:N", scale=colours, legend=legend)
 
 
 def _rows(one: Bars) -> list[dict[str, Any]]:

@@ -185,7 +185,7 @@ def _empty(turns: int) -> Panel:
     said = (
         of_rows([{"x": 180 * turns}])
         .mark_text(fontSize=13, color=GREY)
-        .encode(x=_across(turns, foot=True), text=alt.value(NO_ORDER))
+        .encode(x=_across(turns, foot=True), text=alt.TextValue(NO_ORDER))
     )
     rule = of_rows([{}]).transform_calculate(x=f"theta - {360 * turns} * floor(theta / {360 * turns + 1e-6})")
     return layered(

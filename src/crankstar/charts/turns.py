@@ -181,7 +181,7 @@ def _panel(
     layers = [lines, line, dot]
     if not curve.orders.size:
         said = of_rows([{"x": 180 * turns, "y": 0}]).mark_text(dy=-12, fontSize=13, color=GREY)
-        layers.append(said.encode(x=x, y=y, text=alt.value(_nothing(found, curve))))
+        layers.append(said.encode(x=x, y=y, text=alt.TextValue(_nothing(found, curve))))
     return layered(layers, width=width, height=120 if len(found.components) > 1 else 170, title=title)
 
 

@@ -67,7 +67,8 @@ def plot(
     )
     with working(f"drawing {chart} ..."):
         try:
-            made: Any = drawing.side_by_side([loaded, *others], chart, **options) if others else figure.draw(loaded, **options)
+            with drawing.swiftly():
+                made: Any = drawing.side_by_side([loaded, *others], chart, **options) if others else figure.draw(loaded, **options)
             content = drawing.saved(made, suffix, title=f"{loaded.name}: {figure.about}")
         except drawing.ChartError as error:
             raise RequestError(str(error)) from None

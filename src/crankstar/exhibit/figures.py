@@ -24,9 +24,8 @@ def chart(engine: Engine, key: str) -> dict[str, Any]:
     Raises NoSuchKeyError, or ChartError where the figure cannot be drawn.
     """
     import vl_convert
-    from altair.utils.schemapi import debug_mode
 
-    from crankstar.charts import CHARTS
+    from crankstar.charts import CHARTS, swiftly
 
     figure, *options = key.split(":")
     asked: dict[str, Any] = {name: value for name, _, value in (part.partition("=") for part in options)}
@@ -41,7 +40,7 @@ def chart(engine: Engine, key: str) -> dict[str, Any]:
         asked["order"] = _order(key, asked["order"])
     if "speed" in known.options:
         asked["speed"] = engine.speed
-    with debug_mode(False):  # each part would be held against the schema of Vega-Lite; the tests of the figures do that
+    with swiftly():
         drawn = known.draw(engine, **asked).to_dict(validate=False)
     for parameter in drawn.get("params", ()):
         parameter.pop("bind", None)

@@ -8,7 +8,7 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from typing import Any
 
-from crankstar.charts import CHARTS, GREY, ChartError, side_by_side, svg
+from crankstar.charts import CHARTS, GREY, ChartError, side_by_side, svg, swiftly
 from crankstar.report.markup import figure
 from crankstar.report.matter import Matter
 
@@ -52,7 +52,8 @@ class Gallery:
 def opened(matter: Matter) -> Iterator[Gallery]:
     """A gallery in which drawing goes on beside other work; what is not yet begun when it closes is not drawn."""
     pool = ThreadPoolExecutor(2)  # one draws while the other waits for its picture
-    try:
-        yield Gallery(matter, pool)
-    finally:
-        pool.shutdown(cancel_futures=True)
+    with swiftly():
+        try:
+            yield Gallery(matter, pool)
+        finally:
+            pool.shutdown(cancel_futures=True)
