@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
+from math import cos
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
 from crankstar.balance import default_reference
@@ -45,6 +46,11 @@ Wanted = Literal["needed", "all"]
 FACTORS = (0.5, 0.0, 1.0)
 """Balance factors that can leave nothing turning with a crankshaft: of one crankshaft half; of two that turn against each
 other none where their pistons move against each other, all of the reciprocating mass where they move together."""
+
+
+BELOW, BESIDE, HALF_BORE = 1.25, 0.8, 0.45
+"""Recommended balance shafts: how far below the crankshaft and how far from each other, in reaches of the crank. It reaches as
+far as its greatest throw and, for webs and big ends, `HALF_BORE` bores more."""
 
 
 class Fitted(NamedTuple):
@@ -87,7 +93,8 @@ def recommended(engine: Engine) -> Fitted | None:
 
     Where something turns with a crankshaft there are other counterweights (`quiet_cranks`), and no force and no couple of the
     first two orders is left that turns as a crankshaft does. The rest needs balance shafts; there are those of the lowest
-    order that is left, as engines are built.
+    order that is left, as engines are built; they lie clear of the crank (`clear_places`), so that their roll is that of shafts
+    which could be built.
 
     >>> from crankstar.catalog import load
     >>> recommended(load("v8-cross-plane")).told
@@ -105,10 +112,32 @@ def recommended(engine: Engine) -> Fitted | None:
         done.append("no counterweights" if bare else f"{other}counterweights on {how}")
     ratios = _wanted(after, lowest=True) if needs(after) else []
     if ratios and len(after.shafts) + len(ratios) <= GREATEST_SHAFTS:
-        after = with_shafts(after, ratios="needed", places=ShaftPlaces())
+        after = with_shafts(after, ratios="needed", places=clear_places(engine, paired=any(-ratio in ratios for ratio in ratios)))
         several = "balance shafts of speed ratios" if len(ratios) > 1 else "a balance shaft of speed ratio"
         done.append(f"{several} {' and '.join(map(str, ratios))}")
     return Fitted(after, tuple(done), factor) if done else None
+
+
+def clear_places(engine: Engine, *, paired: bool) -> ShaftPlaces:
+    """Where balance shafts clear the first crankshaft: on the side away from its cylinders, below it where they point both ways.
+
+    A pair lies side by side, its shafts equally far from the middle. Lengths of the engine, to two figures.
+
+    >>> from crankstar.catalog import load
+    >>> clear_places(load("i4"), paired=True)
+    ShaftPlaces(planes=None, up=-2.4, right=0.0, apart=1.5)
+    """
+    crank = engine.shafts[0]
+    own = [cylinder for cylinder in engine.cylinders if cylinder.shaft == crank.name]
+    bore = max(cylinder.bore or 2 * engine.throw(cylinder).radius for cylinder in engine.cylinders)
+    reach = max(throw.radius for shaft in engine.shafts for throw in shaft.throws) + HALF_BORE * bore
+    downward = sum(cos(cylinder.bearing) for cylinder in own) < -0.5 * len(own)
+    away = 1 if downward else -1
+    return ShaftPlaces(up=_rounded(away * BELOW * reach), apart=_rounded(BESIDE * reach) if paired else 0.0)
+
+
+def _rounded(length: float) -> float:
+    return float(f"{length:.2g}")
 
 
 def quiet_cranks(engine: Engine) -> tuple[Engine, float | None]:

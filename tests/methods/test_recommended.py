@@ -16,7 +16,9 @@ from tests.newton import road
 import crankstar
 from crankstar.balance import default_reference
 from crankstar.engine import Engine
+from crankstar.exhibit.scene import scene
 from crankstar.fitting import Fitted, recommended
+from crankstar.mechanism import Reference
 from crankstar.remedy import RemedyError, needs, with_turning_cancelled
 from crankstar.verdict import verdict
 
@@ -113,3 +115,43 @@ def test_where_no_factor_will_do_the_end_webs_follow_none(name: str) -> None:
     assert any(sentence.startswith("No balance factor, but weights") for sentence in cured(name))
     with pytest.raises(RemedyError, match="no crankshaft has the speed ratio 7"):
         with_turning_cancelled(engine, ratio=7)
+
+
+@pytest.mark.parametrize("name", crankstar.names())
+def test_shafts_are_drawn_where_they_are_reckoned_and_clear_of_the_crank(name: str) -> None:
+    engine, found = crankstar.load(name), recommended(crankstar.load(name))
+    if found is None:
+        return
+    drawn = scene(found.after).shafts
+    assert [(shaft.up, shaft.right) for shaft in drawn] == [(shaft.up, shaft.right) for shaft in found.after.shafts]
+    crank, new = engine.shafts[0], found.after.shafts[len(engine.shafts) :]
+    for shaft in new:
+        assert abs(complex(shaft.up, shaft.right)) > 1.2 * max(throw.radius for throw in crank.throws)
+    assert sum(shaft.right for shaft in new) == 0
+    assert len({(shaft.up, shaft.right) for shaft in new}) == len(new)
+
+
+def test_shafts_lie_on_the_side_away_from_the_cylinders_of_their_crank() -> None:
+    for name, side in {"single": -1, "v8-flat-plane": -1, "boxer-2": -1, "jumo-205": 1}.items():
+        found = recommended(crankstar.load(name))
+        assert found is not None
+        assert all(shaft.up * side > 0 for shaft in found.after.shafts if not shaft.throws)
+
+
+def test_a_lone_shaft_rolls_the_block_by_its_force_times_its_place_and_a_pair_does_not() -> None:
+    lone, pair = recommended(crankstar.load("single")), recommended(crankstar.load("i4"))
+    assert lone is not None
+    assert pair is not None
+
+    def added(after: Engine) -> np.ndarray:
+        weights = [
+            (push.moment[:, 2], body)
+            for push, body in zip(*(road(after, reference=Reference(0.0), speed=1.0)[index] for index in (2, 1)), strict=True)
+            if body.kind == "weight" and not after.shaft(body.shaft).throws
+        ]
+        return np.sum([moment for moment, _ in weights], axis=0).astype(float)
+
+    shaft = lone.after.shafts[-1]
+    assert np.abs(added(lone.after)).max() == pytest.approx(0.5 * abs(shaft.up), rel=1e-3)
+    assert shaft.right == 0
+    assert np.abs(added(pair.after)).max() < 1e-12
