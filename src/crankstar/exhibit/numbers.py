@@ -34,13 +34,22 @@ def summed(result: Balance) -> Totals:
     )
 
 
-def orders_shown(result: Balance, sums: Totals) -> tuple[float, ...]:
-    """The orders of a page: those at which a part pushes, and those in which the block rolls though no part pushes.
+HEARD = 1e-3
+"""Share of the greatest order from which an order above the usual ones is not left out."""
 
-    A centred piston has no roll of its own; the block rolls because a flywheel takes up the torque.
+
+def orders_shown(result: Balance, sums: Totals) -> tuple[float, ...]:
+    """The orders of a page: those at which a part pushes, those in which the block rolls though no part pushes, and high ones.
+
+    A centred piston has no roll of its own; the block rolls because a flywheel takes up the torque. An order above the usual
+    ones is there if it is heard: in the sum of the engine, as where many cylinders leave no lower one, or in what a part does.
     """
     rolls = np.abs(sums.roll.forward) + np.abs(sums.roll.backward)
-    left = (rolls > SIGNIFICANT * rolls.max(initial=0.0)) & (sums.roll.orders <= GREATEST_DEFAULT_ORDER)
+    usual = sums.roll.orders <= GREATEST_DEFAULT_ORDER
+    left = (rolls > SIGNIFICANT * rolls.max(initial=0.0)) & usual
+    for spectrum in (sums.force, sums.couple, sums.roll, result.force):
+        sizes = (np.abs(spectrum.forward) + np.abs(spectrum.backward)).reshape(-1, usual.size).max(axis=0, initial=0.0)
+        left |= (sizes > HEARD * sizes.max(initial=0.0)) & ~usual
     return tuple(sorted({*orders_present(result), *sums.roll.orders[left].tolist()}))
 
 
