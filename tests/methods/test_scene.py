@@ -254,3 +254,18 @@ def test_any_engine_at_all_can_be_drawn(engine: Engine) -> None:
         assert cylinder.bore > 0
         assert cylinder.skirt > 0
         assert cylinder.bore_from < cylinder.bore_to
+
+
+def test_weights_that_are_drawn_beside_their_places_are_told() -> None:
+    """The webs of a boxer of two are nearer to each other than an engine with a bearing between its pins would have them."""
+    told = "Counterweights are drawn on the webs next to their places; the numbers are those of their places."
+    for name, expected in {"boxer-2": True, "v8-cross-plane": False, "triple-120": False}.items():
+        found = fitting.recommended(load(name))
+        assert found is not None
+        shown = scene(found.after)
+        couple = sum(w.unbalance * np.exp(1j * w.angle) * w.z for w in shown.shafts[0].weights)
+        meant = (
+            sum(w.unbalance * np.exp(1j * w.angle) * w.z for w in found.after.shafts[0].weights) * proportions(found.after).along
+        )
+        assert (abs(couple - meant) > 0.03 * abs(meant)) is expected
+        assert (told in shown.assumed) is expected

@@ -106,3 +106,22 @@ export function greatest(
   }
   return most
 }
+
+/** How far the vector goes up (or down) and to the right (or left) over `turns` turns, on the same grid. */
+export function spans(
+  coefficients: Coefficients,
+  orders: readonly number[],
+  chosen: readonly number[] | null,
+  turns: number,
+): Plane {
+  const phase = phaseOf(orders.length, 1)
+  const place: Plane = [0, 0]
+  const most: Plane = [0, 0]
+  const steps = 180 * turns
+  for (let step = 0; step < steps; step++) {
+    vectorAt(coefficients, turn(phase, orders, (step / steps) * turns * 2 * Math.PI, chosen), place)
+    most[0] = Math.max(most[0], Math.abs(place[0]))
+    most[1] = Math.max(most[1], Math.abs(place[1]))
+  }
+  return most
+}

@@ -193,5 +193,14 @@ def lumps(shaft: Shaft, drawn: Crank, sizes: Proportions) -> list[Lump]:
     return on_webs + free
 
 
+def moved(shaft: Shaft, standing: Sequence[Lump], sizes: Proportions) -> bool:
+    """Whether the weights are drawn so far beside their places that their couple looks another one."""
+    vectors = [(weight.unbalance * np.exp(1j * weight.angle), weight.z * sizes.along) for weight in shaft.weights]
+    couple = sum(vector * z for vector, z in vectors) - sum(lump.vector * lump.z for lump in standing)
+    return bool(abs(couple) > SEEN * sum(abs(vector * z) for vector, z in vectors))
+
+
+SEEN = 0.03
+"""Share of the couples of weights by which those that are drawn may differ before it is told."""
 HALF_ANGLE = pi / 3
 """Half the sector that a counterweight covers where its unbalance leaves the choice."""

@@ -9,7 +9,7 @@ from math import pi, sin
 import numpy as np
 
 from crankstar.engine import Engine
-from crankstar.exhibit.crankshafts import HALF_ANGLE, Crank, Lump, crank, lumps
+from crankstar.exhibit.crankshafts import HALF_ANGLE, Crank, Lump, crank, lumps, moved
 from crankstar.exhibit.gears import Place, gears
 from crankstar.exhibit.proportions import Proportions, proportions
 from crankstar.exhibit.records import CylinderShown, GearShown, Scene, ShaftShown, WeightShown
@@ -37,6 +37,10 @@ def scene(engine: Engine) -> Scene:
     places = _places(engine, sizes, assumed)
     reach = max(throw.radius + 1.6 * throw.pin_radius for drawn in cranks.values() for throw in drawn.throws)
     standing = [lump for index, shaft in enumerate(engine.shafts) for lump in _lumps(shaft, cranks.get(index), sizes)]
+    if any(
+        moved(shaft, _lumps(shaft, cranks[index], sizes), sizes) for index, shaft in enumerate(engine.shafts) if index in cranks
+    ):
+        assumed.append("Counterweights are drawn on the webs next to their places; the numbers are those of their places.")
     rear = min([drawn.ends[0] for drawn in cranks.values()] + [lump.z - lump.thickness / 2 for lump in standing])
     wheels, told = gears(engine, places, reach=reach, bore=sizes.bore, behind=rear)
     assumed += told

@@ -18,8 +18,10 @@ const ARROW = 0.28
 const DENSEST = 2
 /** Kept at the lower edge for axes and scales, pixels. */
 const FOOT = 58
-/** Room round the engine, and with arrows on every cylinder. */
-const [MARGIN, ROOMY] = [1.06, 1.25]
+/** Arrows drawn longer than that on purpose may leave the picture: the engine is not to become small beside them. */
+const WITHIN = 2
+/** Room round the engine and its arrows. */
+const MARGIN = 1.06
 
 export const createStage: CreateStage = (element, exhibit, onOrbit) =>
   new EngineStage(element, exhibit, onOrbit, webglPicture() ?? flatPicture())
@@ -35,6 +37,9 @@ class EngineStage implements Stage {
   readonly #unlisten: () => void
   #exhibit: Exhibit
   #discs: readonly Disc[]
+  /** The tips of arrows, and all that must be seen with them. */
+  #tips: readonly Disc[] | null = null
+  #seen: readonly Disc[] = []
   #chain: Chain
   #places: Places
   #loads: Loads
@@ -97,6 +102,7 @@ class EngineStage implements Stage {
     this.#places = placesOf(this.#chain)
     this.#loads = new Loads(exhibit)
     this.#loads.beside = this.#beside
+    this.#tips = null
     this.#whirling = new Whirling(exhibit)
     this.#written = []
     this.#traced = []
@@ -120,21 +126,32 @@ class EngineStage implements Stage {
     const screen = {
       aspect: width / height,
       foot: Math.min(0.25, FOOT / height),
-      margin: view.arrows.force && view.arrows.cylinders ? ROOMY : MARGIN,
+      margin: MARGIN,
     }
-    const frame = this.#viewpoint.frame(view.camera, this.#discs, screen, performance.now())
     const instant = this.#now(view)
+    instant.load = this.#loads.at(view)
+    instant.arrow = ARROW * Math.max(high[0] - low[0], high[1] - low[1]) * view.arrows.scale
+    const longest = instant.arrow * Math.min(1, WITHIN / view.arrows.scale)
+    const discs = this.#with(this.#loads.room(view, longest))
+    const frame = this.#viewpoint.frame(view.camera, discs, screen, performance.now())
     moved(this.#chain, view.theta, this.#places)
     instant.view = view
     instant.frame = frame
     instant.palette = palette
     instant.moved = this.#whirling.at(view.theta, view.whirl.orders)
-    instant.load = this.#loads.at(view)
-    instant.arrow = ARROW * Math.max(high[0] - low[0], high[1] - low[1]) * view.arrows.scale
     this.#picture.draw(instant)
     this.#write(instant)
     this.#trace(instant)
     if (this.#viewpoint.moving && this.#awaited === 0) this.#awaited = requestAnimationFrame(this.#again)
+  }
+
+  /** What must be seen: the engine, and its arrows at their longest, so that none is cut off. The same list as long as it holds. */
+  #with(arrows: readonly Disc[]): readonly Disc[] {
+    if (arrows !== this.#tips) {
+      this.#tips = arrows
+      this.#seen = [...this.#discs, ...arrows]
+    }
+    return this.#seen
   }
 
   /** The record of an instant, which is used again and again. */

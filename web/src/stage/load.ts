@@ -1,6 +1,16 @@
 import type { Exhibit } from '../exhibit'
-import { type Coefficients, coefficientsOf, greatest, type Phase, type Plane, phaseOf, turn, vectorAt } from '../phasor'
-import { along } from './extent'
+import {
+  type Coefficients,
+  coefficientsOf,
+  greatest,
+  type Phase,
+  type Plane,
+  phaseOf,
+  spans,
+  turn,
+  vectorAt,
+} from '../phasor'
+import { along, type Disc } from './extent'
 import type { View } from './stage'
 
 /** A force to be drawn: where its arrow begins (x, y, z) and the vector in units of the longest of its kind. */
@@ -38,6 +48,9 @@ export class Loads {
   #beside: readonly Exhibit[] = []
   /** The view for which the lengths of arrows have been worked out. */
   #scaled = ''
+  /** Length of arrows for which the room they need has been worked out, and that room. */
+  #long = -1
+  #room: readonly Disc[] = []
 
   constructor(exhibit: Exhibit) {
     this.#exhibit = exhibit
@@ -88,6 +101,29 @@ export class Loads {
     return load
   }
 
+  /** The room that arrows need on the drawing over the whole cycle, where the greatest is `arrow` long; after `at`. */
+  room({ arrows }: View, arrow: number): readonly Disc[] {
+    if (arrow === this.#long) return this.#room
+    this.#long = arrow
+    const { orders, turns } = this.#exhibit
+    const { pulls, force, couple } = this.#load
+    const tips = (pull: Pull | undefined, coefficients: Coefficients, scale: number): Disc[] => {
+      if (!pull || !(scale > 0)) return []
+      const [up, right] = spans(coefficients, orders, arrows.orders, turns).map(
+        (most) => (most / scale) * arrow,
+      ) as Plane
+      const tip = (x: number, y: number): Disc => ({ centre: [x, y, pull.z], facing: [0, 0, 1], radius: 0 })
+      return [tip(pull.x - right, pull.y - up), tip(pull.x + right, pull.y + up)]
+    }
+    this.#room = [
+      ...tips(pulls[0], this.#force, force),
+      ...tips(pulls[1], this.#couple, couple),
+      ...tips(pulls[2], this.#couple, couple),
+      ...this.#parts.flatMap((part, index) => tips(pulls[3 + index], part, arrows.cylinders ? force : 0)),
+    ]
+    return this.#room
+  }
+
   #put(index: number, coefficients: Coefficients, scale: number, sign: number): void {
     const pull = this.#load.pulls[index]
     if (!pull) return
@@ -101,6 +137,7 @@ export class Loads {
     const key = `${arrows.force} ${arrows.couple} ${arrows.cylinders} ${arrows.orders?.join() ?? 'all'}`
     if (key === this.#scaled) return
     this.#scaled = key
+    this.#long = -1
     this.#load.force = 0
     this.#load.couple = 0
     for (const exhibit of [this.#exhibit, ...this.#beside]) {

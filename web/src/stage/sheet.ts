@@ -74,9 +74,10 @@ function numbers(to: CanvasRenderingContext2D, { scene, whirl }: Exhibit, writin
   to.textAlign = 'center'
   to.textBaseline = 'middle'
   const taken: { x: number; y: number; half: number }[] = []
-  for (const { x, y, names } of labels.sort((a, b) => b.near - a.near)) {
+  for (const { x: beyond, y, names } of labels.sort((a, b) => b.near - a.near)) {
     const text = names.length > 4 ? `${names[0]} … ${names[names.length - 1]}` : names.join(' · ')
     const half = to.measureText(text).width / 2 + 2
+    const x = Math.min(Math.max(beyond, half), writing.width - half)
     if (taken.some((one) => Math.abs(one.x - x) < one.half + half && Math.abs(one.y - y) < 13)) continue
     taken.push({ x, y, half })
     to.lineWidth = 3

@@ -10,9 +10,19 @@ export function suggestedMagnification(exhibit: Exhibit): number {
   const { low, high } = exhibit.scene
   const size = Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2])
   const reach = Math.max(Math.abs(high[2] - exhibit.whirl.centre[2]), Math.abs(exhibit.whirl.centre[2] - low[2]))
-  const most = greatest(exhibit.whirl.shift) + reach * greatest(exhibit.whirl.tilt)
+  const { centre, shift, tilt, turn } = exhibit.whirl
+  const most = greatest(shift) + reach * greatest(tilt) + rim(exhibit, centre) * total(turn)
   if (!(most > 1e-9 * size)) return 0
   return rounded((SHARE * size) / most)
+}
+
+/** How far from the centre of mass the farthest corner of the engine is, seen from the front. */
+function rim({ scene: { low, high } }: Exhibit, [up, right]: readonly [number, number, number]): number {
+  return Math.hypot(Math.max(high[0] - up, up - low[0]), Math.max(high[1] - right, right - low[1]))
+}
+
+function total(signals: readonly (readonly [number, number])[]): number {
+  return signals.reduce((sum, [real, imaginary]) => sum + Math.hypot(real, imaginary), 0)
 }
 
 /** At most so far does a sum of turning vectors reach. */
@@ -49,4 +59,12 @@ export function endsOf(exhibit: Exhibit, orders: readonly number[] | null): read
     { name: 'front', z: front, greatest: moved(front) },
     { name: 'rear', z: rear, greatest: moved(rear) },
   ]
+}
+
+/** How far the block rolls to either side, radians, of some orders or (null) of all. */
+export function rollOf(exhibit: Exhibit, orders: readonly number[] | null): number {
+  const whirling = new Whirling(exhibit)
+  const steps = 180 * Math.max(1, exhibit.turns)
+  const rolls = Array.from({ length: steps }, (_, step) => Math.abs(whirling.at((step / 90) * Math.PI, orders).turn))
+  return Math.max(...rolls)
 }

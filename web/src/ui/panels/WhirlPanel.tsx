@@ -3,7 +3,7 @@ import { useApp, useExhibit } from '../context'
 import { DataTable } from '../DataTable'
 import { lengthText, quantityText } from '../lengths'
 import { OrderChoice } from '../OrderChoice'
-import { endsOf, suggestedMagnification, toggledWhirl } from '../whirl'
+import { endsOf, rollOf, suggestedMagnification, toggledWhirl } from '../whirl'
 
 /** The slider runs from 1 to a million, in powers of ten. */
 const DECADES = 6
@@ -23,7 +23,7 @@ export function WhirlPanel() {
         on the speed.
       </p>
       {most === 0 ? (
-        <p>This engine stays where it is: no force and no couple is left.</p>
+        <p>This engine stays where it is: no force, no couple and no roll is left.</p>
       ) : (
         <div class="controls">
           <label class="switch">
@@ -73,6 +73,11 @@ function magnified(factor: number): string {
   return factor.toLocaleString('en', { maximumSignificantDigits: 2 })
 }
 
+/** An angle to either side, in degrees; what is rounding is nothing. */
+function degreesText(angle: number): string {
+  return angle < 1e-12 ? '0' : quantityText((angle * 180) / Math.PI, '°').replace(' °', '°')
+}
+
 function massUnit(exhibit: Exhibit): string {
   return exhibit.scene.length_unit === 'm' ? 'kg' : 'm'
 }
@@ -86,7 +91,10 @@ function paths(exhibit: Exhibit, orders: readonly number[] | null) {
   return {
     title: 'Paths of the crank axis',
     heads: ['end', 'farthest from rest'],
-    rows: endsOf(exhibit, orders).map((end) => [end.name, lengthText(end.greatest, length_unit)]),
+    rows: [
+      ...endsOf(exhibit, orders).map((end) => [end.name, lengthText(end.greatest, length_unit)]),
+      ['roll of the block', degreesText(rollOf(exhibit, orders))],
+    ],
     notes: ['In true size; the inset on the stage says how much it magnifies them.'],
   }
 }
