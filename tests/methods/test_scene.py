@@ -267,5 +267,5 @@ def test_weights_that_are_drawn_beside_their_places_are_told() -> None:
         meant = (
             sum(w.unbalance * np.exp(1j * w.angle) * w.z for w in found.after.shafts[0].weights) * proportions(found.after).along
         )
-        assert (abs(couple - meant) > 0.03 * abs(meant)) is expected
+        assert bool(abs(couple - meant) > 0.03 * abs(meant)) is expected
         assert (told in shown.assumed) is expected
