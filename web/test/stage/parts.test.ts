@@ -5,6 +5,7 @@ import { hull } from '../../src/stage/hull'
 import { Loads } from '../../src/stage/load'
 import { band, circle, gear, type Outline, sector } from '../../src/stage/outlines'
 import { toothBearings } from '../../src/stage/parts/meshing'
+import { journals } from '../../src/stage/parts/shafts'
 import { quantity, roundValue } from '../../src/stage/sheet'
 import { Solid } from '../../src/stage/solid'
 import type { View } from '../../src/stage/stage'
@@ -69,6 +70,28 @@ test('the faces of a solid are closed and look outward: its volume is that of th
   ]
   expect(volume(new Solid().turned(ring, 0, 2 * Math.PI, 400))).toBeCloseTo(3 * Math.PI, 2)
   expect(volume(new Solid().turned(ring, 0.3, 1.3, 400))).toBeCloseTo(1.5, 2)
+})
+
+test('a journal ends inside the web beside it, not in the plane of a cheek, where the two would flicker', () => {
+  const one = shaft({
+    z_from: -2,
+    z_to: 3,
+    throws: [
+      { angle: 0, radius: 1, z: 0, pin_radius: 0.2, pin_from: -0.5, pin_to: 0.5, cylinders: [1] },
+      { angle: 2, radius: 1, z: 1.75, pin_radius: 0.2, pin_from: 1.5, pin_to: 2, cylinders: [2] },
+    ],
+    webs: [
+      { z_from: -0.9, z_to: -0.5, throw: 0 },
+      { z_from: 0.5, z_to: 0.9, throw: 0 },
+      { z_from: 1.1, z_to: 1.5, throw: 1 },
+    ],
+  })
+  const expected = [
+    [-2, -0.7],
+    [0.7, 1.3],
+    [2, 3],
+  ]
+  expect(journals(one).map((ends) => ends.map((z) => Number(z.toFixed(9))))).toEqual(expected)
 })
 
 test('the hull of points is what a rubber band round them would be', () => {

@@ -1,5 +1,5 @@
 import type { Group } from 'three'
-import type { GearShown, Scene, ShaftShown } from '../../exhibit'
+import type { GearShown, Scene, ShaftShown, ThrowShown } from '../../exhibit'
 import type { Places } from '../../motion'
 import { Batch } from '../batch'
 import type { Materials } from '../materials'
@@ -64,9 +64,12 @@ function shapeOf(shaft: ShaftShown): Shape {
   return solid.shape()
 }
 
-/** Where along z the shaft itself is: everywhere but between the webs of its throws. */
-function journals(shaft: ShaftShown): [number, number][] {
-  const gaps = shaft.throws.map((pin): [number, number] => [pin.pin_from, pin.pin_to]).sort((a, b) => a[0] - b[0])
+/**
+ * Where along z the shaft itself is: everywhere but between the webs of its throws. It ends inside a web, never in the plane
+ * of its cheek, where the two would flicker through each other.
+ */
+export function journals(shaft: ShaftShown): [number, number][] {
+  const gaps = shaft.throws.map((pin) => gap(pin, shaft)).sort((a, b) => a[0] - b[0])
   const whole: [number, number][] = []
   let from = shaft.z_from
   for (const [low, high] of gaps) {
@@ -75,6 +78,16 @@ function journals(shaft: ShaftShown): [number, number][] {
   }
   if (shaft.z_to > from) whole.push([from, shaft.z_to])
   return whole
+}
+
+/** From the middle of the web at one end of a pin to the middle of that at the other. */
+function gap(pin: ThrowShown, { webs, journal_radius }: ShaftShown): [number, number] {
+  const touching = (a: number, b: number) => Math.abs(a - b) < 1e-6 * journal_radius
+  const inside = (end: number) => {
+    const web = webs.find(({ z_from, z_to }) => touching(z_from, end) || touching(z_to, end))
+    return web ? (web.z_from + web.z_to) / 2 : end
+  }
+  return [Math.min(inside(pin.pin_from), pin.pin_from), Math.max(inside(pin.pin_to), pin.pin_to)]
 }
 
 /** A gear wheel with holes where there is room for them, its first tooth up. */
