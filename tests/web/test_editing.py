@@ -369,6 +369,10 @@ def test_fitting_puts_weights_on_and_undo_takes_them_off(editing: Page) -> None:
     editing.get_by_role("button", name="Fit", exact=True).click()
     eventually(lambda: len(on_stage(editing)["file"].get("shaft", [{}])[0].get("weight", [])), 2)
     expect(field(editing, "edit:shaft[1].weight[1].unbalance")).to_be_attached()
+    note = editing.locator(".editor .note")
+    expect(note).to_contain_text("Fitted")
+    expect(note).to_be_in_viewport()
+    expect(note).to_be_focused()
     editing.get_by_role("button", name="Undo").click()
     eventually(lambda: "layout" in on_stage(editing)["file"], True)
 

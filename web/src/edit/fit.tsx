@@ -1,4 +1,4 @@
-import { useId, useState } from 'preact/hooks'
+import { useId, useRef, useState } from 'preact/hooks'
 import type { Fitting } from '../host/host'
 import { useSession } from './context'
 import { placed, told } from './session'
@@ -23,8 +23,10 @@ export function Fit() {
   const [weights, setWeights] = useState(ADVISED)
   const [shafts, setShafts] = useState(ADVISED)
   const [busy, setBusy] = useState(false)
+  const root = useRef<HTMLDivElement>(null)
 
   const fit = async () => {
+    const note = root.current?.closest('.editor')?.querySelector<HTMLElement>('.note')
     const at = WEIGHTS[weights]
     const which = SHAFTS[shafts]
     const options: Fitting = {
@@ -45,10 +47,11 @@ export function Fit() {
       session.note.value =
         'Fitted. The engine is in the explicit form now, weight by weight; undo takes them off again.'
     }
+    if (note) lookAt(note)
   }
 
   return (
-    <div class="fit">
+    <div class="fit" ref={root}>
       <p class="help">
         Weights and shafts that take away what they can. The engine is then in the explicit form, weight by weight.
       </p>
@@ -71,6 +74,13 @@ export function Fit() {
       </button>
     </div>
   )
+}
+
+/** What was done is told at the head of the form, far from the button, and the form is another one then: go there. */
+function lookAt(note: HTMLElement): void {
+  note.focus({ preventScroll: true })
+  // Once the new form stands: the browser holds on to the old place until then.
+  requestAnimationFrame(() => requestAnimationFrame(() => note.scrollIntoView({ block: 'center' })))
 }
 
 interface ChoiceProps {

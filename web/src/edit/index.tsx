@@ -42,7 +42,7 @@ export function Editor({ service, tree, shown }: Props) {
           <FileButtons />
           <SearchButton />
         </div>
-        <p class="note" role="status">
+        <p class="note" role="status" tabIndex={-1}>
           {session.note.value}
         </p>
         <Mistakes session={session} root={() => root.current} />
