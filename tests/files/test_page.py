@@ -41,7 +41,7 @@ def test_a_page_holds_the_engine_with_its_figures_and_the_fitted_one(run: Run, t
     shown = data["exhibition"]
     assert [engine["name"] for engine in shown["engines"]] == ["V8, cross-plane crank, 90 deg"]
     assert shown["sources"] == ["v8-cross-plane"]
-    assert shown["command"] == "crankstar page v8-cross-plane"
+    assert shown["command"] == "crankstar page v8-cross-plane -o v8-cross-plane.html"
     assert data["libraries"][0]["charts"]["crank-star"] == {"drawn": "crank-star"}
     assert data["libraries"][0]["derivations"]["force:1"] == "<p>force:1</p>"
     assert shown["fitted"][0]["remedies"]
@@ -60,7 +60,7 @@ def test_two_engines_and_changed_values(run: Run, tmp_path: Path) -> None:
     assert "balance_factor" not in other["file"]
     assert data["exhibition"]["fitted"][1] is None
     assert data["fitted"][1] is None
-    assert data["exhibition"]["command"] == "crankstar page i4 --beside i6 --set balance_factor=0.5 --set 'name=mine & yours'"
+    assert data["exhibition"]["command"] == "crankstar page i4 --beside i6 --set balance_factor=0.5 --set 'name=mine & yours' -o i4.html"
     assert "<title>mine &amp; yours and " in place.read_text(encoding="utf-8")
 
 

@@ -46,7 +46,7 @@ def page(
                 engines,
                 files_given=[tree for _, tree in given],
                 sources=names,
-                command=shlex.join(["crankstar", "page", names[0], *told]),
+                command=shlex.join(["crankstar", "page", names[0], *told, "-o", f"{PurePath(names[0]).stem}.html"]),
                 tell=tell,
             )
         content = pages.document(data)
