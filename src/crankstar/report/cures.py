@@ -20,6 +20,6 @@ def remedies(matter: Matter, gallery: Gallery) -> str:
         )
     card = balance_card(Job(matter.engine, found.after, found.factor, speed=matter.at))
     rest = Group(*card.renderables[1:]) if isinstance(card, Group) else card
-    after = found.after.model_copy(update={"name": "with " + " and ".join(found.done)})
+    after = found.after.model_copy(update={"name": "fitted"})  # the line above the figure says with what
     drawn = gallery.figure("spectrum", "The spectra before and after, on common axes.", "wide", beside=after, speed=matter.at)
     return section("Remedies", paragraph(found.told) + figures([drawn]) + of(rest), name="remedies")
