@@ -238,9 +238,24 @@ def test_names_are_text_everywhere(tmp_path: Path, page: Page) -> None:
     expect(page.get_by_role("heading", level=1)).to_have_text(HOSTILE)
 
 
-def test_a_file_without_its_data_says_what_to_do(tmp_path: Path, page: Page) -> None:
+@pytest.mark.parametrize(
+    ("found", "instead", "told"),
+    [
+        ("<data>", "", "holds no engine"),
+        ("<data>", "null", "is damaged"),
+        ("<data>", '{"exhibition": {"engines": []}, "libraries": [], "fitted": []}', "is damaged"),
+        (r'(?<="data": ").{900}', "", "is damaged"),
+        (r'(?<="data": ".{900}).{4}', "!!!!", "is damaged"),
+        (r'(?<="data": ".{900}).*?</script>', "</script>", "is damaged"),
+    ],
+)
+def test_a_file_without_its_data_says_what_to_do(found: str, instead: str, told: str, tmp_path: Path, page: Page) -> None:
     whole = document({"exhibition": exhibition([load(CROSS)]).model_dump(mode="json"), "libraries": [], "fitted": []})
     file = tmp_path / "cut.html"
-    file.write_text(re.sub(r'(id="crankstar-data">).*?(</script>)', r"\1\2", whole, flags=re.DOTALL), encoding="utf-8")
+    data = r'(?<=id="crankstar-data">).*?(?=</script>)'
+    cut, count = re.subn(found.replace("<data>", data), instead, whole, count=1, flags=re.DOTALL)
+    assert count
+    file.write_text(cut, encoding="utf-8")
     page.goto(file.as_uri())
+    expect(page.locator(".failed")).to_contain_text(told)
     expect(page.locator(".failed")).to_contain_text("crankstar page ENGINE -o FILE.html")

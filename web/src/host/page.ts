@@ -60,10 +60,20 @@ export function shelf(data: PageData): Pick<Host, 'chart' | 'derivation' | 'fitt
   }
 }
 
+const AGAIN = 'Write it again: crankstar page ENGINE -o FILE.html'
+
+function isPageData(value: unknown): value is PageData {
+  if (typeof value !== 'object' || value === null) return false
+  const { exhibition, libraries, fitted } = value as Partial<PageData>
+  return Array.isArray(libraries) && Array.isArray(fitted) && (exhibition?.engines?.length ?? 0) > 0
+}
+
 /** A file that was opened from disk or the web: everything is in it. */
 export async function pageHost(holder: Document): Promise<Host> {
   const text = holder.getElementById('crankstar-data')?.textContent
-  if (!text) throw new Error('This file holds no engine. Write it again: crankstar page ENGINE -o FILE.html')
-  const data = (await unpacked(text)) as PageData
+  if (!text) throw new Error(`This file holds no engine. ${AGAIN}`)
+  // What the browser says of data that are cut or changed helps nobody.
+  const data = await unpacked(text).catch(() => null)
+  if (!isPageData(data)) throw new Error(`This file is damaged: its engine cannot be read. ${AGAIN}`)
   return { kind: 'page', exhibition: data.exhibition, ...shelf(data), ...addressState() }
 }
