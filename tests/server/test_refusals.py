@@ -81,7 +81,7 @@ def test_a_question_that_cannot_be_read_is_told_of_in_words(body: bytes, message
         ("api/derivation", {"engine": "i4", "key": "force:1e9"}, "there is no such derivation"),
         ("api/derivation", {"engine": "i4", "key": "force:" + "9" * 19}, "key: "),
         ("api/fitted", {"engine": "i4", "factor": "a"}, 'factor: is "a"; a number is needed'),
-        ("api/fitted", {"engine": "i4", "factor": 9}, "factor: is 9; it must be at most 2"),
+        ("api/fitted", {"engine": "i4", "factor": 1.6}, "factor: is 1.6; it must be at most 1.5"),
         ("api/fitted", {"engine": "i4", "weights": "wings"}, 'weights: is "wings"; it can be "pins", "webs" or "ends"'),
         ("api/read", {"text": ""}, "is empty"),
         ("api/read", {"text": "\0"}, "is not TOML"),

@@ -8,6 +8,7 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, WithJsonSchem
 
 from crankstar.exhibit.records import Problem
 from crankstar.quantity import seen
+from crankstar.remedy.counterweights import GREATEST_FACTOR
 
 LONGEST_NAME = 100
 EXAMPLE = {
@@ -75,7 +76,9 @@ class DerivationQuestion(EngineQuestion):
 class FittedQuestion(EngineQuestion):
     """How an engine is to be fitted with weights and balance shafts; with nothing said, as its verdict advises."""
 
-    factor: Annotated[float, Field(ge=0, le=2)] | None = Field(default=None, description="balance factor of the counterweights")
+    factor: Annotated[float, Field(ge=0, le=GREATEST_FACTOR)] | None = Field(
+        default=None, description="balance factor of the counterweights"
+    )
     weights: Literal["pins", "webs", "ends"] | None = Field(default=None, description="where the counterweights go")
     shafts: Literal["none", "needed", "all"] | None = Field(default=None, description="which balance shafts")
 
