@@ -35,6 +35,13 @@ def written(folder: Path, *names: str, figures: bool) -> Path:
     return path
 
 
+def written_of(folder: Path, engine: Engine) -> Path:
+    """The page of an engine that is not of the catalog, without figures and derivations."""
+    path = folder / "engine.html"
+    path.write_text(document(_tree([engine], figures=False)), encoding="utf-8")
+    return path
+
+
 def _tree(engines: Sequence[Engine], *, figures: bool) -> dict[str, Any]:
     if figures:
         return held(engines)
