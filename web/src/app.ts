@@ -4,7 +4,8 @@ import { type Clock, createClock } from './clock'
 import type { Exhibit } from './exhibit'
 import type { Host, Tree } from './host/host'
 import { packedTree, unpackedTree } from './packing'
-import { restore, type Store, snapshot, stateOf, stateText, storeOf } from './state'
+import { type Quantity, restore, type Store, snapshot, stateOf, stateText, storeOf } from './state'
+import { telling } from './telling'
 
 /** What all parts of the page share. */
 export interface App {
@@ -17,6 +18,8 @@ export interface App {
   readonly cured: ReadonlySignal<readonly (Exhibit | null | undefined)[]>
   /** What is on the stage and in the panels: one of the two for each engine. */
   readonly shown: ReadonlySignal<readonly Exhibit[]>
+  /** The quantity that figures and derivations show: the chosen one, or what is greatest. */
+  readonly quantity: ReadonlySignal<Quantity>
   /** What went wrong last, as a sentence; empty if nothing. */
   readonly trouble: Signal<string>
   /** Whether the page is dark, whatever the reason. */
@@ -58,6 +61,7 @@ export function createApp(host: Host): App {
   const shown = computed(() =>
     engines.value.map((exhibit, index) => (store.fitted.value ? (cured.value[index] ?? exhibit) : exhibit)),
   )
+  const quantity = computed(() => store.quantity.value ?? telling(engines.value[0] ?? own.value))
   const dark = computed(() => (store.theme.value === 'auto' ? systemDark.value : store.theme.value === 'dark'))
   const clock = createClock(store.pace, (degrees) => {
     store.angle.value = degrees
@@ -168,6 +172,7 @@ export function createApp(host: Host): App {
     engines,
     cured,
     shown,
+    quantity,
     trouble,
     dark,
     calm,

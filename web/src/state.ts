@@ -34,7 +34,8 @@ export interface State {
   readonly cylinders: boolean
   /** Orders that are shown as arrows, as whirl and in figures; null for all. */
   readonly orders: readonly number[] | null
-  readonly quantity: Quantity
+  /** The quantity of figures and derivations; null for what is greatest in the engine. */
+  readonly quantity: Quantity | null
   /** Length of the arrows, 1 as the stage is designed. */
   readonly scale: number
   /** Magnification of the whirl, 0 for none. */
@@ -59,7 +60,7 @@ export const OPENING: State = {
   couple: true,
   cylinders: false,
   orders: null,
-  quantity: 'force',
+  quantity: null,
   scale: 1,
   whirl: 0,
   glass: true,
@@ -128,7 +129,7 @@ const FIELDS: { readonly [K in keyof State]: Field<State[K]> } = {
   couple: yesNo('couple'),
   cylinders: yesNo('each'),
   orders,
-  quantity: oneOf('of', QUANTITIES),
+  quantity: { ...oneOf('of', QUANTITIES), write: (value) => value ?? '' },
   scale: between('scale', 0.05, 20),
   whirl: between('whirl', 0, 1e6),
   glass: yesNo('glass'),

@@ -17,7 +17,8 @@ export function Header() {
     const address = `${location.href.split('#')[0]}#${text}`
     try {
       await navigator.clipboard.writeText(address)
-      said.value = 'Link copied.'
+      said.value =
+        location.protocol === 'file:' ? 'Link copied. It opens this file: send the file with it.' : 'Link copied.'
     } catch {
       host.writeState(text)
       said.value = 'Copy the link from the address bar.'

@@ -7,9 +7,9 @@ import { orderShown } from './Stars'
 
 /** How a textbook would derive the force or the couple of one order of this engine, with the formulas typeset. */
 export function Derivation() {
-  const { host, store } = useApp()
+  const { host, store, quantity: told } = useApp()
   const exhibit = useExhibit()
-  const quantity = store.quantity.value === 'couple' ? 'couple' : 'force'
+  const quantity = told.value === 'couple' ? 'couple' : 'force'
   const orders = exhibit.derivations.filter((one) => one.quantity === quantity).map((one) => one.order)
   const order = orderShown(exhibit, orders, store.orders.value, quantity)
   const found = exhibit.derivations.find((one) => one.quantity === quantity && one.order === order)

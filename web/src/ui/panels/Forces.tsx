@@ -6,9 +6,9 @@ import { orderText } from '../OrderChoice'
 
 /** A quantity over the crank angle, and the path that its vector runs through. */
 export function Forces() {
-  const { store } = useApp()
+  const { store, quantity: told } = useApp()
   const exhibit = useExhibit()
-  const quantity = store.quantity.value
+  const quantity = told.value
   const single = store.orders.value?.length === 1 ? store.orders.value[0] : undefined
   const paths = exhibit.charts.filter((chart) => chart.figure === 'hodograph' && chart.quantity === quantity)
   const path = paths.find((chart) => chart.order === single) ?? paths.find((chart) => chart.order == null)

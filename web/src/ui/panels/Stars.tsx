@@ -21,9 +21,9 @@ export function orderShown(exhibit: Exhibit, orders: readonly number[], chosen: 
 
 /** The crank star, and the vectors of one order as star and as polygon. */
 export function Stars() {
-  const { store } = useApp()
+  const { store, quantity: told } = useApp()
   const exhibit = useExhibit()
-  const quantity = store.quantity.value === 'couple' ? 'couple' : 'force'
+  const quantity = told.value === 'couple' ? 'couple' : 'force'
   const orders = ordersWith(exhibit, 'vector-star', quantity)
   const order = orderShown(exhibit, orders, store.orders.value, quantity)
   const charts = exhibit.charts.filter(
