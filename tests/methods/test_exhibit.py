@@ -26,6 +26,7 @@ from crankstar.derive import DerivationError
 from crankstar.engine import Engine
 from crankstar.exhibit import exhibit, exhibition, fitted
 from crankstar.exhibit.figures import NoSuchKeyError, chart, derivation
+from crankstar.exhibit.keys import BEFORE_AND_AFTER
 from crankstar.exhibit.library import held, packed
 from crankstar.exhibit.records import Exhibit, Exhibition, Vectors
 from crankstar.firing import unfit
@@ -231,6 +232,34 @@ def test_a_figure_that_is_not_there_is_refused_in_a_sentence(key: str) -> None:
     assert len(str(refused.value)) > 20
 
 
+def test_before_and_after_stand_on_common_axes() -> None:
+    engine = load("v8-cross-plane")
+    made = chart(engine, BEFORE_AND_AFTER)
+    axes = {scale["name"]: scale["domain"] for scale in made["scales"] if scale["name"] != "color"}
+    assert len(axes) == 12  # two of each panel, three panels of each engine
+    for name, domain in axes.items():
+        assert domain == axes[name.replace("concat_1_concat", "concat_0_concat", 1)]
+    heights: list[dict[str, float]] = []
+    for values in (data.get("values", ()) for data in made["data"]):
+        if values and "what" in values[0]:
+            heights.append({})
+            for row in values:
+                heights[-1][row["order"]] = max(row["to"], heights[-1].get(row["order"], 0.0))
+    # sqrt(10) turns with the crank and half of the reciprocating mass takes it away; the fourth order stays what it was
+    before = next(one for one in heights if one.get("1", 0.0) > 1)
+    assert before["1"] == pytest.approx(10**0.5)
+    assert any("1" not in one and one["4"] == pytest.approx(before["4"]) for one in heights)
+    said = json.dumps(made)
+    assert "as it is" in said
+    assert "with weights and shafts" in said
+
+
+def test_where_nothing_is_fitted_there_is_no_before_and_after() -> None:
+    with pytest.raises(NoSuchKeyError, match="would take nothing"):
+        chart(load("i6"), BEFORE_AND_AFTER)
+    assert BEFORE_AND_AFTER not in held([load("i6")])["libraries"][0]["charts"]
+
+
 @pytest.mark.parametrize(
     "key", ["", "force", "force:", "force:x", "force:0", "force:-1", "force:1e9", "force:1/0", "roll:1", "force:٢x"]
 )
@@ -346,7 +375,8 @@ def test_a_file_has_every_figure_and_derivation_of_its_engines_with_it() -> None
     shown = Exhibition.model_validate(made["exhibition"])
     for library, one in ((made["libraries"][0], shown.engines[0]), (made["fitted"][0], shown.fitted[0])):
         assert one is not None
-        assert set(library["charts"]) == {key.key for key in one.charts}
+        both = {BEFORE_AND_AFTER} if library is made["libraries"][0] else set()
+        assert set(library["charts"]) == {key.key for key in one.charts} | both
         assert set(library["derivations"]) == {key.key for key in one.derivations}
     assert [done for done, _, _ in steps] == list(range(steps[0][1]))
     assert len(packed(made)) < 500_000

@@ -58,7 +58,7 @@ def test_an_edit_changes_the_exhibit_and_asking_again_gives_the_same(server: Ser
 def test_figures_and_derivations_are_asked_for_by_the_keys_of_the_exhibit(server: Server) -> None:
     engine = crankstar.load("v8-cross-plane")
     exhibit = server.ask("api/exhibit", {"engine": V8}).json
-    for figure in {chart["figure"]: chart["key"] for chart in exhibit["charts"]}.values():
+    for figure in (*{chart["figure"]: chart["key"] for chart in exhibit["charts"]}.values(), "spectrum:fitted"):
         answer = server.ask("api/chart", {"engine": V8, "key": figure})
         assert answer.status == 200, answer.body
         assert answer.json == json.loads(json.dumps(figures.chart(engine, figure)))

@@ -172,7 +172,10 @@ def test_weights_take_the_couple_from_a_cross_plane_crank_in_all_parts(built_pag
     after = numbers(page)
     assert math.hypot(after["Couple up"], after["Couple right"]) < 1e-3
     expect(panel.get_by_role("heading", name="Bobweights")).to_be_visible()
-    expect(panel.locator("[data-chart=spectrum]")).to_have_count(2)
+    both = panel.locator("figure[data-chart='spectrum:fitted']")
+    expect(both).to_have_count(1)
+    expect(both.locator("svg")).to_be_visible()
+    expect(panel.locator("[data-chart=spectrum]")).to_have_count(0)
 
 
 def test_two_engines_stand_side_by_side(built_page: Build, page: Page) -> None:

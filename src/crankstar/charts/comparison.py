@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from crankstar.charts.drawing import HALF, ChartError, Panel, checked_angle, figure, folded, named, stacked
 from crankstar.charts.hodographs import MOST_TURNS, course, course_panel, course_title
 from crankstar.charts.polygons import polygon_panels, polygon_reach
-from crankstar.charts.spectra import bar_panels, bars
+from crankstar.charts.spectra import bar_panels, side_bars
 from crankstar.charts.stars import star_margin, star_panels, turns_of
 from crankstar.charts.turns import MOST_ORDERS, curve_panels, curves
 from crankstar.charts.vectors import Stars, heading, stars
@@ -81,7 +81,7 @@ def _curves(engines: Sequence[Engine], _theta: float, options: dict[str, Any]) -
 
 
 def _spectra(engines: Sequence[Engine], _theta: float, options: dict[str, Any]) -> Compared:
-    found = [bars(engine, **options) for engine in engines]
+    found = side_bars(engines, **options)
     for column in zip(*found, strict=True):
         _same_unit([one.unit for one in column])
     orders = sorted({order for engine in found for one in engine for order in one.orders})

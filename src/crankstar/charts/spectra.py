@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -38,9 +38,32 @@ class Bars(NamedTuple):
         """The greatest of all orders."""
         return max((a + b for a, b in zip(self.ahead, self.against, strict=True)), default=0.0)
 
+    def visible(self) -> tuple[float, ...]:
+        """The orders that can be seen beside the greatest, no more than can be drawn."""
+        sizes = zip(self.orders, self.ahead, self.against, strict=True)
+        return tuple(order for order, a, b in sizes if a + b > VISIBLE * self.reach)[:MOST_ORDERS]
+
+    def of(self, orders: Collection[float]) -> Bars:
+        """The bars of these orders alone, as far as they are there."""
+        kept = [row for row in zip(self.orders, self.ahead, self.against, strict=True) if row[0] in orders]
+        return self._replace(**{name: tuple(row[i] for row in kept) for i, name in enumerate(("orders", "ahead", "against"))})
+
 
 def bars(engine: Engine, *, speed: float | None = None, reference: Reference | None = None) -> tuple[Bars, ...]:
     """Force, couple and roll of the block (a flywheel takes the torque) by order; what is rounding beside its parts is left out."""
+    return side_bars([engine], speed=speed, reference=reference)[0]
+
+
+def side_bars(
+    engines: Sequence[Engine], *, speed: float | None = None, reference: Reference | None = None
+) -> list[tuple[Bars, ...]]:
+    """The bars of several engines: an order that can be seen of a quantity in one of them is there in all that have it."""
+    found = [_all_bars(engine, speed=speed, reference=reference) for engine in engines]
+    shown = [{order for one in column for order in one.visible()} for column in zip(*found, strict=True)]
+    return [tuple(one.of(orders) for one, orders in zip(row, shown, strict=True)) for row in found]
+
+
+def _all_bars(engine: Engine, *, speed: float | None, reference: Reference | None) -> tuple[Bars, ...]:
     result = balance(engine, speed=speed, reference=reference)
     sums = total(result)
     return tuple(
@@ -59,7 +82,7 @@ def _bars(quantity: str, spectrum: Spectrum, shares: Spectrum, unit: str) -> Bar
         ahead, against = np.abs(phasor.amplitude(spectrum)), 0 * against
     scale = float((np.abs(shares.forward) + np.abs(shares.backward)).sum(axis=-2).max(initial=0.0))
     sizes = ahead + against
-    kept = np.flatnonzero((sizes > VISIBLE * sizes.max(initial=0.0)) & (sizes > 1e-9 * scale))[:MOST_ORDERS]
+    kept = np.flatnonzero(sizes > 1e-9 * scale)
     return Bars(quantity, unit_text(unit), *(tuple(values[kept].tolist()) for values in (spectrum.orders, ahead, against)))
 
 

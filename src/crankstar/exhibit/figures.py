@@ -5,8 +5,9 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
+from crankstar import fitting
 from crankstar.engine import Engine
-from crankstar.exhibit.keys import chart_keys, derivation_keys
+from crankstar.exhibit.keys import BEFORE_AND_AFTER, chart_keys, derivation_keys
 from crankstar.quantity import one_line
 
 
@@ -25,7 +26,29 @@ def chart(engine: Engine, key: str) -> dict[str, Any]:
     """
     import vl_convert
 
-    from crankstar.charts import CHARTS, swiftly
+    from crankstar.charts import swiftly
+
+    with swiftly():
+        made = _before_and_after(engine) if key == BEFORE_AND_AFTER else _single(engine, key)
+        drawn = made.to_dict(validate=False)
+    for parameter in drawn.get("params", ()):
+        parameter.pop("bind", None)
+    return vl_convert.vegalite_to_vega(drawn)
+
+
+def _before_and_after(engine: Engine) -> Any:
+    from crankstar.charts import side_by_side
+
+    found = fitting.recommended(engine)
+    if found is None:
+        raise NoSuchKeyError(f"{BEFORE_AND_AFTER}: weights and shafts would take nothing of the first two orders from this engine")
+    named = ((engine, "as it is"), (found.after, "with weights and shafts"))
+    pair = [one.model_copy(update={"name": name}) for one, name in named]
+    return side_by_side(pair, "spectrum", speed=engine.speed)
+
+
+def _single(engine: Engine, key: str) -> Any:
+    from crankstar.charts import CHARTS
 
     figure, *options = key.split(":")
     asked: dict[str, Any] = {name: value for name, _, value in (part.partition("=") for part in options)}
@@ -40,11 +63,7 @@ def chart(engine: Engine, key: str) -> dict[str, Any]:
         asked["order"] = _order(key, asked["order"])
     if "speed" in known.options:
         asked["speed"] = engine.speed
-    with swiftly():
-        drawn = known.draw(engine, **asked).to_dict(validate=False)
-    for parameter in drawn.get("params", ()):
-        parameter.pop("bind", None)
-    return vl_convert.vegalite_to_vega(drawn)
+    return known.draw(engine, **asked)
 
 
 def _order(key: str, text: str) -> float:

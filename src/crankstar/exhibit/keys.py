@@ -26,6 +26,11 @@ WITHOUT_ANGLE = ("spectrum",)
 QUANTITIES = {"vector-star": ("force", "couple"), "polygon": ("force", "couple"), "hodograph": ("force", "couple")}
 OVER_TURN = ("force", "couple", "roll", "torque")
 NEED_FIRING = ("stroke-chart", "firing-ring")
+BEFORE_AND_AFTER = "spectrum:fitted"
+"""The spectra of an engine as it is and with what `fitting.recommended` gives it, on common axes; for engines that it helps.
+
+It is not among `chart_keys`, because whether it helps is worked out only when that is asked.
+"""
 HIGHEST = 4.0
 MOST_ORDERS = 4
 

@@ -13,6 +13,7 @@ from crankstar.derive import DerivationError
 from crankstar.engine import Engine
 from crankstar.exhibit.exhibits import exhibition, remedied
 from crankstar.exhibit.figures import chart, derivation
+from crankstar.exhibit.keys import BEFORE_AND_AFTER
 from crankstar.exhibit.records import Exhibit
 
 Tree = dict[str, Any]
@@ -30,14 +31,16 @@ def held(
 ) -> Tree:
     """One engine, or two side by side, with all that belongs to them: `exhibition`, `libraries`, `fitted` (its libraries).
 
-    A library has `charts` and `derivations` by key; what cannot be drawn or derived is missing from it.
+    A library has `charts` and `derivations` by key; what cannot be drawn or derived is missing from it. That of an engine with
+    something to fit has the comparison of both too (`keys.BEFORE_AND_AFTER`).
     """
     shown = exhibition(engines, files_given=files_given, sources=sources, command=command)
     pairs: list[tuple[Engine, Exhibit] | None] = list(zip(engines, shown.engines, strict=True))
     for engine, after in zip(engines, shown.fitted, strict=True):
         found = None if after is None else remedied(engine)
         pairs.append(None if found is None or after is None else (found[0], after))
-    steps = sum(len(pair[1].charts) + len(pair[1].derivations) for pair in pairs if pair)
+    compared = [after is not None for after in shown.fitted]
+    steps = sum(len(pair[1].charts) + len(pair[1].derivations) for pair in pairs if pair) + sum(compared)
     done = 0
 
     def one_more(note: str) -> None:
@@ -46,6 +49,10 @@ def held(
         done += 1
 
     libraries = [pair and _library(*pair, one_more) for pair in pairs]
+    for engine, library, both in zip(engines, libraries, compared, strict=False):  # those of the fitted engines come after
+        if both and library:
+            one_more("Spectrum, before and after")
+            library["charts"][BEFORE_AND_AFTER] = chart(engine, BEFORE_AND_AFTER)
     return {
         "exhibition": shown.model_dump(mode="json"),
         "libraries": libraries[: len(engines)],

@@ -5,7 +5,8 @@ import { useApp } from '../context'
 import { DataTable } from '../DataTable'
 import { Figure } from '../Figure'
 
-const DRAWN = ['spectrum', 'shaft']
+/** The spectra of both on common axes: the key BEFORE_AND_AFTER of Python. */
+const COMPARED = 'spectrum:fitted'
 
 /** The engine as it is, and with counterweights and balance shafts. */
 export function Remedies() {
@@ -30,9 +31,14 @@ export function Remedies() {
           store.fitted.value = value === 'after'
         }}
       />
+      <Figure
+        exhibit={before}
+        chart={COMPARED}
+        label="Spectrum, as it is and with weights and shafts, on common axes"
+      />
       <div class="figures pair">
-        <Side title="As it is" exhibit={before} figures={['spectrum']} />
-        <Side title="With weights and shafts" exhibit={after} figures={DRAWN} />
+        <Side title="As it is" exhibit={before} />
+        <Side title="With weights and shafts" exhibit={after} />
       </div>
       {after.remedies
         .filter((table) => table.rows.length > 0)
@@ -43,12 +49,13 @@ export function Remedies() {
   )
 }
 
-function Side({ title, exhibit, figures }: { title: string; exhibit: Exhibit; figures: readonly string[] }) {
+/** The shafts of one of the two, from the side. */
+function Side({ title, exhibit }: { title: string; exhibit: Exhibit }) {
   return (
     <div>
       <h3>{title}</h3>
       {exhibit.charts
-        .filter((chart) => figures.includes(chart.figure))
+        .filter((chart) => chart.figure === 'shaft')
         .map((chart) => (
           <Figure key={chart.key} exhibit={exhibit} chart={chart.key} label={chart.label} />
         ))}
