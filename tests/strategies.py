@@ -20,7 +20,7 @@ from crankstar import firing
 from crankstar.arrangement import ASSUMED_ROD_RATIO, Basis, Override, Sizes
 from crankstar.engine import Engine
 from crankstar.layouts import LAYOUTS, Bank, Crank, Row
-from crankstar.records import Articulation, Cylinder, Provenance, Rod, Shaft, Throw, Valves, Weight
+from crankstar.records import Articulation, Block, Cylinder, Provenance, Rod, Shaft, Throw, Valves, Weight
 
 Draw = Callable[[st.SearchStrategy[Any]], Any]
 
@@ -180,12 +180,22 @@ def engines(draw: Draw, *, known: bool = False, max_shafts: int = 4, tight: bool
             "provenance": draw(st.dictionaries(st.sampled_from(["speed", "shaft[1].throw[1].radius"]), provenance, max_size=2)),
             "relative": () if known else draw(st.lists(st.sampled_from(["mass", "radius", "pitch"]), unique=True, max_size=3)),
             "bore_pitch": draw(maybe(number(0.02, 0.5))),
+            "block": draw(maybe(blocks())),
             "shafts": turning,
             "cylinders": draw(st.permutations(cylinders)),
         }
     )
     engine = fired(engine, with_angles=draw(st.booleans())) if draw(st.booleans()) else engine
     return engine.model_copy(update={"valves": draw(maybe(timed_valves(engine)))})
+
+
+@st.composite
+def blocks(draw: Draw) -> Block:
+    """Whole engines as rigid bodies, some of it left to be estimated; moments of inertia as masses spread along the three axes."""
+    high, broad, long = (draw(number(0.1, 50.0)) for _ in range(3))
+    inertia = {"inertia_up": broad + long, "inertia_right": high + long, "inertia_z": high + broad}
+    place = {"up": draw(maybe(PLACES, 0.0)), "right": draw(maybe(PLACES, 0.0)), "z": draw(maybe(PLACES))}
+    return Block(mass=draw(number(1.0, 5000.0)), **place, **(inertia if draw(st.booleans()) else {}))
 
 
 @st.composite

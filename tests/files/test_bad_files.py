@@ -97,7 +97,9 @@ def test_tables_of_a_list_are_called_by_one_name_only() -> None:
 
 def test_a_key_like_no_other_is_told_with_all_that_there_are() -> None:
     message = told("xyzzy = 1\n" + SHORT)["xyzzy"]
-    assert message.startswith("unknown key; there are: balance_factor, cycle, cylinder, cylinders, firing_angles, firing_order")
+    assert message.startswith(
+        "unknown key; there are: balance_factor, block, cycle, cylinder, cylinders, firing_angles, firing_order"
+    )
 
 
 @pytest.mark.parametrize("value", [82.5, "82.5", 146, "146"])

@@ -205,15 +205,14 @@ def _front_panel(
     x, y = _channel(alt.X, "x", across, heads[0].title), _channel(alt.Y, "y", upward, heads[1].title)
     layers: list[Any] = []
     if pale:
-        spots = [pale[index] for index in _seen(pale, across, upward)]
+        spots = (pale[index] for index in _seen(pale, across, upward))
         dots = of_rows([{"x": across.drawn(one[0]), "y": upward.drawn(one[1])} for one in spots])
         layers.append(dots.mark_point(filled=True, shape="circle", size=16, opacity=0.4, color=GREY).encode(x=x, y=y))
     points = [row.values for row in found.rows]
     steps = _steps(points, across, upward) if len(heads) == 2 else []
     if steps:
-        layers.append(
-            of_rows(steps).mark_line(color=GREY, strokeWidth=1.3, strokeDash=[5, 3]).encode(x=x, y=y, order=alt.Order("at:Q"))
-        )
+        line = of_rows(steps).mark_line(color=GREY, strokeWidth=1.3, strokeDash=[5, 3])
+        layers.append(line.encode(x=x, y=y, order=alt.Order("at:Q")))
     shown = range(len(points)) if len(points) <= MOST_DRAWN else _seen(points, across, upward)
     rows = [_row(found, heads, place, across, upward) for place in shown]
     hints = [alt.Tooltip("row:N", title="row"), alt.Tooltip("order:N", title="fires")]
@@ -224,9 +223,8 @@ def _front_panel(
     if leaders:
         lines = of_rows(leaders).mark_rule(color=GREY, strokeWidth=0.8)
         layers.append(lines.encode(x=x, y=y, x2=alt.X2("x2:Q"), y2=alt.Y2("y2:Q")))
-    said = of_rows(numbers).mark_text(fontSize=SMALL, color=GREY, baseline="middle")
-    layers.append(said.encode(x=x, y=y, text=alt.Text("text:N")))
-    return layered(layers, width=WIDTH, height=HEIGHT), len(numbers) == len(found.rows)
+    said = of_rows(numbers).mark_text(fontSize=SMALL, color=GREY, baseline="middle").encode(x=x, y=y, text=alt.Text("text:N"))
+    return layered([*layers, said], width=WIDTH, height=HEIGHT), len(numbers) == len(found.rows)
 
 
 def _channel(kind: Any, field: str, axis: Axis, title: str) -> Any:
@@ -388,8 +386,8 @@ def key(found: Findings) -> Panel:
     y = alt.Y("y:Q", scale=alt.Scale(domain=[line, 0], nice=False), axis=None)
     layers = []
     for side in ("left", "right"):
-        mark = of_rows([text for text in texts if text["side"] == side]).mark_text(fontSize=SMALL, color=GREY, align=side)
-        layers.append(mark.encode(x=x, y=y, text=alt.Text("text:N")))
+        own = [text for text in texts if text["side"] == side]
+        layers.append(of_rows(own).mark_text(fontSize=SMALL, color=GREY, align=side).encode(x=x, y=y, text=alt.Text("text:N")))
     return layered(layers, width=ends[-1] - LEFT, height=line * LINE)
 
 
