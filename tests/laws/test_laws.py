@@ -415,7 +415,7 @@ def test_an_engine_written_to_a_file_and_read_again_shakes_as_before(engine: Eng
     again = engine_of(tree_of(toml(engine)))
     for name in Engine.model_fields.keys() - {"speed", "firing_angles", "valves", "shafts", "cylinders", "bore_pitch", "block"}:
         assert getattr(again, name) == getattr(engine, name), name
-    blocks = [one.block.model_dump() if one.block else None for one in (again, engine)]
+    blocks = [one.block.model_dump(exclude_none=True) if one.block else {} for one in (again, engine)]
     assert blocks[0] == pytest.approx(blocks[1], rel=1e-12)
     reference = Reference(0.1)
     before, after = (balance(e, speed=100.0, reference=reference) for e in (engine, again))
