@@ -7,7 +7,7 @@ import { Loads } from './load'
 import { listened, wentHome } from './orbit'
 import { DARK, LIGHT } from './palette'
 import type { Instant, Picture } from './picture'
-import { write } from './sheet'
+import { NARROW, write } from './sheet'
 import type { CreateStage, Reading, Stage, View } from './stage'
 import { Viewpoint } from './viewpoint'
 import { webglPicture } from './webgl'
@@ -125,7 +125,7 @@ class EngineStage implements Stage {
     const palette = view.dark ? DARK : LIGHT
     const screen = {
       aspect: width / height,
-      foot: Math.min(0.25, FOOT / height),
+      foot: width < NARROW ? Math.min(0.4, (FOOT + 26) / height) : Math.min(0.25, FOOT / height),
       margin: MARGIN,
     }
     const instant = this.#now(view)

@@ -10,8 +10,8 @@ const FONT = 'system-ui, sans-serif'
 const AXIS = 30
 /** Labels nearer to each other than this are written as one, pixels. */
 const CLOSE = 15
-/** Below this there is no room for the scales of arrows beside the axes, pixels. */
-const NARROW = 300
+/** Below this there is no room for the scales of arrows beside the axes, pixels: they go beneath them. */
+export const NARROW = 300
 const AXES: readonly { along: Vector; name: string }[] = [
   { along: [1, 0, 0], name: 'x right' },
   { along: [0, 1, 0], name: 'y up' },
@@ -51,9 +51,8 @@ export function write(to: CanvasRenderingContext2D, exhibit: Exhibit, writing: W
     { value: writing.load.couple, unit: exhibit.units.couple, colour: palette.couple, name: 'couple' },
   ].filter((line) => line.value > 0)
   lines.forEach((line, index) => {
-    // on a narrow stage there is no room beside the axes: the scales go under the name of the engine
-    const y = width < NARROW ? 36 + 20 * index : height - 20 - 22 * (lines.length - 1 - index)
-    scale(to, writing, line, y)
+    const step = width < NARROW ? 18 : 22
+    scale(to, writing, line, height - (width < NARROW ? 12 : 20) - step * (lines.length - 1 - index))
   })
 }
 
@@ -89,8 +88,8 @@ function numbers(to: CanvasRenderingContext2D, { scene, whirl }: Exhibit, writin
 }
 
 /** The frame's axes in the lower left corner; one that points at the eye is a dot, one that points away a cross. */
-function axes(to: CanvasRenderingContext2D, { frame, height, palette }: Writing): void {
-  const [x, y] = [78, height - 50]
+function axes(to: CanvasRenderingContext2D, { frame, height, width, palette }: Writing): void {
+  const [x, y] = width < NARROW ? [66, height - 66] : [78, height - 50]
   to.strokeStyle = palette.quiet
   to.fillStyle = palette.quiet
   to.font = `11px ${FONT}`
