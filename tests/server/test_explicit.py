@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import tomllib
 from typing import Any
 
+import pytest
 from tests.web.serving import Server
+
+from crankstar import catalog
 
 
 def printed(exhibit: dict[str, Any]) -> list[tuple[str, ...]]:
@@ -19,6 +23,41 @@ def test_the_explicit_form_of_an_engine_is_the_same_engine(server: Server) -> No
         one, other = (server.ask("api/exhibit", {"engine": engine}).json for engine in (name, tree))
         assert printed(one) == printed(other)
         assert one["strokes"] == other["strokes"]
+
+
+@pytest.mark.parametrize(
+    ("path", "more"),
+    [("api/explicit", {}), ("api/fitted", {}), ("api/fitted", {"factor": 0.5, "weights": "webs", "shafts": "needed"})],
+)
+def test_no_source_stays_of_a_key_that_is_gone(server: Server, path: str, more: dict[str, Any]) -> None:
+    short = catalog.tree_of("audi-25-tfsi")[1]
+    sources = short["provenance"] | {"cycle": {"status": "published", "source": "a default that is not written"}}
+    assert {"layout.bore_pitch", "cylinder.stroke", "firing_order", "speed"} <= set(sources)
+    answer = server.ask(path, {"engine": short | {"provenance": sources}, **more}).json
+    tree = answer["tree"] if path == "api/explicit" else answer["exhibit"]["file"]
+    assert set(tree["provenance"]) == {"firing_order", "speed", "cycle"}
+    saved = tomllib.loads(server.ask("api/toml", {"engine": tree}).json["toml"])
+    assert set(saved["provenance"]) == {"firing_order", "speed", "cycle"}
+
+
+def test_sources_of_the_explicit_form_stay_with_its_parts(server: Server) -> None:
+    tree = server.ask("api/explicit", {"engine": "i4"}).json["tree"]
+    told = {"status": "computed", "source": "here"}
+    kept = ["shaft[1].throw[2].angle", "cylinders[4].z", "shaft[1].speed_ratio", "shaft", "shaft.throw.radius", "cylinders.z"]
+    gone = [
+        "shaft[1].throw[9].angle",
+        "shaft[2].name",
+        "cylinder.bore",
+        "shaft.rod_ratio",
+        "shaft.weight.angle",
+        "a b",
+        "shaft[0]",
+        "name.x",
+        "layout",
+    ]
+    tree["provenance"] = dict.fromkeys([*kept, *gone], told)
+    again = server.ask("api/explicit", {"engine": tree}).json["tree"]
+    assert set(again["provenance"]) == set(kept)
 
 
 def test_what_is_no_engine_has_no_explicit_form(server: Server) -> None:

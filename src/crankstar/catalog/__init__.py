@@ -13,6 +13,8 @@ from crankstar.files import EngineFileError, Problem, engine_of, read_tree
 from crankstar.quantity import one_line, seen
 
 _FOLDER = Path(__file__).parent
+MOST_NAMED = 5
+"""Names that are proposed in place of a part of one."""
 
 
 def names() -> tuple[str, ...]:
@@ -39,11 +41,21 @@ def tree_of(name: str | Path) -> tuple[str, dict[str, Any]]:
     """The name by which messages call an engine, and the tree of keys of its file, not checked. Raises EngineFileError."""
     found = path_of(str(name))
     if found is None and not _looks_like_a_file(name):
-        near = get_close_matches(str(name), names(), 3)
+        near = _near(str(name))
         told = f"did you mean {' or '.join(near)}?" if near else "`crankstar list` names the engines of the catalog"
         shown = one_line(str(name), longest=100) if str(name).strip() else seen(str(name))
         raise EngineFileError(shown, [Problem("", f"there is no such engine in the catalog, and no such file; {told}")])
     return read_tree(found or name, name=str(name) if found else None)
+
+
+def _near(typed: str) -> list[str]:
+    """The names that begin with what was typed, then those that contain it; where there are none, those that look like it."""
+    part = typed.strip().lower()
+    if part:
+        found = sorted((name for name in names() if part in name), key=lambda name: not name.startswith(part))
+        if found:
+            return found[:MOST_NAMED]
+    return get_close_matches(typed, names(), 3)
 
 
 def _looks_like_a_file(name: str | Path) -> bool:

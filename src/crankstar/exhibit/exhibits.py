@@ -104,7 +104,7 @@ def fitted(engine: Engine) -> Exhibit | None:
     if found is None:
         return None
     after, told = found
-    return exhibit(after, neighbours=False, remedies=told)
+    return exhibit(after, file=files.part_by_part(after), neighbours=False, remedies=told)
 
 
 def _turns(engine: Engine) -> int:

@@ -10,7 +10,7 @@
 """
 
 from crankstar.files.read import STANDARD_INPUT, EngineFileError, Problem, changed, engine_of, keys_of, read, read_tree, tree_of
-from crankstar.files.write import explicit, schema, toml, tree_text
+from crankstar.files.write import explicit, part_by_part, schema, toml, tree_text
 
 __all__ = [
     "STANDARD_INPUT",
@@ -20,6 +20,7 @@ __all__ = [
     "engine_of",
     "explicit",
     "keys_of",
+    "part_by_part",
     "read",
     "read_tree",
     "schema",

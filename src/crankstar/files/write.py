@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from typing import Any
 
 import tomli_w
@@ -10,7 +11,8 @@ from pydantic import TypeAdapter
 
 from crankstar import units
 from crankstar.engine import Engine
-from crankstar.files.forms import quantity_of, short_form
+from crankstar.files.forms import field_at, quantity_of, short_form
+from crankstar.files.read import keys_of
 from crankstar.layouts import LAYOUTS
 from crankstar.records import Record
 
@@ -21,6 +23,36 @@ SCHEMA_DIALECT = "https://json-schema.org/draft/2020-12/schema"
 def explicit(engine: Engine) -> dict[str, Any]:
     """The tree of an engine in the explicit form, quantities as text with units; what is not set is left out."""
     return _tree(engine, relative=frozenset(engine.relative))
+
+
+def part_by_part(engine: Engine) -> dict[str, Any]:
+    """The explicit form without the sources of keys that it does not have, such as those of the layout it was made from.
+
+    Unlike `explicit` and `toml`, which give back the same engine with every source, this is a tree to go on working with.
+    """
+    tree = explicit(engine)
+    sources = tree.pop("provenance", {})
+    kept = {path: told for path, told in sources.items() if _is_there(tree, keys_of(path))}
+    return {**tree, "provenance": kept} if kept else tree
+
+
+def _is_there(tree: Any, path: Sequence[str | int]) -> bool:
+    """Whether the tree has that key; one that is left out because it has the default value counts as there.
+
+    A list whose place is not given, as in `shaft.throw.radius`, stands for all that is in it.
+    """
+    return field_at(Engine, path) is not None and _leads_on(tree, path)
+
+
+def _leads_on(tree: Any, path: Sequence[str | int]) -> bool:
+    if not path:
+        return True
+    key, *rest = path
+    if isinstance(key, int):
+        return isinstance(tree, list) and 0 <= key < len(tree) and _leads_on(tree[key], rest)
+    if isinstance(tree, list):
+        return any(_leads_on(item, path) for item in tree)
+    return isinstance(tree, dict) and (_leads_on(tree[key], rest) if key in tree else not rest)
 
 
 def toml(engine: Engine) -> str:

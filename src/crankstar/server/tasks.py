@@ -146,7 +146,8 @@ def _fitted(engine: Engine, *, factor: float | None = None, weights: Any = None,
     if after is engine:
         return None
     job = workshop.Job(before=engine, after=after, factor=factor, speed=engine.speed)
-    return exhibits.exhibit(after, neighbours=False, remedies=tellings.tables(workshop.balance_card(job)))
+    told = tellings.tables(workshop.balance_card(job))
+    return exhibits.exhibit(after, file=files.part_by_part(after), neighbours=False, remedies=told)
 
 
 def toml(engine: str | Tree) -> bytes:
@@ -183,7 +184,7 @@ def explicit(engine: str | Tree) -> bytes:
     """The tree of an engine in the explicit form, every shaft, throw, weight and cylinder by itself. Raises Refused."""
     with mistakes_told():
         made, _ = engine_of(engine)
-        return answered({"tree": files.explicit(made)})
+        return answered({"tree": files.part_by_part(made)})
 
 
 def schema() -> bytes:
