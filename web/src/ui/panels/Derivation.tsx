@@ -1,5 +1,5 @@
 import { useSignal } from '@preact/signals'
-import { useEffect } from 'preact/hooks'
+import { useEffect, useRef } from 'preact/hooks'
 import { Choice } from '../Choice'
 import { useApp, useExhibit } from '../context'
 import { orderText } from '../OrderChoice'
@@ -16,6 +16,22 @@ export function Derivation() {
   const html = useSignal('')
   const trouble = useSignal('')
   const key = found?.key
+  const typeset = useRef<HTMLDivElement>(null)
+  const text = html.value
+
+  // a formula that is longer than the panel is wide is scrolled with the arrow keys
+  useEffect(() => {
+    const lines = text ? (typeset.current?.querySelectorAll<HTMLElement>('.line') ?? []) : []
+    const reached = (): void => {
+      for (const line of lines) {
+        if (line.scrollWidth > line.clientWidth) line.tabIndex = 0
+        else line.removeAttribute('tabindex')
+      }
+    }
+    const sized = new ResizeObserver(reached)
+    if (typeset.current) sized.observe(typeset.current)
+    return () => sized.disconnect()
+  }, [text])
 
   useEffect(() => {
     let ended = false
@@ -23,8 +39,8 @@ export function Derivation() {
     trouble.value = ''
     if (key === undefined) return undefined
     host.derivation(exhibit, key).then(
-      (text) => {
-        if (!ended) html.value = text
+      (made) => {
+        if (!ended) html.value = made
       },
       (error: unknown) => {
         if (!ended) trouble.value = error instanceof Error ? error.message : String(error)
@@ -59,8 +75,8 @@ export function Derivation() {
         />
       </div>
       {trouble.value && <p role="alert">{trouble.value}</p>}
-      {!html.value && !trouble.value && <p class="soft">Deriving …</p>}
-      {html.value && <div class="typeset" dangerouslySetInnerHTML={{ __html: html.value }} />}
+      {!text && !trouble.value && <p class="soft">Deriving …</p>}
+      {text && <div class="typeset" ref={typeset} dangerouslySetInnerHTML={{ __html: text }} />}
     </>
   )
 }
