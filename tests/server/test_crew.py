@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Awaitable, Callable
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -27,7 +28,8 @@ def with_crew(work: Callable[[Processes], Awaitable[Any]], *, count: int = 1, se
         finally:
             crew.end()
 
-    return asyncio.run(whole())
+    with ThreadPoolExecutor(1) as thread:  # a browser's tests may have a loop of their own in this one
+        return thread.submit(asyncio.run, whole()).result()
 
 
 async def refusal(answer: Awaitable[bytes]) -> tuple[int, str]:

@@ -32,7 +32,7 @@ TOO_WIDE = """() => {
     const whole = element => element === document.body || element === document.documentElement
     const lineage = element => element && !whole(element) ? [element, ...lineage(element.parentElement)] : []
     const scrolls = element => ['auto', 'scroll'].includes(style(element).overflowX)
-    const hides = element => ['hidden', 'clip'].includes(style(element).overflowX) && element.matches('main *')
+    const hides = element => ['hidden', 'clip'].includes(style(element).overflowX) && element.matches('main *:not(input)')
     const free = ([element, ...above]) => [element, ...above].every(one => style(one).position !== 'fixed') && !above.some(scrolls)
     const wrong = element => {
         const { left, right, width, height } = element.getBoundingClientRect()

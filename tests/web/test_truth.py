@@ -52,6 +52,7 @@ def test_the_numbers_at_an_angle_are_the_rates_of_change_of_momentum(name: str, 
     found, told = walked(engine)
     most = np.abs(told).max(axis=1)
     for degrees in (20.0, 110.0, 331.0):
+        page.goto("about:blank")  # else only the address changes, and numbers are read before they follow
         opened(page, built_page(name), f"a={degrees}")
         said = [number(text) for text in page.locator("section.now output").all_inner_texts()]
         theta = math.radians(degrees)

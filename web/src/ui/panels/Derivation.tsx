@@ -1,5 +1,5 @@
 import { useSignal } from '@preact/signals'
-import { useEffect, useRef } from 'preact/hooks'
+import { useEffect, useLayoutEffect, useRef } from 'preact/hooks'
 import { Choice } from '../Choice'
 import { useApp, useExhibit } from '../context'
 import { orderText } from '../OrderChoice'
@@ -20,7 +20,7 @@ export function Derivation() {
   const text = html.value
 
   // a formula that is longer than the panel is wide is scrolled with the arrow keys
-  useEffect(() => {
+  useLayoutEffect(() => {
     const lines = text ? (typeset.current?.querySelectorAll<HTMLElement>('.line') ?? []) : []
     const reached = (): void => {
       for (const line of lines) {
@@ -28,6 +28,7 @@ export function Derivation() {
         else line.removeAttribute('tabindex')
       }
     }
+    reached()
     const sized = new ResizeObserver(reached)
     if (typeset.current) sized.observe(typeset.current)
     return () => sized.disconnect()
