@@ -1,10 +1,15 @@
-"""Interrupts from the keyboard kept from processes that are started: it is their parent's to end them."""
+"""Interrupts from the keyboard kept from what cannot bear them: processes that are started, compilers at work."""
 
 from __future__ import annotations
 
 import signal
-from collections.abc import Iterator
+import threading
+from collections.abc import Callable, Iterator
+from concurrent.futures import Future
 from contextlib import contextmanager
+from typing import TypeVar
+
+T = TypeVar("T")
 
 
 @contextmanager
@@ -18,3 +23,21 @@ def held_back() -> Iterator[None]:
         yield
     finally:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+def aside(work: Callable[[], T]) -> T:
+    """What work gives, or raises, done in a thread beside: an interrupt ends the waiting; what was begun is left to itself.
+
+    A compiler calls back into Python where an exception cannot be passed on, so that an interrupt in it may be lost, or leave it
+    half done; interrupts come to the main thread only.
+    """
+    ended: Future[T] = Future()
+
+    def run() -> None:
+        try:
+            ended.set_result(work())
+        except BaseException as error:  # noqa: BLE001  # whatever it is, the one who waits gets it
+            ended.set_exception(error)
+
+    threading.Thread(target=run, daemon=True).start()
+    return ended.result()

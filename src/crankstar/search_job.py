@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager, nullcontext
 from pathlib import Path
 
+from crankstar.interrupts import aside
 from crankstar.output import progress, working
 from crankstar.request import RequestError
 from crankstar.search import halves, hands, likeness, run
@@ -37,7 +38,7 @@ def found(
     try:
         halves.check(wanted.question)
         with working("getting ready (the first time loops are compiled, about ten seconds) ..."):
-            seconds = run.estimate(wanted.question)
+            seconds = aside(lambda: run.estimate(wanted.question))
         count = workers or os.cpu_count() or 1
         if seconds / count > LONG_SECONDS and not (agreed or scheduler):
             told = f"about {duration(seconds / count)} on {count} processor{'s' if count > 1 else ''}"

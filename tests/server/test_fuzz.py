@@ -6,6 +6,7 @@ import json
 import os
 import random
 from collections.abc import Callable
+from contextlib import suppress
 from typing import Any
 
 import pytest
@@ -78,8 +79,8 @@ def test_a_spoilt_engine_is_answered_or_refused_in_sentences(seeds: range) -> No
             tree = json.loads(json.dumps(tree))
         except (TypeError, ValueError):
             continue  # it cannot come over the wire
-        if answer(lambda tree=tree: json.dumps(bounded(tree)).encode()) is not None:
-            good += check(tree, chance)
+        with suppress(Refused):  # it is too large
+            good += check(bounded(tree), chance)
     assert 0 < good < len(seeds)
 
 

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import json
 import time
+from multiprocessing import Pipe
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -10,8 +13,13 @@ from tests.web.serving import Server, serving
 
 import crankstar
 from crankstar import files
+from crankstar.search import run
 from crankstar.search.findings import findings
 from crankstar.search_request import Wish, request
+from crankstar.server import search_process
+from crankstar.server.messages import SearchQuestion
+from crankstar.server.refusal import Refused
+from crankstar.server.searches import Searches
 
 LONG = {"cylinders": 15, "cycle": "two-stroke", "minimise": "M1,M2,M3", "front": True}
 """Takes minutes."""
@@ -25,6 +33,14 @@ def begun(server: Server, question: Any) -> Any:
 
 def looked(server: Server, search: Any) -> Any:
     return server.ask(f"api/search/{search['id']}").json
+
+
+def stopped(server: Server, search: Any) -> Any:
+    """The search once it has been stopped."""
+    assert server.ask(f"api/search/{search['id']}", method="DELETE").status == 200
+    search = ended(server, search)
+    assert search["state"] == "cancelled"
+    return search
 
 
 def ended(server: Server, search: Any, *, seconds: float = 60.0) -> Any:
@@ -87,17 +103,11 @@ def test_a_search_that_is_too_great_says_so(server: Server) -> None:
 
 
 def test_a_search_that_takes_too_long_for_a_page_is_not_begun(monkeypatch: pytest.MonkeyPatch) -> None:
-    from multiprocessing import Pipe
-
-    from crankstar.search import run
-    from crankstar.server import search_process
-    from crankstar.server.messages import SearchQuestion
-    from crankstar.server.refusal import Refused
-
     monkeypatch.setattr(run, "estimate", lambda _: 2 * search_process.LONGEST_SECONDS)
     near, _far = Pipe()
+    told = search_process._Told(near)
     with pytest.raises(Refused) as caught:
-        search_process.found(near, SearchQuestion(cylinders=9, cycle="two-stroke").model_dump())
+        search_process.found(told, SearchQuestion(cylinders=9, cycle="two-stroke").model_dump())
     assert "takes about 20 min on one processor, too long for a page" in caught.value.problems[0][1]
 
 
@@ -107,17 +117,38 @@ def test_searches_are_stopped_with_what_they_have_and_only_so_many_run_at_once()
         crowded = server.ask("api/search", LONG)
         assert crowded.status == 429
         assert "are under way already" in crowded.json["problems"][0]["message"]
+        at_once = stopped(server, second)
+        assert at_once["sentences"] == search_process.STOPPED[-1]
         until = time.monotonic() + 60
         while not looked(server, first)["done"] and time.monotonic() < until:
-            time.sleep(0.2)
+            time.sleep(0.1)
         assert looked(server, first)["state"] == "running"
-        for search in (first, second):
-            assert server.ask(f"api/search/{search['id']}", method="DELETE").status == 200
-            stopped = ended(server, search)
-            assert stopped["state"] == "cancelled"
-            assert any("INCOMPLETE" in one or "Stopped" in one for one in stopped["sentences"])
+        assert any("INCOMPLETE" in sentence for sentence in stopped(server, first)["sentences"])
         again = begun(server, {"cylinders": 4, "cycle": "two-stroke", "minimise": "M1"})
         assert ended(server, again)["state"] == "done"
+
+
+@pytest.mark.parametrize(
+    "seconds", [0.0, 0.7, 1.0, pytest.param(2.0, marks=pytest.mark.long), pytest.param(4.5, marks=pytest.mark.long)]
+)
+def test_a_search_is_stopped_even_while_it_compiles_its_loops(
+    seconds: float, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """An exception in the midst of compiling would be lost, or make it fail."""
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
+    searches = Searches()
+    try:
+        search = json.loads(searches.begun(SearchQuestion.model_validate(LONG).model_dump()))
+        time.sleep(seconds)
+        searches.stopped(search["id"])
+        until = time.monotonic() + 5
+        while search["state"] == "running" and time.monotonic() < until:
+            time.sleep(0.05)
+            search = json.loads(searches.shown(search["id"]))
+        assert search["state"] == "cancelled"
+        assert search["sentences"] == search_process.STOPPED[-1]
+    finally:
+        searches.end()
 
 
 def test_a_search_that_is_not_there_is_told_of(server: Server) -> None:

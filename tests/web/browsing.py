@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from playwright.sync_api import Browser, ConsoleMessage, Page, Route, WebError, WebSocketRoute
+from playwright.sync_api import Browser, ConsoleMessage, Page, Route, ViewportSize, WebError, WebSocketRoute
 
 ARGUMENTS = [
     "--disable-background-networking",
@@ -55,7 +55,11 @@ def root() -> bool:
 
 @contextmanager
 def watched(browser: Browser, complaints: list[str], *, width: int = 1280, height: int = 800) -> Iterator[Page]:
-    """An empty page in a browser profile of its own; what is wrong with it is added to the complaints until it is closed."""
+    """An empty page in a browser profile of its own; what is wrong with it is added to the complaints until it is closed.
+
+    Less motion is wished, so that engines are at rest when they are opened: what turns is drawn all the time, which without a
+    graphics card takes most of the time of a test. `page.emulate_media(reduced_motion="no-preference")` for tests of motion.
+    """
 
     def said(message: ConsoleMessage) -> None:
         if message.type in NEWS and not DRIVER.match(message.text):
@@ -73,7 +77,8 @@ def watched(browser: Browser, complaints: list[str], *, width: int = 1280, heigh
         complaints.append(f"request to elsewhere: {socket.url}")
         socket.close()
 
-    context = browser.new_context(viewport={"width": width, "height": height}, service_workers="block")
+    size = ViewportSize(width=width, height=height)
+    context = browser.new_context(viewport=size, service_workers="block", reduced_motion="reduce")
     try:
         context.on("console", said)
         context.on("weberror", broke)

@@ -346,7 +346,7 @@ def test_a_row_of_a_search_becomes_the_engine(editing: Page) -> None:
 def test_a_search_is_cancelled(editing: Page) -> None:
     editing.get_by_role("button", name="Find a better crank").click()
     dialog = editing.get_by_role("dialog")
-    dialog.get_by_role("spinbutton", name="Number of cylinders").fill("14")
+    dialog.get_by_role("spinbutton", name="Number of cylinders").fill("15")
     dialog.get_by_role("button", name="Search").click()
     dialog.get_by_role("progressbar").wait_for()
     dialog.get_by_role("button", name="Cancel").click()

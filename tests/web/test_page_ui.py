@@ -122,6 +122,7 @@ def test_a_figure_keeps_its_size_while_it_turns(built_page: Build, page: Page) -
 
 
 def test_a_link_shows_the_same_again(built_page: Build, page: Page) -> None:
+    page.emulate_media(reduced_motion="no-preference")
     file = built_page(CROSS)
     opened(page, file, "")
     page.get_by_role("radio", name="Front").check()
@@ -143,6 +144,7 @@ def test_a_link_shows_the_same_again(built_page: Build, page: Page) -> None:
 
 
 def test_a_page_that_plays_does_not_write_its_angle_all_the_time(built_page: Build, page: Page) -> None:
+    page.emulate_media(reduced_motion="no-preference")
     opened(page, built_page(CROSS), "")
     page.evaluate(
         "() => { window.written = 0; const old = history.replaceState; history.replaceState = function(...all)"

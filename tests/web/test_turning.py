@@ -18,6 +18,7 @@ LAYOUTS = ["v8-cross-plane", "audi-25-tfsi", "radial-9", "pratt-whitney-wasp", "
 
 
 def test_it_plays_when_it_is_opened_and_stops_and_plays_again(built_page: Build, page: Page) -> None:
+    page.emulate_media(reduced_motion="no-preference")
     opened(page, built_page("v8-cross-plane"), "")
     assert turning(page)
     page.get_by_role("button", name="Stop").click()
@@ -42,6 +43,7 @@ def test_it_does_not_start_by_itself_where_motion_is_not_wished(built_page: Buil
     ("typed", "degrees"), [("450", 450.0), ("-30", 690.0), ("90 deg", 90.0), ("1.5 rad", math.degrees(1.5)), ("2.25 turns", 90.0)]
 )
 def test_it_goes_to_a_typed_angle(typed: str, degrees: float, built_page: Build, page: Page) -> None:
+    page.emulate_media(reduced_motion="no-preference")
     opened(page, built_page("v8-cross-plane"), "")
     field = page.get_by_label("Crank angle: type degrees")
     field.fill(typed)

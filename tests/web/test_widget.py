@@ -139,6 +139,7 @@ def test_another_engine_takes_the_place_of_the_first(show: Show, page: Page) -> 
 
 
 def test_nothing_is_left_when_the_cell_is_cleared(show: Show, page: Page) -> None:
+    page.emulate_media(reduced_motion="no-preference")
     show("v8-cross-plane", playing=True)
     page.wait_for_function("() => cells[0].el.crankstar.theta > 1")
     cell(page, "end()")

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import _thread
 import os
-import signal
 import threading
 import time
 from contextlib import suppress
 from multiprocessing.connection import Connection
-from typing import Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
 from crankstar import files
 from crankstar.engine import Engine
@@ -17,12 +15,16 @@ from crankstar.server.refusal import refused
 from crankstar.server.tasks import engine_of, mistakes_told
 from crankstar.wording import duration
 
+if TYPE_CHECKING:
+    from crankstar.search import run
+
 LONGEST_SECONDS = 600.0
 """A search that is thought to take longer on one processor is not begun."""
 TELLING_SECONDS = 0.2
 """How often progress is told."""
 ROWS = 60
 """Rows of an answer that are sent."""
+STOPPED: tuple[Any, ...] = ("done", True, [], [], ["Stopped before anything was found."])
 NARROWER = "fix throws, take symmetric cranks, let a sum vanish; or use `crankstar search`, which waits as long as you like"
 
 
@@ -51,18 +53,40 @@ def checked(asked: dict[str, Any]) -> bytes:
 
 def work(way: Connection, asked: dict[str, Any]) -> None:
     """The whole life of the process: it tells ("progress", ...), and in the end ("done", ...) or ("failed", sentence)."""
-    signal.signal(signal.SIGINT, signal.default_int_handler)  # the search takes it; the terminal's is masked
-    threading.Thread(target=_listen, args=(way,), daemon=True).start()
+    told = _Told(way)
+    threading.Thread(target=_listen, args=(way, told), daemon=True).start()
     try:
-        told = found(way, asked)
-    except KeyboardInterrupt:
-        told = ("done", True, [], [], ["Stopped before anything was found."])
+        answer = found(told, asked)
     except Exception as error:  # noqa: BLE001  # whatever it is, the one who asked is told
-        told = ("failed", _sentence(error))
-    with suppress(OSError):
-        way.send(told)
-    way.close()
-    os._exit(0)
+        answer = ("failed", _sentence(error))
+    told.last(answer)
+
+
+class _Told:
+    """What is told to the parent, by the search and by who listens to the parent; nothing after the end."""
+
+    def __init__(self, way: Connection) -> None:
+        self._way, self._one_by_one = way, threading.Lock()
+        self.stopping = threading.Event()
+        self.any_done = False
+        self._latest = 0.0
+
+    def progress(self, now: run.Progress, note: str) -> None:
+        """How far the search is. Raises KeyboardInterrupt, which has the search end with the best so far, once it is to stop."""
+        self.any_done = now.done > 0
+        if time.monotonic() - self._latest > TELLING_SECONDS:
+            self._latest = time.monotonic()
+            with self._one_by_one:
+                self._way.send(("progress", now.done, now.blocks, note))
+        if self.stopping.is_set():
+            raise KeyboardInterrupt
+
+    def last(self, answer: tuple[Any, ...]) -> NoReturn:
+        """The last word, with which the process ends."""
+        with self._one_by_one:
+            with suppress(OSError):
+                self._way.send(answer)
+            os._exit(0)
 
 
 def _sentence(error: Exception) -> str:
@@ -76,16 +100,21 @@ def _sentence(error: Exception) -> str:
     return str(error) if known else "crankstar has failed at this search, which is a mistake of crankstar"
 
 
-def _listen(way: Connection) -> None:
-    """Stops the search when the parent says so, and ends the process when the parent is gone."""
+def _listen(way: Connection, told: _Told) -> None:
+    """Stops the search when the parent says so, and ends the process when the parent is gone.
+
+    A search with nothing done yet ends at once: it may be compiling its loops, in the middle of which an exception can be lost.
+    """
     try:
         while way.recv() == "stop":
-            _thread.interrupt_main()
+            told.stopping.set()
+            if not told.any_done:
+                told.last(STOPPED)
     except (EOFError, OSError):
         os._exit(1)
 
 
-def found(way: Connection, asked: dict[str, Any]) -> tuple[Any, ...]:
+def found(told: _Told, asked: dict[str, Any]) -> tuple[Any, ...]:
     """What the process tells in the end. Raises Refused for what would take too long, SearchError for what cannot be searched."""
     from crankstar.search import halves, run
     from crankstar.search.findings import findings
@@ -95,17 +124,9 @@ def found(way: Connection, asked: dict[str, Any]) -> tuple[Any, ...]:
     halves.check(wanted.question)
     seconds = run.estimate(wanted.question)
     if seconds > LONGEST_SECONDS:
-        told = f"this search takes about {duration(seconds)} on one processor, too long for a page"
-        raise refused(422, f"{told}. To narrow it: {NARROWER}")
-    last = 0.0
-
-    def tell(now: run.Progress) -> None:
-        nonlocal last
-        if time.monotonic() - last > TELLING_SECONDS:
-            last = time.monotonic()
-            way.send(("progress", now.done, now.blocks, note(now)))
-
-    answer = findings(wanted.question, watch=tell)
+        why = f"this search takes about {duration(seconds)} on one processor, too long for a page"
+        raise refused(422, f"{why}. To narrow it: {NARROWER}")
+    answer = findings(wanted.question, watch=lambda now: told.progress(now, note(now)))
     return ("done", answer.certificate.interrupted, *_told(answer, wanted))
 
 

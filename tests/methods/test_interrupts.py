@@ -1,0 +1,36 @@
+"""Work that is done aside: what it gives, what it raises, and that an interrupt reaches only the one who waits."""
+
+import signal
+import threading
+
+import pytest
+
+from crankstar.interrupts import aside
+
+
+def test_what_work_gives_and_raises_comes_through():
+    assert aside(lambda: 42) == 42
+    with pytest.raises(ZeroDivisionError):
+        aside(lambda: 1 // 0)
+
+
+def test_an_interrupt_ends_the_waiting_and_not_the_work():
+    begun, go, done = threading.Event(), threading.Event(), threading.Event()
+
+    def work():
+        begun.set()
+        go.wait(20)
+        done.set()
+
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    watch = threading.Thread(target=lambda: begun.wait(20) and signal.pthread_kill(threading.main_thread().ident, signal.SIGINT))
+    watch.start()
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            aside(work)
+    finally:
+        signal.signal(signal.SIGINT, before)
+        watch.join()
+    assert not done.is_set()
+    go.set()
+    assert done.wait(20)
