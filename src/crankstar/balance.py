@@ -7,6 +7,7 @@ cylinder.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
@@ -65,8 +66,10 @@ def default_reference(engine: Engine) -> Reference:
     return Reference((min(places) + max(places)) / 2)
 
 
-def balance(engine: Engine, *, speed: float | None = None, reference: Reference | None = None) -> Balance:
-    """The Balance of an engine: at `speed` (rad/s) in N and N m, without one in units of m r w^2.
+def balance(
+    engine: Engine, *, speed: float | None = None, reference: Reference | None = None, orders: Sequence[float] | None = None
+) -> Balance:
+    """The Balance of an engine: at `speed` (rad/s) in N and N m, without one in units of m r w^2; `orders` keeps only those.
 
     An engine whose masses or sizes are not known is always counted in these units.
 
@@ -76,7 +79,7 @@ def balance(engine: Engine, *, speed: float | None = None, reference: Reference 
     [0.] [1.436983]
     """
     reference = reference or default_reference(engine)
-    raw = spectra(mechanism(engine), reference=reference)
+    raw = spectra(mechanism(engine), reference=reference, orders=orders)
     scale, units = scales(engine, speed)
     return Balance(
         parts=parts(engine),

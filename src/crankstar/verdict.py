@@ -273,10 +273,11 @@ def _sentence(text: str) -> str:
 
 def likeness(engine: Engine) -> Likeness:
     """What the pistons (and rods as bodies) of an engine do, without rotating masses and weights."""
-    result = balance(engine)
+    orders = (1.0, 2.0)
+    result = balance(engine, orders=orders)
     rows = [row for row, part in enumerate(result.parts) if part.kind in ("piston", "rod")]
     sizes: list[float] = []
-    for order in (1.0, 2.0):
+    for order in orders:
         for name in ("force", "couple"):
             one = phasor.selected(phasor.total(getattr(result, name)[rows, :]), [order])
             sizes.append(float(abs(complex(one.forward[0])) + abs(complex(one.backward[0]))))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import tomllib
 from collections.abc import Mapping
 from difflib import get_close_matches
+from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -17,6 +18,7 @@ MOST_NAMED = 5
 """Names that are proposed in place of a part of one."""
 
 
+@cache
 def names() -> tuple[str, ...]:
     """The names of all engines in the catalog, in alphabetical order."""
     return tuple(sorted(path.stem for path in _FOLDER.glob("*.toml")))
