@@ -27,13 +27,32 @@ interface Machine {
   arrows: ReturnType<typeof arrows> | null
 }
 
+/** How long nothing has moved before it is drawn finely where drawing is slow, and how much finer. */
+const REST_MS = 500
+const FINER = 2
+
+/** How programs that draw in place of a graphics card call themselves. */
+const BY_PROCESSOR = /swiftshader|llvmpipe|softpipe|software|basic render/i
+
 /** A picture by WebGL, or null where that is not to be had. */
 export function webglPicture(): Picture | null {
+  const wish: WebGLContextAttributes = { alpha: true, powerPreference: 'default', stencil: false }
+  const quick = hasCard()
   const canvas = document.createElement('canvas')
-  const wish: WebGLContextAttributes = { alpha: true, antialias: true, powerPreference: 'default', stencil: false }
   // Asked for here, because three complains on the console where there is none.
-  const context = canvas.getContext('webgl2', wish)
-  return context ? new WebglPicture(canvas, context) : null
+  const context = canvas.getContext('webgl2', { ...wish, antialias: quick })
+  return context ? new WebglPicture(canvas, context, quick) : null
+}
+
+/** Whether a graphics card draws, as far as the browser says. */
+function hasCard(): boolean {
+  const probe = document.createElement('canvas').getContext('webgl2')
+  if (!probe) return false
+  const masked = String(probe.getParameter(probe.RENDERER))
+  const named = masked === 'WebKit WebGL' ? probe.getExtension('WEBGL_debug_renderer_info') : null
+  const name = named ? String(probe.getParameter(named.UNMASKED_RENDERER_WEBGL)) : masked
+  probe.getExtension('WEBGL_lose_context')?.loseContext()
+  return !BY_PROCESSOR.test(name)
 }
 
 class WebglPicture implements Picture {
@@ -48,10 +67,18 @@ class WebglPicture implements Picture {
   #palette: Palette | null = null
   #reach = 1
   #aspect = 1
+  #density = 1
+  #finer = 1
+  #resting = 0
 
-  constructor(canvas: HTMLCanvasElement, context: WebGL2RenderingContext) {
+  /** Without a graphics card that is `quick`, what moves is drawn coarsely, and finely once it rests. */
+  constructor(
+    canvas: HTMLCanvasElement,
+    context: WebGL2RenderingContext,
+    readonly quick: boolean,
+  ) {
     this.canvas = canvas
-    this.#renderer = new WebGLRenderer({ canvas, context, alpha: true, antialias: true })
+    this.#renderer = new WebGLRenderer({ canvas, context, alpha: true, antialias: quick })
     this.#renderer.setClearColor(0, 0)
     this.#camera.matrixAutoUpdate = false
     this.#scene.matrixAutoUpdate = false
@@ -92,6 +119,19 @@ class WebglPicture implements Picture {
     machine.arrows ??= arrows(machine.block.group, load, this.#paint)
     machine.arrows.move(arrow)
     this.#look(frame)
+    this.#render(1)
+    if (this.quick) return
+    clearTimeout(this.#resting)
+    this.#resting = window.setTimeout(this.#rested, REST_MS)
+  }
+
+  readonly #rested = (): void => this.#render(FINER)
+
+  #render(finer: number): void {
+    if (finer !== this.#finer) {
+      this.#finer = finer
+      this.#renderer.setPixelRatio(this.#density * finer)
+    }
     this.#renderer.render(this.#scene, this.#camera)
   }
 
@@ -152,7 +192,8 @@ class WebglPicture implements Picture {
 
   size(width: number, height: number, density: number): void {
     this.#aspect = width / height
-    this.#renderer.setPixelRatio(density)
+    this.#density = density
+    this.#renderer.setPixelRatio(density * this.#finer)
     this.#renderer.setSize(width, height, false)
   }
 
@@ -167,6 +208,7 @@ class WebglPicture implements Picture {
   }
 
   lose(): void {
+    clearTimeout(this.#resting)
     this.#clear()
     this.#paint.dispose()
   }
