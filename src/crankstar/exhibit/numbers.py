@@ -34,6 +34,7 @@ def summed(result: Balance) -> Totals:
     )
 
 
+MINUS = "\N{MINUS SIGN}"
 HEARD = 1e-3
 """Share of the greatest order from which an order above the usual ones is not left out."""
 
@@ -118,10 +119,10 @@ def rows(sums: Totals, orders: Sequence[float]) -> tuple[Row, ...]:
                     order=order,
                     label=number(order),
                     quantity=quantity,
-                    up=wave(up[index], largest),
-                    right=wave(right[index], largest),
+                    up=_seen(wave(up[index], largest)),
+                    right=_seen(wave(right[index], largest)),
                     path=shape(path, largest),
-                    greatest=number(path.semi_major, largest),
+                    greatest=_seen(number(path.semi_major, largest)),
                     semi_axes=(path.semi_major, path.semi_minor),
                     direction=path.bearing,
                     turning=_turning(path, one.sense),
@@ -131,11 +132,16 @@ def rows(sums: Totals, orders: Sequence[float]) -> tuple[Row, ...]:
         signal = getattr(sums, quantity)
         largest = max(_largest(sums.roll), _largest(sums.torque))
         for order, size in zip(orders, phasor.amplitude(phasor.selected(signal, orders)), strict=True):
-            told = {"up": wave(size, largest), "right": "", "path": "", "greatest": number(abs(size), largest)}
+            told = {"up": _seen(wave(size, largest)), "right": "", "path": "", "greatest": _seen(number(abs(size), largest))}
             out.append(
                 Row(order=order, label=number(order), quantity=quantity, semi_axes=None, direction=None, turning=None, **told)
             )
     return tuple(out)
+
+
+def _seen(text: str) -> str:
+    """A number with a true minus: on a page it is looked at, not copied into a program."""
+    return text.replace("-", MINUS)
 
 
 def _turning(path: phasor.Ellipse, sense: int) -> Literal[-1, 0, 1]:

@@ -71,8 +71,8 @@ function Mistakes({ session, root }: { session: Session; root: () => HTMLElement
   return (
     <div class="mistakes" role="alert">
       <p>
-        {problems.length === 1 ? 'A mistake' : `${problems.length} mistakes`}; the engine on the stage is the last one
-        without.
+        {problems.length === 1 ? '1 mistake' : `${problems.length} mistakes`}. The stage shows the engine as it was
+        before, until {problems.length === 1 ? 'it is' : 'they are'} mended.
       </p>
       <ul>
         {problems.map((problem) => (

@@ -1,17 +1,15 @@
 import { useSignal } from '@preact/signals'
 import { useEffect, useLayoutEffect, useRef } from 'preact/hooks'
-import { Choice } from '../Choice'
-import { useApp, useExhibit } from '../context'
-import { orderText } from '../OrderChoice'
-import { orderShown } from './Stars'
+import { useApp } from '../context'
+import { useVectors, VectorChoice } from '../Vectors'
 
 /** How a textbook would derive the force or the couple of one order of this engine, with the formulas typeset. */
 export function Derivation() {
-  const { host, store, quantity: told } = useApp()
-  const exhibit = useExhibit()
-  const quantity = told.value === 'couple' ? 'couple' : 'force'
-  const orders = exhibit.derivations.filter((one) => one.quantity === quantity).map((one) => one.order)
-  const order = orderShown(exhibit, orders, store.orders.value, quantity)
+  const { host } = useApp()
+  const vectors = useVectors(({ derivations }, quantity) =>
+    derivations.filter((one) => one.quantity === quantity).map((one) => one.order),
+  )
+  const { exhibit, quantity, order } = vectors
   const found = exhibit.derivations.find((one) => one.quantity === quantity && one.order === order)
   const html = useSignal('')
   const trouble = useSignal('')
@@ -54,27 +52,7 @@ export function Derivation() {
 
   return (
     <>
-      <div class="controls">
-        <Choice
-          label="Derivation of"
-          value={quantity}
-          choices={[
-            { value: 'force', label: 'force' },
-            { value: 'couple', label: 'couple' },
-          ]}
-          chosen={(value) => {
-            store.quantity.value = value
-          }}
-        />
-        <Choice
-          label="Order"
-          value={String(order)}
-          choices={orders.map((one) => ({ value: String(one), label: orderText(exhibit, one) }))}
-          chosen={(value) => {
-            store.orders.value = [Number(value)]
-          }}
-        />
-      </div>
+      <VectorChoice label="Derivation of" vectors={vectors} />
       {trouble.value && <p role="alert">{trouble.value}</p>}
       {!text && !trouble.value && <p class="soft">Deriving …</p>}
       {text && <div class="typeset" ref={typeset} dangerouslySetInnerHTML={{ __html: text }} />}
