@@ -30,6 +30,9 @@ export class Inset {
       right: '10px',
       top: '10px',
       pointerEvents: 'none',
+      // where there is little room it stands before the engine, and must still be read
+      background: 'color-mix(in srgb, var(--ground, Canvas) 76%, transparent)',
+      borderRadius: '10px',
     })
     this.canvas.setAttribute('aria-hidden', 'true')
     parent.append(this.canvas)

@@ -7,6 +7,7 @@ import { type Drawing, drawn } from './drawing'
 /** A figure of an engine by its key; it turns with the engine. What was drawn stays until the next is there. */
 export function Figure({ exhibit, chart, label }: { exhibit: Exhibit; chart: string; label: string }) {
   const { host, clock } = useApp()
+  const figure = useRef<HTMLElement>(null)
   const place = useRef<HTMLDivElement>(null)
   const shown = useRef<Drawing | null>(null)
   const last = useRef<Promise<unknown>>(Promise.resolve())
@@ -29,6 +30,8 @@ export function Figure({ exhibit, chart, label }: { exhibit: Exhibit; chart: str
         if (made.turns) await made.turnTo(clock.degrees() % (360 * exhibit.turns))
         shown.current?.dispose()
         place.current?.replaceChildren(made.element)
+        // figures that stand beside each other are drawn to one scale, near their own
+        figure.current?.style.setProperty('--natural', String(made.width))
         shown.current = made
         there.value = true
         trouble.value = ''
@@ -57,7 +60,7 @@ export function Figure({ exhibit, chart, label }: { exhibit: Exhibit; chart: str
   useEffect(() => () => shown.current?.dispose(), [])
 
   return (
-    <figure class={`figure${there.value ? '' : ' empty'}`} data-chart={chart} aria-busy={busy.value}>
+    <figure ref={figure} class={`figure${there.value ? '' : ' empty'}`} data-chart={chart} aria-busy={busy.value}>
       <div class="drawing" ref={place} role="img" aria-label={`${label}. ${exhibit.name}.`} />
       {!there.value && !trouble.value && <p class="wait">Drawing: {label} …</p>}
       {trouble.value && (

@@ -6,6 +6,8 @@ import { framed } from './framing'
 /** A figure that has been drawn in an element of its own, and can be turned. */
 export interface Drawing {
   readonly element: HTMLElement
+  /** How wide it is where a letter has its own size, px. */
+  readonly width: number
   /** Whether it depends on the crank angle. */
   readonly turns: boolean
   /** Resolves when it has been drawn at that angle, degrees. */
@@ -51,6 +53,7 @@ export async function drawn(spec: Spec, cycleDegrees: number): Promise<Drawing> 
   }
   return {
     element,
+    width: element.querySelector('svg')?.viewBox.baseVal.width ?? 0,
     turns,
     turnTo: (degrees) => (view.signal(THETA) === degrees ? Promise.resolve() : view.signal(THETA, degrees).runAsync()),
     dispose() {
