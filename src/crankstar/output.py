@@ -12,7 +12,7 @@ from io import StringIO
 from pathlib import Path
 from typing import Any, NoReturn
 
-from crankstar.quantity import one_line, seen
+from crankstar.quantity import one_line
 
 PIPED = 140
 """Columns where there is no terminal."""
@@ -153,7 +153,7 @@ def _pour(place: str, content: bytes) -> None:
 
 
 def _refuse(place: str, reason: str) -> NoReturn:
-    told = f"{one_line(place) or seen(place)}: cannot be written ({reason}); nothing was changed"
+    told = f"{one_line(place)}: cannot be written ({reason}); nothing was changed"
     raise OutputError(f"{told}. Name another place with -o, or leave it out")
 
 

@@ -88,9 +88,15 @@ CONTROL = re.compile(
 def one_line(text: str, *, longest: int = 200) -> str:
     r"""Text from outside as a message can quote it: cut where it is long, on one line, nothing in it but what prints.
 
-    >>> one_line("red \x1b[31m\n")
-    'red ?[31m?'
+    Where there is nothing to be seen in it, it stands in quotation marks.
+
+    >>> one_line("red \x1b[31m\n"), one_line(""), one_line(" ")
+    ('red ?[31m?', '""', '" "')
     """
+    return _flat(text, longest) if text.strip() else f'"{_flat(text, longest)}"'
+
+
+def _flat(text: str, longest: int) -> str:
     cut = text if len(text) <= longest else text[: longest - 3] + "..."
     return "".join(letter if letter.isprintable() else "?" for letter in cut)
 
@@ -105,7 +111,7 @@ def seen(value: Any) -> str:
     if named is not None:
         return named
     if isinstance(value, str):
-        return f'"{one_line(value, longest=60)}"'
+        return f'"{_flat(value, 60)}"'
     try:
         text = str(value)
     except ValueError:  # Python does not write whole numbers of thousands of digits

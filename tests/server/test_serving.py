@@ -103,6 +103,7 @@ def test_a_port_in_use_is_told_with_the_next_step() -> None:
         (["--port", "70000"], "give a number from 0 to 65535"),
         (["--port", "http"], "into a whole number"),
         (["--host", "no.such.host.invalid"], "is no address of this machine"),
+        (["--host", ""], '--host "": is no address of this machine'),
         (["--host", "192.0.2.1", "--port", "0"], "cannot be used"),
         (["no-such-engine"], "there is no such engine in the catalog"),
         (["i4", "--set", "cycle=three-stroke"], "cycle: "),

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 from crankstar.engine import Engine
 from crankstar.files import EngineFileError, Problem, engine_of, read_tree
-from crankstar.quantity import one_line, seen
+from crankstar.quantity import one_line
 
 _FOLDER = Path(__file__).parent
 MOST_NAMED = 5
@@ -45,7 +45,7 @@ def tree_of(name: str | Path) -> tuple[str, dict[str, Any]]:
     if found is None and not _looks_like_a_file(name):
         near = _near(str(name))
         told = f"did you mean {' or '.join(near)}?" if near else "`crankstar list` names the engines of the catalog"
-        shown = one_line(str(name), longest=100) if str(name).strip() else seen(str(name))
+        shown = one_line(str(name), longest=100)
         raise EngineFileError(shown, [Problem("", f"there is no such engine in the catalog, and no such file; {told}")])
     return read_tree(found or name, name=str(name) if found else None)
 

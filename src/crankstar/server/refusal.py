@@ -42,4 +42,4 @@ def refused(status: int, message: str) -> Refused:
 
 
 def _short(text: str) -> str:
-    return one_line(text, longest=LONGEST)
+    return one_line(text, longest=LONGEST) if text else ""
