@@ -98,6 +98,9 @@ def test_a_question_that_asks_for_what_there_is_not_is_told_so(path: str, questi
 def test_other_addresses_methods_and_kinds_are_refused_in_the_same_shape(server: Server) -> None:
     assert words(server.ask("api/nothing"), 404)
     assert words(server.ask("nothing.php"), 404)
+    for other in ("api/search/%00..%2f", "api/search/x/", "api/catalog/i4/", "docs/"):  # none is led elsewhere
+        assert words(server.ask(other), 404)
+    assert words(server.ask("api/search/%00..%2f", method="DELETE"), 404)
     assert words(server.ask("api/exhibit"), 405)
     assert words(server.ask("api/health", method="DELETE"), 405)
     assert words(server.ask("", method="BREW"), 405)

@@ -43,11 +43,17 @@ def tree_of(name: str | Path) -> tuple[str, dict[str, Any]]:
     """The name by which messages call an engine, and the tree of keys of its file, not checked. Raises EngineFileError."""
     found = path_of(str(name))
     if found is None and not _looks_like_a_file(name):
-        near = _near(str(name))
-        told = f"did you mean {' or '.join(near)}?" if near else "`crankstar list` names the engines of the catalog"
         shown = one_line(str(name), longest=100)
-        raise EngineFileError(shown, [Problem("", f"there is no such engine in the catalog, and no such file; {told}")])
+        raise EngineFileError(
+            shown, [Problem("", f"there is no such engine in the catalog, and no such file; {instead(str(name))}")]
+        )
     return read_tree(found or name, name=str(name) if found else None)
+
+
+def instead(typed: str) -> str:
+    """What to ask for in place of a name that no engine of the catalog has, as half a sentence."""
+    near = _near(typed)
+    return f"did you mean {' or '.join(near)}?" if near else "`crankstar list` names the engines of the catalog"
 
 
 def _near(typed: str) -> list[str]:

@@ -45,7 +45,15 @@ def application(*, crew: Crew, engine: Any = OPENS_WITH, shown: str = OPENS_WITH
             searches.end()
             crew.end()
 
-    app = FastAPI(title="crankstar", version=__version__, description=DESCRIPTION, docs_url=None, redoc_url=None, lifespan=lifespan)
+    app = FastAPI(
+        title="crankstar",
+        version=__version__,
+        description=DESCRIPTION,
+        docs_url=None,
+        redoc_url=None,
+        redirect_slashes=False,  # a redirection would be no answer in JSON, and its address partly the asker's
+        lifespan=lifespan,
+    )
     app.state.answers = Answers(crew)
     app.state.searches = searches
     app.state.engine, app.state.shown = engine, shown

@@ -24,7 +24,7 @@ from crankstar.fault import EngineError, where
 from crankstar.files import EngineFileError
 from crankstar.remedy import RemedyError
 from crankstar.request import RequestError
-from crankstar.server.refusal import Refused, refused
+from crankstar.server.refusal import Refused
 
 Tree = dict[str, Any]
 ENGINE = "the engine"
@@ -50,25 +50,16 @@ def answered(value: Any) -> bytes:
     return json.dumps(value, allow_nan=False, separators=(",", ":")).encode("ascii")
 
 
-def catalog_tree(name: str) -> Tree:
-    """The tree of an engine of the catalog. Raises Refused with 404; no other file is looked for."""
+def catalog_tree(name: str, *, status: int = 404, at: str = "") -> Tree:
+    """The tree of an engine of the catalog; no other file is looked for. Raises Refused."""
     if name not in catalog.names():
-        raise refused(404, "there is no such engine in the catalog; /api/catalog names all of them")
+        raise Refused(status, [(at, f"there is no such engine in the catalog; {catalog.instead(name)}")])
     return catalog.tree_of(name)[1]
-
-
-def tree_of(engine: str | Tree) -> Tree:
-    """The tree of an engine that is asked about. Raises Refused."""
-    if isinstance(engine, dict):
-        return engine
-    if engine not in catalog.names():
-        raise Refused(422, [("engine", "there is no such engine in the catalog; /api/catalog names all of them")])
-    return catalog.tree_of(engine)[1]
 
 
 def engine_of(engine: str | Tree) -> tuple[Engine, Tree]:
     """An engine that is asked about, and its tree. Raises EngineFileError, Refused."""
-    tree = tree_of(engine)
+    tree = engine if isinstance(engine, dict) else catalog_tree(engine, status=422, at="engine")
     return _kept(json.dumps(tree)), tree
 
 
