@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 from playwright.sync_api import Browser, ConsoleMessage, Page, Route, ViewportSize, WebError, WebSocketRoute
+from tests.front_end import WEB
 
 ARGUMENTS = [
     "--disable-background-networking",
@@ -26,6 +27,12 @@ DRIVER = re.compile(r"^\[\.WebGL-0x[0-9a-f]+\]GL Driver Message \(OpenGL, Perfor
 """How Chromium says that drawing without a graphics card is slow, which it is."""
 SETTLED = "() => new Promise(done => requestAnimationFrame(() => setTimeout(done)))"
 
+AXE = WEB / "node_modules" / "axe-core" / "axe.min.js"
+BARRIERS = """async () => {
+    const why = node => node.any.concat(node.all, node.none)[0]?.message
+    const { violations } = await axe.run(document, { resultTypes: ['violations'] })
+    return violations.flatMap(rule => rule.nodes.map(node => `${rule.id}: ${node.target.join(' ')}: ${why(node) ?? rule.help}`))
+}"""
 TOO_WIDE = """() => {
     const edge = document.documentElement.clientWidth
     const style = element => getComputedStyle(element)
@@ -96,3 +103,10 @@ def watched(browser: Browser, complaints: list[str], *, width: int = 1280, heigh
 def too_wide(page: Page) -> list[str]:
     """What reaches over an edge of the window or is cut off, but for what scrolls by itself or lies over the page."""
     return page.evaluate(TOO_WIDE)
+
+
+def barriers(page: Page) -> list[str]:
+    """What of the page cannot be read or used by everyone, by the rules of axe-core, contrast of colours among them."""
+    if not page.evaluate("'axe' in window"):
+        page.evaluate(AXE.read_text(encoding="utf-8"))
+    return page.evaluate(BARRIERS)

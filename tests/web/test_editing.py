@@ -8,11 +8,11 @@ import statistics
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import pytest
 from playwright.sync_api import Browser, Locator, Page, expect
-from tests.web.browsing import too_wide, watched
+from tests.web.browsing import barriers, too_wide, watched
 from tests.web.serving import Server
 
 from crankstar import files
@@ -355,6 +355,26 @@ def test_a_search_is_cancelled(editing: Page) -> None:
     expect(dialog.get_by_role("button", name="Search")).to_be_enabled()
 
 
+def test_a_search_that_nobody_waits_for_is_stopped(editing: Page) -> None:
+    editing.get_by_role("button", name="Find a better crank").click()
+    dialog = editing.get_by_role("dialog")
+    dialog.get_by_role("spinbutton", name="Number of cylinders").fill("15")
+    with editing.expect_response(lambda answer: answer.url.endswith("/api/search")) as begun:
+        dialog.get_by_role("button", name="Search").click()
+    dialog.get_by_role("progressbar").wait_for()
+    address = f"{begun.value.url}/{begun.value.json()['id']}"
+    editing.goto("about:blank")
+    eventually(lambda: editing.request.get(address).json()["state"], "cancelled")
+
+
+def test_a_balance_factor_that_is_no_number_is_told_and_fits_nothing(editing: Page) -> None:
+    before = on_stage(editing)["file"]
+    editing.get_by_placeholder("the best").fill("half")
+    editing.get_by_role("button", name="Fit", exact=True).click()
+    expect(editing.locator(".editor .note")).to_contain_text("“half” is no number")
+    assert on_stage(editing)["file"] == before
+
+
 def test_a_search_that_cannot_be_is_refused_in_a_sentence(editing: Page) -> None:
     editing.get_by_role("button", name="Find a better crank").click()
     dialog = editing.get_by_role("dialog")
@@ -375,6 +395,14 @@ def test_fitting_puts_weights_on_and_undo_takes_them_off(editing: Page) -> None:
     expect(note).to_be_focused()
     editing.get_by_role("button", name="Undo").click()
     eventually(lambda: "layout" in on_stage(editing)["file"], True)
+
+
+@pytest.mark.parametrize("colours", ["light", "dark"])
+def test_the_editor_and_its_search_can_be_read_and_used(colours: Literal["light", "dark"], editing: Page) -> None:
+    editing.emulate_media(color_scheme=colours)
+    assert barriers(editing) == []
+    editing.get_by_role("button", name="Find a better crank").click()
+    assert barriers(editing) == []
 
 
 @pytest.mark.parametrize("width", [400, 900, 1600])

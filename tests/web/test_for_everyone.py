@@ -8,21 +8,14 @@ from typing import Literal
 
 import pytest
 from playwright.sync_api import Browser, Locator, Page, expect
-from tests.front_end import WEB
 from tests.tools import path_of
-from tests.web.browsing import ARGUMENTS, root, too_wide, watched
+from tests.web.browsing import ARGUMENTS, barriers, root, too_wide, watched
 from tests.web.engine_page import drawn, farthest_off, handle, opened
 
 from crankstar.catalog import load
 
 Build = Callable[..., Path]
 ENGINE = "v8-cross-plane"
-AXE = (WEB / "node_modules" / "axe-core" / "axe.min.js").read_text(encoding="utf-8")
-COMPLAINTS = """async () => {
-    const why = node => node.any.concat(node.all, node.none)[0]?.message
-    const { violations } = await axe.run(document, { resultTypes: ['violations'] })
-    return violations.flatMap(rule => rule.nodes.map(node => `${rule.id}: ${node.target.join(' ')}: ${why(node) ?? rule.help}`))
-}"""
 FOCUSED = """() => {
     const element = document.activeElement
     if (!element || element === document.body) return null
@@ -56,12 +49,11 @@ def test_everything_has_a_name_and_can_be_read(colours: Literal["light", "dark"]
     """axe-core's rules, contrast of colours among them, on every panel."""
     page.emulate_media(color_scheme=colours)
     opened(page, built_page(ENGINE, figures=True))
-    page.evaluate(AXE)
     found = {}
     for tab in tabs(page):
         tab.click()
         expect(page.locator("[aria-busy=true]")).to_have_count(0)
-        found[tab.inner_text()] = page.evaluate(COMPLAINTS)
+        found[tab.inner_text()] = barriers(page)
     assert {name: told for name, told in found.items() if told} == {}
 
 

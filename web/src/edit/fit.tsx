@@ -27,10 +27,16 @@ export function Fit() {
 
   const fit = async () => {
     const note = root.current?.closest('.editor')?.querySelector<HTMLElement>('.note')
+    const share = Number(factor.trim().replace(',', '.'))
+    if (!Number.isFinite(share)) {
+      session.note.value = `Balance factor: “${factor}” is no number; give one as in 0.5, or leave it empty for the best.`
+      if (note) lookAt(note)
+      return
+    }
     const at = WEIGHTS[weights]
     const which = SHAFTS[shafts]
     const options: Fitting = {
-      ...(factor.trim() && { factor: Number(factor.replace(',', '.')) }),
+      ...(factor.trim() && { factor: share }),
       ...(at && { weights: at }),
       ...(which && { shafts: which }),
     }

@@ -138,13 +138,20 @@ function useSearch(session: Session) {
   const [ending, setEnding] = useState(false)
   const following = useRef('')
   const timer = useRef<ReturnType<typeof setTimeout> | undefined>(undefined)
-  useEffect(
-    () => () => {
+  const { service } = session
+  useEffect(() => {
+    // a search that nobody waits for any more would keep the processors of others busy
+    const leave = () => {
+      if (following.current) void told(service.cancelSearch(following.current))
       following.current = ''
       clearTimeout(timer.current)
-    },
-    [],
-  )
+    }
+    window.addEventListener('pagehide', leave)
+    return () => {
+      window.removeEventListener('pagehide', leave)
+      leave()
+    }
+  }, [service])
 
   const take = (answer: Answer<SearchState>) => {
     if (!answer.ok) {
@@ -158,7 +165,7 @@ function useSearch(session: Session) {
     if (following.current) timer.current = setTimeout(() => void follow(answer.value.id), EVERY)
   }
   const follow = async (id: string) => {
-    const answer = await told(session.service.search(id))
+    const answer = await told(service.search(id))
     if (following.current === id) take(answer)
   }
   return {
@@ -169,13 +176,13 @@ function useSearch(session: Session) {
       setWrong([])
       setState(null)
       setEnding(false)
-      take(await told(session.service.startSearch(asked.of === 'engine' ? session.tree.value : null, wishOf(asked))))
+      take(await told(service.startSearch(asked.of === 'engine' ? session.tree.value : null, wishOf(asked))))
     },
     stop: async () => {
       const id = following.current
       clearTimeout(timer.current)
       setEnding(true)
-      if (id) take(await told(session.service.cancelSearch(id)))
+      if (id) take(await told(service.cancelSearch(id)))
     },
   }
 }

@@ -11,6 +11,7 @@ interface Call {
 async function called<T>(base: string, path: string, { method = 'GET', body, signal }: Call = {}): Promise<Answer<T>> {
   const response = await fetch(`${base}/api/${path}`, {
     method,
+    keepalive: method === 'DELETE', // also as the page is left
     headers: body === undefined ? {} : { 'Content-Type': 'application/json' },
     ...(body === undefined ? {} : { body: JSON.stringify(body) }),
     ...(signal ? { signal } : {}),

@@ -106,3 +106,10 @@ test('what the form is made of is asked for once, and again after a failure', as
   await settle()
   expect(asked).toBe(2)
 })
+
+test('a value that is changed is no longer the one that a source gives', () => {
+  const { now } = begun()
+  now.edit({ ...now.tree.value, provenance: { speed: { status: 'published' }, cylinder: { status: 'published' } } })
+  now.set(['speed'], '900 rpm')
+  expect(now.tree.value.provenance).toEqual({ cylinder: { status: 'published' } })
+})
