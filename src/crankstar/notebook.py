@@ -21,6 +21,7 @@ from crankstar.exhibit import exhibition, figures
 from crankstar.exhibit.exhibits import remedied
 from crankstar.exhibit.library import packed
 from crankstar.files import engine_of, explicit
+from crankstar.quantity import one_line
 
 Given = Engine | str | Path
 """An engine, the name of one in the catalog, or the path of an engine file."""
@@ -94,7 +95,7 @@ def _exhibited(*given: Given | None) -> tuple[tuple[Engine, ...], str]:
             engine, tree, source = one, explicit(one), one.name
         else:
             name, tree = tree_of(one)
-            engine, source = engine_of(tree, name=name), PurePath(one).name
+            engine, source = engine_of(tree, name=name), one_line(PurePath(one).name)
         engines.append(engine)
         trees.append(tree)
         sources.append(source)

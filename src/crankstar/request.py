@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from math import degrees as rad2deg
 from math import isfinite
+from pathlib import PurePath
 from typing import Any, Literal, cast, get_args
 
 from crankstar import units
@@ -26,6 +27,15 @@ NEEDED = "needed"
 
 class RequestError(ValueError):
     """A request that cannot be met, as one sentence that says what would be right."""
+
+
+def named(engine: str) -> str:
+    """An engine as a command that others can give names it: a file without the directories of this machine, in print.
+
+    >>> named("v8-cross-plane"), named("/home/me/v8.toml"), named("/dev/stdin")
+    ('v8-cross-plane', 'v8.toml', '-')
+    """
+    return "-" if engine == STANDARD_INPUT else one_line(PurePath(engine).name)
 
 
 def setting(text: str) -> tuple[str, Any]:

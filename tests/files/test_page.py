@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gzip
 import json
+import os
 import re
 from base64 import b64decode
 from pathlib import Path
@@ -77,6 +78,20 @@ def test_a_page_does_not_tell_where_on_this_machine_its_engine_lies(run: Run, tm
     assert "secret-folder" not in json.dumps(held_in(place))
     assert "secret-folder" not in place.read_text(encoding="utf-8")
     assert held_in(place)["exhibition"]["sources"] == ["mine.toml"]
+
+
+def test_a_page_of_what_comes_in_says_a_command_that_reads_it_again(run: Run, tmp_path: Path) -> None:
+    place = tmp_path / "page.html"
+    assert run("page", "-", "-o", str(place), stdin=SHORT.encode()).code == 0
+    assert held_in(place)["exhibition"]["command"] == "crankstar page - -o page.html"
+
+
+def test_a_file_whose_name_is_no_text_has_a_page(run: Run, tmp_path: Path) -> None:
+    file = tmp_path / os.fsdecode(b"mine\xff.toml")
+    file.write_text(SHORT, encoding="utf-8")
+    place = tmp_path / "page.html"
+    assert run("page", str(file), "-o", str(place)).code == 0
+    assert held_in(place)["exhibition"]["sources"] == ["mine?.toml"]
 
 
 def test_it_is_the_same_file_every_time(run: Run, tmp_path: Path) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import shlex
 import signal
 import socket
 import subprocess
@@ -81,10 +82,12 @@ def test_it_opens_with_the_file_and_the_changes_it_is_given(tmp_path: Path) -> N
 
     source = path_of("v8-cross-plane")
     assert source is not None
-    file = tmp_path / "mine.toml"
+    file = tmp_path / "my own.toml"
     file.write_bytes(source.read_bytes())
     with serving(str(file), "--set", "name=</script><b>mine") as server:
         shown = server.ask("api/opening").json
+        assert shown["sources"] == ["my own.toml"]
+        assert shlex.split(shown["command"]) == ["crankstar", "serve", "my own.toml", "--set", "name=</script><b>mine"]
         assert shown["engines"][0]["name"] == "</script><b>mine"
         assert str(tmp_path) not in server.ask("api/opening").body.decode()
 

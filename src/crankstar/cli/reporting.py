@@ -9,7 +9,7 @@ from typing import Annotated
 from cyclopts import Parameter
 
 from crankstar import chart_request, request
-from crankstar.catalog import load, path_of, tree_of
+from crankstar.catalog import load, tree_of
 from crankstar.cli.application import app
 from crankstar.cli.options import EngineName, Settings, Speed
 from crankstar.output import STANDARD_OUTPUT, working, writable, write, write_bytes
@@ -50,12 +50,12 @@ def write_report(
     loaded = engine_of(tree, name=shown, changes=changes)
     other = load(beside) if beside is not None else None
     turning = request.speed(speed)
-    given = {"--speed": [speed], "--orders": [orders], "--beside": [_named(beside)], "--set": settings or []}
+    given = {"--speed": [speed], "--orders": [orders], "--beside": [beside and request.named(beside)], "--set": settings or []}
     words = [word for option, values in given.items() for value in values if value is not None for word in (option, value)]
     matter = report.Matter(
         loaded,
         changed(tree, changes, name=shown),
-        shlex.join(["crankstar", "report", _named(engine) or "", *words, "-o", f"report.{kind}"]),
+        shlex.join(["crankstar", "report", request.named(engine), *words, "-o", f"report.{kind}"]),
         turning,
         None,
         other,
@@ -83,8 +83,3 @@ def _kind(place: str | None) -> str:
     if found not in KINDS:
         raise RequestError(f"-o {one_line(place or '')}: is not the name of a report; let it end in .html or .pdf")
     return found
-
-
-def _named(engine: str | None) -> str | None:
-    """An engine as it is named in a command for others: a file without the directories of this machine."""
-    return engine if engine is None or path_of(engine) else PurePath(engine).name

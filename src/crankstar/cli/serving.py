@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from pathlib import PurePath
+import shlex
 from typing import Annotated
 
 from cyclopts import Parameter
@@ -10,10 +10,9 @@ from cyclopts import Parameter
 from crankstar.catalog import tree_of
 from crankstar.cli.application import app
 from crankstar.cli.options import Settings
-from crankstar.files import STANDARD_INPUT, changed, engine_of
+from crankstar.files import changed, engine_of
 from crankstar.output import complain, working
-from crankstar.quantity import one_line
-from crankstar.request import RequestError, setting
+from crankstar.request import RequestError, named, setting
 
 
 @app.command
@@ -50,6 +49,8 @@ def serve(
 
             webbrowser.open(address)
 
-    shown = "standard input" if engine in ("-", STANDARD_INPUT) else one_line(PurePath(engine).name)
+    shown = named(engine)
+    words = [word for text in settings or () for word in ("--set", text)]
+    command = shlex.join(["crankstar", "serve", shown, *words])
     with taken:
-        running.serve(taken, host=host, engine=tree, shown=shown, ready=ready)
+        running.serve(taken, host=host, opening=(tree, shown, command), ready=ready)

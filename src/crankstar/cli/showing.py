@@ -37,7 +37,8 @@ def page(
     name, tree = given[0]
     given[0] = name, changed(tree, dict(request.setting(text) for text in settings or ()), name=name)
     engines = [engine_of(tree, name=name) for name, tree in given]
-    names = [PurePath(word).name or word for word in words]  # not where on this machine the files lie
+    names = [request.named(word) for word in words]
+    place = "page.html" if names[0] == "-" else f"{PurePath(names[0]).stem}.html"
     told = [*(("--beside", names[1]) if beside is not None else ()), *(word for text in settings or () for word in ("--set", text))]
     try:
         pages.bundle()
@@ -46,7 +47,7 @@ def page(
                 engines,
                 files_given=[tree for _, tree in given],
                 sources=names,
-                command=shlex.join(["crankstar", "page", names[0], *told, "-o", f"{PurePath(names[0]).stem}.html"]),
+                command=shlex.join(["crankstar", "page", names[0], *told, "-o", place]),
                 tell=tell,
             )
         content = pages.document(data)

@@ -26,14 +26,13 @@ DESCRIPTION = """How a piston engine shakes: forces, couples and rolls of every 
 Every question holds its engine, by its name in the catalog or as the tree of an engine file (`/api/schema` says what may stand
 in it). Whatever is wrong is answered in one shape, `{"problems": [{"path": ..., "message": ...}]}`: every mistake, its key path,
 and what would be right."""
-OPENS_WITH = "v8-cross-plane"
+Opening = tuple[Any, str, str]
+"""What the page opens with: an engine (its name or tree), the words by which it was named, the command that says so."""
+OPENS_WITH: Opening = ("v8-cross-plane", "v8-cross-plane", "crankstar serve v8-cross-plane")
 
 
-def application(*, crew: Crew, engine: Any = OPENS_WITH, shown: str = OPENS_WITH, host: str = "127.0.0.1") -> Guard:
-    """The ASGI application of the server.
-
-    `engine`: what the page opens with, a name or a tree; `shown`: the words by which it was named.
-    """
+def application(*, crew: Crew, opening: Opening = OPENS_WITH, host: str = "127.0.0.1") -> Guard:
+    """The ASGI application of the server."""
     searches = Searches()
 
     @asynccontextmanager
@@ -56,7 +55,7 @@ def application(*, crew: Crew, engine: Any = OPENS_WITH, shown: str = OPENS_WITH
     )
     app.state.answers = Answers(crew)
     app.state.searches = searches
-    app.state.engine, app.state.shown = engine, shown
+    app.state.opening = opening
     app.include_router(routes.router)
     app.include_router(pages.router)
     app.add_exception_handler(Refused, _refuse)

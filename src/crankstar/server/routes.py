@@ -111,7 +111,7 @@ async def health(request: Request) -> messages.Health:
 @router.get("/opening", response_model=Exhibition, summary="What the page opens with", tags=["server"])
 async def opening(request: Request) -> Response:
     """The engine that the server was started with, as an exhibition; its fitted engine is asked for when it is wanted."""
-    return await _answer(request, tasks.opening, request.app.state.engine, request.app.state.shown)
+    return await _answer(request, tasks.opening, *request.app.state.opening)
 
 
 @router.get("/schema", response_model=dict[str, Any], summary="The JSON Schema of engine files", tags=["engines"])

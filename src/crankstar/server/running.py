@@ -19,7 +19,7 @@ from uvicorn.protocols.http.h11_impl import H11Protocol
 from crankstar.quantity import one_line
 from crankstar.request import RequestError
 from crankstar.server import guard
-from crankstar.server.application import application
+from crankstar.server.application import Opening, application
 from crankstar.server.crew import Processes
 from crankstar.server.refusal import Refused, refused
 
@@ -69,10 +69,10 @@ def address_of(taken: socket.socket, host: str) -> str:
     return f"http://{name}:{port}/"
 
 
-def serve(taken: socket.socket, *, host: str, engine: Any, shown: str, ready: Callable[[], None]) -> None:
+def serve(taken: socket.socket, *, host: str, opening: Opening, ready: Callable[[], None]) -> None:
     """Serves until an interrupt or a signal to end; `ready` is called once questions are answered."""
     crew = Processes(max(1, min(os.cpu_count() or 1, GREATEST_PROCESSES)), seconds=TASK_SECONDS)
-    app = application(crew=crew, engine=engine, shown=shown, host=host)
+    app = application(crew=crew, opening=opening, host=host)
     settings: dict[str, Any] = {
         "lifespan": "on",
         "log_config": None,

@@ -83,10 +83,9 @@ def _json(record: BaseModel) -> bytes:
     return record.model_dump_json().encode("utf-8")
 
 
-def opening(engine: str | Tree, shown: str) -> bytes:
-    """What the page opens with: an engine, and the words by which it was named. Raises Refused."""
+def opening(engine: str | Tree, shown: str, command: str) -> bytes:
+    """What the page opens with: an engine, the words by which it was named, and the command of the server. Raises Refused."""
     with mistakes_told():
-        command = f"crankstar serve {shown}"
         return _json(
             Exhibition(engines=(_exhibit(engine),), fitted=(None,), sources=(shown,), command=command, version=__version__)
         )
