@@ -6,6 +6,7 @@ import gzip
 import json
 import re
 from base64 import b64decode, b64encode
+from fractions import Fraction
 from hashlib import sha256
 from html.parser import HTMLParser
 from math import radians
@@ -32,6 +33,7 @@ from crankstar.exhibit.records import Exhibit, Exhibition, Vectors
 from crankstar.firing import unfit
 from crankstar.mechanism import Reference
 from crankstar.page import PageError, document, inlined
+from crankstar.records import Shaft, Weight
 
 SOME = ["v8-cross-plane", "audi-25-tfsi", "pratt-whitney-wasp", "kr250-racer", "jumo-205", "vw-vr6", "single"]
 HOSTILE = "</script><img src=x onerror=alert(1)>\"'&--><!--<script>"
@@ -111,6 +113,35 @@ def test_orders_that_are_left_out_are_not_missed(name: str) -> None:
     roll, most = summed([-push.moment[:, 2] - shown.sense * push.torque for push in pushes], scale.roll, 1e-6)
     told = sum(np.real(complex(*pair) * np.exp(1j * k * theta)) for k, pair in zip(shown.orders, shown.total.roll, strict=True))
     assert np.abs(told - roll).max() < 1e-3 * most
+
+
+def test_without_a_pitch_what_lies_along_the_shaft_is_counted_as_it_is_drawn() -> None:
+    """A triple whose middle lies two pitches before z = 0: places in the unit of the scene, the couple in that of the file."""
+    engine = load("triple-120")
+    throws = tuple(throw.model_copy(update={"z": throw.z + 2.0}) for throw in engine.shafts[0].throws)
+    shaft = engine.shafts[0].model_copy(update={"throws": throws})
+    cylinders = tuple(cylinder.model_copy(update={"z": cylinder.z + 2.0}) for cylinder in engine.cylinders)
+    shown = exhibit(engine.model_copy(update={"shafts": (shaft,), "cylinders": cylinders}), neighbours=False)
+    places = {cylinder.number: cylinder.z for cylinder in shown.scene.cylinders}
+    pitch = places[1] - places[2]
+    assert pitch > 2.0  # crank radii: a bore is as wide as the stroke
+    assert {part.number: part.z for part in shown.cylinders} == pytest.approx(places)
+    assert (shown.reference_z, shown.whirl.centre[2]) == pytest.approx((places[2], places[2]))
+    assert shown.units.couple == "m r ω² a"
+    for place, order in enumerate(shown.orders):  # a round bar tilts along the couple, which is by `pitch` greater in crank radii
+        for way in ("forward", "backward"):
+            couple = np.array(getattr(shown.total.couple, way)[place]) * pitch
+            tilt = np.array(getattr(shown.whirl.tilt, way)[place])
+            assert tilt == pytest.approx(-couple / (shown.whirl.inertia[0] * order**2), abs=1e-12)
+
+
+def test_turns_bring_every_shaft_and_the_firing_back() -> None:
+    engine = load("i4")
+    slow = Shaft(name="slow", speed_ratio=Fraction(-2, 3), weights=(Weight(unbalance=0.1, angle=0.0, z=0.0),))
+    shown = exhibit(engine.model_copy(update={"shafts": (*engine.shafts, slow)}), neighbours=False)
+    ratios = [Fraction(shaft.speed_ratio).limit_denominator(1000) for shaft in shown.scene.shafts]
+    back = [turns for turns in range(1, 20) if turns % 2 == 0 and all((turns * ratio).denominator == 1 for ratio in ratios)]
+    assert shown.turns == back[0] == 6
 
 
 @pytest.mark.parametrize("name", [*SOME, "bmw-r1200", "v2-90"])
