@@ -19,7 +19,7 @@ from hypothesis import strategies as st
 from tests.newton import road
 from tests.strategies import OF_ANY_KIND, engines
 
-from crankstar import answer, balance, motion, page
+from crankstar import answer, balance, motion, notebook, page
 from crankstar.balance import scales
 from crankstar.catalog import load, names
 from crankstar.charts import ChartError
@@ -30,7 +30,9 @@ from crankstar.exhibit.figures import NoSuchKeyError, chart, derivation
 from crankstar.exhibit.keys import BEFORE_AND_AFTER
 from crankstar.exhibit.library import held, packed
 from crankstar.exhibit.records import Exhibit, Exhibition, Vectors
+from crankstar.files import engine_of
 from crankstar.firing import unfit
+from crankstar.fitting import recommended
 from crankstar.mechanism import Reference
 from crankstar.page import PageError, document, inlined
 from crankstar.records import Shaft, Weight
@@ -213,6 +215,17 @@ def test_the_fitted_engine_is_quiet_in_what_it_was_fitted_for() -> None:
     assert [shaft.speed_ratio for shaft in four.scene.shafts] == [1.0, 2.0, -2.0]
     assert any(table.title == "What is left" for table in eight.remedies)
     assert fitted(load("i6")) is None
+    for shown in (four, eight):  # its file is what one goes on working with
+        again = exhibit(engine_of(shown.file), neighbours=False)
+        assert [(row.label, row.greatest) for row in again.table] == [(row.label, row.greatest) for row in shown.table]
+        assert [len(shaft.weights) for shaft in again.scene.shafts] == [len(shaft.weights) for shaft in shown.scene.shafts]
+
+
+@pytest.mark.parametrize(("name", "unit"), [("audi-25-tfsi", "N"), ("i4", "m r ω²")])
+def test_figures_are_in_the_units_of_the_numbers_beside_them(name: str, unit: str) -> None:
+    assert told(name).units.force == unit
+    made = chart(load(name), "over-turn:quantity=force")
+    assert made["title"]["text"] == [f"Force over the crank angle, in {unit}"]
 
 
 @settings(max_examples=25)
@@ -409,8 +422,23 @@ def test_a_file_has_every_figure_and_derivation_of_its_engines_with_it() -> None
         both = {BEFORE_AND_AFTER} if library is made["libraries"][0] else set()
         assert set(library["charts"]) == {key.key for key in one.charts} | both
         assert set(library["derivations"]) == {key.key for key in one.derivations}
+    better = recommended(load("i4"))
+    assert better is not None
+    assert made["libraries"][0]["charts"]["spectrum"] == chart(load("i4"), "spectrum")
+    assert made["fitted"][0]["charts"]["spectrum"] == chart(better.after, "spectrum")
     assert [done for done, _, _ in steps] == list(range(steps[0][1]))
     assert len(packed(made)) < 500_000
+
+
+def test_a_notebook_is_answered_for_the_engine_that_it_asks_about() -> None:
+    engines = load("i4"), load("v8-cross-plane")
+    better = recommended(engines[1])
+    assert better is not None
+    for index, is_fitted, engine in ((0, False, engines[0]), (1, False, engines[1]), (1, True, better.after)):
+        question = {"id": 3, "engine": index, "fitted": is_fitted, "what": "chart", "key": "crank-star"}
+        assert notebook.answer(engines, question) == {"id": 3, "value": chart(engine, "crank-star")}
+    for wrong in (None, [], {}, {**question, "engine": 2}, {**question, "engine": "x"}, {**question, "what": "cake"}):
+        assert notebook.answer(engines, wrong)["sentence"].startswith("This is not a question")
 
 
 def test_all_engines_have_a_name_for_every_line_under_it() -> None:

@@ -181,6 +181,15 @@ def test_a_counterweight_is_as_large_as_steel_makes_it() -> None:
 
 
 @EVERY_ENGINE
+def test_weights_that_are_drawn_pull_as_those_of_the_shafts_do(name: str) -> None:
+    engine = with_everything(name)
+    for shown, shaft in zip(scene(engine).shafts, engine.shafts, strict=True):
+        drawn_ = sum(weight.unbalance * np.exp(1j * weight.angle) for weight in shown.weights)
+        meant = sum(weight.unbalance * np.exp(1j * weight.angle) for weight in shaft.weights)
+        assert abs(drawn_ - meant) <= 1e-12 * sum(weight.unbalance for weight in shaft.weights)
+
+
+@EVERY_ENGINE
 def test_gears_mesh_and_turn_as_their_shafts_do(name: str) -> None:
     found = scene(with_everything(name))
     for first, second in zip(found.gears[::2], found.gears[1::2], strict=True):
