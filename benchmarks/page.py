@@ -8,42 +8,20 @@ from __future__ import annotations
 
 import sys
 import tempfile
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from statistics import median, quantiles
-from typing import NamedTuple
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from playwright.sync_api import Browser, sync_playwright
+import tables
+from playwright.sync_api import Browser
 from tests.front_end import BUNDLE
-from tests.tools import path_of
-from tests.web.browsing import ARGUMENTS, root
+from tests.web.browsing import chromium
 from tests.web.engine_page import HANDLE, opened, written
 
-PAGE = Path(__file__).parent.parent / "docs" / "performance.md"
-START, END = "<!-- table: page -->", "<!-- end: page -->"
 MEASURED = "v12-60"
 FRAMES = 240
 OPENINGS = 7
-
-
-class Row(NamedTuple):
-    """What is measured, the figure, and the budget where there is one."""
-
-    what: str
-    figure: str
-    budget: str = ""
-
-
-@contextmanager
-def chromium() -> Iterator[Browser]:
-    """The browser that the tests have."""
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=path_of("chromium"), chromium_sandbox=not root(), args=ARGUMENTS)
-        yield browser
-        browser.close()
 
 
 def ready(browser: Browser, path: Path) -> list[float]:
@@ -66,13 +44,13 @@ def frames(browser: Browser, path: Path, state: str) -> list[float]:
         return page.evaluate(f"() => {HANDLE}.frameTimes()")[before:]
 
 
-def rows() -> list[Row]:
+def rows() -> list[tables.Row]:
     """All of it."""
-    out = [Row("the bundle", f"{BUNDLE.stat().st_size / 1e6:.2f} MB", "2 MB")]
+    out = [("the bundle", f"{BUNDLE.stat().st_size / 1e6:.2f} MB", "2 MB")]
     with chromium() as browser, tempfile.TemporaryDirectory() as folder:
         path = written(Path(folder), MEASURED, figures=True)
-        out.append(Row(f"the page of {MEASURED}, all figures in it", f"{path.stat().st_size / 1e6:.2f} MB", "3 MB"))
-        out.append(Row("its first frame is drawn after", f"{median(ready(browser, path)):.2f} s", "1.5 s"))
+        out.append((f"the page of {MEASURED}, all figures in it", f"{path.stat().st_size / 1e6:.2f} MB", "3 MB"))
+        out.append(("its first frame is drawn after", f"{median(ready(browser, path)):.2f} s", "1.5 s"))
         for what, state in (
             ("a frame, table of orders", "tab=orders"),
             ("a frame, two figures that follow the angle", "tab=forces"),
@@ -80,19 +58,9 @@ def rows() -> list[Row]:
         ):
             times = frames(browser, path, state)
             late = quantiles(times, n=20)[-1]
-            out.append(Row(f"script of {what}", f"{median(times):.2f} ms (19 of 20 within {late:.2f} ms)", "4 ms"))
+            out.append((f"script of {what}", f"{median(times):.2f} ms (19 of 20 within {late:.2f} ms)", "4 ms"))
     return out
 
 
-def main() -> None:
-    """Measure, print, and with --write put the table in the docs."""
-    lines = ["| what | median | budget |", "|---|---|---|", *(f"| {' | '.join(row)} |" for row in rows())]
-    print("\n".join(lines))
-    if "--write" in sys.argv:
-        before, rest = PAGE.read_text(encoding="utf-8").split(START)
-        after = rest.split(END)[-1]
-        PAGE.write_text(f"{before}{START}\n\n" + "\n".join(lines) + f"\n\n{END}{after}", encoding="utf-8")
-
-
 if __name__ == "__main__":
-    main()
+    tables.told("page", rows())

@@ -11,11 +11,11 @@ from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
 from math import pi
-from pathlib import Path
 from statistics import median
 from time import perf_counter
 
 import numpy as np
+import tables
 
 import search
 from crankstar import balance, derivation, load, names, sweep, total
@@ -24,8 +24,6 @@ from crankstar.engine import Engine
 from crankstar.layouts import Bank, Crank, Row, inline, radial, tandem, vee
 from crankstar.mechanism import mechanism, totals
 
-PAGE = Path(__file__).parent.parent / "docs" / "performance.md"
-START, END = "<!-- table: benchmarks -->", "<!-- end: benchmarks -->"
 SIZES = Sizes(bore=0.0875, stroke=0.0825, rod_length=0.146, reciprocating_mass=0.65, rotating_mass=0.7)
 VARIANTS = 100_000
 
@@ -90,11 +88,11 @@ def derived(engine: Engine) -> None:
             derivation(engine, order, quantity)
 
 
-def derivations() -> list[tuple[str, str, str]]:
+def derivations() -> list[tables.Row]:
     """A complete derivation as a whole process, and warm: of a V8 and of the dearest engine of the catalog."""
     warm = {name: timed(lambda name=name: derived(load(name)), runs=1) for name in names()}
     dearest = max(warm, key=lambda name: warm[name])
-    out: list[tuple[str, str, str]] = []
+    out: list[tables.Row] = []
     for name in ("v8-cross-plane", dearest):
         engine = load(name)
         seconds = timed(lambda engine=engine: derived(engine), runs=9)
@@ -104,9 +102,9 @@ def derivations() -> list[tuple[str, str, str]]:
     return out
 
 
-def sweeps() -> list[tuple[str, str, str]]:
+def sweeps() -> list[tables.Row]:
     """1000 values of one number of a V8, all orders, with the greatest force or couple over a turn and the best value, warm."""
-    out: list[tuple[str, str, str]] = []
+    out: list[tables.Row] = []
     for path, end, unit, what in (("layout.banks[1].bearing", 90, "deg", "force"), ("balance_factor", 1, None, "couple")):
 
         def curve(path: str = path, end: float = end, unit: str | None = unit, what: str = what) -> tuple[sweep.Sweep, sweep.Curve]:
@@ -121,7 +119,7 @@ def sweeps() -> list[tuple[str, str, str]]:
     return out
 
 
-def pictures() -> list[tuple[str, str, str]]:
+def pictures() -> list[tables.Row]:
     """A chart to SVG: the whole command, and warm; best weights of a V8 in eight webs."""
     from crankstar import charts
     from crankstar.remedy import Aim, Plane, best_weights, webs
@@ -138,7 +136,7 @@ def pictures() -> list[tuple[str, str, str]]:
     ]
 
 
-def rows() -> list[tuple[str, str, str]]:
+def rows() -> list[tables.Row]:
     """What is measured, the figure, and the budget where there is one."""
     module = ("-m", "crankstar", "analyze", "v8-cross-plane")
     out = [
@@ -165,15 +163,5 @@ def rows() -> list[tuple[str, str, str]]:
     return out
 
 
-def main() -> None:
-    """Measure, print, and with --write put the table in the docs."""
-    lines = ["| what | median | budget |", "|---|---|---|", *(f"| {' | '.join(row)} |" for row in rows())]
-    print("\n".join(lines))
-    if "--write" in sys.argv:
-        before, rest = PAGE.read_text(encoding="utf-8").split(START)
-        after = rest.split(END)[-1]
-        PAGE.write_text(f"{before}{START}\n\n" + "\n".join(lines) + f"\n\n{END}{after}", encoding="utf-8")
-
-
 if __name__ == "__main__":
-    main()
+    tables.told("benchmarks", rows())

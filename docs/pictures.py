@@ -12,9 +12,8 @@ from typing import Literal, NamedTuple
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from playwright.sync_api import expect, sync_playwright
-from tests.tools import path_of
-from tests.web.browsing import ARGUMENTS, root
+from playwright.sync_api import expect
+from tests.web.browsing import chromium
 from tests.web.engine_page import opened, written
 
 PICTURES = Path(__file__).parent / "pictures"
@@ -39,8 +38,7 @@ SHOTS = (
 
 def main() -> None:
     """Draws all of them."""
-    with sync_playwright() as playwright, tempfile.TemporaryDirectory() as folder:
-        browser = playwright.chromium.launch(executable_path=path_of("chromium"), chromium_sandbox=not root(), args=ARGUMENTS)
+    with chromium() as browser, tempfile.TemporaryDirectory() as folder:
         for shot in SHOTS:
             size = {"width": 1000, "height": 640}
             with browser.new_context(viewport=size, color_scheme=shot.colours) as context, context.new_page() as page:  # pyright: ignore[reportArgumentType]
@@ -52,7 +50,6 @@ def main() -> None:
             print(f"{shot.file}: {bytes_written:,} bytes")
             if bytes_written > GREATEST:
                 sys.exit(f"{shot.file} is larger than {GREATEST:,} bytes")
-        browser.close()
 
 
 if __name__ == "__main__":

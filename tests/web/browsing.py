@@ -7,8 +7,9 @@ import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from playwright.sync_api import Browser, ConsoleMessage, Page, Route, ViewportSize, WebError, WebSocketRoute
+from playwright.sync_api import Browser, ConsoleMessage, Page, Route, ViewportSize, WebError, WebSocketRoute, sync_playwright
 from tests.front_end import WEB
+from tests.tools import path_of
 
 ARGUMENTS = [
     "--disable-background-networking",
@@ -58,6 +59,15 @@ TOO_WIDE = """() => {
 def root() -> bool:
     """Chromium's sandbox does not work for root."""
     return os.geteuid() == 0
+
+
+@contextmanager
+def chromium() -> Iterator[Browser]:
+    """The Chromium of tests, measurements and pictures, without a window."""
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=path_of("chromium"), chromium_sandbox=not root(), args=ARGUMENTS)
+        yield browser
+        browser.close()
 
 
 @contextmanager

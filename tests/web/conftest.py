@@ -7,9 +7,8 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, Page, sync_playwright
-from tests.tools import path_of
-from tests.web.browsing import ARGUMENTS, root, watched
+from playwright.sync_api import Browser, Page
+from tests.web.browsing import chromium, watched
 from tests.web.engine_page import written
 from tests.web.serving import server
 
@@ -21,11 +20,8 @@ def browser() -> Iterator[Browser]:
     """Chromium without a window."""
     if os.environ.get("CRANKSTAR_NO_BROWSER") == "1":
         pytest.skip("CRANKSTAR_NO_BROWSER=1")
-    chromium = path_of("chromium")
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=chromium, chromium_sandbox=not root(), args=ARGUMENTS)
-        yield browser
-        browser.close()
+    with chromium() as started:
+        yield started
 
 
 @pytest.fixture
