@@ -155,11 +155,11 @@ def closed_form(objective: Objective, row: Finding) -> str:
     return text if len(text) <= LONGEST_FORM else ""
 
 
-def sentences(found: Findings, *, shown: int) -> list[str]:
-    """How many there are, and the certificate."""
+def sentences(found: Findings, *, shown: int, others: str = "-o FILE.csv has all of them") -> list[str]:
+    """How many there are, and the certificate; `others`: where the rows are that are not shown."""
     out: list[str] = []
     if shown < len(found.rows):
-        out.append(f"{shown} of {len(found.rows):,} rows are shown; -o FILE.csv has all of them.")
+        out.append(f"{shown} of {len(found.rows):,} rows are shown; {others}.")
     if isinstance(found.question.ask, All) and found.stars is not None:
         out.append(f"{_counted(found.stars, 'star')} in {_counted(len(found.rows), 'class')}." if found.rows else "")
     out.append(certificate(found))

@@ -15,6 +15,7 @@ from tests.web.serving import Answer, Server
 
 import crankstar
 from crankstar.server import guard
+from crankstar.server.refusal import Refused
 
 PLACES = {str(Path.cwd()), str(Path.home()), str(Path(crankstar.__file__).parent), "site-packages", "Traceback", ".py"}
 """What no answer may hold."""
@@ -174,6 +175,32 @@ def test_every_answer_tells_the_browser_to_be_careful(server: Server) -> None:
         assert "frame-ancestors 'none'" in heads["content-security-policy"]
         assert (heads["x-content-type-options"], heads["referrer-policy"]) == ("nosniff", "no-referrer")
         assert "server" not in heads
+
+
+SELF = "script-src 'self'; style-src 'self'; img-src 'self' data: blob:; connect-src 'self'; base-uri 'none'; form-action 'none'; "
+
+
+@pytest.mark.parametrize(
+    ("path", "policy", "kept"),
+    [
+        ("", SELF, "no-cache"),
+        ("docs", SELF, "no-cache"),
+        ("page.css", "", "no-cache"),
+        ("api/health", "", "no-store"),
+        ("api/nothing", "", "no-store"),
+    ],
+)
+def test_a_page_may_load_and_do_what_it_must_and_nothing_else(path: str, policy: str, kept: str, server: Server) -> None:
+    heads = server.ask(path).heads
+    assert heads["content-security-policy"] == f"default-src 'none'; {policy}frame-ancestors 'none'"
+    assert heads["cache-control"] == kept
+    assert (heads["cross-origin-resource-policy"], heads["cross-origin-opener-policy"]) == ("same-origin", "same-origin")
+
+
+def test_of_many_mistakes_the_first_hundred_are_told() -> None:
+    shown = json.loads(Refused(422, [(f"key{place}", "is wrong") for place in range(150)]).body)["problems"]
+    assert [problem["path"] for problem in shown] == [*(f"key{place}" for place in range(100)), ""]
+    assert shown[-1]["message"] == "... and 50 more"
 
 
 def test_an_asker_who_is_slow_is_sent_away_and_one_who_leaves_is_forgotten(server: Server) -> None:

@@ -10,7 +10,7 @@ import pytest
 from tests.web.serving import Server
 
 import crankstar
-from crankstar import catalog, files
+from crankstar import catalog, files, fitting
 from crankstar.exhibit import exhibits, figures
 from crankstar.exhibit.records import Exhibit, Exhibition
 
@@ -75,6 +75,14 @@ def test_an_engine_is_fitted_as_its_verdict_advises_or_as_one_likes(server: Serv
     webs = server.ask("api/fitted", {"engine": "i4", "factor": 0.5, "weights": "pins", "shafts": "needed"}).json["exhibit"]
     assert [shaft.speed_ratio for shaft in files.engine_of(webs["file"]).shafts] == [1, 2, -2]
     assert server.ask("api/fitted", {"engine": "v12-60", "shafts": "none"}).json == {"exhibit": None}
+
+
+def test_an_engine_is_fitted_with_what_is_asked_for(server: Server) -> None:
+    asked = {"factor": 1.0, "weights": "ends", "shafts": "all"}
+    shown = server.ask("api/fitted", {"engine": "triple-120", **asked}).json["exhibit"]
+    weighted = fitting.by_factor(catalog.load("triple-120"), factor=1.0, weights="ends")
+    after = fitting.with_shafts(weighted, ratios="all", places=fitting.ShaftPlaces())
+    assert shown["file"] == files.part_by_part(after)
 
 
 def test_a_fitted_engine_that_cannot_be_had_is_refused_in_words(server: Server) -> None:

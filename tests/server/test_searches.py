@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import time
+from itertools import count
 from multiprocessing import Pipe
 from pathlib import Path
 from typing import Any
@@ -16,7 +17,7 @@ from crankstar import files
 from crankstar.search import run
 from crankstar.search.findings import findings
 from crankstar.search_request import Wish, request
-from crankstar.server import search_process
+from crankstar.server import search_process, searches
 from crankstar.server.messages import SearchQuestion
 from crankstar.server.refusal import Refused
 from crankstar.server.searches import Searches
@@ -63,6 +64,14 @@ def test_a_search_finds_what_the_package_finds_and_each_row_makes_its_engine(ser
     for row in search["rows"]:
         engine = files.engine_of(row["tree"])
         assert "-".join(map(str, engine.firing_order)) == row["cells"][search["heads"].index("firing order")]
+
+
+def test_of_many_rows_the_first_are_sent_and_that_is_said(server: Server) -> None:
+    search = ended(server, begun(server, {"cylinders": 7, "cycle": "two-stroke", "minimise": "M1", "best": 80}))
+    assert len(search["rows"]) == search_process.ROWS
+    told = next(sentence for sentence in search["sentences"] if "rows are shown" in sentence)
+    assert told.startswith(f"{search_process.ROWS} of ")
+    assert "`crankstar search` with -o FILE.csv" in told
 
 
 def test_the_cranks_of_an_engine_keep_its_cylinders(server: Server) -> None:
@@ -156,3 +165,26 @@ def test_a_search_that_is_not_there_is_told_of(server: Server) -> None:
         answer = server.ask("api/search/nothing", method=method)
         assert answer.status == 404
         assert "there is no such search" in answer.json["problems"][0]["message"]
+
+
+def test_the_oldest_of_many_searches_are_forgotten(monkeypatch: pytest.MonkeyPatch) -> None:
+    numbers = count()
+
+    class Ended:
+        state, ended = "done", time.monotonic()
+
+        def __init__(self, _: Any) -> None:
+            self.identity = str(next(numbers))
+
+        def shown(self) -> bytes:
+            return self.identity.encode()
+
+    monkeypatch.setattr(searches, "_Search", Ended)
+    monkeypatch.setattr(searches, "GREATEST_KEPT", 3)
+    every = Searches()
+    for _ in range(6):
+        every.begun({})
+    assert [every.shown(identity) for identity in ("3", "4", "5")] == [b"3", b"4", b"5"]
+    for gone in ("0", "2"):
+        with pytest.raises(Refused):
+            every.shown(gone)

@@ -15,6 +15,8 @@ from pathlib import Path
 import pytest
 from tests.web.serving import serving
 
+from crankstar.server.running import address_of
+
 HINT = "Open it in a browser; Ctrl-C ends it.\n"
 WRONG = 'format = 1\nname = "wrong"\ncycle = "three-stroke"\n'
 
@@ -98,6 +100,21 @@ def test_a_port_in_use_is_told_with_the_next_step() -> None:
         said = refused("--port", str(port))
         assert f"--port {port}: is in use" in said
         assert re.search(r"as in --port \d+, or --port 0", said)
+
+
+@pytest.mark.parametrize(
+    ("host", "name"),
+    [
+        ("127.0.0.1", "127.0.0.1"),
+        ("0.0.0.0", "127.0.0.1"),  # noqa: S104
+        ("::", "[::1]"),
+        ("::1", "[::1]"),
+        ("workshop.local", "workshop.local"),
+    ],
+)
+def test_the_address_is_one_that_can_be_typed(host: str, name: str) -> None:
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        assert address_of(taken, host) == f"http://{name}:{taken.getsockname()[1]}/"
 
 
 @pytest.mark.parametrize(

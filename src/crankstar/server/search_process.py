@@ -24,6 +24,7 @@ TELLING_SECONDS = 0.2
 """How often progress is told."""
 ROWS = 60
 """Rows of an answer that are sent."""
+OTHERS = "`crankstar search` with -o FILE.csv has all of them"
 STOPPED: tuple[Any, ...] = ("done", True, [], [], ["Stopped before anything was found."])
 NARROWER = "fix throws, take symmetric cranks, let a sum vanish; or use `crankstar search`, which waits as long as you like"
 
@@ -146,5 +147,5 @@ def _told(answer: Any, wanted: Any) -> tuple[list[str], list[tuple[list[str], di
     ]
     trees = [files.explicit(engine) for engine in made]
     words = [search_table.heading(answer.question), search_table.census(answer.question.stars)]
-    words += [*search_table.as_it_is(answer, wanted.engine), *search_table.sentences(answer, shown=len(shown))]
+    words += [*search_table.as_it_is(answer, wanted.engine), *search_table.sentences(answer, shown=len(shown), others=OTHERS)]
     return heads, list(zip(cells, trees, strict=True)), words
