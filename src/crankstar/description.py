@@ -64,7 +64,7 @@ def rotors(engine: Engine) -> RenderableType:
     for shaft in engine.shafts:
         label = f"{shaft.name} (ratio {shaft.speed_ratio})" if shaft.speed_ratio != 1 else shaft.name
         if shaft.up or shaft.right:
-            label += f", {number(shaft.up * across[0])} up, {number(shaft.right * across[0])} right"
+            label += f", {number(shaft.up * across[0])} {across[1]} up, {number(shaft.right * across[0])} {across[1]} right"
         for place, throw in enumerate(shaft.throws, 1):
             size = [number(throw.radius * across[0]), number(throw.z * along[0], 1.0), number(throw.rotating_mass * mass[0])]
             out.add_row(
@@ -141,7 +141,7 @@ def harmonics(engine: Engine) -> RenderableType:
         if abs(size) < SMALLEST_HARMONIC:
             continue
         if first.offset:
-            out.add_row(str(order), f"{abs(size):.10g}", f"{degrees(phase(size)):.2f}")
+            out.add_row(str(order), f"{abs(size):.10g}", f"{round(degrees(phase(size)), 2) + 0.0:.2f}")
         else:
             out.add_row(str(order), f"{size.real:.10g}", f"{float(motion.series(order, ratio=ratio)):.10g}")
     title = f"Piston of cylinder {first.number}: force m r ω² Σ Aₖ cos kψ, λ = r/l = {number(ratio)}"

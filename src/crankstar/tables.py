@@ -264,7 +264,7 @@ def _remarks(shown: Analysis, sums: Totals, real: Totals | None) -> Text:
         f"Peak inertia torque: {number(torque)} {unit_text(units.roll)}.\n" if some else "No inertia torque of any order.\n"
     )
     for name in ("force", "couple"):
-        text.append(_removable(name, getattr(sums, name)))
+        text.append(_removable(name, getattr(sums, name), both=_both_ways(shown.engine)))
     text.rstrip()
     return text
 
@@ -274,13 +274,30 @@ def _pushed(parts: Spectrum) -> float:
     return float((np.abs(parts.forward) + np.abs(parts.backward)).sum(axis=0).max(initial=0.0))
 
 
-def _removable(name: str, spectrum: Spectrum) -> str:
-    """First order: the forward vector is what counterweights on the crankshaft can cancel."""
+def _both_ways(engine: Engine) -> bool:
+    """Whether a crankshaft turns against the first as fast as that."""
+    return any(shaft.throws and shaft.speed_ratio == -1 for shaft in engine.shafts)
+
+
+def _removable(name: str, spectrum: Spectrum, *, both: bool) -> str:
+    """First order: the forward vector is what counterweights on the crankshaft can cancel.
+
+    With `both` there is a crankshaft that turns as fast the other way, whose counterweights can cancel the backward vector.
+    """
     first = phasor.selected(spectrum, [1.0])
     forward, backward = abs(complex(first.forward[0])), abs(complex(first.backward[0]))
     scale = NEGLIGIBLE * _largest(spectrum)
     if forward <= scale and backward <= scale:
         return f"First-order {name}: none.\n"
+    other = "on a crankshaft that turns the other way"
+    undone = f"counterweights {other} can take it away"
+    if both and forward <= scale:
+        return f"First-order {name}: {number(backward)} turning against the first crankshaft; {undone}.\n"
+    if both and backward > scale:
+        halves = (
+            f"the {number(forward)} that turns with the first crankshaft and, {other}, the {number(backward)} that turns with that"
+        )
+        return f"First-order {name}: crank counterweights can take away {halves}.\n"
     if forward <= scale:
         return f"First-order {name}: {number(backward)} turning against the crankshaft; no crank counterweight can remove it.\n"
     left = f"leaving {number(backward)} turning against it" if backward > scale else "leaving nothing"

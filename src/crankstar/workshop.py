@@ -111,7 +111,7 @@ def _weights(job: Job) -> RenderableType:
     across = "r" if "radius" in engine.relative else "mm"
     shown = number(radius * (1.0 if across == "r" else 1000.0))
     where = "the crank radius" if job.radius is None else f"a radius of {shown} {across}"
-    along, place = (1.0, "a") if "pitch" in engine.relative else (1000.0, "mm")
+    along, place = (1.0, "a") if "pitch" in engine.relative else (1.0, "r") if _lone(engine) else (1000.0, "mm")
     counted, product = _unbalance_unit(engine)
     heads = ("shaft", f"z [{place}]", "bearing at θ = 0 [deg]", f"unbalance [{product}]", f"mass [{unit}]")
     out = table(*heads, left=("shaft",))
@@ -123,6 +123,11 @@ def _weights(job: Job) -> RenderableType:
         return titled("Weights", Text("none"))
     said_so = Text(f"The mass is that of a lump (or the missing mass of a ring) whose centre is at {where}.")
     return Group(titled("Weights", out), said_so)
+
+
+def _lone(engine: Engine) -> bool:
+    """Whether the webs of a lone cylinder without sizes are as far apart as its crank radius has it, for want of a bore pitch."""
+    return "radius" in engine.relative and engine.bore_pitch is None and len({cylinder.z for cylinder in engine.cylinders}) == 1
 
 
 def _unbalance_unit(engine: Engine) -> tuple[float, str]:

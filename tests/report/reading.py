@@ -9,7 +9,14 @@ from hashlib import sha256
 from html.parser import HTMLParser
 from typing import NamedTuple
 
+POWER = re.compile(r"·10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)")
 EMPTY = {"meta", "br", "link", "input", "img", "hr"}
+
+
+def plain(words: str) -> str:
+    """Numbers as programs write them."""
+    lowered = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
+    return POWER.sub(lambda found: f"e{int(found.group(1).translate(lowered)):+03d}", words).replace("−", "-")
 
 
 class Tag(NamedTuple):
@@ -55,7 +62,7 @@ class Reader(HTMLParser):
     def handle_data(self, data: str) -> None:
         self.texts.append((tuple(self._open), data))
         if {"td", "th"} & set(self._open):
-            self.tables[self._label][-1][-1] += data
+            self.tables[self._label][-1][-1] += plain(data)
 
     def text(self) -> str:
         """All that is shown."""

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 from typing import Any
 
 import pytest
-from tests.report.reading import Reader, amplitude, vouched
+from tests.report.reading import Reader, amplitude, plain, vouched
 
 import crankstar
 from crankstar import answer, catalog, derive, verdict
 from crankstar.balance import balance
 from crankstar.files import engine_of
-from crankstar.report import Matter, report
+from crankstar.report import Matter, markup, report
 
 HOSTILE = "</script><img src=x onerror=alert(1)><style>*{}</style> & \"'`\\ 01"
 ENGINES = ("v8-cross-plane", "audi-25-tfsi", "single", "kr250-production", "jumo-205")
@@ -95,10 +96,43 @@ def test_a_speed_that_is_asked_for_is_the_one_of_every_number() -> None:
 @pytest.mark.parametrize("name", ENGINES)
 def test_the_verdict_and_every_source_are_in_it(written: dict[str, str], name: str) -> None:
     engine = crankstar.load(name)
-    shown = Reader(written[name]).text()
-    assert all(fact.sentence in shown for fact in verdict.verdict(engine))
+    shown = plain(Reader(written[name]).text())
+    assert all(plain(fact.sentence) in shown for fact in verdict.verdict(engine))
     rows = Reader(written[name]).table("Where the values come from")[1:]
     assert rows == [[path, origin.status, origin.source] for path, origin in engine.provenance.items()]
+
+
+@pytest.mark.parametrize("name", ENGINES)
+def test_numbers_that_are_read_have_true_minus_signs_and_raised_powers(written: dict[str, str], name: str) -> None:
+    read = Reader(written[name])
+    shown = [data for path, data in read.texts if not {"style", "pre", "svg", "math"} & set(path)]
+    assert not [data for data in shown if re.search(r"(?<![\w.])-\d|\de[-+−]\d", data)]
+    assert any("−0.00" in data for data in shown)
+    assert any("·10⁻⁵" in data for data in shown) or name == "audi-25-tfsi"
+    file = "".join(data for path, data in read.texts if "pre" in path)
+    assert "−" not in file  # what is copied stays as a program reads it
+
+
+def test_where_two_crankshafts_turn_against_each_other_counterweights_take_both_halves() -> None:
+    from crankstar import fitting, phasor
+    from crankstar.balance import total
+
+    for name, about in (("napier-deltic", "couple"), ("kr250-racer", "force")):
+        shown = Reader(report(matter(name))).text()
+        assert "on a crankshaft that turns the other way" in shown
+        assert "leaving" not in shown.split(f"First-order {about}:")[1][:160]
+        found = fitting.recommended(crankstar.load(name))
+        assert found is not None
+        left = phasor.selected(getattr(total(balance(found.after)), about), [1.0])
+        assert abs(left.forward[0]) + abs(left.backward[0]) < 1e-9
+
+
+def test_a_long_table_may_run_over_pages_and_a_lone_cylinder_has_no_millimetres(written: dict[str, str]) -> None:
+    heads = ("a", "b")
+    assert 'class="table short"' in markup.table(heads, [("1", "2")] * 8)
+    assert 'class="table"' in markup.table(heads, [("1", "2")] * 14)
+    assert Reader(written["single"]).table("Weights")[0][1] == "z [r]"
+    assert Reader(written["jumo-205"]).table("Shafts")[7][0] == "second, -1000 mm up, 0 mm right"
 
 
 def test_values_that_nobody_vouches_for_are_marked_beside_them(written: dict[str, str]) -> None:

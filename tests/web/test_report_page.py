@@ -39,6 +39,40 @@ def test_a_report_fits_the_window_and_takes_its_colours(page: Page, place: Path,
     assert page.evaluate("[...document.querySelectorAll('math')].every(math => math.getBoundingClientRect().height > 5)")
 
 
+MEETING = """() => [...document.querySelectorAll('figure svg')].flatMap(svg => {
+  const texts = [...svg.querySelectorAll('text')].filter(text => text.textContent.trim() && text.getAttribute('opacity') !== '0')
+    .map(text => ({ words: text.textContent, box: text.getBoundingClientRect() }));
+  const meet = (a, b) => Math.min(a.right, b.right) - Math.max(a.left, b.left) > 2
+    && Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 5;
+  return texts.flatMap((one, i) => texts.slice(i + 1).filter(other => meet(one.box, other.box))
+    .map(other => svg.querySelector('title').textContent + ': ' + one.words + ' | ' + other.words));
+})"""
+
+
+ON_AN_AXIS = """() => [...document.querySelectorAll('figure svg')].flatMap(svg => {
+  const upright = [...svg.querySelectorAll('path')]
+    .map(path => path.getBoundingClientRect()).filter(b => b.width < 3 && b.height > 150);
+  const angles = [...svg.querySelectorAll('text')].filter(text => text.textContent.includes('°'));
+  return angles.filter(text => upright.some(axis => {
+    const box = text.getBoundingClientRect(), middle = (axis.left + axis.right) / 2;
+    return box.left < middle - 1 && box.right > middle + 1 && box.bottom > axis.top && box.top < axis.bottom;
+  })).map(text => svg.querySelector('title').textContent + ': ' + text.textContent);
+})"""
+
+
+@pytest.mark.parametrize("name", ["single", "jumo-205"])
+def test_words_in_the_spectra_and_paths_do_not_lie_over_each_other(page: Page, name: str, tmp_path: Path) -> None:
+    """As the browser draws them in its own letters, which are wider than those the charts are reckoned with."""
+    _, tree = catalog.tree_of(name)
+    out = tmp_path / "report.html"
+    out.write_text(report(Matter(engine_of(tree, name=name), tree, "crankstar report")), encoding="utf-8")
+    page.set_viewport_size({"width": 1280, "height": 900})
+    page.goto(out.as_uri())
+    met = page.evaluate(MEETING)
+    assert [one for one in met if ": spectrum" in one or ": hodograph" in one or ": over-turn" in one] == []
+    assert [one for one in page.evaluate(ON_AN_AXIS) if ": hodograph" in one] == []
+
+
 def test_a_reader_who_does_not_see_it_finds_headings_and_names(page: Page, place: Path) -> None:
     page.goto(place.as_uri())
     levels = page.evaluate("[...document.querySelectorAll('h1, h2, h3, h4')].map(h => Number(h.tagName[1]))")

@@ -88,7 +88,9 @@ STYLE = {
         "titleFontSize": 14,
         "titleFontWeight": "normal",
         "gridOpacity": 0.25,
+        "labelSeparation": 8,
     },
+    "axisY": {"titlePadding": 10},  # a browser's own letters may be wider than those that are reckoned with
     "legend": {"labelColor": GREY, "labelFontSize": 13, "labelLimit": 200},
     "title": {
         "color": GREY,

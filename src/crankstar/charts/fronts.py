@@ -24,7 +24,7 @@ from crankstar.charts.drawing import (
     of_rows,
     text_width,
 )
-from crankstar.charts.labels import Box, meets
+from crankstar.charts.labels import WIDER, Box, meets
 from crankstar.search.engines import firing_order
 from crankstar.search.question import Front
 from crankstar.search.stars import Stars
@@ -59,8 +59,6 @@ KEY = 520
 """Px that the key may be wide; longer firing orders are folded."""
 LEFT = 24.0
 """Px by which the key begins left of the axis."""
-WIDER = 1.14
-"""By how much the letters of a browser's own font may be wider than those that are reckoned with."""
 DASH = 0.33
 """Width of a dash or a point in the size of the letters."""
 LINE = 17.0

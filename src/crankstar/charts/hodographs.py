@@ -171,7 +171,9 @@ def _marks(found: Course, scale: float) -> tuple[list[Dot], list[Label]]:
     for group in groups:
         place = places[group[0]]
         text = ", ".join(f"{degrees(angles[i]):.0f}°" for i in group[:4]) + (" …" if len(group) > 4 else "")
-        labels.append(Label(text, place, place / abs(place) if abs(place) * scale > 1 else 1 + 0j, colour=BLUE, size=SMALL))
+        labels.append(
+            Label(text, place, place / abs(place) if abs(place) * scale > 1 else 1 + 0j, colour=BLUE, size=SMALL, gap=8.0)
+        )
     return dots, labels
 
 

@@ -9,7 +9,8 @@ import numpy as np
 
 from crankstar import phasor
 from crankstar.balance import balance, total
-from crankstar.charts.drawing import BLUE, GREY, ORANGE, SMALL, WIDTH, Panel, brief, figure, layered, of_rows
+from crankstar.charts.drawing import BLUE, GREY, ORANGE, SMALL, WIDTH, Panel, brief, figure, layered, of_rows, text_width
+from crankstar.charts.labels import WIDER, Box, meets
 from crankstar.engine import Engine
 from crankstar.mechanism import Reference, Totals, block_roll
 from crankstar.phasor import Spectrum
@@ -21,6 +22,10 @@ if TYPE_CHECKING:
 VISIBLE = 1e-3
 """Share of the greatest order of a quantity above which an order is drawn."""
 MOST_ORDERS = 12
+HEIGHT, HEADROOM = 90, 1.25
+"""Px of a panel, and how far its axis reaches beside the greatest bar."""
+NARROW = 26
+"""Px for an order below which nothing is written above its bar."""
 AHEAD, AGAINST, ROLL = "with the crank", "against it", "roll"
 
 
@@ -129,26 +134,54 @@ def _panel(one: Bars, orders: Sequence[float], reach: float, width: float, *, fo
     y = alt.Y(
         "to:Q",
         title=f"{one.quantity} ({one.unit})".replace(" (", "\n(").split("\n"),
-        scale=alt.Scale(domain=[0, 1.25 * reach], nice=False),
-        axis=alt.Axis(tickCount=3),
+        scale=alt.Scale(domain=[0, HEADROOM * reach], nice=False),
+        axis=alt.Axis(tickCount=3, titlePadding=18),  # its second line stands where one would end
     )
     colours = alt.Scale(domain=[AHEAD, AGAINST], range=[BLUE, ORANGE])
     legend = alt.Legend(orient="top", title=None, symbolType="square", columnPadding=26)
     layers = [
         of_rows(_rows(one))
-        .mark_bar(size=max(6, min(22, width / len(names) * 0.6)))
+        .mark_bar(size=_breadth(names, width))
         .encode(x=x, y=y, y2=alt.Y2("from:Q"), color=_colour(alt, one, colours, legend))
     ]
-    tops = [
-        {"order": f"{o:g}", "to": a + b, "text": brief(a + b)} for o, a, b in zip(one.orders, one.ahead, one.against, strict=True)
-    ]
-    if tops and width / len(names) > 26:
-        text = of_rows(tops).mark_text(dy=-8, fontSize=SMALL, color=GREY)
+    told = tops(one, names, reach=reach, width=width)
+    if told:
+        text = of_rows(told).mark_text(fontSize=SMALL, color=GREY)
         layers.append(text.encode(x=x, y=y, text=alt.Text("text:N")))
-    if not tops:
+    if not one.orders:
         middle = of_rows([{"to": 0.6 * reach}]).mark_text(fontSize=13, color=GREY)
         layers.append(middle.encode(x=alt.XValue(width / 2), y=y, text=alt.TextValue(f"no {one.quantity}")))
-    return layered(layers, width=width, height=90, title=title)
+    return layered(layers, width=width, height=HEIGHT, title=title)
+
+
+def _breadth(names: Sequence[str], width: float) -> float:
+    return max(6.0, min(22.0, width / len(names) * 0.6))
+
+
+def tops(one: Bars, names: Sequence[str], *, reach: float, width: float) -> list[dict[str, Any]]:
+    """What each bar is long, above it: raised where it would meet another, left out where there is no place; the greatest first.
+
+    `to` is where the middle of the text stands, in the unit of the bars.
+    """
+    slot = width / len(names)
+    if slot <= NARROW:
+        return []
+    lengths = [(names.index(f"{order:g}"), a + b) for order, a, b in zip(one.orders, one.ahead, one.against, strict=True)]
+    px = HEIGHT / (HEADROOM * reach)
+    taken: list[Box] = [
+        Box(complex(size * px / 2, (at + 0.5) * slot), _breadth(names, width) / 2, size * px / 2) for at, size in lengths
+    ]
+    out: list[dict[str, Any]] = []
+    for at, size in sorted(lengths, key=lambda bar: -bar[1]):
+        text = brief(size)
+        half = WIDER * text_width(text, SMALL) / 2
+        for lift in (8.0, 21.0, 34.0):
+            here = Box(complex(size * px + lift, (at + 0.5) * slot), half, SMALL / 2)
+            if here.middle.real + here.upright <= HEIGHT + 4 and not any(meets(here, other) for other in taken):
+                taken.append(here)
+                out.append({"order": names[at], "to": (size * px + lift) / px, "text": text})
+                break
+    return out
 
 
 def _colour(alt: Any, one: Bars, colours: Any, legend: Any) -> Any:

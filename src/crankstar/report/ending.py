@@ -18,7 +18,7 @@ the direction of rotation of the first shaft, from top dead centre of cylinder 1
 A force is what the moving parts do to the block. A couple is Σ (z − z₀) · force, in the plane in which it acts: couple up \
 lifts the front. An amplitude a ∠ p stands for a cos(kθ + p).
 Every order is two vectors that turn in opposite directions, forward with the crankshaft and backward against it. \
-Counterweights on the crankshaft can only take away what turns forward at order 1.
+Counterweights on a crankshaft can only take away what turns with it and as fast: of the first order, what turns its way.
 """
 STYLE = re.compile(r"\s*<style>(.*?)</style>", re.DOTALL)
 

@@ -13,11 +13,16 @@ from rich.text import Text
 
 from crankstar.quantity import CONTROL
 
-NUMBER = re.compile(r"[-−+]?\d[\d.,]*(e[-+]?\d+)?([ \d.°∠–-]*)?")
+NUMBER = re.compile(r"[-−+]?\d[\d.,]*(e[-+]?\d+)?([ \d.°∠–−-]*)?")
 """What stands to the right in its column."""
+MINUS = re.compile(r"(?<![\w.\])°-])-(?=\d)")
+"""A hyphen that is a sign; the one in 1-5-3 or V6-60 is none."""
+POWER = re.compile(r"(?<![\w.])(-?\d+(?:\.\d+)?)e([-+]\d{2,})(?!\w)")
+"""A number with an exponent, as programs write it."""
+RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 BROAD = 8
 """Columns from which on a table is set in smaller letters, so that it fits a page."""
-SHORT = 24
+SHORT = 9
 """Rows of a table that is kept on one page."""
 
 
@@ -26,14 +31,27 @@ def text(words: object) -> str:
     return escape(CONTROL.sub("?", str(words)))
 
 
+def typeset(words: object) -> str:
+    """Words with numbers as they are printed: a minus is no hyphen, and powers of ten stand raised.
+
+    >>> typeset("2 ∠ -90° of 1-5-3, 7.4e-05")
+    '2 ∠ −90° of 1-5-3, 7.4·10⁻⁵'
+    """
+    return MINUS.sub("−", POWER.sub(_power, text(words)))
+
+
+def _power(found: re.Match[str]) -> str:
+    return f"{found.group(1)}·10{str(int(found.group(2))).translate(RAISED)}"
+
+
 def paragraph(words: object, kind: str = "") -> str:
     """A paragraph, of a kind that the style sheet knows."""
-    return f"<p{_class(kind)}>{text(words)}</p>" if str(words).strip() else ""
+    return f"<p{_class(kind)}>{typeset(words)}</p>" if str(words).strip() else ""
 
 
 def listing(items: Sequence[object]) -> str:
     """A list with bullets."""
-    return f"<ul>{''.join(f'<li>{text(item)}</li>' for item in items)}</ul>" if items else ""
+    return f"<ul>{''.join(f'<li>{typeset(item)}</li>' for item in items)}</ul>" if items else ""
 
 
 def table(heads: Sequence[object], rows: Sequence[Sequence[object]], *, title: str = "", kinds: Sequence[str] = ()) -> str:
@@ -118,7 +136,7 @@ def _table(
     for place, row in enumerate(rows):
         cells = "".join(f"<td{_class(side)}>{_cell(cell)}</td>" for cell, side in zip(row, sides, strict=True))
         body += f"<tr{_class(kinds[place] if place < len(kinds) else '')}>{cells}</tr>"
-    above_it = f"<h3>{text(title)}</h3>" if title else ""  # a caption would be as narrow as the table
+    above_it = f"<h3>{typeset(title)}</h3>" if title else ""  # a caption would be as narrow as the table
     label = f' role="region" tabindex="0" aria-label="{text(title or "table")}"'
     thead = f"<thead><tr>{above}</tr></thead>" if any(str(head).strip() for head in heads) else ""
     kind = "table" + (" short" if len(rows) <= SHORT else "") + (" broad" if len(heads) >= BROAD else "")
@@ -126,7 +144,7 @@ def _table(
 
 
 def _cell(cell: object) -> str:
-    return text(cell).replace("\n", "<br>")
+    return typeset(cell).replace("\n", "<br>")
 
 
 def _class(kind: str) -> str:
@@ -140,7 +158,7 @@ def section(title: str, body: str, *, name: str) -> str:
 
 def figure(drawing: str, caption: str, kind: str = "") -> str:
     """A drawing in the colours of the page with a line under it."""
-    return f"<figure{_class(kind)}>{drawing}<figcaption>{text(caption)}</figcaption></figure>"
+    return f"<figure{_class(kind)}>{drawing}<figcaption>{typeset(caption)}</figcaption></figure>"
 
 
 def figures(drawn: Sequence[str], kind: str = "") -> str:

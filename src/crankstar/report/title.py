@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from crankstar.engine import Engine
 from crankstar.firing import firing
-from crankstar.report.markup import paragraph, section, text
+from crankstar.report.markup import paragraph, section, text, typeset
 from crankstar.report.matter import Matter
 from crankstar.verdict import verdict
 from crankstar.wording import firing_sentence, number
@@ -42,7 +42,7 @@ def _row(engine: Engine, one: Datum) -> str:
     state = status(engine, one.keys)
     mark = f' <span class="doubt">{state}</span>' if state else ""
     long = ' class="long"' if len(one.value) > LONG else ""
-    return f"<div{long}><dt>{text(one.label)}</dt><dd>{text(one.value)}{mark}</dd></div>"
+    return f"<div{long}><dt>{text(one.label)}</dt><dd>{typeset(one.value)}{mark}</dd></div>"
 
 
 def status(engine: Engine, keys: Iterable[str]) -> str:
@@ -131,6 +131,6 @@ def in_short(matter: Matter) -> str:
     before = ""
     for fact in verdict(matter.engine):
         about = fact.about if fact.about != before else ""
-        out.append(f"<div><dt>{text(about)}</dt><dd>{text(fact.sentence)}</dd></div>")
+        out.append(f"<div><dt>{text(about)}</dt><dd>{typeset(fact.sentence)}</dd></div>")
         before = fact.about
     return section("Verdict", f'<dl class="facts">{"".join(out)}</dl>', name="verdict")

@@ -18,7 +18,7 @@ from crankstar.report.markup import figure, figures, paragraph, section, table, 
 from crankstar.report.matter import Matter
 from crankstar.wording import NEGLIGIBLE, number, shape
 
-SIDE, MARGIN = 180.0, 34.0
+SIDE, MARGIN = 180.0, 40.0
 """px of the drawing of a path, and round it."""
 SAMPLES = 721
 STILL = 1e-9
