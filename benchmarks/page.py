@@ -1,7 +1,8 @@
-"""What the page costs: sizes, how soon it is ready, and the script of a frame. `make bench` prints it; --write puts it in the docs.
+"""What the page costs: sizes, how soon it is ready, the script of a frame, how soon an edit is seen.
 
-In a Chromium without a window and, where there is no graphics card, with drawing done by the processor. Only script is counted in
-a frame: what the stage, the figures and the numbers take until they have said what is to be drawn, not the drawing.
+`make bench` prints it; --write puts it in the docs. In a Chromium without a window and, where there is no graphics card, with
+drawing done by the processor. Only script is counted in a frame: what the stage, the figures and the numbers take until they
+have said what is to be drawn, not the drawing; in an edit the drawing is counted, too.
 """
 
 from __future__ import annotations
@@ -14,13 +15,31 @@ from statistics import median, quantiles
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
 import tables
-from playwright.sync_api import Browser
+from playwright.sync_api import Browser, ViewportSize
 from tests.front_end import BUNDLE
 from tests.web.browsing import chromium
 from tests.web.engine_page import HANDLE, opened, written
+from tests.web.serving import serving
 
 MEASURED = "v12-60"
+EDITED = "v8-cross-plane"
+EDIT = """async () => {
+    const box = document.getElementById('edit:layout.banks[1].bearing')
+    const drawn = () => new Promise(done => requestAnimationFrame(() => setTimeout(done)))
+    const took = []
+    for (let angle = 20; angle < 45; angle++) {
+        const [before, from] = [HANDLE.exhibits[0], performance.now()]
+        box.value = `${angle} deg`
+        box.dispatchEvent(new Event('input', { bubbles: true }))
+        while (HANDLE.exhibits[0] === before) await new Promise(done => setTimeout(done, 1))
+        await drawn()
+        took.push(performance.now() - from)
+        await new Promise(done => setTimeout(done, 300))
+    }
+    return took
+}"""
 FRAMES = 240
+SIZE = ViewportSize(width=1280, height=800)
 OPENINGS = 7
 
 
@@ -28,7 +47,7 @@ def ready(browser: Browser, path: Path) -> list[float]:
     """Seconds from the navigation until the first frame is drawn, each time in a fresh profile."""
     found: list[float] = []
     for _ in range(OPENINGS):
-        with browser.new_context(viewport={"width": 1280, "height": 800}) as context, context.new_page() as page:
+        with browser.new_context(viewport=SIZE) as context, context.new_page() as page:
             opened(page, path, "a=0")
             found.append(page.evaluate("() => performance.getEntriesByName('crankstar ready')[0].startTime") / 1000)
     return found
@@ -36,12 +55,21 @@ def ready(browser: Browser, path: Path) -> list[float]:
 
 def frames(browser: Browser, path: Path, state: str) -> list[float]:
     """Milliseconds of script of each frame while the engine turns."""
-    with browser.new_context(viewport={"width": 1280, "height": 800}) as context, context.new_page() as page:
+    with browser.new_context(viewport=SIZE) as context, context.new_page() as page:
         opened(page, path, state)
         page.wait_for_timeout(2000)  # figures are there, the machine is warm
         before = page.evaluate(f"() => {HANDLE}.frameTimes().length")
         page.wait_for_function(f"() => {HANDLE}.frameTimes().length >= {before + FRAMES}", timeout=120_000)
         return page.evaluate(f"() => {HANDLE}.frameTimes()")[before:]
+
+
+def edits(browser: Browser) -> list[float]:
+    """Milliseconds from the last letter of a bank angle until the new engine has been drawn, the drawing included."""
+    with serving(EDITED) as server, browser.new_context(viewport=SIZE) as context, context.new_page() as page:
+        page.goto(f"{server.address}#tab=edit&a=0")
+        page.locator(".editor .form .field").first.wait_for()
+        page.wait_for_timeout(1000)
+        return page.evaluate(EDIT.replace("HANDLE", HANDLE))
 
 
 def rows() -> list[tables.Row]:
@@ -59,6 +87,8 @@ def rows() -> list[tables.Row]:
             times = frames(browser, path, state)
             late = quantiles(times, n=20)[-1]
             out.append((f"script of {what}", f"{median(times):.2f} ms (19 of 20 within {late:.2f} ms)", "4 ms"))
+        typed = median(edits(browser))
+        out.append((f"a bank angle of {EDITED} typed, until its new engine is drawn", f"{typed:.0f} ms", "100 ms"))
     return out
 
 
