@@ -12,13 +12,12 @@ from math import isfinite
 from pathlib import Path, PurePath
 from typing import Any
 
-from crankstar import page
+from crankstar import fitting, page
 from crankstar.catalog import tree_of
 from crankstar.charts.drawing import ChartError
 from crankstar.derive import DerivationError
 from crankstar.engine import Engine
 from crankstar.exhibit import exhibition, figures
-from crankstar.exhibit.exhibits import remedied
 from crankstar.exhibit.library import packed
 from crankstar.files import engine_of, explicit
 from crankstar.quantity import one_line
@@ -119,8 +118,8 @@ def answer(engines: tuple[Engine, ...], question: Any) -> dict[str, Any]:
     try:
         engine = engines[int(told["engine"])]
         if told["fitted"]:
-            found = remedied(engine)
-            engine = engine if found is None else found[0]
+            found = fitting.recommended(engine)
+            engine = engine if found is None else found.after
         return {**same, "value": makers[told["what"]](engine, str(told["key"]))}
     except ImportError as error:
         return {**same, "sentence": f'Figures are drawn with Altair and vl-convert ({error}): pip install "crankstar[charts]"'}

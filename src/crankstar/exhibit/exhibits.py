@@ -88,23 +88,20 @@ def exhibit(
     )
 
 
-def remedied(engine: Engine) -> tuple[Engine, tuple[Table, ...]] | None:
-    """The engine with what the verdict recommends, and tables of it; None where there is nothing of the first two orders."""
+def fitted(engine: Engine) -> Exhibit | None:
+    """The exhibit of the engine with what the verdict recommends; None where there is nothing of the first two orders."""
     found = fitting.recommended(engine)
     if found is None:
         return None
-    told = Table(title="", heads=(), rows=(), notes=(found.told,))
-    job = workshop.Job(before=engine, after=found.after, factor=found.factor, speed=engine.speed)
-    return found.after, (told, *tellings.tables(workshop.balance_card(job)))
+    return fitted_with(engine, found.after, factor=found.factor, told=found.told)
 
 
-def fitted(engine: Engine) -> Exhibit | None:
-    """The exhibit of the engine with weights and balance shafts; None where there is nothing to take away."""
-    found = remedied(engine)
-    if found is None:
-        return None
-    after, told = found
-    return exhibit(after, file=files.part_by_part(after), neighbours=False, remedies=told)
+def fitted_with(engine: Engine, after: Engine, *, factor: float | None, told: str = "") -> Exhibit:
+    """The exhibit of `after`, an engine with weights and balance shafts of its own, and tables of what they do; first `told`."""
+    job = workshop.Job(before=engine, after=after, factor=factor, speed=engine.speed)
+    first = (Table(title="", heads=(), rows=(), notes=(told,)),) if told else ()
+    remedies = (*first, *tellings.tables(workshop.balance_card(job)))
+    return exhibit(after, file=files.part_by_part(after), neighbours=False, remedies=remedies)
 
 
 def _turns(engine: Engine) -> int:

@@ -7,7 +7,7 @@ from typing import Any
 
 from crankstar import fitting
 from crankstar.engine import Engine
-from crankstar.exhibit.keys import BEFORE_AND_AFTER, chart_keys, derivation_keys
+from crankstar.exhibit.keys import BEFORE_AND_AFTER
 from crankstar.quantity import one_line
 
 
@@ -89,6 +89,3 @@ def derivation(engine: Engine, key: str) -> str:
     if quantity not in ("force", "couple") or wanted <= 0:
         raise NoSuchKeyError(f"{one_line(key, longest=60)}: there is no such derivation; ask for one as in force:2")
     return html_part(derive.derivation(engine, wanted, quantity=quantity).chapter)
-
-
-__all__ = ["NoSuchKeyError", "chart", "chart_keys", "derivation", "derivation_keys"]

@@ -23,7 +23,7 @@ FIGURES = {
 """Figures of a page, in the order in which they are offered; `forces` stands on the stage itself."""
 OF_ORDER = ("vector-star", "polygon", "hodograph")
 WITHOUT_ANGLE = ("spectrum",)
-QUANTITIES = {"vector-star": ("force", "couple"), "polygon": ("force", "couple"), "hodograph": ("force", "couple")}
+VECTORS: tuple[Literal["force", "couple"], ...] = ("force", "couple")
 OVER_TURN = ("force", "couple", "roll", "torque")
 NEED_FIRING = ("stroke-chart", "firing-ring")
 BEFORE_AND_AFTER = "spectrum:fitted"
@@ -43,13 +43,13 @@ def chart_keys(engine: Engine, orders: Sequence[float]) -> tuple[ChartKey, ...]:
             continue
         turning = figure not in WITHOUT_ANGLE
         if figure in OF_ORDER:
-            for quantity in QUANTITIES[figure]:
+            for quantity in VECTORS:
                 for order in _drawn(orders):
                     key = chart_key(figure, order=order, quantity=quantity)
                     said = f"{label}, {quantity}, order {number(order)}"
                     out.append(ChartKey(key=key, figure=figure, label=said, quantity=quantity, order=order, turning=turning))
             if figure == "hodograph":
-                for quantity in QUANTITIES[figure]:
+                for quantity in VECTORS:
                     key = chart_key(figure, quantity=quantity)
                     said = f"{label}, {quantity}, all orders"
                     out.append(ChartKey(key=key, figure=figure, label=said, quantity=quantity, turning=turning))
@@ -80,9 +80,8 @@ def chart_key(figure: str, *, order: float | None = None, quantity: str | None =
 
 def derivation_keys(orders: Sequence[float]) -> tuple[DerivationKey, ...]:
     """The derivations of an engine: force and couple of the lowest orders."""
-    names: tuple[Literal["force", "couple"], ...] = ("force", "couple")
     return tuple(
         DerivationKey(key=f"{name}:{order:.12g}", label=f"{name.capitalize()} of order {number(order)}", quantity=name, order=order)
-        for name in names
+        for name in VECTORS
         for order in _drawn(orders)
     )

@@ -8,10 +8,11 @@ from base64 import b64encode
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
+from crankstar import fitting
 from crankstar.charts.drawing import ChartError
 from crankstar.derive import DerivationError
 from crankstar.engine import Engine
-from crankstar.exhibit.exhibits import exhibition, remedied
+from crankstar.exhibit.exhibits import exhibition
 from crankstar.exhibit.figures import chart, derivation
 from crankstar.exhibit.keys import BEFORE_AND_AFTER
 from crankstar.exhibit.records import Exhibit
@@ -37,8 +38,8 @@ def held(
     shown = exhibition(engines, files_given=files_given, sources=sources, command=command)
     pairs: list[tuple[Engine, Exhibit] | None] = list(zip(engines, shown.engines, strict=True))
     for engine, after in zip(engines, shown.fitted, strict=True):
-        found = None if after is None else remedied(engine)
-        pairs.append(None if found is None or after is None else (found[0], after))
+        found = fitting.recommended(engine)
+        pairs.append((found.after, after) if found and after else None)
     compared = [after is not None for after in shown.fitted]
     steps = sum(len(pair[1].charts) + len(pair[1].derivations) for pair in pairs if pair) + sum(compared)
     done = 0

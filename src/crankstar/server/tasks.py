@@ -13,11 +13,11 @@ from typing import Any
 
 from pydantic import BaseModel
 
-from crankstar import __version__, catalog, files, fitting, workshop
+from crankstar import __version__, catalog, files, fitting
 from crankstar.charts import ChartError
 from crankstar.derive import DerivationError
 from crankstar.engine import Engine
-from crankstar.exhibit import exhibits, tellings
+from crankstar.exhibit import exhibits
 from crankstar.exhibit.figures import NoSuchKeyError
 from crankstar.exhibit.records import Exhibit, Exhibition
 from crankstar.fault import EngineError, where
@@ -135,9 +135,7 @@ def _fitted(engine: Engine, *, factor: float | None = None, weights: Any = None,
         after = fitting.with_shafts(after, ratios=shafts, places=fitting.ShaftPlaces())
     if after is engine:
         return None
-    job = workshop.Job(before=engine, after=after, factor=factor, speed=engine.speed)
-    told = tellings.tables(workshop.balance_card(job))
-    return exhibits.exhibit(after, file=files.part_by_part(after), neighbours=False, remedies=told)
+    return exhibits.fitted_with(engine, after, factor=factor)
 
 
 def toml(engine: str | Tree) -> bytes:
