@@ -51,7 +51,8 @@ def origins(engine: Engine) -> RenderableType:
 def rotors(engine: Engine) -> RenderableType:
     """Shafts with their throws and weights, part by part."""
     across, along, mass = _lengths(engine)
-    unbalance = f"unbalance\n[{mass[1]} {'m' if across[1] == 'mm' else 'r'}]"
+    counted = 1 / engine.throw(engine.first).radius if mass[1] == "m" else 1.0  # m m would be masses times metres
+    unbalance = f"unbalance\n[{mass[1]} {'m' if across[1] == 'mm' and mass[1] == 'kg' else 'r'}]"
     heads = (
         "shaft",
         "part",
@@ -72,10 +73,16 @@ def rotors(engine: Engine) -> RenderableType:
                 f"throw {place}",
                 number(degrees(throw.angle), 180.0),
                 *size,
-                number(throw.rotating_mass * throw.radius),
+                number(throw.rotating_mass * throw.radius * counted),
             )
         for place, weight in enumerate(shaft.weights, 1):
-            row = [number(degrees(weight.angle), 180.0), "", number(weight.z * along[0], 1.0), "", number(weight.unbalance)]
+            row = [
+                number(degrees(weight.angle), 180.0),
+                "",
+                number(weight.z * along[0], 1.0),
+                "",
+                number(weight.unbalance * counted),
+            ]
             out.add_row(Text(label), f"weight {place}", *row)
     return titled("Shafts, throws and weights", out)
 

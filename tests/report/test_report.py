@@ -132,6 +132,9 @@ def test_a_long_table_may_run_over_pages_and_a_lone_cylinder_has_no_millimetres(
     assert 'class="table short"' in markup.table(heads, [("1", "2")] * 8)
     assert 'class="table"' in markup.table(heads, [("1", "2")] * 14)
     assert Reader(written["single"]).table("Weights")[0][1] == "z [r]"
+    racer = Reader(report(matter("kr250-racer"))).table("Shafts")
+    assert racer[0][-1].endswith("[m r]")
+    assert racer[2][-1] == "0.5"  # the balance factor of the racer is a half
     assert Reader(written["jumo-205"]).table("Shafts")[7][0] == "second, -1000 mm up, 0 mm right"
 
 
