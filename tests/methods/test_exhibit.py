@@ -129,7 +129,7 @@ def test_without_a_pitch_what_lies_along_the_shaft_is_counted_as_it_is_drawn() -
     assert pitch > 2.0  # crank radii: a bore is as wide as the stroke
     assert {part.number: part.z for part in shown.cylinders} == pytest.approx(places)
     assert (shown.reference_z, shown.whirl.centre[2]) == pytest.approx((places[2], places[2]))
-    assert shown.units.couple == "m r ω² a"
+    assert (shown.units.couple, shown.couple_length) == ("m r ω² a", pytest.approx(pitch))
     for place, order in enumerate(shown.orders):  # a round bar tilts along the couple, which is by `pitch` greater in crank radii
         for way in ("forward", "backward"):
             couple = np.array(getattr(shown.total.couple, way)[place]) * pitch

@@ -48,6 +48,10 @@ export interface Exhibit {
    */
   heading: string[]
   reference_z: number
+  /**
+   * how long, in the unit of the scene, the unit of length along z is that couples are in
+   */
+  couple_length: number
   orders: number[]
   total: Sum
   cylinders: PartForce[]

@@ -23,3 +23,8 @@ test('what is greater in the engine is looked at first', () => {
   expect(telling(engine(0.1, 0.9))).toBe('couple')
   expect(telling(engine(0, 0))).toBe('force')
 })
+
+test('arms are counted in the unit of length of the couples', () => {
+  expect(telling({ ...engine(1, 0.9), couple_length: 1 })).toBe('force')
+  expect(telling({ ...engine(1, 0.9), couple_length: 2 })).toBe('couple')
+})

@@ -73,6 +73,7 @@ def exhibit(
         ),
         heading=_heading(engine, result.speed),
         reference_z=result.reference.z * along,
+        couple_length=along,
         orders=orders,
         total=numbers.sums_of(sums, orders),
         cylinders=numbers.by_cylinder(engine, result, orders, along=along),

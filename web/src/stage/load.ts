@@ -150,12 +150,13 @@ export class Loads {
 
 /** What the longest arrows of an engine stand for; 0 where nothing is to be drawn. */
 function longest(exhibit: Exhibit, arrows: View['arrows']): { force: number; couple: number } {
-  const { orders, turns, cylinders, reference_z, total } = exhibit
+  const { orders, turns, cylinders, reference_z, couple_length, total } = exhibit
   const most = (of: Coefficients) => greatest(of, orders, arrows.orders, turns)
   const [force, couple] = [most(coefficientsOf(total.force)), most(coefficientsOf(total.couple))]
   const alone = Math.max(0, ...cylinders.map((part) => most(coefficientsOf(part.force))))
   const shown = arrows.cylinders ? Math.max(force, alone) : force
-  const pair = alone * Math.max(0, ...cylinders.map((part) => Math.abs(part.z - reference_z)))
+  const arm = Math.max(0, ...cylinders.map((part) => Math.abs(part.z - reference_z))) / couple_length
+  const pair = alone * arm
   return {
     force: arrows.force && shown > ROUNDING * alone ? Math.max(shown, LITTLE * alone) : 0,
     couple: arrows.couple && couple > ROUNDING * pair ? Math.max(couple, LITTLE * pair) : 0,

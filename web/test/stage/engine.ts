@@ -60,6 +60,7 @@ export function exhibit(changes: Partial<Exhibit> = {}): Exhibit {
     units: { force: 'N', couple: 'N*m', roll: 'N*m', length: 'm' },
     heading: [],
     reference_z: 0,
+    couple_length: 1,
     orders: [1],
     total: { force: none, couple: none, roll: [[0, 0]], torque: [[0, 0]] },
     cylinders: [{ number: 1, z: 0, force: none }],
