@@ -53,6 +53,9 @@ BELOW, BESIDE, HALF_BORE = 1.25, 0.8, 0.45
 far as its greatest throw and, for webs and big ends, `HALF_BORE` bores more."""
 
 
+PLACE_ASSUMED = "The place of balance shafts is assumed, clear of the crank; the roll of the block follows from it."
+
+
 class Fitted(NamedTuple):
     """An engine with what its verdict recommends, what that is in words, and by which balance factor if it is one of these."""
 
@@ -62,8 +65,9 @@ class Fitted(NamedTuple):
 
     @property
     def told(self) -> str:
-        """What was done, as one sentence."""
-        return f"Fitted with {' and '.join(self.done)}."
+        """What was done, and what of it is assumed."""
+        shafts = any("balance shaft" in one for one in self.done)
+        return f"Fitted with {' and '.join(self.done)}." + (f" {PLACE_ASSUMED}" if shafts else "")
 
 
 @dataclass(frozen=True)
@@ -99,8 +103,8 @@ def recommended(engine: Engine) -> Fitted | None:
     >>> from crankstar.catalog import load
     >>> recommended(load("v8-cross-plane")).told
     'Fitted with counterweights on all webs (balance factor 0.5).'
-    >>> recommended(load("i4")).told
-    'Fitted with balance shafts of speed ratios 2 and -2.'
+    >>> recommended(load("i4")).told  # doctest: +ELLIPSIS
+    'Fitted with balance shafts of speed ratios 2 and -2. The place of balance shafts is assumed, clear of the crank; ...'
     """
     after, factor, done = engine, FACTORS[0], []
     cranks = {shaft.speed_ratio for shaft in engine.shafts if shaft.throws}

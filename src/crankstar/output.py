@@ -6,7 +6,7 @@ import os
 import stat
 import sys
 import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from io import StringIO
 from pathlib import Path
@@ -150,6 +150,17 @@ def _pour(place: str, content: bytes) -> None:
     os.set_blocking(handle, True)
     with os.fdopen(handle, "wb") as file:
         file.write(content)
+
+
+def kind_of(place: str | None, kinds: Sequence[str], *, what: str) -> str:
+    """As which kind of file something is written: by the end of its name; into a pipe as the first. Raises OutputError."""
+    if place in STANDARD_OUTPUT:
+        return kinds[0]
+    found = Path(place or "").suffix.lower().removeprefix(".")
+    if found not in kinds:
+        names = " or ".join(f".{kind}" for kind in kinds)
+        raise OutputError(f"-o {one_line(place or '')}: is not the name of {what}; let it end in {names}")
+    return found
 
 
 def _refuse(place: str, reason: str) -> NoReturn:

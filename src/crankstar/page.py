@@ -67,7 +67,7 @@ def document(tree: Tree) -> str:
             f"<title>{escape(title)}</title>",
             "</head>",
             "<body>",
-            "<div data-crankstar></div>",
+            f"<div data-crankstar><p>{CUT}</p></div>",
             f"<noscript><h1>{escape(title)}</h1><p>{NO_SCRIPT}</p></noscript>",
             f'<script type="application/json" id="crankstar-data">{packed(tree)}</script>',
             f'<script type="module">{script}</script>',
@@ -78,6 +78,7 @@ def document(tree: Tree) -> str:
     )
 
 
+CUT = "The engine is being drawn. If this does not go away, the file is not whole: write it again with crankstar page."
 NO_SCRIPT = "This page turns an engine by a script that is all in this file. Allow scripts for it, or open it in another browser."
 
 

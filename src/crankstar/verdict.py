@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
+from math import isclose
 from typing import NamedTuple
 
 import numpy as np
@@ -67,7 +69,7 @@ class Pulses(NamedTuple):
 
 
 class Likeness(NamedTuple):
-    """What the pistons of an engine do, m r w^2 and m r w^2 a: greatest force and couple of the first and second order."""
+    """What the pistons of an engine do: greatest force and couple of two orders, in m r w^2 and in m r w^2 times its `spacing`."""
 
     force_1: float
     couple_1: float
@@ -280,8 +282,21 @@ def likeness(engine: Engine) -> Likeness:
     for order in orders:
         for name in ("force", "couple"):
             one = phasor.selected(phasor.total(getattr(result, name)[rows, :]), [order])
-            sizes.append(float(abs(complex(one.forward[0])) + abs(complex(one.backward[0]))))
+            arm = spacing(engine) / engine.pitch if name == "couple" else 1.0
+            sizes.append(float(abs(complex(one.forward[0])) + abs(complex(one.backward[0]))) / arm)
     return Likeness(*(0.0 if size < 1e-6 else size for size in sizes))
+
+
+def spacing(engine: Engine) -> float:
+    """The length in which couples of different engines are compared: between the nearest cylinders of a bank.
+
+    Where no bank has two, between the first and the last of all: there a bore pitch says nothing of arms, and files give what
+    they like. A lone cylinder has its pitch.
+    """
+    place = {cylinder.number: cylinder.z for cylinder in engine.cylinders}
+    rows = [sorted(place[number] for number in numbers) for numbers in engine.banks.values()]
+    near = [behind - before for row in rows for before, behind in pairwise(row) if behind > before]
+    return min(near, default=max(place.values()) - min(place.values()) or engine.pitch)
 
 
 def _neighbours(engine: Engine) -> list[str]:
@@ -299,9 +314,10 @@ def _neighbours(engine: Engine) -> list[str]:
         if name not in alike:
             key = next((seen for seen in different if np.allclose(seen, other, rtol=0.05, atol=0.01)), other)
             different.setdefault(key, []).append(name)
+    arm = "a" if isclose(spacing(engine), engine.pitch) else "times the distance of its cylinders"
     nearest = sorted(different, key=lambda other: float(np.abs(np.subtract(own, other)).sum()))[:COMPARED]
     return told + [
-        f"By the pistons alone, beside {_names(different[other])} it has {_difference(own, other)}." for other in nearest
+        f"By the pistons alone, beside {_names(different[other])} it has {_difference(own, other, arm)}." for other in nearest
     ]
 
 
@@ -311,11 +327,11 @@ def _names(names: Sequence[str]) -> str:
     return ", ".join(shown) + (f" and {rest} more" if rest else "")
 
 
-def _difference(own: Likeness, other: Likeness) -> str:
+def _difference(own: Likeness, other: Likeness, arm: str) -> str:
     """The numbers that differ, the largest difference first."""
     names = ("first-order force", "first-order couple", "second-order force", "second-order couple")
     words = dict(zip(Likeness._fields, names, strict=True))
-    units = {"force": "m r ω²", "couple": "m r ω² a"}
+    units = {"force": "m r ω²", "couple": f"m r ω² {arm}"}
     pairs = [(name, mine, theirs) for name, mine, theirs in zip(words, own, other, strict=True) if abs(mine - theirs) > 0.01]
     pairs.sort(key=lambda pair: -abs(pair[1] - pair[2]))
     said = []

@@ -137,6 +137,15 @@ def test_a_place_that_cannot_be_written_is_told_of_before_anything_is_drawn(
     assert sorted(path.name for path in tmp_path.iterdir()) == ["crankstar.js"]
 
 
+def test_a_page_is_not_written_over_an_engine_file(run: Run, tmp_path: Path) -> None:
+    file = tmp_path / "mine.toml"
+    file.write_text(SHORT, encoding="utf-8")
+    ran = run("page", str(file), "-o", str(file))
+    assert ran.code == 2
+    assert "is not the name of a page; let it end in .html or .htm" in ran.err
+    assert file.read_text(encoding="utf-8") == SHORT
+
+
 def test_a_disk_that_is_full_leaves_what_was_there(run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     place = tmp_path / "page.html"
     place.write_text("the old one", encoding="utf-8")

@@ -78,6 +78,16 @@ def test_half_the_mass_leaves_what_the_sentence_says() -> None:
         assert any(words in fact.sentence for fact in verdict(load(name), neighbours=False))
 
 
+@pytest.mark.parametrize("pitch", ["20 mm", "110 mm"])
+def test_couples_of_neighbours_are_compared_in_one_length(pitch: str) -> None:
+    """Of two cylinders on one pin any bore pitch can be given: what the couple is counted in must not tell engines apart."""
+    sizes = {"cylinder.stroke": "69 mm", "cylinder.reciprocating_mass": "560 g", "layout.bore_pitch": pitch}
+    same = load("ducati-90", changes={**sizes, "layout.bank_offset": "24 mm", "name": "mine"})
+    told = [fact.sentence for fact in verdict(same) if fact.about == "neighbours"]
+    assert "ducati-90" in told[0]
+    assert told[0].startswith("Its pistons alone")
+
+
 def test_neighbours_are_of_the_same_kind_and_nearest_first() -> None:
     sentences = [fact.sentence for fact in verdict(load("v8-cross-plane")) if fact.about == "neighbours"]
     assert "bmw-s65" in sentences[0]

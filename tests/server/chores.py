@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import time
+from pathlib import Path
+from typing import Any
 
 from crankstar.server.refusal import refused
 
@@ -17,6 +19,16 @@ def sleep(seconds: float) -> bytes:
     """Takes a while."""
     time.sleep(seconds)
     return b"slept"
+
+
+def choke_once(path: str) -> Any:
+    """Answers the first time with what cannot be sent, for it is nested too deeply."""
+    answer: Any = b"breathes"
+    if not Path(path).exists():
+        Path(path).touch()
+        for _ in range(100_000):
+            answer = [answer]
+    return answer
 
 
 def die() -> bytes:

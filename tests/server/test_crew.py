@@ -54,6 +54,14 @@ def test_a_process_that_takes_too_long_or_is_lost_is_replaced_and_the_next_task_
     assert lost == (503, crews.LOST)
 
 
+def test_a_process_that_cannot_say_what_it_found_is_replaced_without_a_word(tmp_path: Path, capfd: Any) -> None:
+    async def work(crew: Processes) -> bytes:
+        return await crew.do(chores.choke_once, str(tmp_path / "mark"))
+
+    assert with_crew(work, seconds=20.0) == b"breathes"
+    assert capfd.readouterr().err == ""
+
+
 def test_refusals_come_through_and_mistakes_of_ours_are_told_without_the_words_of_the_machine(capfd: Any) -> None:
     async def work(crew: Processes) -> list[Any]:
         return [await refusal(crew.do(chores.refuse)), await refusal(crew.do(chores.fail)), await crew.do(chores.number)]

@@ -243,9 +243,24 @@ def test_names_are_text_everywhere(tmp_path: Path, page: Page) -> None:
     expect(page.get_by_role("heading", level=1)).to_have_text(HOSTILE)
 
 
+@pytest.mark.parametrize("share", [0.1, 0.5, 0.999])
+def test_a_file_that_is_cut_short_says_what_to_do(share: float, built_page: Build, tmp_path: Path, page: Page) -> None:
+    whole = built_page(CROSS).read_bytes()
+    file = tmp_path / "cut.html"
+    file.write_bytes(whole[: int(share * len(whole))])
+    page.goto(file.as_uri())
+    expect(page.locator("body")).to_contain_text("the file is not whole: write it again with crankstar page")
+
+
+def test_nothing_of_what_is_said_of_a_cut_file_is_left(built_page: Build, page: Page) -> None:
+    opened(page, built_page(CROSS))
+    expect(page.locator("body")).not_to_contain_text("not whole")
+
+
 @pytest.mark.parametrize(
     ("found", "instead", "told"),
     [
+        ("<data>", '{"exhibition": {"engines": [{"scene": null}]}, "libraries": [], "fitted": []}', "is damaged"),
         ("<data>", "", "holds no engine"),
         ("<data>", "null", "is damaged"),
         ("<data>", '{"exhibition": {"engines": []}, "libraries": [], "fitted": []}', "is damaged"),

@@ -49,7 +49,7 @@ export interface Exhibit {
   heading: string[]
   reference_z: number
   /**
-   * how long, in the unit of the scene, the unit of length along z is that couples are in
+   * the length that couples are counted in along z, in the unit of the scene
    */
   couple_length: number
   orders: number[]

@@ -81,6 +81,7 @@ export function show(host: Promise<Host>, el: Holder, bound?: (app: App) => () =
   let app: App | null = null
   let ended = false
   let unbind: (() => void) | undefined
+  el.replaceChildren() // a file says in it what to do if no script comes
   const release = adopt(el)
   // the stage comes with the first effects, and so do the keys
   let begun = (): void => {}

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import shlex
-from pathlib import PurePath
 from typing import Annotated
 
 from cyclopts import Parameter
@@ -12,8 +11,7 @@ from crankstar import chart_request, request
 from crankstar.catalog import load, tree_of
 from crankstar.cli.application import app
 from crankstar.cli.options import EngineName, Settings, Speed
-from crankstar.output import STANDARD_OUTPUT, working, writable, write, write_bytes
-from crankstar.quantity import one_line
+from crankstar.output import kind_of, working, writable, write, write_bytes
 from crankstar.request import RequestError
 
 KINDS = ("html", "pdf")
@@ -39,7 +37,7 @@ def write_report(
 ) -> None:
     """Write a report: data, views, strokes, orders, derivations, diagrams, verdict, remedies, sources."""
     chart_request.charts()
-    kind = _kind(output)
+    kind = kind_of(output, KINDS, what="a report")
     from crankstar import report
     from crankstar.files import changed, engine_of
 
@@ -73,13 +71,3 @@ def write_report(
     except report.PrintingError as error:
         raise RequestError(str(error)) from None
     return write_bytes(content, output)
-
-
-def _kind(place: str | None) -> str:
-    """As what the report is written: by the name of its file; into a pipe as HTML. Raises RequestError."""
-    if place in STANDARD_OUTPUT:
-        return "html"
-    found = PurePath(place or "").suffix.lower().removeprefix(".")
-    if found not in KINDS:
-        raise RequestError(f"-o {one_line(place or '')}: is not the name of a report; let it end in .html or .pdf")
-    return found

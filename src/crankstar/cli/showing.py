@@ -13,7 +13,7 @@ from crankstar.catalog import tree_of
 from crankstar.cli.application import app
 from crankstar.cli.options import EngineName, Settings
 from crankstar.files import changed, engine_of
-from crankstar.output import progress, writable, write
+from crankstar.output import kind_of, progress, writable, write
 from crankstar.request import RequestError
 
 
@@ -32,6 +32,7 @@ def page(
 
     chart_request.charts()
     writable(output)
+    kind_of(output, ("html", "htm"), what="a page")
     words = [engine] if beside is None else [engine, beside]
     given = [tree_of(name) for name in words]
     name, tree = given[0]

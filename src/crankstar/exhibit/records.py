@@ -242,7 +242,7 @@ class Exhibit(Shown):
     units: Units
     heading: tuple[str, ...] = Field(description="lines under the name: layout, firing, units, what is unverified")
     reference_z: float
-    couple_length: float = Field(description="how long, in the unit of the scene, the unit of length along z is that couples are in")
+    couple_length: float = Field(description="the length that couples are counted in along z, in the unit of the scene")
     orders: tuple[float, ...]
     total: Sum
     cylinders: tuple[PartForce, ...]

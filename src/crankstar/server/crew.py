@@ -162,7 +162,18 @@ class _Worker:
                 self.way.recv()
 
     def do(self, task: Task, arguments: tuple[Any, ...], seconds: float) -> bytes | Refused:
-        """What the process answers. Raises TimeoutError and ends the process where it takes too long, EOFError if it is lost."""
+        """What the process answers; one that is lost is replaced once, for it may be for what it did before.
+
+        Raises TimeoutError and ends the process where it takes too long, EOFError or OSError if it is lost again.
+        """
+        try:
+            return self._answer(task, arguments, seconds)
+        except TimeoutError:
+            raise
+        except (EOFError, OSError):
+            return self._answer(task, arguments, seconds)
+
+    def _answer(self, task: Task, arguments: tuple[Any, ...], seconds: float) -> bytes | Refused:
         self.ready()
         if self.way is None or self.ended:
             raise EOFError
@@ -192,7 +203,8 @@ class _Worker:
 def _work(way: Connection) -> None:
     """A process at work: task after task, until its parent lets go of the other end of the way."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    with suppress(EOFError, OSError, ImportError):
+    # a process whose stack is used up, which Python does not always give back, cannot even say what it found
+    with suppress(EOFError, OSError, ImportError, RecursionError):
         from crankstar.server import tasks  # the first asker need not wait for it
 
         way.send(READY)

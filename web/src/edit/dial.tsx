@@ -10,6 +10,9 @@ const STEPS: Record<string, number> = {
   PageDown: -15,
 }
 
+/** Degrees from which on, or if it is no number at all, an angle that was typed is not drawn. */
+const ABSURD = 1e6
+
 interface Props {
   /** Degrees, clockwise from up; null where there is no angle to show. */
   readonly degrees: number | null
@@ -23,7 +26,8 @@ interface Props {
 /** A small wheel for a bearing: drag it, or turn it with the arrow keys (Page keys: 15 deg). Whole degrees; with shift 15, with alt tenths. */
 export function Dial({ degrees, label, turned, rested }: Props) {
   const held = useRef(false)
-  const at = degrees ?? 0
+  const shown = degrees !== null && Math.abs(degrees) < ABSURD
+  const at = shown ? degrees : 0
 
   const follow = (event: PointerEvent) => {
     const box = (event.currentTarget as Element).getBoundingClientRect()
@@ -43,7 +47,7 @@ export function Dial({ degrees, label, turned, rested }: Props) {
       aria-valuemin={-180}
       aria-valuemax={180}
       aria-valuenow={Math.round(settled(at, 0.001) * 1000) / 1000}
-      aria-valuetext={degrees === null ? 'no angle' : `${Math.round(at * 1000) / 1000} degrees clockwise from up`}
+      aria-valuetext={!shown ? 'no angle' : `${Math.round(at * 1000) / 1000} degrees clockwise from up`}
       onPointerDown={(event) => {
         held.current = true
         event.currentTarget.setPointerCapture(event.pointerId)
@@ -69,7 +73,7 @@ export function Dial({ degrees, label, turned, rested }: Props) {
       <svg viewBox="-20 -20 40 40" aria-hidden="true">
         <circle class="rim" r="17" />
         <path class="mark" d="M0 -17V-13" />
-        {degrees !== null && (
+        {shown && (
           <g transform={`rotate(${at})`}>
             <path class="arm" d="M0 0V-11" />
             <circle class="pin" cy="-12" r="4" />

@@ -1,7 +1,7 @@
 import { useId, useRef, useState } from 'preact/hooks'
 import type { Fitting } from '../host/host'
 import { useSession } from './context'
-import { placed, told } from './session'
+import { told } from './session'
 
 const WEIGHTS: Record<string, Fitting['weights']> = {
   'opposite each pin': 'pins',
@@ -13,6 +13,7 @@ const SHAFTS: Record<string, Fitting['shafts']> = {
   'where needed': 'needed',
   'for all that is left': 'all',
 }
+const FACTOR = 'Balance factor to fit'
 const ADVISED = 'as its verdict advises'
 
 /** Puts counterweights and balance shafts on the engine; what it becomes has every weight in it (explicit form). */
@@ -29,7 +30,7 @@ export function Fit() {
     const note = root.current?.closest('.editor')?.querySelector<HTMLElement>('.note')
     const share = Number(factor.trim().replace(',', '.'))
     if (!Number.isFinite(share)) {
-      session.note.value = `Balance factor: “${factor}” is no number; give one as in 0.5, or leave it empty for the best.`
+      session.note.value = `${FACTOR}: “${factor}” is no number; give one as in 0.5, or leave it empty for the best.`
       if (note) lookAt(note)
       return
     }
@@ -44,8 +45,9 @@ export function Fit() {
     const answer = await told(session.service.fitted(session.tree.value, options))
     setBusy(false)
     if (!answer.ok) {
-      session.note.value = 'The engine could not be fitted.'
-      session.problems.value = placed(answer.problems)
+      const problems = answer.problems.map((one) => (one.path === 'factor' ? { ...one, path: FACTOR } : one))
+      session.note.value = ''
+      session.refused.value = { what: 'The engine could not be fitted; it stays as it is.', problems }
     } else if (answer.value === null)
       session.note.value = 'There is nothing to fit: weights and shafts would take nothing away.'
     else {
@@ -62,7 +64,7 @@ export function Fit() {
         Weights and shafts that take away what they can. The engine is then in the explicit form, weight by weight.
       </p>
       <div>
-        <label for={id}>Balance factor</label>
+        <label for={id}>{FACTOR}</label>
         <input
           id={id}
           type="text"

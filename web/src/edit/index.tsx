@@ -45,6 +45,7 @@ export function Editor({ service, tree, shown }: Props) {
         <p class="note" role="status" tabIndex={-1}>
           {session.note.value}
         </p>
+        <NotDone session={session} />
         <Mistakes session={session} root={() => root.current} />
         {form}
       </section>
@@ -61,6 +62,26 @@ export function EditAnywhere({ service, tree, shown, opens }: Props & { opens: (
     <Provider value={session}>
       <DropZone opens={opens} />
     </Provider>
+  )
+}
+
+/** What was asked for and not done, and why; it is looked at as soon as it is there. */
+function NotDone({ session }: { session: Session }) {
+  const box = useRef<HTMLDivElement>(null)
+  const refused = session.refused.value
+  useEffect(() => box.current?.scrollIntoView({ block: 'center' }), [refused])
+  if (!refused) return null
+  return (
+    <div class="mistakes" role="alert" ref={box}>
+      <p>{refused.what}</p>
+      <ul>
+        {refused.problems.map(({ path, message }) => (
+          <li key={`${path} ${message}`}>
+            {path && <code>{path}</code>} {message}
+          </li>
+        ))}
+      </ul>
+    </div>
   )
 }
 

@@ -15,6 +15,11 @@ export interface Placed extends Problem {
   readonly at: Path
 }
 
+export interface Refused {
+  readonly what: string
+  readonly problems: readonly Problem[]
+}
+
 /**
  * The engine file that is being edited: what is in the form, valid or not, with its history; the engine on the stage is the last
  * valid one. It outlives the form, so that a look at another tab loses nothing.
@@ -26,6 +31,8 @@ export interface Session {
   readonly forms: Signal<readonly Form[]>
   readonly catalog: Signal<readonly CatalogEntry[]>
   readonly problems: Signal<readonly Placed[]>
+  /** What was not done, and why: a file that is no engine, weights that cannot be fitted. Nothing in the form is wrong for it. */
+  readonly refused: Signal<Refused | null>
   readonly busy: Signal<boolean>
   /** What was done or went wrong last, for everyone to see and hear. */
   readonly note: Signal<string>
@@ -63,6 +70,7 @@ export function session(service: Service, tree: Tree, shown: Shown): Session {
   const allForms = signal<readonly Form[]>([])
   const catalog = signal<readonly CatalogEntry[]>([])
   const problems = signal<readonly Placed[]>([])
+  const refused = signal<Refused | null>(null)
   const busy = signal(false)
   const note = signal('')
   let onStage = tree
@@ -89,6 +97,7 @@ export function session(service: Service, tree: Tree, shown: Shown): Session {
     history.value = after(history.value, change)
     if (history.value.present === was) return
     note.value = ''
+    refused.value = null
     live.ask(history.value.present)
   }
 
@@ -99,6 +108,7 @@ export function session(service: Service, tree: Tree, shown: Shown): Session {
     forms: allForms,
     catalog,
     problems,
+    refused,
     busy,
     note,
     shown,
@@ -142,10 +152,10 @@ export function session(service: Service, tree: Tree, shown: Shown): Session {
       const found = await told(answer)
       batch(() => {
         if (found.ok) self.edit(found.value)
-        else problems.value = placed(found.problems)
-        note.value = found.ok
-          ? `${what} is in the form.`
-          : `${what} could not be opened; the engine on the stage stays.`
+        note.value = found.ok ? `${what} is in the form.` : ''
+        refused.value = found.ok
+          ? null
+          : { what: `${what} could not be opened; the engine on the stage stays.`, problems: found.problems }
       })
       return found.ok
     },

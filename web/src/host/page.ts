@@ -65,7 +65,10 @@ const AGAIN = 'Write it again: crankstar page ENGINE -o FILE.html'
 function isPageData(value: unknown): value is PageData {
   if (typeof value !== 'object' || value === null) return false
   const { exhibition, libraries, fitted } = value as Partial<PageData>
-  return Array.isArray(libraries) && Array.isArray(fitted) && (exhibition?.engines?.length ?? 0) > 0
+  const whole = (engine: Partial<Exhibit> | null) =>
+    !!engine?.scene && !!engine.whirl && !!engine.total && !!engine.table
+  const { engines } = exhibition ?? {}
+  return Array.isArray(libraries) && Array.isArray(fitted) && !!engines?.length && engines.every(whole)
 }
 
 /** A file that was opened from disk or the web: everything is in it. */

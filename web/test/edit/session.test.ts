@@ -78,15 +78,16 @@ test('typing is one step until a pause', async () => {
   expect(now.tree.value).toEqual(tree)
 })
 
-test('a file that is no engine changes nothing but the list of mistakes', async () => {
+test('a file that is no engine changes nothing, and makes nothing in the form wrong', async () => {
   const { now, tree, onStage } = begun()
   const opened = await now.open(Promise.resolve({ ok: false, problems: [wrong] }), 'x.toml')
   await settle()
   expect(opened).toBe(false)
   expect(now.tree.value).toEqual(tree)
   expect(onStage).toEqual([])
-  expect(now.problems.value).toHaveLength(1)
-  expect(now.note.value).toContain('x.toml could not be opened')
+  expect(now.problems.value).toEqual([])
+  expect(now.refused.value?.problems).toEqual([wrong])
+  expect(now.refused.value?.what).toContain('x.toml could not be opened')
 })
 
 test('what the form is made of is asked for once, and again after a failure', async () => {

@@ -9,8 +9,9 @@ const KEYS: readonly (readonly [string, string])[] = [
 
 /** Where the numbers come from, what was assumed, and how to get the same page again. */
 export function About() {
-  const { host, shown } = useApp()
+  const { host, shown, engines } = useApp()
   const { command, version, sources = [] } = host.exhibition
+  const asOpened = (index: number): boolean => same(engines.value[index]?.file, host.exhibition.engines[index]?.file)
   return (
     <>
       {shown.value.map((exhibit, index) => (
@@ -28,7 +29,7 @@ export function About() {
               <span class="soft">Source:</span> {line}
             </p>
           ))}
-          {sources[index] && (
+          {sources[index] && asOpened(index) && (
             <p>
               <span class="soft">Named as</span> <code>{sources[index]}</code>
             </p>
@@ -65,7 +66,8 @@ export function About() {
       <section>
         <h2>This page</h2>
         <p>Made by crankstar {version}.</p>
-        {command && (
+        {!asOpened(0) && <p>The engine is not the one that was opened: save it as TOML (Edit) to have it again.</p>}
+        {command && asOpened(0) && (
           <p>
             Make it again: <code>{command}</code>
           </p>
@@ -74,6 +76,8 @@ export function About() {
     </>
   )
 }
+
+const same = (one: unknown, other: unknown): boolean => JSON.stringify(one) === JSON.stringify(other)
 
 /** What the engine file says of its source, if it is text. */
 function sourceOf(file: Readonly<Record<string, unknown>>): string[] {

@@ -49,6 +49,7 @@ function Both({ one, other }: { one: Exhibit; other: Exhibit }) {
   const same = one.units.force === other.units.force
   return (
     <>
+      {!same && <p class="soft small">The two are counted in different units: give both a speed, or neither.</p>}
       <section class="scroll" aria-label="Orders of both engines">
         <table class="orders" ref={table}>
           <thead>
@@ -69,7 +70,6 @@ function Both({ one, other }: { one: Exhibit; other: Exhibit }) {
           </tbody>
         </table>
       </section>
-      {!same && <p class="soft small">The two are counted in different units: give both a speed, or neither.</p>}
     </>
   )
 }

@@ -57,7 +57,7 @@ function Group({ exhibit, quantity, rows }: { exhibit: Exhibit; quantity: Row['q
     <tbody>
       <tr class="group">
         <th colSpan={5} scope="rowgroup">
-          {quantity} <span class="unit">{unit}</span>
+          {quantity === 'roll' ? 'roll of the block' : quantity} <span class="unit">{unit}</span>
         </th>
       </tr>
       {rows.map((row) => (
