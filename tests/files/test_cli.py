@@ -525,8 +525,16 @@ def shell(script: str, folder: Path, **environment: str) -> Ran:
 @pytest.mark.parametrize(
     ("script", "code", "words"),
     [
-        ("C analyze mine.toml > /dev/full", 2, "standard output: cannot be written (No space left on device)"),
-        ("C analyze mine.toml --json > /dev/full", 2, "standard output: cannot be written (No space left on device)"),
+        (
+            "C analyze mine.toml > /dev/full",
+            2,
+            "standard output, or a temporary file (TMPDIR): cannot be written (No space left on device)",
+        ),
+        (
+            "C analyze mine.toml --json > /dev/full",
+            2,
+            "standard output, or a temporary file (TMPDIR): cannot be written (No space left on device)",
+        ),
         ("C analyze mine.toml >&-", 2, "standard output is closed; name a file with -o"),
         ("C analyze none 2> /dev/full", 2, ""),
         ("C analyze none >&- 2>&-", 2, ""),

@@ -6,6 +6,7 @@ import csv
 import io
 import json
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -13,8 +14,10 @@ import pyarrow.parquet
 import pytest
 from tests import exhaustive
 
-from crankstar import load
+from crankstar import cli, load, search_job
 from crankstar.balance import balance, total
+from crankstar.search.findings import findings
+from crankstar.search_request import Wish, request
 from crankstar.search_table import rows
 
 Run = Callable[..., Any]
@@ -254,3 +257,19 @@ def test_uneven_angles_are_shown_and_written(run: Run, tmp_path: Path) -> None:
     first = 2 * abs(result.couple.backward[result.couple.orders == 1][0])
     row = next(line.split() for line in out.splitlines() if line.strip().startswith("5 deg"))
     assert first == pytest.approx(float(row[2]), rel=1e-3)
+
+
+@pytest.mark.parametrize("count", [0, 2])
+def test_a_stopped_search_writes_what_it_has_and_nothing_over_a_file_where_it_has_nothing(
+    count: int, capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    whole = findings(request(4, "two-stroke", Wish()).question)
+    part = replace(whole, rows=whole.rows[:count], certificate=replace(whole.certificate, interrupted=True))
+    monkeypatch.setattr(search_job, "found", lambda *_, **__: part)
+    file = tmp_path / "x.csv"
+    file.write_text("old", encoding="utf-8")
+    with pytest.raises(SystemExit) as left:
+        cli.main(["search", "4", "--cycle", "two-stroke", "-o", str(file)])
+    assert left.value.code == 130
+    assert (file.read_text(encoding="utf-8") == "old") == (count == 0)
+    assert ("was not written" in capsys.readouterr().err) == (count == 0)

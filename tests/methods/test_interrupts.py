@@ -23,7 +23,9 @@ def test_an_interrupt_ends_the_waiting_and_not_the_work():
         done.set()
 
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
-    watch = threading.Thread(target=lambda: begun.wait(20) and signal.pthread_kill(threading.main_thread().ident, signal.SIGINT))
+    watch = threading.Thread(
+        target=lambda: begun.wait(20) and signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)
+    )
     watch.start()
     try:
         with pytest.raises(KeyboardInterrupt):

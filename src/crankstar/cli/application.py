@@ -41,7 +41,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     except (BrokenPipeError, SystemExit):  # the latter is how rich says it
         code = 0  # the reader of the pipe has what it wanted
     except OSError as error:
-        place = "standard output" if error.filename is None else one_line(str(error.filename))
+        place = "standard output, or a temporary file (TMPDIR)" if error.filename is None else one_line(str(error.filename))
         code = _refuse(f"{place}: cannot be written ({error.strerror or error}); make room, or name another file with -o")
     except MemoryError:
         code = _refuse("there is not enough memory for this engine; take fewer cylinders, or longer rods")

@@ -120,10 +120,13 @@ def search(
 
 
 def _stopped(answer: Findings, engine: Engine | None, kind: str, output: str | None) -> int:
-    """Shows the best so far of a search that was stopped, says that it is incomplete, and leaves engines and pictures unwritten."""
+    """Shows the best so far of a search that was stopped, and says that it is incomplete.
+
+    Engines and pictures are left unwritten, and all files where nothing was found yet: an earlier answer may be in them.
+    """
     from crankstar.search_table import certificate, search_table
 
-    if kind in TABLES:
+    if kind in TABLES and (answer.rows or output is None):
         _show(answer, engine, kind, None, output)
         complain(f"crankstar: {certificate(answer)}")
         return 130
