@@ -146,8 +146,9 @@ def test_a_lost_process_of_this_machine_changes_nothing(middle):
     def kill(progress):
         if len(killed) < 2 and progress.done > 40 * (1 + len(killed)):
             one = min(set(active_children()) - others, key=lambda process: process.pid or 0)
+            assert one.pid is not None
             with suppress(ProcessLookupError):  # it ended this moment: with the next progress another is met
-                os.kill(one.pid or 0, signal.SIGKILL)
+                os.kill(one.pid, signal.SIGKILL)
                 killed.append(one)
 
     with processes(2) as workers:
