@@ -60,7 +60,9 @@ def test_no_weights_are_better(name: str, aim: Aim) -> None:
             assert measured(case, aim, other) >= found.value - 1e-6 * found.bare
 
 
-@pytest.mark.parametrize("name", ["single", "harley-45", "v2-90", "radial-9"])
+@pytest.mark.parametrize(
+    "name", [*(pytest.param(name, marks=pytest.mark.long) for name in ("single", "harley-45")), "v2-90", "radial-9"]
+)
 @pytest.mark.parametrize("aim", [Aim("force"), Aim("force", rms=True), Aim("force", up=1.0, right=0.3)])
 def test_one_weight_is_where_a_grid_says(name: str, aim: Aim) -> None:
     engine = load(name)

@@ -151,7 +151,7 @@ def test_what_shows_geometry_has_equal_scales(name: str, engine: str) -> None:
 
 
 @pytest.mark.parametrize("name", PLANES)
-@pytest.mark.parametrize("engine", [*ENGINES, "napier-deltic", "huge"])
+@pytest.mark.parametrize("engine", [*ENGINES, "napier-deltic", pytest.param("huge", marks=pytest.mark.long)])
 @pytest.mark.parametrize("order", [1, 2])
 def test_labels_do_not_cover_each_other(name: str, engine: str, order: int) -> None:
     figure = charts.CHARTS[name]

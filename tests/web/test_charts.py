@@ -28,7 +28,7 @@ def opened(page: Page, chart: object, folder: Path) -> None:
 
 
 @pytest.mark.parametrize("name", TURNING)
-@pytest.mark.parametrize("engine", ["kr250-racer", "triple-120"])
+@pytest.mark.parametrize("engine", ["kr250-racer", pytest.param("triple-120", marks=pytest.mark.long)])
 def test_the_slider_of_the_crank_angle_moves_a_figure(name: str, engine: str, page: Page, tmp_path: Path) -> None:
     quantity = {"quantity": "couple"} if engine == "triple-120" and CHARTS[name].quantities else {}
     opened(page, CHARTS[name].draw(crankstar.load(engine), theta=0.0, **quantity), tmp_path)

@@ -406,7 +406,7 @@ def test_the_editor_and_its_search_can_be_read_and_used(colours: Literal["light"
     assert barriers(editing) == []
 
 
-@pytest.mark.parametrize("width", [400, 900, 1600])
+@pytest.mark.parametrize("width", [400, pytest.param(900, marks=pytest.mark.long), 1600])
 def test_nothing_reaches_over_the_edge(browser: Browser, server: Server, width: int) -> None:
     complaints: list[str] = []
     with watched(browser, complaints, width=width, height=700) as page:

@@ -31,7 +31,7 @@ def tabs(page: Page) -> list[Locator]:
     return page.get_by_role("tab").all()
 
 
-@pytest.mark.parametrize("width", [400, 900, 1600])
+@pytest.mark.parametrize("width", [400, pytest.param(900, marks=pytest.mark.long), 1600])
 def test_no_panel_reaches_over_an_edge(width: int, built_page: Build, page: Page) -> None:
     page.set_viewport_size({"width": width, "height": 800})
     opened(page, built_page(ENGINE, figures=True))

@@ -46,7 +46,9 @@ def number(text: str) -> float:
     return float(text.replace("\u2212", "-").replace("\u2007", "").replace("+", ""))
 
 
-@pytest.mark.parametrize("name", ["pratt-whitney-wasp", "kr250-racer", "vw-vr6", "jumo-205"])
+@pytest.mark.parametrize(
+    "name", ["kr250-racer", "jumo-205", *(pytest.param(name, marks=pytest.mark.long) for name in ("pratt-whitney-wasp", "vw-vr6"))]
+)
 def test_the_numbers_at_an_angle_are_the_rates_of_change_of_momentum(name: str, built_page: Build, page: Page) -> None:
     engine = load(name)
     found, told = walked(engine)
