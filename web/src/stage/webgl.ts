@@ -27,8 +27,7 @@ interface Machine {
   arrows: ReturnType<typeof arrows> | null
 }
 
-/** Where drawing is slow: how coarsely what moves is drawn, after how long a rest it is drawn finely, and how finely. */
-const COARSER = 0.75
+/** How long nothing has moved before it is drawn finely where drawing is slow, and how much finer. */
 const REST_MS = 500
 const FINER = 2
 
@@ -120,7 +119,7 @@ class WebglPicture implements Picture {
     machine.arrows ??= arrows(machine.block.group, load, this.#paint)
     machine.arrows.move(arrow)
     this.#look(frame)
-    this.#render(this.quick ? 1 : COARSER)
+    this.#render(1)
     if (this.quick) return
     clearTimeout(this.#resting)
     this.#resting = window.setTimeout(this.#rested, REST_MS)
