@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Awaitable, Callable
+import threading
+from collections.abc import Awaitable, Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -60,6 +62,31 @@ def test_a_process_that_cannot_say_what_it_found_is_replaced_without_a_word(tmp_
 
     assert with_crew(work, seconds=20.0) == b"breathes"
     assert capfd.readouterr().err == ""
+
+
+def test_a_process_that_is_just_being_started_when_all_ends_is_ended_too(monkeypatch: pytest.MonkeyPatch) -> None:
+    reached, go_on = threading.Event(), threading.Event()
+
+    @contextmanager
+    def slow() -> Iterator[None]:
+        reached.set()
+        go_on.wait(20)
+        yield
+
+    monkeypatch.setattr(crews, "held_back", slow)
+    crew = Processes(1, seconds=1.0)
+    with ThreadPoolExecutor(2) as threads:
+        starting = threads.submit(crew.workers[0].ready)
+        assert reached.wait(20)
+        ending = threads.submit(crew.end)
+        with pytest.raises(TimeoutError):  # it waits for the start, or there would be nothing yet to end
+            ending.result(0.3)
+        go_on.set()
+        starting.result(20)
+        ending.result(20)
+    assert crew.workers[0].process is None
+    crew.workers[0].ready()  # nor is another begun after the end
+    assert crew.workers[0].process is None
 
 
 def test_refusals_come_through_and_mistakes_of_ours_are_told_without_the_words_of_the_machine(capfd: Any) -> None:

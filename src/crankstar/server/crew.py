@@ -12,6 +12,7 @@ import logging
 import multiprocessing
 import os
 import signal
+import threading
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
@@ -146,17 +147,20 @@ class _Worker:
         self.process: Any = None
         self.way: Connection | None = None
         self.ended = False
+        self.changing = threading.Lock()
+        """Held by whoever starts or ends the process: it may be ended while another thread is about to start it."""
 
     def ready(self) -> None:
         """Starts the process if it is not there, and waits until it can work."""
-        if self.ended or (self.process is not None and self.process.is_alive()):
-            return
-        context = multiprocessing.get_context("spawn")
-        self.way, far = context.Pipe()
-        self.process = context.Process(target=_work, args=(far,), daemon=True)
-        with held_back():
-            self.process.start()
-        far.close()
+        with self.changing:
+            if self.ended or (self.process is not None and self.process.is_alive()):
+                return
+            context = multiprocessing.get_context("spawn")
+            self.way, far = context.Pipe()
+            self.process = context.Process(target=_work, args=(far,), daemon=True)
+            with held_back():
+                self.process.start()
+            far.close()
         with suppress(EOFError, OSError):  # it is lost, which the next task will notice
             if self.way.poll(STARTING_SECONDS):
                 self.way.recv()
@@ -192,12 +196,13 @@ class _Worker:
         self._drop()
 
     def _drop(self) -> None:
-        process, self.process = self.process, None
-        if process is None:
-            return
-        with suppress(OSError):
-            process.kill()
-        process.join(2)
+        with self.changing:
+            process, self.process = self.process, None
+            if process is None:
+                return
+            with suppress(OSError):
+                process.kill()
+            process.join(2)
 
 
 def _work(way: Connection) -> None:
