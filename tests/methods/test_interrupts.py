@@ -1,7 +1,10 @@
 """Work that is done aside: what it gives, what it raises, and that an interrupt reaches only the one who waits."""
 
 import signal
+import subprocess
+import sys
 import threading
+from pathlib import Path
 
 import pytest
 
@@ -36,3 +39,24 @@ def test_an_interrupt_ends_the_waiting_and_not_the_work():
     assert not done.is_set()
     go.set()
     assert done.wait(20)
+
+
+FIRST = """
+import multiprocessing, signal
+from crankstar.interrupts import held_back
+if __name__ == "__main__":
+    with held_back():
+        process = multiprocessing.get_context("spawn").Process(target=int)
+        process.start()
+        print(signal.SIGINT in signal.pthread_sigmask(signal.SIG_BLOCK, ()))
+    process.join()
+    print(signal.SIGINT in signal.pthread_sigmask(signal.SIG_BLOCK, ()))
+"""
+
+
+@pytest.mark.skipif(not hasattr(signal, "pthread_sigmask"), reason="interrupts cannot be held back here")
+def test_the_first_process_of_a_program_is_kept_from_interrupts_like_the_later_ones(tmp_path: Path):
+    script = tmp_path / "first.py"
+    script.write_text(FIRST)
+    ran = subprocess.run([sys.executable, str(script)], capture_output=True, text=True, timeout=60, check=True)
+    assert ran.stdout.split() == ["True", "False"]
