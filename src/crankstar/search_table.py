@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 from rich.console import Group, RenderableType
 from rich.text import Text
@@ -155,14 +155,25 @@ def closed_form(objective: Objective, row: Finding) -> str:
     return text if len(text) <= LONGEST_FORM else ""
 
 
-def sentences(found: Findings, *, shown: int, others: str = "-o FILE.csv has all of them") -> list[str]:
-    """How many there are, and the certificate; `others`: where the rows are that are not shown."""
+class Hints(NamedTuple):
+    """What helps on. others: where the rows are that are not shown; stopped: how a search could go on that was stopped."""
+
+    others: str = "-o FILE.csv has all of them"
+    stopped: str = "With --checkpoint FILE the same command goes on from there"
+
+
+TYPED = Hints()
+"""For who typed the command."""
+
+
+def sentences(found: Findings, *, shown: int, hints: Hints = TYPED) -> list[str]:
+    """How many there are, and the certificate."""
     out: list[str] = []
     if shown < len(found.rows):
-        out.append(f"{shown} of {len(found.rows):,} rows are shown; {others}.")
+        out.append(f"{shown} of {len(found.rows):,} rows are shown; {hints.others}.")
     if isinstance(found.question.ask, All) and found.stars is not None:
         out.append(f"{_counted(found.stars, 'star')} in {_counted(len(found.rows), 'class')}." if found.rows else "")
-    out.append(certificate(found))
+    out.append(certificate(found, hints))
     return [line for line in out if line]
 
 
@@ -170,7 +181,7 @@ def _counted(many: int, name: str) -> str:
     return f"{many:,} {name}" + ("" if many == 1 else "es" if name.endswith("s") else "s")
 
 
-def certificate(found: Findings) -> str:
+def certificate(found: Findings, hints: Hints = TYPED) -> str:
     """What was searched, and why nothing else can belong to the answer."""
     proof = found.certificate
     where = " or ".join(_strip(found.question, vector, length) for vector, length in proof.strips)
@@ -178,7 +189,7 @@ def certificate(found: Findings) -> str:
     met = f"{proof.met:,} of {proof.of:,}, in {_counted(proof.blocks, 'block')}"
     if proof.interrupted:
         so_far = "What is shown is the best so far; nothing is proved." if found.rows else "Nothing was found yet."
-        return f"INCOMPLETE: stopped before the end ({met}). {so_far} With --checkpoint FILE the same command goes on from there."
+        return f"INCOMPLETE: stopped before the end ({met}). {so_far} {hints.stopped}."
     if found.contradicted:
         return f"Proved: no star keeps these limits; {what} were searched ({met})."
     if proof.whole:

@@ -31,7 +31,7 @@ def stars_of(cylinders: int | Engine, cycle: str | None, *, pitch: str | None, f
     if isinstance(cylinders, Engine):
         if cycle not in (None, cylinders.cycle):
             faults.append(
-                f"--cycle {cycle}: {cylinders.name} is a {cylinders.cycle}; leave --cycle out, or use --set cycle={cycle}"
+                f"--cycle {cycle}: {cylinders.name} is a {cylinders.cycle}; leave --cycle out, or change the engine's own"
             )
         if pitch:
             faults.append("--pitch: the places of an engine's cylinders are in its file; leave it out")

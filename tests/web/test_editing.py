@@ -380,8 +380,16 @@ def test_a_search_that_cannot_be_is_refused_in_a_sentence(editing: Page) -> None
     editing.get_by_role("button", name="Find a better crank").click()
     dialog = editing.get_by_role("dialog")
     dialog.get_by_label("Others").fill("M2,X9")
+    dialog.get_by_text("Conditions", exact=True).click()
+    vanishing = dialog.get_by_label("Must vanish")
+    vanishing.fill("neighbours")
+    dialog.get_by_text("Conditions", exact=True).click()
+    expect(vanishing).not_to_be_visible()
     dialog.get_by_role("button", name="Search").click()
-    expect(dialog.locator(".mistakes")).to_contain_text("X9")
+    expect(dialog.get_by_role("group", name="Make least").get_by_role("alert")).to_contain_text("X9")
+    expect(vanishing).to_be_visible()
+    expect(vanishing).to_have_attribute("aria-invalid", "true")
+    expect(vanishing).to_have_accessible_description('neighbours: use "no neighbours fire one after the other" for that')
     expect(dialog.get_by_role("progressbar")).to_have_count(0)
 
 

@@ -9,6 +9,7 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, WithJsonSchem
 from crankstar.exhibit.records import Problem
 from crankstar.quantity import seen
 from crankstar.remedy.counterweights import GREATEST_FACTOR
+from crankstar.search.stars import GREATEST_CYLINDERS
 
 LONGEST_NAME = 100
 EXAMPLE = {
@@ -93,7 +94,7 @@ class SearchQuestion(Message):
     """What a search is to find, in the words of `crankstar search`: of an in-line engine, or of a number of cylinders."""
 
     engine: EngineAsked | None = Field(default=None, description="an in-line engine whose cylinders they are")
-    cylinders: Annotated[int, Field(ge=2, le=40)] | None = Field(default=None, description="how many, where there is no engine")
+    cylinders: Annotated[int, Field(ge=2, le=GREATEST_CYLINDERS)] | None = Field(default=None, description="how many, where there is no engine")
     cycle: Literal["two-stroke", "four-stroke"] | None = None
     minimise: Word | None = Field(default=None, description="what to make least, as in M1,M2", examples=["M1,M2"])
     zero: Word | None = Field(default=None, description="what is to vanish exactly, as in M2")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import threading
 import time
 from contextlib import suppress
@@ -11,7 +12,8 @@ from typing import TYPE_CHECKING, Any, NoReturn
 
 from crankstar import files
 from crankstar.engine import Engine
-from crankstar.server.refusal import refused
+from crankstar.request import RequestError
+from crankstar.server.refusal import Refused, Told, refused
 from crankstar.server.tasks import engine_of, mistakes_told
 from crankstar.wording import duration
 
@@ -25,6 +27,7 @@ TELLING_SECONDS = 0.2
 ROWS = 60
 """Rows of an answer that are sent."""
 OTHERS = "`crankstar search` with -o FILE.csv has all of them"
+GO_ON = "`crankstar search` with --checkpoint FILE can be stopped and go on"
 STOPPED: tuple[Any, ...] = ("done", True, [], [], ["Stopped before anything was found."])
 NARROWER = "fix throws, take symmetric cranks, let a sum vanish; or use `crankstar search`, which waits as long as you like"
 
@@ -42,8 +45,19 @@ def requested(asked: dict[str, Any]) -> Any:
     wish = search_request.Wish(limit=tuple(asked["limit"]), best=best, **words, **switches)
     with mistakes_told():
         about = cylinders if engine is None else engine_of(engine)[0]
-        speed = about.speed if isinstance(about, Engine) else None
+    speed = about.speed if isinstance(about, Engine) else None
+    try:
         return search_request.request(about, asked["cycle"], wish, speed=speed)
+    except RequestError as error:
+        raise Refused(422, map(by_key, str(error).split("\n"))) from None
+
+
+def by_key(mistake: str) -> Told:
+    """A mistake in the words of the command line, at the key of a question that means its option, and naming keys."""
+    option = re.match(r"--([a-z-]+)(?:: | (?!and ))", mistake)
+    path = option[1].replace("-", "_") if option else ""
+    message = mistake[option.end() :] if option else mistake
+    return path, re.sub(r"--([a-z][a-z-]*)", lambda found: f"`{found[1].replace('-', '_')}`", message)
 
 
 def checked(asked: dict[str, Any]) -> bytes:
@@ -91,9 +105,7 @@ class _Told:
 
 
 def _sentence(error: Exception) -> str:
-    from crankstar.request import RequestError
     from crankstar.search.stars import SearchError
-    from crankstar.server.refusal import Refused
 
     if isinstance(error, Refused):
         return "; ".join(message for _, message in error.problems)
@@ -146,6 +158,7 @@ def _told(answer: Any, wanted: Any) -> tuple[list[str], list[tuple[list[str], di
         for row in shown
     ]
     trees = [files.explicit(engine) for engine in made]
+    hints = search_table.Hints(others=OTHERS, stopped=GO_ON)
     words = [search_table.heading(answer.question), search_table.census(answer.question.stars)]
-    words += [*search_table.as_it_is(answer, wanted.engine), *search_table.sentences(answer, shown=len(shown), others=OTHERS)]
+    words += [*search_table.as_it_is(answer, wanted.engine), *search_table.sentences(answer, shown=len(shown), hints=hints)]
     return heads, list(zip(cells, trees, strict=True)), words

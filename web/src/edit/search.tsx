@@ -1,4 +1,5 @@
-import { useEffect, useRef, useState } from 'preact/hooks'
+import { useEffect, useId, useRef, useState } from 'preact/hooks'
+import type { Problem } from '../exhibit'
 import type { Answer, Found, SearchState } from '../host/host'
 import { useSession } from './context'
 import { type Session, told } from './session'
@@ -44,6 +45,37 @@ export const NOTHING_YET: Asked = {
   symmetric: false,
   apart: false,
 }
+
+/** What the keys of a question are called in the dialog. */
+const CALLED: Readonly<Record<string, string>> = {
+  cylinders: 'Number of cylinders',
+  cycle: 'Cycle',
+  minimise: 'Make least',
+  best: 'How many of the best',
+  zero: 'Must vanish',
+  limit: 'At most',
+  fix: 'Throws that stay',
+  symmetric: 'rear half the image of the front half',
+  avoid_adjacent: 'no neighbours fire one after the other',
+}
+const WHOSE = ['cylinders', 'cycle']
+const CONDITIONS = ['best', 'zero', 'limit', 'fix', 'symmetric', 'avoid_adjacent']
+
+const keyOf = ({ path }: Problem): string => /^\w+/.exec(path)?.[0] ?? ''
+
+/** The sentences that belong to some keys, with the names that stand in the dialog in place of keys. */
+export function sentencesOf(wrong: readonly Problem[], keys: readonly string[]): string[] {
+  return wrong.filter((problem) => keys.includes(keyOf(problem))).map(({ message }) => spoken(message))
+}
+
+/** Those that belong to nothing in the dialog. */
+export function otherSentences(wrong: readonly Problem[]): string[] {
+  return wrong
+    .filter((problem) => !(keyOf(problem) in CALLED))
+    .map(({ path, message }) => (path ? `${path}: ${spoken(message)}` : spoken(message)))
+}
+
+const spoken = (message: string): string => message.replace(/`(\w+)`/g, (_, key: string) => `"${CALLED[key] ?? key}"`)
 
 const numbered = (text: string): unknown => (/^\s*\d+\s*$/.test(text) ? Number(text) : text)
 
@@ -99,9 +131,15 @@ function SearchDialog({ close }: { close: () => void }) {
           void start(now)
         }}
       >
-        <Whose asked={now} inline={inline} name={String(session.tree.value.name ?? '')} change={setAsked} />
-        <Aims asked={now} change={setAsked} />
-        <Conditions asked={now} change={setAsked} />
+        <Whose
+          asked={now}
+          wrong={wrong}
+          inline={inline}
+          name={String(session.tree.value.name ?? '')}
+          change={setAsked}
+        />
+        <Aims asked={now} wrong={wrong} change={setAsked} />
+        <Conditions asked={now} wrong={wrong} change={setAsked} />
         <div class="bar">
           <button type="submit" class="chief" disabled={running}>
             Search
@@ -113,13 +151,7 @@ function SearchDialog({ close }: { close: () => void }) {
           )}
         </div>
       </form>
-      {wrong.length > 0 && (
-        <div class="mistakes" role="alert">
-          {wrong.map((line) => (
-            <p key={line}>{line}</p>
-          ))}
-        </div>
-      )}
+      <Sentences lines={otherSentences(wrong)} />
       {state && <Answered state={state} put={(found, row) => putOnStage(session, found, row, close)} />}
     </>
   )
@@ -134,7 +166,7 @@ function putOnStage(session: Session, found: Found, row: number, close: () => vo
 /** A search that is asked for, followed and stopped. */
 function useSearch(session: Session) {
   const [state, setState] = useState<SearchState | null>(null)
-  const [wrong, setWrong] = useState<readonly string[]>([])
+  const [wrong, setWrong] = useState<readonly Problem[]>([])
   const [ending, setEnding] = useState(false)
   const following = useRef('')
   const timer = useRef<ReturnType<typeof setTimeout> | undefined>(undefined)
@@ -155,7 +187,7 @@ function useSearch(session: Session) {
 
   const take = (answer: Answer<SearchState>) => {
     if (!answer.ok) {
-      setWrong(answer.problems.map(({ path, message }) => (path ? `${path}: ${message}` : message)))
+      setWrong(answer.problems)
       setState(null)
       following.current = ''
       return
@@ -189,10 +221,22 @@ function useSearch(session: Session) {
 
 interface PartProps {
   readonly asked: Asked
+  readonly wrong: readonly Problem[]
   readonly change: (asked: Asked) => void
 }
 
-function Whose({ asked, change, inline, name }: PartProps & { inline: boolean; name: string }) {
+function Sentences({ lines, id }: { lines: readonly string[]; id?: string }) {
+  if (!lines.length) return null
+  return (
+    <div class="sentences" role="alert" id={id}>
+      {lines.map((line) => (
+        <p key={line}>{line}</p>
+      ))}
+    </div>
+  )
+}
+
+function Whose({ asked, wrong, change, inline, name }: PartProps & { inline: boolean; name: string }) {
   return (
     <fieldset>
       <legend>Of</legend>
@@ -223,7 +267,7 @@ function Whose({ asked, change, inline, name }: PartProps & { inline: boolean; n
           type="number"
           aria-label="Number of cylinders"
           min={2}
-          max={40}
+          max={24}
           value={asked.cylinders}
           onInput={(event) => change({ ...asked, of: 'number', cylinders: event.currentTarget.value })}
         />
@@ -236,11 +280,12 @@ function Whose({ asked, change, inline, name }: PartProps & { inline: boolean; n
           <option value="four-stroke">four-stroke</option>
         </select>
       </div>
+      <Sentences lines={sentencesOf(wrong, WHOSE)} />
     </fieldset>
   )
 }
 
-function Aims({ asked, change }: PartProps) {
+function Aims({ asked, wrong, change }: PartProps) {
   return (
     <fieldset>
       <legend>Make least</legend>
@@ -262,28 +307,44 @@ function Aims({ asked, change }: PartProps) {
         </label>
       ))}
       <Line label="Others" example="M3, F1, 2*M2" value={asked.more} change={(more) => change({ ...asked, more })} />
+      <Sentences lines={sentencesOf(wrong, ['minimise'])} />
     </fieldset>
   )
 }
 
-function Conditions({ asked, change }: PartProps) {
+function Conditions({ asked, wrong, change }: PartProps) {
+  const lines = (key: string) => sentencesOf(wrong, [key])
   return (
-    <details>
+    <details {...(sentencesOf(wrong, CONDITIONS).length > 0 && { open: true })}>
       <summary>Conditions</summary>
       <Line
         label="How many of the best"
         example="all that none betters (the front)"
         value={asked.best}
+        wrong={lines('best')}
         change={(best) => change({ ...asked, best })}
       />
-      <Line label="Must vanish" example="M2" value={asked.zero} change={(zero) => change({ ...asked, zero })} />
+      <Line
+        label="Must vanish"
+        example="M2"
+        value={asked.zero}
+        wrong={lines('zero')}
+        change={(zero) => change({ ...asked, zero })}
+      />
       <Line
         label="At most"
         example="M2=1.5, neighbours=1"
         value={asked.limit}
+        wrong={lines('limit')}
         change={(limit) => change({ ...asked, limit })}
       />
-      <Line label="Throws that stay" example="1=0,4=3" value={asked.fix} change={(fix) => change({ ...asked, fix })} />
+      <Line
+        label="Throws that stay"
+        example="1=0,4=3"
+        value={asked.fix}
+        wrong={lines('fix')}
+        change={(fix) => change({ ...asked, fix })}
+      />
       <label class="mark">
         <input
           type="checkbox"
@@ -300,33 +361,38 @@ function Conditions({ asked, change }: PartProps) {
         />
         no neighbours fire one after the other
       </label>
+      <Sentences lines={sentencesOf(wrong, ['symmetric', 'avoid_adjacent'])} />
     </details>
   )
 }
 
-function Line({
-  label,
-  example,
-  value,
-  change,
-}: {
-  label: string
-  example: string
-  value: string
-  change: (value: string) => void
-}) {
+interface LineProps {
+  readonly label: string
+  readonly example: string
+  readonly value: string
+  readonly wrong?: readonly string[]
+  readonly change: (value: string) => void
+}
+
+function Line({ label, example, value, wrong = [], change }: LineProps) {
+  const id = useId()
   return (
-    <label class="line">
-      <span>{label}</span>
-      <input
-        type="text"
-        placeholder={example}
-        autocomplete="off"
-        spellcheck={false}
-        value={value}
-        onInput={(event) => change(event.currentTarget.value)}
-      />
-    </label>
+    <>
+      <label class="line">
+        <span>{label}</span>
+        <input
+          type="text"
+          placeholder={example}
+          autocomplete="off"
+          spellcheck={false}
+          value={value}
+          aria-invalid={wrong.length > 0}
+          {...(wrong.length > 0 && { 'aria-describedby': id })}
+          onInput={(event) => change(event.currentTarget.value)}
+        />
+      </label>
+      <Sentences lines={wrong} id={id} />
+    </>
   )
 }
 

@@ -3,7 +3,7 @@ import { matching } from '../../src/edit/catalog'
 import { fileName } from '../../src/edit/files'
 import { numbersOf, TYPES, withLayout } from '../../src/edit/layouts'
 import { measured } from '../../src/edit/measured'
-import { NOTHING_YET, wishOf } from '../../src/edit/search'
+import { NOTHING_YET, otherSentences, sentencesOf, wishOf } from '../../src/edit/search'
 import { sentencesAt } from '../../src/edit/session'
 import { withoutSources } from '../../src/edit/sources'
 
@@ -116,4 +116,19 @@ test('what an engine counts in its own units has none', () => {
   expect(measured(real, ['layout', 'bore_pitch'], 'place')).toBe(true)
   expect(measured(real, ['layout', 'bank_offset'], 'place')).toBe(false)
   expect(measured({ cylinder: { stroke: '80 mm' } }, ['block', 'inertia_z'], 'other')).toBe(false)
+})
+
+test('what is wrong with a search stands where it was asked, in the words of the dialog', () => {
+  const wrong = [
+    { path: 'zero', message: 'neighbours: use `avoid_adjacent` for that' },
+    { path: 'limit[0]', message: 'give a letter' },
+    { path: '', message: '`front` and `best`: ask for one of them' },
+    { path: 'engine.layout', message: 'is missing' },
+  ]
+  expect(sentencesOf(wrong, ['zero'])).toEqual(['neighbours: use "no neighbours fire one after the other" for that'])
+  expect(sentencesOf(wrong, ['limit', 'fix'])).toEqual(['give a letter'])
+  expect(otherSentences(wrong)).toEqual([
+    '"front" and "How many of the best": ask for one of them',
+    'engine.layout: is missing',
+  ])
 })
