@@ -7,6 +7,7 @@ import io
 import json
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -14,9 +15,10 @@ import pyarrow.parquet
 import pytest
 from tests import exhaustive
 
-from crankstar import cli, load, search_job
+from crankstar import cli, load, search_job, search_request
 from crankstar.balance import balance, total
 from crankstar.search.findings import findings
+from crankstar.search.question import All
 from crankstar.search_request import Wish, request
 from crankstar.search_table import rows
 
@@ -167,7 +169,7 @@ def test_the_answer_is_the_same_with_two_workers_and_from_a_checkpoint(run: Run,
         (("7", "--limit", "neighbours=1.5"), "whole number"),
         (("7", "--zero", "neighbours"), "--avoid-adjacent"),
         (("single",), "one cylinder"),
-        (("11", "--all"), "more classes than the 200,000"),
+        pytest.param(("11", "--all"), "more classes than the 200,000", marks=pytest.mark.long),
         (("7", "--scheduler", "\x1b[31mtcp://x"), "no scheduler answers"),
         (("7", "--minimise", "2*M1,M2"), "weights tell only in a list of the best"),
         (("7", "--mode-shape", "1,2", "--minimise", "T1"), "has 2 amplitudes for 7 cylinders"),
@@ -188,6 +190,11 @@ def test_the_answer_is_the_same_with_two_workers_and_from_a_checkpoint(run: Run,
 )
 def test_what_cannot_be_searched_is_refused(refused: Callable[..., str], words: tuple[str, ...], told: str) -> None:
     assert told in refused("search", *words)
+
+
+def test_more_stars_than_can_be_listed_are_refused(refused: Callable[..., str], monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(search_request, "All", partial(All, greatest=50))
+    assert "more classes than the 50 that can be listed" in refused("search", "7", "--cycle", "two-stroke", "--all")
 
 
 def test_every_mistake_is_told_at_once(refused: Callable[..., str]) -> None:

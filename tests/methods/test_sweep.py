@@ -221,6 +221,7 @@ def weighted(unbalance: float, angle: float = 0.0, **shaft: Any) -> Engine:
     return TWIN.model_copy(update={"shafts": (own,)})
 
 
+LATE = "a bend after the last probe"
 CROOKED: dict[str, Callable[[float], Engine]] = {
     "a bend": lambda x: weighted(max(x, 0.31)),
     "a bend next to the end": lambda x: weighted(max(x, 0.97) if x < 0.999 else x),
@@ -231,7 +232,7 @@ CROOKED: dict[str, Callable[[float], Engine]] = {
     "turns": lambda x: weighted(1.0, angle=(300.0 * x) % (2 * pi)),
     "a weight that changes sides": lambda x: weighted(abs(x - 0.4), angle=1.0 if x >= 0.4 else 1.0 - pi),
     "a weight that comes": lambda x: weighted(x) if x > 0.5 else TWIN,
-    "a bend after the last probe": lambda x: weighted(max(x, 3 * x - 1.9992)),
+    LATE: lambda x: weighted(max(x, 3 * x - 1.9992)),
     "another last one": lambda x: weighted(x) if x < 1 else TWIN,
     "another nought": lambda x: weighted(1.0 + x) if x else TWIN,
     "nothing": lambda x: weighted(1.0),  # noqa: ARG005
@@ -239,9 +240,9 @@ CROOKED: dict[str, Callable[[float], Engine]] = {
 LAWFUL = {"turns", "a weight that changes sides", "another last one", "another nought", "nothing"}
 
 
-@pytest.mark.parametrize("name", CROOKED)
+@pytest.mark.parametrize("name", [pytest.param(name, marks=[pytest.mark.long] * (name == LATE)) for name in CROOKED])
 def test_no_law_is_seen_where_there_is_none(name: str) -> None:
-    count = 4001 if name == "a bend after the last probe" else 41
+    count = 4001 if name == LATE else 41
     assert_one_by_one(CROOKED[name], np.linspace(-1 if name == "another nought" else 0, 1, count), lawful=name in LAWFUL)
 
 

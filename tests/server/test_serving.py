@@ -117,22 +117,6 @@ def test_the_address_is_one_that_can_be_typed(host: str, name: str) -> None:
         assert address_of(taken, host) == f"http://{name}:{taken.getsockname()[1]}/"
 
 
-@pytest.mark.parametrize(
-    ("words", "told"),
-    [
-        (["--port", "70000"], "give a number from 0 to 65535"),
-        (["--port", "http"], "into a whole number"),
-        (["--host", "no.such.host.invalid"], "is no address of this machine"),
-        (["--host", ""], '--host "": is no address of this machine'),
-        (["--host", "192.0.2.1", "--port", "0"], "cannot be used"),
-        (["no-such-engine"], "there is no such engine in the catalog"),
-        (["i4", "--set", "cycle=three-stroke"], "cycle: "),
-    ],
-)
-def test_what_cannot_be_served_is_refused_before_it_starts(words: list[str], told: str) -> None:
-    assert told in refused(*words)
-
-
 def test_an_engine_with_mistakes_is_refused_with_all_of_them(tmp_path: Path) -> None:
     file = tmp_path / "wrong.toml"
     file.write_text(WRONG)
