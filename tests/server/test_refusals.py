@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gzip
 import http.client
 import json
 import socket
@@ -105,12 +106,22 @@ def test_other_addresses_methods_and_kinds_are_refused_in_the_same_shape(server:
     assert words(server.ask("api/exhibit"), 405)
     assert words(server.ask("api/health", method="DELETE"), 405)
     assert words(server.ask("", method="BREW"), 405)
-    assert server.ask("api/search/x", method="PUT").heads["allow"] == "DELETE, GET"
+    assert server.ask("api/search/x", method="PUT").heads["allow"] == "DELETE, GET, HEAD"
+    assert server.ask("openapi.json", {}).heads["allow"] == "GET, HEAD"
     assert server.ask("api/exhibit").heads["allow"] == "POST"
     plain = server.ask("api/exhibit", b'{"engine": "i4"}', heads={"Content-Type": "text/plain"})
     assert "application/json" in words(plain, 415)[0]
     form = server.ask("api/exhibit", b"engine=i4", heads={"Content-Type": "application/x-www-form-urlencoded"})
     assert words(form, 415)
+    packed = server.ask("api/exhibit", gzip.compress(b'{"engine": "i4"}'), heads={"Content-Encoding": "gzip"})
+    assert "not compressed" in words(packed, 415)[0]
+
+
+def test_who_asks_for_the_heads_gets_them_without_the_answer(server: Server) -> None:
+    for path, status in (("", 200), ("api/health", 200), ("api/nothing", 404), ("api/exhibit", 405)):
+        whole, heads = server.ask(path), server.ask(path, method="HEAD")
+        assert (heads.status, heads.body) == (status, b"")
+        assert {**heads.heads, "date": ""} == {**whole.heads, "date": ""}
 
 
 def test_a_question_that_is_too_large_is_not_read(server: Server) -> None:

@@ -86,9 +86,10 @@ async def _refuse_http(request: Request, error: Exception) -> Response:
 
 def _methods(request: Request) -> list[str]:
     """How an address may be asked, by all routes together; the framework names only those of the first."""
-    every = [route for route in (*routes.router.routes, *pages.router.routes) if isinstance(route, Route)]
+    every = [route for route in (*request.app.routes, *routes.router.routes, *pages.router.routes) if isinstance(route, Route)]
     there = [route for route in every if route.matches(request.scope)[0] is not Match.NONE]
-    return sorted({method for route in there for method in route.methods or ()})
+    methods = {method for route in there for method in route.methods or ()}
+    return sorted(methods | ({"HEAD"} if "GET" in methods else set()))
 
 
 async def _refuse_invalid(_: Request, error: Exception) -> Response:
