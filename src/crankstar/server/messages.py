@@ -95,9 +95,7 @@ class SearchQuestion(Message):
     """What a search is to find, in the words of `crankstar search`: of an in-line engine, or of a number of cylinders."""
 
     engine: EngineAsked | None = Field(default=None, description="an in-line engine whose cylinders they are")
-    cylinders: Many | None = Field(
-        default=None, description="how many, where there is no engine"
-    )
+    cylinders: Many | None = Field(default=None, description="how many, where there is no engine")
     cycle: Literal["two-stroke", "four-stroke"] | None = None
     minimise: Word | None = Field(default=None, description="what to make least, as in M1,M2", examples=["M1,M2"])
     zero: Word | None = Field(default=None, description="what is to vanish exactly, as in M2")
