@@ -7,9 +7,10 @@ positive to the front. What they must be together is checked by `engine`.
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
+from pydantic_core import PydanticKnownError
 
 from crankstar.quantity import (
     Angle,
@@ -184,10 +185,17 @@ class Provenance(Record):
     source: Text = Field(default="", description="where it was read, or how it was computed")
 
 
+def _no_switch(value: Any) -> Any:
+    """A value that is not true, which Python holds equal to 1. Raises PydanticKnownError."""
+    if value is True:
+        raise PydanticKnownError("literal_error", {"expected": "1"})
+    return value
+
+
 class Identity(Record):
     """What an engine file says of the engine as a whole, in both forms."""
 
-    format: Literal[1] = Field(default=1, description="version of the file format")
+    format: Annotated[Literal[1], BeforeValidator(_no_switch)] = Field(default=1, description="version of the file format")
     name: Line = Field(examples=["V8, cross-plane, 90 deg"], description="of the engine, on one line")
     cycle: Cycle = Field(default="four-stroke", description="two-stroke: one turn of the crankshaft; four-stroke: two")
     rotation: Rotation = Field(default="clockwise", description="of the reference crankshaft, seen from the front")

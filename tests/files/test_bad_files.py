@@ -701,6 +701,11 @@ def test_a_layout_that_is_not_there_is_refused(kind: object, message: str) -> No
     assert told(spoilt(SHORT, layout__type=kind)) == {"layout.type": message}
 
 
+@pytest.mark.parametrize(("number", "shown"), [(2, "2"), ("1", '"1"'), (True, "true"), (1.5, "1.5")])
+def test_another_format_is_refused(number: object, shown: str) -> None:
+    assert told(spoilt(SHORT, format=number)) == {"format": f"is {shown}; it can be 1"}
+
+
 def test_a_missing_layout_and_a_missing_type_are_told() -> None:
     assert told(SHORT.replace('type = "vee"', "")) == {
         "layout.type": "is missing; it can be inline, vee, boxer, tandem, opposed, radial"
