@@ -12,6 +12,7 @@ import re
 import subprocess
 import sys
 import tempfile
+from collections.abc import Callable
 from pathlib import Path
 
 ROOT = Path(__file__).parent.parent
@@ -24,30 +25,38 @@ def pages() -> list[Path]:
     return [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]
 
 
-def up_to_date(text: str) -> str:
-    """The text of a page with every screen as it is now."""
+Printed = Callable[[str, Path], str]
+"""What a command prints, errors included, that is typed in a directory."""
+
+
+def up_to_date(text: str, printed: Printed | None = None) -> str:
+    """The text of a page with every screen as it is now; `printed` says what a command prints (by default a shell is asked)."""
     if not CONSOLE.search(text):
         return text
     with tempfile.TemporaryDirectory() as folder:
         for name, content in FILE.findall(text):
             (Path(folder) / name).write_text(content, encoding="utf-8")
-        return CONSOLE.sub(lambda found: f"```console\n{_screen(found.group(1), Path(folder))}```", text)
+        return CONSOLE.sub(lambda found: f"```console\n{_screen(found.group(1), Path(folder), printed or shown)}```", text)
 
 
-def _screen(block: str, folder: Path) -> str:
+def _screen(block: str, folder: Path, printed: Printed) -> str:
     commands = [line.removeprefix("$ ") for line in block.splitlines() if line.startswith("$ ")]
     return "".join(f"$ {command}\n{printed(command, folder)}" for command in commands)
 
 
-def printed(command: str, folder: Path) -> str:
-    """What a shell shows of a command, errors included, without spaces at the ends of lines."""
+def shown(command: str, folder: Path) -> str:
+    """What a shell shows of a command."""
     here = os.pathsep.join((str(Path(sys.executable).parent), os.environ.get("PATH", "")))
     environment = {"PATH": here, "HOME": str(folder), "PYTHONUTF8": "1"}
     done = subprocess.run(  # noqa: S602 - our own documents
         command, shell=True, cwd=folder, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False
     )
-    lines = [line.rstrip() for line in done.stdout.decode("utf-8").splitlines()]
-    return "".join(f"{line}\n" for line in lines)
+    return trimmed(done.stdout.decode("utf-8"))
+
+
+def trimmed(text: str) -> str:
+    """What was printed without spaces at the ends of lines."""
+    return "".join(f"{line.rstrip()}\n" for line in text.splitlines())
 
 
 def alike(text: str) -> str:

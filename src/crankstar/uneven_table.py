@@ -58,8 +58,8 @@ def uneven_table(curve_: Sequence[Uneven]) -> RenderableType:
     reach = [float(sum(map(abs, term.sum.weights))) * term.sum.scale for term in first.terms]
     for found in curve_:
         lengths = [number(length, SOLVED / NEGLIGIBLE * most, digits=4) for length, most in zip(found.after, reach, strict=True)]
-        later = " ".join(number(by, 1e3, digits=3) for by in found.later_deg)
-        intervals = " ".join(number(interval, digits=5) for interval in found.intervals_deg)
+        later = " ".join(number(round(by, 2), 1e3, digits=3) for by in found.later_deg)
+        intervals = " ".join(number(round(interval, 2), digits=5) for interval in found.intervals_deg)
         out.add_row(f"{number(found.deviation_deg, digits=4)} deg", *lengths, intervals, later)
     lines = [Text(f"Uneven angles: fires {order}", style="bold"), Text(), out, Text(), Text(_upper(sentence(curve_[-1])) + ".")]
     lines.append(Text("Intervals in firing order; top dead centres of cylinders 1, 2, 3 ... beside those of the even star."))

@@ -89,6 +89,22 @@ def test_no_angles_near_the_optimum_are_better(name: str, forces: dict[int, floa
         assert worth(stars, star, near, {1: 1.0, 2: 0.25}, forces).min() > found.value - 1e-8
 
 
+@pytest.mark.parametrize("deviation", [1.0, 2.0, 5.0])
+def test_what_weighs_little_is_made_least_as_well(deviation: float) -> None:
+    """The middle cylinder has no arm: where it stands only the free forces can say, which weigh a millionth of the couples."""
+    stars, star = space(7), (0, 2, 5, 4, 3, 6, 1)
+    forces = {1: 1e-3, 2: 1e-3}
+    found = uneven(stars, star, terms(stars, couples={1: 1.0, 2: 1.0}, forces=forces), deviation_deg=deviation, starts=1)
+    place = 3
+    assert stars.positions[place] == 0
+    swept = np.array(found.later_deg) + np.eye(7)[place] * np.linspace(-1, 1, 2001)[:, None]
+    swept = swept[np.abs(deviations(found.firing_order, swept)).max(axis=1) <= deviation * (1 + 1e-9)]
+    free = worth(stars, star, swept, {}, forces)
+    best = swept[np.argmin(free), place]
+    assert found.later_deg[place] == pytest.approx(best, abs=2e-3)
+    assert best not in (swept[0, place], swept[-1, place])
+
+
 @EVERY
 def test_nothing_moves_where_intervals_must_be_even(name: str) -> None:
     stars, star = STARS[name]

@@ -31,7 +31,6 @@ def in_order(nav: list[Any]) -> Iterator[str]:
 
 
 PAGES = [Path(name).stem for name in in_order(yaml.safe_load((ROOT / "mkdocs.yml").read_text(encoding="utf-8"))["nav"])]
-EVERY_PAGE = pytest.mark.parametrize("name", PAGES)
 
 
 @pytest.fixture(scope="session")
@@ -47,16 +46,11 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-@EVERY_PAGE
-def test_every_page_opens_from_disk_with_one_title(name: str, site: Path, page: Page) -> None:
+@pytest.mark.parametrize("name", PAGES)
+def test_every_page_opens_from_disk_with_one_title_and_fits_a_telephone(name: str, site: Path, page: Page) -> None:
     page.goto((site / f"{name}.html").as_uri())
     assert page.locator("h1").count() == 1
     assert page.locator("h1").is_visible()
     assert page.title()
-
-
-@EVERY_PAGE
-def test_every_page_fits_a_telephone(name: str, site: Path, page: Page) -> None:
     page.set_viewport_size({"width": TELEPHONE, "height": 800})
-    page.goto((site / f"{name}.html").as_uri())
     assert too_wide(page) == []
