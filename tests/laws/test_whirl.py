@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from tests.newton import Rate, Road, road
 from tests.strategies import PLACES, engines, number
@@ -63,7 +63,6 @@ def angular(walked: Road, body: Body, sense: int) -> tuple[np.ndarray, float]:
     return out, whole
 
 
-@settings(max_examples=40)
 @given(engines(known=True), BODIES)
 def test_centre_of_mass_and_angular_momentum_stay_what_they_were(engine: Engine, body: Body) -> None:
     walked = road(engine, reference=Reference(0.0), speed=1.0)

@@ -198,7 +198,7 @@ def test_a_polygon_runs_head_to_tail_and_its_resultant_is_that_of_the_balance(na
 
 @EVERY_ENGINE
 @pytest.mark.parametrize("quantity", ["force", "couple"])
-@pytest.mark.parametrize("speed", [None, 500.0])
+@pytest.mark.parametrize("speed", [None, pytest.param(500.0, marks=pytest.mark.long)])
 def test_a_hodograph_is_the_path_of_the_vector_and_its_dot_is_where_the_vector_is(
     name: str, quantity: Any, speed: float | None
 ) -> None:
@@ -263,7 +263,7 @@ def test_the_axes_of_a_hodograph_are_those_of_the_ellipse(name: str, order: int,
 
 
 @EVERY_ENGINE
-@pytest.mark.parametrize("quantity", ["force", "couple", "roll", "torque"])
+@pytest.mark.parametrize("quantity", ["force", "couple", "roll", pytest.param("torque", marks=pytest.mark.long)])
 def test_the_curves_over_a_turn_are_the_balance(name: str, quantity: Any) -> None:
     engine = crankstar.load(name)
     whole = getattr(total(balance(engine)), quantity)

@@ -152,7 +152,7 @@ def test_what_shows_geometry_has_equal_scales(name: str, engine: str) -> None:
 
 @pytest.mark.parametrize("name", PLANES)
 @pytest.mark.parametrize("engine", [*ENGINES, "napier-deltic", pytest.param("huge", marks=pytest.mark.long)])
-@pytest.mark.parametrize("order", [1, 2])
+@pytest.mark.parametrize("order", [1, pytest.param(2, marks=pytest.mark.long)])
 def test_labels_do_not_cover_each_other(name: str, engine: str, order: int) -> None:
     figure = charts.CHARTS[name]
     options: dict[str, Any] = {"order": order, "quantity": "couple"} if "order" in figure.options else {}

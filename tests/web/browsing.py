@@ -44,9 +44,11 @@ TOO_WIDE = """() => {
     const free = ([element, ...above]) => [element, ...above].every(one => style(one).position !== 'fixed') && !above.some(scrolls)
     const wrong = element => {
         const { left, right, width, height } = element.getBoundingClientRect()
-        if (width <= 1 || height <= 1 || !element.checkVisibility() || !free(lineage(element))) return ''
-        if (right > edge + 1 || left < -1) return `reaches from ${Math.round(left)} to ${Math.round(right)} of ${edge}`
-        return hides(element) && element.scrollWidth > element.clientWidth + 1 ? 'hides a part of what it holds' : ''
+        const over = right > edge + 1 || left < -1
+        if (width <= 1 || height <= 1 || !(over || element.scrollWidth > element.clientWidth + 1)) return ''
+        if (!element.checkVisibility() || !free(lineage(element))) return ''
+        if (over) return `reaches from ${Math.round(left)} to ${Math.round(right)} of ${edge}`
+        return hides(element) ? 'hides a part of what it holds' : ''
     }
     const name = element => [element.tagName.toLowerCase(), ...element.classList].join('.')
     const told = element => `${name(element)} ${wrong(element)}: ${element.textContent.trim().slice(0, 60)}`

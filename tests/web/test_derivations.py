@@ -44,13 +44,13 @@ def test_every_formula_is_set(page: Page, tmp_path: Path, name: str) -> None:
         assert formula["told"]
 
 
-@pytest.mark.parametrize("width", [400, 900, 1600])
 @pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_a_page_fits_and_is_legible_in_any_light(page: Page, tmp_path: Path, width: int, scheme: str) -> None:
+def test_a_page_fits_and_is_legible_in_any_light(page: Page, tmp_path: Path, scheme: str) -> None:
     page.emulate_media(color_scheme=scheme)  # pyright: ignore[reportArgumentType]
-    page.set_viewport_size({"width": width, "height": 800})
     page.goto(written("v8-cross-plane", tmp_path).as_uri())
-    assert page.evaluate("document.documentElement.scrollWidth") <= width
+    for width in (400, 900, 1600):
+        page.set_viewport_size({"width": width, "height": 800})
+        assert page.evaluate("document.documentElement.scrollWidth") <= width
     ink, ground = page.evaluate("['color', 'backgroundColor'].map(key => getComputedStyle(document.body)[key])")
     light = [sum(map(int, colour.strip("rgb()").split(",")[:3])) / 765 for colour in (ink, ground)]
     assert abs(light[0] - light[1]) > 0.6

@@ -12,7 +12,7 @@ from typing import Any, Literal
 
 import pytest
 from playwright.sync_api import Browser, Locator, Page, expect
-from tests.web.browsing import barriers, too_wide, watched
+from tests.web.browsing import SETTLED, barriers, too_wide, watched
 from tests.web.serving import Server
 
 from crankstar import files
@@ -23,6 +23,8 @@ REFUSED = re.compile(r"console error: Failed to load resource: .* 422 ")
 BEARING = "edit:layout.banks[1].bearing"
 HOSTILE = "</script><img src=x onerror=alert(1)>"
 WAIT_SECONDS = 20
+COLOURS: tuple[Literal["light", "dark"], ...] = ("light", "dark")
+WIDTHS = (400, 900, 1600)
 
 
 @pytest.fixture
@@ -233,11 +235,11 @@ def test_an_engine_of_the_catalog_is_chosen_with_keys_alone(editing: Page) -> No
     expect(editing.get_by_label("Type", exact=True)).to_have_value("tandem")
 
 
-@pytest.mark.parametrize("kind", ["inline", "boxer", "radial", "opposed", "tandem"])
-def test_another_layout_begins_as_an_engine(editing: Page, kind: str) -> None:
-    editing.get_by_label("Type", exact=True).select_option(kind)
-    eventually(lambda: on_stage(editing)["file"]["layout"]["type"], kind)
-    expect(editing.locator(".mistakes")).to_have_count(0)
+def test_another_layout_begins_as_an_engine(editing: Page) -> None:
+    for kind in ("inline", "boxer", "radial", "opposed", "tandem"):
+        editing.get_by_label("Type", exact=True).select_option(kind)
+        eventually(lambda: on_stage(editing)["file"]["layout"]["type"], kind)
+        expect(editing.locator(".mistakes")).to_have_count(0)
 
 
 def test_the_explicit_form_is_the_same_engine_part_by_part(editing: Page) -> None:
@@ -406,18 +408,19 @@ def test_fitting_puts_weights_on_and_undo_takes_them_off(editing: Page) -> None:
     eventually(lambda: "layout" in on_stage(editing)["file"], True)
 
 
-@pytest.mark.parametrize("colours", ["light", "dark"])
-def test_the_editor_and_its_search_can_be_read_and_used(colours: Literal["light", "dark"], editing: Page) -> None:
-    editing.emulate_media(color_scheme=colours)
-    assert barriers(editing) == []
+def test_the_editor_and_its_search_can_be_read_and_used(editing: Page) -> None:
+    for colours in COLOURS:
+        editing.emulate_media(color_scheme=colours)
+        assert barriers(editing) == []
     editing.get_by_role("button", name="Find a better crank").click()
-    assert barriers(editing) == []
+    for colours in COLOURS:
+        editing.emulate_media(color_scheme=colours)
+        assert barriers(editing) == []
 
 
-@pytest.mark.parametrize("width", [400, pytest.param(900, marks=pytest.mark.long), 1600])
-def test_nothing_reaches_over_the_edge(browser: Browser, server: Server, width: int) -> None:
+def test_nothing_reaches_over_the_edge(browser: Browser, server: Server) -> None:
     complaints: list[str] = []
-    with watched(browser, complaints, width=width, height=700) as page:
+    with watched(browser, complaints) as page:
         for engine in ("v8-cross-plane", "napier-deltic", "radial-9"):
             opened(page, server, f"tab=edit&a=0&engine={engine}")
             page.reload()
@@ -429,5 +432,11 @@ def test_nothing_reaches_over_the_edge(browser: Browser, server: Server, width: 
 
 
 def beyond(page: Page) -> list[str]:
-    """What reaches over an edge or is cut off, but for what is there for those who listen."""
+    """What reaches over an edge or is cut off at any width, but for what is there for those who listen."""
+    return [f"{width}: {line}" for width in WIDTHS for line in beyond_at(page, width)]
+
+
+def beyond_at(page: Page, width: int) -> list[str]:
+    page.set_viewport_size({"width": width, "height": 700})
+    page.evaluate(SETTLED)
     return [line for line in too_wide(page) if not re.match(r"\w+\.(unseen|aside|chooser)\b", line)]

@@ -6,6 +6,7 @@ import cmath
 import math
 import re
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -257,6 +258,12 @@ def test_nothing_of_what_is_said_of_a_cut_file_is_left(built_page: Build, page: 
     expect(page.locator("body")).not_to_contain_text("not whole")
 
 
+@cache
+def written() -> str:
+    """The page file of an engine, without what its figures are drawn with."""
+    return document({"exhibition": exhibition([load(CROSS)]).model_dump(mode="json"), "libraries": [], "fitted": []})
+
+
 @pytest.mark.parametrize(
     ("found", "instead", "told"),
     [
@@ -270,10 +277,9 @@ def test_nothing_of_what_is_said_of_a_cut_file_is_left(built_page: Build, page: 
     ],
 )
 def test_a_file_without_its_data_says_what_to_do(found: str, instead: str, told: str, tmp_path: Path, page: Page) -> None:
-    whole = document({"exhibition": exhibition([load(CROSS)]).model_dump(mode="json"), "libraries": [], "fitted": []})
     file = tmp_path / "cut.html"
     data = r'(?<=id="crankstar-data">).*?(?=</script>)'
-    cut, count = re.subn(found.replace("<data>", data), instead, whole, count=1, flags=re.DOTALL)
+    cut, count = re.subn(found.replace("<data>", data), instead, written(), count=1, flags=re.DOTALL)
     assert count
     file.write_text(cut, encoding="utf-8")
     page.goto(file.as_uri())
