@@ -28,12 +28,13 @@ demo: $(RUN_ONLY) bundle
 	@echo
 	@echo "== Next: crankstar new vee > mine.toml; edit it; crankstar analyze mine.toml   (the command is $(BIN)/crankstar)"
 
-test: $(READY) front-end lint docs chromium
+test: $(READY) front-end
+	@$(MAKE) --no-print-directory -j 2 lint docs chromium
 	cd web && $(NODE) node_modules/vitest/vitest.mjs run --passWithNoTests --silent=passed-only --reporter=dot
-	$(BIN)/pytest -n 2 -m "not long"
+	$(BIN)/pytest -n 2 --dist worksteal -m "not long"
 
 test-long: $(READY) $(NOTEBOOK) front-end docs chromium latex
-	HYPOTHESIS_PROFILE=long $(BIN)/pytest -n 2
+	HYPOTHESIS_PROFILE=long $(BIN)/pytest -n 2 --dist worksteal
 
 lint: $(READY) front-end
 	$(BIN)/ruff check .
