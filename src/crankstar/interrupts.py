@@ -5,12 +5,14 @@ from __future__ import annotations
 import signal
 import threading
 from collections.abc import Callable, Iterator
-from concurrent.futures import Future
+from concurrent.futures import Future, wait
 from contextlib import contextmanager
 from multiprocessing import resource_tracker
 from typing import TypeVar
 
 T = TypeVar("T")
+LOOK_SECONDS = 0.2
+"""How often who waits looks whether there was an interrupt."""
 
 
 @contextmanager
@@ -42,4 +44,6 @@ def aside(work: Callable[[], T]) -> T:
             ended.set_exception(error)
 
     threading.Thread(target=run, daemon=True).start()
+    while not wait([ended], timeout=LOOK_SECONDS).done:  # an interrupt that comes just before the waiting begins does not end it
+        pass
     return ended.result()

@@ -449,3 +449,19 @@ def test_all_engines_have_a_name_for_every_line_under_it() -> None:
         assert shown.cycle_deg in (360.0, 720.0)
         assert shown.turns * 360 >= shown.cycle_deg
         assert radians(shown.cycle_deg) > 0
+
+
+def names_of(*engines: Engine, sources: tuple[str, ...] = ()) -> list[tuple[str, Any]]:
+    shown = exhibition(engines, sources=sources, neighbours=False)
+    return [(one.name, one.file["name"]) for one in shown.engines]
+
+
+def test_engines_of_one_name_side_by_side_are_told_apart() -> None:
+    one, other = load("i4"), load("v2-90").model_copy(update={"name": load("i4").name})
+    assert names_of(one, load("v2-90")) == [(name, name) for name in (one.name, load("v2-90").name)]
+    assert [name for name, _ in names_of(one, other, sources=("a.toml", "b.toml"))] == [
+        f"{one.name} (a.toml)",
+        f"{one.name} (b.toml)",
+    ]
+    assert [name for name, _ in names_of(one, other, sources=("a.toml", "a.toml"))] == [f"{one.name} (1)", f"{one.name} (2)"]
+    assert [name for _, name in names_of(one, other)] == [one.name, one.name]

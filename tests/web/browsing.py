@@ -11,7 +11,20 @@ from playwright.sync_api import Browser, ConsoleMessage, Page, Route, ViewportSi
 from tests.front_end import WEB
 from tests.tools import path_of
 
+NOT_WANTED = (
+    "WebUIOmniboxPopup",  # pages of the browser's own, which cost as much as ours
+    "WebUIOmniboxAimPopup",
+    # playwright's own list, which this one takes the place of
+    "AvoidUnnecessaryBeforeUnloadCheckSync",
+    "DestroyProfileOnBrowserClose",
+    "HttpsUpgrades",
+    "LensOverlay",
+    "MediaRouter",
+    "OptimizationHints",
+    "ThirdPartyStoragePartitioning",
+)
 ARGUMENTS = [
+    f"--disable-features={','.join(NOT_WANTED)}",
     "--disable-background-networking",
     "--disable-component-update",
     "--disable-gpu",

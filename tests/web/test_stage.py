@@ -25,6 +25,23 @@ FINELY = """() => {
 }"""
 
 
+COUNTED = """const clear = WebGL2RenderingContext.prototype.clear
+window.drawings = 0
+WebGL2RenderingContext.prototype.clear = function (...what) { window.drawings++; clear.apply(this, what) }"""
+"""Each drawing begins with an empty canvas."""
+CHANGES = (
+    "camera=plan",
+    "glass=0",
+    "glow=0",
+    "theme=dark",
+    "force=1",
+    "force=1&each=1",
+    "force=1&scale=2",
+    "couple=1",
+    "whirl=1000",
+)
+
+
 def stage(page: Page) -> Locator:
     """The element the engine is drawn on."""
     return page.locator("canvas[role=img]")
@@ -48,6 +65,27 @@ def test_every_camera_draws_something_else_and_comes_back_to_the_same(built_page
         assert pictures.setdefault(camera, picture) == picture
         assert camera in (stage(page).get_attribute("aria-label") or "").replace("free view", "orbit")
     assert len(set(pictures.values())) == 5
+
+
+def drawings(page: Page) -> int:
+    """How often the stage has been drawn until now."""
+    for _ in range(3):
+        page.evaluate(SETTLED)
+    return page.evaluate("window.drawings")
+
+
+def test_what_changes_is_drawn_and_what_does_not_is_not_drawn_again(built_page: Build, page: Page) -> None:
+    page.add_init_script(CARD)
+    page.add_init_script(COUNTED)
+    opened(page, built_page(ENGINE), "a=40&force=0&couple=0")
+    for change in CHANGES:
+        before = drawings(page)
+        page.evaluate(f"location.hash = 'a=40&{change}'")
+        after = drawings(page)
+        assert after > before, change
+        page.get_by_role("tab", name="Strokes").click()
+        page.get_by_role("tab", name="Orders").click()
+        assert drawings(page) == after, change
 
 
 def test_keys_and_dragging_turn_the_free_view_and_home_puts_it_back(built_page: Build, page: Page) -> None:

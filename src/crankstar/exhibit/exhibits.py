@@ -36,6 +36,7 @@ def exhibition(
     `files_given` are the trees of their files, `sources` the words with which they were named.
     """
     trees = [dict(tree) for tree in files_given] or [files.explicit(engine) for engine in engines]
+    engines = _told_apart(engines, sources)
     shown = tuple(exhibit(engine, file=tree, neighbours=neighbours) for engine, tree in zip(engines, trees, strict=True))
     return Exhibition(
         engines=shown,
@@ -44,6 +45,15 @@ def exhibition(
         command=command,
         version=version("crankstar"),
     )
+
+
+def _told_apart(engines: Sequence[Engine], sources: Sequence[str]) -> list[Engine]:
+    """Engines of different names: where files give the same, with what they were named by, else with their places."""
+    names = [engine.name for engine in engines]
+    if len(set(names)) == len(names):
+        return list(engines)
+    words = sources if len(set(sources)) == len(names) else range(1, len(names) + 1)
+    return [engine.model_copy(update={"name": f"{engine.name} ({word})"}) for engine, word in zip(engines, words, strict=True)]
 
 
 def exhibit(

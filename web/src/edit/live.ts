@@ -5,7 +5,7 @@ export const PATIENCE = 150
 
 /** A question that is asked again and again while its subject changes. */
 export interface Asked<Q> {
-  /** Asks about the newest subject soon; what was to be asked before and has not been sent is dropped. */
+  /** Asks about the newest subject as soon as it can be; what was to be asked before and has not been sent is dropped. */
   ask(subject: Q): void
   /** Whether an answer about the newest subject is still to come. */
   busy(): boolean
@@ -18,40 +18,21 @@ export interface Asking<Q, A> {
   readonly answered: (answer: Answer<A>, subject: Q, newest: boolean) => void
   /** Told when it begins to wait and when it has all answers. */
   readonly waiting: (busy: boolean) => void
-  /** Calls back after a breath. Returns what calls it off. */
-  readonly soon?: (call: () => void) => () => void
-}
-
-/** How long changes are gathered before they are sent, milliseconds: what comes in one breath is one question. */
-const BREATH = 4
-
-// Not the next frame: where frames are slow, that would be the longest part of the wait.
-const afterABreath = (call: () => void): (() => void) => {
-  const id = setTimeout(call, BREATH)
-  return () => clearTimeout(id)
 }
 
 /**
- * One question at a time, the newest last. While one is on its way the newest waits for it, so that a drag shows what it passes;
- * one that takes longer than PATIENCE is given up for it.
+ * One question at a time, the newest last, each sent as soon as it can be: at once, or when the one before is answered, so that a
+ * drag shows what it passes. One that takes longer than PATIENCE is given up for a newer one.
  */
-export function asked<Q, A>({ send, answered, waiting, soon = afterABreath }: Asking<Q, A>): Asked<Q> {
+export function asked<Q, A>({ send, answered, waiting }: Asking<Q, A>): Asked<Q> {
   let next: { subject: Q } | null = null
-  let callOff: (() => void) | null = null
   let way: { abort: AbortController; since: number } | null = null
   let patience: ReturnType<typeof setTimeout> | undefined
-
-  const schedule = () => {
-    callOff ??= soon(() => {
-      callOff = null
-      if (way === null) void go()
-    })
-  }
 
   const giveUp = () => {
     way?.abort.abort()
     way = null
-    if (next) schedule()
+    void go()
   }
 
   const go = async () => {
@@ -71,16 +52,17 @@ export function asked<Q, A>({ send, answered, waiting, soon = afterABreath }: As
     way = null
     clearTimeout(patience)
     patience = undefined
-    answered(answer, subject, next === null)
-    if (next) schedule()
-    else waiting(false)
+    const newest = next === null
+    void go() // before the answer is shown, which takes a while
+    answered(answer, subject, newest)
+    if (way === null && next === null) waiting(false)
   }
 
   return {
     ask(subject) {
       next = { subject }
       waiting(true)
-      if (way === null) schedule()
+      if (way === null) void go()
       else if (patience === undefined) {
         const left = Math.max(0, PATIENCE - (performance.now() - way.since))
         patience = setTimeout(() => {
@@ -92,8 +74,6 @@ export function asked<Q, A>({ send, answered, waiting, soon = afterABreath }: As
     busy: () => way !== null || next !== null,
     stop() {
       next = null
-      callOff?.()
-      callOff = null
       clearTimeout(patience)
       patience = undefined
       giveUp()

@@ -48,7 +48,8 @@ class EngineStage implements Stage {
   #instant: Instant | null = null
   #view: View | null = null
   #size = { width: 1, height: 1, density: 1 }
-  /** What the sheet and the inset were last written for. */
+  /** What the picture was last drawn for, the sheet and the inset last written for. */
+  #drawn: readonly unknown[] = []
   #written: readonly unknown[] = []
   #traced: readonly unknown[] = []
   #ends: readonly [[number, number], [number, number]] = [
@@ -107,8 +108,8 @@ class EngineStage implements Stage {
     this.#written = []
     this.#traced = []
     this.#instant = null
+    this.#drawn = []
     this.#picture.show(exhibit, this.#chain)
-    if (this.#view) this.draw(this.#view)
   }
 
   beside(exhibits: readonly Exhibit[]): void {
@@ -139,7 +140,7 @@ class EngineStage implements Stage {
     instant.frame = frame
     instant.palette = palette
     instant.moved = this.#whirling.at(view.theta, view.whirl.orders)
-    this.#picture.draw(instant)
+    if (this.#anew(instant)) this.#picture.draw(instant)
     this.#write(instant)
     this.#trace(instant)
     if (this.#viewpoint.moving && this.#awaited === 0) this.#awaited = requestAnimationFrame(this.#again)
@@ -152,6 +153,26 @@ class EngineStage implements Stage {
       this.#seen = [...this.#discs, ...arrows]
     }
     return this.#seen
+  }
+
+  /** Whether an instant looks different from the one that was drawn last: without a graphics card drawing takes long. */
+  #anew({ view, frame, palette, load, arrow }: Instant): boolean {
+    const { right, up, back } = frame.look
+    const { arrows, whirl } = view
+    const what = [view.theta, view.glass, view.glow, palette, whirl.magnification, whirl.orders?.join()]
+    const pushed = [
+      load.force,
+      load.couple,
+      arrow,
+      arrows.force,
+      arrows.couple,
+      arrows.cylinders,
+      arrows.orders?.join(),
+    ]
+    const state = [...what, ...pushed, ...right, ...up, ...back, ...frame.centre, frame.half]
+    if (same(state, this.#drawn)) return false
+    this.#drawn = state
+    return true
   }
 
   /** The record of an instant, which is used again and again. */
@@ -179,6 +200,7 @@ class EngineStage implements Stage {
 
   readonly #found = (): void => {
     this.#picture.show(this.#exhibit, this.#chain)
+    this.#drawn = []
     this.#again()
   }
 
@@ -245,6 +267,7 @@ class EngineStage implements Stage {
     const density = Math.min(DENSEST, globalThis.devicePixelRatio || 1)
     this.#size = { width, height, density }
     this.#picture.size(width, height, density)
+    this.#drawn = []
     this.#inset.fit(width, height)
     this.#traced = []
     this.#sheet.width = Math.round(width * density)

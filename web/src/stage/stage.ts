@@ -38,7 +38,7 @@ export interface Reading {
 
 /** One engine on a canvas of its own. Not a component: it is told what to draw, and draws it at once. */
 export interface Stage {
-  /** Puts another engine in the place of the one shown; keeps camera position where it can. */
+  /** Puts another engine in the place of the one shown; keeps camera position where it can. `draw` follows. */
   show(exhibit: Exhibit): void
   /** Engines that are compared with this one: arrows of one length stand for the same force in all. `draw` follows. */
   beside(exhibits: readonly Exhibit[]): void

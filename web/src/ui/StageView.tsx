@@ -1,4 +1,4 @@
-import { effect } from '@preact/signals'
+import { effect, untracked } from '@preact/signals'
 import { useEffect, useRef } from 'preact/hooks'
 import type { App } from '../app'
 import type { Exhibit } from '../exhibit'
@@ -40,12 +40,15 @@ export function StageView({ index, made }: { index: number; made: (index: number
     let current = first
     const ends = [
       effect(() => {
-        const exhibit = app.shown.value[index]
-        if (exhibit && exhibit !== current) stage.show(exhibit)
-        current = exhibit ?? current
+        const exhibit = app.shown.value[index] ?? current
+        const another = exhibit !== current
+        if (another) stage.show(exhibit)
+        current = exhibit
         // as it is and with weights, this engine and the one beside it: all to one scale
         const all = [...app.engines.value, ...app.cured.value]
         stage.beside(all.filter((one): one is Exhibit => one != null && one !== current))
+        // at once: where drawing takes long, the wait for the next frame is not to be added to it
+        if (another) stage.draw(untracked(() => viewOf(app, (app.clock.degrees() * Math.PI) / 180)))
         app.clock.refresh()
       }),
       app.clock.follow((theta) => stage.draw(viewOf(app, theta))),

@@ -28,22 +28,22 @@ function server(takes: (subject: number) => number) {
       else given.push(answer.problems.length)
     },
     waiting: (busy) => waits.push(busy),
-    soon: (call) => {
-      const id = setTimeout(call, 16)
-      return () => clearTimeout(id)
-    },
   })
   return { live, sent, told, waits, aborted, given }
 }
 
-test('changes within a frame are one question, about the last of them', async () => {
+test('a change is sent at once, and of those that come meanwhile the last', async () => {
   const { live, sent, told, waits } = server(() => 5)
   live.ask(1)
+  expect(sent).toEqual([1])
   live.ask(2)
   live.ask(3)
   await vi.advanceTimersByTimeAsync(100)
-  expect(sent).toEqual([3])
-  expect(told).toEqual([[3, true]])
+  expect(sent).toEqual([1, 3])
+  expect(told).toEqual([
+    [1, false],
+    [3, true],
+  ])
   expect(waits.at(-1)).toBe(false)
   expect(live.busy()).toBe(false)
 })
@@ -105,10 +105,6 @@ test('that no server answers is told as a sentence, and the next question is ask
     },
     answered: (answer) => problems.push(answer.ok ? 'well' : (answer.problems[0]?.message ?? '')),
     waiting: () => undefined,
-    soon: (call) => {
-      const id = setTimeout(call)
-      return () => clearTimeout(id)
-    },
   })
   live.ask(1)
   await vi.advanceTimersByTimeAsync(5)
