@@ -21,10 +21,9 @@ from crankstar.engine import Engine
 from crankstar.layouts import Basis, inline
 from crankstar.remedy import with_counterweights
 
-SPREAD = (
-    *("single", "i4", "sinitsyn-7-second", "v8-cross-plane", "boxer-6", "vw-vr6", "napier-deltic", "jumo-205", "radial-9"),
-    *("kr250-racer", "square-four", "napier-lion", "man-s90mc-c", "audi-25-tfsi"),
-)
+OFTEN = ("single", "v8-cross-plane", "vw-vr6", "napier-deltic", "jumo-205", "radial-9", "kr250-racer")
+SELDOM = ("i4", "sinitsyn-7-second", "boxer-6", "square-four", "napier-lion", "man-s90mc-c", "audi-25-tfsi")
+SPREAD = [*OFTEN, *(pytest.param(name, marks=pytest.mark.long) for name in SELDOM)]
 EVERY_CHART = pytest.mark.parametrize("name", charts.CHARTS)
 TURNING = [name for name, figure in charts.CHARTS.items() if "theta" in figure.options]
 PLANES = ("crank-star", "vector-star", "polygon", "hodograph", "forces", "firing-ring")

@@ -137,9 +137,7 @@ def test_searches_are_stopped_with_what_they_have_and_only_so_many_run_at_once()
         assert ended(server, again)["state"] == "done"
 
 
-@pytest.mark.parametrize(
-    "seconds", [0.0, 0.7, 1.0, pytest.param(2.0, marks=pytest.mark.long), pytest.param(4.5, marks=pytest.mark.long)]
-)
+@pytest.mark.parametrize("seconds", [0.0, 1.0, *(pytest.param(seconds, marks=pytest.mark.long) for seconds in (0.7, 2.0, 4.5))])
 def test_a_search_is_stopped_even_while_it_compiles_its_loops(
     seconds: float, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -42,9 +42,9 @@ DRIVER = re.compile(r"^\[\.WebGL-0x[0-9a-f]+\]GL Driver Message \(OpenGL, Perfor
 SETTLED = "() => new Promise(done => requestAnimationFrame(() => setTimeout(done)))"
 
 AXE = WEB / "node_modules" / "axe-core" / "axe.min.js"
-BARRIERS = """async () => {
+BARRIERS = """async only => {
     const why = node => node.any.concat(node.all, node.none)[0]?.message
-    const { violations } = await axe.run(document, { resultTypes: ['violations'] })
+    const { violations } = await axe.run(document, { resultTypes: ['violations'], ...(only && { runOnly: only }) })
     return violations.flatMap(rule => rule.nodes.map(node => `${rule.id}: ${node.target.join(' ')}: ${why(node) ?? rule.help}`))
 }"""
 TOO_WIDE = """() => {
@@ -130,8 +130,8 @@ def too_wide(page: Page) -> list[str]:
     return page.evaluate(TOO_WIDE)
 
 
-def barriers(page: Page) -> list[str]:
-    """What of the page cannot be read or used by everyone, by the rules of axe-core, contrast of colours among them."""
+def barriers(page: Page, *only: str) -> list[str]:
+    """What of the page cannot be read or used by everyone, by the rules of axe-core, contrast of colours among them; or by some."""
     if not page.evaluate("'axe' in window"):
         page.evaluate(AXE.read_text(encoding="utf-8"))
-    return page.evaluate(BARRIERS)
+    return page.evaluate(BARRIERS, list(only) or None)

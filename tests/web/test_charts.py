@@ -27,7 +27,7 @@ def opened(page: Page, chart: object, folder: Path) -> None:
     page.wait_for_selector("svg.marks")
 
 
-@pytest.mark.parametrize("name", TURNING)
+@pytest.mark.parametrize("name", [pytest.param(name, marks=[pytest.mark.long] * (place % 2)) for place, name in enumerate(TURNING)])
 @pytest.mark.parametrize("engine", ["kr250-racer", pytest.param("triple-120", marks=pytest.mark.long)])
 def test_the_slider_of_the_crank_angle_moves_a_figure(name: str, engine: str, page: Page, tmp_path: Path) -> None:
     quantity = {"quantity": "couple"} if engine == "triple-120" and CHARTS[name].quantities else {}
