@@ -101,13 +101,19 @@ def left(blocks: int, done: list[Span], size: int) -> Iterator[Span]:
         at = stop
 
 
+INSTEAD = {
+    "read": "name a file that you may read, or one that does not exist yet",
+    "written": "name a file in a place where you may write and where there is room",
+}
+
+
 @contextmanager
 def _told(path: Path, verb: str) -> Iterator[None]:
     """Tells an error of the file as a sentence."""
     try:
         yield
     except OSError as error:
-        raise SearchError([f"the checkpoint {path} cannot be {verb}: {error.strerror or error}"]) from None
+        raise SearchError([f"the checkpoint {path} cannot be {verb} ({error.strerror or error}); {INSTEAD[verb]}"]) from None
 
 
 def _append(path: Path, line: bytes) -> None:
