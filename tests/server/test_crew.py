@@ -126,6 +126,23 @@ def test_too_many_who_wait_are_sent_away_at_once(monkeypatch: pytest.MonkeyPatch
     assert answers.count(b"slept") == 8 - len(refused) == 3
 
 
+def test_who_has_waited_too_long_for_a_process_is_sent_away(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(crews, "WAITING_SECONDS", 0.2)
+
+    async def work(crew: Processes) -> tuple[int, str]:
+        while crew.idle.empty():
+            await asyncio.sleep(0.05)
+        slow = asyncio.create_task(crew.do(chores.sleep, 1.0))
+        await asyncio.sleep(0.05)
+        told = await refusal(crew.do(chores.number))
+        assert not slow.done()
+        await slow
+        assert (await crew.do(chores.number)).isdigit()
+        return told
+
+    assert with_crew(work, seconds=20.0) == (503, crews.BUSY)
+
+
 def test_a_question_that_many_ask_is_reckoned_once_and_its_answer_kept(tmp_path: Path) -> None:
     file = str(tmp_path / "counted.txt")
 

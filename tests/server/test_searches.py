@@ -137,6 +137,20 @@ def test_searches_are_stopped_with_what_they_have_and_only_so_many_run_at_once()
         assert ended(server, again)["state"] == "done"
 
 
+def test_a_search_that_takes_much_longer_than_was_thought_is_stopped(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(searches, "STOPPED_SECONDS", 0.0)
+    every = Searches()
+    try:
+        search = json.loads(every.begun(SearchQuestion.model_validate(LONG).model_dump()))
+        until = time.monotonic() + 30
+        while search["state"] == "running" and time.monotonic() < until:
+            time.sleep(0.05)
+            search = json.loads(every.shown(search["id"]))
+        assert search["state"] == "cancelled"
+    finally:
+        every.end()
+
+
 @pytest.mark.parametrize("seconds", [0.0, 1.0, *(pytest.param(seconds, marks=pytest.mark.long) for seconds in (0.7, 2.0, 4.5))])
 def test_a_search_is_stopped_even_while_it_compiles_its_loops(
     seconds: float, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shlex
 from typing import Annotated
 
@@ -12,7 +13,10 @@ from crankstar.cli.application import app
 from crankstar.cli.options import Settings
 from crankstar.files import changed, engine_of
 from crankstar.output import complain, working
+from crankstar.quantity import one_line
 from crankstar.request import RequestError, named, setting
+
+GREATEST_PORT = 65535
 
 
 @app.command
@@ -21,13 +25,13 @@ def serve(
     /,
     *,
     host: Annotated[str, Parameter(help="address to listen at; others than 127.0.0.1 let other machines in")] = "127.0.0.1",
-    port: Annotated[int, Parameter(help="port to listen at; 0 takes a free one")] = 8000,
+    port: Annotated[str, Parameter(help="port to listen at; 0 takes a free one")] = "8000",
     open_: Annotated[bool, Parameter(name="--open", help="open the page in the browser", negative=())] = False,
     settings: Settings = None,
 ) -> None:
     """Serve the page on this machine: engines edited live, analysed at every change."""
-    if not 0 <= port <= 65535:
-        raise RequestError(f"--port {port}: give a number from 0 to 65535, as in --port 8000")
+    if not re.fullmatch(r"\d{1,5}", port, re.ASCII) or int(port) > GREATEST_PORT:
+        raise RequestError(f"--port {one_line(port)}: give a number from 0 to {GREATEST_PORT}, as in --port 8000")
     with working("starting ..."):
         try:
             from crankstar.server import running
@@ -37,7 +41,7 @@ def serve(
         name, tree = tree_of(engine)
         tree = changed(tree, dict(setting(text) for text in settings or []), name=name)
         engine_of(tree, name=name)
-        taken = running.opened(host, port)
+        taken = running.opened(host, int(port))
     address = running.address_of(taken, host)
 
     def ready() -> None:

@@ -123,7 +123,7 @@ class _Search:
             while self.state == "running":
                 if way.poll(5.0):
                     self._take(*way.recv())
-                elif time.monotonic() > latest:
+                if time.monotonic() > latest:
                     self.stop()
         except (EOFError, OSError):
             self._close("failed", LOST)
