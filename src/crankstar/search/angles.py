@@ -43,10 +43,6 @@ STARTS = 24
 """Points from which an optimum is looked for, the star itself among them."""
 NOTHING = 1e-9
 """Share of its greatest possible length by which a sum may pass its limit, and below which it is the solver's precision."""
-SETTLINGS = 5
-"""How often at most an optimum is sought again from where it was found."""
-LEAST_CURVED = 1e-9
-"""Share of the greatest curvature that a direction in which nothing changes is given for the solver."""
 ALIKE = 1e-6
 """Share of the value of the star within which two starts have ended in the same optimum."""
 
@@ -280,17 +276,7 @@ def _best(task: Task, deviation: float, before: Real, starts: int) -> tuple[Real
         degrees = f"{np.degrees(deviation):g} deg"
         raise SearchError([f"with intervals within {degrees} of even ones no angles were found that keep {told}; allow more"])
     near = ALIKE * (task.square(np.zeros_like(before))[0] ** 0.5 or 1.0)
-    return _settled(task, ends[values.index(value)], deviation), sum(other <= value + near for other in values[-starts:])
-
-
-def _settled(task: Task, places: Real, deviation: float) -> Real:
-    """An optimum sought again from where it was found, as long as that betters it."""
-    for _ in range(SETTLINGS if places.any() else 0):
-        again = _within(task, _descended(task, places, deviation), deviation)
-        if not (task.kept(again) and task.square(again)[0] < task.square(places)[0]):
-            break
-        places = again
-    return places
+    return ends[values.index(value)], sum(other <= value + near for other in values[-starts:])
 
 
 def _ends(task: Task, deviation: float, before: Real, starts: int) -> list[Real]:
@@ -314,46 +300,34 @@ def _within(task: Task, places: Real, deviation: float) -> Real:
 
 
 def _descended(task: Task, begin: Real, deviation: float) -> Real:
-    """The local optimum that a start leads to; values are counted in that of the star, places so that the start curves evenly.
+    """The local optimum that a start leads to; values are counted in that of the star, places in radians.
 
-    Sums that weigh little beside others would else be left where they are before they are least.
+    In the much smaller unit of the deviation sums that weigh little beside others would be left before they are least.
     """
     unit = task.square(np.zeros_like(begin))[0] or float(np.sum((task.weight * task.reach) ** 2))
-    scale = _evenly_curved(task, begin, unit, deviation)
-    intervals = task.intervals @ scale / deviation
-    slope = np.vstack([-intervals, intervals])
+    slope = np.vstack([-task.intervals, task.intervals]) / deviation
     limits = [{"type": "ineq", "fun": lambda x: 1 + slope @ x, "jac": lambda _x: slope}]
-    limits += [limit for row, term in enumerate(task.terms) if term.at_most < inf for limit in _limits(task, row, scale)]
+    limits += [limit for row, term in enumerate(task.terms) if term.at_most < inf for limit in _limits(task, row)]
 
     def scaled(x: Real) -> tuple[float, Real]:
-        value, slope = task.square(scale @ x)
-        return value / unit, slope @ scale / unit
+        value, slope = task.square(x)
+        return value / unit, slope / unit
 
     options = {"ftol": 1e-15, "maxiter": 500}
-    first = np.linalg.solve(scale, begin)
-    found: Any = minimize(scaled, first, jac=True, method="SLSQP", constraints=limits, options=options)
-    return scale @ found.x
+    found: Any = minimize(scaled, begin, jac=True, method="SLSQP", constraints=limits, options=options)
+    return np.asarray(found.x)
 
 
-def _evenly_curved(task: Task, begin: Real, unit: float, deviation: float) -> Real:
-    """How places follow the unknowns of the solver, in which the squares curve alike in all directions (Gauss and Newton)."""
-    slopes = task.weight[:, None] * task.vectors(begin)[1]
-    parts = np.vstack([np.real(slopes), np.imag(slopes)])
-    curving = 2 * parts.T @ parts / unit
-    flat = LEAST_CURVED * max(1.0, float(np.trace(curving)) * deviation**2) / deviation**2
-    return np.linalg.inv(np.linalg.cholesky(curving + flat * np.eye(len(begin)))).T
-
-
-def _limits(task: Task, row: int, scale: Real) -> list[dict[str, Any]]:
+def _limits(task: Task, row: int) -> list[dict[str, Any]]:
     """A sum's greatest length for the solver: its square, or, where it is to vanish, its two parts."""
     reach, at_most = float(task.reach[row]), task.terms[row].at_most
 
     def parts(x: Real) -> Real:
-        vector = task.vectors(scale @ x)[0][row] / reach
+        vector = task.vectors(x)[0][row] / reach
         return np.array([vector.real, vector.imag])
 
     def parts_slope(x: Real) -> Real:
-        slope = task.vectors(scale @ x)[1][row] @ scale / reach
+        slope = task.vectors(x)[1][row] / reach
         return np.array([slope.real, slope.imag])
 
     def room(x: Real) -> float:
