@@ -17,7 +17,7 @@ import crankstar
 from crankstar.balance import default_reference
 from crankstar.engine import Engine
 from crankstar.exhibit.scene import scene
-from crankstar.fitting import Fitted, recommended
+from crankstar.fitting import PLACE_ASSUMED, Fitted, recommended
 from crankstar.mechanism import Reference
 from crankstar.remedy import RemedyError, needs, with_turning_cancelled
 from crankstar.verdict import verdict
@@ -59,6 +59,7 @@ def test_nothing_is_left_of_what_the_verdict_says_can_be_taken_away(name: str) -
         assert told[0] == "Nothing of the first and second order is left to cure."
         return
     cranks = {shaft.speed_ratio for shaft in engine.shafts if shaft.throws}
+    assert (PLACE_ASSUMED in found.told) == ("shaft" in found.told.partition(PLACE_ASSUMED)[0])
     gone = cranks | set(added(engine, found))
     after = left(found.after, gone)
     assert max(max(pair) for pair in after.values()) < NOTHING, after

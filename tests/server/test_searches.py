@@ -132,7 +132,8 @@ def test_searches_are_stopped_with_what_they_have_and_only_so_many_run_at_once()
         while not looked(server, first)["done"] and time.monotonic() < until:
             time.sleep(0.1)
         assert looked(server, first)["state"] == "running"
-        assert any("INCOMPLETE" in sentence for sentence in stopped(server, first)["sentences"])
+        (incomplete,) = [sentence for sentence in stopped(server, first)["sentences"] if "INCOMPLETE" in sentence]
+        assert incomplete.endswith(f" {search_process.GO_ON}.")
         again = begun(server, {"cylinders": 4, "cycle": "two-stroke", "minimise": "M1"})
         assert ended(server, again)["state"] == "done"
 
