@@ -57,11 +57,11 @@ class Request:
 def request(cylinders: int | Engine, cycle: str | None, wish: Wish, *, speed: float | None = None) -> Request:
     """The question that the words ask. Raises RequestError with every mistake in them."""
     engine = cylinders if isinstance(cylinders, Engine) else None
-    try:
-        stars = stars_of(cylinders, cycle, pitch=wish.pitch, fix=wish.fix, symmetric=wish.symmetric)
-    except SearchError as error:
-        raise RequestError(str(error)) from None
     faults: list[str] = []
+    try:
+        stars = stars_of(cylinders, cycle, pitch=wish.pitch, fix=wish.fix, symmetric=wish.symmetric, faults=faults)
+    except SearchError as error:
+        raise RequestError("\n".join([*faults, str(error)])) from None
     maker = _Maker(stars, engine, speed, _shape(wish, stars, faults))
     objectives = _all_of(_usual(maker) if wish.minimise is None else wish.minimise, maker, "--minimise", faults)
     asked_for = [wish.minimise, wish.zero, *wish.limit, wish.all_with]

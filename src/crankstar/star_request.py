@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from fractions import Fraction
 from typing import get_args
 
@@ -23,11 +24,13 @@ def whole_number(text: str) -> int | None:
     return int(text)
 
 
-def stars_of(cylinders: int | Engine, cycle: str | None, *, pitch: str | None, fix: str | None, symmetric: bool) -> Stars:
-    """The stars that are meant. Raises RequestError with every mistake in the words."""
-    faults: list[str] = []
+def stars_of(
+    cylinders: int | Engine, cycle: str | None, *, pitch: str | None, fix: str | None, symmetric: bool, faults: list[str]
+) -> Stars:
+    """The stars that are meant; mistakes in the words are told in `faults`, and what they would say left out."""
     if cycle is not None and cycle not in get_args(Cycle):
-        raise RequestError(f"--cycle {one_line(cycle)}: it can be {', '.join(get_args(Cycle))}")
+        faults.append(f"--cycle {one_line(cycle)}: it can be {', '.join(get_args(Cycle))}")
+        cycle = None
     if isinstance(cylinders, Engine):
         if cycle not in (None, cylinders.cycle):
             faults.append(
@@ -40,14 +43,14 @@ def stars_of(cylinders: int | Engine, cycle: str | None, *, pitch: str | None, f
     else:
         number, kind = cylinders, cycle or "four-stroke"
         positions = _positions(pitch, number, faults)
-    base = Stars(number, kind, positions, symmetric=symmetric)  # pyright: ignore[reportArgumentType]
-    if symmetric and (base.sharing != 2 or not base.evenly_placed):
+    base = Stars(number, kind, positions)  # pyright: ignore[reportArgumentType]
+    if symmetric and base.sharing == 2 and base.evenly_placed:
+        base = replace(base, symmetric=True)
+    elif symmetric:
         faults.append("--symmetric: only a four-stroke engine with an even number of evenly placed cylinders has symmetric cranks")
-        base = Stars(number, kind, positions)  # pyright: ignore[reportArgumentType]
+    told = len(faults)
     fixed = _fixed(fix, base, faults)
-    if faults:
-        raise RequestError("\n".join(faults))
-    return Stars(number, kind, positions, symmetric, fixed)  # pyright: ignore[reportArgumentType]
+    return base if len(faults) > told else replace(base, fixed=fixed)
 
 
 def _positions(text: str | None, number: int, faults: list[str]) -> tuple[Fraction, ...]:

@@ -198,8 +198,11 @@ def test_more_stars_than_can_be_listed_are_refused(refused: Callable[..., str], 
 
 
 def test_every_mistake_is_told_at_once(refused: Callable[..., str]) -> None:
-    said = refused("search", "7", "--minimise", "X3,M0", "--limit", "M2", "--best", "0")
-    assert len(said.splitlines()) == 4
+    words = ("--fix", "9=1", "--symmetric", "--minimise", "X3,M0", "--limit", "M2", "--best", "0")
+    said = refused("search", "7", *words).splitlines()
+    assert len(said) == 6
+    for option in ("fix", "symmetric", "minimise", "limit", "best"):
+        assert any(f"--{option}" in line for line in said), said
 
 
 def test_a_checkpoint_of_another_search_is_refused(run: Run, refused: Callable[..., str]) -> None:

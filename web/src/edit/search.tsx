@@ -85,7 +85,8 @@ export function wishOf(asked: Asked): Record<string, unknown> {
   const limits = asked.limit.split(',').filter((limit) => limit.trim())
   return {
     ...(asked.of === 'number' && { cylinders: numbered(asked.cylinders), cycle: asked.cycle }),
-    ...(aims.length && { minimise: aims.join(',') }),
+    // the usual couples are left to the server, which leaves out what is the same for all stars of this engine
+    ...(aims.length && aims.join() !== NOTHING_YET.aims.join() && { minimise: aims.join(',') }),
     ...(asked.best.trim() && { best: numbered(asked.best) }),
     ...(asked.zero.trim() && { zero: asked.zero.trim() }),
     ...(limits.length && { limit: limits.map((limit) => limit.trim()) }),
