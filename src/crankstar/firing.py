@@ -143,11 +143,9 @@ def _outward(
 
 def firing(engine: Engine) -> Firing:
     """When each chamber fires. Raises EngineError, with the table of dead centres, where the order does not fit."""
-    faults = unfit(engine)
+    faults, angles = _fired(engine)
     if faults:
         raise EngineError(faults)
-    centres = dead_centres(engine)
-    angles = _given_angles(engine) if engine.firing_angles else _evenest(engine.firing_order, centres, engine.cycle_angle)
     if not angles:
         return Firing((), (), (), engine.cycle_angle)
     following = [*angles[1:], angles[0] + engine.cycle_angle]
@@ -157,20 +155,30 @@ def firing(engine: Engine) -> Firing:
 
 def unfit(engine: Engine) -> list[Fault]:
     """Why the firing order cannot be: empty if it can (or if there is none)."""
+    return _fired(engine)[0]
+
+
+def _fired(engine: Engine) -> tuple[list[Fault], list[float]]:
+    """Why the firing order cannot be, and if it can the angles at which it fires."""
     if not engine.firing_order:
-        return []
+        return [], []
     centres = dead_centres(engine)
     if engine.firing_angles:
-        return _wrong_angles(engine, centres)
-    if _evenest(engine.firing_order, centres, engine.cycle_angle) is not None:
-        return []
+        faults = _wrong_angles(engine, centres)
+        return faults, [] if faults else _given_angles(engine)
+    angles = _evenest(engine.firing_order, centres, engine.cycle_angle)
+    return ([], angles) if angles is not None else ([_unfit(engine, centres)], [])
+
+
+def _unfit(engine: Engine, centres: dict[int, DeadCentre]) -> Fault:
+    """Why the order of an engine cannot be, with its dead centres."""
     order = "-".join(map(str, engine.firing_order))
     table = ", ".join(f"{number} at {centre.angle_deg:.4g}" for number, centre in sorted(centres.items()))
     message = (
         f"is {order}, which this geometry cannot fire in one cycle of {engine.cycle_angle:.0f} deg. "
         f"Top dead centres, in degrees of crank angle: {table}. " + _hint(engine, centres)
     )
-    return [Fault(("firing_order",), message)]
+    return Fault(("firing_order",), message)
 
 
 def _hint(engine: Engine, centres: dict[int, DeadCentre]) -> str:
