@@ -99,7 +99,7 @@ class _Maker:
 
     def vector(self, name: str) -> VectorSum:
         """The vector sum of a name. Raises ValueError with what is wrong."""
-        match = re.fullmatch(r"([FMT])(\d{1,3}(?:\.5|\.0)?)", name)
+        match = re.fullmatch(r"([FMT])(\d{1,3}(?:\.5|\.0)?)", name, re.ASCII)
         if match is None:
             raise ValueError(f"there is no {seen(name)}; name what is meant, {EXAMPLE}")
         order = Fraction(match[2])

@@ -92,6 +92,8 @@ def test_the_cranks_of_an_engine_keep_its_cylinders(server: Server) -> None:
         ({"engine": "no such"}, "there is no such engine"),
         ({"cylinders": 1}, "it must be at least 2"),
         ({"cylinders": 7, "minimise": "X1, M"}, "there is no"),
+        ({"cylinders": 7, "minimise": "M1--fix --best"}, 'there is no "M1--fix --best"'),
+        ({"cylinders": 7, "minimise": "M\u0663"}, "there is no"),
         ({"cylinders": 7, "zero": "neighbours"}, "neighbours: use `avoid_adjacent` for that"),
         ({"cylinders": 7, "limit": ["M1"]}, "give what and at most how much"),
         ({"cylinders": 7, "best": 3, "front": True}, "`front` and `best`: ask for one of them"),

@@ -10,6 +10,7 @@ import socket
 import subprocess
 import sys
 import time
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -75,6 +76,18 @@ def test_an_interrupt_from_the_keyboard_which_every_process_gets_ends_it_just_so
     with serving("i4", alone=True) as server:
         os.killpg(server.process.pid, signal.SIGINT)
         assert server.process.wait(20) == 0
+        server.listener.join(20)
+        assert "".join(server.said) == HINT
+
+
+@pytest.mark.parametrize("gap", [0.05, pytest.param(0.1, marks=pytest.mark.long)])
+def test_who_interrupts_twice_is_told_no_more(gap: float) -> None:
+    with serving("i4", alone=True) as server:
+        os.killpg(server.process.pid, signal.SIGINT)
+        time.sleep(gap)
+        with suppress(ProcessLookupError):
+            os.killpg(server.process.pid, signal.SIGINT)
+        server.process.wait(20)
         server.listener.join(20)
         assert "".join(server.said) == HINT
 

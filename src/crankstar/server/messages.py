@@ -27,7 +27,7 @@ EXAMPLE = {
 
 def _engine(value: Any) -> Any:
     if isinstance(value, str) and len(value) > LONGEST_NAME:
-        raise ValueError(f"has {len(value)} letters; names of the catalog have fewer than {LONGEST_NAME}")
+        raise ValueError(f"has {len(value)} letters; names of the catalog have at most {LONGEST_NAME}")
     if not isinstance(value, str | dict):
         raise ValueError(f"is {seen(value)}; give the name of an engine of the catalog, or the keys of an engine file")
     return value

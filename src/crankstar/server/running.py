@@ -153,7 +153,7 @@ class _Server(uvicorn.Server):
 
     @contextmanager
     def capture_signals(self) -> Iterator[None]:
-        """Takes the signals that end a server for itself; a second one ends it at once."""
+        """Takes the signals that end a server for itself."""
         before = {one: signal.signal(one, self._told) for one in (signal.SIGINT, signal.SIGTERM)}
         try:
             yield
@@ -161,8 +161,8 @@ class _Server(uvicorn.Server):
             for one, handler in before.items():
                 signal.signal(one, handler)
 
-    def _told(self, number: int, frame: FrameType | None) -> None:
-        self.handle_exit(number, frame)
+    def _told(self, _number: int, _frame: FrameType | None) -> None:
+        self.should_exit = True  # it ends soon, and no sooner in good order if it is told twice
 
 
 def is_loopback(host: str) -> bool:

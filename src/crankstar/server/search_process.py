@@ -57,7 +57,12 @@ def by_key(mistake: str) -> Told:
     option = re.match(r"--([a-z-]+)(?:: | (?!and ))", mistake)
     path = option[1].replace("-", "_") if option else ""
     message = mistake[option.end() :] if option else mistake
-    return path, re.sub(r"--([a-z][a-z-]*)", lambda found: f"`{found[1].replace('-', '_')}`", message)
+    return path, re.sub(r'"[^"]*"|--([a-z][a-z-]*)', _named, message)
+
+
+def _named(found: re.Match[str]) -> str:
+    """An option as the key that means it; what is quoted was said by the one who asks."""
+    return f"`{found[1].replace('-', '_')}`" if found[1] else found[0]
 
 
 def checked(asked: dict[str, Any]) -> bytes:
