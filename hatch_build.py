@@ -1,4 +1,4 @@
-"""The build hook: the page's bundle is made from web/ whenever crankstar is installed or packed from its sources."""
+"""The build hook: builds the page's bundle and the message catalogs for installs and packages."""
 
 from __future__ import annotations
 
@@ -20,10 +20,14 @@ class BundleHook(BuildHookInterface):
         return runpy.run_path(str(Path(self.root) / "web" / "bundle.py"))
 
     def dependencies(self) -> list[str]:
-        """The node to build with, from the Python package index; nothing where the bundle fits its sources."""
+        """The node to build with, from the Python package index.
+
+        Nothing where the bundle fits its sources.
+        """
         return [] if self.maker["fresh"]() else [self.maker["NODE"]]
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
-        """Makes the bundle, for wheels, sdists and editable installs alike."""
+        """Build the bundle and the message catalogs, for wheels, sdists and editable installs."""
         del version, build_data
         self.maker["make"]()
+        runpy.run_path(str(Path(self.root) / "messages.py"))["compile_all"]()

@@ -1,4 +1,7 @@
-"""The plain road, for comparison: depth first through all stars, sums carried along, the front kept. Compiled as the search is."""
+"""The plain road, for comparison.
+
+Depth first through all stars, sums carried along, the front kept. Compiled as the search is.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +15,7 @@ SAME = 1e-12
 
 @njit(cache=True)
 def _front(arms: Any, cosines: Any, sines: Any, front: Any) -> int:
-    """Writes the squares of the front's lengths (M1, M2); says how many points it has. Cylinder 1 has direction 0."""
+    """Write the squares of the front's lengths (M1, M2) and return its number of points."""
     n = arms.shape[0]
     choice = np.zeros(n, np.int64)
     used = np.zeros(n, np.bool_)
@@ -67,7 +70,7 @@ def _front(arms: Any, cosines: Any, sines: Any, front: Any) -> int:
 
 
 def front(cylinders: int) -> list[tuple[float, float]]:
-    """The (M1, M2) front of a two-stroke engine with equal pitches, all stars looked at one by one."""
+    """The (M1, M2) front of a two-stroke engine with equal pitches, by all stars."""
     arms = (cylinders - 1) / 2 - np.arange(cylinders)
     angles = 2 * np.pi * np.arange(cylinders) / cylinders
     points = np.empty((4096, 2))

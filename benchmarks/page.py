@@ -1,8 +1,9 @@
-"""What the page costs: sizes, how soon it is ready, the script of a frame, how soon an edit is seen.
+"""The cost of the page: sizes, time to ready, script of a frame, delay of an edit.
 
-`make bench` prints it; --write puts it in the docs. In a Chromium without a window and, where there is no graphics card, with
-drawing done by the processor. Only script is counted in a frame: what the stage, the figures and the numbers take until they
-have said what is to be drawn, not the drawing; in an edit the drawing is counted, too.
+`make bench` prints it; --write puts it in the docs. In a Chromium without a window and, where there
+is no graphics card, with drawing done by the processor. Only script is counted in a frame: what the
+stage, the figures and the numbers take until they have said what is to be drawn, not the drawing;
+in an edit the drawing is counted, too.
 """
 
 from __future__ import annotations
@@ -14,12 +15,13 @@ from statistics import median, quantiles
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-import tables
 from playwright.sync_api import Browser, ViewportSize
 from tests.front_end import BUNDLE
 from tests.web.browsing import chromium
 from tests.web.engine_page import HANDLE, opened, written
 from tests.web.serving import serving
+
+import tables
 
 MEASURED = "v12-60"
 EDITED = "v8-cross-plane"
@@ -49,7 +51,10 @@ def ready(browser: Browser, path: Path) -> list[float]:
     for _ in range(OPENINGS):
         with browser.new_context(viewport=SIZE) as context, context.new_page() as page:
             opened(page, path, "a=0")
-            found.append(page.evaluate("() => performance.getEntriesByName('crankstar ready')[0].startTime") / 1000)
+            found.append(
+                page.evaluate("() => performance.getEntriesByName('crankstar ready')[0].startTime")
+                / 1000
+            )
     return found
 
 
@@ -59,13 +64,19 @@ def frames(browser: Browser, path: Path, state: str) -> list[float]:
         opened(page, path, state)
         page.wait_for_timeout(2000)  # figures are there, the machine is warm
         before = page.evaluate(f"() => {HANDLE}.frameTimes().length")
-        page.wait_for_function(f"() => {HANDLE}.frameTimes().length >= {before + FRAMES}", timeout=120_000)
+        page.wait_for_function(
+            f"() => {HANDLE}.frameTimes().length >= {before + FRAMES}", timeout=120_000
+        )
         return page.evaluate(f"() => {HANDLE}.frameTimes()")[before:]
 
 
 def edits(browser: Browser) -> list[float]:
-    """Milliseconds from the last letter of a bank angle until the new engine has been drawn, the drawing included."""
-    with serving(EDITED) as server, browser.new_context(viewport=SIZE) as context, context.new_page() as page:
+    """Milliseconds from the last letter of a bank angle until the new engine is drawn."""
+    with (
+        serving(EDITED) as server,
+        browser.new_context(viewport=SIZE) as context,
+        context.new_page() as page,
+    ):
         page.goto(f"{server.address}#tab=edit&a=0")
         page.locator(".editor .form .field").first.wait_for()
         page.wait_for_timeout(1000)
@@ -77,20 +88,43 @@ def rows() -> list[tables.Row]:
     out = [("the bundle", f"{BUNDLE.stat().st_size / 1e6:.2f} MB", "2 MB")]
     with chromium() as browser, tempfile.TemporaryDirectory() as folder:
         path = written(Path(folder), MEASURED, figures=True)
-        out.append((f"the page of {MEASURED}, all figures in it", f"{path.stat().st_size / 1e6:.2f} MB", "3 MB"))
-        out.append(("its first frame is drawn after", f"{median(ready(browser, path)):.2f} s", "1.5 s"))
+        out.append(
+            (
+                f"the page of {MEASURED}, all figures in it",
+                f"{path.stat().st_size / 1e6:.2f} MB",
+                "3 MB",
+            )
+        )
+        out.append(
+            ("its first frame is drawn after", f"{median(ready(browser, path)):.2f} s", "1.5 s")
+        )
         for what, state in (
             ("a frame, table of orders", "tab=orders"),
             ("a frame, two figures that follow the angle", "tab=forces"),
-            ("a frame, two figures, all arrows and the whirl", "tab=forces&couple=1&each=1&whirl=1000"),
+            (
+                "a frame, two figures, all arrows and the whirl",
+                "tab=forces&couple=1&each=1&whirl=1000",
+            ),
         ):
             times = frames(browser, path, state)
             late = quantiles(times, n=20)[-1]
-            out.append((f"script of {what}", f"{median(times):.2f} ms (19 of 20 within {late:.2f} ms)", "4 ms"))
+            out.append(
+                (
+                    f"script of {what}",
+                    f"{median(times):.2f} ms (19 of 20 within {late:.2f} ms)",
+                    "4 ms",
+                )
+            )
         typed = median(edits(browser))
-        out.append((f"a bank angle of {EDITED} typed, until its new engine is drawn", f"{typed:.0f} ms", "100 ms"))
+        out.append(
+            (
+                f"a bank angle of {EDITED} typed, until its new engine is drawn",
+                f"{typed:.0f} ms",
+                "100 ms",
+            )
+        )
     return out
 
 
 if __name__ == "__main__":
-    tables.told("page", rows())
+    tables.show("page", rows())

@@ -1,6 +1,7 @@
-"""What crankstar costs: start-up, a Balance by number of cylinders, batches. `make bench` prints it; --write puts it in the docs.
+"""Speed of crankstar: `make bench` prints it, --write puts it in the docs.
 
-Times are medians of several runs in one go on whatever machine this is; only ratios and orders of size travel.
+Times are medians of several runs in one go on whatever machine this is; only ratios and orders of
+size travel.
 """
 
 from __future__ import annotations
@@ -15,16 +16,22 @@ from statistics import median
 from time import perf_counter
 
 import numpy as np
-import tables
 
 import search
-from crankstar import balance, derivation, load, names, sweep, total
-from crankstar.arrangement import Basis, Sizes
-from crankstar.engine import Engine
-from crankstar.layouts import Bank, Crank, Row, inline, radial, tandem, vee
-from crankstar.mechanism import mechanism, totals
+import tables
+from crankstar import balance, derivation, load, names, total
+from crankstar.engine.banks import Bank, Crank
+from crankstar.engine.basis import Basis, Sizes
+from crankstar.engine.engine import Engine
+from crankstar.engine.layouts import Row, inline, radial, tandem, vee
+from crankstar.mechanics.batches import totals
+from crankstar.mechanics.mechanism import mechanism
+from crankstar.studies import sweep
+from crankstar.studies.best_value import best
 
-SIZES = Sizes(bore=0.0875, stroke=0.0825, rod_length=0.146, reciprocating_mass=0.65, rotating_mass=0.7)
+SIZES = Sizes(
+    bore=0.0875, stroke=0.0825, rod_length=0.146, reciprocating_mass=0.65, rotating_mass=0.7
+)
 VARIANTS = 100_000
 
 
@@ -33,19 +40,36 @@ def engines() -> dict[str, Engine]:
     basis = Basis(name="benchmark", cylinder=SIZES)
     turn = 2 * pi
     six = [k * turn / 3 for k in (0, 1, 2, 2, 1, 0)]
-    stars = tuple(Row(cylinders=tuple(range(7 * k + 1, 7 * k + 8)), throw=k * turn / 4) for k in range(4))
+    stars = tuple(
+        Row(cylinders=tuple(range(7 * k + 1, 7 * k + 8)), throw=k * turn / 4) for k in range(4)
+    )
     pair = tuple(
-        Crank(banks=(Bank(cylinders=(2 * k + 1, 2 * k + 2)),), throws=(0.0, pi), right=0.1 * k, speed_ratio=Fraction(31, 29) ** k)
+        Crank(
+            banks=(Bank(cylinders=(2 * k + 1, 2 * k + 2)),),
+            throws=(0.0, pi),
+            right=0.1 * k,
+            speed_ratio=Fraction(31, 29) ** k,
+        )
         for k in range(2)
     )
-    eight = (Bank(bearing=-pi / 4, cylinders=(1, 3, 5, 7)), Bank(bearing=pi / 4, cylinders=(2, 4, 6, 8)))
-    twelve = (Bank(bearing=-pi / 6, cylinders=tuple(range(1, 12, 2))), Bank(bearing=pi / 6, cylinders=tuple(range(2, 13, 2))))
+    eight = (
+        Bank(bearing=-pi / 4, cylinders=(1, 3, 5, 7)),
+        Bank(bearing=pi / 4, cylinders=(2, 4, 6, 8)),
+    )
+    twelve = (
+        Bank(bearing=-pi / 6, cylinders=tuple(range(1, 12, 2))),
+        Bank(bearing=pi / 6, cylinders=tuple(range(2, 13, 2))),
+    )
     return {
         "1 cylinder": inline(basis, throws=(0.0,)),
         "4, in line": inline(basis, throws=(0.0, pi, pi, 0.0), bore_pitch=0.1),
-        "8, V": vee(basis, banks=eight, throws=(0.0, pi / 2, -pi / 2, pi), bore_pitch=0.1, bank_offset=0.02),
+        "8, V": vee(
+            basis, banks=eight, throws=(0.0, pi / 2, -pi / 2, pi), bore_pitch=0.1, bank_offset=0.02
+        ),
         "12, V": vee(basis, banks=twelve, throws=tuple(six), bore_pitch=0.1),
-        "28, four stars with slave rods": radial(basis, rows=stars, row_pitch=0.2, knuckle_radius=0.03),
+        "28, four stars with slave rods": radial(
+            basis, rows=stars, row_pitch=0.2, knuckle_radius=0.03
+        ),
         "4, two shafts geared 31:29": tandem(basis, cranks=pair, bore_pitch=0.1),
     }
 
@@ -63,11 +87,13 @@ def timed(work: Callable[[], object], *, runs: int) -> float:
 
 def whole_process(*words: str) -> float:
     """The median time of a whole process, in seconds."""
-    return timed(lambda: subprocess.run([sys.executable, *words], check=True, capture_output=True), runs=9)
+    return timed(
+        lambda: subprocess.run([sys.executable, *words], check=True, capture_output=True), runs=9
+    )
 
 
 def batch_rate() -> float:
-    """Variants of a V8 a second: throw angles and reciprocating masses as arrays, orders 1, 2, 4, 6."""
+    """Variants of a V8 per second: throw angles and masses as arrays, orders 1, 2, 4, 6."""
     engine = engines()["8, V"]
     machine = mechanism(engine)
     random = np.random.default_rng(1)
@@ -89,7 +115,7 @@ def derived(engine: Engine) -> None:
 
 
 def derivations() -> list[tables.Row]:
-    """A complete derivation as a whole process, and warm: of a V8 and of the dearest engine of the catalog."""
+    """A complete derivation as a whole process, and warm: a V8 and the slowest catalog engine."""
     warm = {name: timed(lambda name=name: derived(load(name)), runs=1) for name in names()}
     dearest = max(warm, key=lambda name: warm[name])
     out: list[tables.Row] = []
@@ -98,23 +124,46 @@ def derivations() -> list[tables.Row]:
         seconds = timed(lambda engine=engine: derived(engine), runs=9)
         cold = whole_process("-m", "crankstar", "derive", name, "--order", "all")
         out.append((f"crankstar derive {name} --order all", f"{cold:.2f} s", "2 s"))
-        out.append((f"the same, warm, not printed ({len(engine.cylinders)} pistons)", f"{seconds * 1e3:.0f} ms", "300 ms"))
+        out.append(
+            (
+                f"the same, warm, not printed ({len(engine.cylinders)} pistons)",
+                f"{seconds * 1e3:.0f} ms",
+                "300 ms",
+            )
+        )
     return out
 
 
 def sweeps() -> list[tables.Row]:
-    """1000 values of one number of a V8, all orders, with the greatest force or couple over a turn and the best value, warm."""
+    """1000 values of one number of a V8, all orders, peaks over a turn, best value, warm."""
     out: list[tables.Row] = []
-    for path, end, unit, what in (("layout.banks[1].bearing", 90, "deg", "force"), ("balance_factor", 1, None, "couple")):
+    for path, end, unit, what in (
+        ("layout.banks[1].bearing", 90, "deg", "force"),
+        ("balance_factor", 1, None, "couple"),
+    ):
 
-        def curve(path: str = path, end: float = end, unit: str | None = unit, what: str = what) -> tuple[sweep.Sweep, sweep.Curve]:
-            found = sweep.swept("v8-cross-plane", over=path, values=np.linspace(0, end, 1000), unit=unit)
+        def curve(
+            path: str = path, end: float = end, unit: str | None = unit, what: str = what
+        ) -> tuple[sweep.Sweep, sweep.Curve]:
+            found = sweep.swept(
+                "v8-cross-plane", over=path, values=np.linspace(0, end, 1000), unit=unit
+            )
             return found, sweep.watched(found, what)
 
         made = curve()
-        out.append((f"1000 V8s over {path}, greatest {what}", f"{timed(curve, runs=9) * 1e3:.0f} ms", "200 ms"))
         out.append(
-            ("the best of them, between the values", f"{timed(lambda made=made: sweep.best(*made), runs=9) * 1e3:.0f} ms", "")
+            (
+                f"1000 V8s over {path}, greatest {what}",
+                f"{timed(curve, runs=9) * 1e3:.0f} ms",
+                "200 ms",
+            )
+        )
+        out.append(
+            (
+                "the best of them, between the values",
+                f"{timed(lambda made=made: best(*made), runs=9) * 1e3:.0f} ms",
+                "",
+            )
         )
     return out
 
@@ -125,26 +174,18 @@ def pictures() -> list[tables.Row]:
     from crankstar.remedy import Aim, Plane, best_weights, webs
 
     engine = load("v8-cross-plane")
-    cold = whole_process("-m", "crankstar", "plot", "v8-cross-plane", "hodograph")
     warm = timed(lambda: charts.svg(charts.hodograph(engine), "hodograph"), runs=9)
     planes = [Plane("crank", z) for z in webs(engine, engine.shafts[0])]
     best = timed(lambda: best_weights(engine, planes=planes, aim=Aim("couple")), runs=9)
     return [
-        ("crankstar plot v8-cross-plane hodograph, to SVG", f"{cold:.2f} s", "1 s"),
-        ("the same, warm", f"{warm * 1e3:.0f} ms", ""),
+        ("a hodograph to SVG, warm", f"{warm * 1e3:.0f} ms", ""),
         ("best weights of a V8 in eight webs, peak couple, warm", f"{best * 1e3:.0f} ms", ""),
     ]
 
 
 def rows() -> list[tables.Row]:
     """What is measured, the figure, and the budget where there is one."""
-    module = ("-m", "crankstar", "analyze", "v8-cross-plane")
-    out = [
-        ("python alone", f"{whole_process('-c', 'pass'):.3f} s", ""),
-        ("import numpy, pydantic", f"{whole_process('-c', 'import numpy; from pydantic import BaseModel'):.3f} s", ""),
-        ("import crankstar", f"{whole_process('-c', 'import crankstar'):.3f} s", "0.15 s"),
-        ("crankstar analyze v8-cross-plane", f"{whole_process(*module):.3f} s", "0.6 s"),
-    ]
+    out: list[tables.Row] = []
     for name, engine in engines().items():
         seconds = timed(lambda engine=engine: total(balance(engine)), runs=101)
         count = len(engine.cylinders)
@@ -164,4 +205,4 @@ def rows() -> list[tables.Row]:
 
 
 if __name__ == "__main__":
-    tables.told("benchmarks", rows())
+    tables.show("benchmarks", rows())

@@ -11,10 +11,10 @@ from typing import Any
 import numpy as np
 
 import exhaustive
+from crankstar.search.executors import cluster
 from crankstar.search.halves import halves
-from crankstar.search.hands import cluster
-from crankstar.search.harvest import groups
 from crankstar.search.question import Question
+from crankstar.search.results import groups
 from crankstar.search.run import Outcome, searched
 from crankstar.search.stars import Stars
 from crankstar.search.sums import couple, of
@@ -22,39 +22,49 @@ from crankstar.search.sums import couple, of
 BUDGETS = {12: 0.05, 13: 0.1, 14: 1, 15: None, 16: 60}
 """Cylinders, and the seconds that a front may take."""
 SAME = 1e-5
-"""Two ways of adding up lengths, one of them through the root of a square that rounds, agree to this."""
+"""Relative difference allowed between two sums of lengths, one by a rounded root."""
 CLUSTER_CYLINDERS = 16
 CLUSTER_RUNS = 3
 
 
 def front(cylinders: int) -> Question:
     """The front of the first and second couples of a two-stroke engine at equal pitch."""
-    stars = Stars(cylinders, "two-stroke", tuple(Fraction(cylinders - 1, 2) - j for j in range(cylinders)))
+    stars = Stars(
+        cylinders, "two-stroke", tuple(Fraction(cylinders - 1, 2) - j for j in range(cylinders))
+    )
     return Question(stars, (of(couple(stars, 1)), of(couple(stars, 2))))
 
 
 def by_cluster() -> list[tuple[str, str, str]]:
-    """One dask worker against two: whole searches, by turns, so that what else the machine does disturbs both alike."""
+    """One dask worker against two: whole searches in turn, so that disturbances are shared."""
     from distributed import LocalCluster
 
     question = front(CLUSTER_CYLINDERS)
     times: dict[int, list[float]] = {1: [], 2: []}
-    options: dict[str, Any] = {"threads_per_worker": 1, "dashboard_address": ":0", "silence_logs": 50}
+    options: dict[str, Any] = {
+        "threads_per_worker": 1,
+        "dashboard_address": ":0",
+        "silence_logs": 50,
+    }
     one: Any = LocalCluster(n_workers=1, **options)
     two: Any = LocalCluster(n_workers=2, **options)
     with one, two:
         for _ in range(CLUSTER_RUNS + 1):
-            for workers, found in ((1, one), (2, two)):
-                with cluster(found.scheduler_address) as hands:
+            for count, local in ((1, one), (2, two)):
+                with cluster(local.scheduler_address) as workers:
                     began = perf_counter()
-                    searched(question, hands=hands, stretch=100)
-                    times[workers].append(perf_counter() - began)
+                    searched(question, workers=workers, range_size=100)
+                    times[count].append(perf_counter() - began)
     # the first of each loads the compiled loops
-    single, double = (median(times[workers][1:]) for workers in (1, 2))
+    single, double = (median(times[count][1:]) for count in (1, 2))
     what = f"front of {CLUSTER_CYLINDERS} cylinders, two-stroke"
     return [
         (f"{what}, one dask worker", f"{single:.1f} s", ""),
-        (f"{what}, two dask workers", f"{double:.1f} s ({single / double:.2f} times as fast)", "1.7 times"),
+        (
+            f"{what}, two dask workers",
+            f"{double:.1f} s ({single / double:.2f} times as fast)",
+            "1.7 times",
+        ),
     ]
 
 
@@ -81,7 +91,7 @@ def fronts() -> list[tuple[str, str, str]]:
 
 
 def against_exhaustive() -> list[tuple[str, str, str]]:
-    """The search beside a plain enumeration of all stars, compiled too, in one run; both must find the same front."""
+    """The search against a compiled enumeration of all stars; both give the same front."""
     exhaustive.front(5)
     out: list[tuple[str, str, str]] = []
     for cylinders, budget in ((11, ""), (12, ""), (13, "100 times")):
@@ -89,7 +99,10 @@ def against_exhaustive() -> list[tuple[str, str, str]]:
         began = perf_counter()
         plain = exhaustive.front(cylinders)
         slow = perf_counter() - began
-        ours = [found.found.values[group[0]] * halves(found.question).unit for group in groups(found.found)]
+        ours = [
+            found.found.values[group[0]] * halves(found.question).unit
+            for group in groups(found.found)
+        ]
         if any(min(np.abs(np.array(point) - one).max() for one in ours) > SAME for point in plain):
             raise AssertionError(f"the fronts of {cylinders} cylinders differ")
         what = f"all {perm(cylinders - 1):,} stars of {cylinders} cylinders one by one, and how much faster the search is"

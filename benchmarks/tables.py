@@ -1,4 +1,4 @@
-"""What was measured as a table: printed, and with --write put in its place in docs/performance.md."""
+"""Measurements as a table, printed or (--write) put into docs/performance.md."""
 
 from __future__ import annotations
 
@@ -11,12 +11,18 @@ Row = tuple[str, str, str]
 """What is measured, the figure, and the budget where there is one."""
 
 
-def told(name: str, rows: Sequence[Row]) -> None:
+def show(name: str, rows: Sequence[Row]) -> None:
     """Prints the table of that name, and with --write puts it in the docs."""
-    lines = ["| what | median | budget |", "|---|---|---|", *(f"| {' | '.join(row)} |" for row in rows)]
+    lines = [
+        "| what | median | budget |",
+        "|---|---|---|",
+        *(f"| {' | '.join(row)} |" for row in rows),
+    ]
     print("\n".join(lines))
     if "--write" in sys.argv:
         start, end = f"<!-- table: {name} -->", f"<!-- end: {name} -->"
         before, rest = PAGE.read_text(encoding="utf-8").split(start)
         after = rest.split(end)[-1]
-        PAGE.write_text(f"{before}{start}\n\n" + "\n".join(lines) + f"\n\n{end}{after}", encoding="utf-8")
+        PAGE.write_text(
+            f"{before}{start}\n\n" + "\n".join(lines) + f"\n\n{end}{after}", encoding="utf-8"
+        )

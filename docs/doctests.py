@@ -18,5 +18,8 @@ class Doctests(Extension):
 
 def fenced(text: str) -> str:
     """A docstring in which each doctest, up to the next blank line, is a block of its own."""
-    paragraphs = [f"```pycon\n{part.strip()}\n```" if part.lstrip().startswith(">>>") else part for part in text.split("\n\n")]
+    paragraphs = [
+        f"```pycon\n{part.strip()}\n```" if part.lstrip().startswith(">>>") else part
+        for part in text.split("\n\n")
+    ]
     return "\n\n".join(paragraphs)

@@ -1,7 +1,8 @@
-"""What the documents take from the program when they are built: tables of keys, the figure, the list of sources, errata.
+"""Parts of the documents built by the program: tables of keys, the figure, sources, errata.
 
-A page says `<!-- keys: vee -->` and gets the table of the keys that a `[layout]` of that kind can have, made from the record
-that checks engine files; so the page cannot name a key that is not there, nor leave one out.
+A page says `<!-- keys: vee -->` and gets the table of the keys that a `[layout]` of that kind can
+have, made from the record that checks engine files; so the page cannot name a key that is not
+there, nor leave one out.
 """
 
 from __future__ import annotations
@@ -19,10 +20,10 @@ from typing import Any, Literal, get_args, get_origin
 
 from pydantic.fields import FieldInfo
 
-from crankstar import engine, layouts, records
-from crankstar.arrangement import Override, Sizes
+from crankstar.engine import engine, layouts, records
+from crankstar.engine.basis import Override, Sizes
+from crankstar.engine.records import Record
 from crankstar.files.forms import by_key, quantity_of, record_in, short_form
-from crankstar.records import Record
 
 HERE = Path(__file__).parent
 
@@ -67,7 +68,10 @@ SECTIONS: dict[type[Record], str] = {
 }
 """Where the page describes the tables that other tables hold."""
 
-MARK = re.compile(r"^<!-- (keys|figure|sources|errata|sinitsyn|kr250|orders|plot|search): ?([^\n]*?) ?-->$", re.MULTILINE)
+MARK = re.compile(
+    r"^<!-- (keys|figure|sources|errata|sinitsyn|kr250|orders|plot|search): ?([^\n]*?) ?-->$",
+    re.MULTILINE,
+)
 CITATION = re.compile(r"\[(@[\w-]+(?:; ?@[\w-]+)*)\]")
 
 
@@ -89,13 +93,17 @@ def filled(markdown: str) -> str:
         "plot": plot,
         "search": search,
     }
-    return CITATION.sub(cited, MARK.sub(lambda found: makers[found.group(1)](found.group(2)), markdown))
+    return CITATION.sub(
+        cited, MARK.sub(lambda found: makers[found.group(1)](found.group(2)), markdown)
+    )
 
 
 def table(name: str) -> str:
     """The keys of one table of an engine file: value, default, meaning."""
     lines = ["| key | value | default | meaning |", "|---|---|---|---|"]
-    for key, info in sorted(by_key(TABLES[name]).items(), key=lambda item: not item[1].is_required()):
+    for key, info in sorted(
+        by_key(TABLES[name]).items(), key=lambda item: not item[1].is_required()
+    ):
         inner = SECTIONS.get(record_in(info.annotation) or Record)
         meaning = (info.description or "") + (f"; see {inner}" if inner else "")
         lines.append(f"| `{key}` | {_value(info)} | {_default(info)} | {meaning} |")
@@ -103,7 +111,7 @@ def table(name: str) -> str:
 
 
 def _value(info: FieldInfo) -> str:
-    """What can be given: a quantity with its unit of example, text, a number, a list or a table of these."""
+    """The type of a value: a quantity with its example unit, text, a number, a list, a table."""
     many = "list of lists of " if _holds(info.annotation, tuple[tuple[int, ...], ...]) else ""
     many = many or ("list of " if _holds(info.annotation, tuple) else "")
     quantity = quantity_of(info)
@@ -111,12 +119,29 @@ def _value(info: FieldInfo) -> str:
         kind = "a length" if quantity.dimension == "length" else quantity.dimension
         kind = kind.removeprefix("a ") + ("s" if many and not kind.endswith("crankshaft") else "")
         kind = kind.replace("length along", "lengths along") if many else kind
-        return f'{many}{kind}, `["{quantity.example}", ...]`' if many else f'{kind}, `"{quantity.example}"`'
+        return (
+            f'{many}{kind}, `["{quantity.example}", ...]`'
+            if many
+            else f'{kind}, `"{quantity.example}"`'
+        )
     if (choices := _choices(info.annotation)) != ():
-        return many + " or ".join(f'`"{choice}"`' if isinstance(choice, str) else f"`{choice}`" for choice in choices)
+        return many + " or ".join(
+            f'`"{choice}"`' if isinstance(choice, str) else f"`{choice}`" for choice in choices
+        )
     if record_in(info.annotation) is not None:
-        return "tables by key path" if _holds(info.annotation, dict) else f"{many}tables" if many else "table"
-    simple = {Fraction: 'ratio, `-1` or `"29/31"`', int: "whole number", float: "number", str: "text"}
+        return (
+            "tables by key path"
+            if _holds(info.annotation, dict)
+            else f"{many}tables"
+            if many
+            else "table"
+        )
+    simple = {
+        Fraction: 'ratio, `-1` or `"29/31"`',
+        int: "whole number",
+        float: "number",
+        str: "text",
+    }
     found = next((text for kind, text in simple.items() if _holds(info.annotation, kind)), "table")
     return f"{many}{found}s" if many else found
 
@@ -128,7 +153,11 @@ def _choices(annotation: Any) -> tuple[Any, ...]:
 
 
 def _holds(annotation: Any, kind: Any) -> bool:
-    return annotation == kind or get_origin(annotation) is kind or any(_holds(part, kind) for part in get_args(annotation))
+    return (
+        annotation == kind
+        or get_origin(annotation) is kind
+        or any(_holds(part, kind) for part in get_args(annotation))
+    )
 
 
 def _default(info: FieldInfo) -> str:
@@ -152,7 +181,7 @@ def figure(path: str) -> str:
 
 @lru_cache
 def search(what: str) -> str:
-    """What the search finds: a table made by the script beside this one, or what `crankstar search WORDS` draws."""
+    """The result of a search: a table by the script in this folder, or `crankstar search WORDS`."""
     if "--chart" in what:
         return drawn(f"search {what}", kind="chart wide")
     return run_path(str(HERE / "search_page.py"))["page"](what)
@@ -208,9 +237,14 @@ def sources(path: str) -> str:
     lines: list[str] = []
     for key, fields in entries((HERE / path).read_text(encoding="utf-8")).items():
         parts = [fields["author"].replace(" and ", ", "), f"*{escape(fields['title'])}*"]
-        parts += [escape(fields[name]) for name in ("publisher", "howpublished", "note") if name in fields]
+        parts += [
+            escape(fields[name]) for name in ("publisher", "howpublished", "note") if name in fields
+        ]
         if "journal" in fields:
-            parts.append(f"{fields['journal']} {fields['volume']}({fields['number']}), p. {fields['pages'].replace('--', '-')}")
+            parts.append(
+                f"{fields['journal']} {fields['volume']}({fields['number']}), p. "
+                f"{fields['pages'].replace('--', '-')}"
+            )
         parts += [fields["year"]] if "year" in fields else []
         lines.append(f'* <a id="{key}"></a>**{label(key)}**: {". ".join(parts)}.')
     return "\n".join(lines)
@@ -225,7 +259,12 @@ def cited(found: re.Match[str]) -> str:
 def label(key: str) -> str:
     """How a source is called in a text: taylor1985 is Taylor 1985."""
     name, year = re.fullmatch(r"(.*?)(\d{4})?", key).groups()  # pyright: ignore[reportOptionalMemberAccess]
-    shown = {"denhartog": "Den Hartog", "v8cross": "V8 cross-plane page", "kr250": "KR250 essay", "yamamoto": "V8 flat-plane page"}
+    shown = {
+        "denhartog": "Den Hartog",
+        "v8cross": "V8 cross-plane page",
+        "kr250": "KR250 essay",
+        "yamamoto": "V8 flat-plane page",
+    }
     return " ".join(filter(None, (shown.get(name, name.capitalize()), year)))
 
 
@@ -234,5 +273,7 @@ def entries(bibliography: str) -> dict[str, dict[str, str]]:
     out: dict[str, dict[str, str]] = {}
     for found in re.finditer(r"^@\w+\{([\w-]+),\n(.*?)^\}", bibliography, re.MULTILINE | re.DOTALL):
         fields = re.findall(r"^\s*(\w+)\s*=\s*\{(.*)\},?$", found.group(2), re.MULTILINE)
-        out[found.group(1)] = {name: value.replace("{", "").replace("}", "") for name, value in fields}
+        out[found.group(1)] = {
+            name: value.replace("{", "").replace("}", "") for name, value in fields
+        }
     return out

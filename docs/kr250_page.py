@@ -1,4 +1,4 @@
-"""The page on the Kawasaki KR250, part by part: its tables and pictures from what the program works out when the page is built."""
+"""The tables and pictures of the page on the Kawasaki KR250, computed when it is built."""
 
 from __future__ import annotations
 
@@ -7,13 +7,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from crankstar import balance, charts, load, phasor, total
-from crankstar.engine import Engine
-from crankstar.mechanism import Reference
-from crankstar.sweep import best, swept, watched
+from crankstar import balance, charts, load, spectra, total
+from crankstar.engine.engine import Engine
+from crankstar.mechanics.excitation import Reference
+from crankstar.studies.best_value import best
+from crankstar.studies.sweep import swept, watched
 
 A2 = 0.25
-"""What the essay takes for the second harmonic: crank radius over rod length, the first term of its series."""
+"""The second harmonic of the essay: r/l, the first term of the series."""
 ANGLES = (0.0, pi / 2, pi)
 
 
@@ -41,52 +42,82 @@ LAYOUTS = (
 
 
 def page(part: str) -> str:
-    """A part of the page: cylinder, table, couples, pictures, factors; or the sweep of the page of remedies."""
-    makers = {"cylinder": cylinder, "table": table, "couples": couples, "pictures": pictures, "factors": factors}
+    """A part of the page: cylinder, table, couples, pictures, factors or the sweep of remedies."""
+    makers = {
+        "cylinder": cylinder,
+        "table": table,
+        "couples": couples,
+        "pictures": pictures,
+        "factors": factors,
+    }
     return {**makers, "sweep": sweep_figure}[part]()
 
 
 def forces(engine: Engine, *, essay: bool) -> np.ndarray:
-    """The force at 0, 90 and 180 degrees in P = m r w^2, up + i right: of orders 1 and 2 with A_2 = 1/4, or of all, exact."""
+    """The force at 0, 90 and 180 degrees in P = m r w^2, up + i right.
+
+    With `essay`: orders 1 and 2 with A_2 = 1/4; else all orders, exact.
+    """
     sums = total(balance(engine)).force
     if not essay:
-        return phasor.value(sums, np.array(ANGLES))
-    second = phasor.scaled(phasor.selected(sums, [2.0]), A2 / exact_second())
-    return phasor.value(phasor.selected(sums, [1.0]), np.array(ANGLES)) + phasor.value(second, np.array(ANGLES))
+        return spectra.value(sums, np.array(ANGLES))
+    second = spectra.scaled(spectra.selected(sums, [2.0]), A2 / exact_second())
+    return spectra.value(spectra.selected(sums, [1.0]), np.array(ANGLES)) + spectra.value(
+        second, np.array(ANGLES)
+    )
 
 
 def exact_second() -> float:
     """The exact second harmonic of the essay's pistons, in units of r w^2."""
-    return float(np.real(phasor.vertical(phasor.selected(total(balance(load("single"))).force, [2.0]))[0]))
+    return float(
+        np.real(spectra.vertical(spectra.selected(total(balance(load("single"))).force, [2.0]))[0])
+    )
 
 
 def cylinder() -> str:
     """One cylinder without a counterweight."""
     engine = load("single")
-    rows = ["| crank | first order | second order | in all | all orders, exact |", "|---|---|---|---|---|"]
+    rows = ["| crank | primary | secondary | sum | all orders, exact |", "|---|---|---|---|---|"]
     sums = total(balance(engine)).force
-    for angle, name in zip((0.0, pi / 2, pi, 3 * pi / 2), ("top dead centre", "90°", "bottom dead centre", "270°"), strict=True):
-        one = complex(phasor.value(phasor.selected(sums, [1.0]), angle)).real
-        two = complex(phasor.value(phasor.selected(sums, [2.0]), angle)).real * A2 / exact_second()
-        exact = complex(phasor.value(sums, angle)).real
+    for angle, name in zip(
+        (0.0, pi / 2, pi, 3 * pi / 2),
+        ("top dead centre", "90°", "bottom dead centre", "270°"),
+        strict=True,
+    ):
+        one = complex(spectra.value(spectra.selected(sums, [1.0]), angle)).real
+        two = (
+            complex(spectra.value(spectra.selected(sums, [2.0]), angle)).real * A2 / exact_second()
+        )
+        exact = complex(spectra.value(sums, angle)).real
         rows.append(f"| {name} | {_p(one)} | {_p(two)} | {_p(one + two)} | {_p(exact, 4)} |")
     return _numbers(rows)
 
 
 def table() -> str:
-    """The essay's table: what is left of force at three crank angles; its own numbers, and exact ones."""
-    rows = ["| engine | balance factor | TDC | 90° | BDC | peak over a turn, exact |", "|---|---|---|---|---|---|"]
+    """The essay's table: the force at three crank angles, its own numbers and exact ones."""
+    rows = [
+        "| engine | balance factor | TDC | 90° | BDC | peak over a turn, exact |",
+        "|---|---|---|---|---|---|",
+    ]
     for layout in LAYOUTS:
         essay, exact = (forces(layout.engine, essay=which) for which in (True, False))
-        cells = [f"{_vector(one)}<br>*{_vector(other, 4)}*" for one, other in zip(essay, exact, strict=True)]
-        top = phasor.peak(total(balance(layout.engine)).force).value
-        rows.append(f"| {layout.words} | {layout.factor:.0%} | {' | '.join(cells)} | {_p(top, 4)} |")
+        cells = [
+            f"{_vector(one)}<br>*{_vector(other, 4)}*"
+            for one, other in zip(essay, exact, strict=True)
+        ]
+        top = spectra.peak(total(balance(layout.engine)).force).value
+        rows.append(
+            f"| {layout.words} | {layout.factor:.0%} | {' | '.join(cells)} | {_p(top, 4)} |"
+        )
     return _numbers(rows)
 
 
 def couples() -> str:
     """The couple at top dead centre in P L about the middle and about one cylinder's line."""
-    rows = ["| engine | balance factor | about the middle | about cylinder 1 |", "|---|---|---|---|"]
+    rows = [
+        "| engine | balance factor | about the middle | about cylinder 1 |",
+        "|---|---|---|---|",
+    ]
     for layout in LAYOUTS:
         about = [couple(layout.engine, middle=which) for which in (True, False)]
         cells = [f"{_p(abs(one))} L" if abs(one) > 1e-9 else "0" for one in about]
@@ -95,7 +126,7 @@ def couples() -> str:
 
 
 def couple(engine: Engine, *, middle: bool) -> float:
-    """The couple at top dead centre, orders 1 and 2 with A_2 = 1/4, in P L: of a tandem engine it is a roll."""
+    """The couple at top dead centre, orders 1 and 2 with A_2 = 1/4, in P L; tandem: the roll."""
     tandem = sum(bool(shaft.throws) for shaft in engine.shafts) > 1
     first = min(engine.cylinders, key=lambda one: one.number)
     if tandem:
@@ -103,13 +134,16 @@ def couple(engine: Engine, *, middle: bool) -> float:
         point = Reference(0.0, 0.0, engine.shafts[1].right / 2 if middle else 0.0)
         radius = engine.throw(first).radius
         # m r^2 w^2 to P L
-        sums, scale = total(balance(engine, reference=point)).roll, radius / length
+        sums, scale = total(balance(engine, reference=point)).axis_moment, radius / length
     else:
         z = [one.z for one in engine.cylinders]
         point = Reference(sum(z) / len(z) if middle else first.z)
-        sums, scale = total(balance(engine, reference=point)).couple, engine.pitch / abs(z[0] - z[1])
-    one = complex(phasor.value(phasor.selected(sums, [1.0]), 0.0))
-    two = complex(phasor.value(phasor.selected(sums, [2.0]), 0.0)) * A2 / exact_second()
+        sums, scale = (
+            total(balance(engine, reference=point)).couple,
+            engine.pitch / abs(z[0] - z[1]),
+        )
+    one = complex(spectra.value(spectra.selected(sums, [1.0]), 0.0))
+    two = complex(spectra.value(spectra.selected(sums, [2.0]), 0.0)) * A2 / exact_second()
     return float((one + two).real * scale)
 
 
@@ -118,14 +152,28 @@ def pictures() -> str:
     out: list[str] = []
     for layout in LAYOUTS:
         title = f"{layout.words}, balance factor {layout.factor:.0%}"
-        drawing = charts.svg(charts.force_arrows(layout.engine), f"{title}: forces on each cylinder")
-        out.append(f'<figure class="chart">{drawing.replace(charts.GREY, "currentColor")}<figcaption>{title}</figcaption></figure>')
+        drawing = charts.svg(
+            charts.force_arrows(layout.engine), f"{title}: forces on each cylinder"
+        )
+        out.append(
+            f'<figure class="chart">{drawing.replace(charts.GREY, "currentColor")}'
+            f"<figcaption>{title}</figcaption></figure>"
+        )
     return '<div class="charts" markdown="0">\n' + "\n".join(out) + "\n</div>"
 
 
 def factors() -> str:
-    """Which balance factor leaves the least force, and the least couple about the middle, by sweeps; curves of the force."""
-    heads = ("engine", "least peak of the force", "at the factor", "least peak of the couple", "at the factor")
+    """The balance factors with the least force and the least couple about the middle, by sweeps.
+
+    Also the curves of the force.
+    """
+    heads = (
+        "engine",
+        "smallest peak force",
+        "at the factor",
+        "smallest peak couple",
+        "at the factor",
+    )
     rows = [f"| {' | '.join(heads)} |", "|---|---|---|---|---|"]
     figures: list[str] = []
     for words, name in dict.fromkeys((layout.words, layout.name) for layout in LAYOUTS):
@@ -133,24 +181,37 @@ def factors() -> str:
         tandem = sum(bool(shaft.throws) for shaft in engine.shafts) > 1
         middle = Reference(0.0, 0.0, engine.shafts[1].right / 2) if tandem else None
         sweep = swept(name, over="balance_factor", values=np.linspace(0, 1, 101), reference=middle)
-        force, moment = watched(sweep, "force"), watched(sweep, "roll" if tandem else "couple")
+        force, moment = (
+            watched(sweep, "force"),
+            watched(sweep, "axis_moment" if tandem else "couple"),
+        )
         scale = engine.throw(engine.first).radius / abs(engine.shafts[1].right) if tandem else 1.0
         cells = [words]
         for curve, factor, unit in ((force, 1.0, ""), (moment, scale, " L")):
             found = best(sweep, curve)
             size = _p(found.result * factor, 4)
-            cells += [size + (unit if size != "0" else ""), "any" if found.flat else f"{found.value:.4g}"]
+            cells += [
+                size + (unit if size != "0" else ""),
+                "any" if found.flat else f"{found.value:.4g}",
+            ]
         rows.append(f"| {' | '.join(cells)} |")
         found = best(sweep, force)
         if not found.flat:
-            drawing = charts.svg(charts.swept(sweep, [force], best=[found]), f"{words}: force over the balance factor")
+            drawing = charts.svg(
+                charts.swept(sweep, [force], best=[found]),
+                f"{words}: force over the balance factor",
+            )
             shown = drawing.replace(charts.GREY, "currentColor")
-            figures.append(f'<figure class="chart">{shown}<figcaption>{words}</figcaption></figure>')
-    return _numbers(rows) + '\n\n<div class="charts" markdown="0">\n' + "\n".join(figures) + "\n</div>"
+            figures.append(
+                f'<figure class="chart">{shown}<figcaption>{words}</figcaption></figure>'
+            )
+    return (
+        _numbers(rows) + '\n\n<div class="charts" markdown="0">\n' + "\n".join(figures) + "\n</div>"
+    )
 
 
 def _numbers(rows: list[str]) -> str:
-    """A table of numbers, which needs no room for words."""
+    """A table of numbers, in narrow columns."""
     return '<div class="numbers" markdown="1">\n\n' + "\n".join(rows) + "\n\n</div>"
 
 
@@ -159,7 +220,9 @@ def sweep_figure() -> str:
     sweep = swept("single", over="balance_factor", values=np.linspace(0, 1, 101))
     curves = [watched(sweep, "force"), watched(sweep, "force", order=1)]
     chart = charts.swept(sweep, curves, best=[best(sweep, curve) for curve in curves])
-    drawing = charts.svg(chart, "A single: force over the balance factor").replace(charts.GREY, "currentColor")
+    drawing = charts.svg(chart, "A single: force over the balance factor").replace(
+        charts.GREY, "currentColor"
+    )
     return f'<figure class="chart" markdown="0">{drawing}</figure>'
 
 
@@ -173,5 +236,5 @@ def _vector(force: complex, digits: int = 3) -> str:
     up, right = force.real, force.imag
     parts = [f"{_p(abs(up), digits)} {'up' if up > 0 else 'down'}"] if abs(up) > 1e-9 else []
     parts += [f"{_p(abs(right), digits)} sideways"] if abs(right) > 1e-9 else []
-    whole = f" ({_p(abs(force), digits)} in all)" if len(parts) == 2 else ""
+    whole = f" ({_p(abs(force), digits)} in total)" if len(parts) == 2 else ""
     return (" and ".join(parts) or "0") + whole

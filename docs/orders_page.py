@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from crankstar import load
-from crankstar.search.orders import Order, even_orders
-from crankstar.search.vees import interval_deg, vees
+from crankstar.firing.orders import Order, even_orders
+from crankstar.firing.vees import interval_deg, vees
 
 ENGINES = (
     "i4",
@@ -27,13 +27,19 @@ def page(part: str) -> str:
 
 
 def counts() -> str:
-    """How many even orders known engines have, and how the one that the catalog gives them stands among them."""
-    rows = ["| engine | fires every | even orders | first of them | its neighbours in succession |", "|---|---|---|---|---|"]
+    """The number of even orders of known engines, and the rank of the catalog's order."""
+    rows = [
+        "| engine | fires every | even orders | first of them | its neighbours in succession |",
+        "|---|---|---|---|---|",
+    ]
     for name in ENGINES:
         engine = load(name)
         orders = even_orders(engine)
         every = f"{orders[0].firing.intervals_deg[0]:.4g}°"
-        rows.append(f"| {engine.name} | {every} | {len(orders)} | {_joined(orders[0])} | {_neighbours(orders[0])} |")
+        rows.append(
+            f"| {engine.name} | {every} | {len(orders)} | {_joined(orders[0])} "
+            f"| {_neighbours(orders[0])} |"
+        )
     return "\n".join(rows)
 
 
@@ -46,14 +52,23 @@ def _neighbours(order: Order) -> str:
 
 
 def vee_counts() -> str:
-    """Four-stroke V engines with common pins at the bank angles that are multiples of the firing interval."""
-    rows = ["| engine | fires every | bank angle: cranks, but for mirror images and reversal, balances |", "|---|---|---|"]
+    """Four-stroke V engines with common pins at multiples of the firing interval."""
+    rows = [
+        (
+            "| engine | fires every "
+            "| bank angle: cranks, without mirror images and reverses, balances |"
+        ),
+        "|---|---|---|",
+    ]
     for cylinders in CYLINDERS:
         step = interval_deg(cylinders=cylinders, cycle="four-stroke")
         found = vees(cylinders=cylinders)
         cells: list[str] = []
         for angle in sorted({one.bank_angle_deg for one in found}):
             own = [one for one in found if one.bank_angle_deg == angle]
-            cells.append(f"{angle:.4g}°: {sum(one.count for one in own)}, {sum(len(one.stars) for one in own)}, {len(own)}")
+            cells.append(
+                f"{angle:.4g}°: {sum(vee.count for vee in own)}, "
+                f"{sum(len(vee.stars) for vee in own)}, {len(own)}"
+            )
         rows.append(f"| V{cylinders} | {step:.4g}° | {'<br>'.join(cells)} |")
     return "\n".join(rows)

@@ -1,4 +1,4 @@
-"""The pictures of the page that the README shows: `.venv/bin/python docs/pictures.py` draws them again.
+"""The pictures of the README; `.venv/bin/python docs/pictures.py` draws them again.
 
 Two engines as `crankstar page` writes them, in a Chromium without a window, one light and one dark.
 """
@@ -12,7 +12,7 @@ from typing import Literal, NamedTuple
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from playwright.sync_api import expect
+from playwright.sync_api import ViewportSize, expect
 from tests.web.browsing import chromium
 from tests.web.engine_page import opened, written
 
@@ -40,8 +40,11 @@ def main() -> None:
     """Draws all of them."""
     with chromium() as browser, tempfile.TemporaryDirectory() as folder:
         for shot in SHOTS:
-            size = {"width": 1000, "height": 640}
-            with browser.new_context(viewport=size, color_scheme=shot.colours) as context, context.new_page() as page:  # pyright: ignore[reportArgumentType]
+            size: ViewportSize = {"width": 1000, "height": 640}
+            with (
+                browser.new_context(viewport=size, color_scheme=shot.colours) as context,
+                context.new_page() as page,
+            ):
                 opened(page, written(Path(folder), shot.engine, figures=True), shot.state)
                 expect(page.locator("[aria-busy=true]")).to_have_count(0)
                 page.wait_for_timeout(1000)  # the camera has come to rest

@@ -1,8 +1,9 @@
-"""The screens in the documents: what a page says a command prints is what it prints.
+"""The screens in the documents: each shows what its command prints.
 
-In a block of kind `console` a line `$ command` is what is typed, and the lines under it are what appears. The engine files of
-the page that have a title (```toml title="mine.toml") lie in the directory where the commands run. `python docs/screens.py`
-brings all pages up to date; a test compares them.
+In a block of kind `console` a line `$ command` is what is typed, and the lines under it are what
+appears. The engine files of the page that have a title (```toml title="mine.toml") lie in the
+directory where the commands run. `python docs/screens.py` brings all pages up to date; a test
+compares them.
 """
 
 from __future__ import annotations
@@ -30,13 +31,21 @@ Printed = Callable[[str, Path], str]
 
 
 def up_to_date(text: str, printed: Printed | None = None) -> str:
-    """The text of a page with every screen as it is now; `printed` says what a command prints (by default a shell is asked)."""
+    """The text of a page with every screen as it is now.
+
+    `printed` says what a command prints (by default a shell is asked).
+    """
     if not CONSOLE.search(text):
         return text
     with tempfile.TemporaryDirectory() as folder:
         for name, content in FILE.findall(text):
             (Path(folder) / name).write_text(content, encoding="utf-8")
-        return CONSOLE.sub(lambda found: f"```console\n{_screen(found.group(1), Path(folder), printed or shown)}```", text)
+        return CONSOLE.sub(
+            lambda found: (
+                f"```console\n{_screen(found.group(1), Path(folder), printed or shown)}```"
+            ),
+            text,
+        )
 
 
 def _screen(block: str, folder: Path, printed: Printed) -> str:
@@ -49,7 +58,13 @@ def shown(command: str, folder: Path) -> str:
     here = os.pathsep.join((str(Path(sys.executable).parent), os.environ.get("PATH", "")))
     environment = {"PATH": here, "HOME": str(folder), "PYTHONUTF8": "1"}
     done = subprocess.run(  # noqa: S602 - our own documents
-        command, shell=True, cwd=folder, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False
+        command,
+        shell=True,
+        cwd=folder,
+        env=environment,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        check=False,
     )
     return trimmed(done.stdout.decode("utf-8"))
 
@@ -60,7 +75,7 @@ def trimmed(text: str) -> str:
 
 
 def alike(text: str) -> str:
-    """A page with the last digits of very long numbers left out: they may differ from one machine to another."""
+    """A page without the last digits of very long numbers, which differ between machines."""
     return re.sub(r"-?\d+\.\d{11,}(?:e-?\d+)?", lambda found: f"{float(found.group()):.9g}", text)
 
 

@@ -1,15 +1,15 @@
-"""What docs/search.md takes from the program when it is built: proven fronts, and all stars of eight without second order."""
+"""The tables of docs/search.md: proven fronts, and all eights without secondary couple."""
 
 from __future__ import annotations
 
 from fractions import Fraction
 from functools import lru_cache
 
-from crankstar.derive import radical
-from crankstar.derive.typeset import text
-from crankstar.quantity import Cycle
+from crankstar.derive.algebra import radicals as radical
+from crankstar.derive.algebra.typeset import text
+from crankstar.engine.quantities import Cycle
+from crankstar.search.answer import Answer, AnswerRow, answer_to
 from crankstar.search.engines import firing_order
-from crankstar.search.findings import Finding, Findings, findings
 from crankstar.search.question import All, Question
 from crankstar.search.stars import Stars
 from crankstar.search.sums import Limit, VectorSum, couple, of
@@ -18,7 +18,7 @@ NO_BREAK = "\u2060-\u2060"
 SPACE = "\u00a0"
 SHOWN = 12
 MOST = 14
-"""Cylinders up to which the fronts are searched anew whenever the page is built: less than a second."""
+"""Greatest number of cylinders whose front is searched whenever the page is built."""
 
 
 def evenly_spaced(cylinders: int, cycle: Cycle) -> Stars:
@@ -27,17 +27,19 @@ def evenly_spaced(cylinders: int, cycle: Cycle) -> Stars:
 
 
 @lru_cache
-def front(cylinders: int) -> Findings:
+def front(cylinders: int) -> Answer:
     """The (M1, M2) front of a two-stroke engine."""
     stars = evenly_spaced(cylinders, "two-stroke")
-    return findings(Question(stars, (of(couple(stars, 1)), of(couple(stars, 2)))))
+    return answer_to(Question(stars, (of(couple(stars, 1)), of(couple(stars, 2)))))
 
 
 @lru_cache
-def eight() -> Findings:
+def eight() -> Answer:
     """All stars of a two-stroke eight without second-order couple, by the first."""
     stars = evenly_spaced(8, "two-stroke")
-    return findings(Question(stars, (of(couple(stars, 1)),), limits=(Limit(couple(stars, 2), 0),), ask=All()))
+    return answer_to(
+        Question(stars, (of(couple(stars, 1)),), limits=(Limit(couple(stars, 2), 0),), ask=All())
+    )
 
 
 def page(what: str) -> str:
@@ -46,9 +48,12 @@ def page(what: str) -> str:
 
 
 def fronts() -> str:
-    """The most useful points of each front: the ends, and the one nearest to nothing."""
+    """The most useful points of each front: the ends, and the one nearest to zero."""
     lines = [
-        "| cylinders | stars | points | M1, M2 at the least M1 | nearest to nothing | its firing order | at the least M2 |",
+        (
+            "| cylinders | stars | points | M1, M2 at the smallest M1 | nearest to zero | its "
+            "firing order | at the smallest M2 |"
+        ),
         "|---|---|---|---|---|---|---|",
     ]
     for cylinders in range(3, MOST + 1):
@@ -70,15 +75,18 @@ def fronts() -> str:
 
 
 def without_second() -> str:
-    """The stars of eight without second-order couple by their first-order couple: each value once."""
+    """The eights without secondary couple by their primary couple, each value once."""
     found = eight()
     stars = found.question.stars
     one = couple(stars, 1)
-    by_value: dict[str, list[Finding]] = {}
+    by_value: dict[str, list[AnswerRow]] = {}
     for row in found.rows:
         by_value.setdefault(_exact(one, row), []).append(row)
     lines = [
-        "| M1 exactly | M1 | stars | classes | fewest neighbours in succession | such a firing order |",
+        (
+            "| M1 exactly | M1 | stars | classes | fewest neighbours in succession | a firing "
+            "order with them |"
+        ),
         "|---|---|---|---|---|---|",
     ]
     shown = list(by_value.items())[:SHOWN]
@@ -86,20 +94,21 @@ def without_second() -> str:
         calm = min(group, key=lambda row: row.neighbours)
         many = sum(row.stars for row in group)
         lines.append(
-            f"| {form} | {_number(group[0].values[0])} | {many} | {len(group)} | {calm.neighbours} | {_order(stars, calm)} |"
+            f"| {form} | {_number(group[0].values[0])} | {many} | {len(group)} | "
+            f"{calm.neighbours} | {_order(stars, calm)} |"
         )
     return "\n".join(lines)
 
 
-def _pair(row: Finding) -> str:
+def _pair(row: AnswerRow) -> str:
     return f",{SPACE}".join(map(_number, row.values))
 
 
-def _exact(vector: VectorSum, row: Finding) -> str:
+def _exact(vector: VectorSum, row: AnswerRow) -> str:
     return text(radical.length(vector.exact(row.star)).formula).replace(" ", SPACE)
 
 
-def _order(stars: Stars, row: Finding) -> str:
+def _order(stars: Stars, row: AnswerRow) -> str:
     return NO_BREAK.join(map(str, firing_order(stars, row.star)))
 
 

@@ -1,4 +1,4 @@
-"""The parts of the page on Sinitsyn's engines: sums, weights, mechanisms and figures, made when the page is built."""
+"""The parts of the page on Sinitsyn's engines, computed when the page is built."""
 
 from __future__ import annotations
 
@@ -15,12 +15,14 @@ import numpy as np
 
 import crankstar
 from crankstar import charts
-from crankstar.derive import Cure, cure, cyclotomic, signs, signs_chapter, wave
+from crankstar.derive import signs, signs_chapter
+from crankstar.derive.algebra import cyclotomic, wave
+from crankstar.derive.algebra.formula import Symbol, product
+from crankstar.derive.cure import Cure, cure
 from crankstar.derive.documents import math
-from crankstar.derive.formula import Symbol, product
 from crankstar.derive.notations import SINITSYN, notated
+from crankstar.language.numbers import number
 from crankstar.remedy import end_planes, end_webs, with_balance_shaft, with_counterweights
-from crankstar.wording import number
 
 WEIGHT = "#d55e00"
 NO_SHORT_FORM = " has no short closed form; its square x is exactly a root of "
@@ -33,7 +35,7 @@ SAME = 1e-12
 
 @dataclass(frozen=True)
 class Printed:
-    """What the chapter prints of one sum: the length and the angle in degrees, with the last place that it gives."""
+    """One printed sum of the chapter: length and angle (degrees), with their last places."""
 
     sums: str
     length: str
@@ -44,7 +46,7 @@ class Printed:
 
 @dataclass(frozen=True)
 class Scheme:
-    """One engine of the chapter: its file in the catalog, the page's words for it, other orders, what is printed."""
+    """One engine of the chapter: catalog file, title, other orders, printed values."""
 
     file: str
     called: str
@@ -72,8 +74,15 @@ SCHEMES = {
         "sinitsyn-7-first",
         "seven, first scheme",
         "seven-first-scheme",
-        ("sinitsyn-7-first-mirror", "sinitsyn-7-first-four-stroke", "sinitsyn-7-first-four-stroke-mirror"),
-        (Printed("M_R and M_I", "0.85", "-70", 0.85, 0.01), Printed("M_II", "5.52", "-57", 5.52, 0.01)),
+        (
+            "sinitsyn-7-first-mirror",
+            "sinitsyn-7-first-four-stroke",
+            "sinitsyn-7-first-four-stroke-mirror",
+        ),
+        (
+            Printed("M_R and M_I", "0.85", "-70", 0.85, 0.01),
+            Printed("M_II", "5.52", "-57", 5.52, 0.01),
+        ),
     ),
     "7-second": Scheme(
         "sinitsyn-7-second",
@@ -90,14 +99,17 @@ SCHEMES = {
         (Printed("M_R and M_I", "0", "", 0.0), Printed("M_II", "0", "", 0.0)),
     ),
     "8-two-stroke": Scheme(
-        "sinitsyn-8-two-stroke", "two-stroke eight", "two-stroke-eight-the-unfinished-problem", ("sinitsyn-8-two-stroke-mirror",)
+        "sinitsyn-8-two-stroke",
+        "two-stroke eight",
+        "two-stroke-eight-the-unfinished-problem",
+        ("sinitsyn-8-two-stroke-mirror",),
     ),
 }
 """By the name that a marker gives it. What is printed is quoted; everything else is computed."""
 
 
 def page(part: str) -> str:
-    """One part of the page: `table` of all engines, the `forces` of one of them, or all about one engine."""
+    """A part of the page: `table` of all engines, `forces` of one, or everything about one."""
     if part == "table":
         return table()
     if part == "forces":
@@ -115,23 +127,31 @@ def sums(file: str) -> dict[str, complex]:
 
 
 def sums_of(engine: crankstar.Engine) -> dict[str, complex]:
-    """The six sums as vectors at theta = 0, their bearings in the direction of rotation; exact zeros are 0."""
+    """The six sums as vectors at theta = 0, their bearings in the direction of rotation.
+
+    Exact zeros are 0.
+    """
     out: dict[str, complex] = {}
     with cyclotomic.precision(cyclotomic.DIGITS):
         for sign in signs(engine):
             if sign.along is None or not sign.exact:
                 raise ValueError(f"{engine.name}: {sign.letter}_{sign.below} is not exact")
-            out[f"{sign.letter}_{sign.below}"] = complex(sum(complex(amount) for amount in sign.along.values()))
+            out[f"{sign.letter}_{sign.below}"] = complex(
+                sum(complex(amount) for amount in sign.along.values())
+            )
     return out
 
 
 def neighbours(order: Sequence[int]) -> list[tuple[int, int]]:
-    """Cylinders side by side that fire one after the other, the last and the first of the order too."""
+    """Neighbouring cylinders that fire one after the other, round the cycle."""
     return [(one, other) for one, other in pairwise([*order, order[0]]) if abs(one - other) == 1]
 
 
 def relation(file: str, other: str) -> str:
-    """How the sums of another engine compare: the `same`, or `mirrored`, at angles of the other sign. Raises ValueError."""
+    """How the sums of another engine compare.
+
+    The `same`, or `mirrored`, at angles of the other sign. Raises ValueError.
+    """
     mine, theirs = sums(file), sums(other)
     if all(abs(mine[key] - theirs[key]) < SAME for key in mine):
         return "same"
@@ -142,7 +162,10 @@ def relation(file: str, other: str) -> str:
 
 @dataclass(frozen=True)
 class Search:
-    """All stars of a two-stroke engine: how many there are, how many have no moment of one order, and the best of these."""
+    """All stars of a two-stroke engine.
+
+    How many there are, how many have no moment of one order, and the best of these.
+    """
 
     stars: int
     without: int
@@ -153,10 +176,12 @@ class Search:
 
 @lru_cache
 def search(count: int, *, without: int) -> Search:
-    """All stars of evenly spaced cranks without a moment of the order `without`, and the least moment of the other of 1 and 2.
+    """All stars of even cranks without a moment of order `without`, and the least other moment.
 
-    `least_symmetric` is that among stars whose second-order vectors are symmetric along the shaft: cylinders as far from the front
-    as from the rear have cranks on one line through the shaft.
+    The other order is 1 or 2.
+
+    `least_symmetric` is that among stars whose second-order vectors are symmetric along the shaft:
+    cylinders as far from the front as from the rear have cranks on one line through the shaft.
     """
     seats = np.array([[0, *rest] for rest in permutations(range(1, count))])
     arms = count - 1 - 2 * np.arange(count)
@@ -168,7 +193,13 @@ def search(count: int, *, without: int) -> Search:
     best = free[left < left.min() + 1e-9]
     paired = ((free - free[:, ::-1]) % count == count // 2).all(axis=1)
     orders = tuple(sorted(tuple(int(i) + 1 for i in np.argsort(star)) for star in best))
-    return Search(len(seats), len(free), float(left.min()), orders, float(left[paired].min()) if paired.any() else float("nan"))
+    return Search(
+        len(seats),
+        len(free),
+        float(left.min()),
+        orders,
+        float(left[paired].min()) if paired.any() else float("nan"),
+    )
 
 
 # Cures
@@ -180,22 +211,30 @@ def _loaded(file: str) -> crankstar.Engine:
 
 
 def _without_pistons(engine: crankstar.Engine) -> crankstar.Engine:
-    cylinders = tuple(cylinder.model_copy(update={"reciprocating_mass": 0.0}) for cylinder in engine.cylinders)
+    cylinders = tuple(
+        cylinder.model_copy(update={"reciprocating_mass": 0.0}) for cylinder in engine.cylinders
+    )
     return engine.model_copy(update={"cylinders": cylinders})
 
 
 def weighted(file: str) -> crankstar.Engine:
-    """The engine, its rotating masses as great as the reciprocating ones, with the end weights that its rotating masses need."""
+    """The engine with rotating masses equal to the reciprocating ones, and their end weights."""
     engine = _loaded(file)
-    return with_counterweights(engine, factor=0, planes=end_webs(engine, engine.shafts[0])) if sums(file)["M_R"] else engine
+    return (
+        with_counterweights(engine, factor=0, planes=end_webs(engine, engine.shafts[0]))
+        if sums(file)["M_R"]
+        else engine
+    )
 
 
 def cured(file: str) -> crankstar.Engine:
-    """The engine with end weights and all of its two-shaft mechanisms, their shafts to both sides."""
+    """The engine with end weights and all its two-shaft mechanisms on both sides."""
     engine = weighted(file)
     for ratio in mechanisms(file):
         for way, side in ((ratio, -1), (-ratio, 1)):
-            engine = with_balance_shaft(engine, ratio=way, planes=end_planes(engine), right=side * 3.0 * ratio)
+            engine = with_balance_shaft(
+                engine, ratio=way, planes=end_planes(engine), right=side * 3.0 * ratio
+            )
     return engine
 
 
@@ -207,11 +246,16 @@ def mechanisms(file: str) -> list[int]:
 
 @lru_cache
 def cures(file: str) -> dict[str, Cure]:
-    """The exact weights: `crank` on the outermost webs, in m_R r; `1`, `-1`, `2`, `-2` on shafts of that speed, in m r A_k."""
+    """The exact weights: `crank` on the outermost webs, in m_R r.
+
+    `1`, `-1`, `2`, `-2` on shafts of that speed, in m r A_k.
+    """
     engine = crankstar.load(file)
     out: dict[str, Cure] = {}
     if sums(file)["M_R"]:
-        out["crank"] = cure(_without_pistons(_loaded(file)), ratio=1, planes=end_webs(engine, engine.shafts[0]))
+        out["crank"] = cure(
+            _without_pistons(_loaded(file)), ratio=1, planes=end_webs(engine, engine.shafts[0])
+        )
     for ratio in mechanisms(file):
         for way in (ratio, -ratio):
             out[str(way)] = cure(engine, ratio=way, planes=end_planes(engine))
@@ -225,8 +269,11 @@ def cures(file: str) -> dict[str, Cure]:
 
 
 def table() -> str:
-    """All engines: the order, the moments that are left, neighbours that fire in succession, what takes the moments away."""
-    lines = ["| engine | firing order | M_R = M_I | M_II | neighbours in succession | to balance it |", "|---|---|---|---|---|---|"]
+    """All engines: firing order, remaining moments, neighbours in succession, remedies."""
+    lines = [
+        "| engine | firing order | M_R = M_I | M_II | neighbours in succession | to balance it |",
+        "|---|---|---|---|---|---|",
+    ]
     for scheme in SCHEMES.values():
         engine, found = crankstar.load(scheme.file), sums(scheme.file)
         cells = [
@@ -238,18 +285,29 @@ def table() -> str:
             _needed(scheme.file),
         ]
         lines.append(f"| {' | '.join(cells)} |")
-    return "\n".join(lines).replace("M_R = M_I", f"{_sum('M_R')} = {_sum('M_I')}").replace("M_II", _sum("M_II"))
+    return (
+        "\n".join(lines)
+        .replace("M_R = M_I", f"{_sum('M_R')} = {_sum('M_I')}")
+        .replace("M_II", _sum("M_II"))
+    )
 
 
 def _needed(file: str) -> str:
-    parts = (["end weights"] if sums(file)["M_R"] else []) + [f"two shafts at {ratio}×" for ratio in mechanisms(file)]
-    return ", ".join(parts) or "nothing"
+    parts = (["end weights"] if sums(file)["M_R"] else []) + [
+        f"two shafts at {ratio}×" for ratio in mechanisms(file)
+    ]
+    return ", ".join(parts) or "no weights"
 
 
 def forces() -> str:
     """The force polygons of an engine, as an example of polygons that close."""
     engine = crankstar.load(SCHEMES["7-first"].file)
-    return _figures([_drawn(charts.polygon(engine, order=k), f"Force polygon of order {k}, {engine.name}") for k in (1, 2)])
+    return _figures(
+        [
+            _drawn(charts.polygon(engine, order=k), f"Force polygon of order {k}, {engine.name}")
+            for k in (1, 2)
+        ]
+    )
 
 
 def about(scheme: Scheme) -> str:
@@ -279,7 +337,11 @@ def _pairs(pairs: Sequence[tuple[int, int]]) -> str:
 
 def _succession(order: Sequence[int]) -> str:
     pairs = neighbours(order)
-    return f"neighbours that fire one after the other: {_pairs(pairs)}" if pairs else "no neighbours fire one after the other"
+    return (
+        f"neighbours that fire in succession: {_pairs(pairs)}"
+        if pairs
+        else "no neighbours fire in succession"
+    )
 
 
 def _sum(key: str) -> str:
@@ -306,7 +368,10 @@ def _six(file: str) -> str:
     engine, found = crankstar.load(file), sums(file)
     (step,) = notated(signs_chapter(engine), SINITSYN).steps
     shown = dict(zip(found, (line.chain[-1] for line in step.lines), strict=True))
-    lines = ["| the six signs | rotating masses | first order | second order |", "|---|---|---|---|"]
+    lines = [
+        "| the six signs | rotating masses | first order | second order |",
+        "|---|---|---|---|",
+    ]
     for letter, name in (("P", "force"), ("M", "moment")):
         cells = []
         for below in ("R", "I", "II"):
@@ -318,14 +383,23 @@ def _six(file: str) -> str:
 
 
 def _algebraic(engine: crankstar.Engine) -> list[str]:
-    """What the derivation says of lengths that have no short closed form; once, if both solve one equation."""
+    """Lengths without a short closed form; one sentence if both solve one equation."""
     found = []
     for order in (1, 2):
-        words = [words for step in crankstar.derivation(engine, order, "couple").steps for words in step.words]
+        words = [
+            words
+            for step in crankstar.derivation(engine, order, "couple").steps
+            for words in step.words
+        ]
         found += [one.split(NO_SHORT_FORM) for one in words if NO_SHORT_FORM in one][:1]
     if len(found) == 2 and found[0][1] == found[1][1]:
         equation = found[0][1]
-        return [f"{found[0][0]} and {found[1][0]} have no short closed form; their squares are exactly two roots of {equation}"]
+        return [
+            (
+                f"{found[0][0]} and {found[1][0]} have no short closed form; "
+                f"their squares are exactly two roots of {equation}"
+            )
+        ]
     return [" ".join(NO_SHORT_FORM.join(one) for one in found)] if found else []
 
 
@@ -337,7 +411,9 @@ def _printed(scheme: Scheme) -> str:
     for one in scheme.printed:
         true = sums(scheme.file)["M_II" if one.sums == "M_II" else "M_I"]
         angle = f" at {one.angle}°".replace("-", "−") if one.angle else ""
-        lines.append(f"| {_told(one.sums)} | {one.length}{angle} | {_vector(true)} | {verdict(one, true)} |")
+        lines.append(
+            f"| {_told(one.sums)} | {one.length}{angle} | {_vector(true)} | {verdict(one, true)} |"
+        )
     return "\n".join(lines)
 
 
@@ -346,12 +422,12 @@ def verdict(one: Printed, true: complex) -> str:
     if not abs(abs(true) - one.value) <= one.step / 2 + SAME:
         return "the length is wrong"
     if not one.angle:
-        return "true"
+        return "correct"
     angle, printed = degrees(phase(true)), int(one.angle)
     if abs(angle - printed) <= 0.5:
-        return "true"
+        return "correct"
     if trunc(angle) == printed:
-        return f"true; the angle is cut, not rounded to {round(angle)}°".replace("-", "−")
+        return f"correct; the angle is cut, not rounded to {round(angle)}°".replace("-", "−")
     return "the angle is wrong"
 
 
@@ -359,14 +435,20 @@ def _weights(file: str) -> str:
     """The end weights and the mechanisms, in closed form."""
     found = cures(file)
     if not found:
-        return "Nothing is left to be balanced."
-    lines = ["| weights on | take away | unbalance of each | front end | rear end | left |", "|---|---|---|---|---|---|"]
+        return "All moments are zero: no weights are needed."
+    lines = [
+        "| weights on | cancel | unbalance of each | front end | rear end | remaining |",
+        "|---|---|---|---|---|---|",
+    ]
     for key, one in found.items():
         front, rear = (complex(amount) for amount in one.unbalance)
         place = number(float(one.planes[0]))
         cells = [
-            f"{'the outermost webs' if key == 'crank' else _shaft(one.ratio)}, z&nbsp;=&nbsp;±{place}&nbsp;l₀",
-            _sum("M_R") if key == "crank" else f"half of {_sum('M_I' if abs(one.ratio) == 1 else 'M_II')}",
+            ("the outermost webs" if key == "crank" else _shaft(one.ratio))
+            + f", z&nbsp;=&nbsp;±{place}&nbsp;l₀",
+            _sum("M_R")
+            if key == "crank"
+            else f"half of {_sum('M_I' if abs(one.ratio) == 1 else 'M_II')}",
             _unbalance(one, rotating=key == "crank"),
             _degrees(front),
             _degrees(rear),
@@ -390,7 +472,7 @@ def _unbalance(one: Cure, *, rotating: bool) -> str:
 
 
 def _others(scheme: Scheme) -> str:
-    """Other orders that have the same sums, each with its neighbours that fire one after the other."""
+    """Other orders with the same sums, each with its neighbours in succession."""
     told: dict[str, list[str]] = {"same": [], "mirrored": []}
     for other in scheme.others:
         engine = crankstar.load(other)
@@ -401,7 +483,9 @@ def _others(scheme: Scheme) -> str:
     if told["same"]:
         out.append(f"The same sums: {', '.join(told['same'])}.")
     if told["mirrored"]:
-        out.append(f"Mirrored, the same sums at angles of the other sign: {', '.join(told['mirrored'])}.")
+        out.append(
+            f"Mirrored, with the same sums at opposite angles: {', '.join(told['mirrored'])}."
+        )
     return " ".join(out)
 
 
@@ -411,23 +495,26 @@ def _extra(scheme: Scheme) -> list[str]:
     if scheme.file == "sinitsyn-6-loop":
         found = search(6, without=1)
         words = (
-            f"Of the {found.stars} stars of six cranks {found.without} have no first-order moment. The least second-order moment "
-            f"among them is {found.least:.4f}, and only {' and '.join(map(_order, found.orders))} have it: his choice is the best."
+            f"Of the {found.stars} stars of six cranks {found.without} have no primary moment. The "
+            f"smallest secondary moment among them is {found.least:.4f}, and only "
+            f"{' and '.join(map(_order, found.orders))} have it: his choice is the best."
         )
     if scheme.file == "sinitsyn-8-two-stroke":
         found = search(8, without=2)
         words = (
-            f"Of the {found.stars} stars of eight cranks {found.without} have no second-order moment. The least first-order moment "
-            f"among them is {found.least:.4f}, of {' and '.join(map(_order, found.orders))}. Stars as in the variant with which "
-            "the chapter begins, symmetric along the shaft in the second order (1 with 8, 2 with 7, 3 with 6, 4 with 5), "
-            f"come down to {found.least_symmetric:.4f} only."
+            f"Of the {found.stars} stars of eight cranks {found.without} have no secondary moment. "
+            f"The smallest primary moment among them is {found.least:.4f}, of "
+            f"{' and '.join(map(_order, found.orders))}. Stars as in the variant with which the "
+            "chapter begins, symmetric along the shaft in the second order (1 with 8, 2 with 7, 3 "
+            "with 6, 4 with 5), "
+            f"reach {found.least_symmetric:.4f} only."
         )
     if scheme.file == "sinitsyn-7-second":
         first, second = sums("sinitsyn-7-first"), sums(scheme.file)
         one, two = (abs(first[key]) / abs(second[key]) for key in ("M_I", "M_II"))
         words = (
-            f"Against the first scheme {_sum('M_R')} and {_sum('M_I')} are {one:.2f} times smaller, {_sum('M_II')} is {two:.2f} "
-            "times smaller (the chapter: 3 and 5.5)."
+            f"Compared with the first scheme, {_sum('M_R')} and {_sum('M_I')} are {one:.2f} times "
+            f"smaller, {_sum('M_II')} is {two:.2f} times smaller (the chapter: 3 and 5.5)."
         )
     return [words] if words else []
 
@@ -436,19 +523,33 @@ def _extra(scheme: Scheme) -> list[str]:
 
 
 def _pictures(file: str) -> list[str]:
-    """Crank star, crankshaft with its end weights, stars and moment polygons of both orders, mechanisms."""
+    """Crank star, crankshaft with end weights, stars, moment polygons and mechanisms."""
     engine = crankstar.load(file)
     weights = " with its end weights" if sums(file)["M_R"] else ""
     out = [
         _drawn(charts.crank_star(engine), f"Crank star, {engine.name}"),
-        _drawn(charts.shaft_elevation(weighted(file)), f"Crankshaft{weights} from the side, {engine.name}"),
+        _drawn(
+            charts.shaft_elevation(weighted(file)),
+            f"Crankshaft{weights} from the side, {engine.name}",
+        ),
     ]
-    out += [_drawn(charts.vector_star(engine, order=k), f"Star of the vectors of order {k}, {engine.name}") for k in (1, 2)]
     out += [
-        _drawn(charts.polygon(engine, order=k, quantity="couple"), f"Moment polygon of order {k}, {engine.name}") for k in (1, 2)
+        _drawn(
+            charts.vector_star(engine, order=k), f"Star of the vectors of order {k}, {engine.name}"
+        )
+        for k in (1, 2)
+    ]
+    out += [
+        _drawn(
+            charts.polygon(engine, order=k, quantity="couple"),
+            f"Moment polygon of order {k}, {engine.name}",
+        )
+        for k in (1, 2)
     ]
     found = cures(file)
-    return out + [_mechanism(found[str(ratio)], found[str(-ratio)], engine.name) for ratio in mechanisms(file)]
+    return out + [
+        _mechanism(found[str(ratio)], found[str(-ratio)], engine.name) for ratio in mechanisms(file)
+    ]
 
 
 def _drawn(chart: Any, title: str) -> str:
@@ -461,7 +562,7 @@ def _figures(drawings: Sequence[str]) -> str:
 
 
 def _mechanism(ahead: Cure, against: Cure, name: str) -> str:
-    """Two shafts from the front at theta = 0: the weight at the front end full, that at the rear end hollow."""
+    """Two shafts from the front at theta = 0: front weight filled, rear weight hollow."""
     ratio = abs(ahead.ratio)
     parts = [
         f"<title>Two-shaft mechanism at {ratio} times the speed of the crankshaft, {name}</title>",
@@ -472,28 +573,51 @@ def _mechanism(ahead: Cure, against: Cure, name: str) -> str:
     ]
     for one, x, way in ((ahead, 95, 1), (against, 295, -1)):
         parts.append(_text(x, 66, f"{'with' if way > 0 else 'against'} the crank"))
-        parts.append(f'<circle cx="{x}" cy="146" r="48" fill="none" stroke="currentColor" stroke-opacity=".3"/>')
+        parts.append(
+            f'<circle cx="{x}" cy="146" r="48" fill="none" stroke="currentColor" '
+            'stroke-opacity=".3"/>'
+        )
         front, rear = (phase(complex(amount)) for amount in one.unbalance)
         for bearing, full in ((front, True), (rear, False)):
             along, down = x + 48 * sin(bearing), 146 - 48 * cos(bearing)
-            parts.append(f'<path d="M{x} 146L{along:.2f} {down:.2f}" stroke="currentColor" stroke-width="2"/>')
+            parts.append(
+                f'<path d="M{x} 146L{along:.2f} {down:.2f}" stroke="currentColor" '
+                'stroke-width="2"/>'
+            )
             inside = WEIGHT if full else "var(--md-default-bg-color, white)"
-            parts.append(f'<circle cx="{along:.2f}" cy="{down:.2f}" r="11" fill="{inside}" stroke="{WEIGHT}" stroke-width="3"/>')
+            parts.append(
+                f'<circle cx="{along:.2f}" cy="{down:.2f}" r="11" fill="{inside}" '
+                f'stroke="{WEIGHT}" stroke-width="3"/>'
+            )
         parts.append(f'<circle cx="{x}" cy="146" r="5" fill="currentColor"/>')
         parts.append(_turning(x, 146, 24, way))
         parts.append(_text(x, 226, f"front {_degrees(complex(one.unbalance[0]))}"))
     drawing = "".join(parts)
-    return f'<svg role="img" viewBox="0 0 390 260" fill="currentColor" font-family="sans-serif">{drawing}</svg>'
+    return (
+        '<svg role="img" viewBox="0 0 390 260" fill="currentColor" '
+        f'font-family="sans-serif">{drawing}</svg>'
+    )
 
 
 def _turning(x: float, y: float, radius: float, way: int) -> str:
     """An arc with a head, clockwise or against it."""
     begin, end = (radians(way * bearing) for bearing in (-60, 60))
-    x0, y0, x1, y1 = x + radius * sin(begin), y - radius * cos(begin), x + radius * sin(end), y - radius * cos(end)
+    x0, y0, x1, y1 = (
+        x + radius * sin(begin),
+        y - radius * cos(begin),
+        x + radius * sin(end),
+        y - radius * cos(end),
+    )
     ahead, aside = (way * cos(end), way * sin(end)), (sin(end), -cos(end))
-    head = [(x1 + on * ahead[0] + off * aside[0], y1 + on * ahead[1] + off * aside[1]) for on, off in ((11, 0), (0, 5), (0, -5))]
+    head = [
+        (x1 + on * ahead[0] + off * aside[0], y1 + on * ahead[1] + off * aside[1])
+        for on, off in ((11, 0), (0, 5), (0, -5))
+    ]
     points = " ".join(f"{a:.2f},{b:.2f}" for a, b in head)
-    arc = f'<path d="M{x0:.2f} {y0:.2f}A{radius:g} {radius:g} 0 0 {int(way > 0)} {x1:.2f} {y1:.2f}" fill="none"'
+    arc = (
+        f'<path d="M{x0:.2f} {y0:.2f}A{radius:g} {radius:g} 0 0 {int(way > 0)} '
+        f'{x1:.2f} {y1:.2f}" fill="none"'
+    )
     return f'{arc} stroke="currentColor" stroke-width="2"/><polygon points="{points}"/>'
 
 

@@ -1,17 +1,18 @@
-"""What its master rod does to the balance of a radial engine of nine cylinders.
+"""The effect of the master rod on the balance of a nine-cylinder radial engine.
 
-With all rods on the crank pin itself nine equal pistons leave a first-order force of 9/2 m r w^2 that turns with the crank, and no
-second order. With eight slave rods on knuckle pins of a master rod the pistons are no longer equal, and a second-order force
-appears. It is nearly a circle, with the crank at twice its speed, of about n lambda rho/(l - rho) m r w^2 for n cylinders and a
-knuckle radius rho; a weight geared to turn at that speed could remove it.
+With all rods on the crank pin itself nine equal pistons leave a first-order force of 9/2 m r w^2
+that turns with the crank, and no second order. With eight slave rods on knuckle pins of a master
+rod the pistons are no longer equal, and a second-order force appears. It is nearly a circle, with
+the crank at twice its speed, of about n lambda rho/(l - rho) m r w^2 for n cylinders and a knuckle
+radius rho; a weight geared to turn at that speed could remove it.
 """
 
 from __future__ import annotations
 
 import crankstar
-from crankstar import phasor
-from crankstar.arrangement import Basis, Sizes
-from crankstar.layouts import Row, radial
+from crankstar import spectra
+from crankstar.engine.basis import Basis, Sizes
+from crankstar.engine.layouts import Row, radial
 
 ROD_RATIO, KNUCKLE_RADIUS = 4.0, 1.0
 """In crank radii."""
@@ -20,19 +21,26 @@ ROD_RATIO, KNUCKLE_RADIUS = 4.0, 1.0
 def forces(knuckle_radius: float | None) -> dict[str, float]:
     """The first-order vectors and the greatest second-order force, in m r w^2."""
     row = Row(cylinders=tuple(range(1, 10)))
-    engine = radial(Basis(name="radial nine", cylinder=Sizes(rod_ratio=ROD_RATIO)), rows=(row,), knuckle_radius=knuckle_radius)
+    engine = radial(
+        Basis(name="radial nine", cylinder=Sizes(rod_ratio=ROD_RATIO)),
+        rows=(row,),
+        knuckle_radius=knuckle_radius,
+    )
     sums = crankstar.total(crankstar.balance(engine))
-    first = phasor.selected(sums.force, 1)
+    first = spectra.selected(sums.force, 1)
     return {
         "forward 1": abs(first.forward[0]),
         "backward 1": abs(first.backward[0]),
-        "force 2": phasor.peak(phasor.selected(sums.force, 2)).value,
+        "force 2": spectra.peak(spectra.selected(sums.force, 2)).value,
     }
 
 
 def main() -> dict[str, dict[str, float]]:
     """Both kinds of rods."""
-    return {"all rods on the crank pin": forces(None), "slave rods on a master": forces(KNUCKLE_RADIUS)}
+    return {
+        "all rods on the crank pin": forces(None),
+        "slave rods on a master": forces(KNUCKLE_RADIUS),
+    }
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 """An engine file of one's own, in newtons: a parallel twin with its cranks 180 degrees apart.
 
-Its first-order forces cancel and leave a couple m r w^2 a; its second-order forces add up to 2 A_2 m r w^2.
+Its first-order forces cancel and leave a couple m r w^2 a; its second-order forces add up to 2 A_2
+m r w^2.
 """
 
 from __future__ import annotations
@@ -8,20 +9,23 @@ from __future__ import annotations
 from pathlib import Path
 
 import crankstar
-from crankstar import phasor
-from crankstar.firing import firing
+from crankstar import spectra
+from crankstar.firing.intervals import firing
 
 FILE = Path(__file__).parent / "twin_180.toml"
 
 
 def main() -> dict[str, float]:
-    """The greatest force (N) of orders 1 and 2, the greatest first-order couple (N m), and the shorter firing interval (deg)."""
+    """The greatest force (N) of orders 1 and 2 and first-order couple (N m).
+
+    Also the shorter firing interval (deg).
+    """
     engine = crankstar.load(FILE)
     sums = crankstar.total(crankstar.balance(engine, speed=engine.speed))
     return {
-        "force 1": phasor.peak(phasor.selected(sums.force, 1)).value,
-        "force 2": phasor.peak(phasor.selected(sums.force, 2)).value,
-        "couple 1": phasor.peak(phasor.selected(sums.couple, 1)).value,
+        "force 1": spectra.peak(spectra.selected(sums.force, 1)).value,
+        "force 2": spectra.peak(spectra.selected(sums.force, 2)).value,
+        "couple 1": spectra.peak(spectra.selected(sums.couple, 1)).value,
         "interval": min(firing(engine).intervals_deg),
     }
 

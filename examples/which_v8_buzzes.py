@@ -1,7 +1,8 @@
-"""Which V8 buzzes and which one nods: two engines of 90 degrees that differ in their crankshafts only.
+"""Which V8 buzzes and which one nods: 90-degree engines that differ in the crankshaft only.
 
-The flat-plane crank leaves a second-order force, a horizontal line of 4 sqrt(2) times that of one piston. The cross-plane crank
-leaves no such force, but a first-order couple sqrt(10) m r w^2 a that turns with the crank, for counterweights to remove.
+The flat-plane crank leaves a second-order force, a horizontal line of 4 sqrt(2) times that of one
+piston. The cross-plane crank leaves no such force, but a first-order couple sqrt(10) m r w^2 a that
+turns with the crank, for counterweights to remove.
 """
 
 from __future__ import annotations
@@ -9,11 +10,12 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import crankstar
-from crankstar import motion, phasor
+from crankstar import spectra
+from crankstar.engine import motion
 
 
 class Shake(NamedTuple):
-    """What is left of the second-order force, in m r w^2 A_2, and of the first-order couple, in m r w^2 a."""
+    """The second-order force (m r w^2 A_2) and the first-order couple (m r w^2 a) that remain."""
 
     force: float
     couple_with_crank: float
@@ -23,9 +25,9 @@ class Shake(NamedTuple):
 def shake(name: str) -> Shake:
     """The two numbers by which a V8 is known."""
     sums = crankstar.total(crankstar.balance(crankstar.load(name)))
-    second, first = phasor.selected(sums.force, 2), phasor.selected(sums.couple, 1)
+    second, first = spectra.selected(sums.force, 2), spectra.selected(sums.couple, 1)
     of_one_piston = motion.piston_harmonics(crank_radius=1, rod_length=4)[2].real
-    force = phasor.ellipse(second.forward[0], second.backward[0]).semi_major / of_one_piston
+    force = spectra.ellipse(second.forward[0], second.backward[0]).semi_major / of_one_piston
     return Shake(force, abs(first.forward[0]), abs(first.backward[0]))
 
 
@@ -36,4 +38,6 @@ def main() -> dict[str, Shake]:
 
 if __name__ == "__main__":
     for engine, left in main().items():
-        print(f"{engine:15} order 2 force {left.force:.4f}   order 1 couple {left.couple_with_crank:.4f} with the crank")
+        print(
+            f"{engine:15} order 2 force {left.force:.4f}   order 1 couple {left.couple_with_crank:.4f} with the crank"
+        )

@@ -18,7 +18,9 @@ class Ran(NamedTuple):
 Run = Callable[..., Ran]
 
 
-def replaced(draft: Path, target: Path, *, move: Callable[[Path, Path], Path] = Path.replace) -> Path:
+def replaced(
+    draft: Path, target: Path, *, move: Callable[[Path, Path], Path] = Path.replace
+) -> Path:
     """Path.replace, but never of a device: these tests may run as root, on code that is broken."""
     assert not Path(target).exists() or Path(target).is_file()
     return move(draft, target)

@@ -1,12 +1,38 @@
-"""How thoroughly random engines are tried: `HYPOTHESIS_PROFILE=long` for many, `explore` for others each time."""
+"""How thoroughly random engines are tried, and signals as tests need them.
+
+`HYPOTHESIS_PROFILE=long` for many, `explore` for others each time.
+"""
 
 import os
+import signal
+from collections.abc import Iterator
 
+import pytest
 from hypothesis import HealthCheck, settings
 
 SLOW = [HealthCheck.too_slow]
 
-settings.register_profile("default", max_examples=20, derandomize=True, deadline=None, database=None, suppress_health_check=SLOW)
+settings.register_profile(
+    "default",
+    max_examples=20,
+    derandomize=True,
+    deadline=None,
+    database=None,
+    suppress_health_check=SLOW,
+)
 settings.register_profile("long", settings.get_profile("default"), max_examples=300)
 settings.register_profile("explore", settings.get_profile("long"), derandomize=False)
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "default"))
+
+
+@pytest.fixture
+def interruptible() -> Iterator[None]:
+    """Interrupts that are obeyed, here and in child processes.
+
+    A suite started in the background (`nohup make test &`) inherits them ignored.
+    """
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)

@@ -1,6 +1,9 @@
-"""The definition of an engine's forces in sixty digits (mpmath): a road to the exact derivations that shares nothing with them.
+"""The definition of an engine's forces in sixty digits (mpmath).
 
-Numbers are taken for what is written: angles for parts of a turn, lengths and masses for their decimals.
+A road to the exact derivations that shares nothing with them.
+
+Numbers are taken for what is written: angles for parts of a turn, lengths and masses for their
+decimals.
 """
 
 from __future__ import annotations
@@ -15,10 +18,10 @@ from typing import Any, NamedTuple
 from hypothesis import strategies as st
 from mpmath.ctx_mp import MPContext
 
-from crankstar.derive import formula
-from crankstar.engine import Engine
-from crankstar.mechanism import Reference
-from crankstar.records import Articulation, Cylinder, Rod, Shaft, Throw, Weight
+from crankstar.derive.algebra import formula
+from crankstar.engine.engine import Engine
+from crankstar.engine.records import Articulation, Cylinder, Rod, Shaft, Throw, Weight
+from crankstar.mechanics.excitation import Reference
 
 MP = MPContext()
 MP.dps = 60
@@ -77,7 +80,7 @@ def piston_harmonic(rod_ratio: Fraction, order: int, offset: Fraction = Fraction
 
 
 class Amplitudes(NamedTuple):
-    """Up and right of a real signal `Re(z exp(i k theta))` in units of m r w^2 (couples: times the bore pitch)."""
+    """Up and right of a signal `Re(z exp(i k theta))`, in m r w^2 (couples in m r w^2 a)."""
 
     up: Any
     right: Any
@@ -90,11 +93,16 @@ def arm(engine: Engine, z: float, reference: Reference | None) -> Any:
     return mp((written(z) - plane) / written(engine.pitch))
 
 
-def defined(engine: Engine, order: Fraction, quantity: str, reference: Reference | None = None) -> Amplitudes:
-    """One order of an engine with plain rods and centred cranks: the sum over its parts, cosine by cosine."""
+def defined(
+    engine: Engine, order: Fraction, quantity: str, reference: Reference | None = None
+) -> Amplitudes:
+    """One order of an engine with plain rods and centred cranks: the sum over its parts."""
     up, right = MP.mpc(0), MP.mpc(0)
     first = engine.first
-    base = mp(written(first.reciprocating_mass or (first.rod.mass if first.rod else 1.0)) * written(engine.throw(first).radius))
+    base = mp(
+        written(first.reciprocating_mass or (first.rod.mass if first.rod else 1.0))
+        * written(engine.throw(first).radius)
+    )
 
     def place(z: float) -> Any:
         return arm(engine, z, reference) if quantity == "couple" else 1
@@ -108,11 +116,18 @@ def defined(engine: Engine, order: Fraction, quantity: str, reference: Reference
 
     for c in engine.cylinders:
         throw, shaft = engine.throw(c), engine.shaft(c.shaft)
-        radius, length, mass = written(throw.radius), written(c.rod_length), written(c.reciprocating_mass)
+        radius, length, mass = (
+            written(throw.radius),
+            written(c.rod_length),
+            written(c.reciprocating_mass),
+        )
         on_pin = written(c.big_end_mass)
         if c.rod:
             share = written(c.rod.centre) / length
-            mass, on_pin = mass + written(c.rod.mass) * share, on_pin + written(c.rod.mass) * (1 - share)
+            mass, on_pin = (
+                mass + written(c.rod.mass) * share,
+                on_pin + written(c.rod.mass) * (1 - share),
+            )
         turning(shaft, on_pin * radius, throw.angle, c.z)
         j = order / abs(shaft.speed_ratio)
         if j.denominator == 1 and (j == 1 or j % 2 == 0):
@@ -132,7 +147,7 @@ def defined(engine: Engine, order: Fraction, quantity: str, reference: Reference
 
 @dataclass(frozen=True)
 class Moved:
-    """The mass moment of one cylinder's moving parts at equal steps of its own shaft, `up + i right`."""
+    """`up + i right` mass moment of one cylinder's parts at equal steps of its own shaft."""
 
     cylinder: Cylinder
     moment: list[Any]
@@ -147,12 +162,16 @@ def moved(engine: Engine) -> list[Moved]:
         shaft, throw = engine.shaft(c.shaft), engine.throw(c)
         sign = engine.sense * (1 if shaft.speed_ratio > 0 else -1)
         if c.articulated is None:
-            pin = mp(written(throw.radius)) * unit(part(throw.angle) + Fraction(sign * step, SAMPLES))
+            pin = mp(written(throw.radius)) * unit(
+                part(throw.angle) + Fraction(sign * step, SAMPLES)
+            )
         else:
             below, piston = joints(by_number[c.articulated.master], step)
             master = by_number[c.articulated.master]
             towards = (piston - below) / mp(written(master.rod_length))
-            pin = below + mp(written(c.articulated.radius)) * towards * unit(part(c.articulated.angle))
+            pin = below + mp(written(c.articulated.radius)) * towards * unit(
+                part(c.articulated.angle)
+            )
         axis = unit(part(c.bearing))
         seen = pin / axis
         across = seen.imag - mp(written(c.offset))
@@ -171,13 +190,18 @@ def moved(engine: Engine) -> list[Moved]:
 
 
 def followed(
-    engine: Engine, paths: Sequence[Moved], order: Fraction, quantity: str, reference: Reference | None = None
+    engine: Engine,
+    paths: Sequence[Moved],
+    order: Fraction,
+    quantity: str,
+    reference: Reference | None = None,
 ) -> Amplitudes:
     """One order of an engine whose cylinders were followed; throws and weights as in `defined`."""
     still = engine.model_copy(
         update={
             "cylinders": tuple(
-                c.model_copy(update={"reciprocating_mass": 0.0, "big_end_mass": 0.0, "rod": None}) for c in engine.cylinders
+                c.model_copy(update={"reciprocating_mass": 0.0, "big_end_mass": 0.0, "rod": None})
+                for c in engine.cylinders
             )
         }
     )
@@ -192,8 +216,12 @@ def followed(
         turns = [MP.conj(unit(Fraction(int(j) * step, SAMPLES))) for step in range(SAMPLES)]
         factor = mp(order**2) * 2 / SAMPLES / mp(mass * written(engine.throw(first).radius))
         factor *= arm(engine, path.cylinder.z, reference) if quantity == "couple" else 1
-        up += factor * sum(value.real * turn for value, turn in zip(path.moment, turns, strict=True))
-        right += factor * sum(value.imag * turn for value, turn in zip(path.moment, turns, strict=True))
+        up += factor * sum(
+            value.real * turn for value, turn in zip(path.moment, turns, strict=True)
+        )
+        right += factor * sum(
+            value.imag * turn for value, turn in zip(path.moment, turns, strict=True)
+        )
     return Amplitudes(up, right)
 
 
@@ -237,7 +265,9 @@ def evaluated(tree: formula.Formula, symbols: Mapping[str, Any] | None = None) -
             case formula.Degrees():
                 return of(one.value) * MP.pi / 180
             case formula.Applied():
-                return {"cos": MP.cos, "sin": MP.sin, "atan": MP.atan}[one.function](of(one.argument))
+                return {"cos": MP.cos, "sin": MP.sin, "atan": MP.atan}[one.function](
+                    of(one.argument)
+                )
             case formula.Polar():
                 return of(one.length) * MP.expj(of(one.angle))
         raise TypeError(f"no formula: {one!r}")
@@ -245,17 +275,24 @@ def evaluated(tree: formula.Formula, symbols: Mapping[str, Any] | None = None) -
     return of(tree)
 
 
-# -- engines whose numbers are short -----------------------------------------------------------------------------------
+# -- engines whose numbers are short
+# -----------------------------------------------------------------------------------
 
 MASSES = st.sampled_from([Fraction(n, 20) for n in (10, 13, 15, 20, 26)])
 RADII = st.sampled_from([Fraction(n, 1000) for n in (40, 45, 50)])
-SHORT_RATIOS = st.sampled_from([Fraction(2), Fraction(5, 2), Fraction(3), Fraction(7, 2), Fraction(4)])
-SPEEDS = st.sampled_from([Fraction(r) for r in ("1", "-1", "2", "-2", "1/2", "-1/2", "3/2", "-2/3")])
+SHORT_RATIOS = st.sampled_from(
+    [Fraction(2), Fraction(5, 2), Fraction(3), Fraction(7, 2), Fraction(4)]
+)
+SPEEDS = st.sampled_from(
+    [Fraction(r) for r in ("1", "-1", "2", "-2", "1/2", "-1/2", "3/2", "-2/3")]
+)
 
 
 def parts_of_a_turn(*denominators: int) -> st.SearchStrategy[Fraction]:
     """Parts of a turn with one of these denominators."""
-    return st.sampled_from(denominators).flatmap(lambda n: st.integers(-n, n).map(lambda above: Fraction(above, n)))
+    return st.sampled_from(denominators).flatmap(
+        lambda n: st.integers(-n, n).map(lambda above: Fraction(above, n))
+    )
 
 
 def radians_of(turn: Fraction) -> float:
@@ -265,7 +302,7 @@ def radians_of(turn: Fraction) -> float:
 
 @st.composite
 def short_engines(draw: Draw, *, plain: bool = True) -> Engine:
-    """Engines all of whose numbers are short decimals and parts of a turn; unless `plain`, with offsets and slave rods."""
+    """Engines of short decimals and parts of a turn; unless `plain`, offsets and slave rods."""
     few = draw(st.sampled_from([(4, 8), (12,), (10,), (14,), (24, 16), (360,), (4, 14), (7, 9)]))
     angles = parts_of_a_turn(*few).map(radians_of)
     places = st.integers(-20, 20).map(lambda n: n / 20)
@@ -273,13 +310,25 @@ def short_engines(draw: Draw, *, plain: bool = True) -> Engine:
     shafts: list[Shaft] = []
     for index in range(draw(st.integers(1, 3))):
         throws = [
-            Throw(angle=draw(angles), radius=float(draw(RADII)), z=draw(places), rotating_mass=draw(rotating))
+            Throw(
+                angle=draw(angles),
+                radius=float(draw(RADII)),
+                z=draw(places),
+                rotating_mass=draw(rotating),
+            )
             for _ in range(draw(st.integers(1, 3)))
         ]
         weight = st.builds(Weight, unbalance=st.sampled_from([0.01, 0.02]), angle=angles, z=places)
         ratio = draw(SPEEDS) if index else Fraction(1)
         weights = draw(st.lists(weight, max_size=2))
-        shafts.append(Shaft(name=f"shaft {index}", speed_ratio=ratio, throws=tuple(throws), weights=tuple(weights)))
+        shafts.append(
+            Shaft(
+                name=f"shaft {index}",
+                speed_ratio=ratio,
+                throws=tuple(throws),
+                weights=tuple(weights),
+            )
+        )
     cylinders: list[Cylinder] = []
     same = draw(st.booleans())
     common = (draw(MASSES), draw(SHORT_RATIOS))
@@ -290,14 +339,22 @@ def short_engines(draw: Draw, *, plain: bool = True) -> Engine:
         if not plain and masters and draw(st.booleans()):
             master = draw(st.sampled_from(masters))
             shaft, throw = next(s for s in shafts if s.name == master.shaft), master.throw
-            link = Articulation(master=master.number, radius=float(shaft.throws[throw - 1].radius) / 4, angle=draw(angles))
+            link = Articulation(
+                master=master.number,
+                radius=float(shaft.throws[throw - 1].radius) / 4,
+                angle=draw(angles),
+            )
         else:
             shaft = draw(st.sampled_from(shafts))
             throw = draw(st.integers(1, len(shaft.throws)))
         radius = written(shaft.throws[throw - 1].radius)
         length = float(ratio * radius * (1 if plain else 2))
         offset = 0.0 if plain else draw(st.sampled_from([0.0, 0.01, -0.02]))
-        rod = Rod(mass=0.4, centre=length / 4, inertia=0.001) if draw(st.sampled_from([False, False, True])) else None
+        rod = (
+            Rod(mass=0.4, centre=length / 4, inertia=0.001)
+            if draw(st.sampled_from([False, False, True]))
+            else None
+        )
         cylinders.append(
             Cylinder(
                 number=number,
@@ -319,4 +376,54 @@ def short_engines(draw: Draw, *, plain: bool = True) -> Engine:
         bore_pitch=draw(st.sampled_from([0.1, None, 0.25])),
         shafts=tuple(shafts),
         cylinders=tuple(cylinders),
+    )
+
+
+def orders_of(engine: Engine) -> st.SearchStrategy[Fraction]:
+    """Orders in which something of the engine pushes, up to 24."""
+    speeds = [abs(s.speed_ratio) for s in engine.shafts]
+    found = sorted(
+        {
+            j * speed
+            for speed in speeds
+            for j in (1, 1, 2, 3, 4, 6)
+            if j * speed <= 24 and j * speed.denominator <= 1000
+        }
+    )
+    return st.sampled_from(found or [Fraction(1)])
+
+
+def snapped(engine: Engine, part: int) -> Engine:
+    """The engine with all angles at parts of a turn, plain rods and centred cranks: exact."""
+
+    def near(radians: float) -> float:
+        return round(radians / (2 * pi) * part) / part * 2 * pi
+
+    shafts = tuple(
+        s.model_copy(
+            update={
+                "throws": tuple(t.model_copy(update={"angle": near(t.angle)}) for t in s.throws),
+                "weights": tuple(w.model_copy(update={"angle": near(w.angle)}) for w in s.weights),
+            }
+        )
+        for s in engine.shafts
+    )
+    cylinders = []
+    for c in engine.cylinders:
+        radius = engine.throw(c).radius
+        update = {
+            "bearing": near(c.bearing),
+            "offset": 0.0,
+            "articulated": None,
+            "rod_length": max(c.rod_length, 1.05 * radius),
+        }
+        cylinders.append(c.model_copy(update=update))
+    return Engine.model_validate(
+        {
+            **dict(engine),
+            "shafts": shafts,
+            "cylinders": cylinders,
+            "firing_order": (),
+            "firing_angles": None,
+        }
     )

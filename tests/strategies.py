@@ -1,7 +1,10 @@
-"""Random engines that can be: of every layout, and of any shafts, throws, weights and cylinders at all (hypothesis strategies).
+"""Random possible engines: every layout, and any shafts, throws, weights and cylinders.
 
-They are possible by construction: a rod is as long as its crank radius, its offset and the knuckle pins under it could ever
-need, or some slave rods as they do need. Numbers are rounded to a millionth, so that none is absurdly small.
+Strategies for hypothesis.
+
+They are possible by construction: a rod is as long as its crank radius, its offset and the knuckle
+pins under it could ever need, or some slave rods as they do need. Numbers are rounded to a
+millionth, so that none is absurdly small.
 """
 
 from __future__ import annotations
@@ -13,14 +16,27 @@ from math import ceil, cos, pi, radians, sin
 from typing import Any, NamedTuple
 
 import numpy as np
+from hypothesis import reject
 from hypothesis import strategies as st
 from tests.newton import placed
 
-from crankstar import firing
-from crankstar.arrangement import ASSUMED_ROD_RATIO, Basis, Override, Sizes
-from crankstar.engine import Engine
-from crankstar.layouts import LAYOUTS, Bank, Crank, Row
-from crankstar.records import Articulation, Block, Cylinder, Provenance, Rod, Shaft, Throw, Valves, Weight
+from crankstar.engine.banks import Bank, Crank
+from crankstar.engine.basis import ASSUMED_ROD_RATIO, Basis, Override, Sizes
+from crankstar.engine.dead_centres import dead_centres
+from crankstar.engine.engine import Engine
+from crankstar.engine.layouts import LAYOUTS, Row
+from crankstar.engine.records import (
+    Articulation,
+    Block,
+    Cylinder,
+    Provenance,
+    Rod,
+    Shaft,
+    Throw,
+    Valves,
+    Weight,
+)
+from crankstar.language.faults import EngineError
 
 Draw = Callable[[st.SearchStrategy[Any]], Any]
 
@@ -40,7 +56,9 @@ ANGLES = st.sampled_from([0.0, pi / 2, pi, -pi / 2, pi / 4, 2 * pi / 3, -pi / 3]
 RADII = number(0.01, 0.2)
 PLACES = number(-1.0, 1.0)
 MASSES = number(0.05, 20.0)
-RATIOS = [Fraction(r) for r in ("1", "-1", "2", "-2", "1/2", "-1/2", "3/2", "-2/3", "4/3", "3", "-1/3")]
+RATIOS = [
+    Fraction(r) for r in ("1", "-1", "2", "-2", "1/2", "-1/2", "3/2", "-2/3", "4/3", "3", "-1/3")
+]
 SPEEDS = number(1.0, 1500.0)
 ROTATIONS = st.sampled_from(["clockwise", "counter-clockwise"])
 CYCLES = st.sampled_from(["two-stroke", "four-stroke"])
@@ -52,19 +70,31 @@ TEXTS = st.sampled_from(["a book", "工場の図面", 'two\nlines, "quoted" \\ a
 @st.composite
 def rigid_rods(draw: Draw, length: float) -> Rod:
     mass = draw(number(0.05, 5.0))
-    return Rod(mass=mass, centre=draw(number(-0.3, 1.3)) * length, inertia=mass * length**2 * draw(maybe(number(0.01, 0.5), 0.0)))
+    return Rod(
+        mass=mass,
+        centre=draw(number(-0.3, 1.3)) * length,
+        inertia=mass * length**2 * draw(maybe(number(0.01, 0.5), 0.0)),
+    )
 
 
 @st.composite
 def shafts(draw: Draw, name: str, ratio: Fraction, *, least_throws: int) -> Shaft:
     first = name == "shaft 0"
     throw = st.builds(Throw, angle=ANGLES, radius=RADII, z=PLACES, rotating_mass=maybe(MASSES, 0.0))
-    weight = st.builds(Weight, unbalance=number(0.0, 0.5), angle=ANGLES, z=PLACES)
     throws = draw(st.lists(throw, min_size=least_throws, max_size=4))
+    own = maybe(st.integers(1, len(throws))) if throws else st.none()
+    weight = st.builds(Weight, unbalance=number(0.0, 0.5), angle=ANGLES, z=PLACES, throw=own)
     weights = draw(st.lists(weight, max_size=3))
     up, right = (0.0 if first else draw(PLACES) for _ in range(2))
     return Shaft.model_validate(
-        {"name": name, "speed_ratio": ratio, "up": up, "right": right, "throws": throws, "weights": weights}
+        {
+            "name": name,
+            "speed_ratio": ratio,
+            "up": up,
+            "right": right,
+            "throws": throws,
+            "weights": weights,
+        }
     )
 
 
@@ -73,12 +103,16 @@ def speed_ratios(draw: Draw) -> list[Fraction]:
     """One to four shafts; the common period stays within 31 turns."""
     teeth = draw(st.sampled_from([1, 1, 2, 3, 5, 31]))
     others = st.sampled_from([r for r in RATIOS if teeth % r.denominator == 0])
-    odd = st.builds(Fraction, st.integers(1, 2 * teeth).flatmap(lambda n: st.sampled_from([n, -n])), st.just(teeth))
+    odd = st.builds(
+        Fraction,
+        st.integers(1, 2 * teeth).flatmap(lambda n: st.sampled_from([n, -n])),
+        st.just(teeth),
+    )
     return [Fraction(1), *draw(st.lists(others | odd, max_size=3))]
 
 
 class _Pin(NamedTuple):
-    """Where a rod may sit: a crank pin, or a knuckle pin once a master is there, and how far it can be from the shaft."""
+    """A crank pin, or a knuckle pin of a master rod, with its greatest distance from the shaft."""
 
     shaft: str
     throw: int
@@ -87,7 +121,9 @@ class _Pin(NamedTuple):
 
 @st.composite
 def _cylinders(draw: Draw, engine_shafts: Sequence[Shaft], *, tight: bool) -> list[Cylinder]:
-    pins = [_Pin(s.name, slot, t.radius) for s in engine_shafts for slot, t in enumerate(s.throws, 1)]
+    pins = [
+        _Pin(s.name, slot, t.radius) for s in engine_shafts for slot, t in enumerate(s.throws, 1)
+    ]
     numbers = draw(st.permutations(range(1, draw(st.integers(1, 6)) + 1)))
     made: list[Cylinder] = []
     reach: dict[int, float] = {}
@@ -98,8 +134,12 @@ def _cylinders(draw: Draw, engine_shafts: Sequence[Shaft], *, tight: bool) -> li
             pin = draw(st.sampled_from(pins))
             reach[own] = pin.radius
         else:
-            pin = next(pin for pin in pins if (pin.shaft, pin.throw) == (master.shaft, master.throw))
-            link = Articulation(master=master.number, radius=draw(number(0.1, 0.8)) * pin.radius, angle=draw(ANGLES))
+            pin = next(
+                pin for pin in pins if (pin.shaft, pin.throw) == (master.shaft, master.throw)
+            )
+            link = Articulation(
+                master=master.number, radius=draw(number(0.1, 0.8)) * pin.radius, angle=draw(ANGLES)
+            )
             reach[own] = reach[master.number] + link.radius
         offset = draw(maybe(number(-0.9, 0.9), 0.0)) * pin.radius
         length = (reach[own] + abs(offset)) * draw(CLEARANCES)
@@ -120,7 +160,9 @@ def _cylinders(draw: Draw, engine_shafts: Sequence[Shaft], *, tight: bool) -> li
         )
         if tight and link and draw(st.booleans()):
             needed = max(_across([*made, cylinder], engine_shafts), pin.radius / 10)
-            cylinder = cylinder.model_copy(update={"rod_length": needed * draw(st.sampled_from([LEAST_CLEARANCE, 1.2, 2.5]))})
+            cylinder = cylinder.model_copy(
+                update={"rod_length": needed * draw(st.sampled_from([LEAST_CLEARANCE, 1.2, 2.5]))}
+            )
         made.append(cylinder)
     return made
 
@@ -128,15 +170,28 @@ def _cylinders(draw: Draw, engine_shafts: Sequence[Shaft], *, tight: bool) -> li
 def _across(cylinders: Sequence[Cylinder], engine_shafts: Sequence[Shaft]) -> float:
     """How far the big end of the last cylinder comes from its axis."""
     last = cylinders[-1]
-    engine = Engine.model_validate({"name": "draft", "shafts": engine_shafts, "cylinders": cylinders})
-    pin, _, _ = placed(engine, last, np.linspace(0, 2 * pi, 720) / abs(float(engine.shaft(last.shaft).speed_ratio)))
-    return float(np.abs(pin @ np.array([cos(last.bearing), -sin(last.bearing)]) - last.offset).max())
+    engine = Engine.model_validate(
+        {"name": "draft", "shafts": engine_shafts, "cylinders": cylinders}
+    )
+    pin, _, _ = placed(
+        engine, last, np.linspace(0, 2 * pi, 720) / abs(float(engine.shaft(last.shaft).speed_ratio))
+    )
+    return float(
+        np.abs(pin @ np.array([cos(last.bearing), -sin(last.bearing)]) - last.offset).max()
+    )
 
 
-def _shared(draw: Draw, cylinders: list[Cylinder], engine_shafts: Sequence[Shaft]) -> list[Cylinder]:
+def _shared(
+    draw: Draw, cylinders: list[Cylinder], engine_shafts: Sequence[Shaft]
+) -> list[Cylinder]:
     """Perhaps one pair of pistons with a combustion chamber in common."""
     speed = {s.name: abs(s.speed_ratio) for s in engine_shafts}
-    pairs = [(a, b) for a in cylinders for b in cylinders if a.number < b.number and speed[a.shaft] == speed[b.shaft]]
+    pairs = [
+        (a, b)
+        for a in cylinders
+        for b in cylinders
+        if a.number < b.number and speed[a.shaft] == speed[b.shaft]
+    ]
     pair = draw(maybe(st.sampled_from(pairs))) if pairs else None
     if pair is None:
         return cylinders
@@ -145,11 +200,14 @@ def _shared(draw: Draw, cylinders: list[Cylinder], engine_shafts: Sequence[Shaft
 
 
 def fired(engine: Engine, *, with_angles: bool) -> Engine:
-    """The engine with its chambers firing in the order of their dead centres, if that fits in one cycle; else as it is."""
-    centres = {chamber: centre.angle_deg for chamber, centre in firing.dead_centres(engine).items()}
+    """The engine firing in the order of its dead centres; unchanged if that exceeds a cycle."""
+    centres = {chamber: centre.angle_deg for chamber, centre in dead_centres(engine).items()}
     order = tuple(sorted(centres, key=centres.__getitem__))
     angles = [centres[chamber] for chamber in order]
-    if any(b - a < 1e-3 for a, b in pairwise(angles)) or angles[-1] - angles[0] > engine.cycle_angle - 1e-3:
+    if (
+        any(b - a < 1e-3 for a, b in pairwise(angles))
+        or angles[-1] - angles[0] > engine.cycle_angle - 1e-3
+    ):
         return engine
     update: dict[str, Any] = {"firing_order": order}
     if with_angles:
@@ -161,11 +219,15 @@ def fired(engine: Engine, *, with_angles: bool) -> Engine:
 def engines(draw: Draw, *, known: bool = False, max_shafts: int = 4, tight: bool = True) -> Engine:
     """Any engine at all, written shaft by shaft and cylinder by cylinder.
 
-    `known` leaves nothing relative; unless `tight`, slave rods are long enough for any other angle of their knuckle pins.
+    `known` leaves nothing relative; unless `tight`, slave rods are long enough for any other angle
+    of their knuckle pins.
     """
     ratios = draw(speed_ratios())[:max_shafts]
     bearer = draw(st.integers(0, len(ratios) - 1))
-    turning = [draw(shafts(f"shaft {i}", ratio, least_throws=int(i == bearer))) for i, ratio in enumerate(ratios)]
+    turning = [
+        draw(shafts(f"shaft {i}", ratio, least_throws=int(i == bearer)))
+        for i, ratio in enumerate(ratios)
+    ]
     cylinders = _shared(draw, draw(_cylinders(turning, tight=tight)), turning)
     status = st.sampled_from(["published", "computed", "unverified", "placeholder"])
     provenance = st.builds(Provenance, status=status, source=maybe(TEXTS, ""))
@@ -177,8 +239,16 @@ def engines(draw: Draw, *, known: bool = False, max_shafts: int = 4, tight: bool
             "speed": draw(maybe(SPEEDS)),
             "source": draw(maybe(TEXTS, "")),
             "notes": draw(maybe(TEXTS, "")),
-            "provenance": draw(st.dictionaries(st.sampled_from(["speed", "shaft[1].throw[1].radius"]), provenance, max_size=2)),
-            "relative": () if known else draw(st.lists(st.sampled_from(["mass", "radius", "pitch"]), unique=True, max_size=3)),
+            "provenance": draw(
+                st.dictionaries(
+                    st.sampled_from(["speed", "shaft[1].throw[1].radius"]), provenance, max_size=2
+                )
+            ),
+            "relative": ()
+            if known
+            else draw(
+                st.lists(st.sampled_from(["mass", "radius", "pitch"]), unique=True, max_size=3)
+            ),
             "bore_pitch": draw(maybe(number(0.02, 0.5))),
             "block": draw(maybe(blocks())),
             "shafts": turning,
@@ -191,20 +261,39 @@ def engines(draw: Draw, *, known: bool = False, max_shafts: int = 4, tight: bool
 
 @st.composite
 def blocks(draw: Draw) -> Block:
-    """Whole engines as rigid bodies, some of it left to be estimated; moments of inertia as masses spread along the three axes."""
+    """Whole engines as rigid bodies, partly left to be estimated; inertia from spread masses."""
     high, broad, long = (draw(number(0.1, 50.0)) for _ in range(3))
     inertia = {"inertia_up": broad + long, "inertia_right": high + long, "inertia_z": high + broad}
-    place = {"up": draw(maybe(PLACES, 0.0)), "right": draw(maybe(PLACES, 0.0)), "z": draw(maybe(PLACES))}
-    return Block(mass=draw(number(1.0, 5000.0)), **place, **(inertia if draw(st.booleans()) else {}))
+    place = {
+        "up": draw(maybe(PLACES, 0.0)),
+        "right": draw(maybe(PLACES, 0.0)),
+        "z": draw(maybe(PLACES)),
+    }
+    return Block(
+        mass=draw(number(1.0, 5000.0)), **place, **(inertia if draw(st.booleans()) else {})
+    )
 
 
 @st.composite
 def timed_valves(draw: Draw, engine: Engine) -> Valves:
-    """Valves or ports of engines that run, some angles left to be assumed, with or without manifolds."""
-    four = {"intake_opens": (-20, 60), "intake_closes": (-40, 90), "exhaust_opens": (20, 90), "exhaust_closes": (-20, 60)}
-    two = {"intake_opens": (40, 75), "intake_closes": (40, 75), "exhaust_opens": (60, 105), "exhaust_closes": (40, 105)}
+    """Valves or ports that can run, some angles left out, with or without manifolds."""
+    four = {
+        "intake_opens": (-20, 60),
+        "intake_closes": (-40, 90),
+        "exhaust_opens": (20, 90),
+        "exhaust_closes": (-20, 60),
+    }
+    two = {
+        "intake_opens": (40, 75),
+        "intake_closes": (40, 75),
+        "exhaust_opens": (60, 105),
+        "exhaust_closes": (40, 105),
+    }
     ranges = four if engine.cycle == "four-stroke" else two
-    angles = {name: draw(maybe(number(radians(low), radians(high)))) for name, (low, high) in ranges.items()}
+    angles = {
+        name: draw(maybe(number(radians(low), radians(high))))
+        for name, (low, high) in ranges.items()
+    }
     order = tuple(draw(st.permutations(sorted(engine.chambers))))
     at = draw(st.integers(0, len(order) - 1))
     manifolds = (order[:at], order[at:]) if at else (order,)
@@ -212,7 +301,7 @@ def timed_valves(draw: Draw, engine: Engine) -> Valves:
 
 
 class _Size(NamedTuple):
-    """What the cylinders of a layout are drawn from: crank radius, the greatest offset, the knuckle radius of slave rods."""
+    """Crank radius, greatest offset and knuckle radius for the cylinders of a layout."""
 
     radius: float
     offset: float
@@ -268,14 +357,26 @@ def _bases(
         firing_order=tuple(order),
         speed=draw(maybe(SPEEDS)),
         cylinder=cylinder,
-        cylinders=(*(draw(_overrides(n, size, whole, own_stroke=own_stroke, moved=moved)) for n in different), *further),
-        relative=draw(maybe(st.lists(st.sampled_from(["mass", "radius", "pitch"]), unique=True, max_size=2), ())),
+        cylinders=(
+            *(
+                draw(_overrides(n, size, whole, own_stroke=own_stroke, moved=moved))
+                for n in different
+            ),
+            *further,
+        ),
+        relative=draw(
+            maybe(
+                st.lists(st.sampled_from(["mass", "radius", "pitch"]), unique=True, max_size=2), ()
+            )
+        ),
         balance_factor=draw(maybe(number(0.0, 2.0))),
     )
 
 
 @st.composite
-def _overrides(draw: Draw, own: int, size: _Size, whole: float, *, own_stroke: bool, moved: bool) -> Override:
+def _overrides(
+    draw: Draw, own: int, size: _Size, whole: float, *, own_stroke: bool, moved: bool
+) -> Override:
     longer = {"rod_length": whole * draw(number(1.0, 1.5))}
     shorter_stroke = {"stroke": 2 * size.radius * draw(number(0.5, 1.0)), "rod_length": whole}
     return Override(
@@ -287,7 +388,9 @@ def _overrides(draw: Draw, own: int, size: _Size, whole: float, *, own_stroke: b
         bearing=draw(maybe(ANGLES)) if moved else None,
         z=draw(maybe(PLACES)) if moved else None,
         bank=draw(maybe(st.just("other"))),
-        **draw(st.sampled_from([{}, longer, *([shorter_stroke] if own_stroke and size.known else [])])),
+        **draw(
+            st.sampled_from([{}, longer, *([shorter_stroke] if own_stroke and size.known else [])])
+        ),
     )
 
 
@@ -306,12 +409,24 @@ def inline_engines(draw: Draw, *, moved: bool = True) -> Engine:
     throws = draw(maybe(st.tuples(*[ANGLES] * count)))
     order = draw(st.permutations(numbers)) if throws is None else ()
     basis = draw(_bases(numbers, draw(_size()), order=order, own_stroke=True, moved=moved))
-    return LAYOUTS["inline"](basis, throws=throws, bearing=draw(ANGLES), **draw(_pitches(count)))
+    places = {"bearing": draw(ANGLES), **draw(_pitches(count))}
+    try:
+        return LAYOUTS["inline"](basis, throws=throws, **places)
+    except EngineError as error:
+        if any(not fault.code.startswith("firing_order.unfit") for fault in error.faults):
+            raise
+        reject()  # a cylinder that was moved cannot fire in its turn
 
 
 @st.composite
 def _banks(
-    draw: Draw, bearings: Sequence[float], size: _Size, *, of: int, first: int = 1, own_pins: bool = False
+    draw: Draw,
+    bearings: Sequence[float],
+    size: _Size,
+    *,
+    of: int,
+    first: int = 1,
+    own_pins: bool = False,
 ) -> tuple[Bank, ...]:
     count = len(bearings)
     numbers = draw(st.permutations(range(first, first + of * count)))
@@ -330,7 +445,7 @@ def _banks(
 
 @st.composite
 def vee_engines(draw: Draw, *, moved: bool = True) -> Engine:
-    """V, VR, W: shared or split pins, a throw for each cylinder, or a fork of articulated rods on each shared pin."""
+    """V, VR, W: shared or split pins, a throw per cylinder, or articulated rods on shared pins."""
     per_bank = draw(st.integers(1, 4))
     size = draw(_size(knuckle=0.3))
     bearings = draw(st.lists(ANGLES, min_size=2, max_size=4 if per_bank < 3 else 2))
@@ -375,9 +490,26 @@ def tandem_engines(draw: Draw, *, moved: bool = True) -> Engine:
         bearings = draw(st.lists(ANGLES, min_size=1, max_size=2))
         first = 1 + sum(len(bank.cylinders) for crank in cranks for bank in crank.banks)
         banks = draw(_banks(bearings, size, of=per_bank, first=first, own_pins=True))
-        place = {} if index == 0 else {"up": draw(PLACES), "right": draw(PLACES), "speed_ratio": draw(st.sampled_from(RATIOS))}
-        throws = draw(st.tuples(*[ANGLES] * draw(st.sampled_from([per_bank, per_bank * len(bearings)]))))
-        cranks.append(Crank(banks=banks, throws=throws, lag=draw(maybe(ANGLES, 0.0)) if index or moved else 0.0, **place))
+        place = (
+            {}
+            if index == 0
+            else {
+                "up": draw(PLACES),
+                "right": draw(PLACES),
+                "speed_ratio": draw(st.sampled_from(RATIOS)),
+            }
+        )
+        throws = draw(
+            st.tuples(*[ANGLES] * draw(st.sampled_from([per_bank, per_bank * len(bearings)])))
+        )
+        cranks.append(
+            Crank(
+                banks=banks,
+                throws=throws,
+                lag=draw(maybe(ANGLES, 0.0)) if index or moved else 0.0,
+                **place,
+            )
+        )
     count = sum(len(bank.cylinders) for crank in cranks for bank in crank.banks)
     return LAYOUTS["tandem"](
         draw(_bases(range(1, count + 1), size, moved=moved)),
@@ -411,7 +543,12 @@ def radial_engines(draw: Draw, *, moved: bool = True) -> Engine:
         first = 1 + sum(len(row.cylinders) for row in rows)
         numbers = draw(st.permutations(range(first, first + draw(st.integers(1, 5)))))
         rows.append(
-            Row(cylinders=tuple(numbers), bearing=draw(ANGLES), throw=draw(ANGLES), master=draw(maybe(st.sampled_from(numbers))))
+            Row(
+                cylinders=tuple(numbers),
+                bearing=draw(ANGLES),
+                throw=draw(ANGLES),
+                master=draw(maybe(st.sampled_from(numbers))),
+            )
         )
     count = sum(len(row.cylinders) for row in rows)
     return LAYOUTS["radial"](
@@ -419,7 +556,9 @@ def radial_engines(draw: Draw, *, moved: bool = True) -> Engine:
         rows=tuple(rows),
         row_pitch=draw(maybe(number(0.05, 0.5))),
         knuckle_radius=size.knuckle if articulated else None,
-        slave_rod_length=draw(maybe(st.just(ceil(size.reach * 1e4) / 1e4))) if articulated else None,
+        slave_rod_length=draw(maybe(st.just(ceil(size.reach * 1e4) / 1e4)))
+        if articulated
+        else None,
     )
 
 
@@ -434,7 +573,7 @@ _WRITTEN_BY: dict[str, Callable[..., st.SearchStrategy[Engine]]] = {
 
 
 def of_layout(name: str, *, moved: bool = True) -> st.SearchStrategy[Engine]:
-    """Engines that a layout function writes; unless `moved`, each cylinder stays where the layout puts it."""
+    """Engines of a layout function; unless `moved`, each cylinder stays where it puts it."""
     return _WRITTEN_BY[name](moved=moved)
 
 

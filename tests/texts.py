@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, NamedTuple
 
-from crankstar.files import EngineFileError, Problem, engine_of, tree_of
+from crankstar.files import EngineFileError, engine_of, tree_of
+from crankstar.language.faults import Fault, where
 
 SHORT = """
 format = 1
@@ -66,12 +67,22 @@ rod_length = "146 mm"
 reciprocating_mass = "0.65 kg"
 """
 
-REMEDIES = (";", "did you mean", "use printable text", "Check the order", "It would fit", "it can be")
+REMEDIES = (
+    ";",
+    "did you mean",
+    "use printable text",
+    "Check the order",
+    "It would fit",
+    "it can be",
+)
 """Every sentence about a mistake has one of these: after it stands what would be right."""
 
 
 def spoilt(text: str, **changes: Any) -> dict[str, Any]:
-    """The tree of a text with other values; `cylinder__stroke=3` sets cylinder.stroke, `shaft__0__name` what is in a list."""
+    """The tree of a text with other values.
+
+    `cylinder__stroke=3` sets cylinder.stroke, `shaft__0__name` what is in a list.
+    """
     tree = tomllib.loads(text)
     for place, value in changes.items():
         *way, last = (int(key) if key.isdigit() else key for key in place.split("__"))
@@ -82,24 +93,49 @@ def spoilt(text: str, **changes: Any) -> dict[str, Any]:
     return tree
 
 
-def problems(source: str | Mapping[str, Any]) -> list[Problem]:
-    """What is said of an engine file, as text or as a tree, after a look at how it is said."""
+class Problem(NamedTuple):
+    """A fault of a file as text: where, and what is said of it behind that."""
+
+    path: str
+    message: str
+
+
+def faults(source: str | Mapping[str, Any]) -> list[Fault]:
+    """The faults of an engine file, as text or as a tree, after a look at how they are said."""
     try:
-        engine_of(tree_of(source, name="FILE") if isinstance(source, str) else dict(source), name="FILE")
+        engine_of(
+            tree_of(source, name="FILE") if isinstance(source, str) else dict(source), name="FILE"
+        )
     except EngineFileError as error:
         check_sentences(error)
-        return error.problems
+        return error.faults
     return []
 
 
+def problems(source: str | Mapping[str, Any]) -> list[Problem]:
+    """The faults of an engine file as text."""
+    return [_problem(fault) for fault in faults(source)]
+
+
+def _problem(fault: Fault) -> Problem:
+    place = where(fault.path)
+    message = fault.sentence.removeprefix(place).removeprefix(":").strip()
+    return Problem(place if fault.path else "", message)
+
+
+def codes(source: str | Mapping[str, Any]) -> dict[str, str]:
+    """The codes of the faults of a file by key path."""
+    return {where(fault.path): fault.code for fault in faults(source)}
+
+
 def check_sentences(error: EngineFileError) -> None:
-    """Every mistake is told on one line of readable length, in letters that print, with what would be right."""
+    """Every mistake is one printable line of readable length that gives the right value."""
     lines = str(error).split("\n")
     assert lines[0].endswith(("mistake", "mistakes"))
     assert all(line.isprintable() for line in lines)
     assert max(map(len, lines)) < 1500
-    for problem in error.problems:
-        assert any(word in problem.message for word in REMEDIES), problem
+    for fault in error.faults:
+        assert any(word in fault.sentence for word in REMEDIES), fault
 
 
 def told(source: str | Mapping[str, Any]) -> dict[str, str]:

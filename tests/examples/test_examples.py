@@ -29,7 +29,10 @@ def which_v8_buzzes() -> None:
 
 
 def kr250_balance_factor() -> None:
-    """Source: the essay's table, with A_2 = 1/4; exactly, each piston has A_2 - 1/4 more at the dead centres, less at 90 deg."""
+    """Source: the essay's table, with A_2 = 1/4.
+
+    Exactly, each piston has A_2 - 1/4 more at the dead centres, less at 90 deg.
+    """
     table = {
         ("kr250-racer", 0.5): (0.5, -0.5 - 1j, 0.5),
         ("kr250-racer", 0.75): (0.5, -0.5 - 1.5j, 0.5),
@@ -39,7 +42,9 @@ def kr250_balance_factor() -> None:
     more = 2 * (A2 - 0.25)
     found = result("kr250_balance_factor")
     for case, (top, middle, bottom) in table.items():
-        assert found[case] == pytest.approx(np.array([top + more, middle - more, bottom + more]), abs=1e-9)
+        assert found[case] == pytest.approx(
+            np.array([top + more, middle - more, bottom + more]), abs=1e-9
+        )
     assert abs(found["kr250-racer", 0.5][1]) == pytest.approx(1.12, abs=0.005)
     assert abs(found["kr250-racer", 0.75][1]) == pytest.approx(1.58, abs=0.005)
 
@@ -47,14 +52,18 @@ def kr250_balance_factor() -> None:
 def v_twin_bank_angle() -> None:
     found = result("v_twin_bank_angle")
     assert found["forward"] == pytest.approx(np.ones(13))
-    assert found["backward"] == pytest.approx(abs(np.cos(np.radians(found["bank_angle_deg"]))), abs=1e-12)
+    assert found["backward"] == pytest.approx(
+        abs(np.cos(np.radians(found["bank_angle_deg"]))), abs=1e-12
+    )
     assert found["backward"][6] == 0  # 90 deg
 
 
 def read_own_file() -> None:
     mass, radius, ratio, pitch, speed = 0.310, 0.0353, 0.0353 / 0.125, 0.078, 9000 * pi / 30
     found = result("read_own_file")
-    second = ratio + ratio**3 / 4 + 15 * ratio**5 / 128  # the textbook's series, to 5 parts in a million
+    second = (
+        ratio + ratio**3 / 4 + 15 * ratio**5 / 128
+    )  # the textbook's series, to 5 parts in a million
     assert found["force 1"] == 0
     assert found["force 2"] == pytest.approx(2 * mass * radius * speed**2 * second, rel=1e-4)
     assert found["couple 1"] == pytest.approx(mass * radius * speed**2 * pitch)
@@ -64,7 +73,9 @@ def read_own_file() -> None:
 def crossplane_four() -> None:
     found = result("crossplane_four")
     assert list(found["flat"].values()) == pytest.approx([4, 0, 0, 0])
-    assert list(found["cross-plane"].values()) == pytest.approx([0, sqrt(10), sqrt(10) / 2, sqrt(10) / 2])
+    assert list(found["cross-plane"].values()) == pytest.approx(
+        [0, sqrt(10), sqrt(10) / 2, sqrt(10) / 2]
+    )
 
 
 def radial_master_rod() -> None:
@@ -72,7 +83,9 @@ def radial_master_rod() -> None:
     assert list(found["all rods on the crank pin"].values()) == pytest.approx([4.5, 0, 0])
     articulated = found["slave rods on a master"]
     assert articulated["forward 1"] == pytest.approx(4.5, rel=1e-4)
-    assert articulated["force 2"] == pytest.approx(9 * 0.25 * 1 / (4 - 1), rel=0.06)  # n lambda rho/(l - rho), the first term
+    assert articulated["force 2"] == pytest.approx(
+        9 * 0.25 * 1 / (4 - 1), rel=0.06
+    )  # n lambda rho/(l - rho), the first term
 
 
 def best_two_stroke_eight() -> None:
@@ -108,6 +121,12 @@ def test_the_example_gives_the_numbers_a_textbook_knows(name: str) -> None:
 
 @pytest.mark.parametrize("name", CHECKS)
 def test_the_example_prints_something_when_it_is_run(name: str, tmp_path: Path) -> None:
-    done = subprocess.run([sys.executable, str(FOLDER / f"{name}.py")], cwd=tmp_path, capture_output=True, text=True, check=True)
+    done = subprocess.run(
+        [sys.executable, str(FOLDER / f"{name}.py")],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
     assert len(done.stdout.splitlines()) > 1
     assert done.stderr == ""

@@ -16,7 +16,7 @@ from crankstar import cli
 
 @pytest.fixture
 def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Run:
-    """Run a command line in an empty directory; whatever it is, it ends with 0 or 2 and prints only what prints."""
+    """Run a command line in an empty directory; it ends with 0 or 2 and prints printable text."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(Path, "replace", replaced)
 

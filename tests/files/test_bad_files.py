@@ -1,4 +1,4 @@
-"""Bad input: each mistake has one clear sentence that names the place, the value and what would be right."""
+"""Bad input: each mistake has one clear sentence with the place, the value and a right value."""
 
 from __future__ import annotations
 
@@ -13,13 +13,40 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from tests.texts import EXPLICIT, SHORT, check_sentences, problems, spoilt, told
+from tests.texts import EXPLICIT, SHORT, check_sentences, codes, faults, problems, spoilt, told
 
 import crankstar
 from crankstar.files import EngineFileError, engine_of, read, tree_of
+from crankstar.language.faults import where
+from crankstar.tables.notebook import balance_html, engine_html
 
-STARTLING = ["\x1b[31mred", "\u202eright to left", "\u200b", "a\u200fb", "\x00", "\x9b1m", "a\u2028b", "\ufeff", "\U000e0041"]
-ODD = [True, {}, {"a": 1}, [], [[]], [1], datetime.date(2020, 1, 1), datetime.time(12), 10**30, 10**400, 10**5000, -1.5, "", "x"]
+STARTLING = [
+    "\x1b[31mred",
+    "\u202eright to left",
+    "\u200b",
+    "a\u200fb",
+    "\x00",
+    "\x9b1m",
+    "a\u2028b",
+    "\ufeff",
+    "\U000e0041",
+]
+ODD = [
+    True,
+    {},
+    {"a": 1},
+    [],
+    [[]],
+    [1],
+    datetime.date(2020, 1, 1),
+    datetime.time(12),
+    10**30,
+    10**400,
+    10**5000,
+    -1.5,
+    "",
+    "x",
+]
 ARTICULATED = {"master": 1, "radius": "20 mm", "angle": "40 deg"}
 
 
@@ -41,7 +68,10 @@ def test_the_files_that_are_spoilt_below_are_good(text: str) -> None:
     [
         ("this is = = not toml", "line 1, column 6): this is = = not toml"),
         ("<html><body>\x7f</body></html>", "line 1, column 1"),
-        ('name = "x"\n[cylinder]\nstroke = 82.5 mm\n', 'stands in quotation marks, as in "82.5 mm"'),
+        (
+            'name = "x"\n[cylinder]\nstroke = 82.5 mm\n',
+            'stands in quotation marks, as in "82.5 mm"',
+        ),
         ("[layout]\nthrows = [0 deg, 90 deg]\n", 'as in "0 deg"'),
         ('name = "x"\nname = "y"\n', "the same key or table stands twice"),
         ("[1, 2, 3]", "is not TOML"),
@@ -58,7 +88,10 @@ def test_what_is_not_toml_is_told_with_line_and_column(text: str, words: str) ->
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        ('{"name": "x", ', "is not JSON: Expecting property name enclosed in double quotes: line 1 column 15"),
+        (
+            '{"name": "x", ',
+            "is not JSON: Expecting property name enclosed in double quotes: line 1 column 15",
+        ),
         ('{"name": "x"} {}', "Extra data: line 1 column 15"),
         ('{"name": "x", "name": "y"}', 'has the key "name" twice'),
         ('{"layout": {"type": "vee", "type": "vee"}}', 'has the key "type" twice'),
@@ -71,42 +104,58 @@ def test_what_is_not_json_is_told_with_line_and_column(text: str, words: str) ->
 
 @pytest.mark.parametrize(
     ("key", "place", "told_of"),
-    [("strok", "cylinder.strok", "stroke"), ("rod_lenght", "cylinder.rod_lenght", "rod_length"), ("Bore", "cylinder.Bore", "bore")],
+    [
+        ("strok", "cylinder.strok", "stroke"),
+        ("rod_lenght", "cylinder.rod_lenght", "rod_length"),
+        ("Bore", "cylinder.Bore", "bore"),
+    ],
 )
-def test_an_unknown_key_is_told_with_the_one_that_was_meant(key: str, place: str, told_of: str) -> None:
+def test_an_unknown_key_is_told_with_the_one_that_was_meant(
+    key: str, place: str, told_of: str
+) -> None:
     text = SHORT.replace(f"{told_of} =", f"{key} =")
-    assert told(text) == {place: f'unknown key; did you mean "{told_of}"?'}
+    assert told(text) == {place: f'is not a key of an engine file; did you mean "{told_of}"?'}
 
 
 def test_an_unknown_key_deep_inside_is_told_with_its_place() -> None:
     text = SHORT.replace('bearing = "-45', 'baering = "-45')
-    assert told(text) == {"layout.banks[2].baering": 'unknown key; did you mean "bearing"?'}
+    assert told(text) == {
+        "layout.banks[2].baering": 'is not a key of an engine file; did you mean "bearing"?'
+    }
 
 
 def test_a_key_in_the_wrong_table_is_told_where_it_belongs() -> None:
     assert told(SHORT + 'speed = "6000 rpm"\n')["layout.speed"] == (
-        "unknown key; it belongs at the top of the file, above the first [table]"
+        "is not a key of this table; it belongs at the top of the file, above the first [table]"
     )
-    assert told('stroke = "82.5 mm"\n' + SHORT)["stroke"] == "unknown key; it belongs in cylinder"
+    assert codes('stroke = "82.5 mm"\n' + SHORT)["stroke"] == "key.belongs-in"
 
 
 def test_tables_of_a_list_are_called_by_one_name_only() -> None:
-    assert told(EXPLICIT.replace("shaft.throw", "shaft.throws"))["shaft[1].throws"] == 'unknown key; did you mean "throw"?'
-    assert told(EXPLICIT.replace("[[shaft", "[[shafts"))["shafts"] == 'unknown key; did you mean "shaft"?'
+    assert (
+        told(EXPLICIT.replace("shaft.throw", "shaft.throws"))["shaft[1].throws"]
+        == 'is not a key of an engine file; did you mean "throw"?'
+    )
+    assert (
+        told(EXPLICIT.replace("[[shaft", "[[shafts"))["shafts"]
+        == 'is not a key of an engine file; did you mean "shaft"?'
+    )
 
 
 def test_a_key_like_no_other_is_told_with_all_that_there_are() -> None:
     message = told("xyzzy = 1\n" + SHORT)["xyzzy"]
     assert message.startswith(
-        "unknown key; there are: balance_factor, block, cycle, cylinder, cylinders, firing_angles, firing_order"
+        "is not a key of an engine file; there are: balance_factor, block, cycle, cylinder, cylinders,"
     )
 
 
 @pytest.mark.parametrize("value", [82.5, "82.5", 146, "146"])
 def test_a_size_without_a_unit_is_refused_where_metres_cannot_be_meant(value: object) -> None:
-    message = told(spoilt(SHORT, cylinder__stroke=value))["cylinder.stroke"]
-    shown = f'"{value}"' if isinstance(value, str) else value
-    assert message == f'is {shown} without a unit, and {value} m cannot be meant; a length is needed, such as "82.5 mm"'
+    (fault,) = faults(spoilt(SHORT, cylinder__stroke=value))
+    assert fault.sentence == (
+        f"cylinder.stroke is {value} m; the largest plausible value is 5 m. "
+        f"Did you mean {value} mm?"
+    )
 
 
 @pytest.mark.parametrize(
@@ -120,13 +169,18 @@ def test_a_size_without_a_unit_is_refused_where_metres_cannot_be_meant(value: ob
         ("speed", 628.3, "rad/s"),
     ],
 )
-def test_a_number_without_a_unit_is_refused_where_si_cannot_be_meant(place: str, value: object, unit: str) -> None:
-    ((_, message),) = told(spoilt(SHORT, **{place: value})).items()
-    assert f"is {json.dumps(value)} without a unit, and" in message
-    assert f" {unit} cannot be meant; " in message
+def test_a_number_without_a_unit_is_refused_where_si_cannot_be_meant(
+    place: str, value: object, unit: str
+) -> None:
+    (fault,) = faults(spoilt(SHORT, **{place: value}))
+    implausible = unit in ("rad", "m")
+    assert fault.code == ("unit.implausible" if implausible else "unit.missing")
+    assert not implausible or fault.values["unit"] == unit
 
 
-@pytest.mark.parametrize(("value", "size"), [(0.0825, None), ("0.0825", None), ("8.25 cm", None), ("3.248 in", None)])
+@pytest.mark.parametrize(
+    ("value", "size"), [(0.0825, None), ("0.0825", None), ("8.25 cm", None), ("3.248 in", None)]
+)
 def test_a_size_in_metres_needs_no_unit(value: object, size: None) -> None:
     assert told(spoilt(SHORT, cylinder__stroke=value)) == {} or size is not None
 
@@ -162,7 +216,20 @@ def test_json_numbers_that_are_none_are_refused(written: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "value", ["nan mm", "inf mm", "-inf mm", "NaN", "infinity m", "", "   ", "mm", "mm 3", "--3 mm", "0x10 mm"]
+    "value",
+    [
+        "nan mm",
+        "inf mm",
+        "-inf mm",
+        "NaN",
+        "infinity m",
+        "",
+        "   ",
+        "mm",
+        "mm 3",
+        "--3 mm",
+        "0x10 mm",
+    ],
 )
 def test_texts_that_hold_no_number_are_refused(value: str) -> None:
     message = told(spoilt(SHORT, cylinder__stroke=value))["cylinder.stroke"]
@@ -170,9 +237,13 @@ def test_texts_that_hold_no_number_are_refused(value: str) -> None:
     assert message.endswith('; a length is needed, such as "82.5 mm"')
 
 
-@pytest.mark.parametrize("value", ["1e400 mm", "1e999 mm", "1e300 m", "1e6 m", "1e-9 m", "1e-300 mm"])
+@pytest.mark.parametrize(
+    "value", ["1e400 mm", "1e999 mm", "1e300 m", "1e6 m", "1e-9 m", "1e-300 mm"]
+)
 def test_sizes_no_engine_can_have_are_refused(value: str) -> None:
-    assert told(spoilt(SHORT, cylinder__stroke=value))["cylinder.stroke"].startswith(f'is "{value}", too ')
+    assert told(spoilt(SHORT, cylinder__stroke=value))["cylinder.stroke"].startswith(
+        f'is "{value}", too '
+    )
 
 
 @pytest.mark.parametrize("value", ["0 mm", "-82.5 mm", 0, 0.0, -0.0, -0.0825])
@@ -184,9 +255,11 @@ def test_zero_and_negative_sizes_are_refused(key: str, value: object) -> None:
 
 def test_a_negative_mass_is_refused_and_an_engine_without_any_as_well() -> None:
     place = "cylinder.reciprocating_mass"
-    assert told(spoilt(SHORT, cylinder__reciprocating_mass="-1 g")) == {place: 'is "-1 g"; it must be at least 0, such as "650 g"'}
+    assert told(spoilt(SHORT, cylinder__reciprocating_mass="-1 g")) == {
+        place: 'is "-1 g"; it must be at least 0, such as "650 g"'
+    }
     assert told(spoilt(SHORT, cylinder__reciprocating_mass="0 g"))[place].startswith(
-        "is 0, and no cylinder has a piston of any mass"
+        "is 0, and no other cylinder has a reciprocating mass"
     )
 
 
@@ -197,37 +270,60 @@ def needed(message: str) -> float:
     return float(found.group(1)) * (1 + 1e-5)  # it is written with six figures
 
 
-@pytest.mark.parametrize(("rod", "offset"), [("41.28 mm", "0 mm"), ("80 mm", "60 mm"), ("80 mm", "-60 mm"), ("1 mm", "0 mm")])
+@pytest.mark.parametrize(
+    ("rod", "offset"),
+    [("41.28 mm", "0 mm"), ("80 mm", "60 mm"), ("80 mm", "-60 mm"), ("1 mm", "0 mm")],
+)
 def test_a_rod_shorter_than_crank_radius_and_offset_is_refused(rod: str, offset: str) -> None:
-    ((place, message),) = told(spoilt(SHORT, cylinder__rod_length=rod, cylinder__offset=offset)).items()
-    assert place == "cylinder.rod_length"
-    assert "too short to turn with crank radius 0.04125 m" in message
-    assert ("+ offset 0.06 m" in message) == (offset != "0 mm")
-    assert told(spoilt(SHORT, cylinder__rod_length=needed(message), cylinder__offset=offset)) == {}
+    (fault,) = faults(spoilt(SHORT, cylinder__rod_length=rod, cylinder__offset=offset))
+    assert fault.path == ("cylinder", "rod_length")
+    assert fault.code == "rod.too-short" + "-with-offset" * (offset != "0 mm")
+    assert fault.values["radius"] == pytest.approx(0.04125)
+    enough = needed(fault.sentence)
+    assert faults(spoilt(SHORT, cylinder__rod_length=enough, cylinder__offset=offset)) == []
 
 
 def test_a_rod_too_short_for_one_cylinder_is_told_where_the_file_says_so() -> None:
     other = [{"number": 7, "bore": "80 mm"}, {"number": 5, "rod_length": "20 mm"}]
     assert list(told(spoilt(SHORT, cylinders=other))) == ["cylinders[2].rod_length"]
-    assert list(told(spoilt(EXPLICIT, cylinders__1__rod_length="20 mm"))) == ["cylinders[2].rod_length"]
-    assert list(told(spoilt(SHORT, cylinders=other[:1], cylinder__rod_length="20 mm"))) == ["cylinder.rod_length"]
+    assert list(told(spoilt(EXPLICIT, cylinders__1__rod_length="20 mm"))) == [
+        "cylinders[2].rod_length"
+    ]
+    assert list(told(spoilt(SHORT, cylinders=other[:1], cylinder__rod_length="20 mm"))) == [
+        "cylinder.rod_length"
+    ]
 
 
 def test_a_rod_longer_than_any_is_refused() -> None:
-    assert list(told(spoilt(SHORT, cylinder__rod_length=None, cylinder__rod_ratio=1e9))) == ["cylinder.rod_length"]
+    assert list(told(spoilt(SHORT, cylinder__rod_length=None, cylinder__rod_ratio=1e9))) == [
+        "cylinder.rod_length"
+    ]
     tree = spoilt(SHORT)
     del tree["cylinder"]["rod_length"]
-    assert "too long for an engine" in told({**tree, "cylinder": {**tree["cylinder"], "rod_ratio": 1e300}})["cylinder.rod_length"]
+    assert (
+        "too long for an engine"
+        in told({**tree, "cylinder": {**tree["cylinder"], "rod_ratio": 1e300}})[
+            "cylinder.rod_length"
+        ]
+    )
 
 
 @pytest.mark.parametrize("length", ["1 mm", "46 mm", "68.5 mm"])
 def test_a_slave_rod_that_cannot_reach_its_cylinder_is_refused(length: str) -> None:
-    tree = spoilt(EXPLICIT, cylinders__1__throw=1, cylinders__1__rod_length=length, cylinders__1__articulated=ARTICULATED)
+    tree = spoilt(
+        EXPLICIT,
+        cylinders__1__throw=1,
+        cylinders__1__rod_length=length,
+        cylinders__1__articulated=ARTICULATED,
+    )
     tree["cylinders"][1]["articulated"] = {**ARTICULATED, "radius": "30 mm", "angle": "90 deg"}
     ((place, message),) = told(tree).items()
     assert place == "cylinders[2].rod_length"
     assert "articulated rod is too short to reach its cylinder over the whole turn" in message
-    assert told(spoilt(EXPLICIT, cylinders__1=tree["cylinders"][1] | {"rod_length": needed(message)})) == {}
+    assert (
+        told(spoilt(EXPLICIT, cylinders__1=tree["cylinders"][1] | {"rod_length": needed(message)}))
+        == {}
+    )
 
 
 @pytest.mark.parametrize("throw", [0, -1, 3, 10_000, 10**30])
@@ -238,8 +334,13 @@ def test_a_throw_that_is_not_there_is_refused(throw: int) -> None:
 
 
 def test_the_throws_that_are_there_are_told() -> None:
-    assert "has throws 1 to 2; " in told(spoilt(EXPLICIT, cylinders__1__throw=3))["cylinders[2].throw"]
-    assert "has no throws; " in told(spoilt(EXPLICIT, cylinders__1__shaft="balance shaft"))["cylinders[2].throw"]
+    assert (
+        "has throws 1 to 2; " in told(spoilt(EXPLICIT, cylinders__1__throw=3))["cylinders[2].throw"]
+    )
+    assert (
+        "has no throws; "
+        in told(spoilt(EXPLICIT, cylinders__1__shaft="balance shaft"))["cylinders[2].throw"]
+    )
 
 
 def test_a_shaft_that_is_not_there_is_refused() -> None:
@@ -249,7 +350,9 @@ def test_a_shaft_that_is_not_there_is_refused() -> None:
 
 @pytest.mark.parametrize("master", [0, 7, -1])
 def test_a_master_that_is_not_there_is_refused(master: int) -> None:
-    tree = spoilt(EXPLICIT, cylinders__1__throw=1, cylinders__1__articulated={**ARTICULATED, "master": master})
+    tree = spoilt(
+        EXPLICIT, cylinders__1__throw=1, cylinders__1__articulated={**ARTICULATED, "master": master}
+    )
     ((place, message),) = told(tree).items()
     assert place == "cylinders[2].articulated.master"
     assert message.startswith(f"is {master}")
@@ -263,10 +366,14 @@ def test_a_rod_articulated_on_itself_is_refused() -> None:
 
 
 def test_rods_articulated_in_a_loop_are_refused_once() -> None:
-    tree = spoilt(EXPLICIT, cylinders__0__articulated={**ARTICULATED, "master": 2}, cylinders__1__articulated=ARTICULATED)
-    ((place, message),) = told(tree).items()
-    assert place == "cylinders[1].articulated.master"
-    assert "articulated in a loop (1 on 2 on 1)" in message
+    tree = spoilt(
+        EXPLICIT,
+        cylinders__0__articulated={**ARTICULATED, "master": 2},
+        cylinders__1__articulated=ARTICULATED,
+    )
+    (fault,) = faults(tree)
+    assert fault.path == ("cylinders", 0, "articulated", "master")
+    assert (fault.code, fault.values["numbers"]) == ("rod.articulated-in-loop", [1, 2, 1])
 
 
 def chain(count: int) -> dict[str, Any]:
@@ -274,7 +381,8 @@ def chain(count: int) -> dict[str, Any]:
     one = tree["cylinders"][0]
     link = {"articulated": {**ARTICULATED, "radius": "0.1 mm"}}
     rest = [
-        one | {"number": number} | {"articulated": link["articulated"] | {"master": number - 1}} for number in range(2, count + 1)
+        one | {"number": number} | {"articulated": link["articulated"] | {"master": number - 1}}
+        for number in range(2, count + 1)
     ]
     return tree | {"cylinders": [one, *rest]}
 
@@ -283,30 +391,43 @@ def test_a_long_loop_and_a_long_chain_of_rods_are_refused_in_short() -> None:
     tree = chain(256)
     assert len(problems(tree)) == 248
     tree["cylinders"][0] |= {"articulated": {**ARTICULATED, "master": 256}}
-    ((_, message),) = problems(tree)
-    assert "in a loop (of 256)" in message
+    (fault,) = faults(tree)
+    assert fault.code == "rod.articulated-in-loop"
+    assert "(257 in all)" in fault.sentence
     assert problems(chain(8)) == []
 
 
 def test_a_slave_on_another_throw_than_its_master_is_refused() -> None:
     message = told(spoilt(EXPLICIT, cylinders__1__articulated=ARTICULATED))["cylinders[2]"]
-    assert message == 'works on shaft "crank" throw 2, its master on "crank" throw 1; they must be the same'
+    assert (
+        message
+        == 'works on shaft "crank" throw 2, its master on "crank" throw 1; they must be the same'
+    )
 
 
 def test_a_master_of_a_row_that_is_not_in_it_is_refused() -> None:
-    layout = {"type": "radial", "knuckle_radius": 0.3, "rows": [{"cylinders": [1, 2, 3], "master": 4}]}
+    layout = {
+        "type": "radial",
+        "knuckle_radius": 0.3,
+        "rows": [{"cylinders": [1, 2, 3], "master": 4}],
+    }
     wanted = "is 4, and there is no such cylinder in the row; there are: 1, 2, 3"
     assert told({"name": "star", "layout": layout}) == {"layout.rows[1].master": wanted}
 
 
 def test_duplicate_cylinder_numbers_are_refused() -> None:
-    message = "is 1, as for 2 cylinders; give each its own number"
-    assert told(spoilt(EXPLICIT, cylinders__1__number=1)) == {"cylinders[1].number": message, "cylinders[2].number": message}
-    assert "cylinder 7 is placed 2 times" in told(SHORT.replace("[2, 4, 6, 8]", "[2, 4, 6, 7]"))["layout"]
+    assert codes(spoilt(EXPLICIT, cylinders__1__number=1)) == {
+        "cylinders[1].number": "cylinder.number-repeated",
+        "cylinders[2].number": "cylinder.number-repeated",
+    }
+    twice = faults(SHORT.replace("[2, 4, 6, 8]", "[2, 4, 6, 7]"))
+    fault = next(fault for fault in twice if fault.path == ("layout",))
+    assert fault.code == "layout.number-repeated"
+    assert fault.values == {"number": 7, "times": 2}
 
 
 def test_two_shafts_of_one_name_are_refused() -> None:
-    assert told(spoilt(EXPLICIT, shaft__1__name="crank"))["shaft[2].name"] == '"crank" names 2 shafts; give each its own name'
+    assert codes(spoilt(EXPLICIT, shaft__1__name="crank"))["shaft[2].name"] == "shaft.name-repeated"
 
 
 @pytest.mark.parametrize(
@@ -315,7 +436,10 @@ def test_two_shafts_of_one_name_are_refused() -> None:
         ([1, 8, 4, 3, 6, 5, 7], ["misses cylinder 2; each of 1, 2, 3, 4, 5, 6, 7, 8 must fire"]),
         ([1, 8, 4, 3, 6, 5], ["misses cylinders 2, 7; each of 1, 2, 3, 4, 5, 6, 7, 8 must fire"]),
         ([1, 8, 4, 3, 6, 5, 7, 2, 2], ["has cylinder 2 more than once; each fires once a cycle"]),
-        ([1, 8, 4, 3, 6, 5, 7, 2, 9], ["has cylinder 9, and there is no such cylinder; there are: 1, 2, 3, 4, 5, 6, 7, 8"]),
+        (
+            [1, 8, 4, 3, 6, 5, 7, 2, 9],
+            ["has cylinder 9, and there is no such cylinder; there are: 1, 2, 3, 4, 5, 6, 7, 8"],
+        ),
         (
             [1, 1, 4, 3, 6, 5, 7, 9],
             [
@@ -326,25 +450,36 @@ def test_two_shafts_of_one_name_are_refused() -> None:
         ),
     ],
 )
-def test_a_firing_order_with_missing_repeated_or_foreign_cylinders_is_refused(order: list[int], messages: list[str]) -> None:
-    assert problems(spoilt(SHORT, firing_order=order)) == [("firing_order", message) for message in messages]
+def test_a_firing_order_with_missing_repeated_or_foreign_cylinders_is_refused(
+    order: list[int], messages: list[str]
+) -> None:
+    assert problems(spoilt(SHORT, firing_order=order)) == [
+        ("firing_order", message) for message in messages
+    ]
 
 
 def test_an_impossible_order_is_refused_with_the_table_of_dead_centres() -> None:
-    message = told(spoilt(SHORT, firing_order=[1, 2, 3, 4, 5, 6, 7, 8]))["firing_order"]
-    assert message.startswith("is 1-2-3-4-5-6-7-8, which this geometry cannot fire in one cycle of 720 deg. ")
-    assert (
-        "Top dead centres, in degrees of crank angle: 1 at 0, 2 at 270, 3 at 270, 4 at 180, 5 at 90, 6 at 0, 7 at 180, 8 at 90."
-        in message
+    (fault,) = faults(spoilt(SHORT, firing_order=[1, 2, 3, 4, 5, 6, 7, 8]))
+    assert (fault.path, fault.code) == (("firing_order",), "firing_order.unfit")
+    assert fault.values["order"] == "1-2-3-4-5-6-7-8"
+    assert (fault.values["cycle"], fault.values["centres"]) == (
+        720,
+        {1: 0, 2: 270, 3: 270, 4: 180, 5: 90, 6: 0, 7: 180, 8: 90},
     )
 
 
 def test_an_order_for_the_mirror_image_is_told_so() -> None:
-    swapped = SHORT.replace('"-45 deg"', '"@"').replace('"45 deg"', '"-45 deg"').replace('"@"', '"45 deg"')
-    message = told(swapped)["firing_order"]
-    assert "It would fit with the banks on the other sides (1, 3, 5, 7 at bearing +45 deg; 2, 4, 6, 8 at bearing -45 deg" in message
-    other_way = told('rotation = "counter-clockwise"\n' + SHORT)["firing_order"]
-    assert 'with the crankshaft turning the other way (rotation = "clockwise")' in other_way
+    swapped = (
+        SHORT.replace('"-45 deg"', '"@"')
+        .replace('"45 deg"', '"-45 deg"')
+        .replace('"@"', '"45 deg"')
+    )
+    (fault,) = faults(swapped)
+    assert fault.code.startswith("firing_order.unfit-other-banks")
+    assert fault.values["banks"] == {"1, 3, 5, 7": "+45", "2, 4, 6, 8": "-45"}
+    (fault,) = faults('rotation = "counter-clockwise"\n' + SHORT)
+    assert fault.code.endswith("rotation")
+    assert fault.values["rotation"] == "clockwise"
 
 
 def test_cylinders_that_would_have_to_fire_together_are_told() -> None:
@@ -355,25 +490,45 @@ def test_cylinders_that_would_have_to_fire_together_are_told() -> None:
 @pytest.mark.parametrize(
     ("angles", "place", "words"),
     [
-        (["0 deg", "170 deg"], "firing_angles[2]", "is 170 deg; cylinder 2 is at top dead centre at 180 deg"),
-        (["0 deg"], "firing_angles", "lists 1 angle for 2 firings in firing_order"),
+        (
+            ["0 deg", "170 deg"],
+            "firing_angles[2]",
+            "is 170 deg; cylinder 2 is at top dead centre at 180 deg",
+        ),
+        (["0 deg"], "firing_angles", "has 1 angle, firing_order 2 cylinders"),
         (["360 deg", "180 deg"], "firing_angles", "must ascend within one cycle of 360 deg"),
         (["0 deg", "1e300 deg"], "firing_angles[2]", "too large for an engine"),
         ("0 deg", "firing_angles", "a list is needed"),
     ],
 )
-def test_firing_angles_off_the_dead_centres_are_refused(angles: object, place: str, words: str) -> None:
+def test_firing_angles_off_the_dead_centres_are_refused(
+    angles: object, place: str, words: str
+) -> None:
     assert words in told(spoilt(EXPLICIT, firing_order=[1, 2], firing_angles=angles))[place]
 
 
 @pytest.mark.parametrize("ratio", [0, 0.0, -0.0, "0", "0/1", "0.0"])
 def test_a_speed_ratio_of_zero_is_refused(ratio: object) -> None:
-    wanted = "is 0; a shaft that stands still is not part of the engine, leave it out"
-    assert told(spoilt(EXPLICIT, shaft__1__speed_ratio=ratio)) == {"shaft[2].speed_ratio": wanted}
+    spoilt_tree = spoilt(EXPLICIT, shaft__1__speed_ratio=ratio)
+    assert codes(spoilt_tree) == {"shaft[2].speed_ratio": "ratio.zero"}
 
 
 @pytest.mark.parametrize(
-    "ratio", ["1/0", "x", "", "--1", "1/2/3", "1e3", True, [1], {"a": 1}, float("nan"), float("inf"), "9" * 400]
+    "ratio",
+    [
+        "1/0",
+        "x",
+        "",
+        "--1",
+        "1/2/3",
+        "1e3",
+        True,
+        [1],
+        {"a": 1},
+        float("nan"),
+        float("inf"),
+        "9" * 400,
+    ],
 )
 def test_what_is_no_ratio_is_refused(ratio: object) -> None:
     message = told(spoilt(EXPLICIT, shaft__1__speed_ratio=ratio))["shaft[2].speed_ratio"]
@@ -388,7 +543,10 @@ def test_ratios_that_no_two_gears_have_are_refused(ratio: object) -> None:
 
 @pytest.mark.parametrize("ratio", [51, -1000, "1/51"])
 def test_shafts_that_race_or_creep_are_refused(ratio: object) -> None:
-    assert "at most 50 times faster or slower" in told(spoilt(EXPLICIT, shaft__1__speed_ratio=ratio))["shaft[2].speed_ratio"]
+    assert (
+        "at most 50 times faster or slower"
+        in told(spoilt(EXPLICIT, shaft__1__speed_ratio=ratio))["shaft[2].speed_ratio"]
+    )
 
 
 @pytest.mark.parametrize("ratio", ["31/29", "-29 / 31", "2:1", 2, -0.5, 1 / 3, "1.5"])
@@ -399,12 +557,15 @@ def test_ratios_of_teeth_are_taken(ratio: object) -> None:
 def test_shafts_that_are_never_back_at_the_start_are_refused() -> None:
     tree = spoilt(EXPLICIT, shaft__1__speed_ratio="997/991")
     tree["shaft"].append({"name": "third", "speed_ratio": "983/977"})
-    assert "back at the start only after 968207 turns" in told(tree)["shaft"]
+    (fault,) = faults(tree)
+    assert (fault.path, fault.code) == (("shaft",), "shaft.period-too-long")
+    assert fault.values["turns"] == 968207
 
 
 def test_a_reference_crankshaft_that_is_geared_or_elsewhere_is_refused() -> None:
-    assert "(use rotation = " in told(spoilt(EXPLICIT, shaft__0__speed_ratio=-1))["shaft[1].speed_ratio"]
-    assert "is not at 0, 0; " in told(spoilt(EXPLICIT, shaft__0__up="3 mm"))["shaft[1]"]
+    geared = codes(spoilt(EXPLICIT, shaft__0__speed_ratio=-1))
+    assert geared["shaft[1].speed_ratio"] == "shaft.reference-ratio"
+    assert codes(spoilt(EXPLICIT, shaft__0__up="3 mm"))["shaft[1]"] == "shaft.reference-place"
 
 
 @pytest.mark.parametrize("content", [b"", b"  \n\t \r\n ", b"\xef\xbb\xbf"])
@@ -440,7 +601,9 @@ def test_a_binary_file_is_refused(tmp_path: Path, content: bytes) -> None:
 
 
 @pytest.mark.parametrize("before", ["\ufeff", ""])
-def test_a_byte_order_mark_and_windows_line_ends_are_no_mistake(tmp_path: Path, before: str) -> None:
+def test_a_byte_order_mark_and_windows_line_ends_are_no_mistake(
+    tmp_path: Path, before: str
+) -> None:
     file = tmp_path / "windows.toml"
     file.write_bytes((before + SHORT.replace("\n", "\r\n")).encode())
     assert read(file).name == "V8, cross-plane, 90 deg"
@@ -462,7 +625,9 @@ def test_devices_and_pipes_are_not_waited_for(tmp_path: Path) -> None:
         assert "is not a regular file; use - to read standard input" in str(refusal(path))
 
 
-def test_a_file_that_may_not_be_read_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_file_that_may_not_be_read_is_told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     def refused(*_: object) -> None:
         raise PermissionError(13, "Permission denied")
 
@@ -481,7 +646,19 @@ def test_links_that_lead_nowhere_and_names_no_file_can_have_are_told(tmp_path: P
 
 
 @pytest.mark.parametrize(
-    "name", ["", " ", "no-such-engine", "\x1b[31m", "\u202e", "[bold]x[/]", "../catalog/single", "a\0b", "\ud800", "n" * 10**6]
+    "name",
+    [
+        "",
+        " ",
+        "no-such-engine",
+        "\x1b[31m",
+        "\u202e",
+        "[bold]x[/]",
+        "../catalog/single",
+        "a\0b",
+        "\ud800",
+        "n" * 10**6,
+    ],
 )
 def test_a_name_that_is_no_engine_is_told_without_its_controls(name: str) -> None:
     with pytest.raises(EngineFileError) as caught:
@@ -490,15 +667,22 @@ def test_a_name_that_is_no_engine_is_told_without_its_controls(name: str) -> Non
     assert len(str(caught.value)) < 500
 
 
-def test_standard_input_is_read_up_to_the_greatest_file_and_may_be_closed(monkeypatch: pytest.MonkeyPatch) -> None:
-    for content, words in ((SHORT.encode(), ""), (b"", "is empty"), (b"x" * 1_000_001, "is larger than 1 MB"), (b"\xff", "UTF-8")):
+def test_standard_input_is_read_up_to_the_greatest_file_and_may_be_closed(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    for content, words in (
+        (SHORT.encode(), ""),
+        (b"", "is empty"),
+        (b"x" * 1_000_001, "is larger than 1 MB"),
+        (b"\xff", "UTF-8"),
+    ):
         monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(content)))
         if words:
             assert words in str(refusal("-"))
         else:
             assert read("-").name == "V8, cross-plane, 90 deg"
     monkeypatch.setattr(sys, "stdin", None)
-    assert "standard input: 1 mistake\n  is closed" in str(refusal("-"))
+    assert "standard input: 1 mistake\n  standard input is closed" in str(refusal("-"))
 
 
 @pytest.mark.parametrize("text", STARTLING)
@@ -525,7 +709,9 @@ def test_half_a_character_is_refused() -> None:
     assert problems('{"name": "\\ud800"}')
 
 
-@pytest.mark.parametrize("name", ["a\nb", "a\tb", "n" * 201, "n" * 1_000_000, "", "  ", 8, 8.5, True, [], {}, None])
+@pytest.mark.parametrize(
+    "name", ["a\nb", "a\tb", "n" * 201, "n" * 1_000_000, "", "  ", 8, 8.5, True, [], {}, None]
+)
 def test_a_name_that_does_not_fit_on_a_line_is_refused(name: object) -> None:
     assert list(told(spoilt(SHORT, name=name))) == ["name"]
 
@@ -534,10 +720,10 @@ def test_markup_in_a_name_is_only_text() -> None:
     name = "[bold]V8[/] [link=http://x]y[/link] <script>alert(1)</script> & :smile:"
     engine = engine_of(spoilt(SHORT, name=name))
     assert engine.name == name
-    for html in (engine._repr_html_(), crankstar.balance(engine)._repr_html_()):
+    for html in (engine_html(engine), balance_html(crankstar.balance(engine))):
         assert "<script>" not in html
-    assert "&lt;script&gt;" in engine._repr_html_()
-    assert "[bold]V8[/] [link=http://x]y[/link]" in engine._repr_html_()
+    assert "&lt;script&gt;" in engine_html(engine)
+    assert "[bold]V8[/] [link=http://x]y[/link]" in engine_html(engine)
 
 
 def test_several_mistakes_of_all_kinds_are_told_at_once() -> None:
@@ -582,20 +768,21 @@ def test_a_wrong_unit_does_not_hide_a_wrong_index() -> None:
 
 
 def test_what_a_mistake_hides_is_not_made_up() -> None:
-    assert list(told(spoilt(EXPLICIT, cylinders__1__number="two", firing_order=[1, 2]))) == ["cylinders[2].number"]
+    assert list(told(spoilt(EXPLICIT, cylinders__1__number="two", firing_order=[1, 2]))) == [
+        "cylinders[2].number"
+    ]
     assert list(told(spoilt(EXPLICIT, cylinders__1__throw="two"))) == ["cylinders[2].throw"]
     assert list(told(spoilt(EXPLICIT, cylinders__1__shaft=2))) == ["cylinders[2].shaft"]
-    assert list(told(spoilt(EXPLICIT, cylinders__0__rod_length="x", cylinders__1__rod_length="x"))) == [
-        "cylinders[1].rod_length",
-        "cylinders[2].rod_length",
-    ]
+    assert list(
+        told(spoilt(EXPLICIT, cylinders__0__rod_length="x", cylinders__1__rod_length="x"))
+    ) == ["cylinders[1].rod_length", "cylinders[2].rod_length"]
     assert list(told(spoilt(SHORT, cylinder__stroke="82 kg"))) == ["cylinder.stroke"]
 
 
 def test_a_file_of_a_hundred_mistakes_and_more_is_told_in_short() -> None:
     with pytest.raises(EngineFileError) as caught:
         engine_of({f"k{number}": 1 for number in range(5000)} | spoilt(SHORT))
-    assert len(caught.value.problems) == 5000
+    assert len(caught.value.faults) == 5000
     assert len(str(caught.value).split("\n")) == 102
     assert str(caught.value).endswith("... and 4900 more")
 
@@ -603,32 +790,55 @@ def test_a_file_of_a_hundred_mistakes_and_more_is_told_in_short() -> None:
 @pytest.mark.parametrize(
     ("tree", "place"),
     [
-        ({"name": "x", "firing_order": list(range(1, 100_001)), "layout": {"type": "inline"}}, "firing_order"),
+        (
+            {"name": "x", "firing_order": list(range(1, 100_001)), "layout": {"type": "inline"}},
+            "firing_order",
+        ),
         ({"name": "x", "layout": {"type": "inline", "throws": [0] * 100_000}}, "layout.throws"),
         (
-            {"name": "x", "shaft": [{"name": "a", "throw": [{"angle": 0, "radius": 0.04}] * 100_000}], "cylinders": []},
+            {
+                "name": "x",
+                "shaft": [{"name": "a", "throw": [{"angle": 0, "radius": 0.04}] * 100_000}],
+                "cylinders": [],
+            },
             "shaft[1].throw",
         ),
         ({"name": "x", "shaft": [{"name": "a"}], "cylinders": [{}] * 100_000}, "cylinders"),
-        ({"name": "x", "layout": {"type": "inline"}, "provenance": dict.fromkeys(map(str, range(100_000)), 1)}, "provenance"),
+        (
+            {
+                "name": "x",
+                "layout": {"type": "inline"},
+                "provenance": dict.fromkeys(map(str, range(100_000)), 1),
+            },
+            "provenance",
+        ),
     ],
 )
-def test_a_hundred_thousand_of_anything_are_refused_where_they_are(tree: dict[str, Any], place: str) -> None:
+def test_a_hundred_thousand_of_anything_are_refused_where_they_are(
+    tree: dict[str, Any], place: str
+) -> None:
     ((path, message),) = problems(tree)
     assert path == place
-    assert message == "has 100000 entries, and the file more than 20000 values; no engine needs so many"
+    assert (
+        message
+        == "has 100000 entries, and the file more than 20000 values; no engine needs so many"
+    )
 
 
 def test_more_cylinders_throws_and_shafts_than_any_engine_has_are_refused() -> None:
     at_most = "; at most {} are allowed"
     crank, cylinder = spoilt(EXPLICIT)["shaft"][0], spoilt(EXPLICIT)["cylinders"][0]
-    assert told(spoilt(EXPLICIT, cylinders=[cylinder] * 257))["cylinders"].endswith(at_most.format(256))
-    assert told(spoilt(EXPLICIT, shaft__0__throw=crank["throw"] * 129))["shaft[1].throw"].endswith(at_most.format(256))
-    assert told(spoilt(EXPLICIT, shaft=[crank] * 17))["shaft"].endswith(at_most.format(16))
-    banks = [{"cylinders": list(range(1 + 256 * i, 257 + 256 * i))} for i in range(32)]
-    assert told({"name": "x", "layout": {"type": "vee", "banks": banks, "throws": [0] * 256}})["layout.cylinders"].endswith(
+    assert told(spoilt(EXPLICIT, cylinders=[cylinder] * 257))["cylinders"].endswith(
         at_most.format(256)
     )
+    assert told(spoilt(EXPLICIT, shaft__0__throw=crank["throw"] * 129))["shaft[1].throw"].endswith(
+        at_most.format(256)
+    )
+    assert told(spoilt(EXPLICIT, shaft=[crank] * 17))["shaft"].endswith(at_most.format(16))
+    banks = [{"cylinders": list(range(1 + 256 * i, 257 + 256 * i))} for i in range(32)]
+    assert told({"name": "x", "layout": {"type": "vee", "banks": banks, "throws": [0] * 256}})[
+        "cylinders"
+    ].endswith(at_most.format(256))
 
 
 @pytest.mark.parametrize(
@@ -652,7 +862,9 @@ def test_a_number_of_thousands_of_digits_is_refused(text: str) -> None:
     assert "holds a number of thousands of digits; " in message
 
 
-@pytest.mark.parametrize("odd", ODD, ids=repr if sys.version_info >= (3, 14) else lambda value: type(value).__name__)
+@pytest.mark.parametrize(
+    "odd", ODD, ids=repr if sys.version_info >= (3, 14) else lambda value: type(value).__name__
+)
 def test_values_of_odd_types_are_refused_everywhere(odd: object) -> None:
     tree = tomllib.loads(SHORT)
     for table, key in [
@@ -701,7 +913,9 @@ def test_a_layout_that_is_not_there_is_refused(kind: object, message: str) -> No
     assert told(spoilt(SHORT, layout__type=kind)) == {"layout.type": message}
 
 
-@pytest.mark.parametrize(("number", "shown"), [(2, "2"), ("1", '"1"'), (True, "true"), (1.5, "1.5")])
+@pytest.mark.parametrize(
+    ("number", "shown"), [(2, "2"), ("1", '"1"'), (True, "true"), (1.5, "1.5")]
+)
 def test_another_format_is_refused(number: object, shown: str) -> None:
     assert told(spoilt(SHORT, format=number)) == {"format": f"is {shown}; it can be 1"}
 
@@ -716,8 +930,7 @@ def test_a_missing_layout_and_a_missing_type_are_told() -> None:
 
 
 def test_a_mixture_of_both_forms_is_refused() -> None:
-    message = told(SHORT + '[[shaft]]\nname = "crank"\n')["shaft"]
-    assert message.startswith("belongs to the explicit form, and layout and cylinder to the short one; leave one out")
+    assert codes(SHORT + '[[shaft]]\nname = "crank"\n')["shaft"] == "form.mixed"
 
 
 def test_a_list_that_is_missing_or_too_short_is_told_with_an_example() -> None:
@@ -727,8 +940,12 @@ def test_a_list_that_is_missing_or_too_short_is_told_with_an_example() -> None:
     assert told(spoilt(SHORT, layout__throws=["0 deg", "90 deg"])) == {
         "layout.throws": "has 2 angles; give 4 (one for each pin) or 8 (one for each cylinder)"
     }
-    assert told(spoilt(SHORT, layout__throws=[])) == {"layout.throws": "has no entries; at least 1 is needed"}
-    assert told(spoilt(SHORT, layout__banks=[])) == {"layout.banks": "has no entries; at least 1 is needed"}
+    assert told(spoilt(SHORT, layout__throws=[])) == {
+        "layout.throws": "has 0 entries; at least 1 is needed"
+    }
+    assert told(spoilt(SHORT, layout__banks=[])) == {
+        "layout.banks": "has 0 entries; at least 1 is needed"
+    }
     assert told(spoilt(SHORT, firing_order="1-8-4-3-6-5-7-2")) == {
         "firing_order": 'is "1-8-4-3-6-5-7-2"; a list is needed, such as [1, 3, 4, 2]'
     }
@@ -738,40 +955,52 @@ def test_a_list_that_is_missing_or_too_short_is_told_with_an_example() -> None:
 
 
 def test_an_override_of_a_cylinder_that_is_not_there_or_twice_is_refused() -> None:
-    assert told(spoilt(SHORT, cylinders=[{"number": 9, "bore": "80 mm"}])) == {
-        "cylinders[1].number": "there is no cylinder 9 to override; the layout has 1, 2, 3, 4, 5, 6, 7, 8"
-    }
-    twice = told(spoilt(SHORT, cylinders=[{"number": 1, "bore": "80 mm"}] * 2))
-    assert twice["cylinders[2].number"] == "cylinder 1 is overridden more than once; put all of it in one [[cylinders]]"
+    (fault,) = faults(spoilt(SHORT, cylinders=[{"number": 9, "bore": "80 mm"}]))
+    assert (fault.path, fault.code) == (("cylinders", 0, "number"), "override.no-such-cylinder")
+    assert fault.values == {"value": 9, "numbers": [1, 2, 3, 4, 5, 6, 7, 8]}
+    twice = codes(spoilt(SHORT, cylinders=[{"number": 1, "bore": "80 mm"}] * 2))
+    assert twice["cylinders[2].number"] == "override.repeated"
 
 
 def test_two_strokes_on_one_pin_are_refused() -> None:
-    message = told(spoilt(SHORT, cylinders=[{"number": 1, "stroke": "80 mm"}]))["cylinders"]
-    assert message == "cylinders 1, 2 share a crank pin but differ in stroke; give them the same, or pins of their own"
+    (fault,) = faults(spoilt(SHORT, cylinders=[{"number": 1, "stroke": "80 mm"}]))
+    assert (fault.path, fault.code) == (("cylinders",), "layout.strokes-on-a-pin")
+    assert fault.values["numbers"] == [1, 2]
 
 
 def test_a_unit_where_lengths_are_only_ratios_is_refused() -> None:
     tree = spoilt(SHORT)
     del tree["cylinder"]["stroke"]
-    assert "no stroke is known, so that lengths across the crankshaft are counted in crank radii" in told(tree)["cylinder.bore"]
-    message = told(spoilt(EXPLICIT, relative=["mass"]))["cylinders[1].reciprocating_mass"]
-    assert message.endswith("; give a bare number, or take mass out of relative")
+    assert codes(tree)["cylinder.bore"] == "unit.unknown-radius"
+    relative = codes(spoilt(EXPLICIT, relative=["mass"]))
+    assert relative["cylinders[1].reciprocating_mass"] == "unit.relative-mass"
 
 
-@pytest.mark.parametrize(("value", "good"), [(1e9, False), (1e-9, False), (-5, False), (3.5, True), ("3.5", True)])
+@pytest.mark.parametrize(
+    ("value", "good"), [(1e9, False), (1e-9, False), (-5, False), (3.5, True), ("3.5", True)]
+)
 def test_a_bare_ratio_out_of_all_proportion_is_refused(value: object, good: bool) -> None:
-    tree = {"name": "x", "cylinder": {"rod_length": value}, "layout": {"type": "inline", "throws": [0]}}
+    tree = {
+        "name": "x",
+        "cylinder": {"rod_length": value},
+        "layout": {"type": "inline", "throws": [0]},
+    }
     assert (told(tree) == {}) == good
 
 
-@pytest.mark.parametrize("speed", ["0 rpm", "-5 rpm", 6000, "6000", "6000 mm", "1e400 rpm", "1e6 rpm", "1e-9 rpm", "fast", []])
+@pytest.mark.parametrize(
+    "speed",
+    ["0 rpm", "-5 rpm", 6000, "6000", "6000 mm", "1e400 rpm", "1e6 rpm", "1e-9 rpm", "fast", []],
+)
 def test_a_speed_that_is_none_is_refused(speed: object) -> None:
     assert 'such as "6000 rpm"' in told(spoilt(SHORT, speed=speed))["speed"]
 
 
 def test_other_values_by_key_path_are_checked_like_the_file() -> None:
     tree = tree_of(SHORT)
-    assert engine_of(tree, changes={"layout.bore_pitch": "100 mm", "name": "other"}).pitch == pytest.approx(0.1)
+    assert engine_of(
+        tree, changes={"layout.bore_pitch": "100 mm", "name": "other"}
+    ).pitch == pytest.approx(0.1)
     assert tree == tree_of(SHORT)
     for path, place in [
         ("a.b.c", "a"),
@@ -787,12 +1016,16 @@ def test_other_values_by_key_path_are_checked_like_the_file() -> None:
         with pytest.raises(EngineFileError) as caught:
             engine_of(tree, changes={path: 1})
         check_sentences(caught.value)
-        assert caught.value.problems[0].path == place
+        assert where(caught.value.faults[0].path) == place
 
 
 def test_null_in_json_is_a_key_left_out() -> None:
     tree = spoilt(SHORT, speed=None, cylinder__bore=None, cylinders=None)
     assert problems(json.dumps(tree)) == []
-    dimensionless = {"name": "x", "cylinder": {"stroke": None, "rod_ratio": 4}, "layout": {"type": "inline", "throws": [0]}}
+    dimensionless = {
+        "name": "x",
+        "cylinder": {"stroke": None, "rod_ratio": 4},
+        "layout": {"type": "inline", "throws": [0]},
+    }
     assert engine_of(tree_of(json.dumps(dimensionless))).relative == ("mass", "radius")
     assert list(told(json.dumps(spoilt(SHORT, name=None)))) == ["name"]

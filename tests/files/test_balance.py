@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from crankstar import balance, load, phasor, total
+from crankstar import balance, load, spectra, total
 from crankstar.remedy import Aim, without_weights
 
 Run = Callable[..., Any]
@@ -42,34 +42,40 @@ def known(tmp_path: Path) -> str:
 
 
 def left(out: str, order: str, what: str) -> list[str]:
-    """With the crank, against it and the greatest value, as it was and now."""
-    return [line.split("]")[1].split()[-1] for line in out.splitlines() if re.match(rf"\s*{order}\s+{what} ", line)]
+    """The greatest value over a turn, before and now."""
+    (line,) = [line for line in out.splitlines() if re.match(rf"\s*{order}\s+{what} ", line)]
+    (before, now) = re.findall(r"m r\S* ω²(?: a)?\s+(\S+)\s+(\S+)", line)[0]
+    return [before, now]
 
 
 def test_shafts_of_given_ratios_are_added(run: Run) -> None:
     out = run("balance", "i4", "--shafts", "2, -2").out
     assert left(out, "2", "force") == ["1.0161", "0"]  # four times A_2
     assert left(out, "2", "couple") == ["0", "0"]
-    assert left(out, "2", "roll of the block") == ["2.0005", "2.0005"]
+    assert left(out, "2", "rolling moment") == ["2.0005", "2.0005"]
     assert "balancer -2" in out
 
 
 def test_shafts_alone_are_those_of_the_lowest_order_that_is_left(run: Run) -> None:
-    assert re.findall(r"^balancer (\S+) .* (?:couple|force) ", run("balance", "triple-120", "--shafts").out, re.MULTILINE) == ["-1"]
-    out = run("balance", "i4", "--shafts", "--apart", "3", "--level").out
+    assert re.findall(
+        r"^balancer (\S+) +\S+ +(?:couple|force) ",
+        run("balance", "triple-120", "--shafts").out,
+        re.MULTILINE,
+    ) == ["-1"]
+    out = run("balance", "i4", "--shafts", "--shaft-spacing", "3", "--level").out
     assert re.findall(r"^balancer (\S+) +\S+ +force +(\S+) +(\S+)", out, re.MULTILINE) == [
         ("2", "1.9688", "1.5"),
         ("-2", "-1.9688", "-1.5"),
     ]
-    assert left(out, "2", "roll of the block")[-1] == "0"
-    assert "no force and no couple of the first and the second order is left" in out.lower()
+    assert left(out, "2", "rolling moment")[-1] == "0"
+    assert "No primary or secondary force or couple remains." in out
     assert "balancer -2" in run("balance", "triple-120", "--shafts", "all").out
 
 
 def test_the_card_says_both_ways_of_counting_a_factor(run: Run) -> None:
     out = " ".join(run("balance", "v2-90", "--factor", "0.5").out.split())
     assert "0.5 × reciprocating, of all cylinders on the pin" in out
-    assert "Counted in one cylinder of the 2 on a pin it is a factor of 1." in out
+    assert "Counted in one of the 2 cylinders on a pin, the balance factor is 1." in out
     assert "Counted in one" not in run("balance", "i4").out
 
 
@@ -78,28 +84,43 @@ def test_weights_are_told_as_masses_at_a_radius(run: Run, known: str) -> None:
     unbalance = (0.4 + 0.25) * 0.040
     assert f"{unbalance:.5g}" in out
     assert f"{unbalance / 0.06 * 1000:.5g}" in out
-    assert "a radius of 60 mm" in out
+    assert "with its centre at 60 mm" in out
 
 
-@pytest.mark.parametrize(("where", "count"), [("pins", 3), ("webs", 6), ("ends", 2), ("-100 mm, 0 mm, 100 mm", 2)])
-def test_weights_go_where_they_are_wanted_and_do_the_same(run: Run, known: str, tmp_path: Path, where: str, count: int) -> None:
+@pytest.mark.parametrize(
+    ("where", "count"), [("pins", 3), ("webs", 6), ("ends", 2), ("-100 mm, 0 mm, 100 mm", 2)]
+)
+def test_weights_go_where_they_are_wanted_and_do_the_same(
+    run: Run, known: str, tmp_path: Path, where: str, count: int
+) -> None:
     target = tmp_path / "new.toml"
     run("balance", known, "--weights", where, "-o", str(target))
     engine = load(target)
-    assert len(engine.shafts[0].weights) == count  # in the middle of three places there is nothing to do
-    one = phasor.selected(total(balance(engine)).couple, [1.0])
+    assert (
+        len(engine.shafts[0].weights) == count
+    )  # in the middle of three places there is nothing to do
+    one = spectra.selected(total(balance(engine)).couple, [1.0])
     assert abs(one.forward[0]) < 1e-12
     assert abs(one.backward[0]) == pytest.approx(np.sqrt(3) / 2)
 
 
 def test_best_weights_come_with_their_certificate(run: Run, known: str, tmp_path: Path) -> None:
     target = tmp_path / "best.toml"
-    out = " ".join(run("balance", known, "--weights", "ends", "--least", "rms couple", "-o", str(target)).out.split())
-    found = re.search(r"Rms couple: (\S+) m r ω² a, (\S+) with bare crankshafts\. No weights .* less than (\S+) m r ω² a", out)
+    out = " ".join(
+        run(
+            "balance", known, "--weights", "ends", "--minimise", "rms couple", "-o", str(target)
+        ).out.split()
+    )
+    found = re.search(
+        r"Rms couple: (\S+) m r ω² a; (\S+) m r ω² a with bare crankshafts\..* bound .*: (\S+) m r ω² a",
+        out,
+    )
     assert found
     value, bare, bound = map(float, found.groups())
     one = total(balance(load(target))).couple
-    assert value == pytest.approx(float(np.sqrt((np.abs(one.forward) ** 2 + np.abs(one.backward) ** 2).sum())), rel=1e-4)
+    assert value == pytest.approx(
+        float(np.sqrt((np.abs(one.forward) ** 2 + np.abs(one.backward) ** 2).sum())), rel=1e-4
+    )
     assert bare == pytest.approx(without_weights(load(known), Aim("couple", rms=True)), rel=1e-4)
     assert value == pytest.approx(bound, rel=1e-4)
 
@@ -107,9 +128,9 @@ def test_best_weights_come_with_their_certificate(run: Run, known: str, tmp_path
 def test_limits_in_newtons_in_shares_and_bare_are_one_limit(run: Run, known: str) -> None:
     bare = float(without_weights(load(known), Aim("couple")))
     newtons = float(0.8 * bare * 0.5 * 0.04 * (6000 * np.pi / 30) ** 2 * 0.09)
-    told = re.compile(r"Limit, peak couple: (\S+) of (\S+) m r")
+    told = re.compile(r"Limit of peak couple: (\S+) of (\S+) m r")
     shown = [
-        told.search(run("balance", known, "--weights", "webs", "--least", "bearing", *given).out)
+        told.search(run("balance", known, "--weights", "webs", "--minimise", "bearing", *given).out)
         for given in (
             ("--limit", "couple=80%"),
             ("--limit", f"couple={newtons!r} N m"),
@@ -123,8 +144,10 @@ def test_limits_in_newtons_in_shares_and_bare_are_one_limit(run: Run, known: str
 
 def test_a_couple_is_not_bought_with_a_force(run: Run, tmp_path: Path) -> None:
     target = tmp_path / "vr6.toml"
-    out = run("balance", "vw-vr6", "--weights", "ends", "--least", "couple", "-o", str(target)).out
-    assert "The rms force is not allowed to become more" in " ".join(out.split())
+    out = run(
+        "balance", "vw-vr6", "--weights", "ends", "--minimise", "couple", "-o", str(target)
+    ).out
+    assert "The rms force is kept at or below that of bare crankshafts" in " ".join(out.split())
     force = total(balance(load(target))).force
     rms = float(np.sqrt((np.abs(force.forward) ** 2 + np.abs(force.backward) ** 2).sum()))
     assert rms == pytest.approx(without_weights(load("vw-vr6"), Aim("force", rms=True)), rel=1e-6)
@@ -148,43 +171,48 @@ def test_the_proof_is_printed(run: Run) -> None:
         (["--shafts", ""], "speed ratios"),
         (["--shafts", "-1"], "has no use"),
         (["--shafts", "2", "--level"], "no pair of balance shafts"),
-        (["--shafts", "2,2"], "asked for twice"),
-        (["--shafts", "2", "--apart", "3"], "no pair of balance shafts that could lie apart"),
-        (["--weights", "0,1e-15"], "nearer to each other"),
-        (["--least", "force", "--limit", "force=1_0"], "is not known; a force is needed"),
+        (["--shafts", "2,2"], "given twice"),
+        (["--shafts", "2", "--shaft-spacing", "3"], "no pair of balance shafts"),
+        (["--weights", "0,1e-15"], "closer than"),
+        (["--minimise", "force", "--limit", "force=1_0"], "is not known; a force is needed"),
         (["--radius", "1e-300"], "greater than 0"),
         (["--shafts", "2,-2", "--shaft-place", "1"], "up and right"),
         (["--shafts", "2,-2", "--shaft-place", "a, b"], "--shaft-place"),
         (["--shafts", "2,-2", "--shaft-planes", "x"], "--shaft-planes"),
         (["--shafts", "2,-2", "--shaft-planes", "1, 1"], "all different"),
-        (["--apart", "3"], "no use for --apart"),
+        (["--shaft-spacing", "3"], "no use for --shaft-spacing"),
         (["--level"], "no use for --level"),
-        (["--weights", "0"], "two or more"),
+        (["--weights", "0"], "two planes or more"),
         (["--weights", "0, x"], "--weights"),
         (["--weights", "0, 9"], "beyond the crankshaft"),
         (["--weights", "somewhere"], "pins, webs, ends"),
         (["--factor", "2"], "from 0 to 1.5"),
         (["--factor", "-0.1"], "from 0 to 1.5"),
         (["--factor", "nan"], "from 0 to 1.5"),
-        (["--factor", "0.5", "--least", "force"], "--least has no use for --factor"),
+        (["--factor", "0.5", "--minimise", "force"], "--minimise has no use for --factor"),
         (["--limit", "force=1"], "no use for --limit"),
-        (["--least", "noise"], "it can be force, couple"),
-        (["--least", "force", "--limit", "force"], "give what and how much"),
-        (["--least", "force", "--limit", "noise=3"], "it can be force, couple"),
-        (["--least", "force", "--limit", "force=-3"], "from 0 up"),
-        (["--least", "force", "--limit", "force=nan"], "from 0 up"),
-        (["--least", "force", "--limit", "force=500 N"], "masses and sizes are known"),
-        (["--least", "force", "--limit", "force=500 kg"], "a force is needed"),
-        (["--least", "couple", "--limit", "force=0.5"], "cannot be met: with these planes"),
-        (["--least", "couple", "--pitch", "2"], "from 0 (only yaw counts) to 1"),
-        (["--least", "bearing", "--pitch", "0.5"], "has no use here"),
-        (["--least", "couple", "--most-unbalance", "0"], "greater than 0"),
-        (["--least", "couple", "--most-unbalance", "x"], "--most-unbalance"),
+        (["--minimise", "noise"], "it can be force, couple"),
+        (["--minimise", "force", "--limit", "force"], "give what and how much"),
+        (["--minimise", "force", "--limit", "noise=3"], "it can be force, couple"),
+        (["--minimise", "force", "--limit", "force=-3"], "from 0 up"),
+        (["--minimise", "force", "--limit", "force=nan"], "from 0 up"),
+        (["--minimise", "force", "--limit", "force=500 N"], "masses and sizes are known"),
+        (["--minimise", "force", "--limit", "force=500 kg"], "a force is needed"),
+        (["--minimise", "couple", "--limit", "force=0.5"], "cannot be met with these planes"),
+        (["--minimise", "couple", "--pitch-share", "2"], "from 0 (only yaw counts) to 1"),
+        (
+            ["--minimise", "bearing", "--pitch-share", "0.5"],
+            "--pitch-share goes with --minimise couple",
+        ),
+        (["--minimise", "couple", "--greatest-unbalance", "0"], "greater than 0"),
+        (["--minimise", "couple", "--greatest-unbalance", "x"], "--greatest-unbalance"),
         (["--radius", "0"], "greater than 0"),
-        (["--radius", "60 mm"], "no stroke is known"),
+        (["--radius", "60 mm"], "the file gives no stroke"),
     ],
 )
-def test_what_cannot_be_balanced_is_refused(refused: Callable[..., str], arguments: list[str], told: str) -> None:
+def test_what_cannot_be_balanced_is_refused(
+    refused: Callable[..., str], arguments: list[str], told: str
+) -> None:
     assert told in refused("balance", "i4", *arguments)
 
 
@@ -201,18 +229,28 @@ def test_standard_output_that_is_a_file_is_not_replaced(known: str, tmp_path: Pa
 
 
 def test_the_factor_of_the_file_is_kept_unless_another_is_asked_for(run: Run, known: str) -> None:
-    assert "rotating + 0.75 × reciprocating" in run("balance", known, "--set", "balance_factor=0.75").out
+    assert (
+        "rotating + 0.75 × reciprocating"
+        in run("balance", known, "--set", "balance_factor=0.75").out
+    )
     assert "rotating + 0.5 × reciprocating" in run("balance", known).out
-    assert "rotating + 0.3 × reciprocating" in run("balance", known, "--set", "balance_factor=0.75", "--factor", "0.3").out
+    assert (
+        "rotating + 0.3 × reciprocating"
+        in run("balance", known, "--set", "balance_factor=0.75", "--factor", "0.3").out
+    )
 
 
 def test_what_is_left_is_told_in_newtons_where_a_speed_is_known(run: Run, known: str) -> None:
     out = run("balance", known).out
-    assert "What is left at 6000 rpm" in out
+    assert "Remaining unbalance at 6000 rpm" in out
     newtons = 0.5 * 0.04 * (6000 * np.pi / 30) ** 2 * 0.09 * np.sqrt(3) / 2
-    assert f"{newtons:.5g}" in next(line for line in out.splitlines() if "couple now" in line)
+    assert f"{newtons:.5g}" in next(
+        line for line in out.splitlines() if re.match(r" *1 +couple ", line)
+    )
     twice = run("balance", known, "--speed", "12000 rpm").out
-    assert f"{4 * newtons:.5g}" in next(line for line in twice.splitlines() if "couple now" in line)
+    assert f"{4 * newtons:.5g}" in next(
+        line for line in twice.splitlines() if re.match(r" *1 +couple ", line)
+    )
 
 
 def test_weights_that_make_it_worse_are_said_to(run: Run) -> None:
@@ -220,32 +258,62 @@ def test_weights_that_make_it_worse_are_said_to(run: Run) -> None:
     assert "larger than before" not in run("balance", "v8-cross-plane").out
 
 
-def test_an_engine_that_could_not_be_read_again_is_not_written(refused: Callable[..., str], tmp_path: Path) -> None:
+def test_an_engine_that_could_not_be_read_again_is_not_written(
+    refused: Callable[..., str], tmp_path: Path
+) -> None:
     count = 129
     throws = ", ".join('"0 deg"' for _ in range(count))
     file = tmp_path / "long.toml"
     layout = f'type = "inline"\nthrows = [{throws}]'
-    file.write_text(f'format = 1\nname = "long"\ncycle = "two-stroke"\n[layout]\n{layout}\n', encoding="utf-8")
+    file.write_text(
+        f'format = 1\nname = "long"\ncycle = "two-stroke"\n[layout]\n{layout}\n', encoding="utf-8"
+    )
     target = tmp_path / "w.toml"
     assert "at most 256" in refused("balance", str(file), "--weights", "webs", "-o", str(target))
     assert not target.exists()
 
 
 def test_the_card_tells_the_load_on_the_bearings(run: Run) -> None:
-    """Of a flat four the middle bearing has half of each inner pin, which push together; half the mass halves it."""
-    loads = [line.split()[-1] for line in run("balance", "i4").out.splitlines() if "load on a main bearing" in line]
+    """Of a flat four the middle bearing has half of each inner pin, which push together.
+
+    Half the mass halves the load.
+    """
+    loads = next(
+        line.split()[-2:]
+        for line in run("balance", "i4").out.splitlines()
+        if "load on a main bearing" in line
+    )
     assert loads == ["1", "0.5"]
-    best = run("balance", "i4", "--weights", "webs", "--least", "bearing").out
-    found = re.search(r"Greatest load on a main bearing: (\S+) m r ω², 1 with bare crankshafts", " ".join(best.split()))
+    best = run("balance", "i4", "--weights", "webs", "--minimise", "bearing").out
+    found = re.search(
+        r"Greatest load on a main bearing: (\S+) m r ω²; 1 m r ω² with bare crankshafts",
+        " ".join(best.split()),
+    )
     assert found
     assert float(found.group(1)) == pytest.approx(0.5, abs=1e-4)
 
 
 def test_a_shaft_that_takes_a_force_has_its_weight_in_the_middle(run: Run) -> None:
-    assert len(re.findall(r"^balancer -?2 +0 ", run("balance", "i4", "--shafts").out, re.MULTILINE)) == 2
-    assert len(re.findall(r"^balancer -1 +-?1\.5 ", run("balance", "triple-120", "--shafts").out, re.MULTILINE)) == 2
-    assert "say where they lie" in run("balance", "i4", "--shafts").out
-    assert "say where they lie" not in run("balance", "i4", "--shafts", "--apart", "3").out
+    assert (
+        len(re.findall(r"^balancer -?2 +0 ", run("balance", "i4", "--shafts").out, re.MULTILINE))
+        == 2
+    )
+    assert (
+        len(
+            re.findall(
+                r"^balancer -1 +-?1\.5 ", run("balance", "triple-120", "--shafts").out, re.MULTILINE
+            )
+        )
+        == 2
+    )
+    assert (
+        "--shaft-place and --shaft-spacing give the real place"
+        in run("balance", "i4", "--shafts").out
+    )
+    assert (
+        "--shaft-place and --shaft-spacing give the real place"
+        not in run("balance", "i4", "--shafts", "--shaft-spacing", "3").out
+    )
 
 
 GEARED = """
@@ -279,5 +347,5 @@ def test_peaks_of_a_period_too_long_to_follow_are_refused_and_rms_is_not(
 ) -> None:
     file = tmp_path / "geared.toml"
     file.write_text(GEARED, encoding="utf-8")
-    assert "ask for the rms instead" in refused("balance", str(file), "--least", "force")
-    assert "Rms force" in run("balance", str(file), "--least", "rms force").out
+    assert "minimise the rms instead" in refused("balance", str(file), "--minimise", "force")
+    assert "Rms force" in run("balance", str(file), "--minimise", "rms force").out

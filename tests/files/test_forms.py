@@ -1,4 +1,4 @@
-"""The two forms of an engine file, TOML and JSON, starter files, and the JSON Schema: all say the same."""
+"""Both forms of an engine file, TOML and JSON, starter files, the JSON Schema: all agree."""
 
 from __future__ import annotations
 
@@ -17,20 +17,28 @@ from tests.strategies import OF_ANY_KIND
 from tests.texts import EXPLICIT, SHORT, problems, spoilt, told
 
 import crankstar
-from crankstar.balance import balance, total
-from crankstar.catalog import path_of
-from crankstar.engine import Engine
+from crankstar.engine.engine import Engine
+from crankstar.engine.firing_angles import unfit
+from crankstar.engine.layouts import LAYOUTS
+from crankstar.engine.records import Cylinder, Record, Rod, Shaft, Throw, Weight
 from crankstar.files import engine_of, explicit, schema, toml, tree_of
+from crankstar.files.catalog import path_of
 from crankstar.files.forms import by_key, quantity_of, record_in, short_form
 from crankstar.files.starters import STARTERS
-from crankstar.firing import firing, unfit
-from crankstar.layouts import LAYOUTS
-from crankstar.records import Cylinder, Record, Rod, Shaft, Throw, Weight
-from crankstar.tables import analysis, report
-from crankstar.wording import html
+from crankstar.firing.intervals import firing
+from crankstar.mechanics.balance import balance, total
+from crankstar.tables.analysis import analysis, document
+from crankstar.tables.html import document_html
 
-CATALOG = {name: path.read_text(encoding="utf-8") for name in crankstar.names() if (path := path_of(name))}
-FILES = {**CATALOG, **{f"new {kind}": text for kind, text in STARTERS.items()}, "short": SHORT, "explicit": EXPLICIT}
+CATALOG = {
+    name: path.read_text(encoding="utf-8") for name in crankstar.names() if (path := path_of(name))
+}
+FILES = {
+    **CATALOG,
+    **{f"new {kind}": text for kind, text in STARTERS.items()},
+    "short": SHORT,
+    "explicit": EXPLICIT,
+}
 SCHEMA = schema()
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
 
@@ -40,9 +48,13 @@ def alike(one: Any, other: Any, *, share: float = 1e-13) -> bool:
     if isinstance(one, Record) and isinstance(other, Record):
         return type(one) is type(other) and alike(dict(one), dict(other), share=share)
     if isinstance(one, dict) and isinstance(other, dict):
-        return one.keys() == other.keys() and all(alike(one[key], other[key], share=share) for key in one)
+        return one.keys() == other.keys() and all(
+            alike(one[key], other[key], share=share) for key in one
+        )
     if isinstance(one, list | tuple) and isinstance(other, list | tuple):
-        return len(one) == len(other) and all(alike(a, b, share=share) for a, b in zip(one, other, strict=True))
+        return len(one) == len(other) and all(
+            alike(a, b, share=share) for a, b in zip(one, other, strict=True)
+        )
     if isinstance(one, float) and isinstance(other, float):
         return one == pytest.approx(other, rel=share, abs=share)
     return one == other
@@ -71,7 +83,10 @@ def test_a_file_is_the_same_engine_in_both_forms_and_both_languages(text: str) -
     engine = engine_of(tree_of(text))
     assert alike(rewritten(engine), engine)
     assert engine_of(tree_of(json.dumps(tomllib.loads(text)))) == engine
-    assert engine_of(tree_of(json.dumps(tomllib.loads(text), indent=2).replace("\n", "\r\n"))) == engine
+    assert (
+        engine_of(tree_of(json.dumps(tomllib.loads(text), indent=2).replace("\n", "\r\n")))
+        == engine
+    )
     assert engine_of(tree_of(tomli_w.dumps(tomllib.loads(text)))) == engine
 
 
@@ -92,8 +107,12 @@ def test_the_explicit_form_is_what_it_says() -> None:
         right=0.1,
         weights=(Weight(unbalance=0.02, angle=engine.shafts[1].weights[0].angle, z=0.17),),
     )
-    assert engine.cylinders[1] == Cylinder(number=2, shaft="crank", throw=2, z=-0.05, rod_length=0.146, reciprocating_mass=0.65)
-    assert engine.throw(engine.cylinders[0]) == Throw(angle=0.0, radius=0.04, z=0.05, rotating_mass=1.0)
+    assert engine.cylinders[1] == Cylinder(
+        number=2, shaft="crank", throw=2, z=-0.05, rod_length=0.146, reciprocating_mass=0.65
+    )
+    assert engine.throw(engine.cylinders[0]) == Throw(
+        angle=0.0, radius=0.04, z=0.05, rotating_mass=1.0
+    )
 
 
 def test_the_short_form_is_what_it_says() -> None:
@@ -120,19 +139,29 @@ def test_the_short_form_is_what_it_says() -> None:
         ("bank", "odd one", "odd one"),
     ],
 )
-def test_an_override_changes_one_cylinder_and_no_other(key: str, value: str, number: object) -> None:
+def test_an_override_changes_one_cylinder_and_no_other(
+    key: str, value: str, number: object
+) -> None:
     plain = engine_of(spoilt(SHORT, firing_order=[]))
     changed = engine_of(spoilt(SHORT, firing_order=[], cylinders=[{"number": 7, key: value}]))
     for before, after in zip(plain.cylinders, changed.cylinders, strict=True):
-        assert getattr(after, key) == (pytest.approx(number) if after.number == 7 else getattr(before, key))
+        assert getattr(after, key) == (
+            pytest.approx(number) if after.number == 7 else getattr(before, key)
+        )
         assert after.model_copy(update={key: getattr(before, key)}) == before
 
 
 def test_an_override_of_what_turns_changes_its_pin() -> None:
     heavier = engine_of(spoilt(SHORT, cylinders=[{"number": 7, "rotating_mass": "800 g"}]))
-    assert [throw.rotating_mass for throw in heavier.shafts[0].throws] == pytest.approx([1.4, 1.4, 1.4, 1.5])
-    longer = engine_of(spoilt(SHORT, cylinders=[{"number": number, "stroke": "90 mm"} for number in (7, 8)]))
-    assert [throw.radius for throw in longer.shafts[0].throws] == pytest.approx([0.04125, 0.04125, 0.04125, 0.045])
+    assert [throw.rotating_mass for throw in heavier.shafts[0].throws] == pytest.approx(
+        [1.4, 1.4, 1.4, 1.5]
+    )
+    longer = engine_of(
+        spoilt(SHORT, cylinders=[{"number": number, "stroke": "90 mm"} for number in (7, 8)])
+    )
+    assert [throw.radius for throw in longer.shafts[0].throws] == pytest.approx(
+        [0.04125, 0.04125, 0.04125, 0.045]
+    )
     other_ratio = engine_of(spoilt(SHORT, cylinders=[{"number": 7, "rod_ratio": 4}]))
     assert [c.rod_length for c in other_ratio.cylinders if c.number == 7] == pytest.approx([0.165])
 
@@ -147,7 +176,11 @@ def test_a_bank_without_a_name_takes_none_that_is_taken() -> None:
 def test_overrides_can_give_a_rigid_rod_and_an_articulation() -> None:
     rod = {"mass": "0.6 kg", "centre": "40 mm", "inertia": "0.002 kg*m^2"}
     link = {"master": 1, "radius": "30 mm", "angle": "-90 deg"}
-    tree = spoilt(SHORT, firing_order=[], cylinders=[{"number": 2, "rod": rod, "articulated": link, "rod_length": "116 mm"}])
+    tree = spoilt(
+        SHORT,
+        firing_order=[],
+        cylinders=[{"number": 2, "rod": rod, "articulated": link, "rod_length": "116 mm"}],
+    )
     second = next(cylinder for cylinder in engine_of(tree).cylinders if cylinder.number == 2)
     assert second.rod == Rod(mass=0.6, centre=0.04, inertia=0.002)
     assert second.articulated is not None
@@ -155,7 +188,12 @@ def test_overrides_can_give_a_rigid_rod_and_an_articulation() -> None:
 
 
 def test_an_engine_without_sizes_and_masses_is_counted_in_its_own() -> None:
-    bare = {"name": "three", "cycle": "two-stroke", "firing_order": [1, 3, 2], "layout": {"type": "inline"}}
+    bare = {
+        "name": "three",
+        "cycle": "two-stroke",
+        "firing_order": [1, 3, 2],
+        "layout": {"type": "inline"},
+    }
     engine = engine_of(bare)
     assert engine.relative == ("mass", "radius", "pitch")
     assert {throw.radius for throw in engine.shafts[0].throws} == {1.0}
@@ -165,7 +203,9 @@ def test_an_engine_without_sizes_and_masses_is_counted_in_its_own() -> None:
     assert balance(engine, speed=100.0).units.force == "m*r*w^2"
 
 
-@pytest.mark.parametrize(("stroke", "mass", "pitch"), [("80 mm", "0.5 kg", "90 mm"), ("2 m", "3 t", "1.5 m")])
+@pytest.mark.parametrize(
+    ("stroke", "mass", "pitch"), [("80 mm", "0.5 kg", "90 mm"), ("2 m", "3 t", "1.5 m")]
+)
 def test_sizes_do_not_change_what_is_counted_in_them(stroke: str, mass: str, pitch: str) -> None:
     layout = {"type": "inline", "throws": ["0 deg", "120 deg", "240 deg"]}
     bare = engine_of({"name": "three", "cylinder": {"rod_ratio": 3.5}, "layout": layout})
@@ -182,7 +222,11 @@ def test_sizes_do_not_change_what_is_counted_in_them(stroke: str, mass: str, pit
 
 
 def test_what_is_declared_relative_is_counted_in_itself() -> None:
-    tree = {"name": "x", "cylinder": {"stroke": "80 mm", "rod_length": "160 mm"}, "layout": {"type": "inline", "throws": [0, 3.1]}}
+    tree = {
+        "name": "x",
+        "cylinder": {"stroke": "80 mm", "rod_length": "160 mm"},
+        "layout": {"type": "inline", "throws": [0, 3.1]},
+    }
     engine = engine_of(tree)
     assert engine.relative == ("mass", "pitch")
     assert {cylinder.rod_length for cylinder in engine.cylinders} == {0.16}
@@ -193,7 +237,7 @@ def test_every_starter_loads_fires_and_analyzes(kind: str) -> None:
     engine = engine_of(tree_of(STARTERS[kind]))
     assert len(firing(engine).intervals_deg) == len(engine.chambers)
     assert engine.relative == ()
-    assert "Force on the block" in html(report(analysis(engine, speed=None)))
+    assert "Force on the block" in document_html(document(analysis(engine, speed=None)))
 
 
 def test_there_is_a_starter_for_every_layout_and_for_the_explicit_form() -> None:
@@ -202,8 +246,11 @@ def test_there_is_a_starter_for_every_layout_and_for_the_explicit_form() -> None
 
 OPTION = re.compile(r"^# (?:[a-z_]+ = .*|\[\[?[a-z]+\]\]?.*|\".*)$", re.MULTILINE)
 TOGETHER = ("# [", "# number", "# reciprocating_mass", '# "')
-"""Options of a starter that make sense only all at once: [[cylinders]] and [provenance] with what is in them."""
-ELSEWHERE = {"pin_split": "the firing order does not fit turned pins", "articulated": "needs the throw of its master"}
+"""Options of a starter that need each other, and [[cylinders]] and [provenance]."""
+ELSEWHERE = {
+    "pin_split": "the firing order does not fit turned pins",
+    "articulated": "needs the throw of its master",
+}
 
 
 @pytest.mark.parametrize("kind", STARTERS)
@@ -237,7 +284,9 @@ def tables(value: Any) -> Iterator[dict[str, Any]]:
     """Every table in a tree, the tree itself first."""
     if isinstance(value, dict):
         yield value
-    for item in value.values() if isinstance(value, dict) else value if isinstance(value, list) else ():
+    for item in (
+        value.values() if isinstance(value, dict) else value if isinstance(value, list) else ()
+    ):
         yield from tables(item)
 
 
@@ -283,7 +332,11 @@ def records(record: type[Record]) -> Iterator[type[Record]]:
             yield from records(inner)
 
 
-ALL = {record.__name__: record for model in (Engine, *map(short_form, LAYOUTS)) for record in records(model)}
+ALL = {
+    record.__name__: record
+    for model in (Engine, *map(short_form, LAYOUTS))
+    for record in records(model)
+}
 
 
 def test_the_schema_is_a_schema_and_says_which_kind() -> None:
@@ -299,11 +352,13 @@ def test_the_schema_has_every_key_with_its_meaning_and_its_unit(name: str) -> No
     keys = by_key(record)
     assert list(definition["properties"]) == list(keys)
     assert definition["additionalProperties"] is False
-    assert set(definition.get("required", ())) == {key for key, info in keys.items() if info.is_required()}
+    assert set(definition.get("required", ())) == {
+        key for key, info in keys.items() if info.is_required()
+    }
     for key, info in keys.items():
         described = definition["properties"][key]
         assert described["description"].strip(), key
         quantity = quantity_of(info)
         if quantity is not None:
-            assert f"a number with a unit of {quantity.dimension}" in json.dumps(described)
+            assert f'"x-dimension": "{quantity.dimension}"' in json.dumps(described)
             assert json.dumps(quantity.example) in json.dumps(described)

@@ -1,4 +1,4 @@
-"""Good files spoilt at random: each is an engine with finite forces, or refused in sentences; nothing else, and soon."""
+"""Files spoilt at random give an engine with finite forces or a refusal in sentences, and soon."""
 
 from __future__ import annotations
 
@@ -18,11 +18,14 @@ from rich.console import Console
 from tests.spoilt import NUMBERS, TEXTS, TREES, WORDS, mutated, places
 from tests.texts import SHORT, check_sentences
 
-from crankstar import cli, description, tables
-from crankstar.balance import balance
-from crankstar.engine import Engine
+from crankstar import cli
+from crankstar.engine.engine import Engine
 from crankstar.files import EngineFileError, engine_of, schema, toml, tree_of
-from crankstar.firing import firing
+from crankstar.firing.intervals import firing
+from crankstar.mechanics.balance import balance
+from crankstar.tables import analysis as tables
+from crankstar.tables import engines as description
+from crankstar.tables.terminal import rendered
 
 GREATEST_TIME = 2.0
 """Seconds that any file at all may take, on a machine that has other things to do."""
@@ -43,7 +46,7 @@ def accepted(read: Callable[[], Engine]) -> Engine | None:
 def check_answers(engine: Engine) -> None:
     """What is accepted has finite forces, fires, and can be written out and read again."""
     result = balance(engine, speed=engine.speed)
-    for spectrum in (result.force, result.couple, result.roll, result.torque):
+    for spectrum in (result.force, result.couple, result.axis_moment, result.torque):
         assert np.isfinite(spectrum.forward).all()
         assert np.isfinite(spectrum.backward).all()
     if engine.firing_order:
@@ -55,7 +58,11 @@ def check_pages(engine: Engine) -> None:
     """What is accepted can be shown."""
     page = Console(width=140, markup=False, force_terminal=False)
     with page.capture() as printed:
-        page.print(tables.report(tables.analysis(engine, speed=engine.speed)), description.description(engine))
+        for document in (
+            tables.document(tables.analysis(engine, speed=engine.speed)),
+            description.description(engine),
+        ):
+            page.print(rendered(document, width=140))
     assert engine.name in printed.get()
 
 
@@ -83,7 +90,26 @@ def try_texts(seeds: range) -> None:
         for _ in range(chance.choice([1, 1, 2, 10])):
             at, length = chance.randrange(len(text) + 1), chance.choice([0, 0, 1, 1, 5, 50])
             new = chance.choice(
-                ["", "\n", '"', "[", "]", "{", "=", "#", ",", "0", "-", "e", "\x00", "\x1b", "\u202e", "'''", "\\u0000", "[[x]]\n"]
+                [
+                    "",
+                    "\n",
+                    '"',
+                    "[",
+                    "]",
+                    "{",
+                    "=",
+                    "#",
+                    ",",
+                    "0",
+                    "-",
+                    "e",
+                    "\x00",
+                    "\x1b",
+                    "\u202e",
+                    "'''",
+                    "\\u0000",
+                    "[[x]]\n",
+                ]
             )
             text = text[:at] + new + text[at + length :]
         engine = accepted(lambda text=text: engine_of(tree_of(text, name="FILE"), name="FILE"))
@@ -122,7 +148,18 @@ def test_random_bytes_are_refused() -> None:
 
 def test_what_is_accepted_fits_the_schema() -> None:
     validator = jsonschema.Draft202012Validator(schema())
-    plain = [*(value for value in NUMBERS if abs(value) < 1e300), *WORDS, None, True, [], {}, [[]], [{}], [1, 2], ["x"]]
+    plain = [
+        *(value for value in NUMBERS if abs(value) < 1e300),
+        *WORDS,
+        None,
+        True,
+        [],
+        {},
+        [[]],
+        [{}],
+        [1, 2],
+        ["x"],
+    ]
     for seed in range(300):
         chance = random.Random(seed)  # noqa: S311
         tree = copy.deepcopy(chance.choice(TREES))
@@ -146,7 +183,7 @@ def spoilt_words(chance: random.Random) -> list[str]:
         "--cylinders",
         "--layout",
         "--by",
-        "--at",
+        "--theta",
     ]
     names = ["single", "v8-flat-plane", "-", "none", "vee", "", "x.toml", "--", "."]
     values = [
@@ -164,14 +201,19 @@ def spoilt_words(chance: random.Random) -> list[str]:
         "9" * 400,
     ]
     rest = [
-        chance.choice([chance.choice(names), chance.choice(options), chance.choice(values)]) for _ in range(chance.randrange(6))
+        chance.choice([chance.choice(names), chance.choice(options), chance.choice(values)])
+        for _ in range(chance.randrange(6))
     ]
     return [chance.choice([*verbs, "analyze", "analyze", "show"]), chance.choice(names[:3]), *rest]
 
 
-def try_words(seeds: range, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+def try_words(
+    seeds: range, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     for seed in seeds:
-        monkeypatch.setattr(sys, "stdin", TextIOWrapper(BytesIO(SHORT.encode() if seed % 2 else b"")))
+        monkeypatch.setattr(
+            sys, "stdin", TextIOWrapper(BytesIO(SHORT.encode() if seed % 2 else b""))
+        )
         words = spoilt_words(random.Random(seed))  # noqa: S311
         begin = time.process_time()
         with pytest.raises(SystemExit) as left:
@@ -183,7 +225,9 @@ def try_words(seeds: range, monkeypatch: pytest.MonkeyPatch, capsys: pytest.Capt
         assert all(line.isprintable() for line in [*out.split("\n"), *err.split("\n")]), words
 
 
-def test_spoilt_command_lines_end_with_0_or_2(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+def test_spoilt_command_lines_end_with_0_or_2(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     try_words(range(150), monkeypatch, capsys)
 
 

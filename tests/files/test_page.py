@@ -14,8 +14,8 @@ import pytest
 from tests.commands import Run
 from tests.texts import SHORT
 
-from crankstar import page
-from crankstar.exhibit import library
+from crankstar.page import library
+from crankstar.page import standalone as page
 
 
 @pytest.fixture(autouse=True)
@@ -34,7 +34,9 @@ def held_in(path: Path) -> dict[str, Any]:
     return json.loads(gzip.decompress(b64decode(json.loads(found.group(1))["data"])))
 
 
-def test_a_page_holds_the_engine_with_its_figures_and_the_fitted_one(run: Run, tmp_path: Path) -> None:
+def test_a_page_holds_the_engine_with_its_figures_and_the_fitted_one(
+    run: Run, tmp_path: Path
+) -> None:
     place = tmp_path / "v8.html"
     ran = run("page", "v8-cross-plane", "-o", str(place))
     assert (ran.code, ran.out, ran.err) == (0, "", "")
@@ -46,7 +48,9 @@ def test_a_page_holds_the_engine_with_its_figures_and_the_fitted_one(run: Run, t
     assert data["libraries"][0]["charts"]["crank-star"] == {"drawn": "crank-star"}
     assert data["libraries"][0]["derivations"]["force:1"] == "<p>force:1</p>"
     assert shown["fitted"][0]["remedies"]
-    assert set(data["fitted"][0]["charts"]) == {chart["key"] for chart in shown["fitted"][0]["charts"]}
+    assert set(data["fitted"][0]["charts"]) == {
+        chart["key"] for chart in shown["fitted"][0]["charts"]
+    }
     title = place.read_text(encoding="utf-8")
     assert "<title>V8, cross-plane crank, 90 deg</title>" in title
 
@@ -68,7 +72,9 @@ def test_two_engines_and_changed_values(run: Run, tmp_path: Path) -> None:
     assert "<title>mine &amp; yours and " in place.read_text(encoding="utf-8")
 
 
-def test_a_page_does_not_tell_where_on_this_machine_its_engine_lies(run: Run, tmp_path: Path) -> None:
+def test_a_page_does_not_tell_where_on_this_machine_its_engine_lies(
+    run: Run, tmp_path: Path
+) -> None:
     home = tmp_path / "secret-folder"
     home.mkdir()
     file = home / "mine.toml"
@@ -80,7 +86,9 @@ def test_a_page_does_not_tell_where_on_this_machine_its_engine_lies(run: Run, tm
     assert held_in(place)["exhibition"]["sources"] == ["mine.toml"]
 
 
-def test_a_page_of_what_comes_in_says_a_command_that_reads_it_again(run: Run, tmp_path: Path) -> None:
+def test_a_page_of_what_comes_in_says_a_command_that_reads_it_again(
+    run: Run, tmp_path: Path
+) -> None:
     place = tmp_path / "page.html"
     assert run("page", "-", "-o", str(place), stdin=SHORT.encode()).code == 0
     assert held_in(place)["exhibition"]["command"] == "crankstar page - -o page.html"
@@ -110,7 +118,9 @@ def test_it_is_the_same_file_every_time(run: Run, tmp_path: Path) -> None:
         (("page", "i4", "--set", "firing_order"), "--set"),
     ],
 )
-def test_what_is_no_engine_makes_no_page(run: Run, tmp_path: Path, words: tuple[str, ...], sentence: str) -> None:
+def test_what_is_no_engine_makes_no_page(
+    run: Run, tmp_path: Path, words: tuple[str, ...], sentence: str
+) -> None:
     place = tmp_path / "page.html"
     ran = run(*words, "-o", str(place))
     assert ran.code == 2
@@ -146,7 +156,9 @@ def test_a_page_is_not_written_over_an_engine_file(run: Run, tmp_path: Path) -> 
     assert file.read_text(encoding="utf-8") == SHORT
 
 
-def test_a_disk_that_is_full_leaves_what_was_there(run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_disk_that_is_full_leaves_what_was_there(
+    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     place = tmp_path / "page.html"
     place.write_text("the old one", encoding="utf-8")
 

@@ -1,10 +1,11 @@
-"""`crankstar search`: tables, files of every kind, rows that become engines, and what is refused."""
+"""`crankstar search`: tables, files of every kind, rows that become engines, refusals."""
 
 from __future__ import annotations
 
 import csv
 import io
 import json
+import re
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
@@ -15,12 +16,16 @@ import pyarrow.parquet
 import pytest
 from tests import exhaustive
 
-from crankstar import cli, load, search_job, search_request
-from crankstar.balance import balance, total
-from crankstar.search.findings import findings
+from crankstar import cli, load
+from crankstar.cli import search_job
+from crankstar.mechanics.balance import balance, total
+from crankstar.options import search as options
+from crankstar.options.search import search_of
+from crankstar.options.words import SearchWords
+from crankstar.search.answer import answer_to
 from crankstar.search.question import All
-from crankstar.search_request import Wish, request
-from crankstar.search_table import rows
+from crankstar.tables.machine import columns
+from crankstar.tables.search_stars import search_stars
 
 Run = Callable[..., Any]
 SEVEN = ("search", "7", "--cycle", "two-stroke")
@@ -29,20 +34,30 @@ SEVEN = ("search", "7", "--cycle", "two-stroke")
 def table(out: str) -> list[list[str]]:
     """Rows of the table: those that begin with their number."""
     lines = [line.split() for line in out.splitlines()]
-    return [words for words in lines if words and words[0].isdigit() and len(words) > 3 and "-" in words[1]]
+    return [
+        words
+        for words in lines
+        if words and words[0].isdigit() and len(words) > 3 and "-" in words[1]
+    ]
 
 
 def test_the_front_of_seven_with_its_counts_and_proof(run: Run) -> None:
     out = run(*SEVEN).out
-    assert "720 stars, turned ones counted once; 360 classes with mirrored ones, 192 with those from the rear end too" in out
+    assert "720 stars; 360 without mirror images, 192 without those seen from the rear end." in out
     assert "Proved complete" in out
     found = [(words[1], float(words[2]), float(words[3])) for words in table(out)]
     wanted = [(0.0765, 9.149), (0.2673, 1.0056), (2.1937, 0.8223), (3.7808, 0.0765)]
     assert [values for _, *values in found] == [pytest.approx(point, abs=5e-4) for point in wanted]
     for order, one, two in found:
         star = directions([int(word) for word in order.split("-")])
-        row = exhaustive.lengths(star, exhaustive.arms(7), 1, 7), exhaustive.lengths(star, exhaustive.arms(7), 2, 7)
-        assert (one, two) == (pytest.approx(float(row[0][0]), abs=1e-4), pytest.approx(float(row[1][0]), abs=1e-4))
+        row = (
+            exhaustive.lengths(star, exhaustive.arms(7), 1, 7),
+            exhaustive.lengths(star, exhaustive.arms(7), 2, 7),
+        )
+        assert (one, two) == (
+            pytest.approx(float(row[0][0]), abs=1e-4),
+            pytest.approx(float(row[1][0]), abs=1e-4),
+        )
 
 
 def directions(order: list[int]) -> Any:
@@ -53,7 +68,9 @@ def directions(order: list[int]) -> Any:
 
 
 def test_exact_values_stand_beside_their_numbers(run: Run) -> None:
-    out = run("search", "8", "--cycle", "two-stroke", "--minimise", "M1", "--zero", "M2", "--best", "3").out
+    out = run(
+        "search", "8", "--cycle", "two-stroke", "--minimise", "M1", "--zero", "M2", "--best", "3"
+    ).out
     assert "√(20 − 14√2) = 0.44834" in out
     out = run("search", "6", "--cycle", "two-stroke", "--minimise", "M2", "--zero", "M1").out
     assert "2√3 = 3.4641" in out
@@ -63,7 +80,7 @@ def test_all_stars_with_the_moments_of_one(run: Run) -> None:
     by_order = run(*SEVEN, "--all-with", "1-7-2-5-4-3-6").out
     by_values = run(*SEVEN, "--all-with", "M1=0.2673,M2=1.0056").out
     assert table(by_order) == table(by_values)
-    assert "2 stars in 1 class." in by_order
+    assert "Stars: 2; classes: 1." in by_order
 
 
 def test_contradictions_are_proved(run: Run) -> None:
@@ -74,14 +91,32 @@ def test_contradictions_are_proved(run: Run) -> None:
 @pytest.mark.parametrize("kind", ["csv", "json", "parquet"])
 def test_results_are_written_with_all_rows(run: Run, tmp_path: Path, kind: str) -> None:
     place = tmp_path / f"eight.{kind}"
-    run("search", "8", "--cycle", "two-stroke", "--minimise", "M1", "--zero", "M2", "--all", "-o", str(place))
+    run(
+        "search",
+        "8",
+        "--cycle",
+        "two-stroke",
+        "--minimise",
+        "M1",
+        "--zero",
+        "M2",
+        "--all",
+        "-o",
+        str(place),
+    )
     if kind == "csv":
         read = list(csv.DictReader(io.StringIO(place.read_text(encoding="utf-8"))))
-        values, stars = [float(row["M1 [m*r*w^2*a]"]) for row in read], [int(row["stars"]) for row in read]
+        values, stars = (
+            [float(row["M1 [m*r*w^2*a]"]) for row in read],
+            [int(row["stars"]) for row in read],
+        )
     elif kind == "json":
         tree = json.loads(place.read_text(encoding="utf-8"))
-        values, stars = [row["values"][0] for row in tree["rows"]], [row["stars"] for row in tree["rows"]]
-        assert tree["found"] == 96
+        values, stars = (
+            [row["M1"] for row in tree["rows"]],
+            [row["stars"] for row in tree["rows"]],
+        )
+        assert tree["counts"]["found"] == 96
         assert tree["certificate"]["complete"] is True
     else:
         read = pyarrow.parquet.read_table(place).to_pydict()
@@ -104,7 +139,9 @@ def test_a_row_of_a_real_engine_keeps_its_pistons(run: Run, tmp_path: Path) -> N
     place = tmp_path / "better.toml"
     run("search", "audi-25-tfsi", "--minimise", "M1,M2", "--row", "1", "-o", str(place))
     before, after = load("audi-25-tfsi"), load(str(place))
-    assert [c.reciprocating_mass for c in after.cylinders] == [c.reciprocating_mass for c in before.cylinders]
+    assert [c.reciprocating_mass for c in after.cylinders] == [
+        c.reciprocating_mass for c in before.cylinders
+    ]
     assert [c.z for c in after.cylinders] == pytest.approx([c.z for c in before.cylinders])
 
 
@@ -117,84 +154,68 @@ def test_pictures_of_the_front_and_of_the_winners(run: Run, tmp_path: Path, char
     assert "1-7-2-5-4-3-6" in text
 
 
-def test_the_answer_is_the_same_with_two_workers_and_from_a_checkpoint(run: Run, tmp_path: Path) -> None:
+def test_the_answer_is_the_same_with_two_workers_and_from_a_checkpoint(
+    run: Run, tmp_path: Path
+) -> None:
     alone = run("search", "11", "--cycle", "two-stroke", "--workers", "1").out
-    assert run("search", "11", "--cycle", "two-stroke", "--workers", "2", "--checkpoint", "kept").out == alone
-    assert run("search", "11", "--cycle", "two-stroke", "--workers", "1", "--checkpoint", "kept").out == alone
+    assert (
+        run("search", "11", "--cycle", "two-stroke", "--workers", "2", "--checkpoint", "kept").out
+        == alone
+    )
+    assert (
+        run("search", "11", "--cycle", "two-stroke", "--workers", "1", "--checkpoint", "kept").out
+        == alone
+    )
     assert (tmp_path / "kept").exists()
 
 
 @pytest.mark.parametrize(
     ("words", "told"),
     [
-        (("1",), "it can be from 2 to 24"),
-        (("-3",), "it can be from 2 to 24"),
-        (("25",), "it can be from 2 to 24"),
+        (("1",), "2 to 24"),
+        (("-3",), "2 to 24"),
         (("nosuch",), "no such engine"),
         (("v8-cross-plane",), "do not stand in line"),
-        (("7", "--cycle", "three"), "two-stroke, four-stroke"),
-        (("7", "--minimise", "X3"), 'there is no "X3"'),
-        (("7", "--minimise", "M1,M1"), "M1 is named 2 times"),
-        (("7", "--minimise", "T2"), "needs the mode shape"),
-        (("7", "--minimise", "F1"), "is the same for every star"),
-        (("7", "--minimise", "M7"), "is the same for every star"),
-        (("7", "--minimise", "M1.5"), "whole orders only"),
-        (("7", "--minimise", ""), "name what is to be made least"),
-        (("7", "--minimise", "couple"), "need an engine"),
-        (("7", "--zero", ","), "name what is to vanish"),
-        (("7", "--limit", "M2"), "at most how much"),
-        (("7", "--limit", "M2=-1"), "from 0 up"),
-        (("7", "--pitch", "1,1"), "has 2 gaps; 7 cylinders have 6"),
-        (("7", "--pitch", "1,0,1,1,1,1"), "greater than 0"),
-        (("7", "--fix", "9=2"), "there is no cylinder 9"),
-        (("7", "--fix", "1=9"), "there are 0 to 6"),
-        (("7", "--fix", "1=0,2=0"), "cannot all have direction 0"),
-        (("7", "--symmetric"), "only a four-stroke engine"),
-        (("7", "--front", "--best", "3"), "ask for one of them"),
-        (("7", "--best", "0"), "from 1 to 10000"),
-        (("7", "--best", "1.5"), "a whole number"),
-        (("7", "--row", "1.9"), "a whole number"),
-        (("7", "--workers", "1.9"), "a whole number"),
-        (("7", "--pitch", "5"), "has 1 gap; 7 cylinders have 6"),
-        (("7", "--pitch", ""), "says nothing"),
-        (("7", "--checkpoint", ""), "says nothing"),
-        (("7", "--csv", "--json"), "one of them"),
-        (("7", "--csv", "-o", "x.json"), "not what the name says"),
-        (("7", "--checkpoint", "same.csv", "-o", "same.csv"), "is the checkpoint too"),
-        (("7", "--minimise", "neighbours", "--row", "1", "--uneven", "5"), "needs a couple"),
+        (("7", "--cycle", "three"), "two-stroke"),
+        (("7", "--minimise", "X3"), '--minimise: There is no "X3"'),
+        (("7", "--limit", "M2"), "--limit: M2"),
+        (("7", "--pitch", "1,1"), "--pitch: 2 gaps"),
+        (("7", "--fix", "9=2"), "--fix: There is no cylinder 9"),
+        (("7", "--front", "--best", "3"), "--front, --best"),
+        (("7", "--row", "1.9"), "--row"),
+        (("7", "--workers", "1.9"), "--workers"),
+        (("7", "--workers", "0"), "1 to 1024"),
+        (("7", "--checkpoint", ""), "--checkpoint: is empty"),
+        (("7", "--csv", "--json"), "only one of them"),
+        (("7", "--csv", "-o", "x.json"), "does not end in .csv"),
+        (("7", "--checkpoint", "same.csv", "-o", "same.csv"), "this is the checkpoint"),
+        (("7", "--minimise", "neighbours", "--row", "1", "--uneven", "5"), "--uneven: Name"),
         (("8", "--row", "1", "--uneven", "5,90"), "up to 60"),
-        (("12", "--row", "1", "--uneven", "60"), "smaller numbers"),
-        (("7", "--mode-shape", "1,2,3,4,5,6,7"), "nothing here asks for torsion"),
-        (("8", "--minimise", "T2.5"), "whole ones"),
-        (("7", "--limit", "neighbours=1.5"), "whole number"),
+        (("12", "--row", "1", "--uneven", "60"), "--uneven: A deviation of 60 deg"),
+        (("7", "--mode-shape", "1,2,3,4,5,6,7"), "--minimise M1,M2,T3"),
         (("7", "--zero", "neighbours"), "--avoid-adjacent"),
-        (("single",), "one cylinder"),
-        pytest.param(("11", "--all"), "more classes than the 200,000", marks=pytest.mark.long),
-        (("7", "--scheduler", "\x1b[31mtcp://x"), "no scheduler answers"),
-        (("7", "--minimise", "2*M1,M2"), "weights tell only in a list of the best"),
-        (("7", "--mode-shape", "1,2", "--minimise", "T1"), "has 2 amplitudes for 7 cylinders"),
-        (("7", "--all-with", "1-2-3"), "firing order"),
-        (("7", "--all-with", "M1=x"), "give a value"),
-        (("7", "--workers", "0"), "from 1 to 1024"),
-        (("7", "--row", "99"), "there are 4 rows"),
-        (("7", "-o", "nosuch/x.csv"), "there is no such directory"),
-        (("7", "-o", "x.doc"), "let the name end in"),
-        (("7", "--chart", "pie", "-o", "x.svg"), "front or stars"),
-        (("7", "--minimise", "M1", "--chart", "front", "-o", "x.svg"), "a front is of two or more objectives"),
-        (("7", "--set", "a=b"), "has no use for --set"),
-        (("i6", "--pitch", "1"), "are in its file"),
-        (("i6", "--cycle", "two-stroke"), "is a four-stroke"),
-        (("7", "--scheduler", "nonsense"), "no scheduler answers"),
-        (("22", "--cycle", "two-stroke"), "fix at least 3 throws"),
+        pytest.param(("11", "--all"), "more than the 200,000 classes", marks=pytest.mark.long),
+        (("7", "--scheduler", "\x1b[31mtcp://x"), "No dask scheduler answers"),
+        (("7", "--row", "99"), "has 4 rows"),
+        (("7", "-o", "nosuch/x.csv"), "no such directory"),
+        (("7", "-o", "x.doc"), "must end in"),
+        (("7", "--chart", "pie", "-o", "x.svg"), "front"),
+        (("7", "--minimise", "M1", "--chart", "front", "-o", "x.svg"), "two or more objectives"),
+        (("7", "--set", "a=b"), "--set"),
+        (("22", "--cycle", "two-stroke"), "Fix at least 3 throws"),
     ],
 )
-def test_what_cannot_be_searched_is_refused(refused: Callable[..., str], words: tuple[str, ...], told: str) -> None:
+def test_what_cannot_be_searched_is_refused(
+    refused: Callable[..., str], words: tuple[str, ...], told: str
+) -> None:
     assert told in refused("search", *words)
 
 
-def test_more_stars_than_can_be_listed_are_refused(refused: Callable[..., str], monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(search_request, "All", partial(All, greatest=50))
-    assert "more classes than the 50 that can be listed" in refused("search", "7", "--cycle", "two-stroke", "--all")
+def test_more_stars_than_can_be_listed_are_refused(
+    refused: Callable[..., str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(options, "All", partial(All, greatest=50))
+    assert "more than the 50 classes" in refused("search", "7", "--cycle", "two-stroke", "--all")
 
 
 def test_every_mistake_is_told_at_once(refused: Callable[..., str]) -> None:
@@ -213,13 +234,14 @@ def test_a_checkpoint_of_another_search_is_refused(run: Run, refused: Callable[.
 def test_rows_name_their_units() -> None:
     from fractions import Fraction
 
-    from crankstar.search.findings import findings
+    from crankstar.search.answer import answer_to
     from crankstar.search.question import Question
     from crankstar.search.stars import Stars
     from crankstar.search.sums import couple, of
 
     stars = Stars(5, "two-stroke", tuple(Fraction(2 - j) for j in range(5)))
-    heads, body = rows(findings(Question(stars, (of(couple(stars, 1)), of(couple(stars, 2))))))
+    found = search_stars(answer_to(Question(stars, (of(couple(stars, 1)), of(couple(stars, 2))))))
+    heads, body = columns(next(found.tables))
     assert "M1 [m*r*w^2*a]" in heads
     assert all(len(row) == len(heads) for row in body)
 
@@ -240,17 +262,22 @@ def test_all_with_lists_nothing_but_what_was_asked(run: Run) -> None:
 def test_a_list_by_several_objectives_shows_each(run: Run) -> None:
     out = run(*SEVEN, "--minimise", "M1,2*M2", "--best", "1").out
     ((_, _, together, one, two, *_),) = table(out)
-    assert float(together) == pytest.approx((float(one) ** 2 + 4 * float(two) ** 2) ** 0.5, rel=1e-4)
+    assert float(together) == pytest.approx(
+        (float(one) ** 2 + 4 * float(two) ** 2) ** 0.5, rel=1e-4
+    )
 
 
 def test_an_engine_is_found_among_the_rows(run: Run) -> None:
-    assert "The engine as it is (1-2-4-5-3) is row 1" in run("search", "audi-25-tfsi", "--minimise", "couple").out
+    assert (
+        "The engine as it is (1-2-4-5-3), row 1"
+        in run("search", "audi-25-tfsi", "--minimise", "couple").out
+    )
 
 
 def test_couples_are_counted_with_their_harmonic_where_it_is_not_known(run: Run) -> None:
     out = run(*SEVEN).out
-    assert "M1 [m r ω² a]  M2 [m r ω² A2 a]" in out
-    assert "M2 [m r ω² a]" in run("search", "man-s90mc-c").out
+    assert re.search(r"\[m r ω² a\] +\[m r ω² A2 a\]", out)
+    assert "A2" not in run("search", "man-s90mc-c").out
 
 
 @pytest.mark.parametrize("cylinders", ["2", "3", "4"])
@@ -261,21 +288,23 @@ def test_few_cylinders_need_no_options(run: Run, cylinders: str) -> None:
 
 def test_uneven_angles_are_shown_and_written(run: Run, tmp_path: Path) -> None:
     out = run(*SEVEN, "--row", "2", "--uneven", "2,5", "-o", "uneven.toml").out
-    assert "local optimum" in out
+    assert "local optimum" in " ".join(out.split())
     engine = load(str(tmp_path / "uneven.toml"))
     result = total(balance(engine))
     first = 2 * abs(result.couple.backward[result.couple.orders == 1][0])
-    row = next(line.split() for line in out.splitlines() if line.strip().startswith("5 deg"))
-    assert first == pytest.approx(float(row[2]), rel=1e-3)
+    row = next(line.split() for line in out.splitlines() if re.match(r" +5 +\d", line))
+    assert first == pytest.approx(float(row[1]), rel=1e-3)
 
 
 @pytest.mark.parametrize("count", [0, 2])
 def test_a_stopped_search_writes_what_it_has_and_nothing_over_a_file_where_it_has_nothing(
     count: int, capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    whole = findings(request(4, "two-stroke", Wish()).question)
-    part = replace(whole, rows=whole.rows[:count], certificate=replace(whole.certificate, interrupted=True))
-    monkeypatch.setattr(search_job, "found", lambda *_, **__: part)
+    whole = answer_to(search_of(4, SearchWords(cycle="two-stroke")).question)
+    part = replace(
+        whole, rows=whole.rows[:count], certificate=replace(whole.certificate, interrupted=True)
+    )
+    monkeypatch.setattr(search_job, "answer_of", lambda *_, **__: part)
     file = tmp_path / "x.csv"
     file.write_text("old", encoding="utf-8")
     with pytest.raises(SystemExit) as left:

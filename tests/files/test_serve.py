@@ -20,7 +20,7 @@ from crankstar.server import running
         (["--host", ""], '--host "": is no address of this machine'),
         (["--host", "192.0.2.1", "--port", "0"], "cannot be used"),
         (["no-such-engine"], "there is no such engine in the catalog"),
-        (["i4", "--set", "cycle=three-stroke"], "cycle: "),
+        (["i4", "--set", "cycle=three-stroke"], "cycle is "),
     ],
 )
 def test_what_cannot_be_served_is_refused_before_it_starts(

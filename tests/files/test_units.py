@@ -1,17 +1,23 @@
-"""Text with a unit to SI and back: what is understood, what is refused, and that nothing is lost on the way."""
+"""Text with a unit to SI and back.
+
+What is understood, what is refused, and that nothing is lost on the way.
+"""
 
 from __future__ import annotations
 
 import math
 import re
 from dataclasses import replace
+from typing import Any, Literal
 
+import pint
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from crankstar import units
-from crankstar.quantity import ANGLE, LEAST, LENGTH, POSITION, SPEED, Quantity
+from crankstar.engine.quantities import ANGLE, LEAST, LENGTH, POSITION, SPEED, Quantity
+from crankstar.files import units
+from crankstar.language.faults import ValueFaultError
 
 SIZE = replace(LENGTH, least=LEAST)
 MASS = Quantity("mass", "650 g", frozenset({"mass"}))
@@ -23,17 +29,98 @@ INCH, POUND = 0.0254, 0.45359237
 TURN = 2 * math.pi
 
 UNITS = [
-    (LENGTH, {"m": 1, "mm": 1e-3, "cm": 1e-2, "um": 1e-6, "in": INCH, "inch": INCH, "inches": INCH, "ft": 12 * INCH}),
-    (LENGTH, {"metre": 1, "millimetre": 1e-3, "millimeter": 1e-3, "centimetre": 1e-2, "foot": 12 * INCH, "feet": 12 * INCH}),
-    (MASS, {"kg": 1, "g": 1e-3, "grams": 1e-3, "mg": 1e-6, "t": 1e3, "lb": POUND, "lbs": POUND, "oz": POUND / 16}),
-    (ANGLE, {"rad": 1, "deg": TURN / 360, "degrees": TURN / 360, "turn": TURN, "rev": TURN, "\u00b0": TURN / 360}),
-    (SPEED, {"rpm": TURN / 60, "rad/s": 1, "rev/min": TURN / 60, "rev/s": TURN, "Hz": TURN, "deg/s": TURN / 360}),
-    (SPEED, {"/min": TURN / 60, " 1/min": TURN / 60, "r/min": TURN / 60, "min^-1": TURN / 60, "min-1": TURN / 60}),
+    (
+        LENGTH,
+        {
+            "m": 1,
+            "mm": 1e-3,
+            "cm": 1e-2,
+            "um": 1e-6,
+            "in": INCH,
+            "inch": INCH,
+            "inches": INCH,
+            "ft": 12 * INCH,
+        },
+    ),
+    (
+        LENGTH,
+        {
+            "metre": 1,
+            "millimetre": 1e-3,
+            "millimeter": 1e-3,
+            "centimetre": 1e-2,
+            "foot": 12 * INCH,
+            "feet": 12 * INCH,
+        },
+    ),
+    (
+        MASS,
+        {
+            "kg": 1,
+            "g": 1e-3,
+            "grams": 1e-3,
+            "mg": 1e-6,
+            "t": 1e3,
+            "lb": POUND,
+            "lbs": POUND,
+            "oz": POUND / 16,
+        },
+    ),
+    (
+        ANGLE,
+        {
+            "rad": 1,
+            "deg": TURN / 360,
+            "degrees": TURN / 360,
+            "turn": TURN,
+            "rev": TURN,
+            "\u00b0": TURN / 360,
+        },
+    ),
+    (
+        SPEED,
+        {
+            "rpm": TURN / 60,
+            "rad/s": 1,
+            "rev/min": TURN / 60,
+            "rev/s": TURN,
+            "Hz": TURN,
+            "deg/s": TURN / 360,
+        },
+    ),
+    (
+        SPEED,
+        {
+            "/min": TURN / 60,
+            " 1/min": TURN / 60,
+            "r/min": TURN / 60,
+            "min^-1": TURN / 60,
+            "min-1": TURN / 60,
+        },
+    ),
     (
         INERTIA,
-        {"kg*m^2": 1, "kg m^2": 1, "kg m2": 1, "kg\u00b7m\u00b2": 1, "g*m^2": 1e-3, "kg*mm^2": 1e-6, "lb*in^2": POUND * INCH**2},
+        {
+            "kg*m^2": 1,
+            "kg m^2": 1,
+            "kg m2": 1,
+            "kg\u00b7m\u00b2": 1,
+            "g*m^2": 1e-3,
+            "kg*mm^2": 1e-6,
+            "lb*in^2": POUND * INCH**2,
+        },
     ),
-    (UNBALANCE, {"kg*m": 1, "kg m": 1, "g*mm": 1e-6, "g mm": 1e-6, "kg\u22c5mm": 1e-3, "oz*in": POUND / 16 * INCH}),
+    (
+        UNBALANCE,
+        {
+            "kg*m": 1,
+            "kg m": 1,
+            "g*mm": 1e-6,
+            "g mm": 1e-6,
+            "kg\u22c5mm": 1e-3,
+            "oz*in": POUND / 16 * INCH,
+        },
+    ),
 ]
 EACH = [(quantity, unit, factor) for quantity, factors in UNITS for unit, factor in factors.items()]
 
@@ -45,6 +132,25 @@ def test_every_unit_is_what_it_is(quantity: Quantity, unit: str, factor: float) 
             assert units.si(text, quantity) == pytest.approx(float(number) * factor, rel=1e-15)
 
 
+def test_pint_reads_every_product_of_two_units_alike() -> None:
+    registry: pint.UnitRegistry = pint.UnitRegistry(None)  # pyright: ignore[reportArgumentType]
+    registry.load_definitions(units._DEFINITIONS.strip().splitlines())
+    names = [name for name in units._definitions() if len(name) <= 12]  # no longer one is read
+    single = [name + end for name in names for end in ("", "s", "ss", "^2", "^-3", "x")]
+    kinds: dict[str, object] = {}
+    for unit in [*single, *(f"{a}{sign}{b}" for a in names for b in names for sign in ("*", "/"))]:
+        try:
+            base: Any = registry.Quantity(1.0, registry.parse_units(unit)).to_base_units()
+        except AttributeError:  # what pint raises for an unknown unit is one
+            with pytest.raises(ValueError, match=re.escape(unit[:2])):
+                units._unit(unit)
+            continue
+        dimensions, factor = units._unit(unit)
+        assert factor == pytest.approx(base.magnitude, rel=1e-15), unit
+        assert kinds.setdefault(str(base.units), dimensions) == dimensions, unit
+    assert len(set(kinds.values())) == len(kinds)
+
+
 def test_the_unit_of_every_example_is_known() -> None:
     assert [units.si(quantity.example, quantity) for quantity in QUANTITIES] == pytest.approx(
         [math.pi / 2, 0.0825, 0.1055, 100 * TURN, 0.65, 0.002, 0.02]
@@ -52,12 +158,20 @@ def test_the_unit_of_every_example_is_known() -> None:
 
 
 @given(st.sampled_from(EACH), st.floats(1e-3, 10, allow_subnormal=False), st.sampled_from([1, -1]))
-def test_a_number_with_a_unit_is_the_number_times_the_unit(each: tuple[Quantity, str, float], number: float, sign: int) -> None:
+def test_a_number_with_a_unit_is_the_number_times_the_unit(
+    each: tuple[Quantity, str, float], number: float, sign: int
+) -> None:
     quantity, unit, factor = each
-    assert units.si(f"{sign * number!r} {unit}", quantity) == pytest.approx(sign * number * factor, rel=1e-14)
+    assert units.si(f"{sign * number!r} {unit}", quantity) == pytest.approx(
+        sign * number * factor, rel=1e-14
+    )
 
 
-@given(st.sampled_from(QUANTITIES), st.floats(1e-6, 90, allow_subnormal=False), st.sampled_from([1, -1, 0]))
+@given(
+    st.sampled_from(QUANTITIES),
+    st.floats(1e-6, 90, allow_subnormal=False),
+    st.sampled_from([1, -1, 0]),
+)
 def test_what_is_written_is_read_back(quantity: Quantity, number: float, sign: int) -> None:
     value = sign * number
     text = units.text(value, quantity)
@@ -77,11 +191,15 @@ def test_what_is_written_is_read_back(quantity: Quantity, number: float, sign: i
         (0.002, INERTIA, "0.002 kg*m^2"),
     ],
 )
-def test_a_value_is_written_in_the_unit_a_reader_expects(value: float, quantity: Quantity, text: str) -> None:
+def test_a_value_is_written_in_the_unit_a_reader_expects(
+    value: float, quantity: Quantity, text: str
+) -> None:
     assert units.text(value, quantity, digits=12) == text
 
 
-@pytest.mark.parametrize("value", ["\u0663 mm", "\uff18\uff12 mm", "82\u00a0mm", "82\u2009mm", "\u221282 mm", "82\tmm"])
+@pytest.mark.parametrize(
+    "value", ["\u0663 mm", "\uff18\uff12 mm", "82\u00a0mm", "82\u2009mm", "\u221282 mm", "82\tmm"]
+)
 def test_numbers_and_blanks_of_other_scripts_are_read(value: str) -> None:
     assert abs(units.si(value, LENGTH)) in (0.003, 0.082)
 
@@ -92,34 +210,73 @@ def test_numbers_and_blanks_of_other_scripts_are_read(value: str) -> None:
         ("82 kg", LENGTH, 'is "82 kg", a mass; a length is needed, such as "82.5 mm"'),
         ("5 m^2", LENGTH, 'is "5 m^2", an area; a length is needed, such as "82.5 mm"'),
         ("5 m m", LENGTH, 'is "5 m m", an area; a length is needed, such as "82.5 mm"'),
-        ("5 kg*m", INERTIA, 'is "5 kg*m", an unbalance; a moment of inertia is needed, such as "0.002 kg*m^2"'),
-        ("5 zork", MASS, 'is "5 zork", whose unit "zork" is not known; a mass is needed, such as "650 g"'),
+        (
+            "5 kg*m",
+            INERTIA,
+            'is "5 kg*m", an unbalance; a moment of inertia is needed, such as "0.002 kg*m^2"',
+        ),
+        (
+            "5 zork",
+            MASS,
+            'is "5 zork", whose unit "zork" is not known; a mass is needed, such as "650 g"',
+        ),
         (
             "6000 RPM",
             SPEED,
             'is "6000 RPM", whose unit "RPM" is not known (did you mean "rpm"?); a rotational speed is needed, such as "6000 rpm"',
         ),
-        ("82,5 mm", LENGTH, 'is "82,5 mm"; write numbers with a decimal point and no other commas, as in "82.5 mm"'),
-        ("6,000 rpm", SPEED, 'is "6,000 rpm"; write numbers with a decimal point and no other commas, as in "6000 rpm"'),
+        (
+            "82,5 mm",
+            LENGTH,
+            'is "82,5 mm"; write numbers with a decimal point and no other commas, as in "82.5 mm"',
+        ),
+        (
+            "6,000 rpm",
+            SPEED,
+            'is "6,000 rpm"; write numbers with a decimal point and no other commas, as in "6000 rpm"',
+        ),
         ("mm", LENGTH, 'is "mm", not a number with a unit; a length is needed, such as "82.5 mm"'),
-        (82.5, LENGTH, 'is 82.5 without a unit, and 82.5 m cannot be meant; a length is needed, such as "82.5 mm"'),
-        (90, ANGLE, 'is 90 without a unit, and 90 rad cannot be meant; an angle is needed, such as "90 deg"'),
-        ("1 km", LENGTH, 'is "1 km", whose unit "km" is not known; a length is needed, such as "82.5 mm"'),
-        ("101 m", LENGTH, 'is "101 m", too large for an engine; a length is needed, such as "82.5 mm"'),
-        ("1e-5 mm", SIZE, 'is "1e-5 mm", too small for an engine; a length is needed, such as "82.5 mm"'),
+        (82.5, LENGTH, "is 82.5 m; the largest plausible value is 5 m. Did you mean 82.5 mm?"),
+        (90, ANGLE, "is 90 rad; the largest plausible value is 6.2832 rad. Did you mean 90 deg?"),
+        (
+            "1 km",
+            LENGTH,
+            'is "1 km", whose unit "km" is not known; a length is needed, such as "82.5 mm"',
+        ),
+        (
+            "101 m",
+            LENGTH,
+            'is "101 m", too large for an engine; a length is needed, such as "82.5 mm"',
+        ),
+        (
+            "1e-5 mm",
+            SIZE,
+            'is "1e-5 mm", too small for an engine; a length is needed, such as "82.5 mm"',
+        ),
         (float("nan"), MASS, 'is nan; a mass is needed, such as "650 g"'),
         (float("-inf"), MASS, 'is -inf; a mass is needed, such as "650 g"'),
         (True, MASS, 'is true; a mass is needed, such as "650 g"'),
         (None, MASS, 'is null; a mass is needed, such as "650 g"'),
         ([1], MASS, 'is a list; a mass is needed, such as "650 g"'),
-        pytest.param(10**5000, MASS, 'is a number of thousands of digits; a mass is needed, such as "650 g"', id="digits"),
-        ("9" * 2000, MASS, f'is "{"9" * 57}...", not a number with a unit; a mass is needed, such as "650 g"'),
+        pytest.param(
+            10**5000,
+            MASS,
+            'is a number of thousands of digits; a mass is needed, such as "650 g"',
+            id="digits",
+        ),
+        (
+            "9" * 2000,
+            MASS,
+            f'is "{"9" * 57}...", not a number with a unit; a mass is needed, such as "650 g"',
+        ),
     ],
 )
-def test_what_is_refused_is_refused_in_one_sentence(value: object, quantity: Quantity, message: str) -> None:
+def test_what_is_refused_is_refused_in_one_sentence(
+    value: object, quantity: Quantity, message: str
+) -> None:
     with pytest.raises(ValueError, match=r".") as caught:
         units.si(value, quantity)
-    assert str(caught.value) == message
+    assert str(caught.value).removeprefix("the value ") == message
 
 
 def understood(value: object, quantity: Quantity) -> tuple[float, str]:
@@ -127,18 +284,26 @@ def understood(value: object, quantity: Quantity) -> tuple[float, str]:
     try:
         return units.si(value, quantity), ""
     except ValueError as error:
-        return 0.0, str(error)
+        return 0.0, str(error).removeprefix("the value ")
 
 
-@given(st.sampled_from(QUANTITIES), st.text(max_size=80) | st.from_regex(r"[-+]?[0-9.]{0,4}(e[0-9]{1,4})? ?[a-z*/^0-9 ]{0,12}"))
+@given(
+    st.sampled_from(QUANTITIES),
+    st.text(max_size=80) | st.from_regex(r"[-+]?[0-9.]{0,4}(e[0-9]{1,4})? ?[a-z*/^0-9 ]{0,12}"),
+)
 def test_any_text_at_all_gives_a_finite_number_or_a_sentence(quantity: Quantity, text: str) -> None:
     number, message = understood(text, quantity)
     assert math.isfinite(number)
-    assert not message or (message.startswith("is ") and quantity.example in message and message.isprintable())
+    assert not message or (message.startswith("is ") and ";" in message and message.isprintable())
 
 
-@given(st.sampled_from(QUANTITIES), st.integers() | st.floats() | st.none() | st.booleans() | st.lists(st.integers(), max_size=2))
-def test_anything_but_text_gives_a_finite_number_or_a_sentence(quantity: Quantity, value: object) -> None:
+@given(
+    st.sampled_from(QUANTITIES),
+    st.integers() | st.floats() | st.none() | st.booleans() | st.lists(st.integers(), max_size=2),
+)
+def test_anything_but_text_gives_a_finite_number_or_a_sentence(
+    quantity: Quantity, value: object
+) -> None:
     number, message = understood(value, quantity)
     assert math.isfinite(number)
     assert not message or message.startswith("is ")
@@ -156,9 +321,12 @@ def test_what_is_not_known_is_counted_in_itself() -> None:
     assert read(4, LENGTH) == read("4", LENGTH) == 4
     assert read("0 mm", LENGTH) == 0
     assert read("650 g", MASS) == 0.65
-    with pytest.raises(ValueError, match="no stroke is known"):
-        read("82.5 mm", LENGTH)
-    with pytest.raises(ValueError, match="out of all proportion"):
-        read(1e9, LENGTH)
-    with pytest.raises(ValueError, match="or take radius out of relative"):
-        units.reader(frozenset({"radius"}), instead="or take {name} out of relative")("1 mm", LENGTH)
+    cases: tuple[tuple[Any, Literal["unknown", "relative"], str], ...] = (
+        ("82.5 mm", "unknown", "unit.unknown-radius"),
+        (1e9, "unknown", "unit.bare-out-of-range"),
+        ("1 mm", "relative", "unit.relative-radius"),
+    )
+    for value, because, code in cases:
+        with pytest.raises(ValueFaultError) as error:
+            units.reader(frozenset({"radius"}), because=because)(value, LENGTH)
+        assert error.value.code == code

@@ -1,6 +1,9 @@
-"""Writes the answers that test_golden.py holds the program to: `python tests/golden/build.py` after a change that is meant.
+"""Writes the answers with which test_golden.py compares the program.
 
-They prove nothing (the laws do that); they show that a number, or the public shape of the answer, has moved.
+`python tests/golden/build.py` after an intended change.
+
+They prove nothing (the laws do that); they show that a number, or the public shape of the answer,
+has moved.
 """
 
 from __future__ import annotations
@@ -9,7 +12,9 @@ import json
 from pathlib import Path
 from typing import Any
 
-from crankstar import answer, balance, load
+from crankstar import balance, load
+from crankstar.tables.balance_orders import answer
+from crankstar.tables.machine import tree
 
 FILE = Path(__file__).parent / "answers.json"
 ENGINES = ("v8-cross-plane", "audi-25-tfsi", "kr250-racer", "radial-9", "napier-deltic")
@@ -18,7 +23,10 @@ ENGINES = ("v8-cross-plane", "audi-25-tfsi", "kr250-racer", "radial-9", "napier-
 def answers() -> dict[str, Any]:
     """The machine-readable answers of a few engines, each at its own speed."""
     engines = {name: load(name) for name in ENGINES}
-    return {name: answer.tree(engine.name, balance(engine, speed=engine.speed)) for name, engine in engines.items()}
+    return {
+        name: tree(answer(engine, balance(engine, speed=engine.speed)))
+        for name, engine in engines.items()
+    }
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""The frame and its signs, as docs/conventions.md says them: one small engine for each sentence of that page."""
+"""The frame and its signs: one small engine for each sentence of docs/conventions.md."""
 
 from __future__ import annotations
 
@@ -10,15 +10,17 @@ from typing import Any
 import numpy as np
 import pytest
 
-from crankstar import phasor
-from crankstar.arrangement import Basis, Sizes
-from crankstar.balance import Balance, Reference, Totals, balance, of_parts, total
-from crankstar.engine import Engine
-from crankstar.firing import dead_centres
-from crankstar.layouts import Bank, inline, vee
-from crankstar.mechanism import mechanism, spectra
-from crankstar.phasor import Spectrum
-from crankstar.records import Cylinder, Shaft, Throw, Weight
+from crankstar import spectra
+from crankstar.engine.banks import Bank
+from crankstar.engine.basis import Basis, Sizes
+from crankstar.engine.dead_centres import dead_centres
+from crankstar.engine.engine import Engine
+from crankstar.engine.layouts import inline, vee
+from crankstar.engine.records import Cylinder, Shaft, Throw, Weight
+from crankstar.mechanics.balance import Balance, Reference, Totals, balance, of_parts, total
+from crankstar.mechanics.excitation import part_spectra
+from crankstar.mechanics.mechanism import mechanism
+from crankstar.spectra import Spectrum
 
 MASS, RADIUS, ROD, SPEED = 0.5, 0.04, 0.14, 100.0
 FORCE = MASS * RADIUS * SPEED**2
@@ -26,7 +28,9 @@ FORCE = MASS * RADIUS * SPEED**2
 ROTATIONS = pytest.mark.parametrize("rotation", ["clockwise", "counter-clockwise"])
 
 
-def engine(*weights: Weight, bearing: float = 0.0, z: float = 0.0, offset: float = 0.0, **changes: Any) -> Engine:
+def engine(
+    *weights: Weight, bearing: float = 0.0, z: float = 0.0, offset: float = 0.0, **changes: Any
+) -> Engine:
     """One cylinder at top dead centre at theta = 0, and perhaps some weights on its crankshaft."""
     dead_centre = bearing + asin(offset / (RADIUS + ROD))
     throw = Throw(angle=dead_centre, radius=RADIUS, z=z)
@@ -36,7 +40,14 @@ def engine(*weights: Weight, bearing: float = 0.0, z: float = 0.0, offset: float
             "shafts": (Shaft(name="crank", throws=(throw,), weights=weights),),
             "cylinders": (
                 Cylinder(
-                    number=1, shaft="crank", throw=1, bearing=bearing, z=z, offset=offset, rod_length=ROD, reciprocating_mass=MASS
+                    number=1,
+                    shaft="crank",
+                    throw=1,
+                    bearing=bearing,
+                    z=z,
+                    offset=offset,
+                    rod_length=ROD,
+                    reciprocating_mass=MASS,
                 ),
             ),
             **changes,
@@ -46,17 +57,21 @@ def engine(*weights: Weight, bearing: float = 0.0, z: float = 0.0, offset: float
 
 def at(spectrum: Spectrum, degrees: float) -> complex:
     """The vector `up + i*right` at a crank angle."""
-    return complex(phasor.value(spectrum, radians(degrees)))
+    return complex(spectra.value(spectrum, radians(degrees)))
 
 
 def of_weights(result: Balance) -> Totals:
     return of_parts(result, kind="weight")
 
 
-def test_a_single_vertical_cylinder_pushes_up_at_top_dead_centre_and_down_at_bottom_dead_centre() -> None:
+def test_a_single_vertical_cylinder_pushes_up_at_top_dead_centre_and_down_at_bottom_dead_centre() -> (
+    None
+):
     force = total(balance(engine(), speed=SPEED)).force
     ratio = RADIUS / ROD
-    assert at(force, 0) == pytest.approx(FORCE * (1 + ratio), rel=1e-9)  # exact at the dead centres: 1 + lambda, 1 - lambda
+    assert at(force, 0) == pytest.approx(
+        FORCE * (1 + ratio), rel=1e-9
+    )  # exact at the dead centres: 1 + lambda, 1 - lambda
     assert at(force, 180) == pytest.approx(-FORCE * (1 - ratio), rel=1e-9)
 
 
@@ -72,8 +87,12 @@ def test_a_weight_at_bearing_90_pushes_right() -> None:
 
 
 @ROTATIONS
-def test_turning_clockwise_takes_up_to_right_and_turning_counter_clockwise_takes_up_to_left(rotation: str) -> None:
-    force = of_weights(balance(engine(Weight(unbalance=0.02, angle=0.0), rotation=rotation), speed=SPEED)).force
+def test_turning_clockwise_takes_up_to_right_and_turning_counter_clockwise_takes_up_to_left(
+    rotation: str,
+) -> None:
+    force = of_weights(
+        balance(engine(Weight(unbalance=0.02, angle=0.0), rotation=rotation), speed=SPEED)
+    ).force
     side = 1 if rotation == "clockwise" else -1
     assert at(force, 0) == pytest.approx(0.02 * SPEED**2)
     assert at(force, 90) == pytest.approx(side * 0.02j * SPEED**2, abs=1e-9)
@@ -81,14 +100,18 @@ def test_turning_clockwise_takes_up_to_right_and_turning_counter_clockwise_takes
 
 @ROTATIONS
 def test_what_turns_with_the_crankshaft_is_forward_whichever_way_it_turns(rotation: str) -> None:
-    force = of_weights(balance(engine(Weight(unbalance=0.02, angle=0.3), rotation=rotation), speed=SPEED)).force
-    assert abs(phasor.selected(force, 1).forward[0]) == pytest.approx(200)
+    force = of_weights(
+        balance(engine(Weight(unbalance=0.02, angle=0.3), rotation=rotation), speed=SPEED)
+    ).force
+    assert abs(spectra.selected(force, 1).forward[0]) == pytest.approx(200)
     assert not np.any(force.backward)
 
 
 @ROTATIONS
 def test_a_piston_is_half_forward_and_half_backward(rotation: str) -> None:
-    first = phasor.selected(total(balance(engine(bearing=0.7, rotation=rotation), speed=SPEED)).force, 1)
+    first = spectra.selected(
+        total(balance(engine(bearing=0.7, rotation=rotation), speed=SPEED)).force, 1
+    )
     assert abs(first.forward[0]) == pytest.approx(FORCE / 2)
     assert abs(first.backward[0]) == pytest.approx(FORCE / 2)
 
@@ -101,16 +124,19 @@ def test_the_exponents_are_those_of_the_page(rotation: str) -> None:
         f * np.exp(sign * k * theta) + b * np.exp(-sign * k * theta)
         for k, f, b in zip(force.orders, force.forward, force.backward, strict=True)
     )
-    assert complex(phasor.value(force, theta)) == pytest.approx(complex(written))
+    assert complex(spectra.value(force, theta)) == pytest.approx(complex(written))
 
 
 def test_an_amplitude_with_a_phase_is_a_cosine_of_the_crank_angle() -> None:
     """`a ∠ p` up means a cos(k theta + p) up; the phase leads."""
     for rotation in ("clockwise", "counter-clockwise"):
-        second = phasor.selected(total(balance(engine(bearing=0.7, offset=0.01, rotation=rotation), speed=SPEED)).force, 2)
-        up, right = complex(phasor.vertical(second)[0]), complex(phasor.horizontal(second)[0])
+        second = spectra.selected(
+            total(balance(engine(bearing=0.7, offset=0.01, rotation=rotation), speed=SPEED)).force,
+            2,
+        )
+        up, right = complex(spectra.vertical(second)[0]), complex(spectra.horizontal(second)[0])
         for theta in (0.0, 0.5, 2.0):
-            vector = complex(phasor.value(second, theta))
+            vector = complex(spectra.value(second, theta))
             assert abs(up) * np.cos(2 * theta + np.angle(up)) == pytest.approx(vector.real)
             assert abs(right) * np.cos(2 * theta + np.angle(right)) == pytest.approx(vector.imag)
 
@@ -138,23 +164,29 @@ def geared(right: float, up: float, weight_angle: float) -> Engine:
     """One cylinder, and a balance shaft with one weight beside or above the crankshaft."""
     plain = engine()
     weight = Weight(unbalance=0.02, angle=weight_angle)
-    other = Shaft(name="balance shaft", speed_ratio=Fraction(-1), right=right, up=up, weights=(weight,))
+    other = Shaft(
+        name="balance shaft", speed_ratio=Fraction(-1), right=right, up=up, weights=(weight,)
+    )
     return plain.model_copy(update={"shafts": (*plain.shafts, other)})
 
 
 def test_a_push_up_on_the_right_of_the_axis_rolls_the_engine_counter_clockwise() -> None:
-    roll = of_weights(balance(geared(0.1, 0.0, 0.0), speed=SPEED)).roll
+    roll = of_weights(balance(geared(0.1, 0.0, 0.0), speed=SPEED)).axis_moment
     assert at(roll, 0).real == pytest.approx(-0.1 * 0.02 * SPEED**2)
 
 
 def test_a_push_to_the_right_above_the_axis_rolls_the_engine_clockwise() -> None:
-    roll = of_weights(balance(geared(0.0, 0.1, pi / 2), speed=SPEED)).roll
+    roll = of_weights(balance(geared(0.0, 0.1, pi / 2), speed=SPEED)).axis_moment
     assert at(roll, 0).real == pytest.approx(0.1 * 0.02 * SPEED**2)
 
 
 def test_roll_is_taken_about_the_reference_point() -> None:
     around = Reference(0.0, up=0.0, right=0.1)
-    assert not np.any(of_weights(balance(geared(0.1, 0.0, 0.0), speed=SPEED, reference=around)).roll.forward)
+    assert not np.any(
+        of_weights(
+            balance(geared(0.1, 0.0, 0.0), speed=SPEED, reference=around)
+        ).axis_moment.forward
+    )
 
 
 def test_a_shaft_that_turns_the_other_way_is_all_backward() -> None:
@@ -165,36 +197,50 @@ def test_a_shaft_that_turns_the_other_way_is_all_backward() -> None:
 
 @ROTATIONS
 def test_a_cylinder_on_a_shaft_that_turns_the_other_way_follows_that_shaft(rotation: str) -> None:
-    """Its pin stands at the right at theta = 0; the shaft turns it up, if the reference crankshaft turns clockwise."""
+    """Its pin is at the right at theta = 0; a clockwise reference crankshaft turns it up."""
     plain = engine(rotation=rotation)
-    second = Shaft(name="second", speed_ratio=Fraction(-1), throws=(Throw(angle=pi / 2, radius=RADIUS),))
+    second = Shaft(
+        name="second", speed_ratio=Fraction(-1), throws=(Throw(angle=pi / 2, radius=RADIUS),)
+    )
     other = plain.cylinders[0].model_copy(update={"number": 2, "shaft": "second"})
-    geared = plain.model_copy(update={"shafts": (*plain.shafts, second), "cylinders": (*plain.cylinders, other)})
+    geared = plain.model_copy(
+        update={"shafts": (*plain.shafts, second), "cylinders": (*plain.cylinders, other)}
+    )
     top = 90 if rotation == "clockwise" else 270
     assert dead_centres(geared)[2].angle_deg == pytest.approx(top)
-    assert at(of_parts(balance(geared, speed=SPEED), cylinder=2).force, top) == pytest.approx(FORCE * (1 + RADIUS / ROD), rel=1e-9)
+    assert at(of_parts(balance(geared, speed=SPEED), cylinder=2).force, top) == pytest.approx(
+        FORCE * (1 + RADIUS / ROD), rel=1e-9
+    )
 
 
 @ROTATIONS
-def test_a_piston_that_gains_speed_after_top_dead_centre_holds_the_crankshaft_back(rotation: str) -> None:
+def test_a_piston_that_gains_speed_after_top_dead_centre_holds_the_crankshaft_back(
+    rotation: str,
+) -> None:
     torque = total(balance(engine(rotation=rotation), speed=SPEED)).torque
     assert at(torque, 30).real < 0  # against the direction of rotation
     assert at(torque, 150).real > 0  # and gives it back on the way to bottom dead centre
 
 
 @ROTATIONS
-def test_a_block_without_its_driveline_feels_the_roll_less_the_torque_of_the_crankshaft(rotation: str) -> None:
-    """The thrust of the piston on the cylinder wall, worked out from the rod's slant, is all there is to that moment."""
+def test_a_block_without_its_driveline_feels_the_roll_less_the_torque_of_the_crankshaft(
+    rotation: str,
+) -> None:
+    """The whole moment is the side thrust of the piston, worked out from the rod's slant."""
     sums = total(balance(engine(rotation=rotation), speed=SPEED))
-    assert not np.any(sums.roll.forward)  # the mass moves along a line through the axis: no angular momentum
+    assert not np.any(
+        sums.axis_moment.forward
+    )  # the mass moves along a line through the axis: no angular momentum
     sense = 1 if rotation == "clockwise" else -1
     theta = np.linspace(0, 2 * pi, 12)
     across = sense * RADIUS * np.sin(theta)
     height = np.sqrt(ROD**2 - across**2)
-    push = np.real(phasor.value(sums.force, theta))  # minus mass times acceleration
+    push = np.real(spectra.value(sums.force, theta))  # minus mass times acceleration
     thrust = push * across / height  # to the right, on the wall
     moment = thrust * (RADIUS * np.cos(theta) + height)  # clockwise, about the crank axis
-    felt = np.real(phasor.value(sums.roll, theta)) - sense * np.real(phasor.value(sums.torque, theta))
+    felt = np.real(spectra.value(sums.axis_moment, theta)) - sense * np.real(
+        spectra.value(sums.torque, theta)
+    )
     assert felt == pytest.approx(moment, abs=1e-9 * FORCE)
 
 
@@ -203,20 +249,31 @@ def test_a_positive_offset_puts_the_cylinder_axis_on_the_clockwise_side() -> Non
     assert offset.shafts[0].throws[0].angle > 0  # at top dead centre the crank leans clockwise
     sums = total(balance(offset, speed=SPEED))
     assert at(sums.force, 0).real > 0
-    assert at(sums.roll, 0).real == pytest.approx(-0.01 * at(sums.force, 0).real)  # the push is on the right of the axis
+    assert at(sums.axis_moment, 0).real == pytest.approx(
+        -0.01 * at(sums.force, 0).real
+    )  # the push is on the right of the axis
 
 
 def test_a_positive_roll_is_a_negative_moment_about_the_axis_to_the_front() -> None:
     vector = at(of_weights(balance(geared(0.1, 0.05, 0.6), speed=SPEED)).force, 0)
     moment = np.cross([0.1, 0.05, 0], [vector.imag, vector.real, 0])[2]
-    assert at(of_weights(balance(geared(0.1, 0.05, 0.6), speed=SPEED)).roll, 0).real == pytest.approx(-moment)
+    assert at(
+        of_weights(balance(geared(0.1, 0.05, 0.6), speed=SPEED)).axis_moment, 0
+    ).real == pytest.approx(-moment)
 
 
 @ROTATIONS
 @pytest.mark.parametrize("bearing", [0.0, 30.0, -45.0, 90.0])
-def test_layouts_draw_the_engine_with_cylinder_1_at_top_dead_centre(rotation: str, bearing: float) -> None:
-    banks = (Bank(bearing=radians(bearing), cylinders=(1, 3)), Bank(bearing=radians(bearing + 90), cylinders=(2, 4)))
-    basis = Basis.model_validate({"name": "V4", "rotation": rotation, "cylinder": Sizes(offset=0.1)})
+def test_layouts_draw_the_engine_with_cylinder_1_at_top_dead_centre(
+    rotation: str, bearing: float
+) -> None:
+    banks = (
+        Bank(bearing=radians(bearing), cylinders=(1, 3)),
+        Bank(bearing=radians(bearing + 90), cylinders=(2, 4)),
+    )
+    basis = Basis.model_validate(
+        {"name": "V4", "rotation": rotation, "cylinder": Sizes(offset=0.1)}
+    )
     made = vee(basis, banks=banks, throws=(0.0, pi), bank_offset=0.2)
     assert dead_centres(made)[1].angle_deg == pytest.approx(0, abs=1e-9)
     later = 90 if rotation == "clockwise" else 270
@@ -227,14 +284,19 @@ def test_cylinder_1_is_frontmost_and_the_reference_is_the_middle_of_the_span() -
     made = inline(Basis(name="three", firing_order=(1, 3, 2), cycle="two-stroke"), bore_pitch=0.1)
     assert [cylinder.z for cylinder in made.cylinders] == pytest.approx([0.1, 0.0, -0.1])
     assert balance(made).reference == Reference(0.0)
-    shifted = made.model_copy(update={"cylinders": tuple(c.model_copy(update={"z": c.z + 1}) for c in made.cylinders)})
+    shifted = made.model_copy(
+        update={"cylinders": tuple(c.model_copy(update={"z": c.z + 1}) for c in made.cylinders)}
+    )
     assert balance(shifted).reference.z == pytest.approx(1.0)
 
 
 def test_the_ellipse_has_the_sum_and_the_difference_of_the_two_vectors_as_its_axes() -> None:
     for forward, backward in product((2.0, 1j, 0.5 - 1j), (0.25, -0.7j)):
-        path = phasor.value(Spectrum(np.array([1.0]), np.array([forward]), np.array([backward])), np.linspace(0, 2 * pi, 3601))
-        found = phasor.ellipse(forward, backward)
+        path = spectra.value(
+            Spectrum(np.array([1.0]), np.array([forward]), np.array([backward])),
+            np.linspace(0, 2 * pi, 3601),
+        )
+        found = spectra.ellipse(forward, backward)
         assert np.abs(path).max() == pytest.approx(found.semi_major, rel=1e-5)
         assert np.abs(path).min() == pytest.approx(found.semi_minor, rel=1e-5)
         longest = path[np.argmax(np.abs(path))]
@@ -243,7 +305,9 @@ def test_the_ellipse_has_the_sum_and_the_difference_of_the_two_vectors_as_its_ax
         assert np.sign(turned) == found.sense
 
 
-def test_normalised_numbers_are_counted_in_the_mass_radius_and_pitch_of_the_first_cylinder() -> None:
+def test_normalised_numbers_are_counted_in_the_mass_radius_and_pitch_of_the_first_cylinder() -> (
+    None
+):
     sizes = Sizes(stroke=0.08, rod_length=ROD, reciprocating_mass=MASS)
     made = inline(Basis(name="two", cylinder=sizes), throws=(0.0, pi), bore_pitch=0.1)
     plain, real = total(balance(made)), total(balance(made, speed=SPEED))
@@ -253,8 +317,12 @@ def test_normalised_numbers_are_counted_in_the_mass_radius_and_pitch_of_the_firs
 
 
 def test_orders_are_counted_in_turns_of_the_reference_crankshaft() -> None:
-    camshaft = Shaft(name="cam", speed_ratio=Fraction(1, 2), weights=(Weight(unbalance=0.01, angle=0.0),))
+    camshaft = Shaft(
+        name="cam", speed_ratio=Fraction(1, 2), weights=(Weight(unbalance=0.01, angle=0.0),)
+    )
     half = engine().model_copy(update={"shafts": (*engine().shafts, camshaft)})
-    force = spectra(mechanism(half)).force
-    slow = phasor.selected(Spectrum(force.orders, force.forward[-1], force.backward[-1]), [0.5, 1.0])
+    force = part_spectra(mechanism(half)).force
+    slow = spectra.selected(
+        Spectrum(force.orders, force.forward[-1], force.backward[-1]), [0.5, 1.0]
+    )
     assert np.abs(slow.forward) == pytest.approx([0.01 / 4, 0.0])

@@ -1,4 +1,4 @@
-"""A free engine: its centre of mass stays where it is, its angular momentum what it was; and engines that whirl in a circle."""
+"""A free engine: its centre of mass and its angular momentum are constant; engines that whirl."""
 
 from __future__ import annotations
 
@@ -10,16 +10,19 @@ from tests.newton import Rate, Road, road
 from tests.strategies import PLACES, engines, number
 
 import crankstar
-from crankstar import phasor, whirl
-from crankstar.balance import Reference
-from crankstar.engine import Engine
-from crankstar.records import Block
-from crankstar.whirl import Body
+from crankstar import spectra
+from crankstar.dynamics import whirl
+from crankstar.dynamics.whirl import Body
+from crankstar.engine.engine import Engine
+from crankstar.engine.records import Block
+from crankstar.mechanics.balance import Reference
 
 TOLERANCE = 1e-9
 PARTS = st.tuples(number(0.1, 20.0), number(0.1, 20.0), number(0.1, 20.0))
 BODIES = st.builds(
-    lambda mass, centre, parts: Body(mass, centre, (parts[0] + parts[1], parts[1] + parts[2], parts[2] + parts[0])),
+    lambda mass, centre, parts: Body(
+        mass, centre, (parts[0] + parts[1], parts[1] + parts[2], parts[2] + parts[0])
+    ),
     number(20.0, 900.0),
     st.tuples(PLACES, PLACES, PLACES),
     PARTS,
@@ -32,7 +35,7 @@ def varying(samples: np.ndarray) -> np.ndarray:
 
 
 def moments(walked: Road, body: Body) -> tuple[np.ndarray, np.ndarray, float]:
-    """Sums over the moving bodies of mass times place, and of mass times place times arm along z, as `up + i*right`."""
+    """Sums of m r and m r z over the moving bodies, as `up + i*right`, and the greatest m r."""
     first = np.zeros(len(walked.theta), np.clongdouble)
     second = np.zeros(len(walked.theta), np.clongdouble)
     whole = 0.0
@@ -45,9 +48,9 @@ def moments(walked: Road, body: Body) -> tuple[np.ndarray, np.ndarray, float]:
 
 
 def angular(walked: Road, body: Body, sense: int) -> tuple[np.ndarray, float]:
-    """The clockwise angular momentum of moving bodies and flywheel about the axis through the centre of mass, at 1 rad/s.
+    """Clockwise angular momentum of moving bodies and flywheel about the centre of mass.
 
-    The flywheel takes from the parts what they lose of their kinetic energy.
+    At 1 rad/s; the flywheel takes the kinetic energy that the parts lose.
     """
     turns = round(float(walked.theta[1] * len(walked.theta) / (2 * np.pi)))
     rate = Rate(turns, len(walked.theta))
@@ -56,7 +59,10 @@ def angular(walked: Road, body: Body, sense: int) -> tuple[np.ndarray, float]:
     for part in walked.bodies:
         velocity, spin = rate(part.centre), rate(part.counter_clockwise)
         arm = part.centre + np.array(part.axis) - np.array([right, up])
-        moved = part.mass * (arm[:, 1] * velocity[:, 0] - arm[:, 0] * velocity[:, 1]) - part.inertia * spin
+        moved = (
+            part.mass * (arm[:, 1] * velocity[:, 0] - arm[:, 0] * velocity[:, 1])
+            - part.inertia * spin
+        )
         energy = part.mass * np.sum(velocity**2, axis=1) / 2 + part.inertia * spin**2 / 2
         out += varying(moved) - sense * varying(energy)
         whole = max(whole, float(np.abs(moved).max()), float(np.abs(energy).max()))
@@ -64,26 +70,35 @@ def angular(walked: Road, body: Body, sense: int) -> tuple[np.ndarray, float]:
 
 
 @given(engines(known=True), BODIES)
-def test_centre_of_mass_and_angular_momentum_stay_what_they_were(engine: Engine, body: Body) -> None:
+def test_centre_of_mass_and_angular_momentum_stay_what_they_were(
+    engine: Engine, body: Body
+) -> None:
     walked = road(engine, reference=Reference(0.0), speed=1.0)
     found = whirl.response(engine, of=body)
     few = slice(None, None, max(1, len(walked.theta) // 50))
     theta = walked.theta[few].astype(float)
-    first, second, whole = (part[few] if isinstance(part, np.ndarray) else part for part in moments(walked, body))
-    shift, tilt = phasor.value(found.shift, theta), phasor.value(found.tilt, theta)
+    first, second, whole = (
+        part[few] if isinstance(part, np.ndarray) else part for part in moments(walked, body)
+    )
+    shift, tilt = spectra.value(found.shift, theta), spectra.value(found.tilt, theta)
     assert np.abs(body.mass * shift + first).max() <= TOLERANCE * whole
     about_up, about_right, about_z = body.inertia
     swung = about_right * np.real(tilt) + 1j * about_up * np.imag(tilt)
     reach = max(abs(part.z - body.centre[2]) for part in walked.bodies) + 1e-3
     assert np.abs(swung + second).max() <= TOLERANCE * whole * reach
-    turning = phasor.real_signal(found.turn.orders, 1j * found.turn.orders * phasor.amplitude(found.turn))
+    turning = spectra.real_signal(
+        found.turn.orders, 1j * found.turn.orders * spectra.amplitude(found.turn)
+    )
     spun, most = angular(walked, body, engine.sense)
-    assert np.abs(about_z * np.real(phasor.value(turning, theta)) + spun[few]).max() <= 10 * TOLERANCE * most
+    assert (
+        np.abs(about_z * np.real(spectra.value(turning, theta)) + spun[few]).max()
+        <= 10 * TOLERANCE * most
+    )
 
 
 def axes(found: whirl.Response, order: float) -> tuple[float, float]:
-    tilt = phasor.selected(found.tilt, order)
-    path = phasor.ellipse(complex(tilt.forward[0]), complex(tilt.backward[0]))
+    tilt = spectra.selected(found.tilt, order)
+    path = spectra.ellipse(complex(tilt.forward[0]), complex(tilt.backward[0]))
     return path.semi_major, path.semi_minor
 
 
@@ -94,12 +109,12 @@ def test_a_cross_plane_v8_whirls_in_a_circle_about_its_middle(name: str) -> None
     long, short = axes(found, 1.0)
     assert long > 0
     assert short == pytest.approx(long, rel=0.01)
-    first = phasor.selected(found.shift, 1.0)
+    first = spectra.selected(found.shift, 1.0)
     assert np.abs(first.forward[0]) + np.abs(first.backward[0]) < 1e-9 * long
 
 
 def test_a_cross_plane_v8_whirls_as_far_as_its_couple_says() -> None:
-    """sqrt(10) m r a of couple about the middle, by hand, over the inertia of the bar; order 1, so k is 1."""
+    """The couple sqrt(10) m r a about the middle, by hand, over the inertia of the bar; order 1."""
     engine = crankstar.load("v8-cross-plane")
     body = whirl.body(engine)
     pistons = 8.0
@@ -121,7 +136,9 @@ def test_a_heavy_flat_engine_makes_an_ellipse_of_a_round_couple() -> None:
 def test_the_block_of_a_file_is_what_answers_and_what_it_leaves_out_is_told() -> None:
     engine = crankstar.load("audi-25-tfsi")
     assert "homogeneous round bar" in whirl.body(engine).assumed[0]
-    known = Block(mass=180.0, up=0.1, right=-0.01, z=0.02, inertia_up=11.0, inertia_right=12.0, inertia_z=5.0)
+    known = Block(
+        mass=180.0, up=0.1, right=-0.01, z=0.02, inertia_up=11.0, inertia_right=12.0, inertia_z=5.0
+    )
     body = whirl.body(engine.model_copy(update={"block": known}))
     assert body == Body(180.0, (0.1, -0.01, 0.02), (11.0, 12.0, 5.0))
     weighed = whirl.body(engine.model_copy(update={"block": Block(mass=180.0)}))
@@ -131,7 +148,7 @@ def test_the_block_of_a_file_is_what_answers_and_what_it_leaves_out_is_told() ->
 
 
 def test_lengths_along_a_shaft_of_unknown_pitch_are_counted_in_units_across() -> None:
-    """An engine in its own units, and the same engine in units of which one along is `along` of those across."""
+    """The same engine twice: the unit of length along the shaft is `along` units across it."""
     engine = crankstar.load("i4")
     along = 2.36
     body = whirl.body(engine, along=along)
@@ -140,7 +157,12 @@ def test_lengths_along_a_shaft_of_unknown_pitch_are_counted_in_units_across() ->
         update={
             "shafts": tuple(
                 shaft.model_copy(
-                    update={"throws": tuple(throw.model_copy(update={"z": throw.z * along}) for throw in shaft.throws)}
+                    update={
+                        "throws": tuple(
+                            throw.model_copy(update={"z": throw.z * along})
+                            for throw in shaft.throws
+                        )
+                    }
                 )
                 for shaft in engine.shafts
             ),
@@ -149,6 +171,11 @@ def test_lengths_along_a_shaft_of_unknown_pitch_are_counted_in_units_across() ->
     )
     assert whirl.body(stretched) == body
     shifted = Body(body.mass, (0.0, 0.0, 1.5), body.inertia)
-    one, other = whirl.response(engine, of=shifted, along=along), whirl.response(stretched, of=shifted)
+    one, other = (
+        whirl.response(engine, of=shifted, along=along),
+        whirl.response(stretched, of=shifted),
+    )
     for name in ("shift", "tilt", "turn"):
-        assert np.allclose(getattr(one, name).forward, getattr(other, name).forward, rtol=1e-12, atol=1e-15)
+        assert np.allclose(
+            getattr(one, name).forward, getattr(other, name).forward, rtol=1e-12, atol=1e-15
+        )

@@ -1,4 +1,7 @@
-"""The closed forms that the sources print, where they are right, come out of the derivation in the same or an equal form."""
+"""The closed forms printed in the sources, where they are right, follow from the derivation.
+
+They appear in the same or an equal form.
+"""
 
 from __future__ import annotations
 
@@ -8,15 +11,20 @@ from math import atan, cos, pi, sin, sqrt
 import pytest
 
 from crankstar import derivation, load
-from crankstar.derive import signs, typeset
-from crankstar.derive.formula import value
-from crankstar.derive.records import Derivation, Line, Quantity
-from crankstar.derive.typeset import text
-from crankstar.derive.wave import bearing, length, turn_of
+from crankstar.derive import signs
+from crankstar.derive.algebra import typeset
+from crankstar.derive.algebra.evaluation import value
+from crankstar.derive.algebra.typeset import text
+from crankstar.derive.algebra.wave import bearing, length, turn_of
+from crankstar.derive.chapters import Derivation
+from crankstar.derive.records import Line, Quantity
 
 
 def resultant(found: Derivation) -> dict[str, Line]:
-    return {line.label: line for line in next(step for step in found.steps if step.title == "The resultant").lines}
+    return {
+        line.label: line
+        for line in next(step for step in found.steps if step.title == "The resultant").lines
+    }
 
 
 def closed(name: str, order: int, quantity: Quantity) -> tuple[str, str]:
@@ -41,17 +49,23 @@ def closed(name: str, order: int, quantity: Quantity) -> tuple[str, str]:
         ("v8-cross-plane", 2, "couple", "0", "0"),
     ],
 )
-def test_the_v8s_have_these_closed_forms(name: str, order: int, quantity: Quantity, up: str, right: str) -> None:
+def test_the_v8s_have_these_closed_forms(
+    name: str, order: int, quantity: Quantity, up: str, right: str
+) -> None:
     assert closed(name, order, quantity) == (up, right)
 
 
 @pytest.mark.parametrize("theta", [0.0, 0.7, 2.0, 5.1])
 def test_the_couple_that_the_cross_plane_page_prints_is_ours_in_another_form(theta: float) -> None:
-    """The page: -sqrt(10) a cos(t - pi/4 - atan 3) up, and the sine of it to the side of its first bank."""
+    """The page: -sqrt(10) a cos(t - pi/4 - atan 3) up, and its sine towards the first bank."""
     lines = resultant(derivation(load("v8-cross-plane"), 1, "couple"))
     letters = {"theta": theta, "a": 1.0, "b": 0.2}
-    assert value(lines["up"].chain[-1], letters) == pytest.approx(-sqrt(10) * cos(theta - pi / 4 - atan(3)), abs=1e-14)
-    assert value(lines["right"].chain[-1], letters) == pytest.approx(-sqrt(10) * sin(theta - pi / 4 - atan(3)), abs=1e-14)
+    assert value(lines["up"].chain[-1], letters) == pytest.approx(
+        -sqrt(10) * cos(theta - pi / 4 - atan(3)), abs=1e-14
+    )
+    assert value(lines["right"].chain[-1], letters) == pytest.approx(
+        -sqrt(10) * sin(theta - pi / 4 - atan(3)), abs=1e-14
+    )
 
 
 @pytest.mark.parametrize("quantity", ["force", "couple"])
@@ -62,8 +76,12 @@ def test_the_cross_plane_page_is_right_by_bank_and_by_pin(quantity: Quantity) ->
 
 
 def test_each_bank_of_the_cross_plane_cancels_in_named_pairs() -> None:
-    step = next(step for step in derivation(load("v8-cross-plane"), 1, "force").steps if step.title == "Bank by bank")
-    told = "Cylinders {} and {} cancel: they push against each other at every crank angle."
+    step = next(
+        step
+        for step in derivation(load("v8-cross-plane"), 1, "force").steps
+        if step.title == "Bank by bank"
+    )
+    told = "Cylinders {}, {} cancel: their forces are equal and opposite at every crank angle."
     assert [line.note for line in step.lines] == [
         f"{told.format(1, 7)} {told.format(3, 5)}",
         f"{told.format(2, 8)} {told.format(4, 6)}",
@@ -71,8 +89,15 @@ def test_each_bank_of_the_cross_plane_cancels_in_named_pairs() -> None:
 
 
 def test_sinitsyns_six_has_its_components_five_three_and_one() -> None:
-    step = next(step for step in derivation(load("sinitsyn-6-valve"), 1, "couple").steps if step.title == "All cylinders")
-    assert list(map(text, step.lines[0].chain[1:])) == ["5a cos θ + 3a cos(θ + 2π/3) + a cos(θ − 2π/3)", "2√3 a cos(θ + π/6)"]
+    step = next(
+        step
+        for step in derivation(load("sinitsyn-6-valve"), 1, "couple").steps
+        if step.title == "All cylinders"
+    )
+    assert list(map(text, step.lines[0].chain[1:])) == [
+        "5a cos θ + 3a cos(θ + 2π/3) + a cos(θ − 2π/3)",
+        "2√3 a cos(θ + π/6)",
+    ]
 
 
 SIX_SIGNS = {

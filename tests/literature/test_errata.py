@@ -1,4 +1,4 @@
-"""The errata: what is printed is wrong by momentum, what we derive is right; data, claims, command and page agree."""
+"""The errata: the printed is wrong by momentum, ours right; data, claims, command, page agree."""
 
 from __future__ import annotations
 
@@ -18,10 +18,22 @@ import pytest
 from tests import newton
 
 import crankstar
-from crankstar import charts, cli, motion, phasor
-from crankstar.balance import balance, total
-from crankstar.derive import derivation, formula, typeset
-from crankstar.errata import ErrataError, Erratum, claims, confirmed, curves, errata, momentum, series_errors, sources
+from crankstar import charts, cli, spectra
+from crankstar.derive import derivation
+from crankstar.derive.algebra import evaluation, typeset
+from crankstar.derive.errata import (
+    ErrataError,
+    Erratum,
+    claims,
+    confirmed,
+    curves,
+    errata,
+    momentum,
+    series_errors,
+    sources,
+)
+from crankstar.engine import motion
+from crankstar.mechanics.balance import balance, total
 
 ROOT = Path(__file__).parents[2]
 CLAIMS = claims()
@@ -68,7 +80,12 @@ def test_what_we_derive_is_what_momentum_says(one: Erratum) -> None:
 
 @pytest.mark.parametrize(
     ("name", "off"),
-    [("flat-force-2-up", 4.0), ("flat-force-2-right", 4.0), ("cross-force-4-even-along", 4 * 2**0.5), ("kr250-couple", 0.25)],
+    [
+        ("flat-force-2-up", 4.0),
+        ("flat-force-2-right", 4.0),
+        ("cross-force-4-even-along", 4 * 2**0.5),
+        ("kr250-couple", 0.25),
+    ],
 )
 def test_by_how_much_a_printed_formula_is_off(name: str, off: float) -> None:
     found = curves(ALL[name], 721)
@@ -90,12 +107,14 @@ ROD = {"cylinder.rod": {"mass": 0.5, "centre": 1.2, "inertia": 0.1}, "cylinder.r
         ("i4", 2, "force", ROD),
     ],
 )
-def test_the_judge_agrees_with_the_spectra_of_the_package(engine: str, order: int, quantity: str, changes: dict[str, Any]) -> None:
+def test_the_judge_agrees_with_the_spectra_of_the_package(
+    engine: str, order: int, quantity: str, changes: dict[str, Any]
+) -> None:
     """Two roads: places differentiated here, laws of force summed there."""
     loaded = crankstar.load(engine, changes=changes)
-    whole = phasor.selected(getattr(total(balance(loaded)), quantity), order)
+    whole = spectra.selected(getattr(total(balance(loaded)), quantity), order)
     unit = momentum.harmonic(loaded, order)
-    for bearing, part in ((0.0, phasor.vertical), (pi / 2, phasor.horizontal)):
+    for bearing, part in ((0.0, spectra.vertical), (pi / 2, spectra.horizontal)):
         judged = momentum.component(loaded, order, quantity, bearing) * unit
         assert judged == pytest.approx(complex(part(whole)[0]), abs=1e-11)
 
@@ -109,16 +128,21 @@ def test_the_judge_agrees_with_momentum_in_long_doubles() -> None:
     # the couple as a vector of the forces times their arms: up is minus the moment about right
     up = 2 * np.mean(-np.asarray(moments[:, 0], float) * turning)
     first = engine.first
-    unit = first.reciprocating_mass * engine.throw(first).radius * momentum.harmonic(engine, 2) * engine.pitch
+    unit = (
+        first.reciprocating_mass
+        * engine.throw(first).radius
+        * momentum.harmonic(engine, 2)
+        * engine.pitch
+    )
     assert up / unit == pytest.approx(momentum.component(engine, 2, "couple", 0.0), abs=1e-11)
 
 
 def test_moment_about_the_middle_of_two_shafts_is_the_roll_of_the_balance() -> None:
     engine = crankstar.load("kr250-racer")
     pitch, radius = engine.shafts[1].right, engine.throw(engine.first).radius
-    middle = total(balance(engine, reference=crankstar.Reference(0.0, 0.0, pitch / 2))).roll
+    middle = total(balance(engine, reference=crankstar.Reference(0.0, 0.0, pitch / 2))).axis_moment
     assert momentum.roll(engine, 1) == pytest.approx(
-        complex(phasor.amplitude(phasor.selected(middle, 1))[0]) * radius / pitch, abs=FINE
+        complex(spectra.amplitude(spectra.selected(middle, 1))[0]) * radius / pitch, abs=FINE
     )
 
 
@@ -127,7 +151,9 @@ def test_the_step_that_slips_is_a_step_of_our_derivation(one: Erratum) -> None:
     if one.kind == "series":
         steps = derivation(crankstar.load("single"), one.order).steps
     else:
-        steps = derivation(engine_of(one), one.order, "couple" if one.quantity == "couple" else "force").steps
+        steps = derivation(
+            engine_of(one), one.order, "couple" if one.quantity == "couple" else "force"
+        ).steps
     assert one.step in [step.title for step in steps]
     assert one.slip
 
@@ -142,7 +168,9 @@ def test_the_printed_text_is_the_printed_formula(one: Erratum) -> None:
 
 
 @each(SERIES)
-def test_a_printed_series_misses_the_exact_harmonic_and_the_true_one_misses_it_less(one: Erratum) -> None:
+def test_a_printed_series_misses_the_exact_harmonic_and_the_true_one_misses_it_less(
+    one: Erratum,
+) -> None:
     found = series_errors(one)
     at_four = int(np.argmin(np.abs(found.ratio - 2)))  # l/r = 4
     assert abs(found.ours[at_four]) < 0.25 * abs(found.printed[at_four])
@@ -155,7 +183,7 @@ def test_the_true_series_is_that_of_motion(one: Erratum) -> None:
     power = {2: 5, 4: 5, 6: 5}[one.order]
     for length in (1.0, 2.0):
         expected = motion.series(one.order, ratio=1 / (2 * length), highest_power=power)
-        assert formula.value(one.ours, {"L": length}) == pytest.approx(float(expected), rel=FINE)
+        assert evaluation.value(one.ours, {"L": length}) == pytest.approx(float(expected), rel=FINE)
 
 
 def test_three_coefficients_are_printed_at_half_their_size() -> None:
@@ -170,7 +198,9 @@ def test_three_coefficients_are_printed_at_half_their_size() -> None:
 
 def test_exact_harmonics_from_places_are_those_of_the_claims() -> None:
     for order in (2, 4, 6):
-        assert momentum.harmonics(np.array([2.0]), order)[0] == pytest.approx(CLAIMS["series"]["A"][str(order)], abs=1e-14)
+        assert momentum.harmonics(np.array([2.0]), order)[0] == pytest.approx(
+            CLAIMS["series"]["A"][str(order)], abs=1e-14
+        )
 
 
 SERIES_OF = {
@@ -192,14 +222,19 @@ def test_series_are_those_of_the_claims() -> None:
         assert ALL[name].order == claim["order"]
         text = typeset.text(ALL[name].printed)  # pyright: ignore[reportArgumentType]
         plain = ALL[name].text
-        assert text in (plain, "−" + plain.removeprefix("−(").removesuffix(")").replace(" + ", " − "))
+        assert text in (
+            plain,
+            "−" + plain.removeprefix("−(").removesuffix(")").replace(" + ", " − "),
+        )
 
 
 # The claims
 
 
 def data() -> dict[str, Any]:
-    return tomllib.loads((ROOT / "src/crankstar/errata/printed.toml").read_text(encoding="utf-8"))
+    return tomllib.loads(
+        (ROOT / "src/crankstar/derive/errata/printed.toml").read_text(encoding="utf-8")
+    )
 
 
 PRINTED_OF = [
@@ -216,16 +251,20 @@ PRINTED_OF = [
 
 
 @pytest.mark.parametrize(("name", "claim", "order"), PRINTED_OF, ids=[row[0] for row in PRINTED_OF])
-def test_printed_formulas_are_those_of_the_claims(name: str, claim: dict[str, list], order: int) -> None:
+def test_printed_formulas_are_those_of_the_claims(
+    name: str, claim: dict[str, list], order: int
+) -> None:
     for side, component in (("vertical", "up"), ("horizontal", "right")):
         amplitude, function, phase = claim[side]
         found = curves(ALL[f"{name}-{component}"], 25)
         wave = {"cos": np.cos, "sin": np.sin}[function]
-        assert found.printed == pytest.approx(amplitude * wave(order * found.theta + phase * pi), abs=FINE)
+        assert found.printed == pytest.approx(
+            amplitude * wave(order * found.theta + phase * pi), abs=FINE
+        )
 
 
 def claimed(text: float | str) -> float:
-    return float(formula.value(crankstar.errata.reading.size(str(text))))
+    return float(evaluation.value(crankstar.derive.errata.reading.size(str(text))))
 
 
 @pytest.mark.parametrize(("name", "page"), [("flat", "v8_flat_plane"), ("cross", "v8_cross_plane")])
@@ -234,7 +273,9 @@ def test_true_formulas_have_the_sizes_of_the_claims(name: str, page: str) -> Non
         for side, component in (("vertical", "up"), ("horizontal", "right")):
             one = ALL.get(f"{name}-force-{order}-{component}")
             if one is not None:
-                assert np.abs(curves(one).ours).max() == pytest.approx(claimed(claim[side]), abs=FINE)
+                assert np.abs(curves(one).ours).max() == pytest.approx(
+                    claimed(claim[side]), abs=FINE
+                )
 
 
 def test_true_couple_of_the_bank_offset_is_that_of_the_claims_with_the_even_bank_in_front() -> None:
@@ -256,7 +297,11 @@ def test_the_two_ways_of_the_cross_plane_page_print_one_value() -> None:
 def test_couple_of_the_essay_is_that_of_the_claims() -> None:
     one = ALL["kr250-couple"]
     found = curves(one)
-    row = next(row for row in CLAIMS["kr250"]["rows"] if (row["rotation"], row["phase_deg"], row["factor"]) == ("contra", 180, 0.5))
+    row = next(
+        row
+        for row in CLAIMS["kr250"]["rows"]
+        if (row["rotation"], row["phase_deg"], row["factor"]) == ("contra", 180, 0.5)
+    )
     assert found.printed[0] == CLAIMS["kr250"]["printed_couple_PL"]
     assert found.ours[0] == pytest.approx(row["couple_about_middle_PL"]["0"])
     assert np.count_nonzero(~np.isnan(found.printed)) == len(one.points) == 2
@@ -265,11 +310,13 @@ def test_couple_of_the_essay_is_that_of_the_claims() -> None:
 @pytest.mark.parametrize("one", confirmed(), ids=lambda one: f"{one.source}: {one.words}")
 def test_what_is_called_true_is_true(one: Any) -> None:
     found = derivation(crankstar.load(one.engine), one.order, one.quantity)
-    expected = formula.value(one.size)
+    expected = evaluation.value(one.size)
     assert found.zero == (expected == 0)
-    whole = phasor.selected(getattr(total(balance(crankstar.load(one.engine))), one.quantity), one.order)
+    whole = spectra.selected(
+        getattr(total(balance(crankstar.load(one.engine))), one.quantity), one.order
+    )
     pitch = 1.0
-    assert phasor.peak(whole).value / abs(found.scale) * pitch == pytest.approx(expected, abs=1e-9)
+    assert spectra.peak(whole).value / abs(found.scale) * pitch == pytest.approx(expected, abs=1e-9)
 
 
 # Lines that do not follow, and angles
@@ -279,7 +326,7 @@ def test_what_is_called_true_is_true(one: Any) -> None:
 def test_a_line_differs_from_the_one_it_should_equal(one: Erratum) -> None:
     assert one.printed is not None
     points = [{"theta": t, "alpha": t, "a": 1.0, "b": 0.37, "L": 1.0} for t in (0.1, 0.7, 1.3, 2.9)]
-    off = [abs(formula.value(one.printed, at) - formula.value(one.ours, at)) for at in points]
+    off = [abs(evaluation.value(one.printed, at) - evaluation.value(one.ours, at)) for at in points]
     assert max(off) > 0.4
 
 
@@ -289,18 +336,21 @@ def test_shares_of_a_push_are_exchanged_unless_the_bank_angle_is_90_degrees(shar
     first = crankstar.load("harley-45").first
     assert abs(first.bearing) == pytest.approx(half)
     at = {"alpha": half, "L": 1.0}
-    assert formula.value(ALL[f"{share}-up"].ours, at) == pytest.approx(cos(first.bearing))
-    assert formula.value(ALL[f"{share}-up"].printed, at) != pytest.approx(cos(first.bearing), abs=0.1)  # pyright: ignore[reportArgumentType]
+    assert evaluation.value(ALL[f"{share}-up"].ours, at) == pytest.approx(cos(first.bearing))
+    printed = ALL[f"{share}-up"].printed
+    assert printed is not None
+    assert evaluation.value(printed, at) != pytest.approx(cos(first.bearing), abs=0.1)
     same = {"alpha": pi / 4, "L": 1.0}
-    assert formula.value(ALL[f"{share}-up"].printed, same) == pytest.approx(cos(pi / 4))  # pyright: ignore[reportArgumentType]
+    assert evaluation.value(printed, same) == pytest.approx(cos(pi / 4))
 
 
 @pytest.mark.parametrize(
-    ("name", "scheme", "key"), [("sinitsyn-7-first-angle", 2, "M_I_deg"), ("sinitsyn-7-second-angle", 3, "M_II_deg")]
+    ("name", "scheme", "key"),
+    [("sinitsyn-7-first-angle", 2, "M_I_deg"), ("sinitsyn-7-second-angle", 3, "M_II_deg")],
 )
 def test_angles_of_the_chapter_are_cut(name: str, scheme: int, key: str) -> None:
     one, claim = ALL[name], CLAIMS["sinitsyn"][scheme]
-    true, printed = (degrees(formula.value(f)) for f in (one.ours, one.printed))  # pyright: ignore[reportArgumentType]
+    true, printed = (degrees(evaluation.value(f)) for f in (one.ours, one.printed))  # pyright: ignore[reportArgumentType]
     assert true == pytest.approx(claim[key], abs=0.005)
     assert printed == pytest.approx(claim["printed"][key])
     assert 0.5 < abs(true - printed) < 1
@@ -318,7 +368,9 @@ def run(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str]
     return int(left.value.code or 0), shown.out, shown.err
 
 
-def test_the_command_prints_every_erratum_with_the_true_formula(capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_command_prints_every_erratum_with_the_true_formula(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
     code, out, _ = run(capsys)
     assert code == 0
     rows = [re.split(r"\s{2,}", line.strip()) for line in out.splitlines()]
@@ -326,8 +378,10 @@ def test_the_command_prints_every_erratum_with_the_true_formula(capsys: pytest.C
         assert any(row[-2:] == [one.text, typeset.text(one.ours)] for row in rows), one.id
 
 
-def test_the_command_fits_80_columns(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("crankstar.output.terminal_width", lambda: 80)
+def test_the_command_fits_80_columns(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("crankstar.cli.output.terminal_width", lambda: 80)
     _, out, _ = run(capsys)
     assert max(map(len, out.splitlines())) <= 80
     assert "…" not in out.replace("… ", "").replace("…°", "")
@@ -342,7 +396,9 @@ def test_the_command_shows_one_source(capsys: pytest.CaptureFixture[str], tmp_pa
     assert "yamamoto2012" not in written
 
 
-def test_a_source_without_errata_is_refused_with_those_there_are(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_source_without_errata_is_refused_with_those_there_are(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
     code, out, err = run(capsys, "--source", "taylor1985")
     assert (code, out) == (2, "")
     assert err.count("\n") == 1
@@ -372,9 +428,13 @@ def page() -> str:
 
 
 def test_every_source_is_on_the_page_and_in_the_references(page: str) -> None:
-    assert set(re.findall(r"^<!-- errata: (\w+) -->$", (ROOT / "docs/errata.md").read_text(encoding="utf-8"), re.MULTILINE)) == set(
-        sources()
-    )
+    assert set(
+        re.findall(
+            r"^<!-- errata: (\w+) -->$",
+            (ROOT / "docs/errata.md").read_text(encoding="utf-8"),
+            re.MULTILINE,
+        )
+    ) == set(sources())
     known = script("hooks").entries((ROOT / "docs" / "references.bib").read_text(encoding="utf-8"))
     assert set(sources()) <= set(known)
     assert all(f"references.md#{source}" in page for source in sources())
@@ -386,7 +446,9 @@ def test_the_page_has_each_erratum_with_both_formulas_and_the_slip(page: str, on
     rows = [row for row in page.splitlines() if f'<a id="{one.id}"></a>' in row]
     assert len(rows) == 1
     assert f'<math alttext="{typeset.text(one.ours)}">' in rows[0]
-    assert one.text in rows[0] or (one.printed is not None and f'<math alttext="{typeset.text(one.printed)}">' in rows[0])
+    assert one.text in rows[0] or (
+        one.printed is not None and f'<math alttext="{typeset.text(one.printed)}">' in rows[0]
+    )
 
 
 def test_every_result_has_a_drawing_with_a_title_and_nothing_from_elsewhere(page: str) -> None:
@@ -402,11 +464,21 @@ def test_every_result_has_a_drawing_with_a_title_and_nothing_from_elsewhere(page
 def test_a_drawing_shows_printed_true_and_momentum_where_they_are() -> None:
     one = ALL["flat-force-2-right"]
     found = curves(one)
-    chart = charts.judged(theta=found.theta, printed=found.printed, ours=found.ours, momentum=found.momentum, axis="force (N)")
+    chart = charts.judged(
+        theta=found.theta,
+        printed=found.printed,
+        ours=found.ours,
+        momentum=found.momentum,
+        axis="force (N)",
+    )
     layers = chart.to_dict()["layer"]
     by_name = {layer["data"]["values"][0]["what"]: layer for layer in layers}
     assert set(by_name) == {"printed", "true", "momentum"}
-    assert by_name["true"]["data"]["values"][0] == {"x": 0.0, "y": pytest.approx(-4 * 2**0.5), "what": "true"}
+    assert by_name["true"]["data"]["values"][0] == {
+        "x": 0.0,
+        "y": pytest.approx(-4 * 2**0.5),
+        "what": "true",
+    }
     assert by_name["printed"]["data"]["values"][0]["y"] == pytest.approx(-4 * 2**-0.5)
     assert by_name["momentum"]["mark"]["type"] == "point"
     assert all(layer["encoding"]["y"]["title"] == "force (N)" for layer in layers)
@@ -416,7 +488,7 @@ def test_a_drawing_shows_printed_true_and_momentum_where_they_are() -> None:
 
 
 def test_a_change_of_the_engine_changes_what_is_true() -> None:
-    """Nothing that is called true is written down: the same question of another crank has another answer."""
+    """No truth is stored: the same question about another crank has another answer."""
     one = ALL["flat-couple-2-up"]
     assert curves(one, 9).momentum[0] == pytest.approx(-(8**0.5), abs=FINE)
     turned = replace(one, changes={"layout.bank_offset": 0.2})

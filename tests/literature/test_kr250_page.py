@@ -1,4 +1,4 @@
-"""The page on the KR250 is made of numbers that are those of claims.json, for each layout, factor and crank angle."""
+"""The page on the KR250 has the numbers of claims.json for each layout, factor and crank angle."""
 
 from __future__ import annotations
 
@@ -14,8 +14,14 @@ import numpy as np
 import pytest
 
 DOCS = Path(__file__).parents[2] / "docs"
-CLAIMS = json.loads(resources.files("crankstar.errata").joinpath("claims.json").read_text(encoding="utf-8"))["kr250"]
-NAMES = {("contra", 180): "kr250-racer", ("contra", 0): "kr250-racer-simultaneous", ("same", 180): "kr250-production"}
+CLAIMS = json.loads(
+    resources.files("crankstar.derive.errata").joinpath("claims.json").read_text(encoding="utf-8")
+)["kr250"]
+NAMES = {
+    ("contra", 180): "kr250-racer",
+    ("contra", 0): "kr250-racer-simultaneous",
+    ("same", 180): "kr250-production",
+}
 
 
 def script() -> ModuleType:
@@ -31,7 +37,9 @@ def script() -> ModuleType:
 page = script()
 
 
-@pytest.mark.parametrize("row", CLAIMS["rows"], ids=lambda row: f"{row['rotation']}-{row['phase_deg']}-{row['factor']}")
+@pytest.mark.parametrize(
+    "row", CLAIMS["rows"], ids=lambda row: f"{row['rotation']}-{row['phase_deg']}-{row['factor']}"
+)
 def test_forces_and_couples_are_those_of_the_claims(row: dict[str, object]) -> None:
     layout = page.Layout("", NAMES[row["rotation"], row["phase_deg"]], row["factor"])  # pyright: ignore[reportArgumentType]
     found = page.forces(layout.engine, essay=True)
@@ -45,9 +53,9 @@ def test_forces_and_couples_are_those_of_the_claims(row: dict[str, object]) -> N
 
 def test_every_row_of_the_claims_is_on_the_page_and_the_parallel_twin() -> None:
     shown = {(layout.name, layout.factor) for layout in page.LAYOUTS}
-    assert shown == {(NAMES[row["rotation"], row["phase_deg"]], row["factor"]) for row in CLAIMS["rows"]} | {
-        ("parallel-twin-180", 0.5)
-    }
+    assert shown == {
+        (NAMES[row["rotation"], row["phase_deg"]], row["factor"]) for row in CLAIMS["rows"]
+    } | {("parallel-twin-180", 0.5)}
 
 
 def test_the_couple_of_the_essay_is_that_about_one_cylinder() -> None:
@@ -65,7 +73,9 @@ def test_exact_forces_are_near_those_of_the_essay_and_not_the_same() -> None:
 
 def test_the_factors_on_the_page_are_those_of_the_arrangements() -> None:
     rows = [
-        re.split(r" \| ", row.strip("| ")) for row in page.page("factors").splitlines() if row.startswith("| r") or "| p" in row[:4]
+        re.split(r" \| ", row.strip("| "))
+        for row in page.page("factors").splitlines()
+        if row.startswith("| r") or "| p" in row[:4]
     ]
     found = {row[0]: (row[2], row[4]) for row in rows}
     assert found["racer, contra-rotating, 180°"] == ("0", "1")
@@ -75,5 +85,5 @@ def test_the_factors_on_the_page_are_those_of_the_arrangements() -> None:
 
 
 def test_words_for_a_force_say_where_it_points() -> None:
-    assert page._vector(complex(-0.5, 1.0)) == "0.5 P down and 1 P sideways (1.12 P in all)"
+    assert page._vector(complex(-0.5, 1.0)) == "0.5 P down and 1 P sideways (1.12 P in total)"
     assert page._vector(0j) == "0"

@@ -1,8 +1,8 @@
 """What every textbook says of the common layouts: star sums, closed forms, firing intervals.
 
-Sums are in units of m r w^2 A_k and m r w^2 A_k a, A_k the harmonics of a piston. Sources: standard tables of engine balance
-(for instance C. F. Taylor, The Internal-Combustion Engine in Theory and Practice, vol. 2, on engine balance); the intervals
-from the sources that the catalog files name.
+Sums are in units of m r w^2 A_k and m r w^2 A_k a, A_k the harmonics of a piston. Sources: standard
+tables of engine balance (for instance C. F. Taylor, The Internal-Combustion Engine in Theory and
+Practice, vol. 2, on engine balance); the intervals from the sources that the catalog files name.
 """
 
 from __future__ import annotations
@@ -15,32 +15,41 @@ import numpy as np
 import pytest
 
 import crankstar
-from crankstar import motion, phasor
-from crankstar.balance import balance, total
-from crankstar.engine import Engine
-from crankstar.firing import dead_centres, firing
-from crankstar.phasor import Spectrum
+from crankstar import spectra
+from crankstar.engine import motion
+from crankstar.engine.dead_centres import dead_centres
+from crankstar.engine.engine import Engine
+from crankstar.firing.intervals import firing
+from crankstar.mechanics.balance import balance, total
+from crankstar.spectra import Spectrum
 
 ANGLES = np.radians(np.arange(0, 360, 5))
 EXACT = 1e-9
 
 
-def sums(name: str, order: int, *, changes: Mapping[str, Any] | None = None) -> tuple[Spectrum, Spectrum]:
+def sums(
+    name: str, order: int, *, changes: Mapping[str, Any] | None = None
+) -> tuple[Spectrum, Spectrum]:
     """Force and couple of one order of a catalog engine in units of m r w^2 A_k and m r w^2 A_k a."""
     engine = crankstar.load(name, changes=changes)
     whole, factor = total(balance(engine)), 1 / harmonic(engine, order)
-    force, couple = (phasor.scaled(phasor.selected(spectrum, order), factor) for spectrum in (whole.force, whole.couple))
+    force, couple = (
+        spectra.scaled(spectra.selected(spectrum, order), factor)
+        for spectrum in (whole.force, whole.couple)
+    )
     return force, couple
 
 
 def harmonic(engine: Engine, order: int) -> float:
     first = engine.first
-    harmonics = motion.piston_harmonics(crank_radius=engine.throw(first).radius, rod_length=first.rod_length)
+    harmonics = motion.piston_harmonics(
+        crank_radius=engine.throw(first).radius, rod_length=first.rod_length
+    )
     return float(harmonics[order].real)
 
 
 def greatest(spectrum: Spectrum) -> float:
-    return float(np.abs(phasor.value(spectrum, ANGLES)).max())
+    return float(np.abs(spectra.value(spectrum, ANGLES)).max())
 
 
 def turning(spectrum: Spectrum) -> tuple[float, float]:
@@ -50,7 +59,7 @@ def turning(spectrum: Spectrum) -> tuple[float, float]:
 
 def amplitudes(spectrum: Spectrum) -> tuple[float, float]:
     """Vertical and horizontal amplitude."""
-    return float(abs(phasor.vertical(spectrum)[0])), float(abs(phasor.horizontal(spectrum)[0]))
+    return float(abs(spectra.vertical(spectrum)[0])), float(abs(spectra.horizontal(spectrum)[0]))
 
 
 @pytest.mark.parametrize("order", [1, 2, 4])
@@ -126,12 +135,16 @@ def test_v_twin_of_90_degrees_is_1_forward_and_sqrt_2_horizontal() -> None:
 
 
 @pytest.mark.parametrize(("factor", "left"), [(0.0, 1.0), (0.5, 0.0), (1.0, 1.0)])
-def test_half_the_reciprocating_mass_as_counterweight_frees_the_90_degree_v_twin_of_first_order(factor: float, left: float) -> None:
+def test_half_the_reciprocating_mass_as_counterweight_frees_the_90_degree_v_twin_of_first_order(
+    factor: float, left: float
+) -> None:
     force, _ = sums("v2-90", 1, changes={"balance_factor": factor})
     assert greatest(force) == pytest.approx(left, abs=1e-12)
 
 
-def test_v_twin_of_45_degrees_is_an_ellipse_of_twice_cos_and_sin_squared_of_half_the_angle() -> None:
+def test_v_twin_of_45_degrees_is_an_ellipse_of_twice_cos_and_sin_squared_of_half_the_angle() -> (
+    None
+):
     force, _ = sums("harley-45", 1)
     half = radians(45 / 2)
     assert amplitudes(force) == pytest.approx((2 * cos(half) ** 2, 2 * sin(half) ** 2), abs=EXACT)
@@ -144,7 +157,14 @@ def test_v4_of_90_degrees_has_a_turning_couple_and_a_horizontal_second_order() -
     assert amplitudes(sums("v4-90", 2)[0]) == pytest.approx((0, 2 * sqrt(2)), abs=EXACT)
 
 
-CROSS_PLANES = ["bmw-s65", "ford-coyote", "ford-46-sohc", "gm-l76", "porsche-cayenne-48", "toyota-1uz-fe"]
+CROSS_PLANES = [
+    "bmw-s65",
+    "ford-coyote",
+    "ford-46-sohc",
+    "gm-l76",
+    "porsche-cayenne-48",
+    "toyota-1uz-fe",
+]
 
 
 @pytest.mark.parametrize("name", CROSS_PLANES)
@@ -160,10 +180,13 @@ def test_flat_plane_v8_of_ferrari_has_the_horizontal_second_order() -> None:
 
 
 @pytest.mark.parametrize("name", ["gm-3800", "international-vt275", "ford-essex-42"])
-def test_split_pin_v6_leaves_no_force_but_a_couple_against_the_crank_for_its_balance_shaft(name: str) -> None:
+def test_split_pin_v6_leaves_no_force_but_a_couple_against_the_crank_for_its_balance_shaft(
+    name: str,
+) -> None:
     force, couple = sums(name, 1)
     assert greatest(force) < EXACT
-    # each bank, three pins 120 deg apart, has couples of sqrt(3)/2 either way; the other one's are 30 and 150 deg from them
+    # each bank, three pins 120 deg apart, has couples of sqrt(3)/2 either way; the other one's are
+    # 30 and 150 deg from them
     with_crank, against = turning(couple)
     assert with_crank == pytest.approx(sqrt(3) * cos(radians(15)), abs=EXACT)
     assert against == pytest.approx(sqrt(3) * cos(radians(75)), abs=EXACT)
@@ -210,9 +233,11 @@ def test_golden_dream_cancels_forces_of_every_order_as_its_makers_said() -> None
 
 
 @pytest.mark.parametrize("name", ["radial-9", "pratt-whitney-wasp"])
-def test_radial_nine_turns_a_vector_of_4_5_and_its_slave_rods_leave_second_order_turning_with_it(name: str) -> None:
+def test_radial_nine_turns_a_vector_of_4_5_and_its_slave_rods_leave_second_order_turning_with_it(
+    name: str,
+) -> None:
     assert turning(sums(name, 1)[0]) == pytest.approx((4.5, 0), abs=EXACT)
-    second = phasor.selected(total(balance(crankstar.load(name))).force, 2)
+    second = spectra.selected(total(balance(crankstar.load(name))).force, 2)
     with_crank, against = turning(second)
     assert with_crank == pytest.approx(0.6, abs=0.03)
     assert against < 0.001
@@ -224,7 +249,7 @@ def test_radial_with_all_rods_on_the_crank_pin_has_no_second_order() -> None:
         "layout": {"type": "radial", "rows": [{"cylinders": list(range(1, 10))}]},
     }  # fmt: skip
     force = total(balance(crankstar.files.engine_of(tree))).force
-    assert greatest(phasor.selected(force, 2)) < EXACT
+    assert greatest(spectra.selected(force, 2)) < EXACT
 
 
 def test_opposed_pistons_without_lag_cancel_each_other_at_every_order() -> None:
@@ -270,20 +295,25 @@ def test_firing_intervals(name: str, intervals: tuple[float, ...]) -> None:
 
 
 def test_common_pins_would_make_the_90_degree_v6_fire_unevenly() -> None:
-    intervals = firing(crankstar.load("gm-3800", changes={"layout.pin_split": "0 deg"})).intervals_deg
+    intervals = firing(
+        crankstar.load("gm-3800", changes={"layout.pin_split": "0 deg"})
+    ).intervals_deg
     assert intervals == pytest.approx((150, 90) * 3, abs=1e-6)
 
 
 def test_pins_22_degrees_apart_make_the_vr6_fire_evenly_within_a_sixth_of_a_degree() -> None:
     intervals = firing(crankstar.load("vw-vr6")).intervals_deg
     assert max(abs(interval - 120) for interval in intervals) < 1 / 6
-    row = 2 * (radians(7.5) + np.arcsin(12.5 / (164 + 90.3 / 2)))  # of the dead centres of the two rows
+    row = 2 * (
+        radians(7.5) + np.arcsin(12.5 / (164 + 90.3 / 2))
+    )  # of the dead centres of the two rows
     assert np.degrees(row) == pytest.approx(22, abs=1 / 6)
 
 
 def test_lower_crankshaft_of_the_jumo_is_11_degrees_behind() -> None:
     engine = crankstar.load("jumo-205")
     upper, lower = (engine.shaft(name).throws[0].angle for name in ("first", "second"))
-    # the upper one is at its inner dead centre pointing down, the lower one 11 deg short of pointing up
+    # the upper one is at its inner dead centre pointing down, the lower one 11 deg short of
+    # pointing up
     assert np.degrees(upper - lower - pi) % 360 == pytest.approx(11, abs=EXACT)
     assert dead_centres(engine)[1].angle_deg == pytest.approx(11 / 2, abs=1e-6)

@@ -1,4 +1,4 @@
-"""Figures as data: the numbers that are drawn are those of the Balance, at the crank angle the figure is set to."""
+"""Figures as data: the numbers drawn are those of the Balance at the chosen crank angle."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ import numpy as np
 import pytest
 
 import crankstar
-from crankstar import charts, phasor
-from crankstar.balance import balance, total
-from crankstar.charts.pushes import pushes
+from crankstar import charts, spectra
+from crankstar.charts.cylinder_forces import cylinder_forces
 from crankstar.charts.vectors import harmonic
-from crankstar.engine import Engine
-from crankstar.mechanism import Reference, block_roll
-from crankstar.records import Shaft
+from crankstar.engine.engine import Engine
+from crankstar.engine.records import Shaft
+from crankstar.mechanics.balance import balance, total
+from crankstar.mechanics.excitation import Reference, Totals, rolling_moment
 from crankstar.remedy import with_balance_shaft, with_counterweights
 
 ENGINES = (
@@ -51,7 +51,9 @@ def panels(spec: dict[str, Any]) -> Iterator[dict[str, Any]]:
         yield spec
 
 
-def layers(panel: dict[str, Any], datasets: dict[str, Any], theta: float) -> list[tuple[dict[str, Any], list[Row]]]:
+def layers(
+    panel: dict[str, Any], datasets: dict[str, Any], theta: float
+) -> list[tuple[dict[str, Any], list[Row]]]:
     """The layers of a panel with their rows as Vega works them out at `theta` degrees."""
     functions = {name: getattr(math, name) for name in ("cos", "sin", "sqrt", "atan2", "floor")}
     out = []
@@ -71,30 +73,43 @@ def kind(layer: dict[str, Any]) -> str:
     return layer["mark"]["type"] if isinstance(layer["mark"], dict) else layer["mark"]
 
 
-def drawn(chart: Any, *, theta: float | None = None) -> list[list[tuple[dict[str, Any], list[Row]]]]:
+def drawn(
+    chart: Any, *, theta: float | None = None
+) -> list[list[tuple[dict[str, Any], list[Row]]]]:
     """The layers of every panel, at the parameter's own value or another one (degrees)."""
     spec = chart.to_dict()
     own = next((p["value"] for p in spec.get("params", []) if p["name"] == "theta"), 0.0)
-    return [layers(panel, spec.get("datasets", {}), own if theta is None else theta) for panel in panels(spec)]
+    return [
+        layers(panel, spec.get("datasets", {}), own if theta is None else theta)
+        for panel in panels(spec)
+    ]
 
 
-def arrows(panel: list[tuple[dict[str, Any], list[Row]]], colour: str | None = None) -> list[complex]:
+def arrows(
+    panel: list[tuple[dict[str, Any], list[Row]]], colour: str | None = None
+) -> list[complex]:
     """The arrows of a panel as vectors, up + i*right."""
-    rows = [row for layer, found in panel if kind(layer) == "rule" for row in found if "endUp" in row]
-    return [complex(row.y2 - row.y1, row.x2 - row.x1) for row in rows if colour in (None, row.colour)]
+    rows = [
+        row for layer, found in panel if kind(layer) == "rule" for row in found if "endUp" in row
+    ]
+    return [
+        complex(row.y2 - row.y1, row.x2 - row.x1) for row in rows if colour in (None, row.colour)
+    ]
 
 
 def close(one: Any, other: Any, scale: float = 1.0) -> bool:
     return bool(np.allclose(one, other, rtol=0, atol=1e-9 * max(scale, 1e-30)))
 
 
-def pushed(spectrum: phasor.Spectrum) -> float:
-    """What all parts push together, whatever the direction; orders below a thousand millionth of it are not drawn."""
+def pushed(spectrum: spectra.Spectrum) -> float:
+    """The total push of all parts in any direction; orders below 1e-9 of it are not drawn."""
     return 10 * float((np.abs(spectrum.forward) + np.abs(spectrum.backward)).sum())
 
 
 def lanchester(heights: tuple[float, float] = (0.0, 0.0)) -> Engine:
-    first = with_balance_shaft(crankstar.load("i4"), ratio=2, planes=[1, -1], up=heights[0], right=2)
+    first = with_balance_shaft(
+        crankstar.load("i4"), ratio=2, planes=[1, -1], up=heights[0], right=2
+    )
     return with_balance_shaft(first, ratio=-2, planes=[1, -1], up=heights[1], right=-2)
 
 
@@ -102,14 +117,22 @@ def lanchester(heights: tuple[float, float] = (0.0, 0.0)) -> Engine:
 @pytest.mark.parametrize("order", [1, 2, 4])
 @pytest.mark.parametrize("quantity", ["force", "couple"])
 @pytest.mark.parametrize("theta", [0.0, 0.7])
-def test_the_vectors_of_a_star_add_up_to_the_balance(name: str, order: int, quantity: Any, theta: float) -> None:
+def test_the_vectors_of_a_star_add_up_to_the_balance(
+    name: str, order: int, quantity: Any, theta: float
+) -> None:
     engine = crankstar.load(name)
-    whole = phasor.selected(getattr(total(balance(engine)), quantity), order)
+    whole = spectra.selected(getattr(total(balance(engine)), quantity), order)
     factor, _ = harmonic(engine, order)
-    found = [sum(arrows(panel), 0j) for panel in drawn(charts.vector_star(engine, order=order, quantity=quantity, theta=theta))]
+    found = [
+        sum(arrows(panel), 0j)
+        for panel in drawn(charts.vector_star(engine, order=order, quantity=quantity, theta=theta))
+    ]
     spin = np.exp(1j * engine.sense * order * theta)
     forward, backward = whole.forward[0] / factor * spin, whole.backward[0] / factor / spin
-    scale = float(np.abs(phasor.selected(getattr(balance(engine), quantity), order).forward).sum()) / factor
+    scale = (
+        float(np.abs(spectra.selected(getattr(balance(engine), quantity), order).forward).sum())
+        / factor
+    )
     if len(found) == 1:  # what stands along the cylinders is the force
         bearing = np.exp(1j * engine.first.bearing)
         assert close((found[0] / bearing).real * bearing, forward + backward, scale)
@@ -163,11 +186,15 @@ def test_the_plane_of_a_resultant_is_told_in_the_direction_of_rotation() -> None
     chart = charts.polygon(engine, order=2, quantity="couple")
     (resultant,) = arrows(drawn(chart)[0], ORANGE)
     (spec,) = panels(chart.to_dict())
-    assert f"{-math.degrees(np.angle(resultant)):.2f}° from crank 1".replace("-", "−") in spec["title"]["text"]
+    assert (
+        f"{-math.degrees(np.angle(resultant)):.2f}° from crank 1".replace("-", "−")
+        in spec["title"]["text"]
+    )
 
 
 @pytest.mark.parametrize(
-    ("name", "order"), [("sinitsyn-6-valve", 2), ("sinitsyn-6-loop", 1), ("sinitsyn-8-four-stroke-1", 1), ("i6", 2)]
+    ("name", "order"),
+    [("sinitsyn-6-valve", 2), ("sinitsyn-6-loop", 1), ("sinitsyn-8-four-stroke-1", 1), ("i6", 2)],
 )
 def test_a_polygon_without_a_resultant_says_that_it_closes(name: str, order: int) -> None:
     chart = charts.polygon(crankstar.load(name), order=order, quantity="couple")
@@ -176,24 +203,32 @@ def test_a_polygon_without_a_resultant_says_that_it_closes(name: str, order: int
     assert len(arrows(panel)) > 2
     assert abs(sum(arrows(panel))) < 1e-12
     (spec,) = panels(chart.to_dict())
-    assert spec["title"]["text"] == ["closes"]
+    assert spec["title"]["text"] == ["closed"]
 
 
 @EVERY_ENGINE
 @pytest.mark.parametrize("theta", [0.0, 1.1])
-def test_a_polygon_runs_head_to_tail_and_its_resultant_is_that_of_the_balance(name: str, theta: float) -> None:
+def test_a_polygon_runs_head_to_tail_and_its_resultant_is_that_of_the_balance(
+    name: str, theta: float
+) -> None:
     engine = crankstar.load(name)
-    whole = phasor.selected(total(balance(engine)).couple, 1)
+    whole = spectra.selected(total(balance(engine)).couple, 1)
     spin = np.exp(1j * engine.sense * theta)
     found = drawn(charts.polygon(engine, order=1, quantity="couple", theta=theta))
-    wanted = [2 * whole.forward[0] * spin] if len(found) == 1 else [whole.forward[0] * spin, whole.backward[0] / spin]
+    wanted = (
+        [2 * whole.forward[0] * spin]
+        if len(found) == 1
+        else [whole.forward[0] * spin, whole.backward[0] / spin]
+    )
     for panel, resultant in zip(found, wanted, strict=True):
         rows = [row for layer, rows in panel if kind(layer) == "rule" for row in rows]
         sides = [row for row in rows if row.colour != ORANGE]
         for one, following in pairwise(sides):
             assert close([one.x2, one.y2], [following.x1, following.y1])
         assert close(sum(arrows(panel, ORANGE), 0j), resultant)
-        assert close(sum((complex(row.y2 - row.y1, row.x2 - row.x1) for row in sides), 0j), resultant)
+        assert close(
+            sum((complex(row.y2 - row.y1, row.x2 - row.x1) for row in sides), 0j), resultant
+        )
 
 
 @EVERY_ENGINE
@@ -205,7 +240,7 @@ def test_a_hodograph_is_the_path_of_the_vector_and_its_dot_is_where_the_vector_i
     engine = crankstar.load(name)
     reference = Reference(0.03)
     whole = getattr(total(balance(engine, speed=speed, reference=reference)), quantity)
-    greatest = phasor.peak(whole).value
+    greatest = spectra.peak(whole).value
     parts = pushed(getattr(balance(engine, speed=speed, reference=reference), quantity))
     chart = charts.hodograph(engine, quantity=quantity, speed=speed, reference=reference, theta=0.3)
     for degrees in (None, 0.0, 133.0):
@@ -213,23 +248,33 @@ def test_a_hodograph_is_the_path_of_the_vector_and_its_dot_is_where_the_vector_i
         dots = [row for layer, rows in panel for row in rows if "from" in row]
         at = math.radians(math.degrees(0.3) if degrees is None else degrees)
         if dots:
-            assert close(complex(dots[0].y2, dots[0].x2), complex(phasor.value(whole, at)), parts)
+            assert close(complex(dots[0].y2, dots[0].x2), complex(spectra.value(whole, at)), parts)
         else:
             assert greatest <= 1e-9 * parts
-    path = [row for layer, rows in drawn(chart)[0] if kind(layer) == "line" for row in rows if row.colour == BLUE]
+    path = [
+        row
+        for layer, rows in drawn(chart)[0]
+        if kind(layer) == "line"
+        for row in rows
+        if row.colour == BLUE
+    ]
     if path:
         values = np.array([complex(row.y2, row.x2) for row in path])
-        turns = phasor.period(
-            phasor.selected(
+        turns = spectra.period(
+            spectra.selected(
                 whole,
                 [
                     o
-                    for o, f in zip(whole.orders, np.abs(whole.forward) + np.abs(whole.backward), strict=True)
+                    for o, f in zip(
+                        whole.orders, np.abs(whole.forward) + np.abs(whole.backward), strict=True
+                    )
                     if f > 1e-9 * greatest
                 ],
             )
         )
-        assert close(values, phasor.value(whole, np.linspace(0, 2 * pi * turns, len(values))), parts)
+        assert close(
+            values, spectra.value(whole, np.linspace(0, 2 * pi * turns, len(values))), parts
+        )
         assert np.abs(values).max() == pytest.approx(greatest, rel=1e-2)
 
 
@@ -244,12 +289,18 @@ def test_a_hodograph_is_the_path_of_the_vector_and_its_dot_is_where_the_vector_i
         ("harley-45", 1, "force"),
     ],
 )
-def test_the_axes_of_a_hodograph_are_those_of_the_ellipse(name: str, order: int, quantity: Any) -> None:
+def test_the_axes_of_a_hodograph_are_those_of_the_ellipse(
+    name: str, order: int, quantity: Any
+) -> None:
     engine = crankstar.load(name)
-    whole = phasor.selected(getattr(total(balance(engine)), quantity), order)
-    shape = phasor.ellipse(complex(whole.forward[0]), complex(whole.backward[0]))
+    whole = spectra.selected(getattr(total(balance(engine)), quantity), order)
+    shape = spectra.ellipse(complex(whole.forward[0]), complex(whole.backward[0]))
     (panel,) = drawn(charts.hodograph(engine, order=order, quantity=quantity))
-    dashed = [rows for layer, rows in panel if kind(layer) == "line" and layer["mark"]["strokeDash"] == [4, 3]]
+    dashed = [
+        rows
+        for layer, rows in panel
+        if kind(layer) == "line" and layer["mark"]["strokeDash"] == [4, 3]
+    ]
     ends = [complex(row.y2, row.x2) for rows in dashed for row in rows]
     axes = [(b - a) / 2 for a, b in zip(ends[::2], ends[1::2], strict=True)]
     assert axes[0] == pytest.approx(shape.semi_major * np.exp(1j * shape.bearing))
@@ -263,33 +314,52 @@ def test_the_axes_of_a_hodograph_are_those_of_the_ellipse(name: str, order: int,
 
 
 @EVERY_ENGINE
-@pytest.mark.parametrize("quantity", ["force", "couple", "roll", pytest.param("torque", marks=pytest.mark.long)])
+@pytest.mark.parametrize(
+    "quantity", ["force", "couple", "roll", pytest.param("torque", marks=pytest.mark.long)]
+)
 def test_the_curves_over_a_turn_are_the_balance(name: str, quantity: Any) -> None:
     engine = crankstar.load(name)
-    whole = getattr(total(balance(engine)), quantity)
+    sums, parts = total(balance(engine)), balance(engine)
+    whole = rolling_moment(sums) if quantity == "roll" else getattr(sums, quantity)
     chart = charts.over_turn(engine, quantity=quantity, theta=0.3)
-    values = [lambda at: np.real(phasor.value(whole, at)), lambda at: np.imag(phasor.value(whole, at))]
-    parts = pushed(getattr(balance(engine), quantity))
+    values = [
+        lambda at: np.real(spectra.value(whole, at)),
+        lambda at: np.imag(spectra.value(whole, at)),
+    ]
+    each = Totals(parts.force, parts.couple, parts.axis_moment, parts.torque)
+    shares = pushed(rolling_moment(each) if quantity == "roll" else getattr(each, quantity))
     found = drawn(chart)
     assert len(found) == (2 if quantity in ("force", "couple") else 1)
     for panel, value in zip(found, values, strict=False):
-        rows = [row for layer, rows in panel if kind(layer) == "line" for row in rows if row.what == "all orders"]
+        rows = [
+            row
+            for layer, rows in panel
+            if kind(layer) == "line"
+            for row in rows
+            if row.what == "all orders"
+        ]
         at = np.radians([row.x for row in rows])
-        assert close([row.y for row in rows], value(at), parts)
+        assert close([row.y for row in rows], value(at), shares)
         dots = [row for layer, rows in panel if kind(layer) == "point" for row in rows]
         assert dots[0].x == pytest.approx(math.degrees(0.3))
-        assert close(dots[0].y, value(0.3), parts)
+        assert close(dots[0].y, value(0.3), shares)
 
 
 def test_each_order_over_a_turn_is_drawn_by_itself() -> None:
     engine = crankstar.load("triple-120")
     couple = total(balance(engine)).couple
     up, _ = drawn(charts.over_turn(engine, quantity="couple", orders=[2]))
-    rows = [row for layer, rows in up if kind(layer) == "line" for row in rows if row.what == "order 2"]
-    second = phasor.selected(couple, 2)
+    rows = [
+        row for layer, rows in up if kind(layer) == "line" for row in rows if row.what == "order 2"
+    ]
+    second = spectra.selected(couple, 2)
     assert len(rows) > 50
-    assert close([row.y for row in rows], np.real(phasor.value(second, np.radians([row.x for row in rows]))))
-    assert not [row for layer, rows in up if kind(layer) == "line" for row in rows if row.what == "order 1"]
+    assert close(
+        [row.y for row in rows], np.real(spectra.value(second, np.radians([row.x for row in rows])))
+    )
+    assert not [
+        row for layer, rows in up if kind(layer) == "line" for row in rows if row.what == "order 1"
+    ]
 
 
 def test_geared_shafts_are_drawn_over_their_whole_period() -> None:
@@ -299,24 +369,32 @@ def test_geared_shafts_are_drawn_over_their_whole_period() -> None:
     spec = charts.over_turn(slow).to_dict()
     assert spec["params"][0]["bind"]["max"] == 720
     up = drawn(charts.over_turn(slow))[0]
-    assert max(row.x for layer, rows in up if kind(layer) == "line" for row in rows) == pytest.approx(720)
+    assert max(
+        row.x for layer, rows in up if kind(layer) == "line" for row in rows
+    ) == pytest.approx(720)
 
 
 @EVERY_ENGINE
 def test_the_bars_of_a_spectrum_are_the_vectors_of_the_balance(name: str) -> None:
     engine = crankstar.load(name)
     sums = total(balance(engine, speed=400.0))
-    for panel, quantity in zip(drawn(charts.spectrum(engine, speed=400.0)), ("force", "couple", "roll"), strict=True):
-        spectrum = block_roll(sums) if quantity == "roll" else getattr(sums, quantity)
+    for panel, quantity in zip(
+        drawn(charts.spectrum(engine, speed=400.0)), ("force", "couple", "roll"), strict=True
+    ):
+        spectrum = rolling_moment(sums) if quantity == "roll" else getattr(sums, quantity)
         for row in (row for layer, rows in panel if kind(layer) == "bar" for row in rows):
-            one = phasor.selected(spectrum, float(row.order))
+            one = spectra.selected(spectrum, float(row.order))
             ahead, against = abs(one.forward[0]), abs(one.backward[0])
-            ends = {"with the crank": (0, ahead), "against it": (ahead, ahead + against), "roll": (0, 2 * ahead)}
+            ends = {
+                "with the crank": (0, ahead),
+                "against the crank": (ahead, ahead + against),
+                "roll": (0, 2 * ahead),
+            }
             assert (row["from"], row.to) == pytest.approx(ends[row.what])
 
 
 def test_the_forces_on_each_cylinder_of_the_first_racer_are_those_of_the_essay() -> None:
-    """Source: essay on the balance of the Kawasaki KR250, its table, with the exact second order instead of 1/4."""
+    """Source: the essay's table of the Kawasaki KR250, with the exact second order, not 1/4."""
     second = harmonic(crankstar.load("kr250-racer"), 2)[0]
     assert second == pytest.approx(0.2540, abs=5e-5)
     at_top, at_right, at_bottom = drawn(charts.force_arrows(crankstar.load("kr250-racer")))[-3:]
@@ -329,7 +407,8 @@ def test_the_forces_on_each_cylinder_of_the_first_racer_are_those_of_the_essay()
     assert close(arrows(at_top, BLUE), [second, second])
     simultaneous = drawn(charts.force_arrows(crankstar.load("kr250-racer-simultaneous")))[-3:]
     assert [
-        round(sum(arrows(panel, GREEN), 0j).real - s * 2 * second, 9) for panel, s in zip(simultaneous, (1, -1, 1), strict=True)
+        round(sum(arrows(panel, GREEN), 0j).real - s * 2 * second, 9)
+        for panel, s in zip(simultaneous, (1, -1, 1), strict=True)
     ] == [1, 0, -1]
     production = drawn(charts.force_arrows(crankstar.load("kr250-production")))[-3:]
     assert close(sum(arrows(production[1], GREEN)), -2 * second)
@@ -338,29 +417,33 @@ def test_the_forces_on_each_cylinder_of_the_first_racer_are_those_of_the_essay()
 @EVERY_ENGINE
 def test_the_forces_on_the_cylinders_add_up_to_those_of_the_engine(name: str) -> None:
     engine = with_counterweights(crankstar.load(name), factor=0.4)
-    found = pushes(engine, angles=(0.3, 2.0), orders=(1, 2))
-    wanted = phasor.value(phasor.selected(total(balance(engine)).force, [1, 2]), [0.3, 2.0])
+    found = cylinder_forces(engine, angles=(0.3, 2.0), orders=(1, 2))
+    wanted = spectra.value(spectra.selected(total(balance(engine)).force, [1, 2]), [0.3, 2.0])
     assert close(sum((one.net for one in found), np.zeros(2, complex)), wanted, 10)
 
 
 def test_a_bare_shaft_is_drawn_as_long_as_the_engine() -> None:
     engine = crankstar.load("i4")
     bare = Shaft(name="camshaft", speed_ratio=Fraction(1, 2))
-    crank, camshaft = drawn(charts.shaft_elevation(engine.model_copy(update={"shafts": (*engine.shafts, bare)})))
+    crank, camshaft = drawn(
+        charts.shaft_elevation(engine.model_copy(update={"shafts": (*engine.shafts, bare)}))
+    )
     ((left, right),) = [(row.x, row.x2) for _, rows in camshaft for row in rows if "upper" in row]
     numbers = [row.x for layer, rows in crank if kind(layer) == "text" for row in rows if row.y > 0]
     assert left < min(numbers) < max(numbers) < right
 
 
 def test_a_balance_shaft_pushes_by_itself() -> None:
-    found = pushes(lanchester(), angles=(0.3,), orders=(1, 2))
+    found = cylinder_forces(lanchester(), angles=(0.3,), orders=(1, 2))
     assert [one.name for one in found][4:] == ["balancer 2", "balancer -2"]
     assert abs(complex(sum((one.net[0] for one in found), 0j))) < 1e-12
 
 
 @pytest.mark.parametrize("name", ["v8-cross-plane", "honda-b18c", "napier-deltic", "kr250-racer"])
 @pytest.mark.parametrize("theta", [0.0, 0.9])
-def test_the_pins_of_a_crank_star_are_where_the_crank_angle_turns_them(name: str, theta: float) -> None:
+def test_the_pins_of_a_crank_star_are_where_the_crank_angle_turns_them(
+    name: str, theta: float
+) -> None:
     engine = crankstar.load(name)
     (panel,) = drawn(charts.crank_star(engine, theta=theta))
     wanted = [
@@ -370,20 +453,31 @@ def test_the_pins_of_a_crank_star_are_where_the_crank_angle_turns_them(name: str
     ]
     assert close(arrows(panel, BLUE), wanted)
     texts = " ".join(row.text for layer, rows in panel if kind(layer) == "text" for row in rows)
-    assert all(str(place) in texts for shaft in engine.shafts for place in range(1, len(shaft.throws) + 1))
+    assert all(
+        str(place) in texts for shaft in engine.shafts for place in range(1, len(shaft.throws) + 1)
+    )
 
 
 @pytest.mark.parametrize("theta", [0.0, 0.9])
 def test_the_heights_of_the_pins_in_an_elevation_are_true(theta: float) -> None:
     engine = crankstar.load("yamaha-r1-crossplane")
     (panel,) = drawn(charts.shaft_elevation(engine, theta=theta))
-    rows = [row for layer, rows in panel for row in rows if row.get("lower") == 1 and row.get("upper") == 1]
+    rows = [
+        row
+        for layer, rows in panel
+        for row in rows
+        if row.get("lower") == 1 and row.get("upper") == 1
+    ]
     wanted = [math.cos(throw.angle + engine.sense * theta) for throw in engine.shafts[0].throws]
     heights = np.array([row.y1 for row in rows])
     assert close(heights / 42.0, wanted)
     places = [(row.x + row.x2) / 2 for row in rows]
-    assert places == sorted(places)  # the first cylinder stands at the front, and the front is at the left
+    assert places == sorted(
+        places
+    )  # the first cylinder stands at the front, and the front is at the left
     arms = [row.text for layer, rows in panel if kind(layer) == "text" for row in rows if row.y < 0]
     assert arms == ["1.5", "0.5", "−0.5", "−1.5"]
     moved = drawn(charts.shaft_elevation(engine, reference=Reference(engine.cylinders[0].z)))[0]
-    assert [row.text for layer, rows in moved if kind(layer) == "text" for row in rows if row.y < 0] == ["0", "−1", "−2", "−3"]
+    assert [
+        row.text for layer, rows in moved if kind(layer) == "text" for row in rows if row.y < 0
+    ] == ["0", "−1", "−2", "−3"]

@@ -1,4 +1,7 @@
-"""Figures as pictures: they compile for every engine, have equal scales and labels apart, and one parameter for the crank angle."""
+"""Figures as pictures: they compile for every engine; scales are equal, labels do not overlap.
+
+Each has one parameter, the crank angle.
+"""
 
 from __future__ import annotations
 
@@ -17,12 +20,28 @@ from tests.methods.test_charts import ENGINES, drawn, kind, lanchester, panels
 import crankstar
 from crankstar import charts
 from crankstar.charts.drawing import numbers_text, text_width
-from crankstar.engine import Engine
-from crankstar.layouts import Basis, inline
+from crankstar.engine.engine import Engine
+from crankstar.engine.layouts import Basis, inline
 from crankstar.remedy import with_counterweights
 
-OFTEN = ("single", "v8-cross-plane", "vw-vr6", "napier-deltic", "jumo-205", "radial-9", "kr250-racer")
-SELDOM = ("i4", "sinitsyn-7-second", "boxer-6", "square-four", "napier-lion", "man-s90mc-c", "audi-25-tfsi")
+OFTEN = (
+    "single",
+    "v8-cross-plane",
+    "vw-vr6",
+    "napier-deltic",
+    "jumo-205",
+    "radial-9",
+    "kr250-racer",
+)
+SELDOM = (
+    "i4",
+    "sinitsyn-7-second",
+    "boxer-6",
+    "square-four",
+    "napier-lion",
+    "man-s90mc-c",
+    "audi-25-tfsi",
+)
 SPREAD = [*OFTEN, *(pytest.param(name, marks=pytest.mark.long) for name in SELDOM)]
 EVERY_CHART = pytest.mark.parametrize("name", charts.CHARTS)
 TURNING = [name for name, figure in charts.CHARTS.items() if "theta" in figure.options]
@@ -34,7 +53,11 @@ def variants(figure: charts.Figure) -> list[dict[str, Any]]:
     """Options that between them draw all a figure can."""
     out: list[dict[str, Any]] = [{}]
     if "order" in figure.options:
-        out += [{"order": order, "quantity": quantity} for order in (1, 2, 1.5) for quantity in figure.quantities]
+        out += [
+            {"order": order, "quantity": quantity}
+            for order in (1, 2, 1.5)
+            for quantity in figure.quantities
+        ]
     elif figure.quantities:
         out += [{"quantity": quantity} for quantity in figure.quantities]
     return [{**one, **({"theta": 0.4} if "theta" in figure.options else {})} for one in out]
@@ -75,7 +98,11 @@ def huge() -> Engine:
 @pytest.mark.parametrize("engine", SPREAD)
 def test_every_figure_can_be_drawn_of_every_kind_of_engine(name: str, engine: str) -> None:
     options = {"theta": 0.4} if "theta" in charts.CHARTS[name].options else {}
-    sound(charts.saved(charts.CHARTS[name].draw(crankstar.load(engine), **options), "svg", title=engine))
+    sound(
+        charts.saved(
+            charts.CHARTS[name].draw(crankstar.load(engine), **options), "svg", title=engine
+        )
+    )
 
 
 @pytest.mark.long
@@ -94,14 +121,20 @@ def test_figures_of_an_engine_with_balance_shafts_and_weights(name: str) -> None
 def test_every_figure_takes_the_options_it_is_said_to_take(name: str) -> None:
     figure = charts.CHARTS[name]
     taken = inspect.signature(figure.draw).parameters.values()
-    assert sorted(one.name for one in taken if one.kind is one.KEYWORD_ONLY) == sorted(figure.options)
+    assert sorted(one.name for one in taken if one.kind is one.KEYWORD_ONLY) == sorted(
+        figure.options
+    )
     assert figure.about
-    assert figure.compares == (name in ("hodograph", "over-turn", "spectrum", "vector-star", "polygon"))
+    assert figure.compares == (
+        name in ("hodograph", "over-turn", "spectrum", "vector-star", "polygon")
+    )
 
 
 @EVERY_CHART
 @pytest.mark.parametrize("engine", ["v8-cross-plane", "i4", "kr250-racer"])
-def test_what_depends_on_the_crank_angle_has_one_parameter_for_it_in_degrees(name: str, engine: str) -> None:
+def test_what_depends_on_the_crank_angle_has_one_parameter_for_it_in_degrees(
+    name: str, engine: str
+) -> None:
     options = {"theta": 0.5} if name in TURNING else {}
     loaded = crankstar.load(engine)
     spec = charts.CHARTS[name].draw(loaded, **options).to_dict()
@@ -112,10 +145,16 @@ def test_what_depends_on_the_crank_angle_has_one_parameter_for_it_in_degrees(nam
         assert spec["params"] == found
         assert found[0]["name"] == "theta"
         assert found[0]["value"] == pytest.approx(np.degrees(0.5))
-        assert (found[0]["bind"]["input"], found[0]["bind"]["min"], found[0]["bind"]["max"]) == ("range", 0, last)
+        assert (found[0]["bind"]["input"], found[0]["bind"]["min"], found[0]["bind"]["max"]) == (
+            "range",
+            0,
+            last,
+        )
 
 
-@pytest.mark.parametrize("name", [name for name, figure in charts.CHARTS.items() if figure.compares])
+@pytest.mark.parametrize(
+    "name", [name for name, figure in charts.CHARTS.items() if figure.compares]
+)
 def test_engines_side_by_side_have_common_axes_and_one_parameter(name: str) -> None:
     engines = [crankstar.load(one) for one in ("v8-cross-plane", "v8-flat-plane", "i4")]
     options = {"order": 2, "quantity": "force"} if name in ("polygon", "vector-star") else {}
@@ -125,13 +164,23 @@ def test_engines_side_by_side_have_common_axes_and_one_parameter(name: str) -> N
     assert len(spec["vconcat"]) == 2  # two in the first row, one in the second
     domains: dict[Any, set[Any]] = {}
     for panel in panels(spec):
-        layer = next(one for one in panel["layer"] if "y" in one.get("encoding", {}) and "field" in one["encoding"]["y"])
+        layer = next(
+            one
+            for one in panel["layer"]
+            if "y" in one.get("encoding", {}) and "field" in one["encoding"]["y"]
+        )
         encoding = layer["encoding"]
-        scale = (*encoding["x"]["scale"]["domain"], *encoding["y"]["scale"]["domain"], panel["width"])
+        scale = (
+            *encoding["x"]["scale"]["domain"],
+            *encoding["y"]["scale"]["domain"],
+            panel["width"],
+        )
         title = str(encoding["y"].get("title"))
         domains.setdefault(title, set()).add(scale)
     assert all(len(found) == 1 for found in domains.values()), domains
-    assert all(engine.name.split(",")[0] in json.dumps(spec, ensure_ascii=False) for engine in engines)
+    assert all(
+        engine.name.split(",")[0] in json.dumps(spec, ensure_ascii=False) for engine in engines
+    )
     assert charts.saved(chart, "svg", title="three").startswith(b"<svg")
 
 
@@ -144,17 +193,23 @@ def test_what_shows_geometry_has_equal_scales(name: str, engine: str) -> None:
             encoding = layer["encoding"]
             if "y" in encoding and "x" in encoding:
                 (left, right), (bottom, top) = (encoding[axis]["scale"]["domain"] for axis in "xy")
-                assert panel["width"] / (right - left) == pytest.approx(panel["height"] / (top - bottom), rel=1e-4)
+                assert panel["width"] / (right - left) == pytest.approx(
+                    panel["height"] / (top - bottom), rel=1e-4
+                )
                 shown += 1
     assert shown
 
 
 @pytest.mark.parametrize("name", PLANES)
-@pytest.mark.parametrize("engine", [*ENGINES, "napier-deltic", pytest.param("huge", marks=pytest.mark.long)])
+@pytest.mark.parametrize(
+    "engine", [*ENGINES, "napier-deltic", pytest.param("huge", marks=pytest.mark.long)]
+)
 @pytest.mark.parametrize("order", [1, pytest.param(2, marks=pytest.mark.long)])
 def test_labels_do_not_cover_each_other(name: str, engine: str, order: int) -> None:
     figure = charts.CHARTS[name]
-    options: dict[str, Any] = {"order": order, "quantity": "couple"} if "order" in figure.options else {}
+    options: dict[str, Any] = (
+        {"order": order, "quantity": "couple"} if "order" in figure.options else {}
+    )
     if "theta" in figure.options:
         options["theta"] = 0.35 * order
     chart = figure.draw(huge() if engine == "huge" else crankstar.load(engine), **options)
@@ -163,13 +218,25 @@ def test_labels_do_not_cover_each_other(name: str, engine: str, order: int) -> N
         for layer, rows in layers:
             if kind(layer) != "text" or "y" not in layer["encoding"]:
                 continue
-            (left, right), (bottom, _) = (layer["encoding"][axis]["scale"]["domain"] for axis in "xy")
+            (left, right), (bottom, _) = (
+                layer["encoding"][axis]["scale"]["domain"] for axis in "xy"
+            )
             scale = panel["width"] / (right - left)
             for row in rows:
                 middle = ((row.x3 - left) * scale, (row.y3 - bottom) * scale)
-                boxes.append((middle, text_width(row.text, row.size) / 2, 0.5 * row.size * (1 + row.text.count("\n")), row.text))
+                boxes.append(
+                    (
+                        middle,
+                        text_width(row.text, row.size) / 2,
+                        0.5 * row.size * (1 + row.text.count("\n")),
+                        row.text,
+                    )
+                )
         for (one, width, height, text), (other, width2, height2, text2) in combinations(boxes, 2):
-            apart = abs(one[0] - other[0]) >= width + width2 or abs(one[1] - other[1]) >= height + height2
+            apart = (
+                abs(one[0] - other[0]) >= width + width2
+                or abs(one[1] - other[1]) >= height + height2
+            )
             assert apart, (text, text2)
 
 
@@ -179,14 +246,18 @@ def test_labels_do_not_cover_each_other(name: str, engine: str, order: int) -> N
         ("i4", "vector-star", {"order": 3}, "no force of order 3"),
         ("i4", "polygon", {"order": 3}, "no force of order 3"),
         ("v8-cross-plane", "hodograph", {"order": 1}, "no force of order 1"),
-        ("i4", "over-turn", {}, "no force to the sides"),
+        ("i4", "over-turn", {}, "no horizontal force"),
         ("boxer-6", "spectrum", {}, "no force"),
-        ("napier-lion", "stroke-chart", {}, "no firing order is known"),
-        ("napier-lion", "firing-ring", {}, "no firing order is known"),
+        ("napier-lion", "stroke-chart", {}, "The file gives no firing order."),
+        ("napier-lion", "firing-ring", {}, "The file gives no firing order."),
     ],
 )
-def test_nothing_to_draw_is_said(engine: str, name: str, options: dict[str, Any], words: str) -> None:
-    picture = charts.saved(charts.CHARTS[name].draw(crankstar.load(engine), **options), "svg", title="x")
+def test_nothing_to_draw_is_said(
+    engine: str, name: str, options: dict[str, Any], words: str
+) -> None:
+    picture = charts.saved(
+        charts.CHARTS[name].draw(crankstar.load(engine), **options), "svg", title="x"
+    )
     assert words in words_of(picture)
 
 
@@ -202,21 +273,35 @@ def test_long_names_are_folded_and_not_cut(name: str) -> None:
 @pytest.mark.parametrize(
     ("call", "words"),
     [
-        (lambda e: charts.vector_star(e, order=0), "the order is 0; give one greater than 0"),
+        (lambda e: charts.vector_star(e, order=0), "the order is 0; it must be greater than 0"),
         (lambda e: charts.polygon(e, order=-1), "the order is -1"),
         (lambda e: charts.hodograph(e, order=float("nan")), "the order is nan"),
         (lambda e: charts.over_turn(e, orders=[1, 0]), "the order is 0"),
-        (lambda e: charts.CHARTS["hodograph"].draw(e, quantity="roll"), "'roll' is not a quantity of this figure"),
-        (lambda e: charts.CHARTS["over-turn"].draw(e, quantity="noise"), "give one of force, couple, roll, torque"),
+        (
+            lambda e: charts.CHARTS["hodograph"].draw(e, quantity="roll"),
+            "'roll' is not a quantity of this figure",
+        ),
+        (
+            lambda e: charts.CHARTS["over-turn"].draw(e, quantity="noise"),
+            "give one of force, couple, roll, torque",
+        ),
         (lambda e: charts.crank_star(e, theta=float("inf")), "the crank angle is inf"),
-        (lambda e: charts.force_arrows(e, angles=()), "no order or no crank angle"),
-        (lambda e: charts.side_by_side([e], "shaft"), "cannot be drawn side by side; give one of hodograph"),
+        (lambda e: charts.force_arrows(e, angles=()), "at least one order and one crank angle"),
+        (
+            lambda e: charts.side_by_side([e], "shaft"),
+            "cannot be drawn side by side; give one of hodograph",
+        ),
         (lambda _: charts.side_by_side([], "hodograph"), "no engine is given"),
         (
-            lambda e: charts.side_by_side([e, crankstar.load("audi-25-tfsi")], "hodograph", speed=300.0),
-            r"counted in different units \(m r ω², N\)",
+            lambda e: charts.side_by_side(
+                [e, crankstar.load("audi-25-tfsi")], "hodograph", speed=300.0
+            ),
+            r"have different units \(m r ω², N\)",
         ),
-        (lambda e: charts.saved(charts.crank_star(e), "gif", title="x"), r"'gif'; end the name of the file in one of .svg, .png"),
+        (
+            lambda e: charts.saved(charts.crank_star(e), "gif", title="x"),
+            r"'gif'; the file name must end in .svg, .png",
+        ),
     ],
 )
 def test_what_cannot_be_drawn_is_said_in_a_sentence(call: Any, words: str) -> None:
@@ -235,6 +320,8 @@ def test_a_figure_can_be_saved_in_five_forms() -> None:
     assert json.loads(charts.saved(chart, "json", title="t"))["description"] == "t"
     page = charts.saved(chart, "html", title="a < b").decode()
     assert "<title>a &lt; b</title>" in page
+    assert "vega-lite" in page.split("-->")[0]
+    assert "BSD-3-Clause" in page.split("-->")[0]
     assert not re.search(r'<(?:script|link)[^>]*(?:src|href)="', page)
 
 
@@ -244,6 +331,18 @@ def test_numbers_are_told_briefly() -> None:
     assert len(numbers_text(list(range(1, 257, 2)))) < 20
 
 
+@pytest.mark.parametrize("name", charts.CHARTS)
+def test_every_figure_keeps_to_the_schema_of_vega_lite(name: str) -> None:
+    chart = charts.CHARTS[name].draw(crankstar.load("v8-cross-plane"))
+    assert chart.to_altair().to_dict()["title"]  # Altair checks each part against the schema
+    assert chart._repr_mimebundle_()
+
+
 def test_the_figures_load_their_makers_only_when_they_are_drawn() -> None:
     code = "import sys, crankstar.charts; print([m for m in ('altair', 'vl_convert', 'pandas') if m in sys.modules])"
-    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.strip() == "[]"
+    assert (
+        subprocess.run(
+            [sys.executable, "-c", code], capture_output=True, text=True, check=True
+        ).stdout.strip()
+        == "[]"
+    )

@@ -1,4 +1,4 @@
-"""Exact numbers, their zeros and closed forms, enclosures and print, each against another arithmetic: mpmath or sympy."""
+"""Exact numbers: zeros, closed forms, enclosures and print, against the arithmetic of mpmath."""
 
 from __future__ import annotations
 
@@ -19,17 +19,20 @@ from hypothesis import strategies as st
 from tests.exactly import MP, NOTHING, SOMETHING, evaluated, from_ball, mp, piston_harmonic, unit
 from tests.strategies import maybe
 
-from crankstar import catalog, motion
-from crankstar.derive import cyclotomic, derivation, enclosure, formula, radical, typeset, wave
-from crankstar.derive.cyclotomic import ONE, Number, rational, root
-from crankstar.derive.enclosure import Ball, Link
-from crankstar.derive.formula import Decimal, Formula, Symbol
+from crankstar.derive.algebra import cyclotomic, enclosure, evaluation, formula, typeset, wave
+from crankstar.derive.algebra import radicals as radical
+from crankstar.derive.algebra.cyclotomic import ONE, Number, rational, root
+from crankstar.derive.algebra.enclosure import Ball, Link
+from crankstar.derive.algebra.formula import Decimal, Formula, Symbol
+from crankstar.derive.algebra.styles import latex_text
+from crankstar.engine import motion
 
 CLOSE = MP.mpf(10) ** -47
 POINT = 10**70
 """Fixed-point sums of whole numbers: no rounding but that of the roots of unity themselves."""
 
-# -- zeros of whole batches --------------------------------------------------------------------------------------------
+# -- zeros of whole batches
+# --------------------------------------------------------------------------------------------
 
 
 def crank_stars(count: int) -> np.ndarray:
@@ -47,7 +50,7 @@ def polygons(exponents: np.ndarray, weights: np.ndarray, order: int) -> np.ndarr
 
 
 def nothing(coefficients: np.ndarray) -> np.ndarray:
-    """The same question in seventy digits: whether |z| < 1e-50, and nothing between 1e-50 and 1e-40."""
+    """In seventy digits: whether |z| < 1e-50, with no value between 1e-50 and 1e-40."""
     order = coefficients.shape[-1]
     with MP.workdps(80):
         turns = [unit(Fraction(place, order)) for place in range(order)]
@@ -72,7 +75,11 @@ def evenly(count: int) -> list[int]:
 
 def as_number(coefficients: np.ndarray) -> Number:
     order = len(coefficients)
-    return cyclotomic.total(root(Fraction(place, order)).times(int(value)) for place, value in enumerate(coefficients) if value)
+    return cyclotomic.total(
+        root(Fraction(place, order)).times(int(value))
+        for place, value in enumerate(coefficients)
+        if value
+    )
 
 
 @pytest.mark.parametrize("count", range(1, 9))
@@ -98,18 +105,34 @@ def test_numbers_one_by_one_are_zero_where_whole_batches_are(count: int) -> None
 
 @pytest.mark.parametrize(
     ("count", "zeros"),
-    [(2, [0, 1, 0, 1]), (3, [0, 0, 2, 0]), (4, [0, 2, 0, 6]), (5, [0] * 4), (6, [4, 8, 0, 8]), (7, [0] * 4), (8, [0, 96, 0, 576])],
+    [
+        (2, [0, 1, 0, 1]),
+        (3, [0, 0, 2, 0]),
+        (4, [0, 2, 0, 6]),
+        (5, [0] * 4),
+        (6, [4, 8, 0, 8]),
+        (7, [0] * 4),
+        (8, [0, 96, 0, 576]),
+    ],
 )
-def test_so_many_stars_have_no_couple_of_the_first_four_orders(count: int, zeros: list[int]) -> None:
+def test_so_many_stars_have_no_couple_of_the_first_four_orders(
+    count: int, zeros: list[int]
+) -> None:
     stars = crank_stars(count)
-    assert [int(cyclotomic.vanishing(couples(stars, k, evenly(count))).sum()) for k in (1, 2, 3, 4)] == zeros
+    assert [
+        int(cyclotomic.vanishing(couples(stars, k, evenly(count))).sum()) for k in (1, 2, 3, 4)
+    ] == zeros
 
 
 @given(st.integers(3, 14), st.data())
-def test_stars_of_cylinders_at_uneven_places_vanish_exactly_where_seventy_digits_do(count: int, data: Any) -> None:
+def test_stars_of_cylinders_at_uneven_places_vanish_exactly_where_seventy_digits_do(
+    count: int, data: Any
+) -> None:
     positions = data.draw(st.lists(st.integers(-300, 300), min_size=count, max_size=count))
     seed = data.draw(st.integers(0, 2**32 - 1))
-    stars = np.array([np.random.default_rng([seed, place]).permutation(count) for place in range(40)])
+    stars = np.array(
+        [np.random.default_rng([seed, place]).permutation(count) for place in range(40)]
+    )
     # beside them one that does vanish: opposite throws with equal arms
     if count % 2 == 0:
         stars[0] = np.arange(count)
@@ -121,11 +144,15 @@ def test_stars_of_cylinders_at_uneven_places_vanish_exactly_where_seventy_digits
 
 @pytest.mark.parametrize("part", [24, 40, 21])
 @pytest.mark.parametrize("order", [1, 2, 4])
-def test_bearings_and_star_of_a_vee_vanish_together_exactly_where_seventy_digits_do(part: int, order: int) -> None:
+def test_bearings_and_star_of_a_vee_vanish_together_exactly_where_seventy_digits_do(
+    part: int, order: int
+) -> None:
     rng = np.random.default_rng([part, order])
     throws = rng.choice([0, part // 4, part // 2, 3 * part // 4, part // 3], size=(400, 4))
     throws[::3, 2:] = (throws[::3, 1::-1] + part // 2) % part  # some that may cancel in pairs
-    bearings = np.concatenate([np.full((400, 4), part // 8), np.full((400, 4), part - part // 8)], axis=1)
+    bearings = np.concatenate(
+        [np.full((400, 4), part // 8), np.full((400, 4), part - part // 8)], axis=1
+    )
     pins = np.concatenate([throws, throws], axis=1)
     arms = np.array([3, 1, -1, -3, 3, 1, -1, -3])
     for sense in (1, -1):
@@ -159,15 +186,20 @@ def test_zeros_of_numbers_with_a_fraction_are_not_decided() -> None:
         cyclotomic.vanishing(np.array([0.5, 0.5]))
 
 
-# -- the fields --------------------------------------------------------------------------------------------------------
+# -- the fields
+# --------------------------------------------------------------------------------------------------------
 
 
 class Both:
     """A number, and its value in sixty digits."""
 
     def __init__(self, order: int, terms: Sequence[tuple[Fraction, int]]) -> None:
-        self.number = cyclotomic.total(root(Fraction(place, order)).times(size) for size, place in terms)
-        self.value = sum((mp(size) * unit(Fraction(place, order)) for size, place in terms), MP.mpc(0))
+        self.number = cyclotomic.total(
+            root(Fraction(place, order)).times(size) for size, place in terms
+        )
+        self.value = sum(
+            (mp(size) * unit(Fraction(place, order)) for size, place in terms), MP.mpc(0)
+        )
         self.terms, self.order = terms, order
 
     def __repr__(self) -> str:
@@ -178,7 +210,9 @@ FRACTIONS = st.builds(Fraction, st.integers(-9, 9), st.sampled_from([1, 1, 2, 3,
 WHOLE = st.integers(-4, 4).map(Fraction)
 
 
-def sums(least: int, most: int, sizes: st.SearchStrategy[Fraction] = FRACTIONS) -> st.SearchStrategy[Both]:
+def sums(
+    least: int, most: int, sizes: st.SearchStrategy[Fraction] = FRACTIONS
+) -> st.SearchStrategy[Both]:
     """Sums of up to five roots of unity of one order."""
 
     def of(order: int) -> st.SearchStrategy[Both]:
@@ -246,7 +280,10 @@ def test_a_number_is_zero_where_sixty_digits_say_so_and_the_batch_too(a: Both) -
     assert bool(cyclotomic.vanishing(coefficients)) == a.number.zero
     reduced = coefficients @ cyclotomic.reduction(a.order)
     assert_is(as_number(coefficients), a.value * scale)
-    basis = sum((int(value) * unit(Fraction(place, a.order)) for place, value in enumerate(reduced)), MP.mpc(0))
+    basis = sum(
+        (int(value) * unit(Fraction(place, a.order)) for place, value in enumerate(reduced)),
+        MP.mpc(0),
+    )
     assert abs(basis - a.value * scale) < CLOSE * (1 + abs(basis))
 
 
@@ -270,15 +307,21 @@ def test_the_minimal_polynomial_has_the_number_as_root_and_no_factors(a: Both) -
         _, factors = polynomial.factor()
         assert [exponent for _, exponent in factors] == [1]
     with MP.workdps(200):
-        value = sum((mp(size) * unit(Fraction(place, a.order)) for size, place in a.terms), MP.mpc(0))
+        value = sum(
+            (mp(size) * unit(Fraction(place, a.order)) for size, place in a.terms), MP.mpc(0)
+        )
         terms = [coefficient * value**power for power, coefficient in enumerate(found)]
-        assert abs(sum(terms, MP.mpc(0))) <= MP.mpf(10) ** -150 * (1 + sum(abs(term) for term in terms))
+        assert abs(sum(terms, MP.mpc(0))) <= MP.mpf(10) ** -150 * (
+            1 + sum(abs(term) for term in terms)
+        )
 
 
 @given(sums(1, 60), st.integers(1, 4))
 @example(Both(3, [(Fraction(1), 1), (Fraction(1), 2)]), 1)  # minus one, written in another field
 @example(Both(5, []), 3)
-def test_a_number_equals_itself_in_whatever_field_it_is_written_and_so_is_no_key(a: Both, times: int) -> None:
+def test_a_number_equals_itself_in_whatever_field_it_is_written_and_so_is_no_key(
+    a: Both, times: int
+) -> None:
     other = a.number + root(Fraction(1, a.order * times)) - root(Fraction(1, a.order * times))
     assert other == a.number
     with pytest.raises(TypeError, match="unhashable"):
@@ -297,7 +340,8 @@ def test_a_number_is_rational_where_all_its_conjugates_are_one(a: Both) -> None:
         assert abs(mp(a.number.rational) - a.value) < CLOSE * (1 + abs(a.value))
 
 
-# -- closed forms ------------------------------------------------------------------------------------------------------
+# -- closed forms
+# ------------------------------------------------------------------------------------------------------
 
 
 def shown(found: radical.Closed) -> str:
@@ -313,7 +357,10 @@ def bearing_of(number: Number) -> Any:
 def test_closed_forms_have_fifty_digits_of_the_number(a: Both) -> None:
     scale = CLOSE * (1 + abs(a.value))
     assert abs(evaluated(radical.closed(cyclotomic.real(a.number)).formula) - a.value.real) < scale
-    assert abs(evaluated(radical.closed(cyclotomic.imaginary(a.number)).formula) - a.value.imag) < scale
+    assert (
+        abs(evaluated(radical.closed(cyclotomic.imaginary(a.number)).formula) - a.value.imag)
+        < scale
+    )
     assert abs(evaluated(radical.length(a.number).formula) - abs(a.value)) < scale
     assume(not a.number.zero)
     found = bearing_of(a.number)
@@ -332,7 +379,13 @@ def test_two_vectors_have_the_length_and_bearing_that_they_have(order: int) -> N
         for one, other in ((1, 1), (1, -1), (2, 1), (1, -2), (2, 3)):
             a = Both(order, [(Fraction(one), 0), (Fraction(other), place)])
             assert abs(evaluated(radical.length(a.number).formula) - abs(a.value)) < CLOSE
-            assert abs(evaluated(radical.closed(a.number * a.number.conjugate).formula) - abs(a.value) ** 2) < 10 * CLOSE
+            assert (
+                abs(
+                    evaluated(radical.closed(a.number * a.number.conjugate).formula)
+                    - abs(a.value) ** 2
+                )
+                < 10 * CLOSE
+            )
             if not a.number.zero:
                 assert abs(MP.expj(bearing_of(a.number)) - a.value / abs(a.value)) < CLOSE
                 assert -MP.pi < bearing_of(a.number) <= MP.pi
@@ -342,7 +395,9 @@ def test_negative_numbers_made_of_vectors_that_are_not_point_to_plus_half_a_turn
     beside = 0
     for order in range(3, 41):
         for place in range(1, order // 2 + 1):
-            number = cyclotomic.total([root(Fraction(place, order)), root(Fraction(-place, order)), rational(-3)])
+            number = cyclotomic.total(
+                [root(Fraction(place, order)), root(Fraction(-place, order)), rational(-3)]
+            )
             beside += complex(number).imag < 0
             assert radical.bearing_turn(number) == Fraction(1, 2)
             assert abs(bearing_of(number) - MP.pi) < CLOSE
@@ -392,7 +447,8 @@ def test_lengths_are_printed_as_in_the_tables(number: Number, printed: str) -> N
 def test_the_best_two_stroke_eight_has_the_couple_that_is_known() -> None:
     order = (1, 8, 2, 6, 4, 5, 3, 7)
     couple = cyclotomic.total(
-        root(Fraction(-order.index(cylinder), 8)).times(Fraction(evenly(8)[cylinder - 1], 2)) for cylinder in range(1, 9)
+        root(Fraction(-order.index(cylinder), 8)).times(Fraction(evenly(8)[cylinder - 1], 2))
+        for cylinder in range(1, 9)
     )
     found = radical.length(couple)
     assert found.exact
@@ -409,7 +465,9 @@ QUADRANTS = [
 ]
 
 
-@pytest.mark.parametrize("number", [number for number, _ in QUADRANTS], ids=[name for _, name in QUADRANTS])
+@pytest.mark.parametrize(
+    "number", [number for number, _ in QUADRANTS], ids=[name for _, name in QUADRANTS]
+)
 def test_bearings_lie_beyond_minus_and_up_to_plus_half_a_turn(number: Number) -> None:
     value = MP.mpc(complex(number))
     found = bearing_of(number)
@@ -425,9 +483,14 @@ def test_the_bearing_of_a_knight_move_is_an_arctangent() -> None:
 @pytest.mark.parametrize("order", [1, 3, 5, 7, 8, 9, 11, 24])
 def test_exact_quarter_turns_are_seen_through_any_sum(order: int, quarter: int) -> None:
     """A real number made of vectors that are not, turned onto the axes: its ball straddles them."""
-    real = cyclotomic.total([root(Fraction(1, order)), root(Fraction(-1, order)), rational(3)])  # 3 + 2 cos > 0
+    real = cyclotomic.total(
+        [root(Fraction(1, order)), root(Fraction(-1, order)), rational(3)]
+    )  # 3 + 2 cos > 0
     turned = real * root(Fraction(quarter, 4))
-    assert radical.bearing_turn(turned) == [Fraction(0), Fraction(1, 4), Fraction(1, 2), Fraction(-1, 4)][quarter]
+    assert (
+        radical.bearing_turn(turned)
+        == [Fraction(0), Fraction(1, 4), Fraction(1, 2), Fraction(-1, 4)][quarter]
+    )
     assert shown(radical.bearing(turned)) == ["0", "π/2", "π", "−π/2"][quarter]
     with cyclotomic.precision(50):
         ball = Ball(turned.enclosed() + acb(arb(0, 1e-60), arb(0, 1e-60)))
@@ -436,7 +499,10 @@ def test_exact_quarter_turns_are_seen_through_any_sum(order: int, quarter: int) 
     assert shown(found) == ["0", "π/2", "π", "−π/2"][quarter]
 
 
-@pytest.mark.parametrize("aside", [Fraction(1), Fraction(-1), Fraction(1, 10**9), Fraction(-1, 10**9), Fraction(-1, 10**30)])
+@pytest.mark.parametrize(
+    "aside",
+    [Fraction(1), Fraction(-1), Fraction(1, 10**9), Fraction(-1, 10**9), Fraction(-1, 10**30)],
+)
 def test_a_hair_beside_the_branch_cut_is_on_the_side_where_it_is(aside: Fraction) -> None:
     number = rational(-1000) + I.times(aside)
     value = MP.mpc(-1000, mp(aside))
@@ -451,7 +517,12 @@ def enclosed(number: Number) -> acb:
 
 
 @pytest.mark.parametrize(
-    "value", [Fraction(10**12 + 1, 10**12), Fraction(10**13 - 1, 3 * 10**13), Fraction(1, 3) + Fraction(1, 2**50)]
+    "value",
+    [
+        Fraction(10**12 + 1, 10**12),
+        Fraction(10**13 - 1, 3 * 10**13),
+        Fraction(1, 3) + Fraction(1, 2**50),
+    ],
 )
 def test_a_long_fraction_is_not_printed_as_a_short_one(value: Fraction) -> None:
     """Cut with dots after it, or in full: never as if it were another number."""
@@ -467,11 +538,13 @@ def test_the_digits_of_a_decimal_are_all_certain() -> None:
             if not found.exact:
                 assert isinstance(found.formula, Decimal)
                 assert_cut(typeset.figures(found.formula), unit(Fraction(place, order)).real)
-                assert len(cyclotomic.minimal_polynomial(number)) - 1 == len(cyclotomic.conjugates(number))
+                assert len(cyclotomic.minimal_polynomial(number)) - 1 == len(
+                    cyclotomic.conjugates(number)
+                )
 
 
 def assert_cut(figures: str, value: Any) -> None:
-    """The figures are those of the number, cut off; rounded only where it is so near to a round one that a cut is undecided."""
+    """The figures are those of the number, cut off; rounded only where a cut is undecided."""
     places = len(figures.partition(".")[2])
     cut, near = int(MP.floor(abs(value) * 10**places)), int(MP.nint(abs(value) * 10**places))
     if abs(abs(value) * 10**places - near) < MP.mpf("0.11"):
@@ -483,28 +556,49 @@ def assert_cut(figures: str, value: Any) -> None:
     assert figures == ("-" if value < 0 else "") + expected
 
 
-@given(st.integers(-(10**24), 10**24).filter(bool), st.integers(-8, 30), st.integers(1, 20), st.integers(20, 45))
+@given(
+    st.integers(-(10**24), 10**24).filter(bool),
+    st.integers(-8, 30),
+    st.integers(1, 20),
+    st.integers(20, 45),
+)
 @example(-9999999999999999999999, 22, 7, 40)
 @example(10**20, 20, 12, 40)
 @example(9007199254740993 * 1000 + 500, 3, 7, 40)  # more than a double holds
-def test_the_figures_of_any_ball_are_those_of_all_numbers_in_it(above: int, power: int, digits: int, sure: int) -> None:
+def test_the_figures_of_any_ball_are_those_of_all_numbers_in_it(
+    above: int, power: int, digits: int, sure: int
+) -> None:
     with cyclotomic.precision(60):
         ball = arb(above) / arb(10) ** power
         wide = arb(ball.mid(), abs(ball.mid()) * arb(10) ** -sure)
         assume(wide.rad() < 0.1)  # the digits before the point are certain
         figures = typeset.figures(Decimal(wide, digits))
     true = MP.mpf(above) / MP.mpf(10) ** power
-    for value in (true, true * (1 + MP.mpf(10) ** -(sure + 1)), true * (1 - MP.mpf(10) ** -(sure + 1))):
+    for value in (
+        true,
+        true * (1 + MP.mpf(10) ** -(sure + 1)),
+        true * (1 - MP.mpf(10) ** -(sure + 1)),
+    ):
         assert_cut(figures, value)
 
 
-# -- enclosures --------------------------------------------------------------------------------------------------------
+# -- enclosures
+# --------------------------------------------------------------------------------------------------------
 
 
 def link(
-    length: Fraction, offset: Fraction = Fraction(0), bearing: float = 0.0, knuckle: tuple[Fraction, float] = (Fraction(0), 0.0)
+    length: Fraction,
+    offset: Fraction = Fraction(0),
+    bearing: float = 0.0,
+    knuckle: tuple[Fraction, float] = (Fraction(0), 0.0),
 ) -> Link:
-    return Link(length=length, offset=offset, bearing=bearing, knuckle_radius=knuckle[0], knuckle_angle=knuckle[1])
+    return Link(
+        length=length,
+        offset=offset,
+        bearing=bearing,
+        knuckle_radius=knuckle[0],
+        knuckle_angle=knuckle[1],
+    )
 
 
 def assert_holds(ball: arb, value: Any, *, least: Any = None) -> None:
@@ -527,7 +621,9 @@ def test_harmonics_of_a_centred_crank_are_enclosed(ratio: Fraction, order: int) 
     assert_holds(ball, piston_harmonic(ratio, order), least=MP.mpf(10) ** -40)
 
 
-@pytest.mark.parametrize(("ratio", "order"), [(Fraction(4), 2), (Fraction(7, 2), 4), (Fraction(2), 6)])
+@pytest.mark.parametrize(
+    ("ratio", "order"), [(Fraction(4), 2), (Fraction(7, 2), 4), (Fraction(2), 6)]
+)
 def test_harmonics_are_the_integrals_of_the_acceleration(ratio: Fraction, order: int) -> None:
     """Minus x'' in closed form, by quadrature: no Fourier sum."""
     length = mp(ratio)
@@ -535,15 +631,23 @@ def test_harmonics_are_the_integrals_of_the_acceleration(ratio: Fraction, order:
     def push(psi: Any) -> Any:
         sine, cosine = MP.sin(psi), MP.cos(psi)
         height = MP.sqrt(length**2 - sine**2)
-        return (cosine + (cosine**2 - sine**2) / height + sine**2 * cosine**2 / height**3) * MP.cos(order * psi)
+        return (cosine + (cosine**2 - sine**2) / height + sine**2 * cosine**2 / height**3) * MP.cos(
+            order * psi
+        )
 
     whole = MP.quad(push, [place * MP.pi / 8 for place in range(9)]) * 2 / MP.pi
     assert abs(from_ball(enclosure.coefficient(ratio, order)) - whole) < MP.mpf(10) ** -40
 
 
 @settings(max_examples=15)
-@given(RATIOS, st.builds(Fraction, st.integers(-80, 80), st.just(100)), st.sampled_from([1, 2, 3, 4, 5, 12]))
-def test_harmonics_of_an_offset_cylinder_are_enclosed(ratio: Fraction, offset: Fraction, order: int) -> None:
+@given(
+    RATIOS,
+    st.builds(Fraction, st.integers(-80, 80), st.just(100)),
+    st.sampled_from([1, 2, 3, 4, 5, 12]),
+)
+def test_harmonics_of_an_offset_cylinder_are_enclosed(
+    ratio: Fraction, offset: Fraction, order: int
+) -> None:
     length = ratio * (1 + abs(offset))
     found = enclosure.harmonic((link(length, offset),), order)
     expected = piston_harmonic(length, order, offset)
@@ -565,10 +669,18 @@ def test_harmonics_of_an_offset_cylinder_are_enclosed(ratio: Fraction, offset: F
     st.sampled_from([1, 2, 3, 4, 6]),
 )
 def test_harmonics_of_a_slave_rod_are_enclosed(
-    ratio: Fraction, knuckle: Fraction, at: Fraction, bearing: Fraction, offset: Fraction, order: int
+    ratio: Fraction,
+    knuckle: Fraction,
+    at: Fraction,
+    bearing: Fraction,
+    offset: Fraction,
+    order: int,
 ) -> None:
     slave = Fraction(5)
-    rods = (link(ratio), link(slave, offset, float(bearing) * 2 * np.pi, (knuckle, float(at) * 2 * np.pi)))
+    rods = (
+        link(ratio),
+        link(slave, offset, float(bearing) * 2 * np.pi, (knuckle, float(at) * 2 * np.pi)),
+    )
     found = enclosure.harmonic(rods, order)
     along, up, right = MP.mpc(0), MP.mpc(0), MP.mpc(0)
     count = 480
@@ -587,14 +699,38 @@ def test_harmonics_of_a_slave_rod_are_enclosed(
 
 @pytest.mark.parametrize("order", [2, 4, 6, 8])
 @pytest.mark.parametrize("ratio", [Fraction(10), Fraction(20), Fraction(100, 7)])
-def test_the_series_in_lambda_misses_the_enclosed_harmonic_by_less_than_its_next_term(order: int, ratio: Fraction) -> None:
+def test_the_series_in_lambda_misses_the_enclosed_harmonic_by_less_than_its_next_term(
+    order: int, ratio: Fraction
+) -> None:
     lam = 1 / ratio
     ball = from_ball(enclosure.coefficient(ratio, order))
     for power in (order - 1, order + 1, order + 5):
         partial = sum(motion.series_coefficient(order, p) * lam**p for p in range(power + 1))
-        rest = abs(motion.series_coefficient(order, power + 2)) * lam ** (power + 2) / (1 - 4 * lam**2)
+        rest = (
+            abs(motion.series_coefficient(order, power + 2)) * lam ** (power + 2) / (1 - 4 * lam**2)
+        )
         missing = abs(ball - mp(partial))
         assert mp(rest) / 4 < missing <= mp(rest)
+
+
+@pytest.mark.parametrize(
+    "ratio", [Fraction(3, 2), Fraction(2), Fraction(4), Fraction(10), Fraction(40)]
+)
+def test_small_harmonics_have_no_false_digit(ratio: Fraction) -> None:
+    found = np.real(motion.piston_harmonics(crank_radius=1, rod_length=float(ratio)))
+    for order in range(2, min(found.size, 13), 2):
+        exact = float(from_ball(enclosure.coefficient(ratio, order)))
+        assert found[order] == pytest.approx(exact, rel=2e-11, abs=0), order  # ten are shown
+
+
+@pytest.mark.parametrize("ratio", [Fraction(11, 10), Fraction(2), Fraction(4), Fraction(40)])
+@pytest.mark.parametrize("order", [1, 2, 3, 8, 24])
+def test_the_harmonic_of_a_centred_crank_is_that_of_its_enclosed_motion(
+    ratio: Fraction, order: int
+) -> None:
+    with cyclotomic.precision(50):
+        sampled = enclosure.harmonic((link(ratio, Fraction(0)),), order).piston.real
+        assert enclosure.coefficient(ratio, order).overlaps(sampled)
 
 
 @pytest.mark.parametrize("clearance", ["1.001", "1.0011", "1.003", "1.02", "1.05"])
@@ -612,22 +748,49 @@ def test_rods_that_nearly_lock_are_enclosed_or_refused_in_time(clearance: str, o
     count, whole = 4096, MP.mpc(0)
     for step in range(count):
         turn = unit(Fraction(step, count))
-        whole += (turn.real + MP.sqrt(mp(length) ** 2 - (turn.imag - mp(Fraction(offset))) ** 2)) * MP.conj(turn**2)
+        whole += (
+            turn.real + MP.sqrt(mp(length) ** 2 - (turn.imag - mp(Fraction(offset))) ** 2)
+        ) * MP.conj(turn**2)
     assert_holds(found.piston.real, (whole * 8 / count).real, least=MP.mpf(10) ** -40)
     assert_holds(found.piston.imag, (whole * 8 / count).imag, least=MP.mpf(10) ** -40)
 
 
-# -- print -------------------------------------------------------------------------------------------------------------
+# -- print
+# -------------------------------------------------------------------------------------------------------------
 
 HOSTILE = [
-    *("</script>", r"$\{}_^%&#~", "left & right", "bank #1", "100 %", "a_b^c", "<mi>x</mi>", "\\end{document}", "～${}"),
+    *(
+        "</script>",
+        r"$\{}_^%&#~",
+        "left & right",
+        "bank #1",
+        "100 %",
+        "a_b^c",
+        "<mi>x</mi>",
+        "\\end{document}",
+        "～${}",
+    ),
     *("\"'", "]]>", "\\"),
 ]
-RATIONALS = st.builds(Fraction, st.integers(-60, 60), st.sampled_from([1, 1, 2, 3, 8, 1001])).map(formula.number)
-DECIMALS = st.builds(lambda n, d: Decimal(arb(n) / 1024, d), st.integers(-5000, 5000).filter(bool), st.integers(3, 12))
+RATIONALS = st.builds(Fraction, st.integers(-60, 60), st.sampled_from([1, 1, 2, 3, 8, 1001])).map(
+    formula.number
+)
+DECIMALS = st.builds(
+    lambda n, d: Decimal(arb(n) / 1024, d),
+    st.integers(-5000, 5000).filter(bool),
+    st.integers(3, 12),
+)
 LETTERS = ["a", "b", "A", "theta", "lambda", "F", "M", "psi", "A′"]
-SYMBOLS = st.builds(Symbol, st.sampled_from(LETTERS), st.sampled_from(["", "2", "up", "+", "−", *HOSTILE]))
-LEAVES = st.one_of(RATIONALS, DECIMALS, SYMBOLS, st.just(formula.Pi()), st.builds(formula.Degrees, RATIONALS | DECIMALS))
+SYMBOLS = st.builds(
+    Symbol, st.sampled_from(LETTERS), st.sampled_from(["", "2", "up", "+", "−", *HOSTILE])
+)
+LEAVES = st.one_of(
+    RATIONALS,
+    DECIMALS,
+    SYMBOLS,
+    st.just(formula.Pi()),
+    st.builds(formula.Degrees, RATIONALS | DECIMALS),
+)
 
 
 def grown(children: st.SearchStrategy[Any]) -> st.SearchStrategy[Any]:
@@ -670,7 +833,11 @@ def test_brackets_of_every_print_are_balanced(tree: Formula) -> None:
     if not any(symbol.below in HOSTILE for symbol in names_in(tree)):
         assert_balanced(typeset.text(tree))
     told = typeset.latex(tree)
-    plain = re.sub(r"\\[\\{}$&#_%]", "", re.sub(r"\\textbackslash\{\}|\\text(asciicircum|asciitilde|less|greater)\{\}", "", told))
+    plain = re.sub(
+        r"\\[\\{}$&#_%]",
+        "",
+        re.sub(r"\\textbackslash\{\}|\\text(asciicircum|asciitilde|less|greater)\{\}", "", told),
+    )
     assert_balanced(plain, "{}")
     assert plain.count(r"\left(") == plain.count(r"\right)")
     outside = re.sub(r"\\text\{[^{}]*\}", "", plain)
@@ -695,7 +862,7 @@ def test_mathml_is_xml_and_says_the_names_as_they_are(tree: Formula) -> None:
 
 @pytest.mark.parametrize("name", HOSTILE)
 def test_hostile_names_are_text_in_latex(name: str) -> None:
-    told = back = typeset.latex_text(name)
+    told = back = latex_text(name)
     words = {"backslash": "\0", "asciicircum": "^", "asciitilde": "~", "less": "<", "greater": ">"}
     for word, letter in words.items():
         back = back.replace(f"\\text{word}{{}}", letter)
@@ -706,40 +873,9 @@ def test_hostile_names_are_text_in_latex(name: str) -> None:
     assert f"\\text{{{told}}}" in typeset.latex(Symbol("F", name))
 
 
-RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
-
-
-def read_back(text: str, symbols: dict[str, float]) -> float:
-    """A formula as a reader takes its text: roots over what follows them, powers, products without a sign."""
-    from sympy import Symbol as Letter
-    from sympy.parsing.sympy_parser import implicit_multiplication, parse_expr, standard_transformations
-
-    text = re.sub(r"[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+", lambda found: f"**({found[0].translate(RAISED)})", text)
-    text = text.replace("−", "-").replace("·", "*").replace("…", "").translate(str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789"))
-    text = re.sub(r"√(\d+)", r"sqrt(\1)", text).replace("√(", "sqrt(")
-    text = re.sub(r"(cos|sin|atan) (\d*θ|\d+)", r"\1(\2)", text)
-    text = re.sub(r"(\d(?:[\d.]*))°", r"(\1*pi/180)", text).replace("π", " pi ").replace("θ", " theta ").replace("λ", " lam ")
-    text = re.sub(r"(\d|\))\s*(?=[a-zA-Z(])", r"\1*", text)
-    text = re.sub(r"([ab]\d*|A′*\d*|theta|pi|lam)(?=\()", r"\1*", text).replace("A′′", "App").replace("A′", "Ap")
-    values = {name.replace("_", "").replace("′′", "pp").replace("′", "p"): value for name, value in symbols.items()}
-    names = {letter: Letter(letter) for letter in ("theta", "lam", *values)}
-    tree = parse_expr(text, local_dict=names, transformations=(*standard_transformations, implicit_multiplication))
-    return float(tree.subs({letter: values[str(letter)] for letter in tree.free_symbols}))
-
-
-@pytest.mark.parametrize("name", ["v8-cross-plane", "v6-60-six-throws", "audi-25-tfsi", "sinitsyn-8-two-stroke", "gm-3800"])
-def test_the_text_of_a_derivation_read_back_comes_to_what_its_formulas_come_to(name: str) -> None:
-    engine = catalog.load(name)
-    for order, quantity in ((1, "force"), (1, "couple"), (2, "couple")):
-        told = derivation(engine, order, quantity)  # pyright: ignore[reportArgumentType]
-        symbols = {**told.symbols, "theta": 0.7}
-        for tree in {tree for step in told.steps for line in step.lines if line.kind == "signal" for tree in line.chain}:
-            expected = formula.value(tree, symbols)
-            cut = 1e-5 if formula.has_decimal(tree) else 1e-9
-            assert abs(read_back(typeset.text(tree), symbols) - expected) < cut, typeset.text(tree)
-
-
-SIZES = st.builds(Fraction, st.integers(1, 12), st.sampled_from([1, 2, 3, 4, 7])).map(lambda size: size)
+SIZES = st.builds(Fraction, st.integers(1, 12), st.sampled_from([1, 2, 3, 4, 7])).map(
+    lambda size: size
+)
 ROOTS = st.sampled_from([2, 3, 5, 6, 10]).map(lambda n: formula.Root(formula.number(n)))
 ANGLES = st.integers(-23, 23).map(lambda n: formula.angle(Fraction(n, 48)))
 
@@ -749,19 +885,21 @@ def cosines(draw: Any) -> Formula:
     """Sums like those of derivations: numbers, roots, letters, and a cosine last."""
     terms = []
     for _ in range(draw(st.integers(1, 4))):
-        inside = formula.summed(formula.product(draw(st.integers(1, 6)), formula.THETA), draw(ANGLES))
-        front = [draw(maybe(ROOTS)), draw(maybe(st.sampled_from([Symbol("a"), Symbol("b"), Symbol("A", "2")])))]
+        inside = formula.summed(
+            formula.product(draw(st.integers(1, 6)), formula.THETA), draw(ANGLES)
+        )
+        front = [
+            draw(maybe(ROOTS)),
+            draw(maybe(st.sampled_from([Symbol("a"), Symbol("b"), Symbol("A", "2")]))),
+        ]
         factor = formula.Applied(draw(st.sampled_from(["cos", "sin"])), inside)
         sign = draw(st.sampled_from([1, -1]))
-        terms.append(formula.product(sign * draw(SIZES), *(part for part in front if part is not None), factor))
+        terms.append(
+            formula.product(
+                sign * draw(SIZES), *(part for part in front if part is not None), factor
+            )
+        )
     return formula.summed(*terms)
-
-
-@settings(max_examples=40)
-@given(cosines())
-def test_the_text_of_a_sum_of_cosines_read_back_comes_to_it(tree: Formula) -> None:
-    symbols = {"a": 1.3, "b": 0.7, "A_2": 0.3, "theta": 0.9}
-    assert read_back(typeset.text(tree), symbols) == pytest.approx(formula.value(tree, symbols), abs=1e-9)
 
 
 @settings(max_examples=100)
@@ -769,7 +907,7 @@ def test_the_text_of_a_sum_of_cosines_read_back_comes_to_it(tree: Formula) -> No
 def test_formulas_come_to_the_same_in_floats_in_balls_and_in_sixty_digits(tree: Formula) -> None:
     symbols = {"a": 1.25, "b": 0.75, "A_2": 0.375, "theta": 0.875}
     exactly = evaluated(tree, {name: MP.mpf(value) for name, value in symbols.items()})
-    assert abs(formula.value(tree, symbols) - exactly) < 1e-12
+    assert abs(evaluation.value(tree, symbols) - exactly) < 1e-12
     with cyclotomic.precision(50):
-        ball = formula.enclosed(tree, {name: arb(value) for name, value in symbols.items()})
+        ball = evaluation.enclosed(tree, {name: arb(value) for name, value in symbols.items()})
     assert_holds(ball, exactly, least=MP.mpf(10) ** -40)

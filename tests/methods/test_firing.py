@@ -1,7 +1,9 @@
-"""Dead centres and firing angles by a second road: closed forms, a dense look at the chamber's volume, and brute force."""
+"""Dead centres and firing angles against closed forms, dense sampling and brute force."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from fractions import Fraction
 from itertools import pairwise, permutations, product
 from math import asin, degrees, pi, radians
 
@@ -10,17 +12,25 @@ import pytest
 from hypothesis import given
 from tests.strategies import engines
 
-from crankstar.arrangement import Basis, Sizes
-from crankstar.engine import Engine
-from crankstar.fault import EngineError
-from crankstar.firing import DeadCentre, _dead_centres, _evenest, _kept, _searched, dead_centres, firing, unfit
-from crankstar.layouts import Bank, Crank, Row, inline, opposed, radial, tandem, vee
+from crankstar.engine.banks import Bank, Crank
+from crankstar.engine.basis import Basis, Sizes
+from crankstar.engine.dead_centres import DeadCentre, _dead_centres, _kept, _searched, dead_centres
+from crankstar.engine.engine import Engine
+from crankstar.engine.firing_angles import _evenest
+from crankstar.engine.layouts import Row, inline, opposed, radial, tandem, vee
+from crankstar.firing.intervals import firing
+from crankstar.language.faults import EngineError, Fault
 
 SIZES = Sizes(stroke=0.08, rod_length=0.14, bore=0.08)
 
 
-def v8(order: tuple[int, ...], *, throws: tuple[float, ...], odd: float, rotation: str = "clockwise") -> Engine:
-    banks = (Bank(bearing=radians(odd), cylinders=(1, 3, 5, 7)), Bank(bearing=-radians(odd), cylinders=(2, 4, 6, 8)))
+def v8(
+    order: tuple[int, ...], *, throws: tuple[float, ...], odd: float, rotation: str = "clockwise"
+) -> Engine:
+    banks = (
+        Bank(bearing=radians(odd), cylinders=(1, 3, 5, 7)),
+        Bank(bearing=-radians(odd), cylinders=(2, 4, 6, 8)),
+    )
     basis = Basis(name="V8", firing_order=order, rotation=rotation)  # pyright: ignore[reportArgumentType]
     return vee(basis, banks=banks, throws=tuple(map(radians, throws)))
 
@@ -30,7 +40,11 @@ FLAT_ORDER, CROSS_ORDER = (1, 8, 5, 4, 7, 2, 3, 6), (1, 8, 4, 3, 6, 5, 7, 2)
 
 
 def test_an_offset_cylinder_is_at_dead_centre_where_crank_and_rod_are_in_line() -> None:
-    turned = inline(Basis(name="x", cylinder=SIZES.model_copy(update={"offset": 0.015})), throws=(0.0, 1.0), bore_pitch=0.1)
+    turned = inline(
+        Basis(name="x", cylinder=SIZES.model_copy(update={"offset": 0.015})),
+        throws=(0.0, 1.0),
+        bore_pitch=0.1,
+    )
     assert degrees(turned.shafts[0].throws[0].angle) == pytest.approx(degrees(asin(0.015 / 0.18)))
     centres = dead_centres(turned)
     assert centres[1].angle_deg == pytest.approx(0, abs=1e-9)
@@ -44,7 +58,7 @@ def test_crank_and_rod_are_in_line_where_a_search_finds_the_piston_farthest(engi
         known = _dead_centres(engine, outward=outward)
         _kept.cache_clear()
         with pytest.MonkeyPatch.context() as patch:
-            patch.setattr("crankstar.firing._dead_centre", _searched)
+            patch.setattr("crankstar.engine.dead_centres._dead_centre", _searched)
             searched = _dead_centres(engine, outward=outward)
         _kept.cache_clear()
         for number, found in searched.items():
@@ -61,7 +75,7 @@ def test_two_pistons_that_share_a_chamber_fire_where_its_volume_is_least(ratio: 
         throws=(0.0, 2.0),
         crank_distance=0.4,
         lag=lag,
-        speed_ratio=ratio,  # pyright: ignore[reportArgumentType]
+        speed_ratio=Fraction(ratio),
     )
     theta = np.linspace(0, 2 * pi, 720_001)
 
@@ -70,21 +84,31 @@ def test_two_pistons_that_share_a_chamber_fire_where_its_volume_is_least(ratio: 
 
     dense = degrees(theta[np.argmax(travel(theta) + travel(theta - lag))])
     assert dead_centres(engine)[1].angle_deg == pytest.approx(dense, abs=1e-3)
-    assert dead_centres(engine)[1].angle_deg == pytest.approx(5.5, abs=1e-6)  # half-way, by symmetry
+    assert dead_centres(engine)[1].angle_deg == pytest.approx(
+        5.5, abs=1e-6
+    )  # half-way, by symmetry
 
 
 def test_the_lag_of_a_second_crankshaft_is_that_of_its_dead_centre_whichever_way_it_turns() -> None:
     for ratio, rotation in product((1, -1), ("clockwise", "counter-clockwise")):
         cranks = (
             Crank(banks=(Bank(cylinders=(1,)),)),
-            Crank(banks=(Bank(bearing=0.3, cylinders=(2,)),), right=3.0, speed_ratio=ratio, lag=radians(100)),  # pyright: ignore[reportArgumentType]
+            Crank(
+                banks=(Bank(bearing=0.3, cylinders=(2,)),),
+                right=3.0,
+                speed_ratio=Fraction(ratio),
+                lag=radians(100),
+            ),
         )
         engine = tandem(Basis(name="x", cycle="two-stroke", rotation=rotation), cranks=cranks)
         assert dead_centres(engine)[2].angle_deg == pytest.approx(100)
 
 
 def test_a_shaft_at_half_speed_has_a_dead_centre_every_two_turns() -> None:
-    cranks = (Crank(banks=(Bank(cylinders=(1,)),)), Crank(banks=(Bank(cylinders=(2,)),), right=3.0, speed_ratio="1/2"))  # pyright: ignore[reportArgumentType]
+    cranks = (
+        Crank(banks=(Bank(cylinders=(1,)),)),
+        Crank(banks=(Bank(cylinders=(2,)),), right=3.0, speed_ratio=Fraction(1, 2)),
+    )
     assert dead_centres(tandem(Basis(name="x"), cranks=cranks))[2] == DeadCentre(0.0, 720.0)
 
 
@@ -96,13 +120,18 @@ def test_slave_rods_shift_the_dead_centres_of_a_radial_engine_by_a_few_degrees()
     assert even == pytest.approx([40 * k for k in range(9)], abs=1e-9)
     shifted = np.array([dead_centres(slave)[k].angle_deg for k in range(1, 10)]) - even
     assert 0.5 < np.max(np.abs(shifted)) < 15
-    assert shifted[1:] == pytest.approx(-shifted[1:][::-1], abs=1e-6)  # mirror-image about the master rod
+    assert shifted[1:] == pytest.approx(
+        -shifted[1:][::-1], abs=1e-6
+    )  # mirror-image about the master rod
 
 
 def test_firing_angles_are_the_most_even_that_brute_force_finds() -> None:
     random = np.random.default_rng(3)
     for _ in range(60):
-        centres = {k: DeadCentre(float(random.choice([0, 90, 120, 180, 240, 270, 300])), 360.0) for k in range(1, 5)}
+        centres = {
+            k: DeadCentre(float(random.choice([0, 90, 120, 180, 240, 270, 300])), 360.0)
+            for k in range(1, 5)
+        }
         for order in permutations(range(1, 5)):
             found = _evenest(order, centres, 720.0)
             best = brute_force(order, centres)
@@ -113,7 +142,13 @@ def test_firing_angles_are_the_most_even_that_brute_force_finds() -> None:
 
 def brute_force(order: tuple[int, ...], centres: dict[int, DeadCentre]) -> list[float] | None:
     first = centres[order[0]].angle_deg
-    choices = [[first], *([(centres[k].angle_deg - first) % 360 + first + turn for turn in (0, 360)] for k in order[1:])]
+    choices = [
+        [first],
+        *(
+            [(centres[k].angle_deg - first) % 360 + first + turn for turn in (0, 360)]
+            for k in order[1:]
+        ),
+    ]
     rising = [list(way) for way in product(*choices) if all(a < b for a, b in pairwise(way))]
     return min(rising, key=squares, default=None)
 
@@ -122,43 +157,65 @@ def squares(angles: list[float]) -> float:
     return sum((b - a) ** 2 for a, b in zip(angles, [*angles[1:], angles[0] + 720], strict=True))
 
 
-@pytest.mark.parametrize(("order", "throws", "odd"), [(FLAT_ORDER, FLAT, -45.0), (CROSS_ORDER, CROSS, 45.0)], ids=["flat", "cross"])
+@pytest.mark.parametrize(
+    ("order", "throws", "odd"),
+    [(FLAT_ORDER, FLAT, -45.0), (CROSS_ORDER, CROSS, 45.0)],
+    ids=["flat", "cross"],
+)
 def test_both_v8_pages_need_their_own_side_and_the_refusal_names_it(
     order: tuple[int, ...], throws: tuple[float, ...], odd: float
 ) -> None:
     assert firing(v8(order, throws=throws, odd=odd)).intervals_deg == pytest.approx([90.0] * 8)
-    faults = unfit(v8(order, throws=throws, odd=-odd))
-    assert len(faults) == 1
-    assert "Top dead centres" in faults[0].message
-    assert "banks on the other sides" in faults[0].message
-    assert f"1, 3, 5, 7 at bearing {odd:+.4g} deg" in faults[0].message
+    (fault,) = refused(lambda: v8(order, throws=throws, odd=-odd))
+    assert fault.path == ("firing_order",)
+    assert fault.values["banks"]["1, 3, 5, 7"] == f"{odd:+.4g}"
     # The other rotation is proposed exactly where it would fit.
-    reversed_fits = unfit(v8(order, throws=throws, odd=-odd, rotation="counter-clockwise")) == []
-    assert ("turning the other way" in faults[0].message) == reversed_fits
+    try:
+        reversed_fits = bool(v8(order, throws=throws, odd=-odd, rotation="counter-clockwise"))
+    except EngineError:
+        reversed_fits = False
+    assert fault.code == "firing_order.unfit-other-banks" + "-or-rotation" * reversed_fits
+
+
+def refused(make: Callable[[], Engine]) -> list[Fault]:
+    """The faults of an engine that cannot be made."""
+    with pytest.raises(EngineError) as error:
+        make()
+    return error.value.faults
 
 
 def test_an_order_that_fits_in_no_mirror_is_refused_without_a_false_hint() -> None:
     # Two neighbours on one pin cannot fire one after the other with everything else in between.
-    faults = unfit(v8((1, 7, 3, 5, 2, 8, 4, 6), throws=FLAT, odd=-45.0))
-    assert faults
-    assert "It would fit" not in faults[0].message
+    (fault,) = refused(lambda: v8((1, 7, 3, 5, 2, 8, 4, 6), throws=FLAT, odd=-45.0))
+    assert fault.code == "firing_order.unfit"
 
 
 def test_cylinders_at_dead_centre_together_fire_together_only_when_told() -> None:
-    cranks = (Crank(banks=(Bank(cylinders=(1,)),)), Crank(banks=(Bank(cylinders=(2,)),), right=3.0, speed_ratio=-1))  # pyright: ignore[reportArgumentType]
+    cranks = (
+        Crank(banks=(Bank(cylinders=(1,)),)),
+        Crank(banks=(Bank(cylinders=(2,)),), right=3.0, speed_ratio=Fraction(-1)),
+    )
     silent = Basis(name="x", cycle="two-stroke", firing_order=(1, 2))
-    with pytest.raises(EngineError, match="1 and 2 are at dead centre together"):
-        firing(tandem(silent, cranks=cranks))
-    told = silent.model_copy(update={"firing_angles": (0.0, 0.0)})
-    assert firing(tandem(told, cranks=cranks)).intervals_deg == (0.0, 360.0)
+    (fault,) = refused(lambda: tandem(silent, cranks=cranks))
+    assert (fault.code, fault.values["together"]) == ("firing_order.unfit-together", "1 and 2")
+    together = silent.model_copy(update={"firing_angles": (0.0, 0.0)})
+    assert firing(tandem(together, cranks=cranks)).intervals_deg == (0.0, 360.0)
     wrong = silent.model_copy(update={"firing_angles": (0.0, radians(90))})
-    with pytest.raises(EngineError, match="cylinder 2 is at top dead centre at 0 deg"):
-        firing(tandem(wrong, cranks=cranks))
+    (fault,) = refused(lambda: tandem(wrong, cranks=cranks))
+    assert (fault.path, fault.code) == (("firing_angles", 1), "firing_angles.off-dead-centre")
+    assert (fault.values["number"], fault.values["angle"]) == (2, 0.0)
 
 
 def test_a_common_pin_twin_fires_at_its_bank_angle_and_the_rest() -> None:
-    banks = (Bank(bearing=radians(-22.5), cylinders=(1,)), Bank(bearing=radians(22.5), cylinders=(2,)))
+    banks = (
+        Bank(bearing=radians(-22.5), cylinders=(1,)),
+        Bank(bearing=radians(22.5), cylinders=(2,)),
+    )
     engine = vee(Basis(name="45 deg twin", firing_order=(1, 2)), banks=banks, throws=(0.0,))
     assert firing(engine).intervals_deg == pytest.approx((405, 315))
-    big_bang = vee(Basis(name="x", firing_order=(1, 2), firing_angles=(0.0, radians(45))), banks=banks, throws=(0.0,))
+    big_bang = vee(
+        Basis(name="x", firing_order=(1, 2), firing_angles=(0.0, radians(45))),
+        banks=banks,
+        throws=(0.0,),
+    )
     assert firing(big_bang).intervals_deg == pytest.approx((45, 675))

@@ -43,7 +43,10 @@ def test_pages_are_counted(tmp_path: Path) -> None:
         (r"\[ x = \nonsense y \]", r"line 6: Undefined control sequence. At: \[ x = \nonsense"),
         (r"\[ x = y } \]", r"line 6: Extra }, or forgotten $. At: \[ x = y }"),
         (r"\[ \frac{1}{2 \]", r"File ended while scanning use of \frac"),
-        (r"\begin{align*} x &= 1 \end{align}", r"line 6: LaTeX Error: \begin{align*} on input line 6 ended by \end{align}."),
+        (
+            r"\begin{align*} x &= 1 \end{align}",
+            r"line 6: LaTeX Error: \begin{align*} on input line 6 ended by \end{align}.",
+        ),
         ("the speed ω", "line 6: LaTeX Error: Unicode character ω (U+03C9)"),
     ],
 )

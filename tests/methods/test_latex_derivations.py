@@ -19,7 +19,11 @@ HOSTILE = "{\\undefined}%$&#_^~<> 直列 Ω é ß"
 @pytest.mark.parametrize("name", crankstar.names())
 def test_latex_takes_the_derivations_of_every_engine(name: str, tmp_path: Path) -> None:
     engine = crankstar.load(name)
-    chapters = [derivation(engine, order, quantity).chapter for order in ORDERS for quantity in ("force", "couple")]
+    chapters = [
+        derivation(engine, order, quantity).chapter
+        for order in ORDERS
+        for quantity in ("force", "couple")
+    ]
     result = compiled(documents.latex(chapters), tmp_path)
     assert result.ok, str(result)
     assert result.pages >= 2
@@ -27,10 +31,18 @@ def test_latex_takes_the_derivations_of_every_engine(name: str, tmp_path: Path) 
 
 @pytest.mark.long
 @pytest.mark.parametrize("notation", NOTATIONS.values(), ids=NOTATIONS)
-def test_latex_takes_every_notation_signs_and_families(notation: documents.Notation, tmp_path: Path) -> None:
+def test_latex_takes_every_notation_signs_and_families(
+    notation: documents.Notation, tmp_path: Path
+) -> None:
     twin = crankstar.load("v2-90")
-    chapters = [signs_chapter(crankstar.load("sinitsyn-7-first")), family(twin, 2, "couple", symbol="alpha")]
-    chapters += [family(crankstar.load("parallel-twin-180"), 1, "couple", symbol="phi"), derivation(twin, 2).chapter]
+    chapters = [
+        signs_chapter(crankstar.load("sinitsyn-7-first")),
+        family(twin, 2, "couple", symbol="alpha"),
+    ]
+    chapters += [
+        family(crankstar.load("parallel-twin-180"), 1, "couple", symbol="phi"),
+        derivation(twin, 2).chapter,
+    ]
     chapters += [family(crankstar.load("triple-120"), 3 * k, "force", symbol="n") for k in (2, 4)]
     result = compiled(documents.latex(chapters, notation), tmp_path)
     assert result.ok, str(result)

@@ -1,4 +1,4 @@
-"""The browser's own motion and phasors, in TypeScript, against Python's: to 1e-12 of the stroke and of the forces."""
+"""Motion and phasors in TypeScript against Python: to 1e-12 of the stroke and of the forces."""
 
 from __future__ import annotations
 
@@ -10,11 +10,12 @@ import numpy as np
 import pytest
 from tests.front_end import node
 
-from crankstar import motion, phasor
-from crankstar.catalog import load
-from crankstar.engine import Engine
-from crankstar.exhibit import exhibit
-from crankstar.exhibit.records import Exhibit, Pair, Vectors
+from crankstar import spectra
+from crankstar.engine import motion
+from crankstar.engine.engine import Engine
+from crankstar.files.catalog import load
+from crankstar.page import exhibit
+from crankstar.page.records import Exhibit, Pair, Vectors
 
 ENGINES = [
     "v8-cross-plane",
@@ -33,7 +34,9 @@ ENGINES = [
 ANGLES = [0.0, 0.3, np.pi / 2, 2.5, -0.5235987755982988, 7.853981633974483, 11.0, -19.7]
 
 
-def test_typescript_moves_and_adds_up_as_python_does(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_typescript_moves_and_adds_up_as_python_does(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     roads, report = tmp_path / "roads.json", tmp_path / "report.json"
     roads.write_text(json.dumps([road(load(name)) for name in ENGINES]))
     monkeypatch.setenv("CRANKSTAR_ROADS", str(roads))
@@ -51,27 +54,36 @@ def test_typescript_moves_and_adds_up_as_python_does(tmp_path: Path, monkeypatch
 
 def road(engine: Engine) -> dict[str, Any]:
     """An engine as the page is told of it, and where Python puts its parts."""
-    shown = exhibit(engine, neighbours=False)
-    stroke = min(2 * engine.throw(cylinder).radius for cylinder in engine.cylinders) * scale(engine, shown)
-    said = [at(engine, shown, theta, None if i % 2 else shown.orders[: 1 + i]) for i, theta in enumerate(ANGLES)]
+    shown = exhibit(engine, relatives=False)
+    stroke = min(2 * engine.throw(cylinder).radius for cylinder in engine.cylinders) * scale(
+        engine, shown
+    )
+    said = [
+        at(engine, shown, theta, None if i % 2 else shown.orders[: 1 + i])
+        for i, theta in enumerate(ANGLES)
+    ]
     return {"exhibit": json.loads(shown.model_dump_json()), "stroke": stroke, "said": said}
 
 
 def scale(engine: Engine, shown: Exhibit) -> float:
-    """What the drawing's unit of length is smaller than the engine's by: crank radii, where an engine has no sizes."""
+    """The engine's unit of length over the drawing's: crank radii for an engine without sizes."""
     return shown.scene.cylinders[0].crank_radius / engine.throw(engine.cylinders[0]).radius
 
 
-def at(engine: Engine, shown: Exhibit, theta: float, chosen: tuple[float, ...] | None) -> dict[str, Any]:
+def at(
+    engine: Engine, shown: Exhibit, theta: float, chosen: tuple[float, ...] | None
+) -> dict[str, Any]:
     """Places and vectors at a crank angle, of chosen orders."""
     big_end, piston = places(engine, theta)
     unit = scale(engine, shown)
 
     def vector(of: Vectors) -> Pair:
-        value = complex(phasor.value(kept(spectrum(shown, of.forward, of.backward), chosen), theta))
+        value = complex(
+            spectra.value(kept(spectrum(shown, of.forward, of.backward), chosen), theta)
+        )
         return (value.real, value.imag)
 
-    roll = phasor.real_signal(np.array(shown.orders), plane(shown.total.roll))
+    roll = spectra.real_signal(np.array(shown.orders), plane(shown.total.roll))
     return {
         "theta": theta,
         "big_end": [(place.real * unit, place.imag * unit) for place in big_end],
@@ -79,7 +91,7 @@ def at(engine: Engine, shown: Exhibit, theta: float, chosen: tuple[float, ...] |
         "chosen": chosen,
         "force": vector(shown.total.force),
         "couple": vector(shown.total.couple),
-        "roll": float(np.real(phasor.value(kept(roll, chosen), theta))),
+        "roll": float(np.real(spectra.value(kept(roll, chosen), theta))),
         "parts": [vector(part.force) for part in shown.cylinders],
     }
 
@@ -91,7 +103,10 @@ def places(engine: Engine, theta: float) -> tuple[list[complex], list[complex]]:
     root = [engine.cylinders[index].bearing for index in motion.roots(links.master)]
     own = [shafts[cylinder.shaft] for cylinder in engine.cylinders]
     turned = [engine.sense * float(shaft.speed_ratio) * theta for shaft in own]
-    psi = [engine.throw(c).angle + turn - bearing for c, turn, bearing in zip(engine.cylinders, turned, root, strict=True)]
+    psi = [
+        engine.throw(c).angle + turn - bearing
+        for c, turn, bearing in zip(engine.cylinders, turned, root, strict=True)
+    ]
     rods = motion.rods(links, psi)
 
     def placed(path: motion.Path) -> list[complex]:
@@ -108,9 +123,11 @@ def plane(pairs: tuple[Pair, ...]) -> np.ndarray:
     return np.array([complex(*pair) for pair in pairs])
 
 
-def spectrum(shown: Exhibit, forward: tuple[Pair, ...], backward: tuple[Pair, ...]) -> phasor.Spectrum:
-    return phasor.Spectrum(np.array(shown.orders), plane(forward), plane(backward), shown.sense)
+def spectrum(
+    shown: Exhibit, forward: tuple[Pair, ...], backward: tuple[Pair, ...]
+) -> spectra.Spectrum:
+    return spectra.Spectrum(np.array(shown.orders), plane(forward), plane(backward), shown.sense)
 
 
-def kept(whole: phasor.Spectrum, chosen: tuple[float, ...] | None) -> phasor.Spectrum:
-    return whole if chosen is None else phasor.selected(whole, chosen)
+def kept(whole: spectra.Spectrum, chosen: tuple[float, ...] | None) -> spectra.Spectrum:
+    return whole if chosen is None else spectra.selected(whole, chosen)

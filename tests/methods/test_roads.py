@@ -1,4 +1,4 @@
-"""One quantity, every road to it: closed forms, series, quadrature in long doubles, dense sampling, one engine at a time."""
+"""One quantity by every method: closed forms, series, quadrature, sampling, single engines."""
 
 from __future__ import annotations
 
@@ -10,32 +10,42 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from pydantic import ValidationError
 from tests.newton import PI, Rate, placed
 from tests.strategies import ANGLES, CYCLES, ROTATIONS, engines, number, of_layout
 
-from crankstar import motion, phasor
-from crankstar.arrangement import Basis
-from crankstar.balance import balance, total
-from crankstar.engine import MINIMUM_CLEARANCE, Engine
+from crankstar import spectra
+from crankstar.engine import motion
+from crankstar.engine.basis import Basis
+from crankstar.engine.checks import MINIMUM_CLEARANCE
+from crankstar.engine.engine import Engine
+from crankstar.engine.layouts import LAYOUTS
+from crankstar.engine.records import Articulation, Cylinder, Rod, Shaft, Weight
 from crankstar.files import EngineFileError, engine_of, tree_of
-from crankstar.layouts import LAYOUTS
-from crankstar.mechanism import Mechanism, Reference, Totals, mechanism, spectra, totals
-from crankstar.phasor import Spectrum
-from crankstar.records import Articulation, Cylinder, Rod, Shaft, Weight
+from crankstar.mechanics.balance import balance, total
+from crankstar.mechanics.batches import totals
+from crankstar.mechanics.excitation import Reference, Totals, part_spectra
+from crankstar.mechanics.mechanism import Mechanism, mechanism
+from crankstar.spectra import Spectrum
 
 AROUND = np.arange(1 << 14, dtype=np.longdouble) * (2 * PI / (1 << 14))
 
 
 def harmonics_by_quadrature(rod_ratio: float, offset: float) -> np.ndarray:
-    """A_k as k^2 times the Fourier coefficient of the piston's travel x(psi), by the trapezoidal rule: no derivative is taken."""
+    """A_k as k^2 times the Fourier coefficient of the travel x(psi), by the trapezoidal rule."""
     across = np.sin(AROUND) - np.longdouble(offset)
     travel = np.cos(AROUND) + np.sqrt(np.longdouble(rod_ratio) ** 2 - across**2)
     coefficients = 2 * np.fft.rfft(travel) / travel.size
-    return (np.arange(coefficients.size) ** 2 * coefficients)[: coefficients.size - 1].astype(complex)
+    return (np.arange(coefficients.size) ** 2 * coefficients)[: coefficients.size - 1].astype(
+        complex
+    )
 
 
 def series_by_expansion(order: int, highest_power: int) -> list[Fraction]:
-    """A_order by powers of lambda, from cos(psi) + sqrt(1/lambda^2 - sin(psi)^2) as polynomials in exp(i psi)."""
+    """A_order by powers of lambda.
+
+    Expands cos(psi) + sqrt(1/lambda^2 - sin(psi)^2) in polynomials of exp(i psi).
+    """
     found = [Fraction(0)] * (highest_power + 1)
     if order == 1:
         found[0] = Fraction(1)
@@ -47,7 +57,9 @@ def series_by_expansion(order: int, highest_power: int) -> list[Fraction]:
         if 0 <= 2 * j - 1 <= highest_power:
             found[2 * j - 1] += 2 * order**2 * factor * power.get(order, 0)
         product: dict[int, Fraction] = {}
-        for (a, x), (b, y) in ((one, other) for one in power.items() for other in sine_squared.items()):
+        for (a, x), (b, y) in (
+            (one, other) for one in power.items() for other in sine_squared.items()
+        ):
             product[a + b] = product.get(a + b, Fraction(0)) + x * y
         power, factor = product, factor * Fraction(2 * j - 1, 2 * j + 2)
     return found
@@ -60,7 +72,9 @@ def test_the_harmonics_of_a_piston_are_those_of_its_travel(clearance: float, off
     expected = harmonics_by_quadrature(rod_ratio, offset)
     count = min(len(exact), len(expected))
     assert np.abs(exact - expected[:count])[1:].max() <= 1e-12 * np.abs(expected).max()
-    assert np.abs(expected[count : 2 * count]).max() <= 1e-12 * np.abs(expected).max()  # nothing was left out
+    assert (
+        np.abs(expected[count : 2 * count]).max() <= 1e-12 * np.abs(expected).max()
+    )  # nothing was left out
     assert exact[0] == 0
 
 
@@ -88,10 +102,16 @@ def test_the_series_in_lambda_is_the_expansion_of_the_square_root(order: int) ->
 def test_the_series_carried_far_is_exact(ratio: float) -> None:
     exact = motion.piston_harmonics(crank_radius=ratio, rod_length=1)
     for order in range(1, 10):
-        assert float(motion.series(order, ratio=ratio, highest_power=91)) == pytest.approx(exact[order].real, rel=1e-12, abs=1e-14)
+        assert float(motion.series(order, ratio=ratio, highest_power=91)) == pytest.approx(
+            exact[order].real, rel=1e-12, abs=1e-14
+        )
         assert abs(exact[order].imag) <= 1e-14
     # The usual series ends at lambda^7: what it leaves out of A_2 is of the order of lambda^9.
-    assert 0 <= exact[2].real - float(motion.series(2, ratio=ratio)) <= 0.4 * ratio**9 / (1 - ratio**2) + 1e-14
+    assert (
+        0
+        <= exact[2].real - float(motion.series(2, ratio=ratio))
+        <= 0.4 * ratio**9 / (1 - ratio**2) + 1e-14
+    )
 
 
 @given(engines())
@@ -104,27 +124,47 @@ def test_rods_are_where_circles_cut_axes_and_move_as_they_stand(engine: Engine) 
     for index, cylinder in enumerate(engine.cylinders):
         first = engine.cylinders[root[index]]
         turn = np.exp(1j * first.bearing)
-        # The crank angle at which the throw stands psi clockwise of its root's cylinder, whatever gear it has.
+        # The crank angle at which the throw stands psi clockwise of its root's cylinder, whatever
+        # gear it has.
         own = engine.model_copy(
             update={
                 "rotation": "clockwise",
-                "shafts": tuple(s.model_copy(update={"speed_ratio": Fraction(1)}) for s in engine.shafts),
+                "shafts": tuple(
+                    s.model_copy(update={"speed_ratio": Fraction(1)}) for s in engine.shafts
+                ),
             }
         )
         theta = psi - engine.throw(cylinder).angle + first.bearing
         pin, piston, leaning = placed(own, cylinder, theta.astype(np.longdouble))
         size = np.abs(piston).max()
         for ours, theirs in ((moved.big_end, pin), (moved.piston, piston)):
-            assert np.abs(ours.place[index] * turn - (theirs[:, 1] + 1j * theirs[:, 0])).max() <= 1e-12 * size
+            assert (
+                np.abs(ours.place[index] * turn - (theirs[:, 1] + 1j * theirs[:, 0])).max()
+                <= 1e-12 * size
+            )
         assert np.abs(moved.direction.place[index] * turn - np.exp(1j * leaning)).max() <= 1e-11
         rate = Rate(1, psi.size)
         for path in (moved.big_end, moved.piston, moved.direction):
-            for below, above in ((path.place[index], path.first[index]), (path.first[index], path.second[index])):
-                spectral = (rate(below.real.astype(np.longdouble)) + 1j * rate(below.imag.astype(np.longdouble))).astype(complex)
-                assert np.abs(spectral - above).max() <= 1e-8 * max(np.abs(above).max(), np.abs(below).max())
+            for below, above in (
+                (path.place[index], path.first[index]),
+                (path.first[index], path.second[index]),
+            ):
+                spectral = (
+                    rate(below.real.astype(np.longdouble))
+                    + 1j * rate(below.imag.astype(np.longdouble))
+                ).astype(complex)
+                assert np.abs(spectral - above).max() <= 1e-8 * max(
+                    np.abs(above).max(), np.abs(below).max()
+                )
 
 
-@given(st.sampled_from([0.9, 0.999, 1.0005, 1.0015, 1.1]), number(0.05, 0.9), ANGLES, ANGLES, number(-0.5, 0.5))
+@given(
+    st.sampled_from([0.9, 0.999, 1.0005, 1.0015, 1.1]),
+    number(0.05, 0.9),
+    ANGLES,
+    ANGLES,
+    number(-0.5, 0.5),
+)
 def test_a_slave_rod_is_refused_just_when_its_circle_hardly_meets_its_axis(
     clearance: float, knuckle: float, angle: float, bearing: float, offset: float
 ) -> None:
@@ -135,9 +175,23 @@ def test_a_slave_rod_is_refused_just_when_its_circle_hardly_meets_its_axis(
     shaft = Shaft.model_validate({"name": "crank", "throw": [{"angle": 0.0, "radius": 1.0}]})
     master = Cylinder(number=1, shaft="crank", throw=1, rod_length=4.0, reciprocating_mass=1.0)
     link = Articulation(master=1, radius=knuckle, angle=angle)
-    update = {"number": 2, "bearing": bearing, "offset": offset, "rod_length": clearance * needed, "articulated": link}
-    engine = Engine.model_validate({"name": "pair", "shafts": [shaft], "cylinders": [master, master.model_copy(update=update)]})
-    assert bool(motion.unreachable(engine)) == (clearance < MINIMUM_CLEARANCE)
+    update = {
+        "number": 2,
+        "bearing": bearing,
+        "offset": offset,
+        "rod_length": clearance * needed,
+        "articulated": link,
+    }
+    slave = master.model_copy(update=update)
+    tree = {"name": "pair", "shafts": [shaft], "cylinders": [master, slave]}
+    if clearance >= MINIMUM_CLEARANCE:
+        assert Engine.model_validate(tree).cylinders[1] == slave
+        return
+    with pytest.raises(ValidationError) as refused:
+        Engine.model_validate(tree)
+    (cause,) = [mistake.get("ctx", {})["error"] for mistake in refused.value.errors()]
+    (fault,) = cause.faults
+    assert fault.path == ("cylinders", 1, "rod_length")
 
 
 UNFIT = """
@@ -160,52 +214,93 @@ def vectors(size: int) -> st.SearchStrategy[np.ndarray]:
     return st.lists(st.builds(complex, part, part), min_size=size, max_size=size).map(np.array)
 
 
-ORDERS = [np.array(orders) for orders in ([1.0], [2.0, 4.0], [0.5, 1.0, 1.5], [1.0, 29 / 31], [1.0, 4 / 3, 2.0, 7.0])]
+ORDERS = [
+    np.array(orders)
+    for orders in ([1.0], [2.0, 4.0], [0.5, 1.0, 1.5], [1.0, 29 / 31], [1.0, 4 / 3, 2.0, 7.0])
+]
 SPECTRA = st.sampled_from([np.sort(orders) for orders in ORDERS]).flatmap(
-    lambda orders: st.builds(Spectrum, st.just(orders), vectors(orders.size), vectors(orders.size), st.sampled_from([1, -1]))
+    lambda orders: st.builds(
+        Spectrum,
+        st.just(orders),
+        vectors(orders.size),
+        vectors(orders.size),
+        st.sampled_from([1, -1]),
+    )
 )
 THETA = np.linspace(-7, 11, 301)
 
 
 @given(SPECTRA)
-def test_a_spectrum_is_a_sum_of_turning_vectors_whose_parts_are_real_signals(spectrum: Spectrum) -> None:
+def test_a_spectrum_is_a_sum_of_turning_vectors_whose_parts_are_real_signals(
+    spectrum: Spectrum,
+) -> None:
     turning = spectrum.sense * spectrum.orders[:, None] * THETA
     expected = spectrum.forward @ np.exp(1j * turning) + spectrum.backward @ np.exp(-1j * turning)
-    assert np.abs(phasor.value(spectrum, THETA) - expected).max() < 1e-13
+    assert np.abs(spectra.value(spectrum, THETA) - expected).max() < 1e-13
     ahead = np.exp(1j * spectrum.orders[:, None] * THETA)
-    assert np.abs(np.real(phasor.vertical(spectrum) @ ahead) - np.real(expected)).max() < 1e-13
-    assert np.abs(np.real(phasor.horizontal(spectrum) @ ahead) - np.imag(expected)).max() < 1e-13
-    real = phasor.real_signal(spectrum.orders, spectrum.forward)
-    assert np.abs(phasor.value(real, THETA) - np.real(spectrum.forward @ ahead)).max() < 1e-13
-    assert np.allclose(phasor.amplitude(real), spectrum.forward, atol=1e-15)
+    assert np.abs(np.real(spectra.vertical(spectrum) @ ahead) - np.real(expected)).max() < 1e-13
+    assert np.abs(np.real(spectra.horizontal(spectrum) @ ahead) - np.imag(expected)).max() < 1e-13
+    real = spectra.real_signal(spectrum.orders, spectrum.forward)
+    assert np.abs(spectra.value(real, THETA) - np.real(spectrum.forward @ ahead)).max() < 1e-13
+    assert np.allclose(spectra.amplitude(real), spectrum.forward, atol=1e-15)
 
 
 @given(SPECTRA, ANGLES)
-def test_turned_shifted_and_selected_spectra_are_the_turned_delayed_and_filtered_signal(spectrum: Spectrum, angle: float) -> None:
-    before = phasor.value(spectrum, THETA)
-    assert np.abs(phasor.value(phasor.turned(spectrum, angle), THETA) - before * np.exp(1j * angle)).max() < 1e-13
-    assert np.abs(phasor.value(phasor.shifted(spectrum, angle), THETA + angle) - before).max() < 1e-12
-    one_by_one = sum(phasor.value(phasor.selected(spectrum, order), THETA) for order in (*spectrum.orders, 99.0))
+def test_turned_shifted_and_selected_spectra_are_the_turned_delayed_and_filtered_signal(
+    spectrum: Spectrum, angle: float
+) -> None:
+    before = spectra.value(spectrum, THETA)
+    assert (
+        np.abs(
+            spectra.value(spectra.turned(spectrum, angle), THETA) - before * np.exp(1j * angle)
+        ).max()
+        < 1e-13
+    )
+    assert (
+        np.abs(spectra.value(spectra.shifted(spectrum, angle), THETA + angle) - before).max()
+        < 1e-12
+    )
+    one_by_one = sum(
+        spectra.value(spectra.selected(spectrum, order), THETA)
+        for order in (*spectrum.orders, 99.0)
+    )
     assert np.abs(one_by_one - before).max() < 1e-13
 
 
 @given(SPECTRA)
-def test_a_signal_sampled_over_its_period_has_the_spectrum_it_was_made_of(spectrum: Spectrum) -> None:
-    turns = phasor.period(spectrum)
+def test_a_signal_sampled_over_its_period_has_the_spectrum_it_was_made_of(
+    spectrum: Spectrum,
+) -> None:
+    turns = spectra.period(spectrum)
     around = np.arange(1024) * (2 * np.pi * turns / 1024)
-    assert np.abs(phasor.value(spectrum, around + 2 * np.pi * turns) - phasor.value(spectrum, around)).max() < 1e-11
-    again = phasor.from_samples(phasor.value(spectrum, around), sense=spectrum.sense)
-    found = phasor.selected(replace(again, orders=again.orders / turns), spectrum.orders)
+    assert (
+        np.abs(
+            spectra.value(spectrum, around + 2 * np.pi * turns) - spectra.value(spectrum, around)
+        ).max()
+        < 1e-11
+    )
+    again = spectra.from_samples(spectra.value(spectrum, around), sense=spectrum.sense)
+    found = spectra.selected(replace(again, orders=again.orders / turns), spectrum.orders)
     assert np.abs(found.forward - spectrum.forward).max() < 1e-12
     assert np.abs(found.backward - spectrum.backward).max() < 1e-12
 
 
-@given(number(-1.0, 1.0), number(-1.0, 1.0), number(-1.0, 1.0), number(-1.0, 1.0), st.sampled_from([1, -1]))
-def test_the_ellipse_is_the_one_that_sampling_draws(a: float, b: float, c: float, d: float, sense: int) -> None:
+@given(
+    number(-1.0, 1.0),
+    number(-1.0, 1.0),
+    number(-1.0, 1.0),
+    number(-1.0, 1.0),
+    st.sampled_from([1, -1]),
+)
+def test_the_ellipse_is_the_one_that_sampling_draws(
+    a: float, b: float, c: float, d: float, sense: int
+) -> None:
     forward, backward = complex(a, b), complex(c, d)
-    found = phasor.ellipse(forward, backward)
+    found = spectra.ellipse(forward, backward)
     around = np.linspace(0, 2 * np.pi, 20_001)
-    path = phasor.value(Spectrum(np.array([1.0]), np.array([forward]), np.array([backward]), sense), around)
+    path = spectra.value(
+        Spectrum(np.array([1.0]), np.array([forward]), np.array([backward]), sense), around
+    )
     scale = max(abs(forward), abs(backward), 1e-300)
     assert found.semi_major == pytest.approx(np.abs(path).max(), abs=1e-6 * scale)
     assert found.semi_minor == pytest.approx(np.abs(path).min(), abs=1e-3 * scale)
@@ -213,18 +308,20 @@ def test_the_ellipse_is_the_one_that_sampling_draws(a: float, b: float, c: float
     on_long_axis = np.abs((path * np.exp(-1j * found.bearing)).real).max()
     assert on_long_axis == pytest.approx(found.semi_major, abs=1e-6 * scale)
     swept = np.imag(np.conj(path[:-1]) * path[1:]).sum() / 2  # twice the area, clockwise
-    assert swept * sense == pytest.approx(np.pi * found.semi_major * found.semi_minor * found.sense, abs=1e-6 * scale**2)
+    assert swept * sense == pytest.approx(
+        np.pi * found.semi_major * found.semi_minor * found.sense, abs=1e-6 * scale**2
+    )
 
 
 def assert_peak(spectrum: Spectrum) -> None:
-    found, turns = phasor.peak(spectrum), phasor.period(spectrum)
+    found, turns = spectra.peak(spectrum), spectra.period(spectrum)
     dense = np.arange(4000 * turns) * (2 * np.pi / 4000)
-    lengths = np.abs(phasor.value(spectrum, dense))
+    lengths = np.abs(spectra.value(spectrum, dense))
     assert found.value >= lengths.max() * (1 - 1e-12)
     steepest = (spectrum.orders * (np.abs(spectrum.forward) + np.abs(spectrum.backward))).sum()
     assert found.value <= lengths.max() + steepest * (2 * np.pi / 4000)
     assert 0 <= found.theta < 2 * np.pi * turns
-    assert abs(phasor.value(spectrum, found.theta) - found.vector) <= 1e-9 * found.value
+    assert abs(spectra.value(spectrum, found.theta) - found.vector) <= 1e-9 * found.value
     assert abs(found.vector) == pytest.approx(found.value)
 
 
@@ -233,7 +330,7 @@ def assert_peak(spectrum: Spectrum) -> None:
 def test_no_sample_is_longer_than_the_peak(engine: Engine) -> None:
     whole = total(balance(engine))
     for spectrum in whole:
-        assert_peak(phasor.selected(spectrum, spectrum.orders[:40]))
+        assert_peak(spectra.selected(spectrum, spectrum.orders[:40]))
 
 
 @given(SPECTRA)
@@ -248,14 +345,18 @@ def test_the_higher_of_two_nearly_equal_peaks_is_found() -> None:
 
 def test_the_peak_does_not_hang_on_how_the_orders_are_listed() -> None:
     orders, amplitude = np.array([1.0, 60.0]), np.array([1.0, 0.7j])
-    ascending, descending = (Spectrum(orders[way], amplitude[way], 0.3 * amplitude[way]) for way in ([0, 1], [1, 0]))
-    assert phasor.peak(descending).value == pytest.approx(phasor.peak(ascending).value, rel=1e-9)
+    ascending, descending = (
+        Spectrum(orders[way], amplitude[way], 0.3 * amplitude[way]) for way in ([0, 1], [1, 0])
+    )
+    assert spectra.peak(descending).value == pytest.approx(spectra.peak(ascending).value, rel=1e-9)
 
 
 def test_the_peak_of_shafts_of_29_and_31_teeth_is_found_in_the_turn_where_they_meet() -> None:
     weight = Weight(unbalance=1.0, angle=0.0)
     shafts = [
-        Shaft.model_validate({"name": "crank", "throw": [{"angle": 0.0, "radius": 1.0}], "weight": [weight]}),
+        Shaft.model_validate(
+            {"name": "crank", "throw": [{"angle": 0.0, "radius": 1.0}], "weight": [weight]}
+        ),
         Shaft.model_validate(
             {
                 "name": "other",
@@ -266,20 +367,30 @@ def test_the_peak_of_shafts_of_29_and_31_teeth_is_found_in_the_turn_where_they_m
     ]
     only = Cylinder(number=1, shaft="crank", throw=1, rod_length=4.0, reciprocating_mass=1e-12)
     force = total(
-        balance(Engine.model_validate({"name": "gears", "relative": ["mass"], "shafts": shafts, "cylinders": [only]}))
+        balance(
+            Engine.model_validate(
+                {"name": "gears", "relative": ["mass"], "shafts": shafts, "cylinders": [only]}
+            )
+        )
     ).force
-    assert phasor.period(force) == 31
+    assert spectra.period(force) == 31
     # theta and 2 - 29/31 theta meet where 60/31 theta = 2 + 2 pi n.
     meeting = [(2 + 2 * np.pi * n) * 31 / 60 for n in range(60)]
-    strong = phasor.selected(force, [29 / 31, 1.0])
-    found = phasor.peak(replace(strong, forward=np.round(strong.forward * 1e-12, 9), backward=np.round(strong.backward * 1e-12, 9)))
+    strong = spectra.selected(force, [29 / 31, 1.0])
+    found = spectra.peak(
+        replace(
+            strong,
+            forward=np.round(strong.forward * 1e-12, 9),
+            backward=np.round(strong.backward * 1e-12, 9),
+        )
+    )
     assert found.value == pytest.approx(2.0, abs=1e-9)
     assert min(abs(found.theta - angle) for angle in meeting) < 1e-4
-    assert_peak(phasor.scaled(force, 1e-12))
+    assert_peak(spectra.scaled(force, 1e-12))
 
 
 def varied(machine: Mechanism, shape: tuple[int, ...], seed: int) -> Mechanism:
-    """A batch: angles and masses of every engine its own, rods only longer, cranks, knuckles and offsets only smaller."""
+    """A batch: angles and masses vary freely, rods grow, cranks, knuckles and offsets shrink."""
     rng = np.random.default_rng(seed)
 
     def times(values: np.ndarray, low: float, high: float) -> np.ndarray:
@@ -330,47 +441,65 @@ def assert_rows_alike(batch: Totals, single: Totals, at: tuple[int, ...]) -> Non
     for many, one in zip(batch, single, strict=True):
         scale = max(np.abs(one.forward).max(), np.abs(one.backward).max(), 1e-300)
         orders = np.union1d(many.orders, one.orders)
-        of_batch, alone = phasor.selected(many[at], orders), phasor.selected(one, orders)
+        of_batch, alone = spectra.selected(many[at], orders), spectra.selected(one, orders)
         assert np.abs(of_batch.forward - alone.forward).max() <= 1e-11 * scale
         assert np.abs(of_batch.backward - alone.backward).max() <= 1e-11 * scale
 
 
 @given(engines(tight=False), st.sampled_from([(3,), (2, 2), (1,)]), st.integers(0, 1000))
-def test_a_batch_of_engines_is_a_loop_over_them(engine: Engine, shape: tuple[int, ...], seed: int) -> None:
+def test_a_batch_of_engines_is_a_loop_over_them(
+    engine: Engine, shape: tuple[int, ...], seed: int
+) -> None:
     batch = varied(mechanism(engine), shape, seed)
     reference = Reference(0.1, -0.2, 0.3)
-    found = spectra(batch, reference=reference)
+    found = part_spectra(batch, reference=reference)
     for at in np.ndindex(shape):
-        assert_rows_alike(found, spectra(picked(batch, at), reference=reference), at)
+        assert_rows_alike(found, part_spectra(picked(batch, at), reference=reference), at)
 
 
-ALONE = ["throw_angle", "unbalance_angle", "unbalance", "place", "z", "reciprocating_mass", "big_end_mass"]
+ALONE = [
+    "throw_angle",
+    "unbalance_angle",
+    "unbalance",
+    "place",
+    "z",
+    "reciprocating_mass",
+    "big_end_mass",
+]
 
 
 @given(engines(), st.sampled_from(ALONE))
 def test_one_array_with_a_leading_axis_is_enough_for_a_batch(engine: Engine, name: str) -> None:
     machine = mechanism(engine)
     values = getattr(machine, name)
-    found = spectra(replace(machine, **{name: np.stack([values, values * 0.5, values * 0.25])}))
+    found = part_spectra(
+        replace(machine, **{name: np.stack([values, values * 0.5, values * 0.25])})
+    )
     for index, factor in enumerate((1, 0.5, 0.25)):
-        single = spectra(replace(machine, **{name: values * factor}))
+        single = part_spectra(replace(machine, **{name: values * factor}))
         same = Totals(*(part[index] if part.forward.ndim == 3 else part for part in found))
         assert_rows_alike(same, single, ())
 
 
 def with_a_rod() -> Mechanism:
-    shaft = Shaft.model_validate({"name": "crank", "throw": [{"angle": 0.3, "radius": 1.0, "rotating_mass": 1.0}]})
+    shaft = Shaft.model_validate(
+        {"name": "crank", "throw": [{"angle": 0.3, "radius": 1.0, "rotating_mass": 1.0}]}
+    )
     rod = Rod(mass=1.0, centre=1.0, inertia=1.0)
-    only = Cylinder(number=1, shaft="crank", throw=1, rod_length=4.0, reciprocating_mass=1.0, rod=rod)
+    only = Cylinder(
+        number=1, shaft="crank", throw=1, rod_length=4.0, reciprocating_mass=1.0, rod=rod
+    )
     return mechanism(Engine.model_validate({"name": "one", "shafts": [shaft], "cylinders": [only]}))
 
 
 @pytest.mark.parametrize("name", ["rod_mass", "rod_centre", "rod_inertia"])
 def test_a_batch_may_vary_the_rods_alone(name: str) -> None:
     machine = with_a_rod()
-    found = spectra(replace(machine, **{name: np.array([[1.0], [2.0], [3.0]])}))
+    found = part_spectra(replace(machine, **{name: np.array([[1.0], [2.0], [3.0]])}))
     for index in range(3):
-        assert_rows_alike(found, spectra(replace(machine, **{name: np.array([index + 1.0])})), (index,))
+        assert_rows_alike(
+            found, part_spectra(replace(machine, **{name: np.array([index + 1.0])})), (index,)
+        )
 
 
 @pytest.mark.parametrize("name", ["unbalance", "unbalance_angle", "z", "place"])
@@ -382,24 +511,46 @@ def test_every_result_of_a_batch_has_its_leading_axis(name: str) -> None:
 
 
 @given(engines(tight=False), st.integers(0, 1000), st.integers(1, 6))
-def test_sums_over_a_long_batch_are_the_same_block_by_block(engine: Engine, seed: int, block: int) -> None:
-    batch, orders, reference = varied(mechanism(engine), (5,), seed), [1, 2, 2.5, 4], Reference(0.1, -0.2, 0.3)
+def test_sums_over_a_long_batch_are_the_same_block_by_block(
+    engine: Engine, seed: int, block: int
+) -> None:
+    batch, orders, reference = (
+        varied(mechanism(engine), (5,), seed),
+        [1, 2, 2.5, 4],
+        Reference(0.1, -0.2, 0.3),
+    )
     found = totals(batch, orders=orders, reference=reference, block=block)
     for index in range(5):
-        single = spectra(picked(batch, (index,)), reference=reference)
+        single = part_spectra(picked(batch, (index,)), reference=reference)
         for many, one in zip(found, single, strict=True):
-            wanted, whole = phasor.selected(one, orders), phasor.selected(phasor.total(one), orders)
-            scale = max((np.abs(wanted.forward) + np.abs(wanted.backward)).max(), np.abs(one.forward).max(), 1e-300)
+            wanted, whole = (
+                spectra.selected(one, orders),
+                spectra.selected(spectra.total(one), orders),
+            )
+            scale = max(
+                (np.abs(wanted.forward) + np.abs(wanted.backward)).max(),
+                np.abs(one.forward).max(),
+                1e-300,
+            )
             assert np.array_equal(many.orders, orders)
             assert np.abs(many.forward[index] - whole.forward).max() <= 1e-11 * scale
             assert np.abs(many.backward[index] - whole.backward).max() <= 1e-11 * scale
 
 
-@given(engines(), st.lists(st.sampled_from([0.5, 1.0, 1.5, 2.0, 4 / 3, 29 / 31, 4.0, 40.0]), min_size=1, unique=True))
-def test_the_orders_asked_for_are_those_of_the_whole_spectrum(engine: Engine, orders: list[float]) -> None:
+@given(
+    engines(),
+    st.lists(
+        st.sampled_from([0.5, 1.0, 1.5, 2.0, 4 / 3, 29 / 31, 4.0, 40.0]), min_size=1, unique=True
+    ),
+)
+def test_the_orders_asked_for_are_those_of_the_whole_spectrum(
+    engine: Engine, orders: list[float]
+) -> None:
     machine = mechanism(engine)
-    for few, all_of_them in zip(spectra(machine, orders=orders), spectra(machine), strict=True):
-        expected = phasor.selected(all_of_them, sorted(orders))
+    for few, all_of_them in zip(
+        part_spectra(machine, orders=orders), part_spectra(machine), strict=True
+    ):
+        expected = spectra.selected(all_of_them, sorted(orders))
         assert np.allclose(few.orders, expected.orders, atol=1e-6)
         scale = max(np.abs(all_of_them.forward).max(), 1e-300)
         assert np.abs(few.forward - expected.forward).max() <= 1e-13 * scale
@@ -409,7 +560,9 @@ def test_the_orders_asked_for_are_those_of_the_whole_spectrum(engine: Engine, or
 @pytest.mark.parametrize("layout", LAYOUTS)
 @settings(max_examples=10)
 @given(data=st.data())
-def test_every_layout_stands_with_cylinder_1_at_top_dead_centre(layout: str, data: st.DataObject) -> None:
+def test_every_layout_stands_with_cylinder_1_at_top_dead_centre(
+    layout: str, data: st.DataObject
+) -> None:
     engine = data.draw(of_layout(layout, moved=False))
     first = min(engine.cylinders, key=lambda cylinder: cylinder.number)
     _, piston, _ = placed(engine, first, np.append(0, AROUND))
@@ -418,8 +571,12 @@ def test_every_layout_stands_with_cylinder_1_at_top_dead_centre(layout: str, dat
 
 
 @given(st.integers(1, 9).flatmap(lambda n: st.permutations(range(1, n + 1))), ROTATIONS, CYCLES)
-def test_throws_left_out_bring_the_cylinders_to_dead_centre_in_their_order(order: list[int], rotation: str, cycle: str) -> None:
-    basis = Basis.model_validate({"name": "in line", "rotation": rotation, "cycle": cycle, "firing_order": order})
+def test_throws_left_out_bring_the_cylinders_to_dead_centre_in_their_order(
+    order: list[int], rotation: str, cycle: str
+) -> None:
+    basis = Basis.model_validate(
+        {"name": "in line", "rotation": rotation, "cycle": cycle, "firing_order": order}
+    )
     engine = LAYOUTS["inline"](basis)
     sense, turns = (1 if rotation == "clockwise" else -1), (1 if cycle == "two-stroke" else 2)
     for cylinder in engine.cylinders:
@@ -430,9 +587,9 @@ def test_throws_left_out_bring_the_cylinders_to_dead_centre_in_their_order(order
 
 @pytest.mark.parametrize("third", [0.1105, 0.1111, 0.1112, 0.1113, 0.112, 0.118])
 def test_a_summit_that_has_just_parted_in_two_is_climbed(third: float) -> None:
-    """Sin x + c sin 3x has a flat top at c = 1/9; beyond it two summits stand about a hollow in which a sample lies."""
-    signal = phasor.real_signal(np.array([1.0, 3.0]), np.array([-1j, -1j * third]))
+    """sin x + c sin 3x has a flat top at c = 1/9, beyond it two summits about a hollow sample."""
+    signal = spectra.real_signal(np.array([1.0, 3.0]), np.array([-1j, -1j * third]))
     angles = np.linspace(0, np.pi, 400_001)
     highest = np.abs(np.sin(angles) + third * np.sin(3 * angles)).max()
-    assert phasor.peak(signal).value == pytest.approx(highest, rel=2e-9)
-    assert phasor.peaks(signal) == pytest.approx(highest, rel=2e-9)
+    assert spectra.peak(signal).value == pytest.approx(highest, rel=2e-9)
+    assert spectra.peaks(signal) == pytest.approx(highest, rel=2e-9)

@@ -1,4 +1,4 @@
-"""What is drawn of an engine stands where its parts are and keeps out of each other's way: every engine of the catalog."""
+"""Drawn parts stand where the parts are, without overlap, for every engine of the catalog."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from hypothesis import strategies as st
 from tests.newton import placed
 from tests.strategies import OF_ANY_KIND
 
-from crankstar import fitting
-from crankstar.catalog import load, names
-from crankstar.engine import Engine
-from crankstar.exhibit.proportions import proportions
-from crankstar.exhibit.records import CylinderShown, Scene, ShaftShown, Web
-from crankstar.exhibit.scene import STEEL, scene
-from crankstar.fitting import ShaftPlaces
+from crankstar.engine.engine import Engine
+from crankstar.files.catalog import load, names
+from crankstar.page.proportions import proportions
+from crankstar.page.records import CylinderShown, Scene, ShaftShown, Web
+from crankstar.page.scene import STEEL, scene
+from crankstar.remedy import fitting
+from crankstar.remedy.fitting import ShaftPlaces
 
 EVERY_ENGINE = pytest.mark.parametrize("name", names())
 ROUNDING = 1e-9
@@ -51,7 +51,7 @@ def numbers(value: Any) -> Iterator[float]:
 
 
 def where(engine: Engine, number: int) -> tuple[np.ndarray, np.ndarray]:
-    """Big-end pin and piston pin of a cylinder as (x, y) over the crank angle, by plane geometry."""
+    """Big-end pin and piston pin of a cylinder, (x, y) over the crank angle, by plane geometry."""
     cylinder = next(c for c in engine.cylinders if c.number == number)
     shaft = engine.shaft(cylinder.shaft)
     pin, piston, _ = placed(engine, cylinder, turning(engine))
@@ -70,7 +70,11 @@ def test_all_parts_stay_in_the_box_and_no_number_is_missing(name: str) -> None:
         radius = found.shafts[cylinder.shaft].throws[cylinder.throw].pin_radius
         pin, piston = where(engine, cylinder.number)
         axis = np.array([np.sin(cylinder.bearing), np.cos(cylinder.bearing)])
-        for points, margin in ((pin, radius), (piston, 0.0), (piston + cylinder.pin_height * axis, 0.0)):
+        for points, margin in (
+            (pin, radius),
+            (piston, 0.0),
+            (piston + cylinder.pin_height * axis, 0.0),
+        ):
             for column, place in ((0, 1), (1, 0)):
                 assert points[:, column].min() - margin >= low[place] - slack
                 assert points[:, column].max() + margin <= high[place] + slack
@@ -109,7 +113,10 @@ def test_rods_webs_and_pins_keep_out_of_each_others_way(name: str) -> None:
         for one, other in combinations([c for c in rods if c.rod != "slave"], 2):
             if {one.rod, other.rod} == {"fork", "blade"} and one.throw == other.throw:
                 continue
-            assert abs(one.rod_z - other.rod_z) >= (one.rod_width + other.rod_width) / 2 - ROUNDING * one.bore
+            assert (
+                abs(one.rod_z - other.rod_z)
+                >= (one.rod_width + other.rod_width) / 2 - ROUNDING * one.bore
+            )
         for throw in shaft.throws:
             assert throw.pin_from < throw.z < throw.pin_to
             assert throw.pin_radius < throw.radius
@@ -124,7 +131,10 @@ def assert_webs_are_clear(shaft: ShaftShown, rods: list[CylinderShown]) -> None:
     for web in shaft.webs:
         assert web.z_from < web.z_to
         for rod in rods:
-            apart = max(web.z_from - (rod.rod_z + rod.rod_width / 2), rod.rod_z - rod.rod_width / 2 - web.z_to)
+            apart = max(
+                web.z_from - (rod.rod_z + rod.rod_width / 2),
+                rod.rod_z - rod.rod_width / 2 - web.z_to,
+            )
             assert apart >= -slack
     ordered: list[Web] = sorted(shaft.webs, key=lambda web: web.z_from)
     assert all(one.z_to <= other.z_from + slack for one, other in pairwise(ordered))
@@ -135,12 +145,16 @@ def assert_webs_are_clear(shaft: ShaftShown, rods: list[CylinderShown]) -> None:
 def test_cylinders_of_a_bank_stand_beside_each_other(name: str) -> None:
     _, found = drawn(name)
     for one, other in combinations(found.cylinders, 2):
-        if one.shaft == other.shaft and abs(one.bearing - other.bearing) < 1e-9 and abs(one.offset - other.offset) < 1e-9:
+        if (
+            one.shaft == other.shaft
+            and abs(one.bearing - other.bearing) < 1e-9
+            and abs(one.offset - other.offset) < 1e-9
+        ):
             assert abs(one.z - other.z) > (one.bore + other.bore) / 2
 
 
 def with_everything(name: str) -> Engine:
-    """An engine with counterweights on its webs and balance shafts of the first and second order, whatever it needs."""
+    """An engine with counterweights on its webs and all balance shafts of orders 1 and 2."""
     engine = fitting.by_factor(load(name), factor=0.7, weights="webs")
     try:
         return fitting.with_shafts(engine, ratios="all", places=ShaftPlaces())
@@ -164,14 +178,19 @@ def test_counterweights_hit_neither_pistons_nor_other_shafts(name: str) -> None:
 
 
 def test_a_counterweight_is_as_large_as_steel_makes_it() -> None:
-    """U = integral of r cos(phi) over the sector, times density and thickness; by sums over a fine grid."""
+    """U = integral of r cos(phi) over the sector, times density and thickness, on a fine grid."""
     engine = fitting.by_factor(load("subaru-ej25"), factor=0.5, weights="webs")
     shaft = scene(engine).shafts[0]
     assert {"mass", "radius"}.isdisjoint(engine.relative)
     for weight in shaft.weights:
         radii = np.linspace(weight.inner_radius, weight.outer_radius, 2001)
         turns = np.linspace(-weight.half_angle, weight.half_angle, 2001)
-        made = np.trapezoid(radii**2, radii) * np.trapezoid(np.cos(turns), turns) * STEEL * weight.thickness
+        made = (
+            np.trapezoid(radii**2, radii)
+            * np.trapezoid(np.cos(turns), turns)
+            * STEEL
+            * weight.thickness
+        )
         assert made == pytest.approx(weight.unbalance, rel=1e-5)
     vectors = [weight.unbalance * np.exp(1j * weight.angle) for weight in shaft.weights]
     arms = [weight.z for weight in shaft.weights]
@@ -202,7 +221,11 @@ def test_gears_mesh_and_turn_as_their_shafts_do(name: str) -> None:
         assert first.z == second.z
         for shaft, gear in ((one, first), (other, second)):
             assert shaft.z_from <= gear.z <= shaft.z_to
-        assert all(abs(first.z - other.z) >= first.thickness for other in found.gears if other not in (first, second))
+        assert all(
+            abs(first.z - other.z) >= first.thickness
+            for other in found.gears
+            if other not in (first, second)
+        )
         behind = [c.rod_z - c.rod_width / 2 for c in found.cylinders]
         behind += [w.z - w.thickness / 2 for shaft in found.shafts for w in shaft.weights]
         assert first.z + first.thickness / 2 < min(behind)
@@ -212,7 +235,11 @@ def test_two_pistons_in_one_cylinder_do_not_meet() -> None:
     close = load("jumo-205")
     reach = close.first.rod_length + close.throw(close.first).radius
     nearer = close.shafts[1].model_copy(update={"up": -2 * reach - 0.01})
-    for engine in (load("napier-deltic"), close, close.model_copy(update={"shafts": (close.shafts[0], nearer)})):
+    for engine in (
+        load("napier-deltic"),
+        close,
+        close.model_copy(update={"shafts": (close.shafts[0], nearer)}),
+    ):
         found = scene(engine)
         shown = {c.number: c for c in found.cylinders}
         for one, other in engine.chambers.values():
@@ -226,21 +253,27 @@ def test_places_along_the_shaft_are_those_of_the_file_where_it_gives_them() -> N
     assert found.length_unit == "m"
     assert [c.z for c in found.cylinders] == [c.z for c in engine.cylinders]
     assert found.assumed == ()
-    assert proportions(load("i4")).along == pytest.approx(1.18 * 2)  # a bore of two crank radii, and room between
+    assert proportions(load("i4")).along == pytest.approx(
+        1.18 * 2
+    )  # a bore of two crank radii, and room between
 
 
 def test_what_the_file_does_not_say_is_told() -> None:
     _, found = drawn("v8-cross-plane")
-    assert any("bore is not in the engine file" in sentence for sentence in found.assumed)
-    assert any("bore pitch is not in the engine file" in sentence for sentence in found.assumed)
+    assert any("gives no bore;" in sentence for sentence in found.assumed)
+    assert any("gives no bore pitch;" in sentence for sentence in found.assumed)
     loose = scene(with_everything("i4"))
-    assert any("does not say where balancer" in sentence for sentence in loose.assumed)
-    assert all(sentence[0].isupper() and sentence.endswith(".") for sentence in (*found.assumed, *loose.assumed))
+    assert any("no place for the balance shafts balancer" in sentence for sentence in loose.assumed)
+    assert all(
+        sentence[0].isupper() and sentence.endswith(".")
+        for sentence in (*found.assumed, *loose.assumed)
+    )
 
 
 def test_forks_and_blades_slaves_and_masters_are_told_apart() -> None:
     kinds = {
-        name: {c.number: c.rod for c in drawn(name)[1].cylinders} for name in ("merlin", "pratt-whitney-wasp", "i4", "napier-lion")
+        name: {c.number: c.rod for c in drawn(name)[1].cylinders}
+        for name in ("merlin", "pratt-whitney-wasp", "i4", "napier-lion")
     }
     assert sorted(kinds["merlin"].values()) == ["blade"] * 6 + ["fork"] * 6
     assert sorted(kinds["pratt-whitney-wasp"].values()) == ["master"] + ["slave"] * 8
@@ -257,7 +290,10 @@ def test_any_engine_at_all_can_be_drawn(engine: Engine) -> None:
     assert all(one < other for one, other in zip(found.low, found.high, strict=True))
     for shaft in found.shafts:
         assert all(web.z_from < web.z_to for web in shaft.webs)
-        assert all(0 <= w.inner_radius < w.outer_radius and sin(w.half_angle) > 0 and w.thickness > 0 for w in shaft.weights)
+        assert all(
+            0 <= w.inner_radius < w.outer_radius and sin(w.half_angle) > 0 and w.thickness > 0
+            for w in shaft.weights
+        )
     for cylinder in found.cylinders:
         assert cylinder.rod_width > 0
         assert cylinder.bore > 0
@@ -267,14 +303,15 @@ def test_any_engine_at_all_can_be_drawn(engine: Engine) -> None:
 
 def test_weights_that_are_drawn_beside_their_places_are_told() -> None:
     """The webs of a boxer of two are nearer to each other than an engine with a bearing between its pins would have them."""
-    told = "Counterweights are drawn on the webs next to their places; the numbers are those of their places."
+    note = "Counterweights are drawn on the nearest webs; the numbers use their true places."
     for name, expected in {"boxer-2": True, "v8-cross-plane": False, "triple-120": False}.items():
         found = fitting.recommended(load(name))
         assert found is not None
         shown = scene(found.after)
         couple = sum(w.unbalance * np.exp(1j * w.angle) * w.z for w in shown.shafts[0].weights)
         meant = (
-            sum(w.unbalance * np.exp(1j * w.angle) * w.z for w in found.after.shafts[0].weights) * proportions(found.after).along
+            sum(w.unbalance * np.exp(1j * w.angle) * w.z for w in found.after.shafts[0].weights)
+            * proportions(found.after).along
         )
         assert bool(abs(couple - meant) > 0.03 * abs(meant)) is expected
-        assert (told in shown.assumed) is expected
+        assert (note in shown.assumed) is expected

@@ -16,7 +16,9 @@ EMPTY = {"meta", "br", "link", "input", "img", "hr"}
 def plain(words: str) -> str:
     """Numbers as programs write them."""
     lowered = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
-    return POWER.sub(lambda found: f"e{int(found.group(1).translate(lowered)):+03d}", words).replace("−", "-")
+    return POWER.sub(
+        lambda found: f"e{int(found.group(1).translate(lowered)):+03d}", words
+    ).replace("−", "-")
 
 
 class Tag(NamedTuple):
@@ -27,7 +29,7 @@ class Tag(NamedTuple):
 
 
 class Reader(HTMLParser):
-    """All elements and texts of a page; complains where elements are not closed as they were opened."""
+    """All elements and texts of a page; refuses elements that are not closed in order."""
 
     def __init__(self, page: str) -> None:
         super().__init__(convert_charrefs=True)
@@ -78,7 +80,11 @@ class Reader(HTMLParser):
 
     def policy(self) -> str:
         """The Content-Security-Policy."""
-        return next(t.attributes["content"] for t in self.tags if t.attributes.get("http-equiv") == "Content-Security-Policy")
+        return next(
+            t.attributes["content"]
+            for t in self.tags
+            if t.attributes.get("http-equiv") == "Content-Security-Policy"
+        )
 
 
 def vouched(style: str) -> str:

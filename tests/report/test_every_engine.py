@@ -1,14 +1,14 @@
-"""Every engine of the catalog has its report and its exhibit, as it is and as it is fitted; nothing raises."""
+"""Every engine of the catalog has its report and exhibit, as it is and fitted, without error."""
 
 from __future__ import annotations
 
 import json
 
 import pytest
-from tests.report.test_report import matter
+from tests.report.test_report import subject
 
 import crankstar
-from crankstar.exhibit.exhibits import exhibition
+from crankstar.page.exhibits import exhibition
 from crankstar.report import gallery, report
 
 DRAWN = 5
@@ -21,17 +21,21 @@ NAMES = crankstar.names()
 def test_every_engine_has_a_report(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     whole = NAMES.index(name) % DRAWN == 0
     if not whole:
-        monkeypatch.setattr(gallery, "svg", lambda chart, title: f"<svg>{len(chart.to_dict())}{len(title)}</svg>")
-    page = report(matter(name))
+        monkeypatch.setattr(
+            gallery, "svg", lambda chart, title: f"<svg>{len(chart.to_dict())}{len(title)}</svg>"
+        )
+    page = report(subject(name))
     assert "<!--figure" not in page
     assert page.count("<svg") >= 8
-    assert ("Fitted with" in page) == (exhibition([crankstar.load(name)], neighbours=False).fitted[0] is not None)
+    assert ("Fitted with" in page) == (
+        exhibition([crankstar.load(name)], relatives=False).fitted[0] is not None
+    )
 
 
 @pytest.mark.long
 @pytest.mark.parametrize("name", NAMES)
 def test_every_engine_has_an_exhibit(name: str) -> None:
-    shown = exhibition([crankstar.load(name)], neighbours=False)
+    shown = exhibition([crankstar.load(name)], relatives=False)
     json.dumps(shown.model_dump(mode="json"), allow_nan=False)
     fitted = shown.fitted[0]
     assert fitted is None or fitted.remedies[0].notes[0].startswith("Fitted with ")

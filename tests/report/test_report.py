@@ -1,4 +1,4 @@
-"""The report: its numbers are those of `analyze`, its proofs are there, nothing in it runs; the same engine, the same bytes."""
+"""The report: numbers of `analyze`, proofs, no script, the same bytes for the same engine."""
 
 from __future__ import annotations
 
@@ -11,31 +11,46 @@ import pytest
 from tests.report.reading import Reader, amplitude, plain, vouched
 
 import crankstar
-from crankstar import answer, catalog, derive, verdict
-from crankstar.balance import balance
-from crankstar.files import engine_of
-from crankstar.report import Matter, markup, report
+from crankstar import derive
+from crankstar.files import catalog, engine_of
+from crankstar.mechanics.balance import balance
+from crankstar.report import Subject, report
+from crankstar.tables import verdict
+from crankstar.tables.balance_orders import answer
+from crankstar.tables.html import part_html
+from crankstar.tables.machine import tree
+from crankstar.tables.table import Column, Table
 
 HOSTILE = "</script><img src=x onerror=alert(1)><style>*{}</style> & \"'`\\ 01"
 ENGINES = ("v8-cross-plane", "audi-25-tfsi", "single", "kr250-production", "jumo-205")
 
 
-def matter(name: str, **more: Any) -> Matter:
+def subject(name: str, **more: Any) -> Subject:
     _, tree = catalog.tree_of(name)
-    return Matter(engine_of(tree, name=name), tree, f"crankstar report {name} -o report.html", **more)
+    return Subject(
+        engine_of(tree, name=name), tree, f"crankstar report {name} -o report.html", **more
+    )
 
 
 @pytest.fixture(scope="module")
 def written() -> dict[str, str]:
-    return {name: report(matter(name)) for name in ENGINES}
+    return {name: report(subject(name)) for name in ENGINES}
 
 
 @pytest.mark.parametrize("name", ENGINES)
-def test_a_report_is_well_formed_and_nothing_in_it_can_run_or_be_fetched(written: dict[str, str], name: str) -> None:
+def test_a_report_is_well_formed_and_nothing_in_it_can_run_or_be_fetched(
+    written: dict[str, str], name: str
+) -> None:
     read = Reader(written[name])
-    assert not {"script", "link", "img", "iframe", "object", "embed", "form", "base"} & {tag.name for tag in read.tags}
+    assert not {"script", "link", "img", "iframe", "object", "embed", "form", "base"} & {
+        tag.name for tag in read.tags
+    }
     for tag in read.tags:
-        assert not [key for key in tag.attributes if key.startswith("on") or key in ("style", "src", "href", "xlink:href")]
+        assert not [
+            key
+            for key in tag.attributes
+            if key.startswith("on") or key in ("style", "src", "href", "xlink:href")
+        ]
     (style,) = read.styles()
     assert vouched(style) in read.policy()
     assert read.policy().startswith("default-src 'none'; style-src 'sha256-")
@@ -47,47 +62,89 @@ def test_a_report_is_well_formed_and_nothing_in_it_can_run_or_be_fetched(written
 
 @pytest.mark.parametrize("name", ENGINES)
 def test_every_section_is_there(written: dict[str, str], name: str) -> None:
-    sections = [tag.attributes["id"] for tag in Reader(written[name]).tags if tag.name == "section" and "id" in tag.attributes]
-    always = ["data", "verdict", "views", "crankshaft", "strokes", "orders", "vectors", "turn", "whirl", "remedies"]
+    sections = [
+        tag.attributes["id"]
+        for tag in Reader(written[name]).tags
+        if tag.name == "section" and "id" in tag.attributes
+    ]
+    always = [
+        "data",
+        "verdict",
+        "views",
+        "crankshaft",
+        "strokes",
+        "orders",
+        "vectors",
+        "turn",
+        "whirl",
+        "remedies",
+    ]
     assert sections == [*always, "derivations", "sources", "conventions", "again"]
     assert written[name].count("<svg") >= 10
     assert "<!--figure" not in written[name]
 
 
+def size_of(order: dict[str, Any], quantity: str) -> float:
+    """The greatest value of an order in the machine-readable answer."""
+    return sum(abs(complex(*order[quantity][way])) for way in ("forward", "backward"))
+
+
 @pytest.mark.parametrize("name", ENGINES)
-def test_the_table_of_orders_says_what_the_machine_readable_answer_says(written: dict[str, str], name: str) -> None:
-    """The tables divide each order by the harmonic of the first piston; times that harmonic they are the answer of --json."""
+def test_the_table_of_orders_says_what_the_machine_readable_answer_says(
+    written: dict[str, str], name: str
+) -> None:
+    """Table values times the harmonic of the first piston are the answer of --json."""
     engine = crankstar.load(name)
     result = balance(engine)
-    tree = answer.tree(engine.name, result)
+    public = tree(answer(engine, result))
     read = Reader(written[name])
     for quantity in ("force", "couple"):
+        if f"{quantity.capitalize()} on the block" not in read.tables:
+            assert all(size_of(one, quantity) < 1e-9 for one in public["orders"])
+            continue
         heads, *rows = read.table(f"{quantity.capitalize()} on the block")
-        assert [float(row[0]) for row in rows] == [one["order"] for one in tree["orders"]]
-        for row, one in zip(rows, tree["orders"], strict=True):
-            cells = dict(zip(heads, row, strict=True))
-            harmonic = 1.0 if cells["Aₖ"] == "-" else abs(float(cells["Aₖ"]))
+        by_order = {one["order"]: one for one in public["orders"]}
+        shown = [float(row[0]) for row in rows]
+        assert sorted(shown, key=lambda order: -size_of(by_order[order], quantity)) == shown
+        for order, one in by_order.items():
+            assert order in shown or size_of(one, quantity) < 1e-9
+        for row in rows:
+            one = by_order[float(row[0])]
+            cells = {
+                head.split("[")[0].strip(): cell for head, cell in zip(heads, row, strict=True)
+            }
+            harmonic = abs(float(cells["Aₖ"] or 1.0)) if cells["Aₖ"] != "-" else 1.0
             forward, backward = (complex(*one[quantity][way]) for way in ("forward", "backward"))
-            for head, size in (("up", forward + backward.conjugate()), ("right", (forward - backward.conjugate()) / 1j)):
-                assert abs(amplitude(cells[head])) * harmonic == pytest.approx(abs(size), rel=2e-4, abs=1e-9)
+            for head, size in (
+                ("vertical", forward + backward.conjugate()),
+                ("horizontal", (forward - backward.conjugate()) / 1j),
+            ):
+                assert abs(amplitude(cells[head])) * harmonic == pytest.approx(
+                    abs(size), rel=2e-4, abs=1e-9
+                )
 
 
-def test_forces_in_newtons_are_those_of_the_answer_at_the_speed_of_the_engine(written: dict[str, str]) -> None:
+def test_forces_in_newtons_are_those_of_the_answer_at_the_speed_of_the_engine(
+    written: dict[str, str],
+) -> None:
     engine = crankstar.load("audi-25-tfsi")
-    tree = answer.tree(engine.name, balance(engine, speed=engine.speed))
+    public = tree(answer(engine, balance(engine, speed=engine.speed)))
     heads, *rows = Reader(written["audi-25-tfsi"]).table("Couple on the block")
-    for row, one in zip(rows, tree["orders"], strict=True):
-        greatest = sum(abs(complex(*one["couple"][way])) for way in ("forward", "backward"))
-        assert float(row[heads.index("[N m]")]) == pytest.approx(greatest, rel=1e-4, abs=1e-6)
+    sizes = {one["order"]: size_of(one, "couple") for one in public["orders"]}
+    for row in rows:
+        newton_metres = float(row[next(i for i, head in enumerate(heads) if "[N m]" in head)])
+        assert newton_metres == pytest.approx(sizes[float(row[0])], rel=1e-4, abs=1e-6)
 
 
 def test_a_speed_that_is_asked_for_is_the_one_of_every_number() -> None:
-    page = report(matter("audi-25-tfsi", speed=100.0, orders=(1.0, 2.0)))
+    page = report(subject("audi-25-tfsi", speed=100.0, orders=(1.0, 2.0)))
     heads, *rows = Reader(page).table("Couple on the block")
-    tree = answer.tree("", balance(crankstar.load("audi-25-tfsi"), speed=100.0), orders=[1.0, 2.0])
-    for row, one in zip(rows, tree["orders"], strict=True):
-        greatest = sum(abs(complex(*one["couple"][way])) for way in ("forward", "backward"))
-        assert float(row[heads.index("[N m]")]) == pytest.approx(greatest, rel=1e-4)
+    engine = crankstar.load("audi-25-tfsi")
+    public = tree(answer(engine, balance(engine, speed=100.0), orders=[1.0, 2.0]))
+    sizes = {one["order"]: size_of(one, "couple") for one in public["orders"]}
+    for row in rows:
+        newton_metres = float(row[next(i for i, head in enumerate(heads) if "[N m]" in head)])
+        assert newton_metres == pytest.approx(sizes[float(row[0])], rel=1e-4)
     assert len(rows) == 2
     assert "954.93 rpm" in page
     assert "6500 rpm" not in page.split('id="again"')[0].split('id="sources"')[0]
@@ -98,12 +155,16 @@ def test_the_verdict_and_every_source_are_in_it(written: dict[str, str], name: s
     engine = crankstar.load(name)
     shown = plain(Reader(written[name]).text())
     assert all(plain(fact.sentence) in shown for fact in verdict.verdict(engine))
-    rows = Reader(written[name]).table("Where the values come from")[1:]
-    assert rows == [[path, origin.status, origin.source] for path, origin in engine.provenance.items()]
+    rows = Reader(written[name]).table("Sources of the values")[1:]
+    assert rows == [
+        [path, origin.status, origin.source] for path, origin in engine.provenance.items()
+    ]
 
 
 @pytest.mark.parametrize("name", ENGINES)
-def test_numbers_that_are_read_have_true_minus_signs_and_raised_powers(written: dict[str, str], name: str) -> None:
+def test_numbers_that_are_read_have_true_minus_signs_and_raised_powers(
+    written: dict[str, str], name: str
+) -> None:
     read = Reader(written[name])
     shown = [data for path, data in read.texts if not {"style", "pre", "svg", "math"} & set(path)]
     assert not [data for data in shown if re.search(r"(?<![\w.])-\d|\de[-+−]\d", data)]
@@ -114,40 +175,51 @@ def test_numbers_that_are_read_have_true_minus_signs_and_raised_powers(written: 
 
 
 def test_where_two_crankshafts_turn_against_each_other_counterweights_take_both_halves() -> None:
-    from crankstar import fitting, phasor
-    from crankstar.balance import total
+    from crankstar import spectra
+    from crankstar.mechanics.balance import total
+    from crankstar.remedy import fitting
 
     for name, about in (("napier-deltic", "couple"), ("kr250-racer", "force")):
-        shown = Reader(report(matter(name))).text()
-        assert "on a crankshaft that turns the other way" in shown
-        assert "leaving" not in shown.split(f"First-order {about}:")[1][:160]
         found = fitting.recommended(crankstar.load(name))
         assert found is not None
-        left = phasor.selected(getattr(total(balance(found.after)), about), [1.0])
+        left = spectra.selected(getattr(total(balance(found.after)), about), [1.0])
         assert abs(left.forward[0]) + abs(left.backward[0]) < 1e-9
 
 
-def test_a_long_table_may_run_over_pages_and_a_lone_cylinder_has_no_millimetres(written: dict[str, str]) -> None:
-    heads = ("a", "b")
-    assert 'class="table short"' in markup.table(heads, [("1", "2")] * 8)
-    assert 'class="table"' in markup.table(heads, [("1", "2")] * 14)
-    assert Reader(written["single"]).table("Weights")[0][1] == "z [r]"
-    racer = Reader(report(matter("kr250-racer"))).table("Shafts")
+def test_a_long_table_may_run_over_pages_and_a_lone_cylinder_has_no_millimetres(
+    written: dict[str, str],
+) -> None:
+    columns = (Column("a"), Column("b"))
+    assert 'class="table short"' in part_html(Table("", columns, ((1.0, 2.0),) * 8))
+    assert 'class="table"' in part_html(Table("", columns, ((1.0, 2.0),) * 14))
+    assert Reader(written["single"]).table("Weights")[0][1] == "z[r]"
+    racer = Reader(report(subject("kr250-racer"))).table("Shafts")
     assert racer[0][-1].endswith("[m r]")
     assert racer[2][-1] == "0.5"  # the balance factor of the racer is a half
-    assert Reader(written["jumo-205"]).table("Shafts")[7][0] == "second, -1000 mm up, 0 mm right"
+    assert (
+        Reader(written["jumo-205"]).table("Shafts")[7][0]
+        == "second (ratio 1), -1000 mm up, 0 mm right"
+    )
 
 
 def test_values_that_nobody_vouches_for_are_marked_beside_them(written: dict[str, str]) -> None:
     page = written["audi-25-tfsi"]
-    assert '<dt>Rod between centres</dt><dd>144 mm <span class="doubt">unverified</span></dd>' in page
+    assert (
+        '<dt>Rod length between centres</dt><dd>144 mm <span class="doubt">unverified</span></dd>'
+        in page
+    )
     assert "<dt>Bore</dt><dd>82.5 mm</dd>" in page
-    assert '<dt>Speed for the forces</dt><dd>6500 rpm <span class="doubt">unverified</span></dd>' in page
+    assert (
+        '<dt>Speed for the forces</dt><dd>6500 rpm <span class="doubt">unverified</span></dd>'
+        in page
+    )
     assert "<dt>Swept volume</dt><dd>2480.4 cm³</dd>" in page  # pi/4 * 8.25² * 9.28 * 5
 
 
 @pytest.mark.parametrize("name", ["v8-cross-plane", "audi-25-tfsi"])
-def test_derivations_are_there_with_what_is_proved_to_be_zero(written: dict[str, str], name: str) -> None:
+def test_derivations_are_there_with_what_is_proved_to_be_zero(
+    written: dict[str, str], name: str
+) -> None:
     engine = crankstar.load(name)
     page = written[name]
     proved = [
@@ -162,19 +234,19 @@ def test_derivations_are_there_with_what_is_proved_to_be_zero(written: dict[str,
 
 
 def test_orders_that_are_named_are_derived_in_full() -> None:
-    page = report(matter("i4", orders=(4.0,)))
+    page = report(subject("i4", orders=(4.0,)))
     assert page.count('<section class="derivation">') == 2  # of the force and the couple
     assert "Every cylinder along its own axis" in page
 
 
 def test_the_same_engine_gives_the_same_bytes(written: dict[str, str]) -> None:
-    assert report(matter("single")) == written["single"]
+    assert report(subject("single")) == written["single"]
 
 
 def test_the_name_of_an_engine_is_text_everywhere() -> None:
     tree = {**catalog.tree_of("i4")[1], "name": HOSTILE, "notes": HOSTILE, "source": HOSTILE}
     engine = engine_of(tree, name="hostile")
-    page = report(Matter(engine, tree, f"crankstar report {HOSTILE}", beside=engine))
+    page = report(Subject(engine, tree, f"crankstar report {HOSTILE}", beside=engine))
     read = Reader(page)
     assert not {"script", "img"} & {tag.name for tag in read.tags}
     assert sum(tag.name == "style" for tag in read.tags) == 1
@@ -187,44 +259,54 @@ def test_the_name_of_an_engine_is_text_everywhere() -> None:
 def test_the_running_title_cannot_leave_its_string() -> None:
     name = 'a"; } * { display: none } \\'
     tree = {**catalog.tree_of("single")[1], "name": name}
-    (style,) = Reader(report(Matter(engine_of(tree, name="x"), tree, ""))).styles()
+    (style,) = Reader(report(Subject(engine_of(tree, name="x"), tree, ""))).styles()
     assert style.endswith('"; } }\n')
     assert "display: none }" not in style.split("@top-left")[-1]
 
 
 def test_another_engine_stands_beside_it() -> None:
-    page = report(matter("i4", beside=crankstar.load("v8-flat-plane")))
+    page = report(subject("i4", beside=crankstar.load("v8-flat-plane")))
     read = Reader(page)
-    rows = read.table("Greatest value of each order")
-    assert [" ".join(head.split()) for head in rows[0][1:]][1].startswith("V8, flat-plane")
-    second = next(row for row in rows if row[0].startswith("force, order 2"))
-    assert float(second[2]) == pytest.approx(2**0.5 * float(second[1]), rel=1e-3)  # 4√2 A2 beside 4 A2
+    rows = read.table("Force [")
+    assert rows[0][2].startswith("V8, flat-plane")
+    second = next(row for row in rows if row[0] == "2")
+    assert float(second[2]) == pytest.approx(
+        2**0.5 * float(second[1]), rel=1e-3
+    )  # 4√2 A2 beside 4 A2
 
 
 def test_an_engine_without_a_firing_order_has_no_strokes_but_a_sentence() -> None:
-    tree = {key: value for key, value in catalog.tree_of("v8-cross-plane")[1].items() if key != "firing_order"}
-    page = report(Matter(engine_of(tree, name="x"), tree, ""))
+    tree = {
+        key: value
+        for key, value in catalog.tree_of("v8-cross-plane")[1].items()
+        if key != "firing_order"
+    }
+    page = report(Subject(engine_of(tree, name="x"), tree, ""))
     assert "gives no firing order" in page
     assert "Strokes and events" not in page
 
 
 def test_remedies_leave_what_a_balance_says_they_leave(written: dict[str, str]) -> None:
-    rows = Reader(written["v8-cross-plane"]).table("What is left")
-    found = {row[1]: row[-1] for row in rows[1:]}
-    assert found["couple as it was [m r ω² a]"] == "3.1623"  # √10
-    assert found["couple now [m r ω² a]"] == "0"
+    heads, *rows = Reader(written["v8-cross-plane"]).table("Remaining unbalance")
+    (couple,) = (row for row in rows if row[:2] == ["1", "couple"])
+    assert couple[heads.index("before")] == "3.1623"  # √10
+    assert couple[heads.index("now")] == "0"
 
 
 def test_the_file_in_the_report_is_the_engine(written: dict[str, str]) -> None:
     """What is printed at the end can be read again and is the same engine."""
     import tomllib
 
-    (file,) = [data for path, data in Reader(written["audi-25-tfsi"]).texts if path[-2:] == ("pre", "code") and "format" in data]
+    (file,) = [
+        data
+        for path, data in Reader(written["audi-25-tfsi"]).texts
+        if path[-2:] == ("pre", "code") and "format" in data
+    ]
     assert engine_of(tomllib.loads(file), name="again") == crankstar.load("audi-25-tfsi")
 
 
 def test_a_cross_plane_crankshaft_whirls_in_a_circle(written: dict[str, str]) -> None:
-    rows = Reader(written["v8-cross-plane"]).table("Paths, order by order")
+    rows = Reader(written["v8-cross-plane"]).table("Paths by order")
     assert rows[1][1] == rows[1][3] == "circle with the crank"
 
 
@@ -232,5 +314,5 @@ def test_a_file_that_toml_has_no_words_for_is_shown_as_json(tmp_path: Path) -> N
     tree = {**catalog.tree_of("single")[1], "speed": None}
     place = tmp_path / "x.json"
     place.write_text(json.dumps(tree), encoding="utf-8")
-    page = report(Matter(crankstar.load("single"), tree, ""))
+    page = report(Subject(crankstar.load("single"), tree, ""))
     assert "&quot;speed&quot;: null" in page

@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 
 import crankstar
-from crankstar import phasor
-from crankstar.balance import balance, total
-from crankstar.catalog import path_of
+from crankstar import spectra
 from crankstar.files import engine_of, toml, tree_of
-from crankstar.firing import firing
+from crankstar.files.catalog import path_of
+from crankstar.firing.intervals import firing
+from crankstar.mechanics.balance import balance, total
 
 NAMES = crankstar.names()
 NOT_VALUES = {
@@ -41,7 +41,14 @@ REAL = {
     "V6 60": {"ford-cologne"},
     "V6 90 split-pin": {"gm-3800", "ford-essex-42", "international-vt275"},
     "VR6": {"vw-vr6"},
-    "V8 cross-plane": {"bmw-s65", "ford-coyote", "ford-46-sohc", "gm-l76", "porsche-cayenne-48", "toyota-1uz-fe"},
+    "V8 cross-plane": {
+        "bmw-s65",
+        "ford-coyote",
+        "ford-46-sohc",
+        "gm-l76",
+        "porsche-cayenne-48",
+        "toyota-1uz-fe",
+    },
     "V8 flat-plane": {"ferrari-f136"},
     "V12": {"merlin"},
     "W12": {"napier-lion"},
@@ -82,7 +89,8 @@ def values(name: str) -> list[str]:
     return [
         path
         for path in paths
-        if not any(covers(key, path) for key in NOT_VALUES) and path.rpartition(".")[2] not in NAMES_IN_TABLES
+        if not any(covers(key, path) for key in NOT_VALUES)
+        and path.rpartition(".")[2] not in NAMES_IN_TABLES
     ]
 
 
@@ -105,7 +113,9 @@ def test_every_provenance_points_to_a_value_that_is_there_and_names_its_source(n
 def test_every_engine_says_where_it_comes_from_and_how_long_its_rods_are(name: str) -> None:
     whole = tree(name)
     assert whole["source"].strip()
-    told = set(whole.get("cylinder", {})) | {key for cylinder in whole.get("cylinders", []) for key in cylinder}
+    told = set(whole.get("cylinder", {})) | {
+        key for cylinder in whole.get("cylinders", []) for key in cylinder
+    }
     assert told & {"rod_length", "rod_ratio"}  # none is silently assumed
 
 
@@ -130,15 +140,19 @@ def test_every_engine_is_the_same_when_written_out_and_read_again(name: str) -> 
     engine = crankstar.load(name)
     again = engine_of(tree_of(toml(engine)))
     for ours, theirs in zip(total(balance(engine)), total(balance(again)), strict=True):
-        same = phasor.selected(theirs, ours.orders)  # the highest orders come and go with rounding
+        same = spectra.selected(theirs, ours.orders)  # the highest orders come and go with rounding
         assert np.allclose(ours.forward, same.forward, rtol=0, atol=1e-9)
         assert np.allclose(ours.backward, same.backward, rtol=0, atol=1e-9)
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_lengths_along_the_shaft_are_counted_in_pitches_where_the_file_gives_none(name: str) -> None:
+def test_lengths_along_the_shaft_are_counted_in_pitches_where_the_file_gives_none(
+    name: str,
+) -> None:
     engine, layout = crankstar.load(name), tree(name).get("layout", {})
-    given = any(key in layout for key in ("bore_pitch", "row_pitch", "positions")) or isinstance(layout.get("bank_offset"), str)
+    given = any(key in layout for key in ("bore_pitch", "row_pitch", "positions")) or isinstance(
+        layout.get("bank_offset"), str
+    )
     spread = len({cylinder.z for cylinder in engine.cylinders}) > 1
     if spread and layout:
         assert ("pitch" in engine.relative) is not given
@@ -153,5 +167,9 @@ def test_names_are_kebab_case_and_titles_unique() -> None:
 def test_real_engines_of_every_layout_are_there() -> None:
     real = set().union(*REAL.values())
     assert sorted(real - set(NAMES)) == []
-    with_a_source = {name for name in real if any(told["status"] == "published" for told in tree(name)["provenance"].values())}
+    with_a_source = {
+        name
+        for name in real
+        if any(told["status"] == "published" for told in tree(name)["provenance"].values())
+    }
     assert len(with_a_source) >= 12

@@ -1,4 +1,4 @@
-"""What holds between web/ and the package: types that are current, a bundle that fits its sources, a lock that is open."""
+"""The contract of web/ and the package: types, a current bundle, licences, the lock file."""
 
 from __future__ import annotations
 
@@ -19,17 +19,44 @@ MEGABYTE = 1_000_000
 
 
 def test_the_types_of_the_front_end_are_those_of_the_records() -> None:
-    schema = subprocess.run([sys.executable, "-m", "crankstar.exhibit"], capture_output=True, text=True, check=True).stdout
-    made = node("types.mjs", text=schema)
+    schema = subprocess.run(
+        [sys.executable, WEB / "build" / "schema.py"], capture_output=True, text=True, check=True
+    ).stdout
+    made = node("build/types.mjs", text=schema)
     assert "export interface Exhibition" in made
     assert (WEB / "src" / "exhibit.ts").read_text(encoding="utf-8") == made, "run: make types"
+
+
+def test_the_page_and_the_package_carry_the_licences_of_what_they_contain() -> None:
+    beside = (BUNDLE.parent / "third-party-licences.txt").read_text(encoding="utf-8")
+    inside = BUNDLE.read_text(encoding="utf-8")
+    for package, owner in (
+        ("three", "three.js authors"),
+        ("preact", "Jason Miller"),
+        ("vega-view", "University of Washington Interactive Data Lab"),
+        ("vega-lite", "University of Washington Interactive Data Lab"),
+        ("d3-array", "Mike Bostock"),
+        ("i18next", "i18next"),
+    ):
+        assert re.search(rf"^{package} [\d.]+ \(\S+\)$", beside, re.MULTILINE), package
+        assert owner in beside
+    assert beside.replace("`", "'").strip() in inside
 
 
 def test_the_bundle_is_made_from_the_sources_that_are_there() -> None:
     assert MAKER["fresh"](), "run: make bundle"
 
 
-@pytest.mark.parametrize("changed", ["src/index.tsx", "src/host/host.ts", "package-lock.json", "vite.config.ts"])
+@pytest.mark.parametrize(
+    "changed",
+    [
+        "src/index.tsx",
+        "src/host/host.ts",
+        "package-lock.json",
+        "vite.config.ts",
+        "build/catalogs.mjs",
+    ],
+)
 def test_a_change_of_any_source_makes_the_bundle_stale(changed: str, tmp_path: Path) -> None:
     web = tmp_path / "web"
     shutil.copytree(WEB, web, ignore=shutil.ignore_patterns("node_modules"))
@@ -57,7 +84,9 @@ def test_versions_of_the_front_end_are_exact_and_the_lock_names_no_place() -> No
 
 
 def test_node_to_build_with_is_the_same_in_the_build_hook_and_for_the_checks() -> None:
-    extras = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["optional-dependencies"]
+    extras = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"][
+        "optional-dependencies"
+    ]
     assert MAKER["NODE"] in extras["lint"]
 
 
@@ -65,22 +94,40 @@ def test_node_to_build_with_is_the_same_in_the_build_hook_and_for_the_checks() -
 def test_sdist_and_wheel_have_the_page_in_them_and_install_without_node(tmp_path: Path) -> None:
     def run(*command: str | Path, **environment: str) -> str:
         done = subprocess.run(
-            command, cwd=tmp_path, capture_output=True, text=True, check=False, env={"PATH": "/usr/bin:/bin", **environment}
+            command,
+            cwd=tmp_path,
+            capture_output=True,
+            text=True,
+            check=False,
+            env={"PATH": "/usr/bin:/bin", **environment},
         )
         assert not done.returncode, done.stdout[-2000:] + done.stderr[-2000:]
         return done.stdout
 
     subprocess.run(
-        [sys.executable, "-m", "hatchling", "build", "-t", "sdist", "-d", str(tmp_path)], cwd=ROOT, check=True, capture_output=True
+        [sys.executable, "-m", "hatchling", "build", "-t", "sdist", "-d", str(tmp_path)],
+        cwd=ROOT,
+        check=True,
+        capture_output=True,
     )
     (sdist,) = tmp_path.glob("*.tar.gz")
     run(sys.executable, "-m", "venv", "fresh")
     pip = [tmp_path / "fresh/bin/python", "-m", "pip", "--disable-pip-version-check"]
     # npm would ask this address, at which nobody answers
-    run(*pip, "wheel", "--quiet", "--no-deps", "-w", "wheels", sdist, npm_config_registry="http://127.0.0.1:9/")
+    run(
+        *pip,
+        "wheel",
+        "--quiet",
+        "--no-deps",
+        "-w",
+        "wheels",
+        sdist,
+        npm_config_registry="http://127.0.0.1:9/",
+    )
     (wheel,) = (tmp_path / "wheels").glob("*.whl")
     run(*pip, "install", "--quiet", "-c", ROOT / "constraints.txt", f"{wheel}[charts]")
     run(tmp_path / "fresh/bin/crankstar", "page", "v8-cross-plane", "-o", "v8.html")
     page = (tmp_path / "v8.html").read_text(encoding="utf-8")
     assert "<title>V8, cross-plane crank" in page
+    assert all(owner in page for owner in ("three.js authors", "Jason Miller", "Interactive Data"))
     assert MEGABYTE / 2 < len(page.encode()) <= 3 * MEGABYTE

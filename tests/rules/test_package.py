@@ -1,8 +1,9 @@
-"""The rules of the house, as tests: size, docstrings, the map of the package, what importing it loads."""
+"""The rules of the package: size, docstrings, lists of modules, the cost of its import."""
 
 from __future__ import annotations
 
 import ast
+import os
 import re
 import subprocess
 import sys
@@ -16,6 +17,11 @@ import crankstar
 PACKAGE = Path(crankstar.__file__).parent
 ROOT = PACKAGE.parent.parent
 MODULES = sorted(PACKAGE.rglob("*.py"))
+ROOMS = [
+    path.parent
+    for path in sorted(PACKAGE.rglob("*/__init__.py"))
+    if any(path.parent.glob("[a-z]*.py"))
+]
 GREATEST_MODULE, GREATEST_BODY, USUAL_BODY = 400, 60, 30
 
 
@@ -25,7 +31,11 @@ def functions(path: Path) -> list[ast.FunctionDef]:
 
 
 def body_lines(function: ast.FunctionDef) -> int:
-    first = function.body[1:] if ast.get_docstring(function) and len(function.body) > 1 else function.body
+    first = (
+        function.body[1:]
+        if ast.get_docstring(function) and len(function.body) > 1
+        else function.body
+    )
     return (function.end_lineno or 0) - first[0].lineno + 1
 
 
@@ -35,7 +45,11 @@ def test_a_module_is_short_enough_to_hold_in_the_head(path: Path) -> None:
 
 
 def test_functions_are_short() -> None:
-    lengths = {f"{path.stem}.{function.name}": body_lines(function) for path in MODULES for function in functions(path)}
+    lengths = {
+        f"{path.stem}.{function.name}": body_lines(function)
+        for path in MODULES
+        for function in functions(path)
+    }
     assert {name: lines for name, lines in lengths.items() if lines > GREATEST_BODY} == {}
     assert quantiles(lengths.values(), n=10)[-1] <= USUAL_BODY
 
@@ -46,21 +60,74 @@ def test_every_public_function_and_class_says_what_it_is() -> None:
         tree = ast.parse(path.read_text(encoding="utf-8"))
         if not ast.get_docstring(tree):
             silent.append(path.name)
-        public = [node for node in tree.body if isinstance(node, ast.FunctionDef | ast.ClassDef) and not node.name.startswith("_")]
+        public = [
+            node
+            for node in tree.body
+            if isinstance(node, ast.FunctionDef | ast.ClassDef) and not node.name.startswith("_")
+        ]
         silent += [f"{path.name}: {node.name}" for node in public if not ast.get_docstring(node)]
     assert silent == []
 
 
 def test_the_map_in_the_package_docstring_names_every_module_and_no_other() -> None:
-    rows = re.findall(r"^\| (`[^|]*`) \|", crankstar.__doc__ or "", flags=re.MULTILINE)
-    named = {name.rstrip("/") for row in rows for name in re.findall(r"`([^`]+)`", row)}
+    named = {*rows_of(crankstar.__doc__ or "")}
     there = {path.stem for path in PACKAGE.glob("*.py") if not path.stem.startswith("__")}
     there |= {path.parent.name for path in PACKAGE.glob("*/__init__.py")}
     assert named == there
 
 
-def test_every_exported_name_is_there() -> None:
+def rows_of(docstring: str) -> list[str]:
+    """The names in the first column of the tables of a docstring."""
+    rows = re.findall(r"^\| (`[^|]*`) \|", docstring, flags=re.MULTILINE)
+    return [name.rstrip("/") for row in rows for name in re.findall(r"`([^`]+)`", row)]
+
+
+@pytest.mark.parametrize("room", ROOMS, ids=lambda room: room.relative_to(PACKAGE).as_posix())
+def test_a_room_lists_its_modules_from_bottom_to_top(room: Path) -> None:
+    named = rows_of(ast.get_docstring(ast.parse((room / "__init__.py").read_text("utf-8"))) or "")
+    paths = {path.stem: [path] for path in room.glob("*.py") if path.stem != "__init__"}
+    paths |= {path.parent.name: [*path.parent.rglob("*.py")] for path in room.glob("*/__init__.py")}
+    assert sorted(named) == sorted(paths)
+    here = ".".join(("crankstar", *room.relative_to(PACKAGE).parts))
+    upward = {
+        f"{name} imports {imported}"
+        for name in named
+        for path in paths[name]
+        for imported in re.findall(
+            rf"^from {re.escape(here)}\.(\w+)", path.read_text("utf-8"), flags=re.MULTILINE
+        )
+        if named.index(imported) > named.index(name)
+    }
+    assert upward == set()
+
+
+def test_every_exported_name_is_there_and_completed() -> None:
     assert all(hasattr(crankstar, name) for name in crankstar.__all__)
+    assert {*crankstar.__all__} <= {*dir(crankstar)}
+    assert {"load", "names", "widget", "derivation"} <= {*dir(crankstar)}
+
+
+def test_the_package_tells_type_checkers_that_it_is_typed() -> None:
+    assert (PACKAGE / "py.typed").is_file()
+
+
+def test_a_running_notebook_shows_engines_and_balances_as_tables(tmp_path: Path) -> None:
+    code = (
+        "from IPython.core.interactiveshell import InteractiveShell; "
+        "shell = InteractiveShell.instance(); "
+        "import crankstar; engine = crankstar.load('i4'); "
+        "shown = [shell.display_formatter.format(it)[0] "
+        "for it in (engine, crankstar.balance(engine))]; "
+        "print(*('text/html' in it for it in shown))"
+    )
+    printed = subprocess.run(
+        [sys.executable, "-W", "ignore", "-c", code],
+        check=True,
+        capture_output=True,
+        text=True,
+        env={**os.environ, "IPYTHONDIR": str(tmp_path)},
+    ).stdout
+    assert printed.split() == ["True", "True"]
 
 
 def test_importing_the_package_loads_numpy_and_pydantic_only() -> None:
@@ -69,7 +136,9 @@ def test_importing_the_package_loads_numpy_and_pydantic_only() -> None:
         "print(sorted({name.partition('.')[0] for name in sys.modules} & "
         "{'pint', 'rich', 'cyclopts', 'scipy', 'sympy', 'tomli_w', 'altair', 'numba', 'numpy', 'pydantic'}))"
     )
-    printed = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True).stdout
+    printed = subprocess.run(
+        [sys.executable, "-c", code], check=True, capture_output=True, text=True
+    ).stdout
     assert printed.strip() == "['numpy', 'pydantic']"
 
 
@@ -91,5 +160,16 @@ def test_physics_arguments_are_keyword_only() -> None:
             numeric = [name for name in plain if name in ("float", "ArrayLike", "complex")]
             if len(numeric) > 1:
                 swappable.append(f"{path.stem}.{function.name}")
-    # `ellipse(forward, backward)` is the law |f| + |b|, the same either way but for the sense; `number(value, largest)` is text.
-    assert set(swappable) <= {"phasor.ellipse", "wording.number", "wording.wave"}
+    # `ellipse(forward, backward)` is the law |f| + |b|, the same either way but for the sense;
+    # `number(value, largest)` is text.
+    assert set(swappable) <= {"spectra.ellipse", "numbers.number", "numbers.wave"}
+
+
+def test_records_are_copied_with_changes_in_one_place_only():
+    """`model_copy` checks nothing; `engine.copies` does."""
+    users = {
+        path.relative_to(PACKAGE).as_posix()
+        for path in MODULES
+        if "model_copy" in path.read_text("utf-8")
+    }
+    assert users <= {"engine/copies.py"}

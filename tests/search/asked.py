@@ -6,7 +6,7 @@ from typing import Any
 
 from tests import exhaustive
 
-from crankstar.search.question import All, Best, Judge, Question
+from crankstar.search.question import All, Best, FunctionObjective, Question
 from crankstar.search.stars import Stars
 from crankstar.search.sums import Limit, couple, neighbours, of
 
@@ -21,18 +21,20 @@ def front(cylinders: int, cycle: Any = "two-stroke") -> Question:
 
 
 def every_kind() -> dict[str, Question]:
-    """A front with more equal stars than are kept, the best, a list that is cut, one with a judge, one of a four-stroke."""
+    """A cut front, the best, a cut list, one with a function, a four-stroke question."""
     ten, eight, four = space(10), space(8), space(10, "four-stroke")
     return {
         "front": front(11),
         "front of neighbours": Question(eight, (of(couple(eight, 2)), neighbours())),
         "best": Question(ten, (of(couple(ten, 1)),), ask=Best(30)),
-        "list": Question(ten, (of(couple(ten, 1)),), limits=(Limit(couple(ten, 2), 2.0),), ask=All(40)),
+        "list": Question(
+            ten, (of(couple(ten, 1)),), limits=(Limit(couple(ten, 2), 2.0),), ask=All(40)
+        ),
         "judge": Question(
             eight,
             (of(couple(eight, 1)),),
             limits=(Limit(couple(eight, 2), 2.0),),
-            judges=(Judge("ends", lambda star: abs(star[0] - star[7])),),
+            functions=(FunctionObjective("ends", lambda star: abs(star[0] - star[7])),),
         ),
         "four-stroke": Question(four, (of(couple(four, 2)), neighbours())),
     }

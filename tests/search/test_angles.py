@@ -1,4 +1,4 @@
-"""Uneven angles: gradients, optima against grids and against thousands of neighbours, and the Engine that has them."""
+"""Uneven angles: gradients, optima against grids and many neighbours, and the Engine with them."""
 
 from __future__ import annotations
 
@@ -10,12 +10,13 @@ import numpy as np
 import pytest
 from tests import exhaustive
 
-from crankstar import phasor
-from crankstar.balance import balance, total
-from crankstar.firing import firing
+from crankstar import spectra
+from crankstar.firing.intervals import firing
+from crankstar.mechanics.balance import balance, total
 from crankstar.search.angles import STARTS, Task, Term, curve, sentence, terms, uneven
 from crankstar.search.engines import engine
-from crankstar.search.stars import SearchError, Stars
+from crankstar.search.faults import SearchError
+from crankstar.search.stars import Stars
 from crankstar.search.sums import couple, torsion
 
 
@@ -39,9 +40,20 @@ def lengths(stars: Stars, star: Any, later_deg: np.ndarray, order: int, arms: An
     return np.abs(np.sum(np.array(arms, float) * np.exp(1j * order * angle), axis=-1))
 
 
-def worth(stars: Stars, star: Any, later_deg: np.ndarray, couples: dict[int, float], forces: dict[int, float]) -> np.ndarray:
-    square = sum((w * lengths(stars, star, later_deg, k, stars.positions)) ** 2 for k, w in couples.items())
-    square += sum((w * lengths(stars, star, later_deg, k, [1] * stars.cylinders)) ** 2 for k, w in forces.items())
+def worth(
+    stars: Stars,
+    star: Any,
+    later_deg: np.ndarray,
+    couples: dict[int, float],
+    forces: dict[int, float],
+) -> np.ndarray:
+    square = sum(
+        (w * lengths(stars, star, later_deg, k, stars.positions)) ** 2 for k, w in couples.items()
+    )
+    square += sum(
+        (w * lengths(stars, star, later_deg, k, [1] * stars.cylinders)) ** 2
+        for k, w in forces.items()
+    )
     return np.sqrt(square)
 
 
@@ -57,18 +69,29 @@ def test_gradients_are_those_of_finite_differences(name: str) -> None:
     task = Task.of(stars, star, terms(stars, couples={1: 1.0, 2: 0.25}, forces={1: 0.3, 2: 2.0}))
     places = np.random.default_rng(3).normal(size=task.free.shape[1]) * 0.1
     step = 1e-6
-    sides = [[task.square(places + sign * step * unit)[0] for sign in (1, -1)] for unit in np.eye(len(places))]
-    assert task.square(places)[1] == pytest.approx([(up - down) / (2 * step) for up, down in sides], rel=1e-6, abs=1e-7)
+    sides = [
+        [task.square(places + sign * step * unit)[0] for sign in (1, -1)]
+        for unit in np.eye(len(places))
+    ]
+    assert task.square(places)[1] == pytest.approx(
+        [(up - down) / (2 * step) for up, down in sides], rel=1e-6, abs=1e-7
+    )
 
 
 @pytest.mark.parametrize("forces", [{}, {1: 0.7, 2: 0.4}, {1: 3.0}])
 @pytest.mark.parametrize(("name", "steps"), [("three", 401), ("four", 61)])
-def test_the_optimum_is_that_of_a_grid_over_all_angles(name: str, steps: int, forces: dict[int, float]) -> None:
+def test_the_optimum_is_that_of_a_grid_over_all_angles(
+    name: str, steps: int, forces: dict[int, float]
+) -> None:
     stars, star = STARS[name]
     allowed = 12.0
-    found = uneven(stars, star, terms(stars, couples={1: 1.0, 2: 0.25}, forces=forces), deviation_deg=allowed)
+    found = uneven(
+        stars, star, terms(stars, couples={1: 1.0, 2: 0.25}, forces=forces), deviation_deg=allowed
+    )
     axis = np.linspace(-2 * allowed, 2 * allowed, steps)
-    grid = np.stack(np.meshgrid(*[axis] * (stars.cylinders - 1), indexing="ij"), axis=-1).reshape(-1, stars.cylinders - 1)
+    grid = np.stack(np.meshgrid(*[axis] * (stars.cylinders - 1), indexing="ij"), axis=-1).reshape(
+        -1, stars.cylinders - 1
+    )
     grid = np.column_stack([np.zeros(len(grid)), grid])
     grid = grid[(np.abs(deviations(found.firing_order, grid)) <= allowed + 1e-9).all(axis=-1)]
     least = worth(stars, star, grid, {1: 1.0, 2: 0.25}, forces).min()
@@ -80,7 +103,9 @@ def test_the_optimum_is_that_of_a_grid_over_all_angles(name: str, steps: int, fo
 @pytest.mark.parametrize("forces", [{}, {1: 1.0}])
 def test_no_angles_near_the_optimum_are_better(name: str, forces: dict[int, float]) -> None:
     stars, star = STARS[name]
-    found = uneven(stars, star, terms(stars, couples={1: 1.0, 2: 0.25}, forces=forces), deviation_deg=4.0)
+    found = uneven(
+        stars, star, terms(stars, couples={1: 1.0, 2: 0.25}, forces=forces), deviation_deg=4.0
+    )
     random = np.random.default_rng(5)
     for size in (1e-4, 1e-2, 0.3):
         near = np.array(found.later_deg) + size * random.normal(size=(4000, stars.cylinders))
@@ -91,14 +116,25 @@ def test_no_angles_near_the_optimum_are_better(name: str, forces: dict[int, floa
 
 @pytest.mark.parametrize("deviation", [1.0, 2.0, 5.0])
 def test_what_weighs_little_is_made_least_as_well(deviation: float) -> None:
-    """The middle cylinder has no arm: where it stands only the free forces can say, which weigh a millionth of the couples."""
+    """The middle cylinder has no arm, so only the free forces decide where its throw stands.
+
+    They weigh a millionth of the couples.
+    """
     stars, star = space(7), (0, 2, 5, 4, 3, 6, 1)
     forces = {1: 1e-3, 2: 1e-3}
-    found = uneven(stars, star, terms(stars, couples={1: 1.0, 2: 1.0}, forces=forces), deviation_deg=deviation, starts=1)
+    found = uneven(
+        stars,
+        star,
+        terms(stars, couples={1: 1.0, 2: 1.0}, forces=forces),
+        deviation_deg=deviation,
+        starts=1,
+    )
     place = 3
     assert stars.positions[place] == 0
     swept = np.array(found.later_deg) + np.eye(7)[place] * np.linspace(-1, 1, 2001)[:, None]
-    swept = swept[np.abs(deviations(found.firing_order, swept)).max(axis=1) <= deviation * (1 + 1e-9)]
+    swept = swept[
+        np.abs(deviations(found.firing_order, swept)).max(axis=1) <= deviation * (1 + 1e-9)
+    ]
     free = worth(stars, star, swept, {}, forces)
     best = swept[np.argmin(free), place]
     assert found.later_deg[place] == pytest.approx(best, abs=1e-3)
@@ -110,25 +146,35 @@ def test_nothing_moves_where_intervals_must_be_even(name: str) -> None:
     stars, star = STARS[name]
     found = uneven(stars, star, terms(stars, couples={1: 1.0, 2: 1.0}), deviation_deg=0)
     assert found.later_deg == (0.0,) * stars.cylinders
-    assert found.after == found.before == (couple(stars, 1).length(star), couple(stars, 2).length(star), 0.0, 0.0)
+    assert (
+        found.after
+        == found.before
+        == (couple(stars, 1).length(star), couple(stars, 2).length(star), 0.0, 0.0)
+    )
     assert found.value == found.value_before
     assert len(set(found.intervals_deg)) == 1
-    assert "the star as it is" in sentence(found)
+    assert "as in the even star" in sentence(found)
 
 
 @EVERY
 def test_more_freedom_never_ends_worse_and_what_it_brings_is_true(name: str) -> None:
     stars, star = STARS[name]
     allowed = (8.0, 0.0, 1.0, 2.0, 4.0)
-    found = curve(stars, star, terms(stars, couples={1: 1.0, 2: 0.25}), deviations_deg=allowed, starts=6)
+    found = curve(
+        stars, star, terms(stars, couples={1: 1.0, 2: 0.25}), deviations_deg=allowed, starts=6
+    )
     assert [one.deviation_deg for one in found] == sorted(allowed)
     assert all(then.value < one.value for one, then in pairwise(found))
     for one in found:
         later = np.array(one.later_deg)
         assert one.greatest_deviation_deg <= one.deviation_deg + 1e-9
-        assert one.value == pytest.approx(worth(stars, star, later, {1: 1.0, 2: 0.25}, {}), abs=1e-9)
+        assert one.value == pytest.approx(
+            worth(stars, star, later, {1: 1.0, 2: 0.25}, {}), abs=1e-9
+        )
         ones = [1] * stars.cylinders
-        true = [lengths(stars, star, later, k, arms) for arms in (stars.positions, ones) for k in (1, 2)]
+        true = [
+            lengths(stars, star, later, k, arms) for arms in (stars.positions, ones) for k in (1, 2)
+        ]
         assert one.after == pytest.approx(true, abs=2e-8)  # zeros are told as zeros
         assert [term.sum.name for term in one.terms] == ["M1", "M2", "F1", "F2"]
 
@@ -136,27 +182,39 @@ def test_more_freedom_never_ends_worse_and_what_it_brings_is_true(name: str) -> 
 @EVERY
 def test_the_engine_with_uneven_angles_fires_and_shakes_as_they_say(name: str) -> None:
     stars, star = STARS[name]
-    found = uneven(stars, star, terms(stars, couples={1: 1.0, 2: 0.25}), deviation_deg=4.0, starts=4)
+    found = uneven(
+        stars, star, terms(stars, couples={1: 1.0, 2: 0.25}), deviation_deg=4.0, starts=4
+    )
     built = engine(stars, star, later_deg=found.later_deg)
     fired = firing(built)
     assert fired.order == found.firing_order
     assert fired.intervals_deg == pytest.approx(found.intervals_deg, abs=1e-6)
     sums = total(balance(built))
     row = tuple(range(stars.directions)) * stars.sharing
-    even = phasor.selected(total(balance(engine(stars, row))).couple, 2)
-    second = abs(phasor.vertical(even)[0]) / couple(stars, 2).length(row)
+    even = spectra.selected(total(balance(engine(stars, row))).couple, 2)
+    second = abs(spectra.vertical(even)[0]) / couple(stars, 2).length(row)
     for spectrum, (one, two) in ((sums.couple, found.after[:2]), (sums.force, found.after[2:])):
-        assert abs(phasor.vertical(phasor.selected(spectrum, 1))[0]) == pytest.approx(one, abs=1e-9)
-        assert abs(phasor.vertical(phasor.selected(spectrum, 2))[0]) == pytest.approx(second * two, abs=1e-9)
+        assert abs(spectra.vertical(spectra.selected(spectrum, 1))[0]) == pytest.approx(
+            one, abs=1e-9
+        )
+        assert abs(spectra.vertical(spectra.selected(spectrum, 2))[0]) == pytest.approx(
+            second * two, abs=1e-9
+        )
     centres = [(angle - found.dead_centres_deg[0]) % 360 for angle in found.dead_centres_deg]
-    assert [-np.degrees(throw.angle) % 360 for throw in built.shafts[0].throws] == pytest.approx(centres, abs=1e-9)
+    assert [-np.degrees(throw.angle) % 360 for throw in built.shafts[0].throws] == pytest.approx(
+        centres, abs=1e-9
+    )
 
 
 def test_limits_of_the_free_forces_are_kept_and_cost_something() -> None:
     stars, star = STARS["seven"]
     free = uneven(stars, star, terms(stars, couples={1: 1.0}), deviation_deg=5.0)
-    held = uneven(stars, star, terms(stars, couples={1: 1.0}, forces_at_most={1: 0.1}), deviation_deg=5.0)
-    none = uneven(stars, star, terms(stars, couples={1: 1.0}, forces_at_most={1: 0}), deviation_deg=5.0)
+    held = uneven(
+        stars, star, terms(stars, couples={1: 1.0}, forces_at_most={1: 0.1}), deviation_deg=5.0
+    )
+    none = uneven(
+        stars, star, terms(stars, couples={1: 1.0}, forces_at_most={1: 0}), deviation_deg=5.0
+    )
     assert free.after[1] > 0.1
     assert held.after[1] == pytest.approx(0.1, abs=1e-7)
     assert none.after[1] == 0
@@ -168,7 +226,12 @@ def test_two_cylinders_of_a_direction_may_part_but_not_in_a_symmetric_crank() ->
     found = uneven(stars, star, terms(stars, couples={1: 1.0}), deviation_deg=5.0)
     assert max(abs(found.later_deg[j] - found.later_deg[j + 4]) for j in range(4)) > 1
     whole = space(6, "four-stroke", symmetric=True)
-    pairs = uneven(whole, (0, 1, 2, 2, 1, 0), terms(whole, couples={2: 1.0}, forces={3: 1.0}), deviation_deg=5.0)
+    pairs = uneven(
+        whole,
+        (0, 1, 2, 2, 1, 0),
+        terms(whole, couples={2: 1.0}, forces={3: 1.0}),
+        deviation_deg=5.0,
+    )
     assert pairs.later_deg == pairs.later_deg[::-1]
     assert pairs.value < pairs.value_before
 
@@ -196,24 +259,31 @@ def test_it_is_said_to_be_a_local_optimum_and_the_same_every_time() -> None:
     found = uneven(stars, star, wanted, deviation_deg=5.0)
     assert found == uneven(stars, star, wanted, deviation_deg=5.0)
     assert 1 <= found.agreeing <= found.starts == STARTS
-    assert f"a local optimum, the best of {STARTS} starts, {found.agreeing} of which ended in it" in sentence(found)
+    assert (
+        f"a local optimum, the best of {STARTS} starts, {found.agreeing} of which ended in it"
+        in sentence(found)
+    )
 
 
 @pytest.mark.parametrize(
     ("changes", "message"),
     [
-        ({"deviation_deg": -1.0}, "a deviation of -1 deg cannot be"),
-        ({"deviation_deg": 52.0}, "less than the even interval, 51.429 deg"),
-        ({"couples": {1: 0.0}}, "nothing is to be made least"),
-        ({"couples": {1: float("nan")}}, "M1: a weight of nan cannot be"),
-        ({"forces_at_most": {1: -0.5}}, "F1: a length of at most -0.5 cannot be"),
-        ({"forces_at_most": {7: 1.0}}, "no angles were found that keep F7 at most 1"),
-        ({"starts": 0}, "0 starts lead nowhere"),
+        ({"deviation_deg": -1.0}, "A deviation of -1 deg"),
+        ({"deviation_deg": 52.0}, "below the even interval of 51.429 deg"),
+        ({"couples": {1: 0.0}}, "at least one vector sum"),
+        ({"couples": {1: float("nan")}}, "M1: the weight is nan"),
+        ({"forces_at_most": {1: -0.5}}, "F1: the greatest length is -0.5"),
+        ({"forces_at_most": {7: 1.0}}, "no angles keep F7 <= 1"),
+        ({"starts": 0}, "0 starting points"),
     ],
 )
 def test_what_cannot_be_is_refused_in_a_sentence(changes: dict[str, Any], message: str) -> None:
     stars, star = STARS["seven"]
-    asked: dict[str, Any] = {"couples": {1: 1.0}} | {key: it for key, it in changes.items() if key in ("couples", "forces_at_most")}
-    said: dict[str, Any] = {"deviation_deg": 2.0} | {key: it for key, it in changes.items() if key not in asked}
+    asked: dict[str, Any] = {"couples": {1: 1.0}} | {
+        key: it for key, it in changes.items() if key in ("couples", "forces_at_most")
+    }
+    said: dict[str, Any] = {"deviation_deg": 2.0} | {
+        key: it for key, it in changes.items() if key not in asked
+    }
     with pytest.raises(SearchError, match=message):
         uneven(stars, star, terms(stars, **asked), **said)

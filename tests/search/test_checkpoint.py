@@ -10,12 +10,12 @@ from zlib import crc32
 import pytest
 from tests.search.asked import front
 
-from crankstar.search import checkpoint, run, strips
-from crankstar.search.findings import findings
+from crankstar.search import checkpoint, regions, run
+from crankstar.search.answer import answer_to
+from crankstar.search.faults import SearchError
 from crankstar.search.halves import halves
 from crankstar.search.question import Best
 from crankstar.search.run import searched
-from crankstar.search.stars import SearchError
 
 QUESTION = front(9)
 BLOCKS = halves(QUESTION).block_count
@@ -23,30 +23,33 @@ BLOCKS = halves(QUESTION).block_count
 
 @pytest.fixture(scope="module")
 def answer():
-    return findings(QUESTION)
+    return answer_to(QUESTION)
 
 
 @pytest.fixture(scope="module")
 def written(tmp_path_factory):
     """The lines of a checkpoint of the whole search, seven blocks to a stretch."""
     path = tmp_path_factory.mktemp("whole") / "file"
-    searched(QUESTION, checkpoint=checkpoint.opened(path, QUESTION), stretch=7)
+    searched(QUESTION, checkpoint=checkpoint.opened(path, QUESTION), range_size=7)
     return path.read_bytes().splitlines(keepends=True)
 
 
 def resumed(path: Path, **more):
-    return findings(QUESTION, checkpoint=checkpoint.opened(path, QUESTION), **more)
+    return answer_to(QUESTION, checkpoint=checkpoint.opened(path, QUESTION), **more)
 
 
 def with_sum(body):
     text = json.dumps(body, separators=(",", ":"))
-    return json.dumps({"done": body, "sum": crc32(text.encode())}, separators=(",", ":")).encode() + b"\n"
+    return (
+        json.dumps({"done": body, "sum": crc32(text.encode())}, separators=(",", ":")).encode()
+        + b"\n"
+    )
 
 
 def test_a_finished_search_is_answered_without_any_work(tmp_path, written, answer, monkeypatch):
     path = tmp_path / "file"
     path.write_bytes(b"".join(written))
-    monkeypatch.setattr(run, "worked", None)
+    monkeypatch.setattr(run, "results_of", None)
     assert resumed(path) == answer
     assert path.read_bytes() == b"".join(written)
 
@@ -56,7 +59,7 @@ def test_a_search_goes_on_with_stretches_of_another_size(tmp_path, written, answ
     path = tmp_path / "file"
     path.write_bytes(b"".join([written[0], written[2], written[4]]))
     told = []
-    assert resumed(path, stretch=size, watch=told.append) == answer
+    assert resumed(path, range_size=size, watch=told.append) == answer
     assert told[0].done == 14 + min(size, 7)
     assert told[-1].done == BLOCKS
 
@@ -67,9 +70,9 @@ def test_a_file_cut_at_any_byte_gives_the_same_answer(tmp_path, written, answer)
     whole = b"".join(written)
     for length in [*range(len(written[0]) + 2), *range(start - 2, len(whole) + 1)]:
         path.write_bytes(whole[:length])
-        assert resumed(path, stretch=BLOCKS) == answer
+        assert resumed(path, range_size=BLOCKS) == answer
         with pytest.MonkeyPatch.context() as patch:
-            patch.setattr(run, "worked", None)
+            patch.setattr(run, "results_of", None)
             assert resumed(path) == answer
 
 
@@ -86,7 +89,17 @@ def test_a_damaged_line_is_done_again(tmp_path, written, answer, seed):
 
 
 @pytest.mark.parametrize(
-    "line", [b"\n", b"\0\0\0\n", b"[]\n", b"3\n", b"null\n", b'{"done":3,"sum":3}\n', b"[" * 100_000 + b"\n", "ü\n".encode()]
+    "line",
+    [
+        b"\n",
+        b"\0\0\0\n",
+        b"[]\n",
+        b"3\n",
+        b"null\n",
+        b'{"done":3,"sum":3}\n',
+        b"[" * 100_000 + b"\n",
+        "ü\n".encode(),
+    ],
 )
 def test_a_line_of_another_shape_is_passed_over(tmp_path, written, answer, line):
     path = tmp_path / "file"
@@ -95,7 +108,18 @@ def test_a_line_of_another_shape_is_passed_over(tmp_path, written, answer, line)
 
 
 @pytest.mark.parametrize(
-    "span", [[0, 7], [3, 10], [0, BLOCKS], [6, 8], [BLOCKS - 1, BLOCKS], [0, BLOCKS + 1], [-1, 3], [5, 5], [9, 3]]
+    "span",
+    [
+        [0, 7],
+        [3, 10],
+        [0, BLOCKS],
+        [6, 8],
+        [BLOCKS - 1, BLOCKS],
+        [0, BLOCKS + 1],
+        [-1, 3],
+        [5, 5],
+        [9, 3],
+    ],
 )
 def test_no_block_is_counted_twice(tmp_path, written, answer, span):
     body = json.loads(written[1])["done"]
@@ -110,29 +134,34 @@ def test_two_searches_at_once_on_one_file_are_both_right(tmp_path, answer):
 
     def meanwhile(progress):
         if progress.done == 10:
-            assert findings(QUESTION, checkpoint=other, stretch=4) == answer
+            assert answer_to(QUESTION, checkpoint=other, range_size=4) == answer
 
-    assert findings(QUESTION, checkpoint=one, stretch=5, watch=meanwhile) == answer
+    assert answer_to(QUESTION, checkpoint=one, range_size=5, watch=meanwhile) == answer
     assert resumed(path) == answer
 
 
 def test_the_strips_of_every_attempt_must_be_those_of_the_file(tmp_path, monkeypatch):
-    monkeypatch.setattr(strips, "WANTED", 1e-3)
-    monkeypatch.setattr(strips, "CHEAP", 0.0)
-    wanted = findings(QUESTION)
+    monkeypatch.setattr(regions, "WANTED", 1e-3)
+    monkeypatch.setattr(regions, "CHEAP", 0.0)
+    wanted = answer_to(QUESTION)
     assert wanted.certificate.attempts > 2
     path = tmp_path / "file"
-    assert resumed(path, stretch=7) == wanted
+    assert resumed(path, range_size=7) == wanted
     lines = path.read_bytes().splitlines(keepends=True)
     path.write_bytes(b"".join(lines[: len(lines) // 2]))
-    assert resumed(path, stretch=5) == wanted
-    monkeypatch.setattr(strips, "WANTED", 2e-3)
+    assert resumed(path, range_size=5) == wanted
+    monkeypatch.setattr(regions, "WANTED", 2e-3)
     with pytest.raises(SearchError, match="another version"):
         resumed(path)
 
 
 @pytest.mark.parametrize(
-    "other", [front(8), replace(QUESTION, ask=Best(3), objectives=QUESTION.objectives[:1]), front(9, "four-stroke")]
+    "other",
+    [
+        front(8),
+        replace(QUESTION, ask=Best(3), objectives=QUESTION.objectives[:1]),
+        front(9, "four-stroke"),
+    ],
 )
 def test_the_checkpoint_of_another_search_is_refused(tmp_path, written, other):
     path = tmp_path / "file"
@@ -144,20 +173,23 @@ def test_the_checkpoint_of_another_search_is_refused(tmp_path, written, other):
     assert path.read_bytes() == b"".join(written)
 
 
-@pytest.mark.parametrize("content", [b"\x80\x04\x95\0\n", b'{"crankstar_search":2}\n', b"[]\n", b"format = 1", b"\n", b"\0" * 99])
+@pytest.mark.parametrize(
+    "content",
+    [b"\x80\x04\x95\0\n", b'{"crankstar_search":2}\n', b"[]\n", b"format = 1", b"\n", b"\0" * 99],
+)
 def test_a_file_that_is_no_checkpoint_is_refused_and_left_alone(tmp_path, content):
     path = tmp_path / "file"
     path.write_bytes(content)
-    with pytest.raises(SearchError, match="is no checkpoint"):
+    with pytest.raises(SearchError, match="is not a checkpoint"):
         resumed(path)
     assert path.read_bytes() == content
 
 
 def test_a_file_that_cannot_be_is_told(tmp_path):
     for path in (tmp_path, Path("/dev/zero")):
-        with pytest.raises(SearchError, match="is no file"):
+        with pytest.raises(SearchError, match="is not a file"):
             resumed(path)
-    with pytest.raises(SearchError, match=r"cannot be written \(No such file.*\); name a file in a place where you may write"):
+    with pytest.raises(SearchError, match=r"cannot be written \(No such file"):
         resumed(tmp_path / "no" / "file")
 
 
@@ -168,8 +200,8 @@ def test_a_file_that_cannot_be_written_any_more_ends_the_search(tmp_path):
         (tmp_path / "file").unlink()
         (tmp_path / "file").mkdir()
 
-    with pytest.raises(SearchError, match=r"cannot be written \(Is a directory\); name a file in a place"):
-        searched(QUESTION, checkpoint=kept, watch=removed, stretch=3)
+    with pytest.raises(SearchError, match=r"cannot be written \(Is a directory\)"):
+        searched(QUESTION, checkpoint=kept, watch=removed, range_size=3)
 
 
 def test_a_full_disk_ends_the_search_and_costs_the_last_line_only(tmp_path, written, answer):
@@ -177,8 +209,8 @@ def test_a_full_disk_ends_the_search_and_costs_the_last_line_only(tmp_path, writ
     before = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (len(b"".join(written[:3])) + 9, before[1]))
     try:
-        with pytest.raises(SearchError, match=r"cannot be written \(the disk is full\); name a file in a place"):
-            resumed(path, stretch=7)
+        with pytest.raises(SearchError, match=r"cannot be written \(the disk is full\)"):
+            resumed(path, range_size=7)
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, before)
     assert path.read_bytes().startswith(b"".join(written[:3]))

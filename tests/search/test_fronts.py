@@ -1,4 +1,4 @@
-"""Figures of a search: the numbers in them are those of the findings, zeros are seen, labels stand apart."""
+"""Figures of a search: the numbers of the answer, visible zeros, labels apart."""
 
 from __future__ import annotations
 
@@ -18,13 +18,14 @@ from tests.methods.test_charts_pictures import sound, words_of
 
 from crankstar import charts
 from crankstar.charts.drawing import GREY, SMALL, text_width
-from crankstar.charts.fronts import Axis, order_lines
+from crankstar.charts.front_axes import Axis
+from crankstar.charts.search_values import order_lines
+from crankstar.language.numbers import number
+from crankstar.search.answer import Answer, AnswerRow, answer_to
 from crankstar.search.engines import firing_order
-from crankstar.search.findings import Finding, Findings, findings
-from crankstar.search.question import All, Judge, Question
+from crankstar.search.question import All, FunctionObjective, Question
 from crankstar.search.stars import Stars
 from crankstar.search.sums import Limit, Objective, couple, neighbours, of
-from crankstar.wording import number
 
 
 def space(cylinders: int, cycle: Any = "two-stroke") -> Stars:
@@ -36,17 +37,19 @@ def couples(stars: Stars, orders: tuple[int, ...]) -> tuple[Objective, ...]:
 
 
 @cache
-def found(name: str) -> Findings:
+def found(name: str) -> Answer:
     if name == "every seven":
-        return findings(Question(space(7), couples(space(7), (1, 2)), ask=All()))
+        return answer_to(Question(space(7), couples(space(7), (1, 2)), ask=All()))
     if name == "seven, three couples":
-        return findings(Question(space(7), couples(space(7), (1, 2, 3))))
+        return answer_to(Question(space(7), couples(space(7), (1, 2, 3))))
     stars = space(int(name[0]), "four-stroke" if name.endswith("four-stroke") else "two-stroke")
     beside = (neighbours(),) if name.endswith("neighbours") else ()
-    return findings(Question(stars, (*couples(stars, (1, 2)), *beside)))
+    return answer_to(Question(stars, (*couples(stars, (1, 2)), *beside)))
 
 
-EVERY = pytest.mark.parametrize("name", ["6", "7", "8", "7 with neighbours", "8 with neighbours", "5 four-stroke"])
+EVERY = pytest.mark.parametrize(
+    "name", ["6", "7", "8", "7 with neighbours", "8 with neighbours", "5 four-stroke"]
+)
 
 
 def layers(chart: Any) -> tuple[dict[str, list[Any]], Any]:
@@ -56,14 +59,20 @@ def layers(chart: Any) -> tuple[dict[str, list[Any]], Any]:
     for layer, found_rows in front:
         mark = kind(layer)
         pale = mark == "point" and layer["mark"].get("color") == GREY
-        name = "others" if pale else {"point": "points", "line": "steps", "text": "texts", "rule": "leaders"}[mark]
+        name = (
+            "others"
+            if pale
+            else {"point": "points", "line": "steps", "text": "texts", "rule": "leaders"}[mark]
+        )
         rows[name] = found_rows
     return rows, key
 
 
 @EVERY
 @pytest.mark.parametrize("logarithmic", [False, True, None])
-def test_points_stand_at_the_values_of_the_findings_and_zeros_apart(name: str, logarithmic: bool | None) -> None:
+def test_points_stand_at_the_values_of_the_findings_and_zeros_apart(
+    name: str, logarithmic: bool | None
+) -> None:
     answer = found(name)
     chart = charts.pareto_front(answer, logarithmic=logarithmic)
     points = layers(chart)[0]["points"]
@@ -76,13 +85,17 @@ def test_points_stand_at_the_values_of_the_findings_and_zeros_apart(name: str, l
         least = min(row.values[place] for row in answer.rows if row.values[place])
         for point, row in zip(points, answer.rows, strict=True):
             value = row.values[place]
-            assert point[side] == value or (logarithmic and value == 0 and 0 < point[side] < 0.8 * least)
+            assert point[side] == value or (
+                logarithmic and value == 0 and 0 < point[side] < 0.8 * least
+            )
     sound(charts.saved(chart, "svg", title=name))
 
 
 def test_zero_has_its_own_number_on_a_logarithmic_axis() -> None:
     for logarithmic in (False, True):
-        picture = charts.saved(charts.pareto_front(found("6"), logarithmic=logarithmic), "svg", title="six")
+        picture = charts.saved(
+            charts.pareto_front(found("6"), logarithmic=logarithmic), "svg", title="six"
+        )
         axes = re.findall(r">(0(?:\.0)?)<", picture.decode())
         assert len(axes) >= 4  # on either axis, and each zero of the key
     spec = charts.pareto_front(found("6"), logarithmic=True).to_dict()
@@ -95,7 +108,10 @@ def test_zero_has_its_own_number_on_a_logarithmic_axis() -> None:
 
 @pytest.mark.parametrize(
     ("axis", "values"),
-    [(Axis(0.0, 8.0, 330.0), (0.0, 0.1, 3.0, 8.0)), (Axis(1e-3, 20.0, 250.0, powers=True, zero=2e-3), (1e-2, 1.0, 20.0))],
+    [
+        (Axis(0.0, 8.0, 330.0), (0.0, 0.1, 3.0, 8.0)),
+        (Axis(1e-3, 20.0, 250.0, powers=True, zero=2e-3), (1e-2, 1.0, 20.0)),
+    ],
 )
 def test_places_on_an_axis_are_those_of_their_values(axis: Axis, values: tuple[float, ...]) -> None:
     assert [axis.value(axis.place(value)) for value in values] == pytest.approx(values)
@@ -113,7 +129,7 @@ def test_axes_become_logarithmic_where_values_span_powers_of_ten_but_counts_stay
     assert kinds(charts.pareto_front(found("6"))) == [None, None]
     assert kinds(charts.pareto_front(found("7"), logarithmic=False)) == [None, None]
     stars = space(7)
-    counted = findings(Question(stars, (of(couple(stars, 1)), neighbours())))
+    counted = answer_to(Question(stars, (of(couple(stars, 1)), neighbours())))
     assert kinds(charts.pareto_front(counted, logarithmic=True)) == ["log", None]
 
 
@@ -122,9 +138,16 @@ def test_the_line_goes_through_what_nothing_betters_and_all_stars_are_beyond_it(
     answer = found(name)
     rows, _ = layers(charts.pareto_front(answer, logarithmic=False))
     corners = [(step.x, step.y) for step in sorted(rows["steps"], key=lambda step: step["at"])]
-    assert all(a[0] <= b[0] and a[1] >= b[1] and (a[0] == b[0] or a[1] == b[1]) for a, b in pairwise(corners))
+    assert all(
+        a[0] <= b[0] and a[1] >= b[1] and (a[0] == b[0] or a[1] == b[1])
+        for a, b in pairwise(corners)
+    )
     values = [row.values[:2] for row in answer.rows]
-    best = [one for one in values if not any(o != one and o[0] <= one[0] and o[1] <= one[1] for o in values)]
+    best = [
+        one
+        for one in values
+        if not any(o != one and o[0] <= one[0] and o[1] <= one[1] for o in values)
+    ]
     assert set(best) <= set(corners)
     for one, two in values:
         beyond = [corner for corner in corners[:-1] if corner[0] <= one]
@@ -133,7 +156,9 @@ def test_the_line_goes_through_what_nothing_betters_and_all_stars_are_beyond_it(
 
 
 @pytest.mark.parametrize("name", ["7 with neighbours", "8 with neighbours", "seven, three couples"])
-def test_a_third_objective_leaves_no_line_that_would_make_good_points_look_bettered(name: str) -> None:
+def test_a_third_objective_leaves_no_line_that_would_make_good_points_look_bettered(
+    name: str,
+) -> None:
     rows, _ = layers(charts.pareto_front(found(name)))
     assert not rows["steps"]
     assert len(rows["points"]) == len(found(name).rows)
@@ -158,10 +183,12 @@ def test_the_key_has_firing_orders_values_and_neighbours_of_every_row(name: str)
             lines.setdefault(row.y, []).append((row.x, row.text))
     head, *told = [[text for _, text in sorted(lines[y])] for y in sorted(lines)]
     counted = name.endswith("neighbours")
-    assert head == ["fires", "M1", "M2", "neighbours"]
+    assert head == ["firing order", "M1", "M2", "neighbours"]
     for place, (line, row) in enumerate(zip(told, answer.rows, strict=True), 1):
         order = "-".join(map(str, firing_order(answer.question.stars, row.star)))
-        values = [number(value, digits=4) for value in row.values] + ([] if counted else [str(row.neighbours)])
+        values = [number(value, digits=4) for value in row.values] + (
+            [] if counted else [str(row.neighbours)]
+        )
         assert line == [str(place), order, *values]
 
 
@@ -172,9 +199,15 @@ def placing(chart: Any) -> Callable[[float, float], np.ndarray]:
 
     def place(x: float, y: float) -> np.ndarray:
         out = []
-        for value, scale, length in zip((x, y), scales, (panel["width"], panel["height"]), strict=True):
+        for value, scale, length in zip(
+            (x, y), scales, (panel["width"], panel["height"]), strict=True
+        ):
             low, high = scale["domain"]
-            share = np.log(value / low) / np.log(high / low) if scale.get("type") == "log" else (value - low) / (high - low)
+            share = (
+                np.log(value / low) / np.log(high / low)
+                if scale.get("type") == "log"
+                else (value - low) / (high - low)
+            )
             out.append(share * length)
         return np.array(out)
 
@@ -182,8 +215,12 @@ def placing(chart: Any) -> Callable[[float, float], np.ndarray]:
 
 
 @pytest.mark.parametrize("logarithmic", [False, True])
-@pytest.mark.parametrize("name", ["6", "7", "9 with neighbours", "5 four-stroke", "seven, three couples"])
-def test_a_number_stands_nearest_to_its_own_point_or_has_a_line_to_it(name: str, logarithmic: bool) -> None:
+@pytest.mark.parametrize(
+    "name", ["6", "7", "9 with neighbours", "5 four-stroke", "seven, three couples"]
+)
+def test_a_number_stands_nearest_to_its_own_point_or_has_a_line_to_it(
+    name: str, logarithmic: bool
+) -> None:
     chart = charts.pareto_front(found(name), logarithmic=logarithmic)
     rows, _ = layers(chart)
     place = placing(chart)
@@ -193,24 +230,38 @@ def test_a_number_stands_nearest_to_its_own_point_or_has_a_line_to_it(name: str,
     for text in rows["texts"]:
         here, own = place(text.x, text.y), points[int(text.text)]
         half = np.array([text_width(text.text, SMALL) / 2, SMALL / 2])
-        gaps = {row: np.linalg.norm(np.maximum(np.abs(spot - here) - half, 0)) for row, spot in points.items()}
-        if any(np.linalg.norm(start - own) < 6 and np.linalg.norm(end - here) < 14 for start, end in leaders):
+        gaps = {
+            row: np.linalg.norm(np.maximum(np.abs(spot - here) - half, 0))
+            for row, spot in points.items()
+        }
+        if any(
+            np.linalg.norm(start - own) < 6 and np.linalg.norm(end - here) < 14
+            for start, end in leaders
+        ):
             continue
         alone += 1
         assert gaps[int(text.text)] < 8
-        assert all(gaps[int(text.text)] < gap for row, gap in gaps.items() if not np.allclose(points[row], own))
+        assert all(
+            gaps[int(text.text)] < gap
+            for row, gap in gaps.items()
+            if not np.allclose(points[row], own)
+        )
     assert alone + len(leaders) == len(rows["texts"])
 
 
 def test_where_a_number_is_left_out_the_figure_says_so() -> None:
-    assert "numbered where there is room" in words_of(
+    assert "numbers where there is room" in words_of(
         charts.saved(charts.pareto_front(found("9 with neighbours")), "svg", title="nine")
     )
-    assert "numbered where" not in words_of(charts.saved(charts.pareto_front(found("7")), "svg", title="seven"))
+    assert "numbers where" not in words_of(
+        charts.saved(charts.pareto_front(found("7")), "svg", title="seven")
+    )
 
 
 @pytest.mark.parametrize("logarithmic", [False, True])
-@pytest.mark.parametrize("name", ["6", "7", "8 with neighbours", "5 four-stroke", "seven, three couples"])
+@pytest.mark.parametrize(
+    "name", ["6", "7", "8 with neighbours", "5 four-stroke", "seven, three couples"]
+)
 def test_numbers_stand_off_each_other_and_off_the_points(name: str, logarithmic: bool) -> None:
     chart = charts.pareto_front(found(name), logarithmic=logarithmic)
     rows, _ = layers(chart)
@@ -229,7 +280,9 @@ def test_numbers_stand_off_each_other_and_off_the_points(name: str, logarithmic:
 
 
 @pytest.mark.parametrize("name", ["6", "8", "6 four-stroke", "5 four-stroke"])
-def test_every_point_of_a_short_front_has_its_number_also_where_it_stands_on_an_axis(name: str) -> None:
+def test_every_point_of_a_short_front_has_its_number_also_where_it_stands_on_an_axis(
+    name: str,
+) -> None:
     rows, _ = layers(charts.pareto_front(found(name)))
     assert {int(row.text) for row in rows["texts"]} == {row.row for row in rows["points"]}
 
@@ -239,7 +292,9 @@ def test_a_third_objective_gives_the_colour() -> None:
         answer = found(name)
         chart = charts.pareto_front(answer)
         colours = [
-            (layer["encoding"]["color"], rows) for layer, rows in drawn(chart)[0] if "field" in layer["encoding"].get("color", {})
+            (layer["encoding"]["color"], rows)
+            for layer, rows in drawn(chart)[0]
+            if "field" in layer["encoding"].get("color", {})
         ]
         ((colour, rows),) = colours
         assert colour["type"] == scale
@@ -249,11 +304,13 @@ def test_a_third_objective_gives_the_colour() -> None:
 
 def test_a_list_is_called_one_and_of_very_many_stars_those_that_are_covered_are_not_drawn() -> None:
     stars = space(9)
-    every = findings(Question(stars, couples(stars, (1, 2)), limits=(Limit(couple(stars, 1), 8.0),), ask=All()))
+    every = answer_to(
+        Question(stars, couples(stars, (1, 2)), limits=(Limit(couple(stars, 1), 8.0),), ask=All())
+    )
     assert len(every.rows) > 2000
     chart = charts.pareto_front(every, logarithmic=False)
     rows, _ = layers(chart)
-    assert chart.to_dict()["title"]["text"] == ["Stars by M1 and M2"]
+    assert chart.to_dict()["title"]["text"] == ["Crank stars by M1 and M2"]
     assert 1000 < len(rows["points"]) < len(every.rows)
     values = np.array([row.values for row in every.rows])
     scale = np.array([330, 250]) / values.max(axis=0)
@@ -264,9 +321,12 @@ def test_a_list_is_called_one_and_of_very_many_stars_those_that_are_covered_are_
 
 def test_a_third_objective_that_is_the_same_for_all_gives_no_colour() -> None:
     stars = space(8, "four-stroke")
-    answer = findings(Question(stars, (*couples(stars, (1, 2)), neighbours())))
+    answer = answer_to(Question(stars, (*couples(stars, (1, 2)), neighbours())))
     assert [row.values for row in answer.rows] == [(0.0, 0.0, 0.0)]
-    assert all("field" not in layer["encoding"].get("color", {}) for layer, _ in drawn(charts.pareto_front(answer))[0])
+    assert all(
+        "field" not in layer["encoding"].get("color", {})
+        for layer, _ in drawn(charts.pareto_front(answer))[0]
+    )
 
 
 def test_a_crowd_is_listed_as_far_as_it_can_be_read_and_the_rest_is_counted() -> None:
@@ -276,43 +336,59 @@ def test_a_crowd_is_listed_as_far_as_it_can_be_read_and_the_rest_is_counted() ->
 
 def test_long_firing_orders_are_folded() -> None:
     stars = space(24)
-    row = Finding(tuple(range(24)), (0.0, 0.0), 23, 1, 1)
+    row = AnswerRow(tuple(range(24)), (0.0, 0.0), 23, 1, 1)
     lines = order_lines(stars, row, width=150.0)
     assert "".join(lines) == "-".join(map(str, range(1, 25)))
     assert len(lines) == 3
     assert all(line.endswith("-") for line in lines[:-1])
-    answer = Findings(Question(stars, couples(stars, (1, 2))), (row,), 1, found("7").certificate)
+    answer = Answer(Question(stars, couples(stars, (1, 2))), (row,), 1, found("7").certificate)
     sound(charts.saved(charts.pareto_front(answer), "svg", title="24"))
     sound(charts.saved(charts.best_stars(answer), "svg", title="24"))
 
 
 @pytest.mark.parametrize("draw", [charts.pareto_front, charts.best_stars])
 @pytest.mark.parametrize(
-    ("suffix", "begins"), [("svg", b"<svg"), ("png", b"\x89PNG"), ("pdf", b"%PDF"), ("html", b"<!DOCTYPE html>")]
+    ("suffix", "begins"),
+    [("svg", b"<svg"), ("png", b"\x89PNG"), ("pdf", b"%PDF"), ("html", b"<!DOCTYPE html>")],
 )
-def test_figures_of_a_search_are_saved_as_all_kinds_of_files(draw: Any, suffix: str, begins: bytes) -> None:
-    assert charts.saved(draw(found("7 with neighbours")), suffix, title="seven").lstrip().startswith(begins)
+def test_figures_of_a_search_are_saved_as_all_kinds_of_files(
+    draw: Any, suffix: str, begins: bytes
+) -> None:
+    assert (
+        charts.saved(draw(found("7 with neighbours")), suffix, title="seven")
+        .lstrip()
+        .startswith(begins)
+    )
 
 
 def test_their_description_is_the_chart() -> None:
     spec = json.loads(charts.saved(charts.pareto_front(found("7")), "json", title="seven"))
-    assert spec["title"] == {"text": ["Front of M1 and M2"], "subtitle": ["7 cylinders, two-stroke"]}
+    assert spec["title"] == {
+        "text": ["Pareto front of M1 and M2"],
+        "subtitle": ["7 cylinders, two-stroke"],
+    }
 
 
 @pytest.mark.parametrize("name", ["7", "5 four-stroke", "8"])
 @pytest.mark.parametrize("theta", [0.0, 0.7])
-def test_the_winners_have_their_throws_where_they_say_and_their_values_above(name: str, theta: float) -> None:
+def test_the_winners_have_their_throws_where_they_say_and_their_values_above(
+    name: str, theta: float
+) -> None:
     answer = found(name)
     chart = charts.best_stars(answer, theta=theta, count=3)
     n = answer.question.stars.directions
     for place, (panel, row) in enumerate(zip(drawn(chart), answer.rows[:3], strict=False), 1):
-        assert close(arrows(panel, BLUE), [np.exp(1j * (theta - 2 * np.pi * d / n)) for d in row.star])
+        assert close(
+            arrows(panel, BLUE), [np.exp(1j * (theta - 2 * np.pi * d / n)) for d in row.star]
+        )
         texts = {row.text for layer, rows in panel if kind(layer) == "text" for row in rows}
         assert {str(cylinder) for cylinder in range(1, len(row.star) + 1)} <= texts
         title = list(titles(chart.to_dict()))[place - 1]
         order = "-".join(map(str, firing_order(answer.question.stars, row.star)))
         assert title[0] == f"{place}:  {order}"
-        assert title[1] == ", ".join(f"M{k} {number(value, digits=4)}" for k, value in enumerate(row.values, 1))
+        assert title[1] == ", ".join(
+            f"M{k} {number(value, digits=4)}" for k, value in enumerate(row.values, 1)
+        )
         assert title[2] == f"neighbours {row.neighbours}"
     assert len(drawn(chart)) == min(3, len(answer.rows))
 
@@ -327,14 +403,16 @@ def titles(spec: Any) -> Any:
 
 def test_where_more_stars_were_found_than_are_drawn_the_figure_says_so() -> None:
     answer = found("9 with neighbours")
-    part = f"the first 6 of {len(answer.rows)}"
+    part = f"6 of {len(answer.rows)} stars"
     assert part in charts.best_stars(answer).to_dict()["title"]["subtitle"]
-    assert not any("the first" in line for line in charts.best_stars(found("7")).to_dict()["title"]["subtitle"])
+    assert not any(
+        " of " in line for line in charts.best_stars(found("7")).to_dict()["title"]["subtitle"]
+    )
 
 
 def test_where_two_cylinders_share_a_throw_both_are_named() -> None:
     stars = space(8, "four-stroke")
-    answer = findings(Question(stars, (*couples(stars, (1, 2)), neighbours())))
+    answer = answer_to(Question(stars, (*couples(stars, (1, 2)), neighbours())))
     ((panel),) = drawn(charts.best_stars(answer))
     texts = {row.text for layer, rows in panel if kind(layer) == "text" for row in rows}
     assert texts == {"1, 8", "2, 7", "3, 6", "4, 5"}
@@ -342,15 +420,24 @@ def test_where_two_cylinders_share_a_throw_both_are_named() -> None:
 
 def test_what_python_judged_is_drawn_too() -> None:
     stars = space(7)
-    judge = Judge("spread", lambda star: float(abs(star[0] - star[6])), unit="steps")
-    answer = findings(Question(stars, (of(couple(stars, 1)),), judges=(judge,), limits=(Limit(couple(stars, 2), 4.0),)))
-    assert "spread (steps)" in words_of(charts.saved(charts.pareto_front(answer), "svg", title="judged"))
+    judge = FunctionObjective("spread", lambda star: float(abs(star[0] - star[6])), unit="steps")
+    answer = answer_to(
+        Question(
+            stars,
+            (of(couple(stars, 1)),),
+            functions=(judge,),
+            limits=(Limit(couple(stars, 2), 4.0),),
+        )
+    )
+    assert "spread (steps)" in words_of(
+        charts.saved(charts.pareto_front(answer), "svg", title="judged")
+    )
 
 
 def test_fixed_throws_and_unequal_pitches_are_said() -> None:
     places = (*(Fraction(3 - j) for j in range(6)), Fraction(-4))
     stars = Stars(7, "two-stroke", places, fixed=((1, 0), (4, 3)))
-    answer = findings(Question(stars, couples(stars, (1, 2))))
+    answer = answer_to(Question(stars, couples(stars, (1, 2))))
     words = words_of(charts.saved(charts.pareto_front(answer), "svg", title="fixed"))
     assert "unequal pitches" in words
     assert "throws of 1, 4 fixed" in words
@@ -358,17 +445,23 @@ def test_fixed_throws_and_unequal_pitches_are_said() -> None:
 
 def test_what_cannot_be_drawn_is_refused_in_a_sentence() -> None:
     stars = space(6)
-    one = findings(Question(stars, couples(stars, (1,))))
-    none = findings(Question(stars, couples(stars, (3, 1)), limits=(Limit(couple(stars, 1), 0), Limit(couple(stars, 2), 3.0))))
-    with pytest.raises(charts.ChartError, match="here is one; ask for two, or draw the stars"):
+    one = answer_to(Question(stars, couples(stars, (1,))))
+    none = answer_to(
+        Question(
+            stars,
+            couples(stars, (3, 1)),
+            limits=(Limit(couple(stars, 1), 0), Limit(couple(stars, 2), 3.0)),
+        )
+    )
+    with pytest.raises(charts.ChartError, match="the search has 1; draw the stars"):
         charts.pareto_front(one)
-    with pytest.raises(charts.ChartError, match="none was found within the limits"):
+    with pytest.raises(charts.ChartError, match="found none within the limits"):
         charts.pareto_front(none)
-    with pytest.raises(charts.ChartError, match="none was found within the limits"):
+    with pytest.raises(charts.ChartError, match="found none within the limits"):
         charts.best_stars(none)
-    with pytest.raises(charts.ChartError, match="judged by something else"):
-        charts.pareto_front(found("6"), others=findings(Question(stars, couples(stars, (1, 3)))))
-    with pytest.raises(charts.ChartError, match="25 stars cannot be drawn"):
+    with pytest.raises(charts.ChartError, match="other objectives"):
+        charts.pareto_front(found("6"), others=answer_to(Question(stars, couples(stars, (1, 3)))))
+    with pytest.raises(charts.ChartError, match="25 stars do not fit"):
         charts.best_stars(found("6"), count=25)
     with pytest.raises(charts.ChartError, match="the crank angle is nan"):
         charts.best_stars(found("6"), theta=float("nan"))

@@ -8,8 +8,8 @@ import pytest
 from tests import exhaustive
 
 from crankstar.search import proof
-from crankstar.search.findings import findings
-from crankstar.search.likeness import Likeness, chosen, question
+from crankstar.search.answer import answer_to
+from crankstar.search.equivalence import Equivalence, equivalent, question
 from crankstar.search.stars import Stars
 from crankstar.search.sums import VectorSum, couple, torsion
 
@@ -40,7 +40,9 @@ def test_weights_beyond_64_bits_are_added_up_exactly():
     vector = VectorSum("big", weights, tuple(Fraction(d, 6) for d in range(6)))
     rows = [tuple(row) for row in exhaustive.stars(6, 1).tolist()]
     assert proof.vanishing(vector, rows).tolist() == [vector.exact(row).zero for row in rows]
-    assert len(set(proof.alike([vector], rows).tolist())) == len({exact_square(vector, row) for row in rows})
+    assert len(set(proof.alike([vector], rows).tolist())) == len(
+        {exact_square(vector, row) for row in rows}
+    )
 
 
 def exact_square(vector, row):
@@ -52,12 +54,16 @@ def exact_square(vector, row):
 def test_all_stars_alike_are_those_of_all_permutations(cylinders):
     stars = Stars(cylinders, "two-stroke", exhaustive.halves(cylinders))
     rows = exhaustive.stars(cylinders, 1)
-    lengths = [exhaustive.lengths(rows, exhaustive.arms(cylinders), order, cylinders) for order in (1, 2)]
+    lengths = [
+        exhaustive.lengths(rows, exhaustive.arms(cylinders), order, cylinders) for order in (1, 2)
+    ]
     for place in range(0, len(rows), len(rows) // 6):
         star = tuple(rows[place].tolist())
-        same = Likeness((couple(stars, 1), couple(stars, 2)), star)
-        found = chosen(findings(question(stars, same, ())), same)
-        wanted = np.logical_and.reduce([np.abs(column - column[place]) < 1e-9 for column in lengths])
+        same = Equivalence((couple(stars, 1), couple(stars, 2)), star)
+        found = equivalent(answer_to(question(stars, same, ())), same)
+        wanted = np.logical_and.reduce(
+            [np.abs(column - column[place]) < 1e-9 for column in lengths]
+        )
         assert found.stars == wanted.sum()
         assert {row.star for row in found.rows} == {
             exhaustive.image_class(row, cylinders, ends=True) for row in rows[wanted].tolist()

@@ -1,4 +1,4 @@
-"""The answer hangs on nothing but the question: not on who works, in what pieces, nor on what happens to them."""
+"""The answer depends on the question only, not on workers, pieces or their failures."""
 
 import os
 import random
@@ -18,12 +18,12 @@ import psutil
 import pytest
 from tests.search.asked import every_kind, front
 
-from crankstar.search import checkpoint, halves, hands, run, strips
-from crankstar.search.findings import findings, read
-from crankstar.search.hands import Hands, cluster, processes
+from crankstar.search import checkpoint, executors, halves, regions, run
+from crankstar.search.answer import answer_to, read
+from crankstar.search.executors import Workers, cluster, processes
+from crankstar.search.faults import SearchError
 from crankstar.search.run import searched
-from crankstar.search.stars import SearchError
-from crankstar.search.work import worked
+from crankstar.search.work import results_of
 
 KINDS = every_kind()
 MIDDLE = front(12)
@@ -32,12 +32,12 @@ MIDDLE = front(12)
 
 @pytest.fixture(scope="module")
 def answers():
-    return {name: findings(question) for name, question in KINDS.items()}
+    return {name: answer_to(question) for name, question in KINDS.items()}
 
 
 @pytest.fixture(scope="module")
 def middle():
-    return findings(MIDDLE)
+    return answer_to(MIDDLE)
 
 
 @pytest.fixture(scope="module")
@@ -50,7 +50,9 @@ def two():
 def local_cluster(workers):
     from distributed import LocalCluster
 
-    found: Any = LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address=":0", silence_logs=50)
+    found: Any = LocalCluster(
+        n_workers=workers, threads_per_worker=1, dashboard_address=":0", silence_logs=50
+    )
     with found:
         yield found
 
@@ -62,7 +64,7 @@ def daskers():
 
 
 class Shuffled(Executor):
-    """Works only when it is waited for, and gives results back in any order; loses some, in every way there is."""
+    """Works only when awaited, returns results in any order, loses some in every way."""
 
     def __init__(self, seed, losses=()):
         self.chance, self.losses, self.lost = random.Random(seed), losses, set()  # noqa: S311
@@ -102,38 +104,49 @@ class Shuffled(Executor):
         self.thread.join()
 
 
-LOSSES = (BrokenExecutor("gone"), ConnectionResetError("gone"), TimeoutError("gone"), EOFError(), None)
+LOSSES = (
+    BrokenExecutor("gone"),
+    ConnectionResetError("gone"),
+    TimeoutError("gone"),
+    EOFError(),
+    None,
+)
 
 
 @pytest.mark.parametrize("size", [1, 3, 50, 100_000])
 @pytest.mark.parametrize("name", KINDS)
 def test_the_answer_is_the_same_in_pieces_of_any_size(answers, name, size):
-    assert findings(KINDS[name], stretch=size) == answers[name]
+    assert answer_to(KINDS[name], range_size=size) == answers[name]
 
 
 @pytest.mark.parametrize("name", KINDS)
 def test_the_answer_is_the_same_by_processes_threads_and_whoever_comes_first(answers, name, two):
-    assert findings(KINDS[name], hands=two, stretch=4) == answers[name]
+    assert answer_to(KINDS[name], workers=two, range_size=4) == answers[name]
     with ThreadPoolExecutor(3) as threads:
-        assert findings(KINDS[name], hands=Hands(threads, workers=3), stretch=3) == answers[name]
+        assert (
+            answer_to(KINDS[name], workers=Workers(threads, count=3), range_size=3) == answers[name]
+        )
     for losses in ((), LOSSES):
         with Shuffled(1, losses) as shuffled:
-            assert findings(KINDS[name], hands=Hands(shuffled, workers=4), stretch=2) == answers[name]
+            assert (
+                answer_to(KINDS[name], workers=Workers(shuffled, count=4), range_size=2)
+                == answers[name]
+            )
 
 
 @pytest.mark.parametrize("name", KINDS)
 def test_the_answer_is_the_same_by_a_cluster(answers, name, daskers):
     with cluster(daskers.scheduler_address) as workers:
-        assert workers.workers == 2
-        assert findings(KINDS[name], hands=workers, stretch=7) == answers[name]
+        assert workers.count == 2
+        assert answer_to(KINDS[name], workers=workers, range_size=7) == answers[name]
 
 
 def test_the_answer_is_the_same_after_several_attempts(monkeypatch, two, answers):
     question, wanted = KINDS["front"], answers["front"]
-    monkeypatch.setattr(strips, "WANTED", 1e-3)
-    monkeypatch.setattr(strips, "CHEAP", 0.0)
+    monkeypatch.setattr(regions, "WANTED", 1e-3)
+    monkeypatch.setattr(regions, "CHEAP", 0.0)
     told = []
-    found = findings(question, hands=two, stretch=50, watch=told.append)
+    found = answer_to(question, workers=two, range_size=50, watch=told.append)
     assert found.rows == wanted.rows
     assert found.certificate.attempts == told[-1].attempt + 1 > 2
     assert [p.seconds for p in told] == sorted(p.seconds for p in told)
@@ -147,14 +160,16 @@ def test_a_lost_process_of_this_machine_changes_nothing(middle):
         if len(killed) < 2 and progress.done > 40 * (1 + len(killed)):
             one = min(set(active_children()) - others, key=lambda process: process.pid or 0)
             assert one.pid is not None
-            with suppress(ProcessLookupError):  # it ended this moment: with the next progress another is met
+            with suppress(
+                ProcessLookupError
+            ):  # it ended this moment: with the next progress another is met
                 os.kill(one.pid, signal.SIGKILL)
                 killed.append(one)
 
     with processes(2) as workers:
-        assert findings(MIDDLE, hands=workers, stretch=3, watch=kill) == middle
+        assert answer_to(MIDDLE, workers=workers, range_size=3, watch=kill) == middle
         assert len(killed) == 2
-        assert findings(MIDDLE, hands=workers, stretch=20) == middle
+        assert answer_to(MIDDLE, workers=workers, range_size=20) == middle
     assert not {process.pid for process in active_children()} - {process.pid for process in others}
 
 
@@ -167,24 +182,24 @@ def test_a_lost_worker_of_a_cluster_changes_nothing(middle, daskers):
             os.kill(killed[0], signal.SIGKILL)
 
     with cluster(daskers.scheduler_address) as workers:
-        assert findings(MIDDLE, hands=workers, stretch=3, watch=kill) == middle
+        assert answer_to(MIDDLE, workers=workers, range_size=3, watch=kill) == middle
     assert killed
 
 
 def test_a_worker_that_is_lost_every_time_ends_the_search():
     with pytest.raises(SearchError, match="lost its worker 4 times"):
-        searched(MIDDLE, hands=_Failing(BrokenExecutor("gone")))
+        searched(MIDDLE, workers=_Failing(BrokenExecutor("gone")))
 
 
-class _Failing(Hands):
+class _Failing(Workers):
     """Fails with every stretch."""
 
     def __init__(self, fault):
-        super().__init__(ThreadPoolExecutor(1), workers=1)
+        super().__init__(ThreadPoolExecutor(1), count=1)
         self.fault = fault
 
-    def submit(self, stretch):
-        assert stretch.start < stretch.stop
+    def submit(self, part):
+        assert part.start < part.stop
         future = Future()
         future.set_exception(self.fault)
         return future
@@ -193,33 +208,33 @@ class _Failing(Hands):
 @pytest.mark.parametrize("fault", [ZeroDivisionError("here"), MemoryError(), ValueError("there")])
 def test_what_the_work_raises_comes_through(fault):
     with pytest.raises(type(fault)) as told:
-        searched(MIDDLE, hands=_Failing(fault))
+        searched(MIDDLE, workers=_Failing(fault))
     assert told.value is fault
 
 
 def test_workers_without_the_package_are_told():
     with pytest.raises(SearchError, match="install the same version"):
-        searched(MIDDLE, hands=_Failing(ModuleNotFoundError("No module named 'crankstar'")))
+        searched(MIDDLE, workers=_Failing(ModuleNotFoundError("No module named 'crankstar'")))
 
 
 def test_an_executor_that_takes_nothing_more_is_told():
     executor = ThreadPoolExecutor(1, initializer=lambda: 1 / 0)
     with suppress(BrokenExecutor):
         executor.submit(int).result()
-    with pytest.raises(SearchError, match="takes no more work"):
-        searched(MIDDLE, hands=Hands(executor))
+    with pytest.raises(SearchError, match="accepts no more work"):
+        searched(MIDDLE, workers=Workers(executor))
 
 
-class _Asleep(Hands):
+class _Asleep(Workers):
     """Never comes back; is interrupted while it is waited for."""
 
     def __init__(self):
-        super().__init__(Shuffled(1), workers=2)
+        super().__init__(Shuffled(1), count=2)
         self.submitted, self.dropped = 0, False
         self.executor.shutdown()
 
-    def submit(self, stretch):
-        self.submitted += stretch.stop - stretch.start
+    def submit(self, part):
+        self.submitted += part.stop - part.start
         return Future()
 
     def look(self):
@@ -231,15 +246,18 @@ class _Asleep(Hands):
 
 def test_only_so_many_stretches_are_under_way_and_an_interrupt_drops_them():
     asleep = _Asleep()
-    outcome = searched(MIDDLE, hands=asleep, stretch=1)
+    outcome = searched(MIDDLE, workers=asleep, range_size=1)
     assert outcome.interrupted
     assert not outcome.complete
     assert asleep.submitted == 2 * run.AHEAD
     assert asleep.dropped
 
 
+@pytest.mark.usefixtures("interruptible")
 @pytest.mark.parametrize("at", [0, 1, 30])
-def test_an_interrupt_gives_what_was_found_and_the_search_goes_on_from_there(at, middle, tmp_path, two):
+def test_an_interrupt_gives_what_was_found_and_the_search_goes_on_from_there(
+    at, middle, tmp_path, two
+):
     path = tmp_path / "file"
     for who in (None, two):
 
@@ -247,7 +265,13 @@ def test_an_interrupt_gives_what_was_found_and_the_search_goes_on_from_there(at,
             if progress.done >= at and progress.rate:
                 signal.raise_signal(signal.SIGINT)
 
-        outcome = searched(MIDDLE, hands=who, stretch=5, checkpoint=checkpoint.opened(path, MIDDLE), watch=interrupt)
+        outcome = searched(
+            MIDDLE,
+            workers=who,
+            range_size=5,
+            checkpoint=checkpoint.opened(path, MIDDLE),
+            watch=interrupt,
+        )
         assert outcome.interrupted
         assert not outcome.complete
         assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
@@ -257,17 +281,26 @@ def test_an_interrupt_gives_what_was_found_and_the_search_goes_on_from_there(at,
         assert part.rows
         assert 0 < outcome.found.met < middle.certificate.met
     told = []
-    assert findings(MIDDLE, stretch=9, checkpoint=checkpoint.opened(path, MIDDLE), watch=told.append) == middle
+    assert (
+        answer_to(
+            MIDDLE, range_size=9, checkpoint=checkpoint.opened(path, MIDDLE), watch=told.append
+        )
+        == middle
+    )
     assert told[0].done >= 5 + 9  # what was kept, and a stretch
     assert told[-1].seconds_left == 0
 
 
 def test_a_search_stopped_in_a_wider_attempt_still_has_what_the_narrower_one_found(monkeypatch):
-    monkeypatch.setattr(strips, "WANTED", 1e-3)
-    monkeypatch.setattr(strips, "CHEAP", 0.0)
+    monkeypatch.setattr(regions, "WANTED", 1e-3)
+    monkeypatch.setattr(regions, "CHEAP", 0.0)
     seen = []
     monkeypatch.setattr(
-        run, "complete", lambda question, found, tried: seen.append(found) or strips.complete(question, found, tried)
+        run,
+        "complete",
+        lambda question, found, tried: (
+            seen.append(found) or regions.complete(question, found, tried)
+        ),
     )
     whole = searched(KINDS["front"])
     before = next(found for found in seen if len(found))
@@ -277,18 +310,20 @@ def test_a_search_stopped_in_a_wider_attempt_still_has_what_the_narrower_one_fou
         if progress.attempt == seen.index(before) + 1:
             raise KeyboardInterrupt
 
-    outcome = searched(KINDS["front"], stretch=1, watch=interrupt)
+    outcome = searched(KINDS["front"], range_size=1, watch=interrupt)
     assert outcome.interrupted
     assert outcome.attempts < whole.attempts + 1
-    assert {star.tobytes() for star in before.stars} <= {star.tobytes() for star in outcome.found.stars}
+    assert {star.tobytes() for star in before.stars} <= {
+        star.tobytes() for star in outcome.found.stars
+    }
 
 
 def test_progress_counts_what_was_done_here_for_its_rate(tmp_path):
     path = tmp_path / "file"
-    searched(MIDDLE, stretch=50, checkpoint=checkpoint.opened(path, MIDDLE))
+    searched(MIDDLE, range_size=50, checkpoint=checkpoint.opened(path, MIDDLE))
     path.write_bytes(b"".join(path.read_bytes().splitlines(keepends=True)[:4]))
     told = []
-    searched(MIDDLE, stretch=10, checkpoint=checkpoint.opened(path, MIDDLE), watch=told.append)
+    searched(MIDDLE, range_size=10, checkpoint=checkpoint.opened(path, MIDDLE), watch=told.append)
     first = told[0]
     assert (first.done, first.blocks) == (160, 236)
     assert first.rate <= 10 / 1e-9
@@ -297,30 +332,34 @@ def test_progress_counts_what_was_done_here_for_its_rate(tmp_path):
 
 
 def test_every_block_counts_and_so_does_the_proof(monkeypatch, answers):
-    """A search that passes over a block, or believes too early, gives another answer: the tests above would see it."""
+    """A search that skips a block, or stops too early, fails the tests above."""
     question, wanted = KINDS["front"], answers["front"]
     for block in range(0, halves.halves(question).block_count, 13):
         with pytest.MonkeyPatch.context() as patch:
-            patch.setattr(run, "worked", lambda s, gap=block: worked(replace(s, stop=s.start) if s.start == gap else s))
-            assert findings(question, stretch=1) != wanted
-    monkeypatch.setattr(strips, "WANTED", 1e-3)
-    monkeypatch.setattr(strips, "CHEAP", 0.0)
+            patch.setattr(
+                run,
+                "results_of",
+                lambda s, gap=block: results_of(replace(s, stop=s.start) if s.start == gap else s),
+            )
+            assert answer_to(question, range_size=1) != wanted
+    monkeypatch.setattr(regions, "WANTED", 1e-3)
+    monkeypatch.setattr(regions, "CHEAP", 0.0)
     monkeypatch.setattr(run, "complete", lambda *_: True)
-    assert findings(question).rows != wanted.rows
+    assert answer_to(question).rows != wanted.rows
 
 
 SCRIPT = """
 import sys
 from tests.search.asked import front
-from crankstar.search import checkpoint, hands, run
+from crankstar.search import checkpoint, executors, run
 from contextlib import nullcontext
 question = front(15)
 def told(progress):
     print(progress.done, progress.blocks, flush=True)
 if __name__ == "__main__":
-    with hands.processes(2) if sys.argv[1] == "2" else nullcontext() as workers:
+    with executors.processes(2) if sys.argv[1] == "2" else nullcontext() as workers:
         kept = checkpoint.opened(run.checkpoints.Path(sys.argv[2]), question)
-        outcome = run.searched(question, hands=workers, stretch=8, checkpoint=kept, watch=told)
+        outcome = run.searched(question, workers=workers, range_size=8, checkpoint=kept, watch=told)
     print("ended", outcome.interrupted, outcome.complete, len(outcome.found), flush=True)
 """
 
@@ -344,9 +383,20 @@ def started(workers, path):
 
 @pytest.fixture(scope="module")
 def fifteen():
-    return findings(front(15))
+    return answer_to(front(15))
 
 
+@pytest.mark.parametrize("workers", ["0", "2"])
+def test_sigterm_ends_a_search_quietly_with_its_workers_and_its_semaphores(workers, tmp_path):
+    with started(workers, tmp_path / "file") as process:
+        children = psutil.Process(process.pid).children(recursive=True)
+        process.terminate()
+        _, err = process.communicate(timeout=30)
+    assert (process.returncode, err) == (-signal.SIGTERM, "")
+    assert not psutil.wait_procs(children, timeout=10)[1]
+
+
+@pytest.mark.usefixtures("interruptible")
 @pytest.mark.parametrize("workers", [pytest.param("0", marks=pytest.mark.long), "2"])
 def test_ctrl_c_ends_at_once_and_quietly_and_nothing_is_lost(workers, tmp_path, fifteen):
     path = tmp_path / "file"
@@ -360,7 +410,7 @@ def test_ctrl_c_ends_at_once_and_quietly_and_nothing_is_lost(workers, tmp_path, 
     assert process.returncode == 0
     told = []
     kept = checkpoint.opened(path, front(15))
-    assert findings(front(15), checkpoint=kept, stretch=100, watch=told.append) == fifteen
+    assert answer_to(front(15), checkpoint=kept, range_size=100, watch=told.append) == fifteen
     assert told[0].done > 32
 
 
@@ -375,16 +425,25 @@ def test_a_search_killed_in_the_middle_goes_on_and_leaves_no_processes(tmp_path,
     assert not alive
     written = path.read_bytes()
     path.write_bytes(written[: len(written) - 40])
-    assert findings(front(15), checkpoint=checkpoint.opened(path, front(15)), stretch=64) == fifteen
+    assert (
+        answer_to(front(15), checkpoint=checkpoint.opened(path, front(15)), range_size=64)
+        == fifteen
+    )
 
 
 def test_a_scheduler_that_does_not_answer_is_told_in_time(monkeypatch):
-    monkeypatch.setattr(hands, "SCHEDULER_SECONDS", 1.0)
+    monkeypatch.setattr(executors, "SCHEDULER_SECONDS", 1.0)
     with socket.create_server(("127.0.0.1", 0)) as silent:
         port = silent.getsockname()[1]
-        for address in (f"tcp://127.0.0.1:{port}", "tcp://127.0.0.1:1", "nonsense://x", "no.such.host.invalid:1", ""):
+        for address in (
+            f"tcp://127.0.0.1:{port}",
+            "tcp://127.0.0.1:1",
+            "nonsense://x",
+            "no.such.host.invalid:1",
+            "",
+        ):
             began = time.monotonic()
-            with pytest.raises(SearchError, match="no scheduler answers"), cluster(address):
+            with pytest.raises(SearchError, match="No dask scheduler answers"), cluster(address):
                 pass
             assert time.monotonic() - began < 8
 
@@ -402,9 +461,14 @@ if __name__ == "__main__":
 @pytest.mark.long
 @pytest.mark.parametrize("way", [signal.SIGKILL, signal.SIGSTOP])
 def test_a_scheduler_that_dies_or_falls_silent_in_the_middle_is_told_in_time(way, monkeypatch):
-    monkeypatch.setattr(hands, "SCHEDULER_SECONDS", 2.0)
-    monkeypatch.setattr(hands, "LOOK_SECONDS", 0.5)
-    with subprocess.Popen([sys.executable, "-c", CLUSTER], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as process:
+    monkeypatch.setattr(executors, "SCHEDULER_SECONDS", 2.0)
+    monkeypatch.setattr(executors, "LOOK_SECONDS", 0.5)
+    with subprocess.Popen(
+        [sys.executable, "-c", CLUSTER],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+        text=True,
+    ) as process:
         assert process.stdout
         address = process.stdout.readline().strip()
         children = psutil.Process(process.pid).children(recursive=True)
@@ -416,8 +480,8 @@ def test_a_scheduler_that_dies_or_falls_silent_in_the_middle_is_told_in_time(way
                 process.send_signal(way)
 
         try:
-            with pytest.raises(SearchError, match="the scheduler at"), cluster(address) as workers:
-                searched(front(15), hands=workers, stretch=8, watch=strike)
+            with pytest.raises(SearchError, match="The scheduler at"), cluster(address) as workers:
+                searched(front(15), workers=workers, range_size=8, watch=strike)
             assert time.monotonic() - hit[0] < 15
         finally:
             for child in [psutil.Process(process.pid), *children]:
@@ -427,18 +491,22 @@ def test_a_scheduler_that_dies_or_falls_silent_in_the_middle_is_told_in_time(way
 
 @pytest.mark.long
 def test_a_cluster_without_workers_is_told_in_time(monkeypatch):
-    monkeypatch.setattr(hands, "SCHEDULER_SECONDS", 2.0)
-    with local_cluster(0) as found, pytest.raises(SearchError, match="has no workers; start one"), cluster(found.scheduler_address):
+    monkeypatch.setattr(executors, "SCHEDULER_SECONDS", 2.0)
+    with (
+        local_cluster(0) as found,
+        pytest.raises(SearchError, match="has no workers; start one"),
+        cluster(found.scheduler_address),
+    ):
         pass
 
 
 @pytest.mark.long
 def test_a_cluster_that_loses_all_its_workers_is_told_in_time(monkeypatch):
-    monkeypatch.setattr(hands, "SCHEDULER_SECONDS", 2.0)
-    monkeypatch.setattr(hands, "LOOK_SECONDS", 0.5)
+    monkeypatch.setattr(executors, "SCHEDULER_SECONDS", 2.0)
+    monkeypatch.setattr(executors, "LOOK_SECONDS", 0.5)
     with (
         local_cluster(1) as found,
         cluster(found.scheduler_address) as workers,
-        pytest.raises(SearchError, match="had no workers, for 2 s"),
+        pytest.raises(SearchError, match="has had no workers, for 2 s"),
     ):
-        searched(front(15), hands=workers, stretch=8, watch=lambda _: found.scale(0))
+        searched(front(15), workers=workers, range_size=8, watch=lambda _: found.scale(0))

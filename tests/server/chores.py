@@ -1,4 +1,4 @@
-"""Tasks that processes of a crew are tried with."""
+"""Tasks that worker processes are tried with."""
 
 from __future__ import annotations
 

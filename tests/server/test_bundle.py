@@ -1,4 +1,4 @@
-"""The bundle as it is sent: kept for ever under an address of its own, compressed where that is understood."""
+"""The bundle as sent: cached for ever under its own address, compressed if accepted."""
 
 from __future__ import annotations
 
@@ -9,8 +9,12 @@ from tests.front_end import BUNDLE
 from tests.web.serving import Server
 
 
-def test_the_script_of_the_page_is_kept_under_the_address_that_the_page_names(server: Server) -> None:
-    found = re.search(rb'<script type="module" src="/(app\.js\?v=\w+)"></script>', server.ask("").body)
+def test_the_script_of_the_page_is_kept_under_the_address_that_the_page_names(
+    server: Server,
+) -> None:
+    found = re.search(
+        rb'<script type="module" src="/(app\.js\?v=\w+)"></script>', server.ask("").body
+    )
     assert found is not None
     named = server.ask(found[1].decode())
     assert (named.status, named.body) == (200, BUNDLE.read_bytes())

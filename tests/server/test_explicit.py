@@ -8,12 +8,15 @@ from typing import Any
 import pytest
 from tests.web.serving import Server
 
-from crankstar import catalog
+from crankstar.files import catalog
 
 
 def printed(exhibit: dict[str, Any]) -> list[tuple[str, ...]]:
     """The table of orders as it is read: to five digits."""
-    return [tuple(row[key] for key in ("label", "quantity", "up", "right", "path", "greatest")) for row in exhibit["table"]]
+    return [
+        tuple(row[key] for key in ("label", "quantity", "up", "right", "path", "greatest"))
+        for row in exhibit["table"]
+    ]
 
 
 def test_the_explicit_form_of_an_engine_is_the_same_engine(server: Server) -> None:
@@ -27,11 +30,19 @@ def test_the_explicit_form_of_an_engine_is_the_same_engine(server: Server) -> No
 
 @pytest.mark.parametrize(
     ("path", "more"),
-    [("api/explicit", {}), ("api/fitted", {}), ("api/fitted", {"factor": 0.5, "weights": "webs", "shafts": "needed"})],
+    [
+        ("api/explicit", {}),
+        ("api/fitted", {}),
+        ("api/fitted", {"factor": 0.5, "weights": "webs", "shafts": "needed"}),
+    ],
 )
-def test_no_source_stays_of_a_key_that_is_gone(server: Server, path: str, more: dict[str, Any]) -> None:
+def test_no_source_stays_of_a_key_that_is_gone(
+    server: Server, path: str, more: dict[str, Any]
+) -> None:
     short = catalog.tree_of("audi-25-tfsi")[1]
-    sources = short["provenance"] | {"cycle": {"status": "published", "source": "a default that is not written"}}
+    sources = short["provenance"] | {
+        "cycle": {"status": "published", "source": "a default that is not written"}
+    }
     assert {"layout.bore_pitch", "cylinder.stroke", "firing_order", "speed"} <= set(sources)
     answer = server.ask(path, {"engine": short | {"provenance": sources}, **more}).json
     tree = answer["tree"] if path == "api/explicit" else answer["exhibit"]["file"]
@@ -43,7 +54,14 @@ def test_no_source_stays_of_a_key_that_is_gone(server: Server, path: str, more: 
 def test_sources_of_the_explicit_form_stay_with_its_parts(server: Server) -> None:
     tree = server.ask("api/explicit", {"engine": "i4"}).json["tree"]
     told = {"status": "computed", "source": "here"}
-    kept = ["shaft[1].throw[2].angle", "cylinders[4].z", "shaft[1].speed_ratio", "shaft", "shaft.throw.radius", "cylinders.z"]
+    kept = [
+        "shaft[1].throw[2].angle",
+        "cylinders[4].z",
+        "shaft[1].speed_ratio",
+        "shaft",
+        "shaft.throw.radius",
+        "cylinders.z",
+    ]
     gone = [
         "shaft[1].throw[9].angle",
         "shaft[2].name",
@@ -63,4 +81,7 @@ def test_sources_of_the_explicit_form_stay_with_its_parts(server: Server) -> Non
 def test_what_is_no_engine_has_no_explicit_form(server: Server) -> None:
     answer = server.ask("api/explicit", {"engine": {"name": "x", "layout": {"type": "vee"}}})
     assert answer.status == 422
-    assert {problem["path"] for problem in answer.json["problems"]} == {"layout.banks", "layout.throws"}
+    assert {problem["path"] for problem in answer.json["problems"]} == {
+        "layout.banks",
+        "layout.throws",
+    }

@@ -1,4 +1,4 @@
-"""Any engine at all, good or spoilt, and any question the description of the API allows: answers or sentences, nothing else."""
+"""Any engine, good or spoilt, and any question of the API: answers or sentences only."""
 
 from __future__ import annotations
 
@@ -19,22 +19,22 @@ from tests.strategies import OF_ANY_KIND
 from tests.web.serving import Server
 
 from crankstar import files
-from crankstar.engine import Engine
-from crankstar.exhibit.records import Exhibit
+from crankstar.engine.engine import Engine
+from crankstar.page.records import Exhibit
 from crankstar.server import tasks
 from crankstar.server.application import application
-from crankstar.server.crew import Alone
 from crankstar.server.refusal import Refused
 from crankstar.server.routes import bounded
+from crankstar.server.workers import InThread
 
 LONG = os.environ.get("HYPOTHESIS_PROFILE") == "long"
-API = schemathesis.openapi.from_dict(application(crew=Alone()).description())
+API = schemathesis.openapi.from_dict(application(workers=InThread()).description())
 PATIENT = [HealthCheck.too_slow, HealthCheck.data_too_large, HealthCheck.filter_too_much]
 ANY_ENGINE = st.one_of(*OF_ANY_KIND.values())
 
 
 def answer(task: Callable[..., bytes], *asked: Any) -> Any:
-    """What a task answers, as JSON without anything that JSON does not have; None where it refuses in sentences."""
+    """The answer of a task as strict JSON; None where it refuses in sentences."""
 
     def refuse(name: str) -> Any:
         raise AssertionError(f"{name} is no JSON")
@@ -69,7 +69,11 @@ def test_all_that_is_asked_of_any_engine_is_answered(engine: Engine, seed: int) 
     assert check(json.loads(json.dumps(files.explicit(engine))), random.Random(seed))  # noqa: S311
 
 
-@pytest.mark.parametrize("seeds", [range(60), pytest.param(range(60, 3000), marks=pytest.mark.long)], ids=["some", "many"])
+@pytest.mark.parametrize(
+    "seeds",
+    [range(60), pytest.param(range(60, 3000), marks=pytest.mark.long)],
+    ids=["some", "many"],
+)
 def test_a_spoilt_engine_is_answered_or_refused_in_sentences(seeds: range) -> None:
     good = 0
     for seed in seeds:
@@ -87,12 +91,18 @@ def test_a_spoilt_engine_is_answered_or_refused_in_sentences(seeds: range) -> No
 @API.parametrize()
 @settings(max_examples=100 if LONG else 8, suppress_health_check=PATIENT, deadline=None)
 def test_whatever_the_description_allows_is_answered_as_it_says(case: Any, server: Server) -> None:
-    """Schemathesis: no failure of the server, and status, kind, headers and shape of every answer as described."""
+    """Schemathesis: no server failure; status, kind, headers and shape are as described."""
     if case.operation.path == "/api/search" and case.method == "POST":
-        case.body = {"cylinders": 1} if isinstance(case.body, dict) else case.body  # searches would take all the processors
+        case.body = (
+            {"cylinders": 1} if isinstance(case.body, dict) else case.body
+        )  # searches would take all the processors
     found = case.call(base_url=server.address.rstrip("/"), timeout=30)
     case.validate_response(found, excluded_checks=REFUSED_IN_WORDS)
 
 
-REFUSED_IN_WORDS = [check for check in CHECKS.get_all() if check.__name__ in ("positive_data_acceptance", "unsupported_method")]
-"""What a schema cannot say of an engine is refused with 422; methods that are unknown to HTTP with 400 or 405."""
+REFUSED_IN_WORDS = [
+    check
+    for check in CHECKS.get_all()
+    if check.__name__ in ("positive_data_acceptance", "unsupported_method")
+]
+"""Beyond the schema: engines refused with 422, unknown methods with 400 or 405."""

@@ -6,7 +6,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 from tests.web.serving import Server
 
-from crankstar.catalog import tree_of
+from crankstar.files.catalog import tree_of
 
 PEOPLE, EDITS = 16, 3
 
@@ -19,11 +19,23 @@ def test_everybody_gets_the_answer_to_the_own_question(server: Server) -> None:
         for number in range(EDITS):
             angle = 20 + 2 * person + number / 2
             banks = [
-                {**bank, "bearing": f"{sign * angle} deg"} for sign, bank in zip((1, -1), tree["layout"]["banks"], strict=True)
+                {**bank, "bearing": f"{sign * angle} deg"}
+                for sign, bank in zip((1, -1), tree["layout"]["banks"], strict=True)
             ]
-            own = {**tree, "name": f"{person}.{number}", "layout": {**tree["layout"], "banks": banks}, "firing_order": []}
+            own = {
+                **tree,
+                "name": f"{person}.{number}",
+                "layout": {**tree["layout"], "banks": banks},
+                "firing_order": [],
+            }
             answer = server.ask("api/exhibit", {"engine": own})
-            found.append((answer.status, answer.json["name"], answer.json["scene"]["cylinders"][0]["bearing"] * 57.29577951308232))
+            found.append(
+                (
+                    answer.status,
+                    answer.json["name"],
+                    answer.json["scene"]["cylinders"][0]["bearing"] * 57.29577951308232,
+                )
+            )
         return found
 
     with ThreadPoolExecutor(PEOPLE) as crowd:

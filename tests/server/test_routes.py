@@ -1,4 +1,4 @@
-"""Every route of the server answers what it says; the physics in its answers is that of the package."""
+"""Every route of the server answers as described, with the physics of the package."""
 
 from __future__ import annotations
 
@@ -10,9 +10,12 @@ import pytest
 from tests.web.serving import Server
 
 import crankstar
-from crankstar import catalog, files, fitting
-from crankstar.exhibit import exhibits, figures
-from crankstar.exhibit.records import Exhibit, Exhibition
+from crankstar import files
+from crankstar.files import catalog
+from crankstar.language.faults import where
+from crankstar.page import exhibits, figures
+from crankstar.page.records import Exhibit, Exhibition
+from crankstar.remedy import fitting
 
 V8 = catalog.tree_of("v8-cross-plane")[1]
 HOSTILE = "</script><img src=x onerror=alert(1)>"
@@ -37,18 +40,24 @@ def test_the_schema_and_the_catalog_are_those_of_the_package(server: Server) -> 
 
 
 @pytest.mark.parametrize("engine", ["v8-cross-plane", V8], ids=["by name", "as a tree"])
-def test_an_exhibit_is_what_the_package_makes_of_the_same_engine(engine: Any, server: Server) -> None:
+def test_an_exhibit_is_what_the_package_makes_of_the_same_engine(
+    engine: Any, server: Server
+) -> None:
     answer = server.ask("api/exhibit", {"engine": engine})
     assert answer.status == 200
-    ours = exhibits.exhibit(crankstar.load("v8-cross-plane"), file=V8, neighbours=False)
-    assert Exhibit.model_validate_json(answer.body) == Exhibit.model_validate_json(ours.model_dump_json())
+    ours = exhibits.exhibit(crankstar.load("v8-cross-plane"), file=V8, relatives=False)
+    assert Exhibit.model_validate_json(answer.body) == Exhibit.model_validate_json(
+        ours.model_dump_json()
+    )
 
 
 def test_an_edit_changes_the_exhibit_and_asking_again_gives_the_same(server: Server) -> None:
     turned = json.loads(json.dumps(V8))
     turned["layout"]["banks"][0]["bearing"] = "30 deg"
     turned["layout"]["banks"][1]["bearing"] = "-30 deg"
-    first, again, other = (server.ask("api/exhibit", {"engine": tree}) for tree in (turned, turned, V8))
+    first, again, other = (
+        server.ask("api/exhibit", {"engine": tree}) for tree in (turned, turned, V8)
+    )
     assert first.body == again.body
     assert first.json["total"] != other.json["total"]
     bearings = {round(cylinder["bearing"], 6) for cylinder in first.json["scene"]["cylinders"]}
@@ -58,7 +67,10 @@ def test_an_edit_changes_the_exhibit_and_asking_again_gives_the_same(server: Ser
 def test_figures_and_derivations_are_asked_for_by_the_keys_of_the_exhibit(server: Server) -> None:
     engine = crankstar.load("v8-cross-plane")
     exhibit = server.ask("api/exhibit", {"engine": V8}).json
-    for figure in (*{chart["figure"]: chart["key"] for chart in exhibit["charts"]}.values(), "spectrum:fitted"):
+    for figure in (
+        *{chart["figure"]: chart["key"] for chart in exhibit["charts"]}.values(),
+        "spectrum:fitted",
+    ):
         answer = server.ask("api/chart", {"engine": V8, "key": figure})
         assert answer.status == 200, answer.body
         assert answer.json == json.loads(json.dumps(figures.chart(engine, figure)))
@@ -72,9 +84,13 @@ def test_an_engine_is_fitted_as_its_verdict_advises_or_as_one_likes(server: Serv
     assert plain["remedies"]
     engine = files.engine_of(plain["file"])
     assert any(shaft.weights for shaft in engine.shafts)
-    webs = server.ask("api/fitted", {"engine": "i4", "factor": 0.5, "weights": "pins", "shafts": "needed"}).json["exhibit"]
+    webs = server.ask(
+        "api/fitted", {"engine": "i4", "factor": 0.5, "weights": "pins", "shafts": "needed"}
+    ).json["exhibit"]
     assert [shaft.speed_ratio for shaft in files.engine_of(webs["file"]).shafts] == [1, 2, -2]
-    assert server.ask("api/fitted", {"engine": "v12-60", "shafts": "none"}).json == {"exhibit": None}
+    assert server.ask("api/fitted", {"engine": "v12-60", "shafts": "none"}).json == {
+        "exhibit": None
+    }
 
 
 def test_an_engine_is_fitted_with_what_is_asked_for(server: Server) -> None:
@@ -103,11 +119,26 @@ def test_what_is_null_in_a_tree_is_left_out_of_its_file(server: Server) -> None:
     assert tomllib.loads(text) == V8
 
 
-def test_every_mistake_of_an_engine_is_told_at_once_in_the_sentences_of_the_files(server: Server) -> None:
-    wrong = {**V8, "cycle": "three-stroke", "cylinder": {**V8["cylinder"], "bore": "87.5 kg"}, "extra": 1}
+def test_every_mistake_of_an_engine_is_told_at_once_in_the_sentences_of_the_files(
+    server: Server,
+) -> None:
+    wrong = {
+        **V8,
+        "cycle": "three-stroke",
+        "cylinder": {**V8["cylinder"], "bore": "87.5 kg"},
+        "extra": 1,
+    }
     with pytest.raises(files.EngineFileError) as caught:
         files.engine_of(wrong)
-    told = [{"path": path, "message": message} for path, message in caught.value.problems]
+    told = [
+        {
+            "path": where(fault.path),
+            "code": fault.code,
+            "values": json.loads(json.dumps(fault.values)),
+            "message": fault.sentence,
+        }
+        for fault in caught.value.faults
+    ]
     assert len(told) >= 3
     for path in ("api/exhibit", "api/toml", "api/fitted"):
         answer = server.ask(path, {"engine": wrong})
@@ -129,7 +160,21 @@ def test_a_hostile_name_is_text_wherever_it_comes_back(server: Server) -> None:
 
 
 @pytest.mark.parametrize(
-    "name", ["/etc/passwd", "../catalog/i4.toml", "i4.toml", "./i4", "-", "/dev/stdin", "", " ", "a\0b", "\ud800", "i4\n", "I4"]
+    "name",
+    [
+        "/etc/passwd",
+        "../catalog/i4.toml",
+        "i4.toml",
+        "./i4",
+        "-",
+        "/dev/stdin",
+        "",
+        " ",
+        "a\0b",
+        "\ud800",
+        "i4\n",
+        "I4",
+    ],
 )
 def test_no_file_is_ever_opened_by_a_name_from_outside(name: str, server: Server) -> None:
     for path in ("api/exhibit", "api/toml"):
@@ -138,14 +183,19 @@ def test_no_file_is_ever_opened_by_a_name_from_outside(name: str, server: Server
         (problem,) = answer.json["problems"]
         assert problem["path"] == "engine"
         assert problem["message"].startswith("there is no such engine in the catalog; ")
-        assert "/api" not in problem["message"]  # a link to a page can name an engine, and people read what is said then
+        assert (
+            "/api" not in problem["message"]
+        )  # a link to a page can name an engine, and people read what is said then
 
 
 def test_a_part_of_a_name_is_met_with_the_names_that_have_it(server: Server) -> None:
-    told = "there is no such engine in the catalog; did you mean v8-cross-plane or v8-flat-plane or yamaha-r1-crossplane?"
-    assert server.ask("api/exhibit", {"engine": "plane"}).json["problems"] == [{"path": "engine", "message": told}]
+    told = "there is no such engine in the catalog; did you mean v8-cross-plane, v8-flat-plane, yamaha-r1-crossplane?"
+    near = ["v8-cross-plane", "v8-flat-plane", "yamaha-r1-crossplane"]
+    fault = {"code": "catalog.unknown-near", "values": {"near": near}, "message": told}
+    asked = server.ask("api/exhibit", {"engine": "plane"})
+    assert asked.json["problems"] == [{"path": "engine", **fault}]
     missing = server.ask("api/catalog/plane")
-    assert (missing.status, missing.json["problems"]) == (404, [{"path": "", "message": told}])
+    assert (missing.status, missing.json["problems"]) == (404, [{"path": "", **fault}])
 
 
 def test_names_in_addresses_do_not_lead_out_of_the_catalog(server: Server) -> None:

@@ -1,4 +1,4 @@
-"""Searches over HTTP: begun, looked at, stopped; limits; what they find is what the package finds."""
+"""Searches over HTTP: start, progress, stop, limits; results are those of the package."""
 
 from __future__ import annotations
 
@@ -14,9 +14,10 @@ from tests.web.serving import Server, serving
 
 import crankstar
 from crankstar import files
-from crankstar.search import run
-from crankstar.search.findings import findings
-from crankstar.search_request import Wish, request
+from crankstar.options.search import search_of
+from crankstar.options.words import SearchWords
+from crankstar.search import estimates
+from crankstar.search.answer import answer_to
 from crankstar.server import search_process, searches
 from crankstar.server.messages import SearchQuestion
 from crankstar.server.refusal import Refused
@@ -54,20 +55,27 @@ def ended(server: Server, search: Any, *, seconds: float = 60.0) -> Any:
     return search
 
 
-def test_a_search_finds_what_the_package_finds_and_each_row_makes_its_engine(server: Server) -> None:
+def test_a_search_finds_what_the_package_finds_and_each_row_makes_its_engine(
+    server: Server,
+) -> None:
     search = ended(server, begun(server, {"cylinders": 7, "cycle": "two-stroke"}))
-    ours = findings(request(7, "two-stroke", Wish()).question)
+    ours = answer_to(search_of(7, SearchWords(cycle="two-stroke")).question)
     assert search["state"] == "done"
     assert search["done"] == search["blocks"] > 0
     assert "Proved complete" in search["sentences"][-1]
     assert len(search["rows"]) == len(ours.rows)
     for row in search["rows"]:
         engine = files.engine_of(row["tree"])
-        assert "-".join(map(str, engine.firing_order)) == row["cells"][search["heads"].index("firing order")]
+        assert (
+            "-".join(map(str, engine.firing_order))
+            == row["cells"][search["heads"].index("firing order")]
+        )
 
 
 def test_of_many_rows_the_first_are_sent_and_that_is_said(server: Server) -> None:
-    search = ended(server, begun(server, {"cylinders": 7, "cycle": "two-stroke", "minimise": "M1", "best": 80}))
+    search = ended(
+        server, begun(server, {"cylinders": 7, "cycle": "two-stroke", "minimise": "M1", "best": 80})
+    )
     assert len(search["rows"]) == search_process.ROWS
     told = next(sentence for sentence in search["sentences"] if "rows are shown" in sentence)
     assert told.startswith(f"{search_process.ROWS} of ")
@@ -80,45 +88,52 @@ def test_the_cranks_of_an_engine_keep_its_cylinders(server: Server) -> None:
     assert any("The engine as it is" in sentence for sentence in search["sentences"])
     audi = crankstar.load("audi-25-tfsi")
     for row in search["rows"]:
-        assert [c.rod_length for c in files.engine_of(row["tree"]).cylinders] == [c.rod_length for c in audi.cylinders]
+        assert [c.rod_length for c in files.engine_of(row["tree"]).cylinders] == [
+            c.rod_length for c in audi.cylinders
+        ]
 
 
 @pytest.mark.parametrize(
-    ("question", "told"),
+    ("question", "path", "told"),
     [
-        ({}, "give an engine, or a number of cylinders"),
-        ({"engine": "i4", "cylinders": 4}, "give an engine, or a number of cylinders"),
-        ({"engine": "v8-cross-plane"}, "do not stand in line"),
-        ({"engine": "no such"}, "there is no such engine"),
-        ({"cylinders": 1}, "it must be at least 2"),
-        ({"cylinders": 7, "minimise": "X1, M"}, "there is no"),
-        ({"cylinders": 7, "minimise": "M1--fix --best"}, 'there is no "M1--fix --best"'),
-        ({"cylinders": 7, "minimise": "M\u0663"}, "there is no"),
-        ({"cylinders": 7, "zero": "neighbours"}, "neighbours: use `avoid_adjacent` for that"),
-        ({"cylinders": 7, "limit": ["M1"]}, "give what and at most how much"),
-        ({"cylinders": 7, "best": 3, "front": True}, "`front` and `best`: ask for one of them"),
-        ({"cylinders": 7, "minimise": "M1" * 400}, "at most 500 letters"),
-        ({"cylinders": 7, "engine": {"name": "x"}}, "give an engine, or a number of cylinders"),
+        ({}, "", "an engine or a number of cylinders"),
+        ({"engine": "i4", "cylinders": 4}, "", "an engine or a number of cylinders"),
+        ({"engine": "v8-cross-plane"}, "", "do not stand in line"),
+        ({"engine": "no such"}, "engine", "no such engine"),
+        ({"cylinders": 1}, "cylinders", "at least 2"),
+        ({"cylinders": 7, "minimise": "M1--fix --best"}, "minimise", '"M1--fix --best"'),
+        ({"cylinders": 7, "zero": "neighbours"}, "zero", "Use `avoid_adjacent`"),
+        ({"cylinders": 7, "limit": ["M1"]}, "limit", "M1: "),
+        ({"cylinders": 7, "best": 3, "front": True}, "", "`front`, `best`"),
+        ({"cylinders": 7, "best": 201}, "best", "at most 200"),
+        ({"cylinders": 7, "minimise": "M1" * 400}, "minimise", "500"),
+        ({"cylinders": 7, "engine": {"name": "x"}}, "", "an engine or a number of cylinders"),
     ],
 )
-def test_words_that_ask_for_nothing_are_refused_at_once(question: Any, told: str, server: Server) -> None:
+def test_a_faulty_question_is_refused_at_once_at_the_key_of_its_option(
+    question: Any, path: str, told: str, server: Server
+) -> None:
     answer = server.ask("api/search", question)
     assert answer.status == 422
-    assert any(told in problem["message"] for problem in answer.json["problems"]), answer.json
+    (problem,) = answer.json["problems"]
+    assert problem["path"] == path
+    assert told in problem["message"]
 
 
 def test_a_search_that_is_too_great_says_so(server: Server) -> None:
     search = ended(server, begun(server, {"cylinders": 24, "cycle": "two-stroke"}))
     assert search["state"] == "failed"
-    assert "fix at least" in search["note"]
+    assert "Fix at least" in search["note"]
 
 
-def test_a_search_that_takes_too_long_for_a_page_is_not_begun(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(run, "estimate", lambda _: 2 * search_process.LONGEST_SECONDS)
+def test_a_search_that_takes_too_long_for_a_page_is_not_begun(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(estimates, "estimate", lambda _: 2 * search_process.LONGEST_SECONDS)
     near, _far = Pipe()
-    told = search_process._Told(near)
+    reporter = search_process._Reporter(near)
     with pytest.raises(Refused) as caught:
-        search_process.found(told, SearchQuestion(cylinders=9, cycle="two-stroke").model_dump())
+        search_process.ended(SearchQuestion(cylinders=9, cycle="two-stroke").model_dump(), reporter)
     assert "takes about 20 min on one processor, too long for a page" in caught.value.problems[0][1]
 
 
@@ -127,20 +142,24 @@ def test_searches_are_stopped_with_what_they_have_and_only_so_many_run_at_once()
         first, second = begun(server, LONG), begun(server, LONG)
         crowded = server.ask("api/search", LONG)
         assert crowded.status == 429
-        assert "are under way already" in crowded.json["problems"][0]["message"]
+        assert "searches are running" in crowded.json["problems"][0]["message"]
         at_once = stopped(server, second)
-        assert at_once["sentences"] == search_process.STOPPED[-1]
+        assert at_once["sentences"] == ["Stopped before anything was found."]
         until = time.monotonic() + 60
         while not looked(server, first)["done"] and time.monotonic() < until:
             time.sleep(0.1)
         assert looked(server, first)["state"] == "running"
-        (incomplete,) = [sentence for sentence in stopped(server, first)["sentences"] if "INCOMPLETE" in sentence]
-        assert incomplete.endswith(f" {search_process.GO_ON}.")
+        (incomplete,) = [
+            sentence for sentence in stopped(server, first)["sentences"] if "INCOMPLETE" in sentence
+        ]
+        assert incomplete.endswith(f" {search_process.RESUME}.")
         again = begun(server, {"cylinders": 4, "cycle": "two-stroke", "minimise": "M1"})
         assert ended(server, again)["state"] == "done"
 
 
-def test_a_search_that_takes_much_longer_than_was_thought_is_stopped(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_search_that_takes_much_longer_than_was_thought_is_stopped(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     monkeypatch.setattr(searches, "STOPPED_SECONDS", 0.0)
     every = Searches()
     try:
@@ -154,7 +173,10 @@ def test_a_search_that_takes_much_longer_than_was_thought_is_stopped(monkeypatch
         every.end()
 
 
-@pytest.mark.parametrize("seconds", [0.0, 1.0, *(pytest.param(seconds, marks=pytest.mark.long) for seconds in (0.7, 2.0, 4.5))])
+@pytest.mark.parametrize(
+    "seconds",
+    [0.0, 1.0, *(pytest.param(seconds, marks=pytest.mark.long) for seconds in (0.7, 2.0, 4.5))],
+)
 def test_a_search_is_stopped_even_while_it_compiles_its_loops(
     seconds: float, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -170,7 +192,7 @@ def test_a_search_is_stopped_even_while_it_compiles_its_loops(
             time.sleep(0.05)
             search = json.loads(searches.shown(search["id"]))
         assert search["state"] == "cancelled"
-        assert search["sentences"] == search_process.STOPPED[-1]
+        assert search["sentences"] == ["Stopped before anything was found."]
     finally:
         searches.end()
 
@@ -179,7 +201,7 @@ def test_a_search_that_is_not_there_is_told_of(server: Server) -> None:
     for method in ("GET", "DELETE"):
         answer = server.ask("api/search/nothing", method=method)
         assert answer.status == 404
-        assert "there is no such search" in answer.json["problems"][0]["message"]
+        assert "There is no such search" in answer.json["problems"][0]["message"]
 
 
 def test_the_oldest_of_many_searches_are_forgotten(monkeypatch: pytest.MonkeyPatch) -> None:

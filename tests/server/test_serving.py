@@ -1,4 +1,4 @@
-"""`crankstar serve` from its start to its end: what it says, what it refuses before it starts, what it leaves behind: nothing."""
+"""`crankstar serve` from start to end: messages, refusals, nothing left behind."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from tests.web.serving import serving
 
 from crankstar.server.running import address_of
 
-HINT = "Open it in a browser; Ctrl-C ends it.\n"
+HINT = "Open it in a browser; Ctrl-C stops the server.\n"
 WRONG = 'format = 1\nname = "wrong"\ncycle = "three-stroke"\n'
 
 
@@ -34,7 +34,11 @@ def refused(*words: str, env: dict[str, str] | None = None) -> str:
 
 def children(process: int) -> list[int]:
     """The processes that a process has started, and those that these have."""
-    own = [int(pid) for task in Path(f"/proc/{process}/task").glob("*/children") for pid in task.read_text().split()]
+    own = [
+        int(pid)
+        for task in Path(f"/proc/{process}/task").glob("*/children")
+        for pid in task.read_text().split()
+    ]
     return own + [pid for child in own for pid in children(child)]
 
 
@@ -72,6 +76,7 @@ def test_it_ends_without_a_word_and_leaves_no_process(number: signal.Signals) ->
         assert gone(workers)
 
 
+@pytest.mark.usefixtures("interruptible")
 def test_an_interrupt_from_the_keyboard_which_every_process_gets_ends_it_just_so() -> None:
     with serving("i4", alone=True) as server:
         os.killpg(server.process.pid, signal.SIGINT)
@@ -80,6 +85,19 @@ def test_an_interrupt_from_the_keyboard_which_every_process_gets_ends_it_just_so
         assert "".join(server.said) == HINT
 
 
+def test_an_interrupt_that_the_parent_ignores_does_not_end_it() -> None:
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        with serving("i4", alone=True) as server:
+            os.kill(server.process.pid, signal.SIGINT)
+            time.sleep(0.5)
+            assert server.ask("api/health").status == 200
+            assert server.end()[0] == 0
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
+@pytest.mark.usefixtures("interruptible")
 @pytest.mark.parametrize("gap", [0.05, pytest.param(0.1, marks=pytest.mark.long)])
 def test_who_interrupts_twice_is_told_no_more(gap: float) -> None:
     with serving("i4", alone=True) as server:
@@ -93,7 +111,7 @@ def test_who_interrupts_twice_is_told_no_more(gap: float) -> None:
 
 
 def test_it_opens_with_the_file_and_the_changes_it_is_given(tmp_path: Path) -> None:
-    from crankstar.catalog import path_of
+    from crankstar.files.catalog import path_of
 
     source = path_of("v8-cross-plane")
     assert source is not None
@@ -102,7 +120,13 @@ def test_it_opens_with_the_file_and_the_changes_it_is_given(tmp_path: Path) -> N
     with serving(str(file), "--set", "name=</script><b>mine") as server:
         shown = server.ask("api/opening").json
         assert shown["sources"] == ["my own.toml"]
-        assert shlex.split(shown["command"]) == ["crankstar", "serve", "my own.toml", "--set", "name=</script><b>mine"]
+        assert shlex.split(shown["command"]) == [
+            "crankstar",
+            "serve",
+            "my own.toml",
+            "--set",
+            "name=</script><b>mine",
+        ]
         assert shown["engines"][0]["name"] == "</script><b>mine"
         assert str(tmp_path) not in server.ask("api/opening").body.decode()
 
@@ -134,8 +158,8 @@ def test_an_engine_with_mistakes_is_refused_with_all_of_them(tmp_path: Path) -> 
     file = tmp_path / "wrong.toml"
     file.write_text(WRONG)
     said = refused(str(file))
-    assert "cycle: " in said
-    assert "layout: is missing" in said
+    assert "cycle is " in said
+    assert "layout is missing" in said
 
 
 def test_without_the_extra_it_says_what_to_install(tmp_path: Path) -> None:
@@ -153,4 +177,4 @@ def test_it_says_so_when_other_machines_can_reach_it() -> None:
         assert server.ask("api/health", heads={"Host": f"{socket.gethostname()}:80"}).status == 200
         assert server.ask("api/health", heads={"Host": "192.0.2.7"}).status == 200
         _, said = server.end()
-        assert "Whoever can reach this machine can use it" in said
+        assert "anyone who can reach this machine" in said

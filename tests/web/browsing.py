@@ -1,4 +1,4 @@
-"""A page that is watched: what it says on the console, what breaks in it, and what it wants from the network."""
+"""A watched page: its console messages, its script errors, its network requests."""
 
 from __future__ import annotations
 
@@ -7,7 +7,16 @@ import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from playwright.sync_api import Browser, ConsoleMessage, Page, Route, ViewportSize, WebError, WebSocketRoute, sync_playwright
+from playwright.sync_api import (
+    Browser,
+    ConsoleMessage,
+    Page,
+    Route,
+    ViewportSize,
+    WebError,
+    WebSocketRoute,
+    sync_playwright,
+)
 from tests.front_end import WEB
 from tests.tools import path_of
 
@@ -31,7 +40,8 @@ ARGUMENTS = [
     "--disable-quic",
     "--disable-sync",
     "--no-first-run",
-    "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1",  # also what is no request yet: preconnections, look-ups
+    # also what is no request yet: preconnections, look-ups
+    "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1",
 ]
 ELSEWHERE = re.compile(r"^(?!file:///|data:|blob:|https?://127\.0\.0\.1[:/])")
 """An address that a page of ours has no business with."""
@@ -80,23 +90,32 @@ def root() -> bool:
 def chromium() -> Iterator[Browser]:
     """The Chromium of tests, measurements and pictures, without a window."""
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=path_of("chromium"), chromium_sandbox=not root(), args=ARGUMENTS)
+        browser = playwright.chromium.launch(
+            executable_path=path_of("chromium"), chromium_sandbox=not root(), args=ARGUMENTS
+        )
         yield browser
         browser.close()
 
 
 @contextmanager
-def watched(browser: Browser, complaints: list[str], *, width: int = 1280, height: int = 800) -> Iterator[Page]:
-    """An empty page in a browser profile of its own; what is wrong with it is added to the complaints until it is closed.
+def watched(
+    browser: Browser, complaints: list[str], *, width: int = 1280, height: int = 800
+) -> Iterator[Page]:
+    """An empty page in a browser profile of its own.
 
-    Less motion is wished, so that engines are at rest when they are opened: what turns is drawn all the time, which without a
-    graphics card takes most of the time of a test. `page.emulate_media(reduced_motion="no-preference")` for tests of motion.
+    What is wrong with it is added to the complaints until it is closed.
+
+    Less motion is wished, so that engines are at rest when they are opened: what turns is drawn all
+    the time, which without a graphics card takes most of the time of a test.
+    `page.emulate_media(reduced_motion="no-preference")` for tests of motion.
     """
 
     def said(message: ConsoleMessage) -> None:
         if message.type in NEWS and not DRIVER.match(message.text):
             place = message.location
-            complaints.append(f"console {message.type}: {message.text} ({place['url']}:{place['lineNumber'] + 1})")
+            complaints.append(
+                f"console {message.type}: {message.text} ({place['url']}:{place['lineNumber'] + 1})"
+            )
 
     def broke(error: WebError) -> None:
         complaints.append(f"error on the page: {error.error.stack or error.error}")
@@ -126,12 +145,12 @@ def watched(browser: Browser, complaints: list[str], *, width: int = 1280, heigh
 
 
 def too_wide(page: Page) -> list[str]:
-    """What reaches over an edge of the window or is cut off, but for what scrolls by itself or lies over the page."""
+    """Elements cut off or beyond an edge of the window, except scrollers and overlays."""
     return page.evaluate(TOO_WIDE)
 
 
 def barriers(page: Page, *only: str) -> list[str]:
-    """What of the page cannot be read or used by everyone, by the rules of axe-core, contrast of colours among them; or by some."""
+    """Barriers to accessibility by the rules of axe-core, contrast included; or by some rules."""
     if not page.evaluate("'axe' in window"):
         page.evaluate(AXE.read_text(encoding="utf-8"))
     return page.evaluate(BARRIERS, list(only) or None)

@@ -26,7 +26,7 @@ def browser() -> Iterator[Browser]:
 
 @pytest.fixture
 def page(browser: Browser) -> Iterator[Page]:
-    """An empty page; the test fails if the console has a warning, a script breaks or anything is asked of the network."""
+    """An empty page; the test fails on console warnings, script errors and network requests."""
     complaints: list[str] = []
     with watched(browser, complaints) as page:
         yield page
@@ -36,7 +36,7 @@ def page(browser: Browser) -> Iterator[Page]:
 
 @pytest.fixture(scope="session")
 def built_page(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., Path]:
-    """The page of one or two catalog engines as a file, written once: `built_page("v8-cross-plane", figures=True)`."""
+    """The page of one or two catalog engines, written once: `built_page("v8-cross-plane")`."""
     base = tmp_path_factory.getbasetemp()
     folder = (base.parent if os.environ.get("PYTEST_XDIST_WORKER") else base) / "pages"
     folder.mkdir(exist_ok=True)

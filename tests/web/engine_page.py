@@ -11,11 +11,11 @@ import numpy as np
 from playwright.sync_api import Page
 from tests import newton
 
-from crankstar.catalog import load
-from crankstar.engine import Engine
-from crankstar.exhibit import exhibition
-from crankstar.exhibit.library import held
-from crankstar.page import document
+from crankstar.engine.engine import Engine
+from crankstar.files.catalog import load
+from crankstar.page import exhibition
+from crankstar.page.library import held
+from crankstar.page.standalone import document
 
 READY = "async () => await document.querySelector('[data-crankstar]').crankstar.ready"
 AT = "([index, angles]) => angles.map(a => { const page = HANDLE; page.theta = a; return page.read(index).pistons })"
@@ -26,11 +26,13 @@ MOVES = "start => Math.abs(HANDLE.theta - start) > 1"
 
 
 def written(folder: Path, *names: str, figures: bool) -> Path:
-    """The page of catalog engines as a file; without figures and derivations it is there at once."""
+    """The page of catalog engines as a file, quickly without figures and derivations."""
     path = folder / f"{'-and-'.join(names)}{'' if figures else '-plain'}.html"
     if not path.exists():
         new = path.with_suffix(f".{id(path)}")
-        new.write_text(document(_tree([load(name) for name in names], figures=figures)), encoding="utf-8")
+        new.write_text(
+            document(_tree([load(name) for name in names], figures=figures)), encoding="utf-8"
+        )
         new.replace(path)
     return path
 
@@ -46,7 +48,11 @@ def _tree(engines: Sequence[Engine], *, figures: bool) -> dict[str, Any]:
     if figures:
         return held(engines)
     empty = [{"charts": {}, "derivations": {}} for _ in engines]
-    return {"exhibition": exhibition(engines).model_dump(mode="json"), "libraries": empty, "fitted": empty}
+    return {
+        "exhibition": exhibition(engines).model_dump(mode="json"),
+        "libraries": empty,
+        "fitted": empty,
+    }
 
 
 def opened(page: Page, path: Path, state: str = "a=0") -> Page:
@@ -64,20 +70,27 @@ def handle(page: Page, expression: str) -> Any:
 def turning(page: Page) -> bool:
     """Whether the engine turns, seen from the angle."""
     try:
-        page.wait_for_function(MOVES.replace("HANDLE", HANDLE), arg=handle(page, "theta"), timeout=2000)
+        page.wait_for_function(
+            MOVES.replace("HANDLE", HANDLE), arg=handle(page, "theta"), timeout=2000
+        )
     except TimeoutError:
         return False
     return True
 
 
-def drawn(page: Page, *, index: int = 0, angles: Sequence[float] = EIGHT) -> list[dict[int, list[float]]]:
-    """Where the pistons stand at each angle (degrees), read back from what is drawn: [up, right, z] by cylinder."""
+def drawn(
+    page: Page, *, index: int = 0, angles: Sequence[float] = EIGHT
+) -> list[dict[int, list[float]]]:
+    """Drawn piston positions at each angle (degrees): [up, right, z] by cylinder."""
     told = page.evaluate(AT.replace("HANDLE", HANDLE), [index, list(angles)])
     return [{int(number): place for number, place in at.items()} for at in told]
 
 
 def expected(engine: Engine, angles: Sequence[float] = EIGHT) -> list[dict[int, list[float]]]:
-    """[up, right] of the pistons at each angle (degrees) by plane geometry, the second road of the tests; lengths of the engine."""
+    """[up, right] of the pistons at each angle (degrees) by plane geometry.
+
+    The second road of the tests; lengths of the engine.
+    """
     theta = np.radians(np.array(angles, np.longdouble))
     axes = {shaft.name: (shaft.up, shaft.right) for shaft in engine.shafts}
     found: list[dict[int, list[float]]] = [{} for _ in angles]
@@ -89,8 +102,10 @@ def expected(engine: Engine, angles: Sequence[float] = EIGHT) -> list[dict[int, 
     return found
 
 
-def farthest_off(engine: Engine, read: list[dict[int, list[float]]], angles: Sequence[float] = EIGHT) -> float:
-    """The greatest distance of a piston from where it should be, as a share of the stroke; infinite if one is missing."""
+def farthest_off(
+    engine: Engine, read: list[dict[int, list[float]]], angles: Sequence[float] = EIGHT
+) -> float:
+    """The greatest error of a piston position over the stroke; infinite if one is missing."""
     radius = min(throw.radius for shaft in engine.shafts for throw in shaft.throws)
     most = 0.0
     for at, should in zip(read, expected(engine, angles), strict=True):

@@ -1,4 +1,4 @@
-"""A real `crankstar serve` on a free port, with a process of its own, for as long as it is needed."""
+"""A real `crankstar serve` on a free port, in a process of its own."""
 
 from __future__ import annotations
 
@@ -42,18 +42,31 @@ class Server:
     said: list[str]
     listener: threading.Thread
 
-    def ask(self, path: str, question: Any = None, *, method: str | None = None, heads: dict[str, str] | None = None) -> Answer:
+    def ask(
+        self,
+        path: str,
+        question: Any = None,
+        *,
+        method: str | None = None,
+        heads: dict[str, str] | None = None,
+    ) -> Answer:
         """An answer of the API: POST with a question, GET without."""
         body = question if isinstance(question, bytes | None) else json.dumps(question).encode()
         wanted = {"Content-Type": "application/json", **(heads or {})}
         place = urlsplit(self.address)
-        with closing(http.client.HTTPConnection(place.hostname or "", place.port, timeout=60)) as line:
+        with closing(
+            http.client.HTTPConnection(place.hostname or "", place.port, timeout=60)
+        ) as line:
             line.request(method or ("GET" if body is None else "POST"), f"/{path}", body, wanted)
             answer = line.getresponse()
-            return Answer(answer.status, {name.lower(): value for name, value in answer.getheaders()}, answer.read())
+            return Answer(
+                answer.status,
+                {name.lower(): value for name, value in answer.getheaders()},
+                answer.read(),
+            )
 
     def end(self, number: int = signal.SIGTERM) -> tuple[int, str]:
-        """Ends the server by a signal; its exit code, and all that it said after the line with its address."""
+        """End the server by a signal; its exit code, and its output after the address."""
         self.process.send_signal(number)
         try:
             code = self.process.wait(END_SECONDS)
@@ -71,11 +84,13 @@ def command(*arguments: str) -> list[str]:
 
 @contextmanager
 def serving(*arguments: str, alone: bool = False) -> Iterator[Server]:
-    """A server, started with these words of the command line, and ended in the end whatever happens.
+    """A server started with these command-line arguments; it is always ended.
 
     `alone`: it leads a group of processes of its own, as one that was started in a terminal.
     """
-    process = subprocess.Popen(command(*arguments), stderr=subprocess.PIPE, text=True, start_new_session=alone)
+    process = subprocess.Popen(
+        command(*arguments), stderr=subprocess.PIPE, text=True, start_new_session=alone
+    )
     assert process.stderr is not None
     said: list[str] = []
     listener = threading.Thread(target=said.extend, args=(process.stderr,), daemon=True)

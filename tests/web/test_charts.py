@@ -1,4 +1,4 @@
-"""Figures in a browser: the slider of the crank angle redraws them, from a file that asks nothing of the network."""
+"""Figures in a browser: the crank-angle slider redraws them; the file uses no network."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from playwright.sync_api import Page
 import crankstar
 from crankstar import charts
 from crankstar.charts import CHARTS, saved
+from crankstar.charts.grammar import Chart
 
 TURNING = [name for name, figure in CHARTS.items() if "theta" in figure.options]
 PICTURE = "() => document.querySelector('svg.marks').outerHTML"
@@ -20,29 +21,45 @@ TURN = """degrees => {
 }"""
 
 
-def opened(page: Page, chart: object, folder: Path) -> None:
+def opened(page: Page, chart: Chart, folder: Path) -> None:
     path = folder / "chart.html"
     path.write_bytes(saved(chart, "html", title="a figure"))
     page.goto(path.as_uri())
     page.wait_for_selector("svg.marks")
 
 
-@pytest.mark.parametrize("name", [pytest.param(name, marks=[pytest.mark.long] * (place % 2)) for place, name in enumerate(TURNING)])
-@pytest.mark.parametrize("engine", ["kr250-racer", pytest.param("triple-120", marks=pytest.mark.long)])
-def test_the_slider_of_the_crank_angle_moves_a_figure(name: str, engine: str, page: Page, tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param(name, marks=[pytest.mark.long] * (place % 2))
+        for place, name in enumerate(TURNING)
+    ],
+)
+@pytest.mark.parametrize(
+    "engine", ["kr250-racer", pytest.param("triple-120", marks=pytest.mark.long)]
+)
+def test_the_slider_of_the_crank_angle_moves_a_figure(
+    name: str, engine: str, page: Page, tmp_path: Path
+) -> None:
     quantity = {"quantity": "couple"} if engine == "triple-120" and CHARTS[name].quantities else {}
     opened(page, CHARTS[name].draw(crankstar.load(engine), theta=0.0, **quantity), tmp_path)
     assert page.title() == "a figure"
     assert page.locator("input[type=range]").count() == 1
     before = page.evaluate(PICTURE)
     page.evaluate(TURN, 70)
-    page.wait_for_function("before => document.querySelector('svg.marks').outerHTML !== before", arg=before)
+    page.wait_for_function(
+        "before => document.querySelector('svg.marks').outerHTML !== before", arg=before
+    )
     page.evaluate(TURN, 0)
-    page.wait_for_function("before => document.querySelector('svg.marks').outerHTML === before", arg=before)
+    page.wait_for_function(
+        "before => document.querySelector('svg.marks').outerHTML === before", arg=before
+    )
 
 
 @pytest.mark.parametrize("name", ["spectrum", "forces"])
-def test_a_figure_without_a_crank_angle_has_no_slider(name: str, page: Page, tmp_path: Path) -> None:
+def test_a_figure_without_a_crank_angle_has_no_slider(
+    name: str, page: Page, tmp_path: Path
+) -> None:
     opened(page, CHARTS[name].draw(crankstar.load("kr250-racer")), tmp_path)
     assert page.locator("input").count() == 0
 

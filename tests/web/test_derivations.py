@@ -1,4 +1,4 @@
-"""Pages of derivations in a real browser: every formula is set, nothing is asked of the network, nothing runs over the edge."""
+"""Derivations in a browser: every formula set, no network, nothing over the edge."""
 
 from __future__ import annotations
 
@@ -11,8 +11,20 @@ import crankstar
 from crankstar.derive import derivation, documents
 
 ORDERS = (1, 2, 4, 6)
-QUICK = {"single", "v8-cross-plane", "radial-9", "vw-vr6", "kr250-racer", "napier-deltic", "sinitsyn-7-first", "subaru-ej25"}
-ENGINES = [name if name in QUICK else pytest.param(name, marks=pytest.mark.long) for name in crankstar.names()]
+QUICK = {
+    "single",
+    "v8-cross-plane",
+    "radial-9",
+    "vw-vr6",
+    "kr250-racer",
+    "napier-deltic",
+    "sinitsyn-7-first",
+    "subaru-ej25",
+}
+ENGINES = [
+    name if name in QUICK else pytest.param(name, marks=pytest.mark.long)
+    for name in crankstar.names()
+]
 LOOK = """() => [...document.querySelectorAll('math')].map(math => {
   const box = math.getBoundingClientRect();
   const known = ':not(mrow, mi, mn, mo, mtext, mfrac, msqrt, msub, msup, mspace, mtable, mtr, mtd)';
@@ -25,7 +37,11 @@ LOOK = """() => [...document.querySelectorAll('math')].map(math => {
 
 def written(name: str, folder: Path) -> Path:
     engine = crankstar.load(name)
-    chapters = [derivation(engine, order, quantity).chapter for order in ORDERS for quantity in ("force", "couple")]
+    chapters = [
+        derivation(engine, order, quantity).chapter
+        for order in ORDERS
+        for quantity in ("force", "couple")
+    ]
     place = folder / f"{name}.html"
     place.write_text(documents.html(chapters), encoding="utf-8")
     return place
@@ -51,7 +67,9 @@ def test_a_page_fits_and_is_legible_in_any_light(page: Page, tmp_path: Path, sch
     for width in (400, 900, 1600):
         page.set_viewport_size({"width": width, "height": 800})
         assert page.evaluate("document.documentElement.scrollWidth") <= width
-    ink, ground = page.evaluate("['color', 'backgroundColor'].map(key => getComputedStyle(document.body)[key])")
+    ink, ground = page.evaluate(
+        "['color', 'backgroundColor'].map(key => getComputedStyle(document.body)[key])"
+    )
     light = [sum(map(int, colour.strip("rgb()").split(",")[:3])) / 765 for colour in (ink, ground)]
     assert abs(light[0] - light[1]) > 0.6
     assert (light[1] > 0.5) == (scheme == "light")
@@ -59,7 +77,11 @@ def test_a_page_fits_and_is_legible_in_any_light(page: Page, tmp_path: Path, sch
 
 def test_the_page_shows_what_the_derivation_says(page: Page, tmp_path: Path) -> None:
     page.goto(written("v8-flat-plane", tmp_path).as_uri())
-    section = page.locator("section", has=page.get_by_role("heading", name="Second-order force"))
-    told = section.locator("math").evaluate_all("all => all.map(math => math.getAttribute('alttext'))")
+    section = page.locator("section", has=page.get_by_role("heading", name="Secondary force"))
+    told = section.locator("math").evaluate_all(
+        "all => all.map(math => math.getAttribute('alttext'))"
+    )
     assert "F_right = −4√2 cos 2θ" in told
-    assert section.locator(".note").first.inner_text().startswith("Cylinders 1, 3, 5, 7 are in phase")
+    assert (
+        section.locator(".note").first.inner_text().startswith("Cylinders 1, 3, 5, 7 are in phase")
+    )

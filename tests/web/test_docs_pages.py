@@ -1,4 +1,4 @@
-"""The documents as a reader has them: built, opened from disk without a network, on a wide screen and on a telephone."""
+"""The documents as built: opened from disk without network, on wide and narrow screens."""
 
 from __future__ import annotations
 
@@ -30,24 +30,41 @@ def in_order(nav: list[Any]) -> Iterator[str]:
                 yield value
 
 
-PAGES = [Path(name).stem for name in in_order(yaml.safe_load((ROOT / "mkdocs.yml").read_text(encoding="utf-8"))["nav"])]
+PAGES = [
+    Path(name).stem
+    for name in in_order(yaml.safe_load((ROOT / "mkdocs.yml").read_text(encoding="utf-8"))["nav"])
+]
 
 
 @pytest.fixture(scope="session")
 def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The documents as `make docs` left them; built here where it has not run since they were changed."""
-    sources = [ROOT / "mkdocs.yml", *(path for path in (ROOT / "docs").rglob("*.*") if path.suffix != ".pyc")]
+    """The documents of `make docs`, built here if they changed since."""
+    sources = [
+        ROOT / "mkdocs.yml",
+        *(path for path in (ROOT / "docs").rglob("*.*") if path.suffix != ".pyc"),
+    ]
     index = BUILT / "index.html"
     if index.exists() and index.stat().st_mtime > max(path.stat().st_mtime for path in sources):
         return BUILT
     folder = tmp_path_factory.mktemp("site")
-    command = [sys.executable, "-m", "mkdocs", "build", "--strict", "--quiet", "--site-dir", str(folder)]
+    command = [
+        sys.executable,
+        "-m",
+        "mkdocs",
+        "build",
+        "--strict",
+        "--quiet",
+        "--site-dir",
+        str(folder),
+    ]
     subprocess.run(command, cwd=ROOT, env={**os.environ, "NO_MKDOCS_2_WARNING": "1"}, check=True)
     return folder
 
 
 @pytest.mark.parametrize("name", PAGES)
-def test_every_page_opens_from_disk_with_one_title_and_fits_a_telephone(name: str, site: Path, page: Page) -> None:
+def test_every_page_opens_from_disk_with_one_title_and_fits_a_telephone(
+    name: str, site: Path, page: Page
+) -> None:
     page.goto((site / f"{name}.html").as_uri())
     assert page.locator("h1").count() == 1
     assert page.locator("h1").is_visible()

@@ -1,4 +1,4 @@
-"""The page for everyone: narrow and wide, light and dark, by keyboard alone, read aloud, and without WebGL."""
+"""The page for everyone: narrow, wide, light, dark, by keyboard, read aloud, without WebGL."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from tests.tools import path_of
 from tests.web.browsing import ARGUMENTS, SETTLED, barriers, root, too_wide, watched
 from tests.web.engine_page import drawn, farthest_off, handle, opened
 
-from crankstar.catalog import load
+from crankstar.files.catalog import load
 
 Build = Callable[..., Path]
 ENGINE = "v8-cross-plane"
@@ -64,12 +64,20 @@ def test_everything_has_a_name_and_can_be_read(built_page: Build, page: Page) ->
 
 @pytest.mark.parametrize(("colours", "brightness"), [("light", (0.8, 1.0)), ("dark", (0.0, 0.2))])
 def test_it_is_light_or_dark_as_the_system_is(
-    colours: Literal["light", "dark"], brightness: tuple[float, float], built_page: Build, page: Page
+    colours: Literal["light", "dark"],
+    brightness: tuple[float, float],
+    built_page: Build,
+    page: Page,
 ) -> None:
     page.emulate_media(color_scheme=colours)
     opened(page, built_page(ENGINE))
-    background = page.evaluate("() => getComputedStyle(document.querySelector('.crankstar')).backgroundColor")
-    shade = max(int(part) for part in background.removeprefix("rgb(").removesuffix(")").split(",")[:3]) / 255
+    background = page.evaluate(
+        "() => getComputedStyle(document.querySelector('.crankstar')).backgroundColor"
+    )
+    shade = (
+        max(int(part) for part in background.removeprefix("rgb(").removesuffix(")").split(",")[:3])
+        / 255
+    )
     assert brightness[0] <= shade <= brightness[1]
 
 
@@ -112,7 +120,9 @@ def flat_page(browser: Browser) -> Iterator[Page]:
     """A page in a Chromium that has no WebGL, watched as every page is."""
     complaints: list[str] = []
     own = browser.browser_type.launch(
-        executable_path=path_of("chromium"), chromium_sandbox=not root(), args=[*ARGUMENTS, "--disable-webgl", "--disable-3d-apis"]
+        executable_path=path_of("chromium"),
+        chromium_sandbox=not root(),
+        args=[*ARGUMENTS, "--disable-webgl", "--disable-3d-apis"],
     )
     with watched(own, complaints) as page:
         yield page
@@ -120,7 +130,9 @@ def flat_page(browser: Browser) -> Iterator[Page]:
     assert complaints == []
 
 
-def test_without_webgl_it_is_drawn_flat_and_the_panels_work(built_page: Build, flat_page: Page) -> None:
+def test_without_webgl_it_is_drawn_flat_and_the_panels_work(
+    built_page: Build, flat_page: Page
+) -> None:
     opened(flat_page, built_page(ENGINE, figures=True))
     assert handle(flat_page, "means") == "flat"
     assert farthest_off(load(ENGINE), drawn(flat_page)) < 1e-6
@@ -129,4 +141,6 @@ def test_without_webgl_it_is_drawn_flat_and_the_panels_work(built_page: Build, f
         expect(tab).to_have_attribute("aria-selected", "true")
         expect(flat_page.locator("[aria-busy=true]")).to_have_count(0)
     for camera in ("front", "plan", "side", "isometric"):
-        flat_page.get_by_role("radio", name=camera).or_(flat_page.get_by_role("button", name=camera)).first.click()
+        flat_page.get_by_role("radio", name=camera).or_(
+            flat_page.get_by_role("button", name=camera)
+        ).first.click()

@@ -1,4 +1,4 @@
-"""The widget in a real JupyterLab: an engine turns in a cell, and the next cell sets and reads its angle."""
+"""The widget in JupyterLab: an engine turns in a cell, the next one sets and reads its angle."""
 
 from __future__ import annotations
 
@@ -31,16 +31,30 @@ CELLS = [
     "engine.playing = False",
     "print('the angle is', engine.theta)",
 ]
-ENGINE = "[...document.querySelectorAll('.jp-OutputArea-output *')].find(element => element.crankstar)"
+ENGINE = (
+    "[...document.querySelectorAll('.jp-OutputArea-output *')].find(element => element.crankstar)"
+)
 STARTS_WITHIN = 60.0
 
 
 @pytest.fixture
 def lab(tmp_path: Path) -> Iterator[str]:
-    """The address of a JupyterLab with one notebook, that answers here only and leaves nothing behind."""
+    """The address of a local JupyterLab with one notebook; nothing of it remains afterwards."""
     if find_spec("jupyterlab") is None:
-        pytest.fail('JupyterLab is missing: make test-long installs it, or pip install -e ".[notebook]"', pytrace=False)
-    cells = [{"cell_type": "code", "metadata": {}, "execution_count": None, "outputs": [], "source": text} for text in CELLS]
+        pytest.fail(
+            'JupyterLab is missing: make test-long installs it, or pip install -e ".[notebook]"',
+            pytrace=False,
+        )
+    cells = [
+        {
+            "cell_type": "code",
+            "metadata": {},
+            "execution_count": None,
+            "outputs": [],
+            "source": text,
+        }
+        for text in CELLS
+    ]
     kernel = {"kernelspec": {"name": "python3", "display_name": "Python 3", "language": "python"}}
     notebook = {"cells": cells, "metadata": kernel, "nbformat": 4, "nbformat_minor": 4}
     with socket.socket() as free:
@@ -48,7 +62,13 @@ def lab(tmp_path: Path) -> Iterator[str]:
         port = free.getsockname()[1]
     homes = {
         name: str(tmp_path / name)
-        for name in ("HOME", "JUPYTER_CONFIG_DIR", "JUPYTER_DATA_DIR", "JUPYTER_RUNTIME_DIR", "IPYTHONDIR")
+        for name in (
+            "HOME",
+            "JUPYTER_CONFIG_DIR",
+            "JUPYTER_DATA_DIR",
+            "JUPYTER_RUNTIME_DIR",
+            "IPYTHONDIR",
+        )
     }
     for home in homes.values():
         Path(home).mkdir()
@@ -61,10 +81,23 @@ def lab(tmp_path: Path) -> Iterator[str]:
         "--ServerApp.ip=127.0.0.1",
         f"--ServerApp.port={port}",
     ]
-    quiet = ["--no-browser", "--LabApp.news_url=None", "--LabApp.check_for_updates_class=jupyterlab.NeverCheckForUpdate"]
-    command = [sys.executable, "-m", "jupyterlab", *own, *quiet, *(["--allow-root"] if root() else [])]
+    quiet = [
+        "--no-browser",
+        "--LabApp.news_url=None",
+        "--LabApp.check_for_updates_class=jupyterlab.NeverCheckForUpdate",
+    ]
+    command = [
+        sys.executable,
+        "-m",
+        "jupyterlab",
+        *own,
+        *quiet,
+        *(["--allow-root"] if root() else []),
+    ]
     with (tmp_path / "log").open("w") as log:
-        server = subprocess.Popen(command, cwd=tmp_path, env={**os.environ, **homes}, stdout=log, stderr=log)
+        server = subprocess.Popen(
+            command, cwd=tmp_path, env={**os.environ, **homes}, stdout=log, stderr=log
+        )
     try:
         address = f"http://127.0.0.1:{port}"
         _answered(f"{address}/api?token={TOKEN}", server, tmp_path / "log")
@@ -101,7 +134,9 @@ def test_an_engine_turns_in_jupyterlab(lab: str, browser: Browser) -> None:
     with context, context.new_page() as page:
         page.goto(lab)
         page.locator(".jp-CodeCell").first.click(timeout=60_000)
-        expect(page.locator(".jp-Notebook-ExecutionIndicator[data-status=idle]")).to_be_attached(timeout=60_000)
+        expect(page.locator(".jp-Notebook-ExecutionIndicator[data-status=idle]")).to_be_attached(
+            timeout=60_000
+        )
         run(page, 1)
         page.wait_for_function(f"() => {ENGINE}", timeout=60_000)
         page.evaluate(f"async () => await {ENGINE}.crankstar.ready")
@@ -111,7 +146,9 @@ def test_an_engine_turns_in_jupyterlab(lab: str, browser: Browser) -> None:
         at = {int(number): place for number, place in read.items()}
         assert farthest_off(crankstar.load("v8-cross-plane"), [at], [77.0]) < 1e-6
         run(page, 1)
-        page.wait_for_function(f"() => {ENGINE}.crankstar.playing && {ENGINE}.crankstar.theta > 100")
+        page.wait_for_function(
+            f"() => {ENGINE}.crankstar.playing && {ENGINE}.crankstar.theta > 100"
+        )
         run(page, 1)
         page.wait_for_function(f"() => !{ENGINE}.crankstar.playing")
         theta = page.evaluate(f"() => {ENGINE}.crankstar.theta")

@@ -1,4 +1,4 @@
-"""A page as `crankstar page` writes it, opened from disk: small, without a network, nothing but its own script."""
+"""A page of `crankstar page` opened from disk: small, without network, its own script only."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from tests.web.browsing import watched
 from tests.web.engine_page import READY, handle, opened
 
 from crankstar import cli
-from crankstar.catalog import load
-from crankstar.page import NO_SCRIPT
+from crankstar.files.catalog import load
+from crankstar.page.standalone import NO_SCRIPT
 
 GREATEST = 3_000_000
 """Bytes of a page."""
@@ -42,7 +42,9 @@ def test_without_scripts_it_says_what_it_needs(browser: Browser, built_page: Bui
         context.close()
 
 
-def test_no_other_script_runs_in_it_and_nothing_is_loaded(browser: Browser, built_page: Build, tmp_path: Path) -> None:
+def test_no_other_script_runs_in_it_and_nothing_is_loaded(
+    browser: Browser, built_page: Build, tmp_path: Path
+) -> None:
     """Scripts, handlers, styles and pictures that are written into the file are refused by its policy."""
     worse = tmp_path / "worse.html"
     injected = (
@@ -56,7 +58,12 @@ def test_no_other_script_runs_in_it_and_nothing_is_loaded(browser: Browser, buil
         page.goto(worse.as_uri())
         page.evaluate(READY)
         assert page.evaluate("() => window.broken") is None
-        assert page.evaluate("() => getComputedStyle(document.querySelector('#told')).color") != "rgb(1, 2, 3)"
-        refused = page.evaluate("() => fetch('https://example.org/').then(() => 'loaded', () => 'refused')")
+        assert (
+            page.evaluate("() => getComputedStyle(document.querySelector('#told')).color")
+            != "rgb(1, 2, 3)"
+        )
+        refused = page.evaluate(
+            "() => fetch('https://example.org/').then(() => 'loaded', () => 'refused')"
+        )
         assert refused == "refused"
     assert any("Content Security Policy" in complaint for complaint in complaints)

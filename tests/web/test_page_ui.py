@@ -1,4 +1,4 @@
-"""What stands about the stage: panels, figures, numbers and switches follow the crank angle, and a link shows the same again."""
+"""Panels, figures, numbers and switches follow the crank angle; links restore the view."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ import pytest
 from playwright.sync_api import Locator, Page, expect
 from tests.web.engine_page import handle, opened
 
-from crankstar import phasor
-from crankstar.balance import balance, total
-from crankstar.catalog import load
-from crankstar.exhibit import exhibition
-from crankstar.exhibit.library import held
-from crankstar.page import document
+from crankstar import spectra
+from crankstar.files.catalog import load
+from crankstar.mechanics.balance import balance, total
+from crankstar.page import exhibition
+from crankstar.page.library import held
+from crankstar.page.standalone import INCOMPLETE, document
 
 Build = Callable[..., Path]
 CROSS, FLAT = "v8-cross-plane", "v8-flat-plane"
@@ -32,13 +32,17 @@ def number(text: str | None) -> float:
 
 def numbers(page: Page) -> dict[str, float]:
     """The numbers below the stage."""
-    fields = page.get_by_label("At this angle").locator("output").all()
-    return {str(field.get_attribute("aria-label")): number(field.text_content()) for field in fields}
+    fields = page.get_by_label("At this crank angle").locator("output").all_text_contents()
+    names = ("Force up", "Force right", "Couple up", "Couple right", "Roll of the block")
+    return dict(zip(names, map(number, fields), strict=True))
 
 
 def turned(page: Page, degrees: float) -> None:
     """Turns the engine and waits until everything has followed."""
-    page.evaluate("degrees => { document.querySelector('[data-crankstar]').crankstar.theta = degrees }", degrees)
+    page.evaluate(
+        "degrees => { document.querySelector('[data-crankstar]').crankstar.theta = degrees }",
+        degrees,
+    )
     page.evaluate("() => new Promise(done => requestAnimationFrame(() => setTimeout(done, 20)))")
 
 
@@ -50,7 +54,9 @@ def tab(page: Page, name: str) -> Locator:
 
 
 @pytest.mark.parametrize("name", [CROSS, "audi-25-tfsi", "kr250-racer"])
-def test_the_numbers_below_the_stage_are_those_of_python(name: str, built_page: Build, page: Page) -> None:
+def test_the_numbers_below_the_stage_are_those_of_python(
+    name: str, built_page: Build, page: Page
+) -> None:
     opened(page, built_page(name))
     engine = load(name)
     result = balance(engine, speed=engine.speed)
@@ -58,41 +64,50 @@ def test_the_numbers_below_the_stage_are_those_of_python(name: str, built_page: 
     for angle in (0.0, 40.0, 123.4, 451.0):
         turned(page, angle)
         seen = numbers(page)
-        for label, spectrum, parts in (("Force", sums.force, result.force), ("Couple", sums.couple, result.couple)):
-            shown = 1e-3 * phasor.peak(spectrum).value + 1e-6 * float(abs(parts.forward).sum())
-            vector = complex(phasor.value(spectrum, math.radians(angle)))
-            assert complex(seen[f"{label} up"], seen[f"{label} right"]) == pytest.approx(vector, abs=shown)
+        for label, spectrum, parts in (
+            ("Force", sums.force, result.force),
+            ("Couple", sums.couple, result.couple),
+        ):
+            shown = 1e-3 * spectra.peak(spectrum).value + 1e-6 * float(abs(parts.forward).sum())
+            vector = complex(spectra.value(spectrum, math.radians(angle)))
+            assert complex(seen[f"{label} up"], seen[f"{label} right"]) == pytest.approx(
+                vector, abs=shown
+            )
 
 
-def test_the_roll_of_an_engine_whose_cylinders_do_not_roll_by_themselves_is_told(built_page: Build, page: Page) -> None:
+def test_the_roll_of_an_engine_whose_cylinders_do_not_roll_by_themselves_is_told(
+    built_page: Build, page: Page
+) -> None:
     """Five in line: the block rolls in order 5 alone, where a flywheel takes up the torque."""
     opened(page, built_page("audi-25-tfsi"))
     sums = total(balance(load("audi-25-tfsi"), speed=load("audi-25-tfsi").speed))
-    fifth = phasor.amplitude(phasor.selected(sums.torque, [5.0]))[0]
+    fifth = spectra.amplitude(spectra.selected(sums.torque, [5.0]))[0]
     for angle in (10.0, 25.0):
         turned(page, angle)
         rolls = -(fifth * cmath.exp(5j * math.radians(angle))).real
-        assert numbers(page)["roll"] == pytest.approx(rolls, abs=0.02 * abs(fifth))
+        assert numbers(page)["Roll of the block"] == pytest.approx(rolls, abs=0.02 * abs(fifth))
 
 
 def test_only_the_chosen_order_is_counted(built_page: Build, page: Page) -> None:
     opened(page, built_page(CROSS), "a=40&orders=4")
     assert numbers(page)["Couple up"] == 0
-    page.get_by_role("button", name="Order 1, couple: show it alone").click()
+    page.get_by_role("button", name="Couple, order 1: show alone").click()
     assert handle(page, "state.orders") == [1]
     assert abs(numbers(page)["Couple up"]) > 0.5
-    page.get_by_role("button", name="Order 1, couple: show it alone").click()
+    page.get_by_role("button", name="Couple, order 1: show alone").click()
     assert handle(page, "state.orders") is None
 
 
 def test_the_dot_in_the_table_is_where_the_vector_points(built_page: Build, page: Page) -> None:
     opened(page, built_page(CROSS), "a=0&tab=orders")
     couple = total(balance(load(CROSS))).couple
-    first = phasor.selected(couple, [1.0])
-    dot = page.locator("tr", has=page.get_by_role("button", name="Order 1, couple")).locator("circle")
+    first = spectra.selected(couple, [1.0])
+    dot = page.locator("tr", has=page.get_by_role("button", name="Couple, order 1")).locator(
+        "circle"
+    )
     for angle in (0, 40, 200):
         turned(page, angle)
-        vector = complex(phasor.value(first, math.radians(angle)))
+        vector = complex(spectra.value(first, math.radians(angle)))
         right, up = (float(dot.get_attribute(name) or "nan") for name in ("cx", "cy"))
         assert complex(-up, right) == pytest.approx(vector / abs(vector), abs=2e-3)
 
@@ -103,7 +118,9 @@ def test_figures_follow_the_crank_angle(built_page: Build, page: Page) -> None:
     places = []
     for angle in (90, 180, 270):
         turned(page, angle)
-        over = page.locator("[data-chart='over-turn:quantity=couple'] .mark-rule line[stroke='#d55e00']")
+        over = page.locator(
+            "[data-chart='over-turn:quantity=couple'] .mark-rule line[stroke='#d55e00']"
+        )
         shifts = [str(line.get_attribute("transform")) for line in over.all()]
         places.append(max(float(re.findall(r"translate\(([-\d.]+)", shift)[0]) for shift in shifts))
     assert places[2] - places[1] == pytest.approx(places[1] - places[0], rel=0.01)
@@ -117,8 +134,19 @@ def test_a_figure_keeps_its_size_while_it_turns(built_page: Build, page: Page) -
     for angle in range(0, 720, 45):
         turned(page, angle)
         titles = page.locator(".figure .role-title-text text").all()
-        places = [title.evaluate("text => text.getBoundingClientRect().left.toFixed(0)") for title in titles]
-        sizes.add((*places, *(str(svg.get_attribute("viewBox")) for svg in page.locator(".figure svg.marks").all())))
+        places = [
+            title.evaluate("text => text.getBoundingClientRect().left.toFixed(0)")
+            for title in titles
+        ]
+        sizes.add(
+            (
+                *places,
+                *(
+                    str(svg.get_attribute("viewBox"))
+                    for svg in page.locator(".figure svg.marks").all()
+                ),
+            )
+        )
     assert len(sizes) == 1
 
 
@@ -140,11 +168,18 @@ def test_a_link_shows_the_same_again(built_page: Build, page: Page) -> None:
     page.goto(link)
     page.evaluate("async () => await document.querySelector('[data-crankstar]').crankstar.ready")
     assert handle(page, "state") == before
-    assert (before["camera"], before["tab"], before["angle"], before["cylinders"]) == ("front", "verdict", 450, True)
+    assert (before["camera"], before["tab"], before["angle"], before["cylinders"]) == (
+        "front",
+        "verdict",
+        450,
+        True,
+    )
     expect(page.get_by_role("tab", name="Verdict")).to_have_attribute("aria-selected", "true")
 
 
-def test_a_page_that_plays_does_not_write_its_angle_all_the_time(built_page: Build, page: Page) -> None:
+def test_a_page_that_plays_does_not_write_its_angle_all_the_time(
+    built_page: Build, page: Page
+) -> None:
     page.emulate_media(reduced_motion="no-preference")
     opened(page, built_page(CROSS), "")
     page.evaluate(
@@ -159,18 +194,26 @@ def test_a_page_that_plays_does_not_write_its_angle_all_the_time(built_page: Bui
 def test_the_address_that_is_changed_by_hand_is_followed(built_page: Build, page: Page) -> None:
     opened(page, built_page(CROSS), "a=10&tab=orders")
     page.evaluate("location.hash = 'a=77&tab=about&camera=side&whatever=<b>'")
-    page.wait_for_function("() => document.querySelector('[data-crankstar]').crankstar.theta === 77")
+    page.wait_for_function(
+        "() => document.querySelector('[data-crankstar]').crankstar.theta === 77"
+    )
     assert handle(page, "state.camera") == "side"
     expect(page.get_by_role("tab", name="About")).to_have_attribute("aria-selected", "true")
 
 
-def test_weights_take_the_couple_from_a_cross_plane_crank_in_all_parts(built_page: Build, page: Page) -> None:
+def test_weights_take_the_couple_from_a_cross_plane_crank_in_all_parts(
+    built_page: Build, page: Page
+) -> None:
     opened(page, built_page(CROSS, figures=True), "a=40&orders=1")
-    panel = tab(page, "Weights and shafts")
+    panel = tab(page, "Balancing")
     before = numbers(page)
-    assert math.hypot(before["Couple up"], before["Couple right"]) == pytest.approx(math.sqrt(10), rel=1e-3)
+    assert math.hypot(before["Couple up"], before["Couple right"]) == pytest.approx(
+        math.sqrt(10), rel=1e-3
+    )
     panel.get_by_role("radio", name="with weights and shafts").check()
-    page.wait_for_function("() => document.querySelector('[data-crankstar]').crankstar.exhibits[0].remedies.length > 0")
+    page.wait_for_function(
+        "() => document.querySelector('[data-crankstar]').crankstar.exhibits[0].remedies.length > 0"
+    )
     page.evaluate("() => new Promise(done => requestAnimationFrame(() => setTimeout(done)))")
     after = numbers(page)
     assert math.hypot(after["Couple up"], after["Couple right"]) < 1e-3
@@ -181,11 +224,44 @@ def test_weights_take_the_couple_from_a_cross_plane_crank_in_all_parts(built_pag
     expect(panel.locator("[data-chart=spectrum]")).to_have_count(0)
 
 
+@pytest.mark.parametrize(
+    ("language", "play", "roll"),
+    [("ja", "再生", "ローリングモーメント"), ("ru", "Пуск", "Опрокидывающий момент")],
+)
+def test_the_page_is_shown_in_the_language_of_its_address(
+    language: str, play: str, roll: str, built_page: Build, page: Page
+) -> None:
+    file = built_page(CROSS)
+    page.goto(f"{file.as_uri()}?lang={language}#a=0")
+    page.evaluate("() => document.querySelector('[data-crankstar]').crankstar.ready")
+    assert page.locator("html").get_attribute("lang") == language
+    expect(page.get_by_role("button", name=play)).to_be_visible()
+    expect(page.locator("section.now")).to_contain_text(roll)
+    page.evaluate("location.hash = 'a=1&lang=en'")
+    expect(page.get_by_role("button", name="Play")).to_be_visible()
+    assert page.locator("html").get_attribute("lang") == "en"
+
+
+def test_every_panel_names_the_engine_it_shows_and_shows_either(
+    built_page: Build, page: Page
+) -> None:
+    opened(page, built_page(CROSS, FLAT), "a=40&tab=orders")
+    panel = page.get_by_role("tabpanel")
+    for name in ("Orders", "Stars", "Forces", "Strokes", "Verdict", "Balancing", "Whirl"):
+        page.get_by_role("tab", name=name, exact=True).click()
+        expect(panel.get_by_role("group", name="Engine").get_by_role("radio")).to_have_count(2)
+    page.get_by_role("tab", name="Orders", exact=True).click()
+    first = panel.locator("table").inner_text()
+    panel.get_by_role("radio", name=load(FLAT).name).check()
+    expect(panel.locator("table")).not_to_have_text(first, use_inner_text=True)
+    assert handle(page, "state.panel") == "2"
+
+
 def test_two_engines_stand_side_by_side(built_page: Build, page: Page) -> None:
     opened(page, built_page(CROSS, FLAT), "a=40&tab=compare")
     heads = page.get_by_role("columnheader").all_text_contents()
     assert heads == ["order", load(CROSS).name, load(FLAT).name]
-    line = page.get_by_role("row", name=re.compile("^force 2"))
+    line = page.get_by_role("row", name=re.compile("^Force 2"))
     expect(line).to_contain_text("horizontal line")
     expect(page.locator(".stage canvas").first).to_be_visible()
     assert page.locator(".stage").count() == 2
@@ -198,17 +274,21 @@ def test_derivations_are_typeset(built_page: Build, page: Page) -> None:
     panel = tab(page, "Derivation")
     expect(panel.locator("math").first).to_be_visible()
     assert panel.locator("math").count() > 10
-    expect(panel.get_by_role("heading", name=re.compile("couple", re.IGNORECASE)).first).to_be_visible()
+    expect(
+        panel.get_by_role("heading", name=re.compile("couple", re.IGNORECASE)).first
+    ).to_be_visible()
 
 
-def test_the_whirl_is_switched_on_at_a_size_that_is_seen_and_its_estimate_is_named(built_page: Build, page: Page) -> None:
+def test_the_whirl_is_switched_on_at_a_size_that_is_seen_and_its_estimate_is_named(
+    built_page: Build, page: Page
+) -> None:
     opened(page, built_page(CROSS), "a=0&tab=whirl")
     panel = page.get_by_role("tabpanel")
-    expect(panel.get_by_text("Estimate.")).to_be_visible()
+    expect(panel.get_by_text("Estimate:")).to_be_visible()
     assert handle(page, "state.whirl") == 0
-    panel.get_by_role("checkbox", name="Show it on the stage").check()
+    panel.get_by_role("checkbox", name="Show the whirl on the stage").check()
     assert handle(page, "state.whirl") >= 1
-    panel.get_by_role("checkbox", name="Show it on the stage").uncheck()
+    panel.get_by_role("checkbox", name="Show the whirl on the stage").uncheck()
     assert handle(page, "state.whirl") == 0
 
 
@@ -222,12 +302,14 @@ def test_colours_are_changed_by_a_button_and_kept(built_page: Build, page: Page)
     page.wait_for_function("() => location.hash.includes('theme=dark')")
 
 
-def test_a_figure_that_is_not_there_says_so_and_can_be_asked_for_again(built_page: Build, page: Page) -> None:
+def test_a_figure_that_is_not_there_says_so_and_can_be_asked_for_again(
+    built_page: Build, page: Page
+) -> None:
     opened(page, built_page(CROSS), "a=0&tab=stars")
     place = page.locator("[data-chart=crank-star]")
-    expect(place).to_contain_text("This figure is not in this file.")
+    expect(place).to_contain_text("This file does not hold the figure.")
     place.get_by_role("button", name="Try again").click()
-    expect(place).to_contain_text("This figure is not in this file.")
+    expect(place).to_contain_text("This file does not hold the figure.")
 
 
 def test_names_are_text_everywhere(tmp_path: Path, page: Page) -> None:
@@ -245,41 +327,61 @@ def test_names_are_text_everywhere(tmp_path: Path, page: Page) -> None:
 
 
 @pytest.mark.parametrize("share", [0.1, 0.5, 0.999])
-def test_a_file_that_is_cut_short_says_what_to_do(share: float, built_page: Build, tmp_path: Path, page: Page) -> None:
+def test_a_file_that_is_cut_short_says_what_to_do(
+    share: float, built_page: Build, tmp_path: Path, page: Page
+) -> None:
     whole = built_page(CROSS).read_bytes()
     file = tmp_path / "cut.html"
     file.write_bytes(whole[: int(share * len(whole))])
     page.goto(file.as_uri())
-    expect(page.locator("body")).to_contain_text("the file is not whole: write it again with crankstar page")
+    expect(page.locator("body")).to_contain_text(INCOMPLETE)
 
 
-def test_nothing_of_what_is_said_of_a_cut_file_is_left(built_page: Build, page: Page) -> None:
+def test_a_complete_file_does_not_say_that_it_is_incomplete(built_page: Build, page: Page) -> None:
     opened(page, built_page(CROSS))
-    expect(page.locator("body")).not_to_contain_text("not whole")
+    expect(page.locator("body")).not_to_contain_text(INCOMPLETE)
 
 
 @cache
 def written() -> str:
     """The page file of an engine, without what its figures are drawn with."""
-    return document({"exhibition": exhibition([load(CROSS)]).model_dump(mode="json"), "libraries": [], "fitted": []})
+    return document(
+        {
+            "exhibition": exhibition([load(CROSS)]).model_dump(mode="json"),
+            "libraries": [],
+            "fitted": [],
+        }
+    )
 
 
 @pytest.mark.parametrize(
     ("found", "instead", "told"),
     [
-        ("<data>", '{"exhibition": {"engines": [{"scene": null}]}, "libraries": [], "fitted": []}', "is damaged"),
-        ("<data>", "", "holds no engine"),
-        ("<data>", "null", "is damaged"),
-        ("<data>", '{"exhibition": {"engines": []}, "libraries": [], "fitted": []}', "is damaged"),
-        (r'(?<="data": ").{900}', "", "is damaged"),
-        (r'(?<="data": ".{900}).{4}', "!!!!", "is damaged"),
-        (r'(?<="data": ".{900}).*?</script>', "</script>", "is damaged"),
+        (
+            "<data>",
+            '{"exhibition": {"engines": [{"scene": null}]}, "libraries": [], "fitted": []}',
+            "cannot be read",
+        ),
+        ("<data>", "", "cannot be read"),
+        ("<data>", "null", "cannot be read"),
+        (
+            "<data>",
+            '{"exhibition": {"engines": []}, "libraries": [], "fitted": []}',
+            "cannot be read",
+        ),
+        (r'(?<="data": ").{900}', "", "cannot be read"),
+        (r'(?<="data": ".{900}).{4}', "!!!!", "cannot be read"),
+        (r'(?<="data": ".{900}).*?</script>', "</script>", "cannot be read"),
     ],
 )
-def test_a_file_without_its_data_says_what_to_do(found: str, instead: str, told: str, tmp_path: Path, page: Page) -> None:
+def test_a_file_without_its_data_says_what_to_do(
+    found: str, instead: str, told: str, tmp_path: Path, page: Page
+) -> None:
     file = tmp_path / "cut.html"
     data = r'(?<=id="crankstar-data">).*?(?=</script>)'
-    cut, count = re.subn(found.replace("<data>", data), instead, written(), count=1, flags=re.DOTALL)
+    cut, count = re.subn(
+        found.replace("<data>", data), instead, written(), count=1, flags=re.DOTALL
+    )
     assert count
     file.write_text(cut, encoding="utf-8")
     page.goto(file.as_uri())

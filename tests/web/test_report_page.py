@@ -1,4 +1,4 @@
-"""The report in a browser: nothing to complain of under its own policy, wide and narrow, light and dark, and on paper."""
+"""The report in a browser: no complaints, wide and narrow, light and dark, on paper."""
 
 from __future__ import annotations
 
@@ -8,9 +8,8 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page
 
-from crankstar import catalog
-from crankstar.files import engine_of
-from crankstar.report import Matter, report
+from crankstar.files import catalog, engine_of
+from crankstar.report import Subject, report
 
 
 @pytest.fixture(scope="module")
@@ -18,14 +17,21 @@ def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
     _, tree = catalog.tree_of("audi-25-tfsi")
     out = tmp_path_factory.mktemp("report") / "audi.html"
     out.write_text(
-        report(Matter(engine_of(tree, name="audi"), tree, "crankstar report audi-25-tfsi -o report.html")), encoding="utf-8"
+        report(
+            Subject(
+                engine_of(tree, name="audi"), tree, "crankstar report audi-25-tfsi -o report.html"
+            )
+        ),
+        encoding="utf-8",
     )
     return out
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 @pytest.mark.parametrize("width", [400, 1600])
-def test_a_report_fits_the_window_and_takes_its_colours(page: Page, place: Path, width: int, scheme: str) -> None:
+def test_a_report_fits_the_window_and_takes_its_colours(
+    page: Page, place: Path, width: int, scheme: str
+) -> None:
     page.set_viewport_size({"width": width, "height": 900})
     page.emulate_media(color_scheme=scheme)  # pyright: ignore[reportArgumentType]
     page.goto(place.as_uri())
@@ -36,7 +42,9 @@ def test_a_report_fits_the_window_and_takes_its_colours(page: Page, place: Path,
     assert page.evaluate(
         "[...document.querySelectorAll('main > section svg')].every(svg => svg.getBoundingClientRect().width > 60)"
     )
-    assert page.evaluate("[...document.querySelectorAll('math')].every(math => math.getBoundingClientRect().height > 5)")
+    assert page.evaluate(
+        "[...document.querySelectorAll('math')].every(math => math.getBoundingClientRect().height > 5)"
+    )
 
 
 MEETING = """() => [...document.querySelectorAll('figure svg')].flatMap(svg => {
@@ -61,26 +69,38 @@ ON_AN_AXIS = """() => [...document.querySelectorAll('figure svg')].flatMap(svg =
 
 
 @pytest.mark.parametrize("name", ["single", "jumo-205"])
-def test_words_in_the_spectra_and_paths_do_not_lie_over_each_other(page: Page, name: str, tmp_path: Path) -> None:
-    """As the browser draws them in its own letters, which are wider than those the charts are reckoned with."""
+def test_words_in_the_spectra_and_paths_do_not_lie_over_each_other(
+    page: Page, name: str, tmp_path: Path
+) -> None:
+    """As drawn in the browser's own font, which is wider than the charts assume."""
     _, tree = catalog.tree_of(name)
     out = tmp_path / "report.html"
-    out.write_text(report(Matter(engine_of(tree, name=name), tree, "crankstar report")), encoding="utf-8")
+    out.write_text(
+        report(Subject(engine_of(tree, name=name), tree, "crankstar report")), encoding="utf-8"
+    )
     page.set_viewport_size({"width": 1280, "height": 900})
     page.goto(out.as_uri())
     met = page.evaluate(MEETING)
-    assert [one for one in met if ": spectrum" in one or ": hodograph" in one or ": over-turn" in one] == []
+    assert [
+        one for one in met if ": spectrum" in one or ": hodograph" in one or ": over-turn" in one
+    ] == []
     assert [one for one in page.evaluate(ON_AN_AXIS) if ": hodograph" in one] == []
 
 
 def test_a_reader_who_does_not_see_it_finds_headings_and_names(page: Page, place: Path) -> None:
     page.goto(place.as_uri())
-    levels = page.evaluate("[...document.querySelectorAll('h1, h2, h3, h4')].map(h => Number(h.tagName[1]))")
+    levels = page.evaluate(
+        "[...document.querySelectorAll('h1, h2, h3, h4')].map(h => Number(h.tagName[1]))"
+    )
     assert levels[0] == 1
     assert levels.count(1) == 1
     assert all(after - before <= 1 for before, after in pairwise(levels))
-    assert page.evaluate("[...document.querySelectorAll('svg')].every(svg => svg.querySelector('title')?.textContent)")
-    assert page.evaluate("[...document.querySelectorAll('[tabindex]')].every(part => part.getAttribute('aria-label'))")
+    assert page.evaluate(
+        "[...document.querySelectorAll('svg')].every(svg => svg.querySelector('title')?.textContent)"
+    )
+    assert page.evaluate(
+        "[...document.querySelectorAll('[tabindex]')].every(part => part.getAttribute('aria-label'))"
+    )
 
 
 def test_on_paper_no_figure_and_no_line_is_wider_than_the_page(page: Page, place: Path) -> None:
@@ -88,5 +108,8 @@ def test_on_paper_no_figure_and_no_line_is_wider_than_the_page(page: Page, place
     page.set_viewport_size({"width": 673, "height": 980})  # A4 less its margins, in px
     page.goto(place.as_uri())
     parts = "[...document.querySelectorAll('figure, table, .line, pre')]"
-    assert page.evaluate(f"{parts}.filter(part => part.getBoundingClientRect().right > 674).length") == 0
+    assert (
+        page.evaluate(f"{parts}.filter(part => part.getBoundingClientRect().right > 674).length")
+        == 0
+    )
     assert page.evaluate("getComputedStyle(document.body).backgroundColor") == "rgb(255, 255, 255)"

@@ -1,4 +1,4 @@
-"""The page of the server, and its description of the API, in a real browser: nothing inline, nothing from elsewhere."""
+"""The server's page and API description in a browser: nothing inline or from elsewhere."""
 
 from __future__ import annotations
 
@@ -17,14 +17,16 @@ def opened(page: Page, server: Server) -> None:
 
 def test_the_page_shows_the_engine_it_was_started_with(page: Page, server: Server) -> None:
     opened(page, server)
-    names = page.evaluate("document.querySelector('[data-crankstar]').crankstar.exhibits.map(one => one.name)")
+    names = page.evaluate(
+        "document.querySelector('[data-crankstar]').crankstar.exhibits.map(one => one.name)"
+    )
     assert names == ["V8, cross-plane crank, 90 deg"]
     reading = page.evaluate("document.querySelector('[data-crankstar]').crankstar.read()")
     assert len(reading["pistons"]) == 8
 
 
 def test_every_panel_opens_under_the_policy_of_the_server(page: Page, server: Server) -> None:
-    """The page fixture fails for anything that the policy refuses, which the browser says on the console."""
+    """The page fixture fails for whatever the policy refuses, because the console reports it."""
     opened(page, server)
     tabs = page.get_by_role("tab").all()
     assert len(tabs) >= 8
@@ -51,7 +53,9 @@ def test_a_file_is_handed_out_as_a_download(page: Page, server: Server) -> None:
     assert waited.value.suggested_filename == "mine.toml"
 
 
-def test_a_script_that_is_written_into_the_page_does_not_run(browser: Browser, server: Server) -> None:
+def test_a_script_that_is_written_into_the_page_does_not_run(
+    browser: Browser, server: Server
+) -> None:
     complaints: list[str] = []
     with watched(browser, complaints) as page:
         opened(page, server)

@@ -1,4 +1,4 @@
-"""What is drawn of an engine in a real browser: cameras, the free view, the whirl, and where pins stand."""
+"""The drawn engine in a browser: cameras, the free view, the whirl, places of pins."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from playwright.sync_api import Locator, Page
 from tests.web.browsing import SETTLED
 from tests.web.engine_page import drawn, farthest_off, handle, opened
 
-from crankstar.catalog import load
+from crankstar.files.catalog import load
 
 Build = Callable[..., Path]
 ENGINE = "audi-25-tfsi"
 QUIET = "a=40&force=0&couple=0"
 CARD = """const told = WebGL2RenderingContext.prototype.getParameter
 WebGL2RenderingContext.prototype.getParameter = function (name) { return name === 0x9246 ? 'a card' : told.call(this, name) }"""
-"""Chromium as it would be with a graphics card: what rests is not drawn anew, more finely, after a while."""
+"""Chromium as with a graphics card: a still image is not redrawn more finely later."""
 FINELY = """() => {
     const canvas = document.querySelector('canvas[role=img]')
     return canvas.width === 2 * canvas.clientWidth
@@ -54,18 +54,21 @@ def seen(page: Page) -> bytes:
     return stage(page).screenshot()
 
 
-def test_every_camera_draws_something_else_and_comes_back_to_the_same(built_page: Build, page: Page) -> None:
+def test_every_camera_draws_something_else_and_comes_back_to_the_same(
+    built_page: Build, page: Page
+) -> None:
     page.add_init_script(CARD)
     path = built_page(ENGINE)
-    pictures = {}
+    pictures: dict[str, bytes] = {}
+    descriptions = set()
     for camera in ("front", "plan", "side", "isometric", "orbit", "front"):
         opened(page, path, f"{QUIET}&camera={camera}")
         page.reload()
         page.wait_for_function("document.querySelector('[data-crankstar]')?.crankstar")
         picture = seen(page)
         assert pictures.setdefault(camera, picture) == picture
-        assert camera in (stage(page).get_attribute("aria-label") or "").replace("free view", "orbit")
-    assert len(set(pictures.values())) == 5
+        descriptions.add(stage(page).get_attribute("aria-label"))
+    assert len(set(pictures.values())) == len(descriptions) == 5
 
 
 def drawings(page: Page) -> int:
@@ -75,7 +78,9 @@ def drawings(page: Page) -> int:
     return page.evaluate("window.drawings")
 
 
-def test_what_changes_is_drawn_and_what_does_not_is_not_drawn_again(built_page: Build, page: Page) -> None:
+def test_what_changes_is_drawn_and_what_does_not_is_not_drawn_again(
+    built_page: Build, page: Page
+) -> None:
     page.add_init_script(CARD)
     page.add_init_script(COUNTED)
     opened(page, built_page(ENGINE), "a=40&force=0&couple=0")
@@ -89,10 +94,14 @@ def test_what_changes_is_drawn_and_what_does_not_is_not_drawn_again(built_page: 
         assert drawings(page) == after, change
     before = drawings(page)
     page.locator(".stage .canvas").evaluate("place => { place.style.width = 'calc(100% - 0.3px)' }")
-    assert drawings(page) > before, "what has another size, though the same in whole pixels, is empty until it is drawn"
+    assert drawings(page) > before, (
+        "what has another size, though the same in whole pixels, is empty until it is drawn"
+    )
 
 
-def test_keys_and_dragging_turn_the_free_view_and_home_puts_it_back(built_page: Build, page: Page) -> None:
+def test_keys_and_dragging_turn_the_free_view_and_home_puts_it_back(
+    built_page: Build, page: Page
+) -> None:
     page.add_init_script(CARD)
     opened(page, built_page(ENGINE), f"{QUIET}&camera=orbit")
     begun = seen(page)
@@ -100,7 +109,9 @@ def test_keys_and_dragging_turn_the_free_view_and_home_puts_it_back(built_page: 
     page.keyboard.press("ArrowRight")
     turned = seen(page)
     assert turned != begun
-    assert handle(page, "theta") == pytest.approx(40), "the key belongs to the view, not to the crank"
+    assert handle(page, "theta") == pytest.approx(40), (
+        "the key belongs to the view, not to the crank"
+    )
     page.keyboard.press("Home")
     stage(page).blur()
     assert seen(page) == begun
@@ -113,16 +124,22 @@ def test_keys_and_dragging_turn_the_free_view_and_home_puts_it_back(built_page: 
     assert seen(page) != begun
 
 
-def test_on_the_fixed_cameras_the_wheel_scrolls_the_page_and_turns_nothing(built_page: Build, page: Page) -> None:
+def test_on_the_fixed_cameras_the_wheel_scrolls_the_page_and_turns_nothing(
+    built_page: Build, page: Page
+) -> None:
     opened(page, built_page(ENGINE), f"{QUIET}&camera=front")
-    prevented = "canvas => !canvas.dispatchEvent(new WheelEvent('wheel', { deltaY: 9, cancelable: true }))"
+    prevented = (
+        "canvas => !canvas.dispatchEvent(new WheelEvent('wheel', { deltaY: 9, cancelable: true }))"
+    )
     assert stage(page).evaluate(prevented) is False
     opened(page, built_page(ENGINE), f"{QUIET}&camera=orbit")
     page.evaluate(SETTLED)
     assert stage(page).evaluate(prevented) is True
 
 
-def test_the_whirl_moves_all_that_is_drawn_and_is_taken_away_from_what_is_read(built_page: Build, page: Page) -> None:
+def test_the_whirl_moves_all_that_is_drawn_and_is_taken_away_from_what_is_read(
+    built_page: Build, page: Page
+) -> None:
     opened(page, built_page(ENGINE), f"{QUIET}&camera=side")
     still = seen(page)
     opened(page, built_page(ENGINE), f"{QUIET}&camera=side&whirl=300")
@@ -131,7 +148,9 @@ def test_the_whirl_moves_all_that_is_drawn_and_is_taken_away_from_what_is_read(b
 
 
 @pytest.mark.parametrize("name", ["audi-25-tfsi", "pratt-whitney-wasp", "napier-deltic"])
-def test_crank_pins_are_drawn_where_their_shafts_carry_them(name: str, built_page: Build, page: Page) -> None:
+def test_crank_pins_are_drawn_where_their_shafts_carry_them(
+    name: str, built_page: Build, page: Page
+) -> None:
     opened(page, built_page(name), "a=77")
     engine = load(name)
     read = handle(page, "read().pins")
@@ -139,11 +158,16 @@ def test_crank_pins_are_drawn_where_their_shafts_carry_them(name: str, built_pag
         assert len(pins) == len(shaft.throws)
         for throw, (up, right, _) in zip(shaft.throws, pins, strict=True):
             bearing = throw.angle + engine.sense * float(shaft.speed_ratio) * math.radians(77)
-            place = (shaft.up + throw.radius * math.cos(bearing), shaft.right + throw.radius * math.sin(bearing))
+            place = (
+                shaft.up + throw.radius * math.cos(bearing),
+                shaft.right + throw.radius * math.sin(bearing),
+            )
             assert math.dist((up, right), place) < 2e-6 * throw.radius
 
 
-def test_a_graphics_card_that_goes_away_and_comes_back_leaves_the_same_picture(built_page: Build, page: Page) -> None:
+def test_a_graphics_card_that_goes_away_and_comes_back_leaves_the_same_picture(
+    built_page: Build, page: Page
+) -> None:
     page.add_init_script(CARD)
     opened(page, built_page(ENGINE), f"{QUIET}&camera=front")
     before = seen(page)
@@ -160,7 +184,9 @@ def test_a_graphics_card_that_goes_away_and_comes_back_leaves_the_same_picture(b
     assert seen(page) == before
 
 
-def test_without_a_graphics_card_what_moves_is_drawn_coarsely_and_finely_once_it_rests(built_page: Build, page: Page) -> None:
+def test_without_a_graphics_card_what_moves_is_drawn_coarsely_and_finely_once_it_rests(
+    built_page: Build, page: Page
+) -> None:
     opened(page, built_page(ENGINE), f"{QUIET}&camera=front")
     page.wait_for_function(FINELY)
     fine, pistons = seen(page), handle(page, "read().pistons")
@@ -171,3 +197,28 @@ def test_without_a_graphics_card_what_moves_is_drawn_coarsely_and_finely_once_it
     page.wait_for_function(FINELY)
     assert seen(page) == fine
     assert handle(page, "read().pistons") == pistons
+
+
+PAPER = """() => {
+    dispatchEvent(new Event('beforeprint'))
+    const shown = [...document.querySelectorAll('.canvas canvas')]
+    const [paper, ...others] = shown.filter(canvas => canvas.style.visibility !== 'hidden')
+    const { data } = paper.getContext('2d').getImageData(0, 0, paper.width, paper.height)
+    let painted = 0
+    for (let at = 3; at < data.length; at += 4) painted += data[at] > 0
+    dispatchEvent(new Event('afterprint'))
+    return [painted / (paper.width * paper.height), others.length]
+}"""
+"""The share of the printed picture that is painted, and how many other canvases are printed."""
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_what_is_printed_shows_the_engine(theme: str, built_page: Build, page: Page) -> None:
+    page.add_init_script(CARD)
+    opened(page, built_page(ENGINE), f"a=40&theme={theme}")
+    before = seen(page)
+    painted, others = page.evaluate(PAPER)
+    assert painted > 0.1
+    assert others == 0
+    assert b"/Subtype /Image" in page.pdf()
+    assert seen(page) == before

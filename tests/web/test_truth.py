@@ -1,4 +1,4 @@
-"""What the page says at an angle against the momentum of the moving bodies: numbers, dots, and how the free block moves."""
+"""The page at an angle against momentum: numbers, dots, the motion of the free block."""
 
 from __future__ import annotations
 
@@ -12,26 +12,32 @@ from playwright.sync_api import Page
 from tests.newton import Road, road
 from tests.web.engine_page import handle, opened, written_of
 
-from crankstar.balance import balance, scales
-from crankstar.catalog import load
-from crankstar.engine import Engine
-from crankstar.exhibit import exhibit
-from crankstar.records import Block
+from crankstar.engine.engine import Engine
+from crankstar.engine.records import Block
+from crankstar.files.catalog import load
+from crankstar.mechanics.balance import balance, scales
+from crankstar.page import exhibit
 
 Build = Callable[..., Path]
-WEIGHTY = Block(mass=30.0, up=0.7, right=-0.9, z=0.6, inertia_up=200.0, inertia_right=90.0, inertia_z=40.0)
+WEIGHTY = Block(
+    mass=30.0, up=0.7, right=-0.9, z=0.6, inertia_up=200.0, inertia_right=90.0, inertia_z=140.0
+)
 """Heavier on one side than on the other, and not round."""
 
 
 def walked(engine: Engine) -> tuple[Road, np.ndarray]:
-    """The bodies, and [force up, right, couple up, right, roll of the block] over the crank angle, in the units of the page."""
+    """The bodies, and [force up, right, couple up, right, roll] over theta in the page's units."""
     found = road(engine, reference=balance(engine).reference, speed=1.0)
-    force, moment, torque = (np.sum([push[index] for push in found.pushes], axis=0).astype(float) for index in range(3))
+    force, moment, torque = (
+        np.sum([push[index] for push in found.pushes], axis=0).astype(float) for index in range(3)
+    )
     scale, _ = scales(engine, engine.speed)
     roll = -moment[:, 2] - engine.sense * torque
     told = np.stack([force[:, 1], force[:, 0], -moment[:, 0], moment[:, 1], roll])
     told -= told.mean(axis=1, keepdims=True)
-    return found, told * np.array([[scale.force], [scale.force], [scale.couple], [scale.couple], [scale.roll]])
+    return found, told * np.array(
+        [[scale.force], [scale.force], [scale.couple], [scale.couple], [scale.moment]]
+    )
 
 
 def between(samples: np.ndarray, grid: np.ndarray, theta: np.ndarray | float) -> np.ndarray:
@@ -47,14 +53,23 @@ def number(text: str) -> float:
 
 
 @pytest.mark.parametrize(
-    "name", ["kr250-racer", "jumo-205", *(pytest.param(name, marks=pytest.mark.long) for name in ("pratt-whitney-wasp", "vw-vr6"))]
+    "name",
+    [
+        "kr250-racer",
+        "jumo-205",
+        *(pytest.param(name, marks=pytest.mark.long) for name in ("pratt-whitney-wasp", "vw-vr6")),
+    ],
 )
-def test_the_numbers_at_an_angle_are_the_rates_of_change_of_momentum(name: str, built_page: Build, page: Page) -> None:
+def test_the_numbers_at_an_angle_are_the_rates_of_change_of_momentum(
+    name: str, built_page: Build, page: Page
+) -> None:
     engine = load(name)
     found, told = walked(engine)
     most = np.abs(told).max(axis=1)
     for degrees in (20.0, 110.0, 331.0):
-        page.goto("about:blank")  # else only the address changes, and numbers are read before they follow
+        page.goto(
+            "about:blank"
+        )  # else only the address changes, and numbers are read before they follow
         opened(page, built_page(name), f"a={degrees}")
         said = [number(text) for text in page.locator("section.now output").all_inner_texts()]
         theta = math.radians(degrees)
@@ -64,19 +79,34 @@ def test_the_numbers_at_an_angle_are_the_rates_of_change_of_momentum(name: str, 
 
 
 @pytest.mark.parametrize("rotation", ["clockwise", "counter-clockwise"])
-def test_a_free_block_moves_against_its_moving_parts(rotation: str, tmp_path: Path, page: Page) -> None:
-    """The centre of mass of all stays where it is, and so does the angular momentum about the axes across; the crank turns on."""
-    engine = load("v8-cross-plane").model_copy(update={"block": WEIGHTY, "rotation": rotation, "firing_order": ()})
-    shown = exhibit(engine, neighbours=False)
+def test_a_free_block_moves_against_its_moving_parts(
+    rotation: str, tmp_path: Path, page: Page
+) -> None:
+    """The centre of mass and the angular momentum about the transverse axes are constant.
+
+    The crank keeps turning.
+    """
+    engine = load("v8-cross-plane").model_copy(
+        update={"block": WEIGHTY, "rotation": rotation, "firing_order": ()}
+    )
+    shown = exhibit(engine, relatives=False)
     up, right, z = shown.whirl.centre
     along = z / 0.6
     found, told = walked(engine)
-    theta, places = found.theta.astype(float), [body.centre.astype(float) + np.array(body.axis) for body in found.bodies]
-    moved = [body.mass * (place - place.mean(axis=0)) for body, place in zip(found.bodies, places, strict=True)]
+    theta, places = (
+        found.theta.astype(float),
+        [body.centre.astype(float) + np.array(body.axis) for body in found.bodies],
+    )
+    moved = [
+        body.mass * (place - place.mean(axis=0))
+        for body, place in zip(found.bodies, places, strict=True)
+    ]
     shift = -np.sum(moved, axis=0) / WEIGHTY.mass
     arms = [body.z * along - z for body in found.bodies]
     # x to the right is turned about the vertical, y up about the axis to the right
-    tilt = -np.sum([m * arm for m, arm in zip(moved, arms, strict=True)], axis=0) / np.array([200.0, 90.0])
+    tilt = -np.sum([m * arm for m, arm in zip(moved, arms, strict=True)], axis=0) / np.array(
+        [200.0, 90.0]
+    )
     opened(page, written_of(tmp_path, engine), "a=0&whirl=1")
     paths = handle(page, "read().paths")
     shaft = shown.scene.shafts[0]

@@ -1,4 +1,4 @@
-"""The engine turns: it plays, stops, goes where it is told, and every piston stands where Python says."""
+"""The engine turns: play, stop, go to an angle; every piston is where Python puts it."""
 
 from __future__ import annotations
 
@@ -11,13 +11,22 @@ import pytest
 from playwright.sync_api import Page, expect
 from tests.web.engine_page import drawn, farthest_off, handle, opened, turning
 
-from crankstar.catalog import load
+from crankstar.files.catalog import load
 
 Build = Callable[..., Path]
-LAYOUTS = ["v8-cross-plane", "audi-25-tfsi", "radial-9", "pratt-whitney-wasp", "kr250-racer", "jumo-205"]
+LAYOUTS = [
+    "v8-cross-plane",
+    "audi-25-tfsi",
+    "radial-9",
+    "pratt-whitney-wasp",
+    "kr250-racer",
+    "jumo-205",
+]
 
 
-def test_it_plays_when_it_is_opened_and_stops_and_plays_again(built_page: Build, page: Page) -> None:
+def test_it_plays_when_it_is_opened_and_stops_and_plays_again(
+    built_page: Build, page: Page
+) -> None:
     page.emulate_media(reduced_motion="no-preference")
     opened(page, built_page("v8-cross-plane"), "")
     assert turning(page)
@@ -30,7 +39,9 @@ def test_it_plays_when_it_is_opened_and_stops_and_plays_again(built_page: Build,
     assert turning(page)
 
 
-def test_it_does_not_start_by_itself_where_motion_is_not_wished(built_page: Build, page: Page) -> None:
+def test_it_does_not_start_by_itself_where_motion_is_not_wished(
+    built_page: Build, page: Page
+) -> None:
     page.emulate_media(reduced_motion="reduce")
     opened(page, built_page("v8-cross-plane"), "")
     assert not handle(page, "playing")
@@ -39,7 +50,13 @@ def test_it_does_not_start_by_itself_where_motion_is_not_wished(built_page: Buil
     assert turning(page), "a wish that is said is followed"
 
 
-TYPED = {"450": 450.0, "-30": 690.0, "90 deg": 90.0, "1.5 rad": math.degrees(1.5), "2.25 turns": 90.0}
+TYPED = {
+    "450": 450.0,
+    "-30": 690.0,
+    "90 deg": 90.0,
+    "1.5 rad": math.degrees(1.5),
+    "2.25 turns": 90.0,
+}
 
 
 def test_it_goes_to_a_typed_angle(built_page: Build, page: Page) -> None:
@@ -78,7 +95,9 @@ def test_two_engines_turn_at_the_same_angle(built_page: Build, page: Page) -> No
 
 
 @pytest.mark.parametrize("end", ["front", "rear"])
-def test_the_axis_of_a_cross_plane_crank_whirls_in_a_circle(end: str, built_page: Build, page: Page) -> None:
+def test_the_axis_of_a_cross_plane_crank_whirls_in_a_circle(
+    end: str, built_page: Build, page: Page
+) -> None:
     opened(page, built_page("v8-cross-plane"), "a=0&whirl=1000")
     path = [complex(up, right) for up, right in handle(page, f"read().paths.{end}")]
     assert len(path) >= 36

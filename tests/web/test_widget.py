@@ -1,4 +1,4 @@
-"""The widget as a notebook would have it: the bundle through anywidget's interface, with a model that Python answers."""
+"""The widget as in a notebook: the bundle through anywidget, a model answered by Python."""
 
 from __future__ import annotations
 
@@ -11,10 +11,11 @@ from playwright.sync_api import Page, expect
 from tests.web.engine_page import EIGHT, farthest_off
 
 import crankstar
-from crankstar import notebook
-from crankstar.page import bundle
+from crankstar.page import widget as notebook
+from crankstar.page.standalone import bundle
 
-# What anywidget gives to `render`: a model with traits that are heard when they change, and messages to the kernel.
+# What anywidget gives to `render`: a model with traits that are heard when they change, and
+# messages to the kernel.
 HARNESS = """async source => {
     const url = URL.createObjectURL(new Blob([source], { type: 'text/javascript' }))
     const { render } = (await import(url)).default
@@ -48,9 +49,12 @@ Show = Callable[..., Any]
 
 @pytest.fixture
 def show(page: Page, tmp_path: Path) -> Iterator[Show]:
-    """Shows a widget in the next cell of a page, with its own traits; the kernel's answers are Python's."""
+    """Show a widget in the next cell of a page, with its own traits; Python answers."""
     blank = tmp_path / "notebook.html"
-    blank.write_text("<!doctype html><html lang='en'><title>notebook</title><body></body></html>", encoding="utf-8")
+    blank.write_text(
+        "<!doctype html><html lang='en'><title>notebook</title><body></body></html>",
+        encoding="utf-8",
+    )
     page.set_viewport_size({"width": 1000, "height": 900})
     page.goto(blank.as_uri())
     shown: list[Any] = []
@@ -72,7 +76,8 @@ def show(page: Page, tmp_path: Path) -> Iterator[Show]:
 def cell(page: Page, expression: str, index: int = 0) -> Any:
     """What JavaScript says of a cell: `el`, `model`, `page` (the handle)."""
     return page.evaluate(
-        f"([index]) => {{ const {{ el, model, end }} = cells[index]; const page = el.crankstar; return {expression} }}", [index]
+        f"([index]) => {{ const {{ el, model, end }} = cells[index]; const page = el.crankstar; return {expression} }}",
+        [index],
     )
 
 
@@ -83,7 +88,9 @@ def test_it_opens_as_the_traits_say_and_goes_where_python_says(show: Show, page:
     cell(page, "model.set('theta', 450)")
     assert cell(page, "page.theta") == 450
     cell(page, "model.set('theta', -30)")
-    assert cell(page, "[page.theta, model.saved.theta]") == [690, 690], "within the cycle, and Python is told"
+    assert cell(page, "[page.theta, model.saved.theta]") == [690, 690], (
+        "within the cycle, and Python is told"
+    )
     cell(page, "model.set('state', 'tab=strokes')")
     expect(page.get_by_role("tab", name="Strokes")).to_have_attribute("aria-selected", "true")
     assert cell(page, "page.theta") == 690
@@ -91,7 +98,9 @@ def test_it_opens_as_the_traits_say_and_goes_where_python_says(show: Show, page:
 
 def test_every_piston_is_where_python_says(show: Show, page: Page) -> None:
     show("audi-25-tfsi")
-    read = cell(page, f"{EIGHT}.map(angle => {{ model.set('theta', angle); return page.read().pistons }})")
+    read = cell(
+        page, f"{EIGHT}.map(angle => {{ model.set('theta', angle); return page.read().pistons }})"
+    )
     found = [{int(number): place for number, place in at.items()} for at in read]
     assert farthest_off(crankstar.load("audi-25-tfsi"), found) < 1e-6
 
@@ -112,7 +121,9 @@ def test_it_plays_and_stops_from_both_sides(show: Show, page: Page) -> None:
 
 def test_figures_and_derivations_are_asked_of_the_kernel(show: Show, page: Page) -> None:
     show("v8-cross-plane", state="tab=forces")
-    expect(page.get_by_role("tabpanel").locator("svg[role=img], svg.marks, canvas").first).to_be_visible(timeout=20_000)
+    expect(
+        page.get_by_role("tabpanel").locator("svg[role=img], svg.marks, canvas").first
+    ).to_be_visible(timeout=20_000)
     page.get_by_role("tab", name="Derivation").click()
     expect(page.get_by_role("tabpanel").locator("math").first).to_be_visible(timeout=20_000)
 
@@ -133,7 +144,10 @@ def test_two_on_one_page_do_not_know_each_other(show: Show, page: Page) -> None:
 def test_another_engine_takes_the_place_of_the_first(show: Show, page: Page) -> None:
     widget = show("v8-cross-plane", theta=30.0)
     widget.show("single")
-    page.evaluate("async data => { cells[0].model.set('data', data); await cells[0].el.crankstar.ready }", widget.data)
+    page.evaluate(
+        "async data => { cells[0].model.set('data', data); await cells[0].el.crankstar.ready }",
+        widget.data,
+    )
     assert cell(page, "page.exhibits[0].name") == crankstar.load("single").name
     assert cell(page, "page.theta") == 30
 
@@ -143,11 +157,17 @@ def test_nothing_is_left_when_the_cell_is_cleared(show: Show, page: Page) -> Non
     show("v8-cross-plane", playing=True)
     page.wait_for_function("() => cells[0].el.crankstar.theta > 1")
     cell(page, "end()")
-    assert cell(page, "[el.childNodes.length, model.heard.length, 'crankstar' in el]") == [0, 0, False]
+    assert cell(page, "[el.childNodes.length, model.heard.length, 'crankstar' in el]") == [
+        0,
+        0,
+        False,
+    ]
     assert page.evaluate("document.adoptedStyleSheets.length") == 0
 
 
 @pytest.mark.usefixtures("show")
 def test_data_that_cannot_be_read_are_answered_with_a_sentence(page: Page) -> None:
-    page.evaluate("() => show({ data: 'no engine', state: '', theta: 0, playing: false }).catch(() => 0)")
+    page.evaluate(
+        "() => show({ data: 'no engine', state: '', theta: 0, playing: false }).catch(() => 0)"
+    )
     expect(page.locator(".failed")).not_to_be_empty()

@@ -1,5 +1,9 @@
-/** An angle that was typed: in degrees, or a sentence that says what can be typed. */
-export type Typed = { readonly ok: true; readonly degrees: number } | { readonly ok: false; readonly sentence: string }
+import { t } from './language/messages'
+
+/** An angle that was typed: in degrees, or a sentence that shows how to type one. */
+export type Typed =
+  | { readonly ok: true; readonly degrees: number }
+  | { readonly ok: false; readonly sentence: string }
 
 const ANGLE = /^([+\-−]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:e[+-]?\d+)?)\s*([a-z°]*)$/i
 const DEGREES: Readonly<Record<string, number>> = {
@@ -18,21 +22,31 @@ const DEGREES: Readonly<Record<string, number>> = {
   rev: 360,
   revs: 360,
 }
-/** Beyond this many degrees a float no longer tells a thousandth of a degree apart well; nobody turns so far. */
-const FURTHEST = 1e7
-const HOW = 'Type degrees, such as 450 or -30, or an angle with its unit: 90 deg, 1.5 rad, 2 turns.'
+/** The largest angle in degrees; a float still resolves a millionth of a degree there. */
+const LARGEST = 1e7
 
 /** Reads `450`, `-30`, `90 deg`, `1.5 rad`, `2 turns`; a comma may stand for the decimal point. */
 export function typedAngle(text: string): Typed {
-  const given = text.trim()
-  if (given === '') return { ok: false, sentence: `No angle was typed. ${HOW}` }
-  const parts = ANGLE.exec(given)
+  const parts = ANGLE.exec(text.trim())
   const unit = DEGREES[(parts?.[2] ?? '').toLowerCase()]
-  if (!parts?.[1] || unit === undefined)
-    return { ok: false, sentence: `“${given.slice(0, 40)}” is not an angle. ${HOW}` }
+  const typed = text.trim().slice(0, 40)
+  if (!parts?.[1] || typeof unit !== 'number')
+    return {
+      ok: false,
+      sentence: t(
+        '“{typed}” is not an angle. Type degrees, as in 450 or -30, or a number with its unit: 90 deg, 1.5 rad, 2 turns.',
+        { typed },
+      ),
+    }
   const degrees = Number(parts[1].replace(',', '.').replace('−', '-')) * unit
-  if (!(Math.abs(degrees) <= FURTHEST))
-    return { ok: false, sentence: `“${given.slice(0, 40)}” is too far to turn. ${HOW}` }
+  if (!(Math.abs(degrees) <= LARGEST))
+    return {
+      ok: false,
+      sentence: t('“{typed}” is too large; the largest angle is {largest} degrees.', {
+        typed,
+        largest: LARGEST,
+      }),
+    }
   return { ok: true, degrees }
 }
 

@@ -3,9 +3,11 @@ import { commonTurns } from './angle'
 import { type Clock, createClock } from './clock'
 import type { Exhibit } from './exhibit'
 import type { Host, Tree } from './host/host'
+import { language, t } from './language/messages'
 import { packedTree, unpackedTree } from './packing'
+import { prevailing } from './prevailing'
+import { reasonOf } from './reason'
 import { type Quantity, restore, type Store, snapshot, stateOf, stateText, storeOf } from './state'
-import { telling } from './telling'
 
 /** What all parts of the page share. */
 export interface App {
@@ -14,15 +16,17 @@ export interface App {
   readonly clock: Clock
   /** The engine and, where there is one, the engine beside it, as they are. */
   readonly engines: ReadonlySignal<readonly Exhibit[]>
-  /** The same with counterweights and balance shafts; null where there is nothing to do, undefined until it is known. */
+  /** The same with weights and shafts; null where they do not help, undefined until known. */
   readonly cured: ReadonlySignal<readonly (Exhibit | null | undefined)[]>
-  /** What is on the stage and in the panels: one of the two for each engine. */
+  /** The engines on the stage and in the panels: each as it is or fitted. */
   readonly shown: ReadonlySignal<readonly Exhibit[]>
-  /** The quantity that figures and derivations show: the chosen one, or what is greatest. */
+  /** Which of the shown engines the panels show: its place in `engines`, `cured` and `shown`. */
+  readonly subject: ReadonlySignal<number>
+  /** The quantity that figures and derivations show: the chosen one, or the greater of force and couple. */
   readonly quantity: ReadonlySignal<Quantity>
   /** What went wrong last, as a sentence; empty if nothing. */
   readonly trouble: Signal<string>
-  /** Whether the page is dark, whatever the reason. */
+  /** Whether the page is dark, by choice or by the system. */
   readonly dark: ReadonlySignal<boolean>
   readonly calm: ReadonlySignal<boolean>
   /** Puts an engine that was edited on the stage. */
@@ -59,37 +63,49 @@ export function createApp(host: Host): App {
   const engines = computed(() => (other.value ? [own.value, other.value] : [own.value]))
   const cured = computed(() => engines.value.map((exhibit) => known.value.get(exhibit)))
   const shown = computed(() =>
-    engines.value.map((exhibit, index) => (store.fitted.value ? (cured.value[index] ?? exhibit) : exhibit)),
+    engines.value.map((exhibit, index) =>
+      store.fitted.value ? (cured.value[index] ?? exhibit) : exhibit,
+    ),
   )
-  const quantity = computed(() => store.quantity.value ?? telling(engines.value[0] ?? own.value))
-  const dark = computed(() => (store.theme.value === 'auto' ? systemDark.value : store.theme.value === 'dark'))
+  const subject = computed(() => Math.min(Number(store.panel.value), engines.value.length) - 1)
+  const quantity = computed(
+    () => store.quantity.value ?? prevailing(engines.value[subject.value] ?? own.value),
+  )
+  const dark = computed(() =>
+    store.theme.value === 'auto' ? systemDark.value : store.theme.value === 'dark',
+  )
   const clock = createClock(store.pace, (degrees) => {
     store.angle.value = degrees
   })
 
   const failed = (error: unknown): void => {
-    trouble.value = error instanceof Error ? error.message : String(error)
+    trouble.value = reasonOf(error)
   }
 
   function cure(): void {
     for (const exhibit of engines.peek()) {
       if (known.peek().has(exhibit)) continue
-      host.fitted(exhibit).then((found) => {
-        known.value = new Map(known.peek()).set(exhibit, found)
+      host.fitted(exhibit).then((after) => {
+        known.value = new Map(known.peek()).set(exhibit, after)
       }, failed)
     }
   }
 
   /** An engine of the catalog, or one packed into the address; null if it cannot be had. */
-  async function called(name: string): Promise<Exhibit | null> {
+  async function engineNamed(name: string): Promise<Exhibit | null> {
     const service = host.service
     if (!service) return null
     const packed = name.startsWith('~')
     const tree = packed ? await unpackedTree(name.slice(1)) : await service.engine(name)
     const answer = tree.ok ? await service.exhibit(tree.value) : tree
     if (answer.ok) return answer.value
-    const sentences = answer.problems.map((problem) => problem.message).join(' ')
-    trouble.value = packed ? sentences : `“${name.slice(0, 60)}” of this link cannot be shown: ${sentences}`
+    const reason = answer.problems.map((problem) => problem.message).join(' ')
+    trouble.value = packed
+      ? reason
+      : t('The link names the engine “{name}”, which cannot be shown. {reason}', {
+          name: name.slice(0, 60),
+          reason,
+        })
     return null
   }
 
@@ -101,7 +117,7 @@ export function createApp(host: Host): App {
       ownName = name
       if (name === '') own.value = host.exhibition.engines[0]
       else
-        called(name).then((exhibit) => {
+        engineNamed(name).then((exhibit) => {
           if (exhibit && ownName === name) own.value = exhibit
         }, failed)
     }),
@@ -111,19 +127,27 @@ export function createApp(host: Host): App {
       if (name === '' || name === '2') other.value = second
       else if (name === '0') other.value = null
       else
-        called(name).then((exhibit) => {
+        engineNamed(name).then((exhibit) => {
           if (exhibit && store.beside.peek() === name) other.value = exhibit
         }, failed)
     }),
     effect(() => {
-      clock.turns.value = shown.value.reduce((turns, exhibit) => commonTurns(turns, exhibit.turns), 1)
+      clock.turns.value = shown.value.reduce(
+        (turns, exhibit) => commonTurns(turns, exhibit.turns),
+        1,
+      )
     }),
     effect(() => {
       if (store.fitted.value && engines.value.length) cure()
     }),
     effect(() => {
       // a file has its title written in it, a notebook is not ours
-      if (host.kind === 'server') document.title = engines.value.map(({ name }) => name).join(' and ')
+      if (host.kind === 'server') document.title = engines.value.map(({ name }) => name).join(' · ')
+    }),
+    effect(() => {
+      language.value = store.language.value || host.language
+      // a notebook is not ours
+      if (host.kind !== 'widget') document.documentElement.lang = language.value
     }),
   )
 
@@ -146,7 +170,7 @@ export function createApp(host: Host): App {
     },
   )
 
-  /** The clock as the state has it: at an angle, or turning unless calm is asked for. */
+  /** Sets the clock as the state has it: at an angle, or turning unless calm is preferred. */
   function start(): void {
     const angle = store.angle.peek()
     if (angle !== null) {
@@ -172,6 +196,7 @@ export function createApp(host: Host): App {
     engines,
     cured,
     shown,
+    subject,
     quantity,
     trouble,
     dark,

@@ -1,7 +1,7 @@
 import { type ReadonlySignal, type Signal, signal } from '@preact/signals'
 import { withinCycle } from './angle'
 
-/** Something that shows the engine at an angle (radians): the stage, a figure, a number. A promise is waited for. */
+/** Shows the engine at an angle (radians); a promise is awaited. */
 export type Follower = (theta: number) => unknown
 
 /** The one thing on the page that knows what time it is. Everything that moves follows it. */
@@ -29,7 +29,10 @@ const KEPT = 600
 /** A frame that comes later than this, seconds, is a pause: the engine does not jump over it. */
 const LONGEST = 0.25
 
-export function createClock(pace: ReadonlySignal<number>, stopped: (degrees: number | null) => void): Clock {
+export function createClock(
+  pace: ReadonlySignal<number>,
+  stopped: (degrees: number | null) => void,
+): Clock {
   const playing = signal(false)
   const turns = signal(1)
   const followers = new Set<Follower>()
@@ -64,7 +67,7 @@ export function createClock(pace: ReadonlySignal<number>, stopped: (degrees: num
   }
 
   function ask(): void {
-    // a hidden tab gets no frames; it is asked again when it is seen
+    // a hidden tab gets no frames; the clock goes on when it is visible
     if (!asked && document.visibilityState !== 'hidden') asked = requestAnimationFrame(frame)
   }
 

@@ -1,7 +1,19 @@
-// Generated from src/crankstar/exhibit/records.py by `make types`; not edited by hand.
+// Generated from src/crankstar/page/records.py by `make types`; not edited by hand.
 
+export interface Exchange {
+  Exhibition: Exhibition
+  Problem: Problem
+  CatalogEntry: CatalogEntry
+  DerivationShown: DerivationShown
+  FittedShown: FittedShown
+  SearchShown: SearchShown
+  TomlShown: TomlShown
+  TreeShown: TreeShown
+  FittedQuestion: FittedQuestion
+  SearchQuestion: SearchQuestion
+}
 /**
- * What a page opens with: one engine, or two side by side, and for each the same engine with weights and shafts.
+ * The contents of a page: one engine or two, each also with weights and shafts.
  */
 export interface Exhibition {
   /**
@@ -13,15 +25,16 @@ export interface Exhibition {
    * each engine with weights and balance shafts, where they help
    */
   fitted: (Exhibit | null)[]
+  stroke_colours: StrokeColours
   /**
-   * the words with which each was named on the command line
+   * names or files of the engines on the command line
    */
   sources?: string[]
   command?: string
   version: string
 }
 /**
- * All that the page is told of one engine at once. Figures and derivations are asked for by their keys.
+ * One engine on the page; its figures and derivations are requested by their keys.
  */
 export interface Exhibit {
   format?: 1
@@ -34,19 +47,27 @@ export interface Exhibit {
   }
   cycle_deg: number
   /**
-   * turns of the first shaft after which everything, firing included, is back at the start
+   * turns of the first shaft after which all shafts and the firing repeat
    */
   turns: number
   /**
    * 1 if the first shaft turns clockwise seen from the front
    */
   sense: -1 | 1
+  /**
+   * of the engine file; null where it gives none
+   */
   speed_rpm: number | null
   units: Units
+  scale: Scale
   /**
-   * lines under the name: layout, firing, units, what is unverified
+   * lines under the name: layout, firing, units
    */
   heading: string[]
+  /**
+   * key paths of values that no source confirms
+   */
+  unverified: string[]
   reference_z: number
   /**
    * the length that couples are counted in along z, in the unit of the scene
@@ -64,7 +85,7 @@ export interface Exhibit {
   charts: ChartKey[]
   derivations: DerivationKey[]
   /**
-   * what `fitted` was fitted with and what it leaves, for a fitted engine; else empty
+   * weights, shafts and remaining unbalance of a fitted engine; else empty
    */
   remedies: Table[]
 }
@@ -78,7 +99,29 @@ export interface Units {
   length: string
 }
 /**
- * Force, couple, roll of the block and torque on the crankshaft for each order; pairs of signals are [real, imaginary].
+ * Sizes of the first cylinder in the engine's own units.
+ *
+ * Lengths, forces and couples of two engines that differ in units are compared after division by
+ * these: in crank radii, m r ω², and m r ω² times the bore pitch.
+ */
+export interface Scale {
+  /**
+   * crank radius, in units.length
+   */
+  length: number
+  /**
+   * m r ω², in units.force
+   */
+  force: number
+  /**
+   * m r ω² times the bore pitch, in units.couple
+   */
+  couple: number
+}
+/**
+ * Force, couple, roll of the block and torque on the crankshaft for each order.
+ *
+ * Pairs of signals are [real, imaginary].
  */
 export interface Sum {
   force: Vectors
@@ -87,14 +130,16 @@ export interface Sum {
   torque: [number, number][]
 }
 /**
- * A vector of the clock plane over the crank angle: a pair [up, right] for each order of the exhibit.
+ * A vector of the clock plane over the crank angle.
+ *
+ * A pair [up, right] for each order of the exhibit.
  */
 export interface Vectors {
   forward: [number, number][]
   backward: [number, number][]
 }
 /**
- * What one cylinder (its piston, rod, share of nothing else) does to the block, at its place along z.
+ * The force of one cylinder (its piston and rod) on the block, at its place along z.
  */
 export interface PartForce {
   number: number
@@ -102,11 +147,12 @@ export interface PartForce {
   force: Vectors
 }
 /**
- * The free response of the rigid engine: how the block moves, order by order (docs, theory: whirl).
+ * The free response of the rigid engine: how the block moves, order by order.
  *
- * `shift` is the displacement of the centre of mass, `tilt` the displacement of the crank axis for each unit of z away from
- * the centre of mass, `turn` the roll angle of the block (a signal, clockwise, radians). Multiply as for forces. Lengths are in
- * the scene's unit. Independent of speed.
+ * `shift` is the displacement of the centre of mass, `tilt` the displacement of the crank axis for
+ * each unit of z away from the centre of mass, `turn` the roll angle of the block (a signal,
+ * clockwise, radians). Multiply as for forces. Lengths are in the scene's unit. Independent of
+ * speed.
  */
 export interface Whirl {
   /**
@@ -126,7 +172,7 @@ export interface Whirl {
   tilt: Vectors
   turn: [number, number][]
   /**
-   * what of mass, centre and inertia is an estimate, as sentences; empty if all are given
+   * sentences on estimates of mass, centre and inertia; empty if all are given
    */
   assumed: string[]
 }
@@ -159,7 +205,9 @@ export interface Scene {
   assumed: string[]
 }
 /**
- * A shaft along z at `up`, `right`; it turns `speed_ratio` times for each turn of the first shaft, negative the other way.
+ * A shaft along z at `up`, `right`.
+ *
+ * It turns `speed_ratio` times for each turn of the first shaft, negative the other way.
  */
 export interface ShaftShown {
   name: string
@@ -201,7 +249,9 @@ export interface Web {
   throw: number
 }
 /**
- * A counterweight, drawn as a segment of a disc: opposite a pin on a web, or an eccentric on a balance shaft.
+ * A counterweight, drawn as a segment of a disc.
+ *
+ * Opposite a pin on a web, or an eccentric on a balance shaft.
  */
 export interface WeightShown {
   angle: number
@@ -229,10 +279,11 @@ export interface GearShown {
   teeth: number
 }
 /**
- * A cylinder, its piston and its rod, with all that is needed to move them (docs, theory: motion).
+ * A cylinder, its piston and its rod, with the dimensions that their motion depends on.
  *
- * The crank pin of shaft `shaft` stands at bearing `throw_angle` at theta = 0; `master` is the index in the list of cylinders
- * of the one whose rod carries this rod's knuckle pin, -1 for a rod on the crank pin.
+ * The crank pin of shaft `shaft` stands at bearing `throw_angle` at theta = 0; `master` is the
+ * index in the list of cylinders of the one whose rod carries this rod's knuckle pin, -1 for a rod
+ * on the crank pin.
  */
 export interface CylinderShown {
   number: number
@@ -273,12 +324,12 @@ export interface CylinderShown {
   bank: string
   chamber: number
   /**
-   * crank angle at which its chamber fires, degrees of theta; null without a firing order
+   * crank angle of its ignition, degrees; null without a firing order
    */
   fires_deg: number | null
 }
 /**
- * A row of the table of orders: numbers as they are printed, and the ellipse that goes with them.
+ * A row of the table of orders: numbers as they are printed, and the ellipse of the vector.
  */
 export interface Row {
   order: number
@@ -287,10 +338,14 @@ export interface Row {
   up: string
   right: string
   /**
-   * in words: none, circle with the crank, horizontal line, ellipse, ...
+   * shape of the path as a phrase: none, circle with the crank, horizontal line
    */
   path: string
   greatest: string
+  /**
+   * whether anything remains of the order
+   */
+  remains: boolean
   /**
    * of the ellipse (vectors only), in the unit of the quantity
    */
@@ -300,7 +355,7 @@ export interface Row {
    */
   direction: number | null
   /**
-   * the sense in which it is run through, seen from the front; 0 for a line
+   * 1 if the vector turns clockwise seen from the front, 0 on a line
    */
   turning: (-1 | 0 | 1) | null
 }
@@ -312,16 +367,20 @@ export interface Fact {
   sentence: string
 }
 /**
- * A table to be shown as text: heads, rows, and lines under it.
+ * A table as it is printed: heads with units, rows, notes under it.
  */
 export interface Table {
   title: string
   heads: string[]
   rows: string[][]
   notes?: string[]
+  /**
+   * which columns hold numbers, which are aligned to the right
+   */
+  numeric?: boolean[]
 }
 /**
- * What a chamber does between two crank angles (degrees; the end may lie in the next cycle).
+ * A stroke of a chamber between two crank angles (degrees; it may end in the next cycle).
  */
 export interface StrokeWindow {
   chamber: number
@@ -330,7 +389,7 @@ export interface StrokeWindow {
   to_deg: number
 }
 /**
- * A figure that can be asked for: `key` is what to ask with, the rest is what to choose it by.
+ * A figure of an engine: the `key` that it is requested by, and the properties to choose by.
  */
 export interface ChartKey {
   key: string
@@ -347,7 +406,7 @@ export interface ChartKey {
   turning: boolean
 }
 /**
- * A derivation that can be asked for.
+ * A derivation of an engine, requested by its `key`.
  */
 export interface DerivationKey {
   key: string
@@ -356,29 +415,189 @@ export interface DerivationKey {
   order: number
 }
 /**
- * What a page opens with: one engine, or two side by side, and for each the same engine with weights and shafts.
+ * The colours of the strokes on the stage and in the stroke chart, `#rrggbb`.
  */
-export interface Exhibition1 {
-  /**
-   * @minItems 1
-   * @maxItems 2
-   */
-  engines: [Exhibit] | [Exhibit, Exhibit]
-  /**
-   * each engine with weights and balance shafts, where they help
-   */
-  fitted: (Exhibit | null)[]
-  /**
-   * the words with which each was named on the command line
-   */
-  sources?: string[]
-  command?: string
-  version: string
+export interface StrokeColours {
+  intake: string
+  compression: string
+  power: string
+  exhaust: string
 }
 /**
- * One mistake of an engine file: where (key path), and what would be right.
+ * One fault of an engine file: its key path, and what would be right.
  */
 export interface Problem {
   path: string
+  /**
+   * which fault
+   */
+  code?: string
+  /**
+   * the values of its sentence
+   */
+  values?: {
+    [k: string]: unknown
+  }
   message: string
+}
+/**
+ * An engine of the catalog.
+ */
+export interface CatalogEntry {
+  /**
+   * what to ask for it by
+   */
+  name: string
+  title: string
+  layout: string
+  cylinders: number
+  cycle: string
+}
+/**
+ * A derivation: HTML with MathML, every name in it escaped.
+ */
+export interface DerivationShown {
+  html: string
+}
+/**
+ * An engine with weights and balance shafts as an exhibit, or null where nothing is needed.
+ */
+export interface FittedShown {
+  exhibit: Exhibit | null
+}
+/**
+ * How far a search has come, and what it found.
+ */
+export interface SearchShown {
+  id: string
+  state: 'running' | 'done' | 'cancelled' | 'failed'
+  /**
+   * blocks that were searched
+   */
+  done: number
+  /**
+   * of so many; 0 until that is known
+   */
+  blocks: number
+  /**
+   * how fast it is and how long it will take yet, or why it failed
+   */
+  note: string
+  heads: string[]
+  rows: Found[]
+  /**
+   * what was asked, and what proves that the answer is complete
+   */
+  sentences: string[]
+}
+/**
+ * A row of what a search found.
+ */
+export interface Found {
+  cells: string[]
+  /**
+   * the engine file that it makes
+   */
+  tree: {
+    [k: string]: unknown
+  }
+}
+/**
+ * An engine file.
+ */
+export interface TomlShown {
+  toml: string
+}
+/**
+ * An engine file as a tree of keys.
+ */
+export interface TreeShown {
+  tree: {
+    [k: string]: unknown
+  }
+}
+/**
+ * The weights and balance shafts to fit an engine with; by default the verdict's advice.
+ */
+export interface FittedQuestion {
+  engine: string | {}
+  /**
+   * balance factor of the counterweights
+   */
+  factor?: number | null
+  /**
+   * where the counterweights go
+   */
+  weights?: ('pins' | 'webs' | 'ends') | null
+  /**
+   * which balance shafts
+   */
+  shafts?: ('none' | 'needed' | 'all') | null
+}
+/**
+ * The options of a search, of an in-line engine or of a number of cylinders.
+ */
+export interface SearchQuestion {
+  /**
+   * Of the engine; else four-stroke, or that of the engine file.
+   */
+  cycle?: ('two-stroke' | 'four-stroke') | null
+  /**
+   * Quantities to minimise: couples M1, M2, ..., forces F1, ..., torsion T1.5, ..., neighbours (cylinders side by side that fire in succession), couple (rms over all orders of an engine); else M1,M2. In a list of the best with weights, as in M1,2*M2.
+   */
+  minimise?: string | null
+  /**
+   * Quantities that must vanish, as in M2.
+   */
+  zero?: string | null
+  /**
+   * Greatest value of a quantity, as in M2=1.5 or neighbours=1.
+   *
+   * @maxItems 20
+   */
+  limit?: string[]
+  /**
+   * Gaps between cylinders from the front, in pitches, as in 1,1,1.4,1; else equal.
+   */
+  pitch?: string | null
+  /**
+   * Fixed throws, as in 1=0,4=3: direction d is 360 d/n deg behind direction 0.
+   */
+  fix?: string | null
+  /**
+   * Only cranks whose rear half mirrors the front half.
+   */
+  symmetric?: boolean
+  /**
+   * For torsion: amplitude of the mode at each cylinder.
+   */
+  mode_shape?: string | null
+  /**
+   * No cylinders side by side fire in succession.
+   */
+  avoid_adjacent?: boolean
+  /**
+   * The Pareto front: all values that cannot improve without another getting worse.
+   */
+  front?: boolean
+  /**
+   * A list of so many of the best.
+   */
+  best?: number | null
+  /**
+   * All stars within the limits.
+   */
+  all?: boolean
+  /**
+   * All stars with the same moments as a firing order, as in 1-6-3-4-5-2-7, or with values, as in M1=0.2673,M2=1.0056.
+   */
+  all_with?: string | null
+  /**
+   * an in-line engine whose cylinders they are
+   */
+  engine?: (string | {}) | null
+  /**
+   * the number of cylinders, where there is no engine
+   */
+  cylinders?: number | null
 }

@@ -5,6 +5,7 @@ import type { Host } from './host/host'
 import { pageHost } from './host/page'
 import { serverHost } from './host/server'
 import { linked, type Model, widgetHost } from './host/widget'
+import { reasonOf } from './reason'
 import type { Reading, Stage } from './stage/stage'
 import { type State, snapshot } from './state'
 import { Shared } from './ui/context'
@@ -15,7 +16,7 @@ import { adopt } from './ui/sheets'
 export interface Handle {
   /** Resolves when the first frame has been drawn; rejects with what went wrong. */
   readonly ready: Promise<void>
-  /** The state at this moment, as it would stand in a link, but for the angle while the engine turns. */
+  /** The state as in a link, without the angle while the engine turns. */
   readonly state: State
   /** Crank angle in degrees within the cycle; setting it stops the engine there. */
   theta: number
@@ -36,11 +37,15 @@ export interface Holder extends HTMLElement {
   crankstar?: Handle
 }
 
-function handleOf(ready: Promise<void>, app: () => App | null, stages: ReadonlyMap<number, Stage>): Handle {
+function handleOf(
+  ready: Promise<void>,
+  app: () => App | null,
+  stages: ReadonlyMap<number, Stage>,
+): Handle {
   const there = (): App => {
-    const found = app()
-    if (!found) throw new Error('The page is not ready: await element.crankstar.ready')
-    return found
+    const its = app()
+    if (!its) throw new Error('The page is not ready: await element.crankstar.ready')
+    return its
   }
   return {
     ready,
@@ -75,8 +80,12 @@ function handleOf(ready: Promise<void>, app: () => App | null, stages: ReadonlyM
   }
 }
 
-/** Shows a host's engines in an element until the returned function is called; `bound` may tie the page to something else. */
-export function show(host: Promise<Host>, el: Holder, bound?: (app: App) => () => void): () => void {
+/** Shows a host's engines in an element until the returned function is called. */
+export function show(
+  host: Promise<Host>,
+  el: Holder,
+  bound?: (app: App) => () => void,
+): () => void {
   const stages = new Map<number, Stage>()
   let app: App | null = null
   let ended = false
@@ -88,9 +97,9 @@ export function show(host: Promise<Host>, el: Holder, bound?: (app: App) => () =
   const staged = new Promise<void>((done) => {
     begun = done
   })
-  const ready = host.then(async (found) => {
+  const ready = host.then(async (data) => {
     if (ended) return
-    app = createApp(found)
+    app = createApp(data)
     unbind = bound?.(app)
     const made = (index: number, stage: Stage | null): void => {
       if (stage) stages.set(index, stage)
@@ -108,7 +117,7 @@ export function show(host: Promise<Host>, el: Holder, bound?: (app: App) => () =
     performance.mark('crankstar ready')
   })
   ready.catch((error: unknown) => {
-    draw(<p class="crankstar failed">{error instanceof Error ? error.message : String(error)}</p>, el)
+    draw(<p class="crankstar failed">{reasonOf(error)}</p>, el)
   })
   el.crankstar = handleOf(ready, () => app, stages)
   return () => {
@@ -122,7 +131,7 @@ export function show(host: Promise<Host>, el: Holder, bound?: (app: App) => () =
   }
 }
 
-/** What anywidget calls: shows the engine of a notebook's model in an element until the returned function is called. */
+/** The entry of anywidget: shows a model's engines until the returned function is called. */
 function render({ model, el }: { model: Model; el: HTMLElement }): () => void {
   // else JupyterLab takes our keys for its own
   el.dataset.lmSuppressShortcuts = 'true'
@@ -139,8 +148,10 @@ function render({ model, el }: { model: Model; el: HTMLElement }): () => void {
   }
 }
 
-// A file and a server's page have one element that says so; a notebook has none, and calls `render`.
-const own = typeof document === 'undefined' ? null : document.querySelector<Holder>('[data-crankstar]')
+// A file and a server's page have one element that says so; a notebook has none, and calls
+// `render`.
+const own =
+  typeof document === 'undefined' ? null : document.querySelector<Holder>('[data-crankstar]')
 if (own) show(own.dataset.crankstar === 'server' ? serverHost() : pageHost(document), own)
 
 export default { render }

@@ -1,10 +1,13 @@
-import type { CylinderShown, Scene } from './exhibit'
+import type { CylinderShown, Scene, ShaftShown } from './exhibit'
 
 /**
- * Exact places of pins, rods and pistons at a crank angle (docs, theory: motion), the same chain as in motion.py.
+ * Exact places of pins, rods and pistons at a crank angle (docs, theory: motion), the same chain as
+ * in motion.py.
  *
- * Everything is a pair [up, right] of the clock plane, seen from the front, in the scene's unit. The pin of a shaft stands at
- * bearing `angle + sense * speed_ratio * theta`; a piston pin stays on its cylinder's axis, `offset` to the clockwise side, one
+ * Everything is a pair [up, right] of the clock plane, seen from the front, in the scene's unit.
+ * The pin of a shaft stands at
+ * bearing `angle + sense * speed_ratio * theta`; a piston pin stays on its cylinder's axis,
+ * `offset` to the clockwise side, one
  * rod length from its big end; a knuckle pin is carried by its master's rod.
  */
 export interface Chain {
@@ -22,7 +25,7 @@ export interface Chain {
   readonly offset: Float64Array
   /** Unit vector [up, right] along each cylinder's axis. */
   readonly axis: Float64Array
-  /** [along the master's rod, to its clockwise side]: from the master's big end to the knuckle pin. */
+  /** From the master's big end to the knuckle pin: [along its rod, to its clockwise side]. */
   readonly knuckle: Float64Array
 }
 
@@ -34,28 +37,39 @@ export interface Places {
   readonly direction: Float64Array
 }
 
+/** Angle of a shaft at crank angle `theta`, clockwise seen from the front. */
+export const turned = (shaft: ShaftShown, sense: number, theta: number): number =>
+  sense * shaft.speed_ratio * theta
+
 /** The rods of a scene as arrays; `sense` is that of the exhibit. */
 export function chainOf(scene: Scene, sense: number): Chain {
   const { cylinders, shafts } = scene
   const shaftOf = (cylinder: CylinderShown) => {
     const shaft = shafts[cylinder.shaft]
-    if (!shaft) throw new RangeError(`cylinder ${cylinder.number} works on shaft ${cylinder.shaft}, which is not there`)
+    if (!shaft)
+      throw new RangeError(
+        `cylinder ${cylinder.number} works on shaft ${cylinder.shaft}, which is not there`,
+      )
     return shaft
   }
   const numbers = (of: (cylinder: CylinderShown) => number) => Float64Array.from(cylinders, of)
-  const pairs = (of: (cylinder: CylinderShown) => [number, number]) => Float64Array.from(cylinders.flatMap(of))
+  const pairs = (of: (cylinder: CylinderShown) => [number, number]) =>
+    Float64Array.from(cylinders.flatMap(of))
   return {
     count: cylinders.length,
     order: Int32Array.from(inOrder(cylinders.map((cylinder) => cylinder.master))),
     master: Int32Array.from(cylinders, (cylinder) => cylinder.master),
     shaft: pairs((cylinder) => [shaftOf(cylinder).up, shaftOf(cylinder).right]),
-    speed: numbers((cylinder) => sense * shaftOf(cylinder).speed_ratio),
+    speed: numbers((cylinder) => turned(shaftOf(cylinder), sense, 1)),
     angle: numbers((cylinder) => cylinder.throw_angle),
     radius: numbers((cylinder) => cylinder.crank_radius),
     length: numbers((cylinder) => cylinder.rod_length),
     offset: numbers((cylinder) => cylinder.offset),
     axis: pairs(({ bearing }) => [Math.cos(bearing), Math.sin(bearing)]),
-    knuckle: pairs((c) => [c.knuckle_radius * Math.cos(c.knuckle_angle), c.knuckle_radius * Math.sin(c.knuckle_angle)]),
+    knuckle: pairs((c) => [
+      c.knuckle_radius * Math.cos(c.knuckle_angle),
+      c.knuckle_radius * Math.sin(c.knuckle_angle),
+    ]),
   }
 }
 
@@ -74,7 +88,7 @@ export function placesOf(chain: Chain): Places {
   return { bigEnd: room(), piston: room(), direction: room() }
 }
 
-/** Writes where everything is at crank angle `theta` (radians) into `out`, and gives it back. Makes no garbage. */
+/** Writes all places at crank angle `theta` (radians) into `out`. Makes no garbage. */
 export function moved(chain: Chain, theta: number, out: Places): Places {
   for (let step = 0; step < chain.count; step++) {
     const index = chain.order[step] as number
@@ -113,7 +127,8 @@ function reach(chain: Chain, index: number, out: Places): void {
   const offset = at(chain.offset, index)
   const length = at(chain.length, index)
   const across = fromRight * axisUp - fromUp * axisRight - offset
-  const height = fromUp * axisUp + fromRight * axisRight + Math.sqrt(length * length - across * across)
+  const height =
+    fromUp * axisUp + fromRight * axisRight + Math.sqrt(length * length - across * across)
   const pinUp = at(chain.shaft, up) + height * axisUp - offset * axisRight
   const pinRight = at(chain.shaft, up + 1) + height * axisRight + offset * axisUp
   out.piston[up] = pinUp

@@ -1,3 +1,5 @@
+import { t } from './language/messages'
+
 /** How fast the page turns an engine: turns of the crankshaft in a second of the viewer's time. */
 export const SLOWEST = 0.05
 export const FASTEST = 5
@@ -16,19 +18,19 @@ export function placeOf(pace: number): number {
   return Math.log(Math.min(FASTEST, Math.max(SLOWEST, pace)) / SLOWEST) / RANGE
 }
 
-/** A factor as one says it: 80, 1200, 2.5. */
+/** A factor with two figures: 80, 1200, 2.5. */
 function factorText(factor: number): string {
   const rounded = Number(factor.toPrecision(2))
   return rounded.toLocaleString('en', { maximumFractionDigits: 2, useGrouping: false })
 }
 
-/** "as at 6000 rpm, slowed 80 times": what the pace is to the speed of the engine file. */
-export function paceWords(pace: number, speedRpm: number | null): string {
-  if (speedRpm === null || speedRpm <= 0) return 'the engine file names no speed'
-  const factor = speedRpm / (60 * pace)
-  const speed = `as at ${Number(speedRpm.toPrecision(6))} rpm`
-  if (Math.abs(factor - 1) < 0.05) return `${speed}, as fast as the engine`
-  return factor > 1
-    ? `${speed}, slowed ${factorText(factor)} times`
-    : `${speed}, ${factorText(1 / factor)} times as fast`
+/** The pace of the page beside the speed of the engine: "80 times slower than 6000 rpm". */
+export function paceText(pace: number, speedRpm: number | null): string {
+  if (speedRpm === null || speedRpm <= 0) return t('the file gives no speed')
+  const ratio = speedRpm / (60 * pace)
+  const speed = Number(speedRpm.toPrecision(6))
+  if (Math.abs(ratio - 1) < 0.05) return t('as fast as the engine at {speed} rpm', { speed })
+  return ratio > 1
+    ? t('{factor} times slower than {speed} rpm', { factor: factorText(ratio), speed })
+    : t('{factor} times faster than {speed} rpm', { factor: factorText(1 / ratio), speed })
 }

@@ -1,4 +1,5 @@
 import type { Answer, Tree } from './host/host'
+import { t } from './language/messages'
 
 /** No engine file is longer than this; what unpacks to more was not packed here. */
 const LONGEST = 1_000_000
@@ -15,7 +16,7 @@ async function piped(
     length += part.length
     if (length > LONGEST) {
       await reader.cancel()
-      throw new RangeError('The engine in this link is too long.')
+      throw new RangeError('more than an engine file')
     }
     parts.push(part)
   }
@@ -30,7 +31,10 @@ async function piped(
 
 /** An engine file as a short text of letters that need no escape in an address. */
 export async function packedTree(tree: Tree): Promise<string> {
-  const bytes = await piped(new TextEncoder().encode(JSON.stringify(tree)), new CompressionStream('deflate-raw'))
+  const bytes = await piped(
+    new TextEncoder().encode(JSON.stringify(tree)),
+    new CompressionStream('deflate-raw'),
+  )
   const text = Array.from(bytes, (byte) => String.fromCharCode(byte)).join('')
   return btoa(text).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '')
 }
@@ -42,12 +46,11 @@ export async function unpackedTree(packed: string): Promise<Answer<Tree>> {
     const bytes = Uint8Array.from(text, (letter) => letter.charCodeAt(0))
     const whole = await piped(bytes, new DecompressionStream('deflate-raw'))
     const tree: unknown = JSON.parse(new TextDecoder('utf-8', { fatal: true }).decode(whole))
-    if (typeof tree === 'object' && tree !== null && !Array.isArray(tree)) return { ok: true, value: tree as Tree }
+    if (typeof tree === 'object' && tree !== null && !Array.isArray(tree))
+      return { ok: true, value: tree as Tree }
   } catch {
-    // told below
+    // the same sentence for all that is no engine file
   }
-  return {
-    ok: false,
-    problems: [{ path: '', message: 'The engine in this link cannot be read; the link may have been cut.' }],
-  }
+  const message = t('The engine in this link cannot be read; the link may be incomplete.')
+  return { ok: false, problems: [{ path: '', message }] }
 }

@@ -3,7 +3,8 @@ import type { Vectors } from './exhibit'
 /**
  * Spectra over crank order evaluated at a crank angle, as in phasor.py.
  *
- * A vector of order k is `forward exp(i s k theta) + backward exp(-i s k theta)`, s the exhibit's sense, as `up + i right`; a
+ * A vector of order k is `forward exp(i s k theta) + backward exp(-i s k theta)`, s the exhibit's
+ * sense, as `up + i right`; a
  * signal is `Re(c exp(i k theta))`.
  */
 export interface Phase {
@@ -16,7 +17,7 @@ export interface Phase {
 /** A vector of the clock plane, [up, right]. */
 export type Plane = [number, number]
 
-/** Coefficients in one flat array, four numbers an order: forward up and right, backward up and right. */
+/** Four numbers an order: forward up and right, backward up and right. */
 export type Coefficients = Float64Array
 
 /** Orders that are closer together than this are the same. */
@@ -26,8 +27,13 @@ export function phaseOf(count: number, sense: number): Phase {
   return { sense, cos: new Float64Array(count), sin: new Float64Array(count) }
 }
 
-/** Turns `phase` to the crank angle `theta` (radians); orders outside `chosen` are left out, null keeps all. */
-export function turn(phase: Phase, orders: readonly number[], theta: number, chosen: readonly number[] | null): Phase {
+/** Turns `phase` to `theta` (radians), without the orders outside `chosen`; null keeps all. */
+export function turn(
+  phase: Phase,
+  orders: readonly number[],
+  theta: number,
+  chosen: readonly number[] | null,
+): Phase {
   for (let index = 0; index < orders.length; index++) {
     const order = orders[index] as number
     const kept = chosen === null || among(order, chosen)
@@ -89,7 +95,7 @@ export function signalAt(coefficients: Coefficients, phase: Phase): number {
   return sum
 }
 
-/** The greatest length of the vector over `turns` turns, found on a grid fine enough for a drawing's scale. */
+/** The greatest length of the vector over `turns` turns, on a grid. */
 export function greatest(
   coefficients: Coefficients,
   orders: readonly number[],
@@ -107,7 +113,7 @@ export function greatest(
   return most
 }
 
-/** How far the vector goes up (or down) and to the right (or left) over `turns` turns, on the same grid. */
+/** The greatest vertical and horizontal reach of the vector over `turns` turns. */
 export function spans(
   coefficients: Coefficients,
   orders: readonly number[],

@@ -23,7 +23,7 @@ export type Quantity = (typeof QUANTITIES)[number]
 
 /** All that makes two people who open the same link see the same thing. */
 export interface State {
-  /** The engine, where it is not the one the page opens with: a catalog name, or `~` and a packed engine file. */
+  /** The engine unless the opening one: a catalog name, or `~` and a packed engine file. */
   readonly engine: string
   /** Crank angle at which the engine stands, degrees; null while it turns. */
   readonly angle: number | null
@@ -34,7 +34,7 @@ export interface State {
   readonly cylinders: boolean
   /** Orders that are shown as arrows, as whirl and in figures; null for all. */
   readonly orders: readonly number[] | null
-  /** The quantity of figures and derivations; null for what is greatest in the engine. */
+  /** The quantity of figures and derivations; null for the greater of force and couple. */
   readonly quantity: Quantity | null
   /** Length of the arrows, 1 as the stage is designed. */
   readonly scale: number
@@ -47,8 +47,12 @@ export interface State {
   readonly theme: Theme
   /** With counterweights and balance shafts. */
   readonly fitted: boolean
-  /** The engine beside it: a catalog name, or `2` for the second engine of a page; empty for none. */
+  /** The engine beside it: a catalog name, `2` for the second of a page, empty for none. */
   readonly beside: string
+  /** Which of the engines on the stage the panels show. */
+  readonly panel: '1' | '2'
+  /** Language of the page; empty for that of its host. */
+  readonly language: string
 }
 
 export const OPENING: State = {
@@ -69,6 +73,8 @@ export const OPENING: State = {
   theme: 'auto',
   fitted: false,
   beside: '',
+  panel: '1',
+  language: '',
 }
 
 /** How a part of the state is written; `read` gives undefined for nonsense. */
@@ -138,10 +144,12 @@ const FIELDS: { readonly [K in keyof State]: Field<State[K]> } = {
   theme: oneOf('theme', THEMES),
   fitted: yesNo('fitted'),
   beside: words('beside', 60_000),
+  panel: oneOf('panel', ['1', '2']),
+  language: words('lang', 12),
 }
 const NAMES = Object.keys(FIELDS) as readonly (keyof State)[]
 
-/** The state as text for an address, only what differs from how a page opens: `a=450&camera=front`. */
+/** The state as text for an address, only differences from the opening. */
 export function stateText(state: State): string {
   const text = new URLSearchParams()
   const add = <K extends keyof State>(name: K): void => {

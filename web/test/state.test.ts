@@ -20,6 +20,8 @@ const OTHER: State = {
   theme: 'dark',
   fitted: true,
   beside: 'v8 & "flat" <b>#plane</b>',
+  panel: '2',
+  language: 'ru',
 }
 
 describe('the state as text', () => {
@@ -29,7 +31,8 @@ describe('the state as text', () => {
   })
 
   test('every part comes back from its text', () => {
-    for (const name of Object.keys(OTHER) as (keyof State)[]) expect(OTHER[name], name).not.toEqual(OPENING[name])
+    for (const name of Object.keys(OTHER) as (keyof State)[])
+      expect(OTHER[name], name).not.toEqual(OPENING[name])
     expect(stateOf(stateText(OTHER))).toEqual(OTHER)
     expect(stateOf(`#${stateText(OTHER)}`)).toEqual(OTHER)
   })
@@ -42,7 +45,9 @@ describe('the state as text', () => {
   })
 
   test('short and legible', () => {
-    expect(stateText({ ...OPENING, angle: 450, camera: 'front', orders: [1, 2] })).toBe('a=450&camera=front&orders=1_2')
+    expect(stateText({ ...OPENING, angle: 450, camera: 'front', orders: [1, 2] })).toBe(
+      'a=450&camera=front&orders=1_2',
+    )
     expect(stateText({ ...OPENING, angle: 0 })).toBe('a=0')
   })
 
@@ -75,7 +80,8 @@ describe('the state as text', () => {
   })
 
   test('every key is told of in the documents', () => {
-    for (const key of new URLSearchParams(stateText(OTHER)).keys()) expect(documents).toContain(`\`${key}=`)
+    for (const key of new URLSearchParams(stateText(OTHER)).keys())
+      expect(documents).toContain(`\`${key}=`)
   })
 
   test('orders come sorted and once', () => {

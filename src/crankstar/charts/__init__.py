@@ -1,51 +1,67 @@
-"""Figures, one function each, made with Altair: engines in, a chart out, and a chart as an SVG that needs no browser.
+"""Figures, one function each, as Vega-Lite.
 
-Figures of engines, by the names in `CHARTS`:
+Engines in, a chart out, and a chart as an SVG that needs no browser.
 
-| module | one line |
+`CHARTS` has the figures of engines by name.
+
+| module, bottom to top | one line |
 |---|---|
-| `registry` | the figures by the names under which the command line knows them |
-| `winners` | the best stars of a search side by side |
-| `fronts` | the Pareto front of a search: what one objective costs in the other |
-| `sweeps` | what becomes of a force when a number of the engine is varied |
-| `comparison` | several engines side by side on common axes |
-| `pushes` | the forces on each cylinder at chosen crank angles |
-| `elevations` | the crankshaft from the side |
-| `rings` | the cylinders round a circle at their firing angles |
-| `strokes` | when valves are open, and when each cylinder fires |
-| `spectra` | how great each order becomes |
-| `turns` | force, couple, roll and torque over the crank angle |
-| `hodographs` | the path of force or couple |
-| `polygons` | force and moment polygons |
-| `stars` | the crank star, and the star of the vectors of an order |
-| `vectors` | the vectors of one order, as numbers |
-| `plane` | the clock plane as a picture with equal scales |
-| `labels` | where labels stand |
-| `saving` | a chart as SVG, PNG, PDF, HTML or JSON |
-| `compared` | a printed formula beside the true one |
+| `grammar` | Vega-Lite as plain data |
 | `drawing` | colours, text, the crank angle as a parameter |
+| `crank_angle` | the axis of the crank angle, and the rule at `theta` |
+| `labels` | where labels stand |
+| `plane` | the clock plane as a picture with equal scales |
+| `saving` | a chart as SVG, PNG, PDF, HTML or JSON |
+| `vectors` | the vectors of one order, as numbers |
+| `stars` | the crank star, and the star of the vectors of an order |
+| `polygons` | force and moment polygons |
+| `hodographs` | the path of force or couple |
+| `curves` | force, couple, roll and torque over the crank angle |
+| `spectra` | the size of each order |
+| `strokes` | when valves are open, and when each cylinder fires |
+| `firing_rings` | the cylinders round a circle at their firing angles |
+| `elevations` | the crankshaft from the side |
+| `cylinder_forces` | the forces on each cylinder at chosen crank angles |
+| `comparison` | several engines side by side on common axes |
+| `sweeps` | a result over a number of the engine |
+| `errata` | a printed formula beside the true one |
+| `front_axes` | the axes of a front, straight or logarithmic |
+| `search_values` | the values and firing orders of found stars as text |
+| `front_numbers` | the numbers of the points of a front |
+| `front_keys` | the key of a front as a table |
+| `fronts` | the Pareto front of a search: the trade between two objectives |
+| `search_stars` | the best stars of a search side by side |
+| `registry` | the figures by the names under which the command line knows them |
 
-What depends on the crank angle has one parameter, `theta`, in degrees: a slider in HTML and in a notebook. Altair and
-vl-convert are loaded when a figure is asked for; they come with `pip install "crankstar[charts]"`.
+What depends on the crank angle has one parameter, `theta`, in degrees: a slider in HTML and in a
+notebook. Altair, which shows a chart in a notebook, and vl-convert, which draws it, are loaded when
+they are needed; they come with `pip install "crankstar[charts]"`.
 """
 
-from crankstar.charts.compared import judged, over_rods
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
 from crankstar.charts.comparison import side_by_side
-from crankstar.charts.drawing import GREY, ChartError, svg, swiftly
+from crankstar.charts.curves import over_turn
+from crankstar.charts.cylinder_forces import force_arrows
+from crankstar.charts.drawing import GREY, ChartError, svg
 from crankstar.charts.elevations import shaft_elevation
-from crankstar.charts.fronts import pareto_front
+from crankstar.charts.errata import judged, over_rods
+from crankstar.charts.firing_rings import firing_ring
 from crankstar.charts.hodographs import hodograph
 from crankstar.charts.polygons import polygon
-from crankstar.charts.pushes import force_arrows
 from crankstar.charts.registry import CHARTS, Figure
-from crankstar.charts.rings import firing_ring
 from crankstar.charts.saving import SUFFIXES, saved
 from crankstar.charts.spectra import spectrum
 from crankstar.charts.stars import crank_star, vector_star
 from crankstar.charts.strokes import stroke_chart
 from crankstar.charts.sweeps import swept
-from crankstar.charts.turns import over_turn
-from crankstar.charts.winners import best_stars
+
+if TYPE_CHECKING:
+    from crankstar.charts.fronts import pareto_front
+    from crankstar.charts.search_stars import best_stars
 
 __all__ = [
     "CHARTS",
@@ -70,6 +86,14 @@ __all__ = [
     "stroke_chart",
     "svg",
     "swept",
-    "swiftly",
     "vector_star",
 ]
+
+_LATE = {"best_stars": "search_stars", "pareto_front": "fronts"}
+
+
+def __getattr__(name: str) -> Any:
+    """Figures of a search are loaded when they are asked for, with the exact algebra it needs."""
+    if name not in _LATE:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(f"{__name__}.{_LATE[name]}"), name)

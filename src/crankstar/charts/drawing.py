@@ -1,22 +1,20 @@
-"""What all figures have in common: colours, text that can be read on light and dark pages, the crank angle as a parameter."""
+"""The common parts of figures: colours, sizes, panels under a title, the crank angle."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
-from functools import cache
+from collections.abc import Sequence
 from html import escape
 from math import degrees, isfinite
 from textwrap import wrap
 from typing import TYPE_CHECKING, Any
 
-from crankstar.wording import number
+from crankstar.charts.grammar import Chart, Layer
+from crankstar.language.messages import _
+from crankstar.language.numbers import number
 
 if TYPE_CHECKING:
-    import altair
-
-    from crankstar.engine import Engine
+    from crankstar.engine.engine import Engine
 
 GREY = "#808080"
 """Text and axes: can be read on white and on black."""
@@ -24,8 +22,9 @@ PRINTED, OURS = "#d55e00", "#2b83c6"
 """Vermilion and blue, which the colour-blind tell apart, and which show on white and on black."""
 VERMILION, BLUE = PRINTED, OURS
 GREEN, ORANGE, PURPLE, SKY = "#009e73", "#e69f00", "#cc79a7", "#56b4e9"
+YELLOW = "#f0e442"
 PALETTE = (BLUE, GREEN, ORANGE, PURPLE, SKY)
-"""For curves that stand side by side, after M. Okabe and K. Ito; vermilion marks the crank angle, and the best value."""
+"""For curves, after M. Okabe and K. Ito; vermilion marks the crank angle and optima."""
 WIDTH, HEIGHT = 330, 170
 """Of the plotting area; with its axes a figure is about 400 pixels wide."""
 HALF = 190
@@ -35,44 +34,23 @@ SMALL, TEXT = 12, 13
 LETTER = 0.56
 """Mean width of a letter in its size; enough to keep labels apart."""
 THETA = "theta"
-"""The one parameter of every figure that depends on the crank angle, in degrees."""
+"""The parameter of figures that depend on the crank angle, in degrees."""
 
 LONG = re.compile(r"-?\d+\.\d{3,}")
 
 
 class ChartError(ValueError):
-    """A figure that cannot be drawn, as one sentence that says what can."""
-
-
-@contextmanager
-def swiftly() -> Iterator[None]:
-    """While this lasts Altair does not check every part of a chart as it is made, which takes three times as long as making it.
-
-    What figures are made of is checked by the tests. To be entered by one thread at a time: Altair has one switch for all.
-    """
-    from altair.utils.schemapi import debug_mode
-
-    with debug_mode(False):
-        yield
-
-
-def of_rows(rows: Sequence[dict[str, Any]]) -> altair.Chart:
-    """A chart of rows of data, without a mark as yet."""
-    import altair as alt
-
-    # a tuple, because Altair copies lists row by row, again and again, when it puts charts together
-    return alt.Chart(alt.Data(values=tuple(rows)))
+    """A figure that cannot be drawn; the message names what can."""
 
 
 Panel = dict[str, Any]
-"""A part of a figure as Vega-Lite: made of Altair's charts, put together without copying each of them again and again."""
+"""A part of a figure as Vega-Lite."""
 
 
-def styled(chart: Any) -> altair.LayerChart:
-    """A chart with a transparent ground, grey text and axes, and its legend above."""
-    shown = chart.properties(width=WIDTH, height=HEIGHT, background="transparent")
-    shown.config = STYLE
-    return shown
+def styled(*layers: Layer) -> Chart:
+    """A chart of layers with a transparent ground, grey text and axes, and its legend above."""
+    panel = layered(layers, width=WIDTH, height=HEIGHT)
+    return Chart({**panel, "background": "transparent", "config": STYLE})
 
 
 STYLE = {
@@ -90,7 +68,9 @@ STYLE = {
         "gridOpacity": 0.25,
         "labelSeparation": 8,
     },
-    "axisY": {"titlePadding": 10},  # a browser's own letters may be wider than those that are reckoned with
+    "axisY": {
+        "titlePadding": 10
+    },  # a browser's own letters may be wider than those that are reckoned with
     "legend": {"labelColor": GREY, "labelFontSize": 13, "labelLimit": 200},
     "title": {
         "color": GREY,
@@ -106,17 +86,13 @@ STYLE = {
 """Grey text and axes, which can be read on light and on dark."""
 
 
-def layered(layers: Sequence[altair.Chart], *, width: float, height: float, title: str = "") -> Panel:
-    """A panel of layers, the first below the others; each line of its title on a line of its own."""
-    import altair as alt
-
-    specs = []
-    for layer in layers:
-        bare = layer.copy(deep=False)
-        bare.data = alt.Undefined
-        rows = list(layer["data"]["values"])
-        specs.append({**bare.to_dict(validate=False, context={"top_level": False}), "data": {"values": rows}})
-    panel: Panel = {"layer": specs, "width": round(width, 3), "height": round(height, 3)}
+def layered(layers: Sequence[Layer], *, width: float, height: float, title: str = "") -> Panel:
+    """A panel of layers, the first below the others; each line of its title is on its own line."""
+    panel: Panel = {
+        "layer": [layer.spec for layer in layers],
+        "width": round(width, 3),
+        "height": round(height, 3),
+    }
     return {**panel, "title": _head(title)} if title else panel
 
 
@@ -131,61 +107,63 @@ def _head(title: str) -> dict[str, Any]:
 
 
 def figure(
-    rows: Sequence[Sequence[Panel]], *, title: str, subtitle: Sequence[str] = (), theta: float | None = None, turns: int = 1
-) -> altair.VConcatChart:
-    """Panels in rows under one title, with the crank angle `theta` (radians) as a parameter where one is given.
+    rows: Sequence[Sequence[Panel]],
+    *,
+    title: str,
+    subtitle: Sequence[str] = (),
+    theta: float | None = None,
+    turns: int = 1,
+) -> Chart:
+    """Panels in rows under one title; the crank angle `theta` (radians), if given, is a parameter.
 
-    In HTML the parameter has a slider over `turns` of the crankshaft; in a picture it leaves no trace.
+    In HTML the parameter has a slider over `turns` of the crankshaft; in a picture it leaves no
+    trace.
     """
     below = [line for text in subtitle for line in folded(text)]
     parts: dict[str, Any] = {
-        "vconcat": [{"hconcat": list(row), "spacing": 18} if len(row) > 1 else row[0] for row in rows],
+        "vconcat": [
+            {"hconcat": list(row), "spacing": 18} if len(row) > 1 else row[0] for row in rows
+        ],
         "title": {"text": folded(title), **({"subtitle": below} if below else {})},
         "spacing": 14,
         "background": "transparent",
         "config": STYLE,
     }
     if theta is not None:
-        slider = {"input": "range", "min": 0, "max": 360 * turns, "step": 1, "name": "crank angle θ (degrees) "}
+        slider = {
+            "input": "range",
+            "min": 0,
+            "max": 360 * turns,
+            "step": 1,
+            "name": _("crank angle θ (degrees)") + " ",
+        }
         parts["params"] = [{"name": THETA, "value": round(degrees(theta), 9), "bind": slider}]
-    return _assembled()(**parts)
-
-
-@cache
-def _assembled() -> type[altair.VConcatChart]:
-    """Altair's chart of panels one below the other, for panels that are Vega-Lite already."""
-    import altair as alt
-
-    class Assembled(alt.VConcatChart):
-        """A figure put together from Vega-Lite; to be shown, saved and written, not to be taken apart."""
-
-        def __init__(self, **parts: Any) -> None:
-            super(alt.VConcatChart, self).__init__(**parts)  # not Altair's own, which merges what its panels have in common
-
-    return Assembled
+    return Chart(parts)
 
 
 def folded(text: str, width: int = 48) -> list[str]:
-    """A text in lines that fit a figure."""
+    """A text in lines as wide as a figure."""
     return wrap(text, width, break_long_words=True) or [""]
 
 
 def named(engine: Engine) -> str:
-    """The name of an engine under a title, and which way it turns where that is not clockwise seen from the front."""
-    return engine.name if engine.sense > 0 else f"{engine.name}; turns counter-clockwise"
+    """The name of an engine, and its direction of rotation if that is counter-clockwise."""
+    if engine.sense > 0:
+        return engine.name
+    return _("{engine}; turns counter-clockwise", engine=engine.name)
 
 
 def checked_angle(theta: float) -> float:
-    """A crank angle that is a number; raises ChartError."""
+    """The crank angle if it is finite; raises ChartError."""
     if not isfinite(theta):
-        raise ChartError(f"the crank angle is {theta}; give an angle in radians")
+        raise ChartError(_("the crank angle is {angle}; give an angle in radians", angle=theta))
     return float(theta)
 
 
 def checked_order(order: float) -> float:
-    """An order that can be; raises ChartError."""
+    """The order if it is positive; raises ChartError."""
     if not isfinite(order) or order <= 0:
-        raise ChartError(f"the order is {order:g}; give one greater than 0, counted per turn of the reference crankshaft")
+        raise ChartError(_("the order is {order}; it must be greater than 0", order=f"{order:g}"))
     return float(order)
 
 
@@ -201,8 +179,12 @@ def numbers_text(numbers: Sequence[int]) -> str:
             runs[-1].append(one)
         else:
             runs.append([one])
-    said = [text for run in runs for text in ([f"{run[0]}–{run[-1]}"] if len(run) > 2 else map(str, run))]
-    return ", ".join(said) if len(said) <= 6 else f"{', '.join(said[:3])} … {said[-1]}"
+    parts = [
+        text
+        for run in runs
+        for text in ([f"{run[0]}–{run[-1]}"] if len(run) > 2 else map(str, run))
+    ]
+    return ", ".join(parts) if len(parts) <= 6 else f"{', '.join(parts[:3])} … {parts[-1]}"
 
 
 def brief(value: float) -> str:
@@ -219,16 +201,17 @@ def text_width(text: str, size: float = TEXT) -> float:
     return LETTER * size * max(map(len, text.split("\n")))
 
 
-def svg(chart: Any, title: str) -> str:
-    """A chart as an SVG that fits the width it is given, with a title for those who do not see it.
-
-    Coordinates are rounded to hundredths of a pixel.
-    """
+def svg(chart: Chart, title: str) -> str:
+    """A chart as an SVG with a title for screen readers, coordinates in hundredths of a pixel."""
     import vl_convert
 
-    drawing = vl_convert.vegalite_to_svg(chart.to_dict(validate=False))
-    drawing = re.sub(r' (?:xmlns:xlink|version|aria-[\w-]+|role)="[^"]*"', "", drawing[drawing.index("<svg") :])
-    drawing = re.sub(r' (?:d|transform|[xy]2?)="[^"]*"', lambda found: LONG.sub(_rounded, found.group()), drawing)
+    drawing = vl_convert.vegalite_to_svg(chart.to_dict())
+    drawing = re.sub(
+        r' (?:xmlns:xlink|version|aria-[\w-]+|role)="[^"]*"', "", drawing[drawing.index("<svg") :]
+    )
+    drawing = re.sub(
+        r' (?:d|transform|[xy]2?)="[^"]*"', lambda found: LONG.sub(_rounded, found.group()), drawing
+    )
     drawing = re.sub(r"^<svg\b", '<svg role="img"', drawing)
     head, rest = drawing.split(">", 1)
     return f"{head}><title>{escape(title)}</title>{rest}".replace("\n", "")

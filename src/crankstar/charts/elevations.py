@@ -1,13 +1,12 @@
-"""The crankshaft seen from the side: webs and pins, cylinders and weights along it, and their arms."""
+"""The crankshaft from the side: pins and webs, cylinders and weights along it, and their arms."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import pairwise
 from math import cos, degrees, pi, radians, sin
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
-from crankstar.balance import default_reference
 from crankstar.charts.drawing import (
     BLUE,
     GREY,
@@ -20,30 +19,32 @@ from crankstar.charts.drawing import (
     figure,
     layered,
     numbers_text,
-    of_rows,
     text_width,
 )
+from crankstar.charts.grammar import Chart, field, of_rows
 from crankstar.charts.stars import turns_together
-from crankstar.engine import Engine
-from crankstar.mechanism import Reference
-from crankstar.records import Shaft
-from crankstar.wording import number
-
-if TYPE_CHECKING:
-    import altair
+from crankstar.engine.engine import Engine
+from crankstar.engine.records import Shaft
+from crankstar.language.messages import _
+from crankstar.language.numbers import number
+from crankstar.mechanics.balance import default_reference
+from crankstar.mechanics.excitation import Reference
 
 ROW = 150.0
 """Height of the row of one shaft, px."""
 PIN, JOURNAL = 7.0, 7.0
 """Thickness of pins and journals, px."""
 HIGH, DIMENSION, CYLINDER = 42.0, -64.0, 62.0
-"""px above the axis: of a pin that points up, of the line of arms, of the numbers of cylinders."""
-EXPRESSION = "datum.up * cos(datum.rate * theta * PI / 180) - datum.right * sin(datum.rate * theta * PI / 180)"
-"""How far up a point of a shaft stands that is `up`, `right` of its axis at theta = 0."""
+"""px above the axis: a pin that points up, the line of arms, the cylinder numbers."""
+EXPRESSION = (
+    "datum.up * cos(datum.rate * theta * PI / 180)"
+    " - datum.right * sin(datum.rate * theta * PI / 180)"
+)
+"""The height of a point of a shaft that is `up`, `right` of its axis at theta = 0."""
 
 
 class Along(NamedTuple):
-    """Places along the engine on the screen, front at the left: px = (z_front - z) * scale + margin."""
+    """Places along the engine on the screen, front at the left: (front - z) * scale + margin."""
 
     front: float
     scale: float
@@ -54,12 +55,14 @@ class Along(NamedTuple):
         return (self.front - z) * self.scale + self.margin
 
 
-def shaft_elevation(engine: Engine, *, reference: Reference | None = None, theta: float | None = None) -> altair.VConcatChart:
-    """Every shaft seen from the side, the front at the left, one below the other, at the crank angle `theta` (radians).
+def shaft_elevation(
+    engine: Engine, *, reference: Reference | None = None, theta: float | None = None
+) -> Chart:
+    """Every shaft from the side at the crank angle `theta` (radians), the front at the left.
 
-    The height of a pin is the upward part of its crank radius, true for that angle; without one, the angle at which the first
-    throw stands 20 degrees past up, so that cranks at right angles are told apart. Above stand the numbers of the
-    cylinders, below the arms of the throws (of the weights, on a shaft without throws) about the reference plane (dashed).
+    The height of a pin is the upward component of its crank radius. By default the first throw is
+    20 degrees past up, where cranks at right angles have different heights. Above are the cylinder
+    numbers, below the arms of the throws (or weights) about the reference plane (dashed).
     """
     theta = _askew(engine) if theta is None else checked_angle(theta)
     reference = reference or default_reference(engine)
@@ -70,55 +73,78 @@ def shaft_elevation(engine: Engine, *, reference: Reference | None = None, theta
     )
     span = max(places) - min(places)
     margin = 40.0
-    along = Along(max(places), (WIDTH - 2 * margin) / span if span else 1.0, margin if span else WIDTH / 2)
+    along = Along(
+        max(places), (WIDTH - 2 * margin) / span if span else 1.0, margin if span else WIDTH / 2
+    )
     several = len(engine.shafts) > 1
-    rows = [[_shaft_panel(engine, shaft, along, reference.z, name=shaft.name if several else "")] for shaft in engine.shafts]
-    unit = "bore pitches" if "pitch" in engine.relative else "mm"
-    title = f"Crankshaft from the side, front at the left; arms in {unit}"
+    rows = [
+        [_shaft_panel(engine, shaft, along, reference.z, name=shaft.name if several else "")]
+        for shaft in engine.shafts
+    ]
+    if "pitch" in engine.relative:
+        title = _("Crankshaft from the side, front at the left; arms in bore pitches")
+    else:
+        title = _("Crankshaft from the side, front at the left; arms in mm")
     return figure(
         rows,
         title=title,
-        subtitle=[engine.name, f"drawn at θ = {degrees(theta):.4g}°, heights true"],
+        subtitle=[
+            engine.name,
+            _("at θ = {theta}°, heights to scale", theta=f"{degrees(theta):.4g}"),
+        ],
         theta=theta,
         turns=turns_together(engine),
     )
 
 
 def _askew(engine: Engine) -> float:
-    """The crank angle at which the first throw stands 20 degrees past up."""
+    """The crank angle at which the first throw is 20 degrees past up."""
     first = next((throw for shaft in engine.shafts for throw in shaft.throws), None)
     return 0.0 if first is None else engine.sense * (radians(20) - first.angle) % (2 * pi)
 
 
 def _shaft_panel(engine: Engine, shaft: Shaft, along: Along, zero: float, *, name: str) -> Panel:
-    import altair as alt
-
     radius = max((throw.radius for throw in shaft.throws), default=1.0)
-    bars = [*_journals(engine, shaft, along), *_throws(engine, shaft, along, radius), *_weights(engine, shaft, along)]
+    bars = [
+        *_journals(engine, shaft, along),
+        *_throws(engine, shaft, along, radius),
+        *_weights(engine, shaft, along),
+    ]
     texts = [*_cylinder_numbers(engine, shaft, along), *_arms(engine, shaft, along, zero)]
     lines = _dimension(shaft, along, zero)
-    x = alt.X("x:Q", scale=alt.Scale(domain=[0, WIDTH], nice=False, zero=False), axis=None)
-    scale = alt.Scale(domain=[DIMENSION - 24, ROW + DIMENSION - 24], nice=False, zero=False)
-    y = alt.Y("y1:Q", scale=scale, axis=None)
-    colour = alt.Color("colour:N", scale=None)
-    height = alt.Y("y:Q", scale=scale, axis=None)
-    ends = {"x2": alt.X2("x2:Q"), "y2": alt.Y2("y2:Q"), "color": colour}
-    dash = alt.StrokeDash("dash:N", scale=None)
-    still = of_rows(lines).mark_rule(strokeWidth=1).encode(x=x, y=height, strokeDash=dash, **ends)
+    x = field("x:Q", scale={"domain": [0, WIDTH], "nice": False, "zero": False}, axis=None)
+    scale = {"domain": [DIMENSION - 24, ROW + DIMENSION - 24], "nice": False, "zero": False}
+    y = field("y1:Q", scale=scale, axis=None)
+    colour = field("colour:N", scale=None)
+    height = field("y:Q", scale=scale, axis=None)
+    ends = {"x2": field("x2"), "y2": field("y2"), "color": colour}
+    dash = field("dash:N", scale=None)
+    still = (
+        of_rows(lines).mark("rule", strokeWidth=1).encode(x=x, y=height, strokeDash=dash, **ends)
+    )
     moving = (
         of_rows(bars)
-        .transform_calculate(h=EXPRESSION)
-        .transform_calculate(y1="datum.h * datum.lower", y2="datum.h * datum.upper")
-        .mark_rule(strokeCap="butt", opacity=1)
-        .encode(x=x, y=y, strokeWidth=alt.StrokeWidth("width:Q", scale=None), **ends)
+        .calculate(h=EXPRESSION)
+        .calculate(y1="datum.h * datum.lower", y2="datum.h * datum.upper")
+        .mark("rule", strokeCap="butt", opacity=1)
+        .encode(x=x, y=y, strokeWidth=field("width:Q", scale=None), **ends)
     )
-    words = of_rows(texts).mark_text(baseline="middle")
-    words = words.encode(x=x, y=height, text=alt.Text("text:N"), size=alt.Size("size:Q", scale=None), color=colour)
+    words = of_rows(texts).mark("text", baseline="middle")
+    words = words.encode(
+        x=x, y=height, text=field("text:N"), size=field("size:Q", scale=None), color=colour
+    )
     return layered([still, moving, words], width=WIDTH, height=ROW, title=name)
 
 
 def _bar(
-    x: float, x2: float, *, vector: complex, between: tuple[float, float], rate: float, colour: str, width: float
+    x: float,
+    x2: float,
+    *,
+    vector: complex,
+    between: tuple[float, float],
+    rate: float,
+    colour: str,
+    width: float,
 ) -> dict[str, Any]:
     """A bar from x to x2 (px) between two shares of the height of a turning vector (px)."""
     return {
@@ -135,7 +161,7 @@ def _bar(
 
 
 def _half_pin(shaft: Shaft, along: Along) -> float:
-    """Half the length of a pin on the screen: what the closest neighbours leave, px."""
+    """Half the length of a pin on the screen, limited by its closest neighbours, px."""
     places = sorted({throw.z for throw in shaft.throws})
     gaps = [(b - a) * along.scale for a, b in pairwise(places)]
     return max(1.5, min([13.0, *(0.27 * gap for gap in gaps)]))
@@ -146,7 +172,7 @@ def _rate(engine: Engine, shaft: Shaft) -> float:
 
 
 def _journals(engine: Engine, shaft: Shaft, along: Along) -> list[dict[str, Any]]:
-    """The shaft along its axis, open where there is a pin."""
+    """The journals along the axis, interrupted at the pins."""
     half = _half_pin(shaft, along)
     points = [along.at(place) for place in sorted({t.z for t in shaft.throws}, reverse=True)]
     places = [along.at(weight.z) for weight in shaft.weights]
@@ -157,7 +183,11 @@ def _journals(engine: Engine, shaft: Shaft, along: Along) -> list[dict[str, Any]
         edges += [point - half, point + half]
     edges.append(max([*points, *places]) + half + 16)
     pairs = zip(edges[::2], edges[1::2], strict=True)
-    return [_bar(a, b, vector=0j, between=(0, 0), rate=_rate(engine, shaft), colour=GREY, width=JOURNAL) for a, b in pairs if b > a]
+    return [
+        _bar(a, b, vector=0j, between=(0, 0), rate=_rate(engine, shaft), colour=GREY, width=JOURNAL)
+        for a, b in pairs
+        if b > a
+    ]
 
 
 def _throws(engine: Engine, shaft: Shaft, along: Along, radius: float) -> list[dict[str, Any]]:
@@ -168,12 +198,22 @@ def _throws(engine: Engine, shaft: Shaft, along: Along, radius: float) -> list[d
         x = along.at(throw.z)
         web = {"vector": vector, "rate": rate, "colour": BLUE, "width": min(5.0, 1.2 * half)}
         out += [_bar(side, side, between=(0, 1), **web) for side in (x - half, x + half)]
-        out.append(_bar(x - half - 2, x + half + 2, vector=vector, between=(1, 1), rate=rate, colour=BLUE, width=PIN))
+        out.append(
+            _bar(
+                x - half - 2,
+                x + half + 2,
+                vector=vector,
+                between=(1, 1),
+                rate=rate,
+                colour=BLUE,
+                width=PIN,
+            )
+        )
     return out
 
 
 def _weights(engine: Engine, shaft: Shaft, along: Along) -> list[dict[str, Any]]:
-    """Weights as broad bars from the axis to where they point; the heavier the broader."""
+    """Weights as bars in their direction; the heavier, the broader."""
     greatest = max((weight.unbalance for weight in shaft.weights), default=0.0)
     out = []
     for weight in shaft.weights:
@@ -181,13 +221,24 @@ def _weights(engine: Engine, shaft: Shaft, along: Along) -> list[dict[str, Any]]
             vector = 0.7 * HIGH * complex(cos(weight.angle), sin(weight.angle))
             x, width = along.at(weight.z), 4 + 8 * weight.unbalance / greatest
             out.append(
-                {**_bar(x, x, vector=vector, between=(0, 1), rate=_rate(engine, shaft), colour=GREY, width=width), "of": "weight"}
+                {
+                    **_bar(
+                        x,
+                        x,
+                        vector=vector,
+                        between=(0, 1),
+                        rate=_rate(engine, shaft),
+                        colour=GREY,
+                        width=width,
+                    ),
+                    "of": "weight",
+                }
             )
     return out
 
 
 def _cylinder_numbers(engine: Engine, shaft: Shaft, along: Along) -> list[dict[str, Any]]:
-    """The numbers of the cylinders where they stand; those too near to each other share a label."""
+    """The cylinder numbers at their places; cylinders too close together share a label."""
     own = sorted((c for c in engine.cylinders if c.shaft == shaft.name), key=lambda c: -c.z)
     groups: list[list[Any]] = []
     for cylinder in own:
@@ -197,7 +248,13 @@ def _cylinder_numbers(engine: Engine, shaft: Shaft, along: Along) -> list[dict[s
         else:
             groups.append([cylinder])
     return [
-        {"x": _middle(g, along), "y": CYLINDER, "text": numbers_text([c.number for c in g]), "size": TEXT, "colour": GREY}
+        {
+            "x": _middle(g, along),
+            "y": CYLINDER,
+            "text": numbers_text([c.number for c in g]),
+            "size": TEXT,
+            "colour": GREY,
+        }
         for g in groups
     ]
 
@@ -216,17 +273,41 @@ def _stations(shaft: Shaft) -> list[float]:
 
 
 def _dimension(shaft: Shaft, along: Along, zero: float) -> list[dict[str, Any]]:
-    """The reference plane, and the line of arms with a tick for each place that has one."""
+    """The reference plane, and the line of arms with its ticks."""
     at = along.at(zero)
-    plane = {"x": at, "x2": at, "y": DIMENSION - 4, "y2": CYLINDER - 10, "colour": VERMILION, "dash": [3, 3]}
+    plane = {
+        "x": at,
+        "x2": at,
+        "y": DIMENSION - 4,
+        "y2": CYLINDER - 10,
+        "colour": VERMILION,
+        "dash": [3, 3],
+    }
     ends = [along.at(z) for z in _stations(shaft)] + [at]
-    line = {"x": min(ends), "x2": max(ends), "y": DIMENSION, "y2": DIMENSION, "colour": GREY, "dash": [1, 0]}
-    ticks = [{"x": end, "x2": end, "y": DIMENSION - 4, "y2": DIMENSION + 4, "colour": GREY, "dash": [1, 0]} for end in ends[:-1]]
+    line = {
+        "x": min(ends),
+        "x2": max(ends),
+        "y": DIMENSION,
+        "y2": DIMENSION,
+        "colour": GREY,
+        "dash": [1, 0],
+    }
+    ticks = [
+        {
+            "x": end,
+            "x2": end,
+            "y": DIMENSION - 4,
+            "y2": DIMENSION + 4,
+            "colour": GREY,
+            "dash": [1, 0],
+        }
+        for end in ends[:-1]
+    ]
     return [plane, line, *ticks]
 
 
 def _arms(engine: Engine, shaft: Shaft, along: Along, zero: float) -> list[dict[str, Any]]:
-    """The arms below their ticks; one that has no room is left out."""
+    """The arms below their ticks, where there is room."""
     scale = 1.0 if "pitch" in engine.relative else 1000.0
     out: list[dict[str, Any]] = []
     taken = -1e9

@@ -1,8 +1,11 @@
-"""The clock plane as a picture with equal scales: arrows and labels that turn with the crank, lines, dots, a scale bar.
+"""The clock plane as a picture with equal scales.
 
-All places are complex, `up + i*right`, as the engine is seen from the front: x of the picture is the imaginary part, y the
-real part. What turns is given at theta = 0 with its rate, in turns clockwise per turn of the reference crankshaft; the
-picture works out where it is at the parameter `theta`.
+Arrows and labels that turn with the crank, lines, dots, a scale bar.
+
+All places are complex, `up + i*right`, as the engine is seen from the front: x of the picture is
+the imaginary part, y the real part. What turns is given at theta = 0 with its rate, in turns
+clockwise per turn of the reference crankshaft; the picture works out where it is at the parameter
+`theta`.
 """
 
 from __future__ import annotations
@@ -13,13 +16,14 @@ from dataclasses import dataclass
 from math import floor, log10
 from typing import Any, NamedTuple
 
-from crankstar.charts.drawing import BLUE, GREY, Panel, layered, of_rows, text_width
+from crankstar.charts.drawing import BLUE, GREY, Panel, layered, text_width
+from crankstar.charts.grammar import field, of_rows
 from crankstar.charts.labels import GAP, Box, Label, apart, box, extent
 
 HEAD = "M0 0L-0.62 2L0.62 2Z"
 """An arrow head with its tip at the origin, pointing up."""
 HEAD_SIZE = 110.0
-"""Area of the square that the unit of HEAD is measured by, px^2; the head is sqrt(HEAD_SIZE) long."""
+"""Area of the square that is the unit of HEAD, px^2; the head is sqrt(HEAD_SIZE) long."""
 SHORTEST = 0.5
 """px: shorter arrows are not drawn."""
 
@@ -77,7 +81,7 @@ class Frame(NamedTuple):
 
 @dataclass(frozen=True)
 class Plane:
-    """What is drawn; `notes` are labels that stand where they are put, `labels` give way to each other."""
+    """The drawn contents; `notes` are fixed labels, `labels` make room for each other."""
 
     arrows: tuple[Arrow, ...] = ()
     strokes: tuple[Stroke, ...] = ()
@@ -94,7 +98,7 @@ class Axes(NamedTuple):
 
 
 def round_frame(reach: float, *, width: float, margin: float, below: float = 0.0) -> Frame:
-    """A frame about the origin that shows all within `reach`, with `margin` px for labels and `below` px more at the foot."""
+    """A frame about the origin for all within `reach`; `margin` px, and `below` px at the foot."""
     scale = (width / 2 - margin) / (reach or 1.0)
     half = width / 2 / scale
     return Frame(-half, half, -half - below / scale, half, scale)
@@ -122,52 +126,81 @@ BAR = 26.0
 
 def empty(frame: Frame, text: str) -> Label:
     """A text in the middle of a picture that has nothing else to show."""
-    return Label(text, anchor=complex((frame.top + frame.bottom) / 2, (frame.left + frame.right) / 2), direction=0j)
+    return Label(
+        text,
+        anchor=complex((frame.top + frame.bottom) / 2, (frame.left + frame.right) / 2),
+        direction=0j,
+    )
 
 
 def picture(
-    plane: Plane, frame: Frame, *, theta: float = 0.0, axes: Axes | None = None, title: str = "", more: Sequence[Any] = ()
+    plane: Plane,
+    frame: Frame,
+    *,
+    theta: float = 0.0,
+    axes: Axes | None = None,
+    title: str = "",
+    more: Sequence[Any] = (),
 ) -> Panel:
-    """The plane as a layered chart (one panel); `theta` (radians) is where labels are kept apart; `more` are further layers."""
-    import altair as alt
+    """The plane as a layered chart (one panel); `theta` (radians) is where labels are kept apart.
 
+    `more` are further layers.
+    """
     x, y = coordinates(frame, axes)
-    shown = [arrow for arrow in plane.arrows if abs(arrow.end - arrow.start) * frame.scale > SHORTEST]
+    shown = [
+        arrow for arrow in plane.arrows if abs(arrow.end - arrow.start) * frame.scale > SHORTEST
+    ]
     segments = [_segment(arrow, theta, frame.scale) for arrow in shown]
-    segments += [(a * frame.scale, b * frame.scale) for s in plane.strokes for a, b in zip(s.points, s.points[1:], strict=False)]
+    segments += [
+        (a * frame.scale, b * frame.scale)
+        for s in plane.strokes
+        for a, b in zip(s.points, s.points[1:], strict=False)
+    ]
     inside = Box(
         complex((frame.top + frame.bottom) / 2, (frame.left + frame.right) / 2) * frame.scale,
         frame.width / 2 + (8 if axes is None else 0),
         frame.height / 2,
     )
     around = [box(note, theta=theta, scale=frame.scale) for note in plane.notes]
-    moved = apart(plane.labels, theta=theta, scale=frame.scale, strokes=segments[:400], within=inside, around=around)
+    moved = apart(
+        plane.labels,
+        theta=theta,
+        scale=frame.scale,
+        strokes=segments[:400],
+        within=inside,
+        around=around,
+    )
     labels = [*plane.notes, *moved]
     layers: list[Any] = []
     for dashed in (False, True):
-        rows = [row for i, s in enumerate(plane.strokes) if s.dashed is dashed for row in _stroke_rows(i, s)]
+        rows = [
+            row
+            for i, s in enumerate(plane.strokes)
+            if s.dashed is dashed
+            for row in _stroke_rows(i, s)
+        ]
         if rows:
-            layers.append(_lines(alt, rows, x, y, dashed=dashed))
-    layers += _arrow_layers(alt, shown, frame, x, y)
+            layers.append(_lines(rows, x, y, dashed=dashed))
+    layers += _arrow_layers(shown, frame, x, y)
     if plane.dots:
-        layers.append(_dots(alt, plane.dots, x, y))
+        layers.append(_dots(plane.dots, x, y))
     layers += list(more)
     if labels or not layers:
-        layers.append(_texts(alt, labels or [Label("", 0j, 0j)], frame, x, y))
+        layers.append(_texts(labels or [Label("", 0j, 0j)], frame, x, y))
     return layered(layers, width=frame.width, height=frame.height, title=title)
 
 
 def coordinates(frame: Frame, axes: Axes | None) -> tuple[Any, Any]:
     """The channels x and y of all layers of a picture."""
-    import altair as alt
-
-    across = alt.Scale(domain=[frame.left, frame.right], nice=False, zero=False)
-    upward = alt.Scale(domain=[frame.bottom, frame.top], nice=False, zero=False)
+    across = {"domain": [frame.left, frame.right], "nice": False, "zero": False}
+    upward = {"domain": [frame.bottom, frame.top], "nice": False, "zero": False}
     if axes is None:
-        return alt.X("x2:Q", scale=across, axis=None), alt.Y("y2:Q", scale=upward, axis=None)
+        return field("x2:Q", scale=across, axis=None), field("y2:Q", scale=upward, axis=None)
     ticks = max(3, int(frame.width / 70))
-    x = alt.X("x2:Q", scale=across, title=axes.right, axis=alt.Axis(tickCount=ticks))
-    return x, alt.Y("y2:Q", scale=upward, title=axes.up, axis=alt.Axis(tickCount=max(3, int(frame.height / 60))))
+    x = field("x2:Q", scale=across, title=axes.right, axis={"tickCount": ticks})
+    return x, field(
+        "y2:Q", scale=upward, title=axes.up, axis={"tickCount": max(3, int(frame.height / 60))}
+    )
 
 
 def _segment(arrow: Arrow, theta: float, scale: float) -> tuple[complex, complex]:
@@ -177,20 +210,27 @@ def _segment(arrow: Arrow, theta: float, scale: float) -> tuple[complex, complex
 
 def _stroke_rows(index: int, stroke: Stroke) -> list[dict[str, Any]]:
     return [
-        {"x2": p.imag, "y2": p.real, "line": index, "at": i, "colour": stroke.colour, "width": stroke.width}
+        {
+            "x2": p.imag,
+            "y2": p.real,
+            "line": index,
+            "at": i,
+            "colour": stroke.colour,
+            "width": stroke.width,
+        }
         for i, p in enumerate(stroke.points)
     ]
 
 
-def _lines(alt: Any, rows: list[dict[str, Any]], x: Any, y: Any, *, dashed: bool) -> Any:
-    mark = of_rows(rows).mark_line(strokeDash=[4, 3] if dashed else [1, 0])
+def _lines(rows: list[dict[str, Any]], x: Any, y: Any, *, dashed: bool) -> Any:
+    mark = of_rows(rows).mark("line", strokeDash=[4, 3] if dashed else [1, 0])
     return mark.encode(
         x=x,
         y=y,
-        detail=alt.Detail("line:N"),
-        order=alt.Order("at:Q"),
-        color=alt.Color("colour:N", scale=None),
-        strokeWidth=alt.StrokeWidth("width:Q", scale=None),
+        detail=field("line:N"),
+        order=field("at:Q"),
+        color=field("colour:N", scale=None),
+        strokeWidth=field("width:Q", scale=None),
     )
 
 
@@ -199,46 +239,49 @@ TURN = {"c": "cos(datum.rate * theta * PI / 180)", "s": "sin(datum.rate * theta 
 
 
 def _turn(rows: Sequence[Arrow] | Sequence[Dot] | Sequence[Label]) -> dict[str, str]:
-    """The cosine and sine of the turn of rows; a figure in which nothing turns needs no parameter."""
+    """The cosine and sine of the turn of rows; a figure without rotation needs no parameter."""
     return TURN if any(row.rate for row in rows) else {"c": "1", "s": "0"}
 
 
 def turned(point: str, *, up: str, right: str) -> dict[str, str]:
-    """Expressions for a point of a row that turns about the place of the row: x1, y1 for the point 1."""
+    """Expressions x1, y1 for point 1 of a row that turns about the place of the row."""
     return {
         f"x{point}": f"datum.x + datum.{up} * datum.s + datum.{right} * datum.c",
         f"y{point}": f"datum.y + datum.{up} * datum.c - datum.{right} * datum.s",
     }
 
 
-def _arrow_layers(alt: Any, arrows: Sequence[Arrow], frame: Frame, x: Any, y: Any) -> list[Any]:
+def _arrow_layers(arrows: Sequence[Arrow], frame: Frame, x: Any, y: Any) -> list[Any]:
     if not arrows:
         return []
     rows = [_arrow_row(arrow, frame.scale) for arrow in arrows]
-    base = of_rows(rows).transform_calculate(
-        **_turn(arrows), **turned("1", up="startUp", right="startRight"), **turned("2", up="endUp", right="endRight")
+    base = of_rows(rows).calculate(
+        **_turn(arrows),
+        **turned("1", up="startUp", right="startRight"),
+        **turned("2", up="endUp", right="endRight"),
     )
-    colour = alt.Color("colour:N", scale=None)
+    colour = field("colour:N", scale=None)
     # the line ends within the head, so that the tip stays sharp
-    shaft = base.transform_calculate(
-        xe="datum.x2 - (datum.x2 - datum.x1) * datum.cut", ye="datum.y2 - (datum.y2 - datum.y1) * datum.cut"
+    shaft = base.calculate(
+        xe="datum.x2 - (datum.x2 - datum.x1) * datum.cut",
+        ye="datum.y2 - (datum.y2 - datum.y1) * datum.cut",
     )
-    channels = {"x2": alt.X2("xe:Q"), "y2": alt.Y2("ye:Q")}
-    begins = {"x": _moved(x, "x1:Q"), "y": _moved(y, "y1:Q")}
-    lines = shaft.mark_rule().encode(**begins, **channels, color=colour, strokeWidth=alt.StrokeWidth("width:Q", scale=None))
+    channels = {"x2": field("xe"), "y2": field("ye")}
+    begins = {"x": {**x, "field": "x1"}, "y": {**y, "field": "y1"}}
+    lines = shaft.mark("rule").encode(
+        **begins, **channels, color=colour, strokeWidth=field("width:Q", scale=None)
+    )
     if not any(arrow.head for arrow in arrows):
         return [lines]
-    pointed = base.transform_calculate(bearing="atan2(datum.x2 - datum.x1, datum.y2 - datum.y1) * 180 / PI")
-    heads = pointed.mark_point(shape=HEAD, filled=True, opacity=1, strokeWidth=0).encode(
-        x=x, y=y, color=colour, angle=alt.Angle("bearing:Q", scale=None), size=alt.Size("head:Q", scale=None)
+    pointed = base.calculate(bearing="atan2(datum.x2 - datum.x1, datum.y2 - datum.y1) * 180 / PI")
+    heads = pointed.mark("point", shape=HEAD, filled=True, opacity=1, strokeWidth=0).encode(
+        x=x,
+        y=y,
+        color=colour,
+        angle=field("bearing:Q", scale=None),
+        size=field("head:Q", scale=None),
     )
     return [lines, heads]
-
-
-def _moved(channel: Any, field: str) -> Any:
-    copied = channel.copy()
-    copied.shorthand = field
-    return copied
 
 
 def _arrow_row(arrow: Arrow, scale: float) -> dict[str, Any]:
@@ -260,7 +303,7 @@ def _arrow_row(arrow: Arrow, scale: float) -> dict[str, Any]:
     }
 
 
-def _dots(alt: Any, dots: Sequence[Dot], x: Any, y: Any) -> Any:
+def _dots(dots: Sequence[Dot], x: Any, y: Any) -> Any:
     rows = [
         {
             "x": dot.place.imag,
@@ -273,26 +316,26 @@ def _dots(alt: Any, dots: Sequence[Dot], x: Any, y: Any) -> Any:
         }
         for dot in dots
     ]
-    base = of_rows(rows).transform_calculate(**_turn(dots), **turned("2", up="up", right="right"))
-    return base.mark_point(filled=True, opacity=1, shape="circle").encode(
-        x=x, y=y, color=alt.Color("colour:N", scale=None), size=alt.Size("size:Q", scale=None)
+    base = of_rows(rows).calculate(**_turn(dots), **turned("2", up="up", right="right"))
+    return base.mark("point", filled=True, opacity=1, shape="circle").encode(
+        x=x, y=y, color=field("colour:N", scale=None), size=field("size:Q", scale=None)
     )
 
 
-def _texts(alt: Any, labels: Sequence[Label], frame: Frame, x: Any, y: Any) -> Any:
+def _texts(labels: Sequence[Label], frame: Frame, x: Any, y: Any) -> Any:
     rows = [_label_row(label, frame.scale) for label in labels]
-    base = of_rows(rows).transform_calculate(**_turn(labels), **turned("2", up="up", right="right"))
+    base = of_rows(rows).calculate(**_turn(labels), **turned("2", up="up", right="right"))
     # then away from the point, farther to the sides than up and down, as the text is wide
-    base = base.transform_calculate(
+    base = base.calculate(
         x3="datum.x2 + datum.across * (datum.wayUp * datum.s + datum.wayRight * datum.c)",
         y3="datum.y2 + datum.upright * (datum.wayUp * datum.c - datum.wayRight * datum.s)",
     )
-    return base.mark_text(baseline="middle", align="center", lineBreak="\n").encode(
-        x=_moved(x, "x3:Q"),
-        y=_moved(y, "y3:Q"),
-        text=alt.Text("text:N"),
-        color=alt.Color("colour:N", scale=None),
-        size=alt.Size("size:Q", scale=None),
+    return base.mark("text", baseline="middle", align="center", lineBreak="\n").encode(
+        x={**x, "field": "x3"},
+        y={**y, "field": "y3"},
+        text=field("text:N"),
+        color=field("colour:N", scale=None),
+        size=field("size:Q", scale=None),
     )
 
 

@@ -1,22 +1,28 @@
-"""A chart as a file: SVG, PNG, PDF without a browser, a page that needs no network, or its Vega-Lite description."""
+"""A chart as a file: SVG, PNG, PDF, an HTML page without network, or its Vega-Lite description."""
 
 from __future__ import annotations
 
 import json
+import re
+from importlib.resources import files
 from typing import Any
 
 from crankstar.charts.drawing import ChartError, svg
+from crankstar.charts.grammar import Chart
+from crankstar.language.messages import _
 
 SUFFIXES = ("svg", "png", "pdf", "html", "json")
-"""What `saved` can write."""
+"""The formats of `saved`."""
 DENSITY = 2
 """Pixels of a PNG to one of the figure."""
 GROUND = "white"
-"""Of a PNG: what shows one differs in what it puts behind it."""
+"""Background of a PNG, which viewers would otherwise choose."""
 
 
-def saved(chart: Any, suffix: str, *, title: str) -> bytes:
-    """A chart as the contents of a file with this suffix (svg, png, pdf, html, json); `title` is for those who do not see it.
+def saved(chart: Chart, suffix: str, *, title: str) -> bytes:
+    """A chart as the contents of a file with this suffix (svg, png, pdf, html, json).
+
+    `title` is the text for readers who cannot see it.
 
     Raises ChartError for another suffix.
     """
@@ -26,30 +32,47 @@ def saved(chart: Any, suffix: str, *, title: str) -> bytes:
     if kind == "svg":
         return svg(chart, title).encode()
     if kind == "png":
-        return vl_convert.vegalite_to_png({**chart.to_dict(validate=False), "background": GROUND}, scale=DENSITY)
+        return vl_convert.vegalite_to_png({**chart.to_dict(), "background": GROUND}, scale=DENSITY)
     if kind == "pdf":
-        return vl_convert.vegalite_to_pdf(chart.to_dict(validate=False))
+        return vl_convert.vegalite_to_pdf(chart.to_dict())
     if kind == "html":
         return _page(chart, title).encode()
     if kind == "json":
-        return json.dumps({**chart.to_dict(validate=False), "description": title}, ensure_ascii=False, indent=1).encode()
+        return json.dumps(
+            {**chart.to_dict(), "description": title}, ensure_ascii=False, indent=1
+        ).encode()
     raise ChartError(
-        f"a chart cannot be written as {suffix!r}; end the name of the file in one of {', '.join('.' + s for s in SUFFIXES)}"
+        _(
+            "a chart cannot be written as {suffix}; the file name must end in {suffixes}",
+            suffix=repr(suffix),
+            suffixes=", ".join(f".{name}" for name in SUFFIXES),
+        )
     )
 
 
-def _page(chart: Any, title: str) -> str:
-    """A page with all scripts in it, which asks nothing of the network; what an engine is called stays text."""
+def _page(chart: Chart, title: str) -> str:
+    """A page with all its scripts; the names of engines in it are text only."""
     from html import escape
 
-    shown = type(chart)(**_disarmed(chart._kwds))
+    shown = Chart(_disarmed(chart.spec)).to_altair()
     text = shown.to_html(inline=True, embed_options={"actions": False, "renderer": "svg"})
     text = text.replace(BRACKET, "\\u003c").replace(json.dumps(BRACKET)[1:-1], "\\u003c")
-    return text.replace("<head>", f'<head><title>{escape(title)}</title><meta name="viewport" content="width=device-width">', 1)
+    viewport = '<meta name="viewport" content="width=device-width">'
+    head = f"<head><title>{escape(title)}</title>{viewport}\n{_licences()}"
+    return text.replace("<head>", head, 1)
+
+
+def _licences() -> str:
+    """The licences of Vega, which the bundle contains as well, as a comment."""
+    notices = files("crankstar") / "bundle" / "third-party-licences.txt"
+    if not notices.is_file():
+        return ""
+    text = re.sub("-{2,}", lambda dashes: "=" * len(dashes.group()), notices.read_text("utf-8"))
+    return f"<!-- The scripts of this page are Vega, Vega-Lite and Vega-Embed.\n\n{text}\n-->\n"
 
 
 BRACKET = "\ue03c"
-"""Stands for an opening angle bracket in the description of a chart, so that no text in it can end the script it is in."""
+"""Replaces `<` in the description of a chart, so that its text cannot end a script element."""
 
 
 def _disarmed(value: Any) -> Any:

@@ -1,50 +1,70 @@
-"""The stroke chart: when the valves or ports of each cylinder are open over one cycle, and when it fires."""
+"""The stroke chart: the open valves or ports and the ignition of each cylinder over one cycle."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from math import degrees
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from crankstar.charts.crank_angle import across, at_theta
 from crankstar.charts.drawing import (
     BLUE,
     GREY,
     ORANGE,
     VERMILION,
     WIDTH,
+    YELLOW,
     ChartError,
     Panel,
     checked_angle,
     figure,
     layered,
-    of_rows,
 )
-from crankstar.engine import Engine
-from crankstar.fault import EngineError
-from crankstar.strokes import ExhaustGroup, Window, WorkingCycle, are_even, exhaust_groups, exhaust_intervals, pieces, working_cycle
-from crankstar.succession import Follower
-from crankstar.valves import EVENTS
-from crankstar.wording import number
+from crankstar.charts.grammar import Channel, Chart, constant, field, of_rows
+from crankstar.engine.engine import Engine
+from crankstar.engine.valves import EVENTS
+from crankstar.firing.strokes import (
+    ExhaustGroup,
+    Window,
+    WorkingCycle,
+    are_even,
+    exhaust_groups,
+    exhaust_intervals,
+    pieces,
+    working_cycle,
+)
+from crankstar.firing.succession import Follower
+from crankstar.language.faults import EngineError
+from crankstar.language.messages import N_, _
+from crankstar.language.numbers import number
 
-if TYPE_CHECKING:
-    import altair
-
-EXHAUST, BLOW_DOWN, INTAKE, POWER = "exhaust open", "blow-down", "intake open", "power stroke"
-SPANS = {EXHAUST: (VERMILION, 0.5), BLOW_DOWN: (VERMILION, 1.0), INTAKE: (BLUE, 1.0), POWER: (ORANGE, 0.25)}
-"""Colour and opacity: intake blue and exhaust red, as in the books; the crank angle is marked in grey here."""
+STROKE_COLOURS = {"intake": BLUE, "compression": YELLOW, "power": ORANGE, "exhaust": VERMILION}
+"""On the stage and in the chart: intake blue and exhaust red, as in textbooks."""
+EXHAUST, BLOW_DOWN = N_("exhaust open"), N_("blow-down")
+INTAKE, POWER = N_("intake open"), N_("power stroke")
+SPANS = {
+    EXHAUST: (STROKE_COLOURS["exhaust"], 0.5),
+    BLOW_DOWN: (STROKE_COLOURS["exhaust"], 1.0),
+    INTAKE: (STROKE_COLOURS["intake"], 1.0),
+    POWER: (STROKE_COLOURS["power"], 0.25),
+}
+"""Colour and opacity; the crank angle is marked in grey here."""
 PLACES = {POWER: (0.06, 0.94), EXHAUST: (0.16, 0.5), BLOW_DOWN: (0.16, 0.5), INTAKE: (0.5, 0.84)}
-"""From where to where a span reaches in the height of its row."""
+"""Lower and upper edge of a span as shares of the height of its row."""
 BOLT = "M0.25 -1L-0.55 0.15L-0.08 0.15L-0.25 1L0.55 -0.15L0.08 -0.15Z"
 """The mark of an ignition."""
 TALL, LOW, MOST_TALL = 24.0, 15.0, 12
-"""Heights of a row, px, and how many there may be of the taller ones."""
+"""Heights of a row, px, and the greatest number of tall rows."""
 MOST_INTERVALS = 6
-"""Intervals that are written one after the other."""
-NO_ORDER = "no firing order is known"
+"""Intervals that are all written out; of more the least and the greatest."""
+NO_ORDER = N_("The file gives no firing order.")
 
 
-def found_cycle(engine: Engine) -> WorkingCycle | None:
-    """The working cycle that a figure shows; None without a firing order. Raises ChartError where there are no strokes."""
+def cycle_of(engine: Engine) -> WorkingCycle | None:
+    """The working cycle of an engine, None without a firing order.
+
+    Raises ChartError where its cylinders have no common cycle.
+    """
     if not engine.firing_order:
         return None
     try:
@@ -53,57 +73,83 @@ def found_cycle(engine: Engine) -> WorkingCycle | None:
         raise ChartError(str(error)) from None
 
 
-def stroke_chart(engine: Engine, *, theta: float = 0.0) -> altair.VConcatChart:
-    """When intake (blue) and exhaust (red) of each cylinder are open over one cycle, with its blow-down, power stroke and ignition.
+def stroke_chart(engine: Engine, *, theta: float = 0.0) -> Chart:
+    """Open intake (blue) and exhaust (red), blow-down, power stroke, ignition over one cycle.
 
-    One row a cylinder, front to rear, a panel for each bank or manifold, over 720 deg of a four-stroke or 360 deg of a two-stroke
-    engine; a rule at the crank angle `theta` (radians). What is assumed of the timing is named. Raises ChartError.
+    One row a cylinder, front to rear, a panel for each bank or manifold, over 720 deg of a
+    four-stroke or 360 deg of a two-stroke engine; a rule at the crank angle `theta` (radians).
+    Assumed timing is marked. Raises ChartError.
     """
     theta = checked_angle(theta)
-    found = found_cycle(engine)
+    cycle = cycle_of(engine)
     turns = round(engine.cycle_angle / 360)
-    if found is None:
-        return figure([[_empty(turns)]], title="Stroke chart", subtitle=[engine.name], theta=theta, turns=turns)
+    title = _("Stroke chart")
+    if cycle is None:
+        return figure(
+            [[_empty(turns)]], title=title, subtitle=[engine.name], theta=theta, turns=turns
+        )
     groups = exhaust_groups(engine)
     if all(len(group.chambers) == 1 for group in groups):  # nothing to keep apart
         groups = (ExhaustGroup("", tuple(number for group in groups for number in group.chambers)),)
-    height = TALL if len(found.chambers) <= MOST_TALL else LOW
+    height = TALL if len(cycle.chambers) <= MOST_TALL else LOW
     panels = [
-        _panel(found, _title(found, group), _front_to_rear(engine, group.chambers), height, turns, foot=group == groups[-1])
+        _panel(
+            cycle,
+            _title(cycle, group),
+            _front_to_rear(engine, group.chambers),
+            height,
+            turns,
+            foot=group == groups[-1],
+        )
         for group in groups
     ]
-    subtitle = [engine.name, *brief_timing(found, engine)]
-    return figure([[panel] for panel in panels], title="Stroke chart", subtitle=subtitle, theta=theta, turns=turns)
+    return figure(
+        [[panel] for panel in panels],
+        title=title,
+        subtitle=[engine.name, *brief_timing(cycle, engine)],
+        theta=theta,
+        turns=turns,
+    )
 
 
-def _title(found: WorkingCycle, group: ExhaustGroup) -> str:
+def _title(cycle: WorkingCycle, group: ExhaustGroup) -> str:
     """The name of a group and the intervals between its exhausts."""
     if not group.name or len(group.chambers) == 1:
         return group.name
-    return f"{group.name}: exhausts {spacing(exhaust_intervals(found, group.chambers))}".rstrip()
+    intervals = spacing(exhaust_intervals(cycle, group.chambers))
+    return _("{group}: exhausts {intervals}", group=group.name, intervals=intervals)
 
 
 def spacing(steps: Sequence[Follower]) -> str:
-    """How far apart some events are: `every 90 deg`, each interval where there are few, else the least and the greatest."""
+    """The intervals of events: `every 90 deg`, all of a few, else the least and the greatest."""
     if are_even(steps):
-        return f"every {number(steps[0].interval_deg, digits=4)} deg"
+        return _("every {interval} deg", interval=number(steps[0].interval_deg, digits=4))
     apart = [step.interval_deg for step in steps]
-    shown = [number(one, digits=3) for one in (apart if len(apart) <= MOST_INTERVALS else (min(apart), max(apart)))]
-    return f"{'-'.join(shown) if len(apart) <= MOST_INTERVALS else ' to '.join(shown)} deg apart"
+    if len(apart) <= MOST_INTERVALS:
+        shown = "-".join(number(interval, digits=3) for interval in apart)
+        return _("{intervals} deg apart", intervals=shown)
+    least, greatest = (number(interval, digits=3) for interval in (min(apart), max(apart)))
+    return _("{least} to {greatest} deg apart", least=least, greatest=greatest)
 
 
-def brief_timing(found: WorkingCycle, engine: Engine) -> list[str]:
-    """When intake and exhaust are open, in lines that fit a figure, a star at what is assumed."""
-    apart = "TDC" if engine.cycle == "four-stroke" else "BDC"
-    told = {
-        name: f"{number(degrees(getattr(found.timing, name)), 180.0)}°{'*' if name in found.timing.assumed else ''}"
+def brief_timing(cycle: WorkingCycle, engine: Engine) -> list[str]:
+    """The timing of intake and exhaust in lines that fit a figure, a star at assumed values."""
+    timing = {
+        name: number(degrees(getattr(cycle.timing, name)), 180.0)
+        + ("°*" if name in cycle.timing.assumed else "°")
         for name in EVENTS
     }
-    lines = [
-        f"intake {told['intake_opens']} before {apart} to {told['intake_closes']} after BDC",
-        f"exhaust {told['exhaust_opens']} before BDC to {told['exhaust_closes']} after {apart}",
-    ]
-    return lines + (["* assumed; the engine file does not say"] if found.timing.assumed else [])
+    if engine.cycle == "four-stroke":
+        lines = [
+            _("intake {intake_opens} before TDC to {intake_closes} after BDC", **timing),
+            _("exhaust {exhaust_opens} before BDC to {exhaust_closes} after TDC", **timing),
+        ]
+    else:
+        lines = [
+            _("intake {intake_opens} before BDC to {intake_closes} after BDC", **timing),
+            _("exhaust {exhaust_opens} before BDC to {exhaust_closes} after BDC", **timing),
+        ]
+    return lines + ([_("* assumed; not in the engine file")] if cycle.timing.assumed else [])
 
 
 def _front_to_rear(engine: Engine, chambers: Sequence[int]) -> list[int]:
@@ -111,83 +157,109 @@ def _front_to_rear(engine: Engine, chambers: Sequence[int]) -> list[int]:
     return sorted(chambers, key=lambda number: -place[number])
 
 
-def span_rows(found: WorkingCycle, chambers: Sequence[int]) -> list[dict[str, Any]]:
-    """The spans of chambers in rows 0, 1, ..., cut where they run over the end of the cycle."""
+def span_rows(cycle: WorkingCycle, chambers: Sequence[int]) -> list[dict[str, Any]]:
+    """The spans of chambers in rows 0, 1, ..., divided at the end of the cycle."""
     rows = []
     for row, chamber in enumerate(chambers):
-        one = found.chamber(chamber)
-        rest = Window(one.blow_down.end_deg, one.exhaust.end_deg)
-        whole = {POWER: one.strokes[0].window, EXHAUST: rest, BLOW_DOWN: one.blow_down, INTAKE: one.intake}
-        for what, window in whole.items():
-            low, high = PLACES[what]
-            begins = window.start_deg % found.cycle_deg
+        strokes = cycle.chamber(chamber)
+        windows = {
+            POWER: strokes.strokes[0].window,
+            EXHAUST: Window(strokes.blow_down.end_deg, strokes.exhaust.end_deg),
+            BLOW_DOWN: strokes.blow_down,
+            INTAKE: strokes.intake,
+        }
+        for name, window in windows.items():
+            low, high = PLACES[name]
+            begins = window.start_deg % cycle.cycle_deg
             within = Window(begins, begins + window.length_deg)
-            for part in pieces(within, cycle_deg=found.cycle_deg):
-                span = {"x": round(part.start_deg, 6), "end": round(part.end_deg, 6), "y": row + low, "foot": row + high}
-                rows.append({**span, "what": what, "cylinder": chamber})
+            for part in pieces(within, cycle_deg=cycle.cycle_deg):
+                span = {
+                    "x": round(part.start_deg, 6),
+                    "end": round(part.end_deg, 6),
+                    "y": row + low,
+                    "foot": row + high,
+                }
+                rows.append({**span, "what": _(name), "cylinder": chamber})
     return rows
 
 
-def _panel(found: WorkingCycle, title: str, chambers: Sequence[int], height: float, turns: int, *, foot: bool) -> Panel:
-    import altair as alt
-
-    x = _across(turns, foot=foot)
-    named = "[" + ", ".join(f"'{chamber}'" for chamber in chambers) + "]"
-    axis = alt.Axis(
-        values=[row + 0.5 for row in range(len(chambers))],
-        labelExpr=f"{named}[floor(datum.value)]",
-        ticks=False,
-        domain=False,
-        grid=False,
-        labelPadding=10,
-        labelOverlap=False,
+def _panel(
+    cycle: WorkingCycle,
+    title: str,
+    chambers: Sequence[int],
+    height: float,
+    turns: int,
+    *,
+    foot: bool,
+) -> Panel:
+    x = _crank_angle(turns, foot=foot)
+    names = "[" + ", ".join(f"'{chamber}'" for chamber in chambers) + "]"
+    axis = {
+        "values": [row + 0.5 for row in range(len(chambers))],
+        "labelExpr": f"{names}[floor(datum.value)]",
+        "ticks": False,
+        "domain": False,
+        "grid": False,
+        "labelPadding": 10,
+        "labelOverlap": False,
+    }
+    y = field(
+        "y:Q",
+        scale={"domain": [len(chambers), 0], "nice": False, "zero": False},
+        axis=axis,
+        title=_("cylinder"),
     )
-    y = alt.Y("y:Q", scale=alt.Scale(domain=[len(chambers), 0], nice=False, zero=False), axis=axis, title="cylinder")
-    names = list(SPANS)
-    legend = alt.Legend(
-        orient="top", title=None, columns=2, columnPadding=22, symbolType="square", symbolSize=150, symbolStrokeWidth=0
+    legend = {
+        "orient": "top",
+        "title": None,
+        "columns": 2,
+        "columnPadding": 22,
+        "symbolType": "square",
+        "symbolSize": 150,
+        "symbolStrokeWidth": 0,
+    }
+    colours = {
+        "domain": [_(name) for name in SPANS],
+        "range": [_translucent(*paint) for paint in SPANS.values()],
+    }
+    spans = of_rows(span_rows(cycle, chambers)).mark("rect", strokeWidth=0, opacity=1)
+    spans = spans.encode(
+        x=x,
+        x2=field("end"),
+        y=y,
+        y2=field("foot"),
+        color=field("what:N", scale=colours, legend=legend),
     )
-    colours = alt.Scale(domain=names, range=[_mixed(*SPANS[name]) for name in names])
-    spans = of_rows(span_rows(found, chambers)).mark_rect(strokeWidth=0, opacity=1)
-    spans = spans.encode(x=x, x2=alt.X2("end:Q"), y=y, y2=alt.Y2("foot:Q"), color=alt.Color("what:N", scale=colours, legend=legend))
-    fires = [(row, found.chamber(chamber).fires_deg) for row, chamber in enumerate(chambers)]
+    fires = [(row, cycle.chamber(chamber).fires_deg) for row, chamber in enumerate(chambers)]
     marks = [{"x": angle, "y": row + 0.5} for row, angle in fires]
-    marks += [{"x": found.cycle_deg, "y": row + 0.5} for row, angle in fires if angle == 0]
-    bolts = of_rows(marks).mark_point(shape=BOLT, filled=True, opacity=1, size=14 * height, color=GREY, strokeWidth=0)
-    turned = of_rows([{}]).transform_calculate(x=f"theta - {360 * turns} * floor(theta / {360 * turns + 1e-6})")
-    rule = turned.mark_rule(color=GREY, strokeWidth=1.6, strokeDash=[3, 2]).encode(x=x)
-    return layered([spans, bolts.encode(x=x, y=y), rule], width=WIDTH, height=height * len(chambers), title=title)
+    marks += [{"x": cycle.cycle_deg, "y": row + 0.5} for row, angle in fires if angle == 0]
+    bolts = of_rows(marks).mark(
+        "point", shape=BOLT, filled=True, opacity=1, size=14 * height, color=GREY, strokeWidth=0
+    )
+    rule = at_theta(turns).mark("rule", color=GREY, strokeWidth=1.6, strokeDash=[3, 2])
+    return layered(
+        [spans, bolts.encode(x=x, y=y), rule.encode(x=x)],
+        width=WIDTH,
+        height=height * len(chambers),
+        title=title,
+    )
 
 
-def _mixed(colour: str, opacity: float) -> str:
-    """A colour that lets the page shine through."""
+def _translucent(colour: str, opacity: float) -> str:
+    """A colour with an opacity."""
     red, green, blue = (int(colour[place : place + 2], 16) for place in (1, 3, 5))
     return f"rgba({red}, {green}, {blue}, {opacity:g})"
 
 
-def _across(turns: int, *, foot: bool) -> Any:
-    """The crank angle over one cycle; every other line has its number."""
-    import altair as alt
-
-    axis = alt.Axis(
-        values=list(range(0, 360 * turns + 1, 45 * turns)),
-        labels=foot,
-        labelExpr=f"datum.value % {90 * turns} == 0 ? datum.label : ''",
-        labelOverlap=False,
-    )
-    scale = alt.Scale(domain=[0, 360 * turns], nice=False)
-    return alt.X("x:Q", scale=scale, axis=axis, title="crank angle θ (degrees)" if foot else None)
+def _crank_angle(turns: int, *, foot: bool) -> Channel:
+    """The crank angle over one cycle, a number at every other tick."""
+    every_other = f"datum.value % {90 * turns} == 0 ? datum.label : ''"
+    return across(turns, ticks=45 * turns, foot=foot, labelExpr=every_other, labelOverlap=False)
 
 
 def _empty(turns: int) -> Panel:
-    import altair as alt
-
-    said = (
-        of_rows([{"x": 180 * turns}])
-        .mark_text(fontSize=13, color=GREY)
-        .encode(x=_across(turns, foot=True), text=alt.TextValue(NO_ORDER))
-    )
-    rule = of_rows([{}]).transform_calculate(x=f"theta - {360 * turns} * floor(theta / {360 * turns + 1e-6})")
-    return layered(
-        [said, rule.mark_rule(color=GREY, strokeDash=[3, 2]).encode(x=_across(turns, foot=True))], width=WIDTH, height=60
-    )
+    x = _crank_angle(turns, foot=True)
+    words = of_rows([{"x": 180 * turns}]).mark("text", fontSize=13, color=GREY)
+    rule = at_theta(turns).mark("rule", color=GREY, strokeDash=[3, 2])
+    layers = [words.encode(x=x, text=constant(_(NO_ORDER))), rule.encode(x=x)]
+    return layered(layers, width=WIDTH, height=60)

@@ -1,75 +1,131 @@
-"""What becomes of force, couple, roll or torque when a number of the engine file is varied, and where it is best."""
+"""Force, couple, roll or torque over a varied value of the engine file, and the best value."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from crankstar.charts.drawing import GREY, PALETTE, VERMILION, WIDTH, ChartError, Panel, figure, folded, layered, of_rows
-from crankstar.phasor import Real
-from crankstar.sweep import Best, Curve, Sweep
-from crankstar.wording import number, unit_text
-
-if TYPE_CHECKING:
-    import altair
+from crankstar.charts.drawing import (
+    GREY,
+    PALETTE,
+    VERMILION,
+    WIDTH,
+    ChartError,
+    Panel,
+    figure,
+    folded,
+    layered,
+)
+from crankstar.charts.grammar import Chart, field, of_rows
+from crankstar.language.messages import _
+from crankstar.language.numbers import number, unit_text
+from crankstar.spectra import Real
+from crankstar.studies.best_value import Best
+from crankstar.studies.sweep import Curve, Sweep
 
 MOST_POINTS = 2000
-"""Values of a curve that are drawn; more could not be told apart."""
+"""Greatest number of drawn values of a curve."""
 
 
-def swept(sweep: Sweep, curves: Sequence[Curve], *, best: Sequence[Best] = ()) -> altair.VConcatChart:
-    """The curves of a sweep over the values, a panel for each unit; `best`, one for each curve or none, is marked and written.
+def swept(sweep: Sweep, curves: Sequence[Curve], *, best: Sequence[Best] = ()) -> Chart:
+    """The curves of a sweep, a panel for each unit; `best`, one for each curve, is marked.
 
-    Raises ChartError where there is nothing to draw.
+    Raises ChartError without curves.
     """
     if not curves:
-        raise ChartError("there is no curve to draw; watch something, such as force")
-    found = list(best) or [None] * len(curves)
+        raise ChartError(_("there is no curve to draw; watch a quantity, such as force"))
+    optima = list(best) or [None] * len(curves)
     units = list(dict.fromkeys(curve.unit for curve in curves))
     panels = []
     for place, unit in enumerate(units):
-        own = [(curve, one) for curve, one in zip(curves, found, strict=True) if curve.unit == unit]
+        own = [
+            (curve, one) for curve, one in zip(curves, optima, strict=True) if curve.unit == unit
+        ]
         panels.append(_panel(sweep, own, unit, foot=place == len(units) - 1))
-    title = f"{', '.join(curve.label for curve in curves)} over {sweep.path}"
+    labels = ", ".join(curve.label for curve in curves)
+    title = _("{quantities} over {path}", quantities=labels, path=sweep.path)
     title = title[0].upper() + title[1:]
-    return figure([[panel] for panel in panels], title=title, subtitle=[sweep.engine.name, *_words(curves, found, sweep)])
+    return figure(
+        [[panel] for panel in panels],
+        title=title,
+        subtitle=[sweep.engine.name, *_words(curves, optima, sweep)],
+    )
 
 
 def _words(curves: Sequence[Curve], best: Sequence[Best | None], sweep: Sweep) -> list[str]:
     unit = f" {sweep.unit}" if sweep.unit else ""
-    told = []
-    for curve, one in zip(curves, best, strict=True):
-        if one is None:
+    lines = []
+    for curve, optimum in zip(curves, best, strict=True):
+        if optimum is None:
             continue
-        result = f"{number(one.result, 100 * float(curve.values.max()))} {unit_text(curve.unit)}"
-        told.append(
-            f"{curve.label}: {result} at every value" if one.flat else f"{curve.label}: best at {number(one.value)}{unit}, {result}"
+        size = number(optimum.result, 100 * float(curve.values.max()))
+        result = {"quantity": curve.label, "result": f"{size} {unit_text(curve.unit)}"}
+        lines.append(
+            _("{quantity}: {result} at every value", **result)
+            if optimum.flat
+            else _(
+                "{quantity}: best at {value}, {result}",
+                value=f"{number(optimum.value)}{unit}",
+                **result,
+            )
         )
-    return told
+    return lines
 
 
-def _panel(sweep: Sweep, curves: Sequence[tuple[Curve, Best | None]], unit: str, *, foot: bool) -> Panel:
-    import altair as alt
-
+def _panel(
+    sweep: Sweep, curves: Sequence[tuple[Curve, Best | None]], unit: str, *, foot: bool
+) -> Panel:
     names = [curve.label for curve, _ in curves]
-    colours = alt.Scale(domain=names, range=[PALETTE[i % len(PALETTE)] for i in range(len(names))])
-    legend = alt.Legend(orient="top", title=None, columns=2, symbolType="stroke", symbolStrokeWidth=3) if len(names) > 1 else None
+    colours = {"domain": names, "range": [PALETTE[i % len(PALETTE)] for i in range(len(names))]}
+    legend = (
+        {
+            "orient": "top",
+            "title": None,
+            "columns": 2,
+            "symbolType": "stroke",
+            "symbolStrokeWidth": 3,
+        }
+        if len(names) > 1
+        else None
+    )
     ends = [float(sweep.values.min()), float(sweep.values.max())]
     name = f"{sweep.path} ({sweep.unit})" if sweep.unit else sweep.path
-    x = alt.X("x:Q", scale=alt.Scale(domain=ends, nice=False), title=folded(name, 44) if foot else None, axis=alt.Axis(tickCount=5))
+    x = field(
+        "x:Q",
+        scale={"domain": ends, "nice": False},
+        title=folded(name, 44) if foot else None,
+        axis={"tickCount": 5},
+    )
     reach = max(float(curve.values.max()) for curve, _ in curves) or 1.0
-    y = alt.Y("y:Q", scale=alt.Scale(domain=[0, 1.08 * reach], nice=False), title=unit_text(unit), axis=alt.Axis(tickCount=4))
+    y = field(
+        "y:Q",
+        scale={"domain": [0, 1.08 * reach], "nice": False},
+        title=unit_text(unit),
+        axis={"tickCount": 4},
+    )
     rows = [row for curve, _ in curves for row in _rows(sweep.values, curve)]
     lines = (
         of_rows(rows)
-        .mark_line(strokeWidth=2.4, strokeJoin="round")
-        .encode(x=x, y=y, color=alt.Color("what:N", scale=colours, legend=legend))
+        .mark("line", strokeWidth=2.4, strokeJoin="round")
+        .encode(x=x, y=y, color=field("what:N", scale=colours, legend=legend))
     )
     layers = [lines]
-    marks = [{"x": one.value, "y": one.result, "what": curve.label} for curve, one in curves if one is not None and not one.flat]
+    marks = [
+        {"x": one.value, "y": one.result, "what": curve.label}
+        for curve, one in curves
+        if one is not None and not one.flat
+    ]
     if marks:
-        dots = of_rows(marks).mark_point(size=90, filled=False, strokeWidth=2.2, color=VERMILION, opacity=1, shape="circle")
-        drop = of_rows(marks).mark_rule(color=GREY, strokeDash=[3, 3], strokeWidth=1)
+        dots = of_rows(marks).mark(
+            "point",
+            size=90,
+            filled=False,
+            strokeWidth=2.2,
+            color=VERMILION,
+            opacity=1,
+            shape="circle",
+        )
+        drop = of_rows(marks).mark("rule", color=GREY, strokeDash=[3, 3], strokeWidth=1)
         layers += [drop.encode(x=x), dots.encode(x=x, y=y)]
     return layered(layers, width=WIDTH, height=190)
 

@@ -1,8 +1,9 @@
-"""The vectors of one order: what every cylinder and every turning part pushes, as arrows that turn with or against the crank.
+"""The vectors of one order of every cylinder, throw and weight, turning with or against the crank.
 
-In a row of cylinders on one crankshaft nothing but pistons pushes along one axis; then a textbook draws one star: vectors
-`C_k exp(i k alpha)`, whose part along the axis of the cylinders is the force. Such a vector is twice the one that turns
-with the crank. Everywhere else there are two stars, of the vectors that turn with the crank and of those against it.
+The forces of a row of cylinders on one crankshaft act along one axis. Textbooks then draw one star
+of vectors `C_k exp(i k alpha)`, whose component along the cylinder axis is the force; such a vector
+is twice the one that turns with the crank. Other engines have two stars: the vectors that turn with
+the crank and those that turn against it.
 """
 
 from __future__ import annotations
@@ -12,22 +13,28 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from crankstar import motion, phasor
-from crankstar.balance import Balance, balance, total
+from crankstar import spectra
 from crankstar.charts.drawing import BLUE, GREY, VERMILION, ChartError, checked_order
-from crankstar.engine import Engine
-from crankstar.mechanism import Reference
-from crankstar.phasor import Spectrum
-from crankstar.wording import number, unit_text
+from crankstar.engine import motion
+from crankstar.engine.engine import Engine
+from crankstar.language.messages import N_, _
+from crankstar.language.numbers import number, unit_text
+from crankstar.mechanics.balance import Balance, balance, total
+from crankstar.mechanics.excitation import Reference
+from crankstar.mechanics.remains import NEGLIGIBLE
+from crankstar.spectra import Spectrum
 
 Quantity = Literal["force", "couple"]
-NOTHING = 1e-9
-"""Share of the greatest vector below which one is not drawn."""
 COLOURS = {"cylinder": BLUE, "throw": VERMILION, "weight": GREY}
+HEADINGS = {
+    "force": N_("Force of order {order}, in {unit}"),
+    "couple": N_("Couple of order {order}, in {unit}"),
+}
+WITH, AGAINST = N_("with the crank"), N_("against the crank")
 
 
 class Vector(NamedTuple):
-    """What one cylinder, throw or weight contributes at theta = 0 (up + i*right); `name` is its label."""
+    """The vector of one cylinder, throw or weight at theta = 0 (up + i*right); `name` labels it."""
 
     name: str
     kind: str
@@ -35,7 +42,7 @@ class Vector(NamedTuple):
 
 
 class Star(NamedTuple):
-    """Vectors that turn together by `rate` turns clockwise per turn of the crank, their sum, and what they are."""
+    """Vectors that turn by `rate` turns clockwise per turn of the crank, and their resultant."""
 
     vectors: tuple[Vector, ...]
     resultant: complex
@@ -44,7 +51,7 @@ class Star(NamedTuple):
 
 
 class Stars(NamedTuple):
-    """All vectors of one order of an engine: one star where `axis`, the bearing of all cylinders, is given; else two."""
+    """All vectors of one order: one star along the `axis` of the cylinders, else two stars."""
 
     name: str
     quantity: Quantity
@@ -58,13 +65,21 @@ class Stars(NamedTuple):
     @property
     def reach(self) -> float:
         """The length of the longest vector."""
-        return max((abs(vector.value) for star in self.stars for vector in star.vectors), default=0.0)
+        return max(
+            (abs(vector.value) for star in self.stars for vector in star.vectors), default=0.0
+        )
 
 
 def checked_quantity(quantity: str, among: tuple[str, ...] = ("force", "couple")) -> str:
     """A quantity that a figure can show; raises ChartError."""
     if quantity not in among:
-        raise ChartError(f"{quantity!r} is not a quantity of this figure; give one of {', '.join(among)}")
+        raise ChartError(
+            _(
+                "{quantity} is not a quantity of this figure; give one of {quantities}",
+                quantity=repr(quantity),
+                quantities=", ".join(among),
+            )
+        )
     return quantity
 
 
@@ -76,7 +91,10 @@ def stars(
     reference: Reference | None = None,
     speed: float | None = None,
 ) -> Stars:
-    """The vectors of an order: in N, N m at `speed` (rad/s); without it in m r w^2 |A_k|, A_k of the first cylinder's piston."""
+    """The vectors of an order in N, N m at `speed` (rad/s), else in m r w^2 |A_k|.
+
+    A_k is that of the first cylinder's piston.
+    """
     order = checked_order(order)
     checked_quantity(quantity)
     result = balance(engine, speed=speed, reference=reference)
@@ -84,8 +102,8 @@ def stars(
     if result.speed is None:
         factor, subscript = harmonic(engine, order)
         unit = unit.replace("m*r*w^2", f"m*r*w^2*{subscript}") if subscript else unit
-    shares = phasor.scaled(phasor.selected(getattr(result, quantity), order), 1 / factor)
-    whole = phasor.scaled(phasor.selected(getattr(total(result), quantity), order), 1 / factor)
+    shares = spectra.scaled(spectra.selected(getattr(result, quantity), order), 1 / factor)
+    whole = spectra.scaled(spectra.selected(getattr(total(result), quantity), order), 1 / factor)
     names = _names(engine, result)
     rows = [(name, kind, _sum(shares, places)) for (name, kind), places in names.items()]
     axis = _axis(engine, shares)
@@ -97,27 +115,29 @@ def stars(
         forward = tuple(vector._replace(value=2 * vector.value) for vector in forward)
         found = (Star(_seen(forward), 2 * ahead, rate, ""),)
     else:
-        found = (Star(_seen(forward), ahead, rate, "with the crank"), Star(_seen(backward), against, -rate, "against the crank"))
+        found = (
+            Star(_seen(forward), ahead, rate, _(WITH)),
+            Star(_seen(backward), against, -rate, _(AGAINST)),
+        )
     first = engine.throw(engine.first)
     from_crank = axis is not None and abs(np.exp(1j * (first.angle - axis)) - 1) < 1e-9
-    return Stars(engine.name, quantity, order, unit_text(unit), found, axis, engine.sense, from_crank)
+    return Stars(
+        engine.name, quantity, order, unit_text(unit), found, axis, engine.sense, from_crank
+    )
 
 
 def harmonic(engine: Engine, order: float) -> tuple[float, str]:
-    """|A_k| of the first cylinder's piston and how it is written; 1 and nothing where it has none, or is itself the unit."""
-    first = engine.first
-    if order != int(order) or first.articulated is not None or order == 1:
-        return 1.0, ""
-    found = motion.piston_harmonics(crank_radius=engine.throw(first).radius, rod_length=first.rod_length, offset=first.offset)
-    size = complex(found[int(order)]) if order < found.size else 0j
-    if abs(size) < motion.TAIL * 10:
+    """The |A_k| of the first cylinder's piston and its symbol; 1 and empty if it is the unit."""
+    size = motion.first_harmonic(engine, order)
+    if not size or abs(size - 1) < NEGLIGIBLE:
         return 1.0, ""
     letter = f"A{int(order)}"  # no lowered figure: few fonts of those that make pictures have one
-    return abs(size), letter if size.real > 0 and abs(size.imag) < 1e-9 * abs(size) else f"|{letter}|"
+    plain = size.real > 0 and abs(size.imag) < NEGLIGIBLE * abs(size)
+    return abs(size), letter if plain else f"|{letter}|"
 
 
 def _names(engine: Engine, result: Balance) -> dict[tuple[str, str], list[int]]:
-    """The rows of a Balance that belong to each cylinder, throw and weight, by label and kind, in this order."""
+    """The rows of a Balance of each cylinder, throw and weight, by label and kind."""
     out: dict[tuple[str, str], list[int]] = {}
     several = sum(1 for shaft in engine.shafts if shaft.throws) > 1
     counts: dict[tuple[str, str], int] = {}
@@ -144,27 +164,37 @@ def _sum(shares: Spectrum, rows: list[int]) -> tuple[complex, complex]:
 
 def _seen(vectors: tuple[Vector, ...]) -> tuple[Vector, ...]:
     greatest = max((abs(vector.value) for vector in vectors), default=0.0)
-    return tuple(vector for vector in vectors if greatest and abs(vector.value) > NOTHING * greatest)
+    return tuple(
+        vector for vector in vectors if greatest and abs(vector.value) > NEGLIGIBLE * greatest
+    )
 
 
 def _axis(engine: Engine, shares: Spectrum) -> float | None:
-    """The bearing along which everything pushes, if all cylinders stand in a row on the reference crankshaft."""
+    """The bearing along which all forces act, for a row of cylinders on the first crankshaft."""
     first = engine.first
-    if any(c.shaft != engine.shafts[0].name or abs(c.bearing - first.bearing) > 1e-9 for c in engine.cylinders):
+    if any(
+        c.shaft != engine.shafts[0].name or abs(c.bearing - first.bearing) > 1e-9
+        for c in engine.cylinders
+    ):
         return None
     forward, backward = shares.forward[:, 0], shares.backward[:, 0]
     mirrored = np.exp(2j * first.bearing) * np.conj(forward)
     greatest = float(np.abs(forward).max(initial=0.0) + np.abs(backward).max(initial=0.0))
-    lines = bool(np.all(np.abs(mirrored - backward) <= NOTHING * greatest))
+    lines = bool(np.all(np.abs(mirrored - backward) <= NEGLIGIBLE * greatest))
     return first.bearing if lines else None
 
 
-def angle_text(found: Stars, value: complex) -> str:
-    """The plane of a resultant at theta = 0: from the axis of the cylinders in the direction of rotation, or from up."""
-    if found.axis is not None:
-        turned = float(np.angle(value * np.exp(-1j * found.axis))) * found.sense
-        return f"{_degrees(turned)}° from {'crank 1' if found.from_crank else 'the cylinder axis'}"
-    return f"at {_degrees(float(np.angle(value)))}°"
+def angle_text(shown: Stars, value: complex) -> str:
+    """The plane of a resultant at theta = 0: its angle from the cylinder axis, or its bearing.
+
+    The angle counts in the direction of rotation.
+    """
+    if shown.axis is None:
+        return _("at {angle}°", angle=_degrees(float(np.angle(value))))
+    angle = _degrees(float(np.angle(value * np.exp(-1j * shown.axis))) * shown.sense)
+    if shown.from_crank:
+        return _("{angle}° from crank 1", angle=angle)
+    return _("{angle}° from the cylinder axis", angle=angle)
 
 
 def _degrees(angle: float) -> str:
@@ -172,6 +202,6 @@ def _degrees(angle: float) -> str:
     return number(180.0 if shown == -180 else shown, 180.0).replace("-", "−")
 
 
-def heading(found: Stars, drawn: str = "") -> str:
-    """What is drawn, of which order, in which units."""
-    return f"{' '.join(filter(None, (found.quantity, drawn))).capitalize()} of order {found.order:g}, in {found.unit}"
+def heading(shown: Stars) -> str:
+    """Quantity, order and unit."""
+    return _(HEADINGS[shown.quantity], order=f"{shown.order:g}", unit=shown.unit)

@@ -1,14 +1,53 @@
-"""The command line: verbs only. Every verb reads engines, asks a function, prints what it gives.
+"""The command line: verbs only. Every verb reads engines, asks a function, prints the result.
 
-| module | one line |
+| module, bottom to top | one line |
 |---|---|
-| `looking`, `picturing`, `showing`, `serving` | verbs to look, draw, show on a page, serve the page |
-| `firing`, `making`, `reporting`, `searching` | verbs to list what can fire, make or judge files, report, search |
+| `help` | the help in the reader's language |
+| `output` | where results go: terminal, pipe or file |
 | `options` | options that several verbs share |
 | `application` | how a command line is read, and how the process ends |
+| `tabulating` | a Document as tables, JSON, CSV, a spreadsheet or Parquet |
+| `inspect` | list, show, analyze, compare, verdict, strokes |
+| `deriving` | derive, errata |
+| `firing` | orders, vees |
+| `search_options` | the options of search |
+| `search_job` | a search run, reported and kept in a file |
+| `searching` | search |
+| `balancing` | balance |
+| `picturing` | plot, sweep |
+| `showing` | page |
+| `reporting` | report |
+| `serving` | serve |
+| `files` | check, new, schema |
 """
 
-from crankstar.cli import firing, looking, making, options, picturing, reporting, searching, serving, showing
+from crankstar.cli import (
+    balancing,
+    deriving,
+    files,
+    firing,
+    inspect,
+    options,
+    picturing,
+    reporting,
+    searching,
+    serving,
+    showing,
+)
 from crankstar.cli.application import app, main
 
-__all__ = ["app", "firing", "looking", "main", "making", "options", "picturing", "reporting", "searching", "serving", "showing"]
+__all__ = [
+    "app",
+    "balancing",
+    "deriving",
+    "files",
+    "firing",
+    "inspect",
+    "main",
+    "options",
+    "picturing",
+    "reporting",
+    "searching",
+    "serving",
+    "showing",
+]

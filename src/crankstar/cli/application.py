@@ -2,57 +2,97 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Sequence
 from importlib.metadata import version
 
 from cyclopts import App, CycloptsError, UnusedCliTokensError
 
+from crankstar.cli.output import OutputError, abandon, complain
 from crankstar.files import STANDARD_INPUT, EngineFileError
-from crankstar.output import OutputError, abandon, complain
-from crankstar.quantity import one_line, seen
-from crankstar.request import NEEDED, RequestError
+from crankstar.language.messages import LANGUAGES, _, spoken
+from crankstar.language.quoting import one_line, seen
+from crankstar.options.values import NEEDED, RequestError
+from crankstar.search.faults import SearchError
 
 app = App(
     name="crankstar",
-    help="How a piston engine shakes, why, and what to do about it. ENGINE is a name from the catalog or a file in TOML or "
-    "JSON; - reads standard input.",
+    help="Compute how a piston engine shakes, why, and what to do about it. ENGINE is a name from "
+    "the catalog or a file in TOML or JSON; - reads standard input. --lang (or "
+    "CRANKSTAR_LANG) sets "
+    "the language: en, ja or ru.",
     version=lambda: version("crankstar"),
     help_format="plaintext",
     result_action="return_value",
     suppress_keyboard_interrupt=False,
 )
-app.register_install_completion_command(help="Install completion of commands and options for this shell.")
+app.register_install_completion_command(
+    help="Install completion of commands and options in this shell."
+)
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
-    """Run the command line and leave the process: 0 done, 2 a bad request or file, 130 interrupted."""
+    """Run the command line and exit: 0 done, 2 for a bad request or file, 130 interrupted."""
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(errors="replace")  # pyright: ignore[reportAttributeAccessIssue]
+    words = list(sys.argv[1:] if arguments is None else arguments)
     try:
-        code = app(_spelt_out(sys.argv[1:] if arguments is None else arguments), exit_on_error=False, print_error=False) or 0
+        with spoken(_language(words)):
+            if not words or {"--help", "-h"} & set(words):  # only help needs its libraries
+                from crankstar.cli.help import TranslatedHelp
+
+                app.help_formatter = TranslatedHelp()
+            code = app(_spelt_out(words), exit_on_error=False, print_error=False) or 0
         if sys.stdout is not None:
             sys.stdout.flush()
     except CycloptsError as error:
-        code = _refuse(_told(error))
+        code = _refuse(_complaint(error))
     except (RequestError, OutputError, EngineFileError) as error:
         code = _refuse(str(error))
-    except (BrokenPipeError, SystemExit):  # the latter is how rich says it
-        code = 0  # the reader of the pipe has what it wanted
+    except SearchError as error:
+        code = _refuse(error.text(lambda option: f"--{option.replace('_', '-')}"))
+    except (BrokenPipeError, SystemExit):  # rich raises SystemExit for a broken pipe
+        code = 0  # the reader of the pipe has all it wanted
     except OSError as error:
-        place = "standard output, or a temporary file (TMPDIR)" if error.filename is None else one_line(str(error.filename))
-        code = _refuse(f"{place}: cannot be written ({error.strerror or error}); make room, or name another file with -o")
+        code = _refuse(_unwritable(error))
     except MemoryError:
-        code = _refuse("there is not enough memory for this engine; take fewer cylinders, or longer rods")
+        code = _refuse(_("not enough memory for this engine; try fewer cylinders, or longer rods"))
     except KeyboardInterrupt:
         code = 130
     abandon()
     sys.exit(code)
 
 
+def _language(words: list[str]) -> str:
+    """The language of --lang, which is taken out of the words, or of CRANKSTAR_LANG, or English."""
+    language = os.environ.get("CRANKSTAR_LANG") or LANGUAGES[0]
+    asked = "CRANKSTAR_LANG"
+    for place, word in enumerate(words):
+        option, equals, value = word.partition("=")
+        if option == "--lang":
+            language = value if equals else "".join(words[place + 1 : place + 2])
+            asked = "--lang"
+            del words[place : place + (1 if equals else 2)]
+            break
+    if language not in LANGUAGES:
+        raise RequestError(
+            _(
+                "{option} {language}: the languages are {languages}",
+                option=asked,
+                language=seen(language),
+                languages=", ".join(LANGUAGES),
+            )
+        )
+    return language
+
+
 def _spelt_out(arguments: Sequence[str]) -> list[str]:
-    """Arguments with the lone hyphen as a file name, which the parser would take for an option, and --shafts with its meaning."""
+    """Arguments in the form that the parser needs.
+
+    It would take a lone hyphen, a file name, for an option; --shafts must have a value.
+    """
     pairs = zip(["", *arguments], arguments, strict=False)
     named = {"-o": "/dev/stdout", "--output": "/dev/stdout"}
     words = [named.get(before, STANDARD_INPUT) if word == "-" else word for before, word in pairs]
@@ -63,14 +103,32 @@ def _spelt_out(arguments: Sequence[str]) -> list[str]:
     return words
 
 
-def _told(error: CycloptsError) -> str:
-    """What is wrong with the words of a command line, and where to read on."""
+def _complaint(error: CycloptsError) -> str:
+    """The mistake in the words of a command line, and the command that explains them."""
     text = one_line(str(error).strip(), longest=300)
     text = text.replace("into int", "into a whole number").replace("into bool", "into yes or no")
     if isinstance(error, UnusedCliTokensError):
-        text = f"too many arguments: {', '.join(map(seen, error.unused_tokens or ()))}"
+        text = _(
+            "too many arguments: {words}", words=", ".join(map(seen, error.unused_tokens or ()))
+        )
     command = " ".join(["crankstar", *(error.command_chain or ())])
-    return f"{text}\nSee: {command} --help"
+    return _("{mistake}\nSee: {command} --help", mistake=text, command=command)
+
+
+def _unwritable(error: OSError) -> str:
+    """A file, or standard output, that could not be written."""
+    reason = error.strerror or error
+    if error.filename is None:
+        return _(
+            "standard output or a temporary file (TMPDIR) cannot be written ({reason}); free some "
+            "space, or name a file with -o",
+            reason=reason,
+        )
+    return _(
+        "{file} cannot be written ({reason}); free some space, or name another file with -o",
+        file=one_line(str(error.filename)),
+        reason=reason,
+    )
 
 
 def _refuse(message: str) -> int:

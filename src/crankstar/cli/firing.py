@@ -1,34 +1,40 @@
-"""Verbs that list what can fire: orders, vees."""
+"""Verbs about firing: orders, vees."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import PurePath
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, cast, get_args
 
 from cyclopts import Parameter
 
-from crankstar import request
 from crankstar.cli.application import app
-from crankstar.cli.options import EngineName, Settings, loaded_engine
-from crankstar.engine import Engine
-from crankstar.output import STANDARD_OUTPUT, display, working, write
-from crankstar.quantity import one_line
-from crankstar.request import RequestError
+from crankstar.cli.options import Csv, EngineName, Json, Settings, flag, loaded_engine, text
+from crankstar.cli.options import output as file_to_write
+from crankstar.cli.output import STANDARD_OUTPUT, working, write
+from crankstar.cli.tabulating import form_of, give
+from crankstar.engine.engine import Engine
+from crankstar.engine.quantities import Cycle
+from crankstar.language.messages import _, _n
+from crankstar.language.quoting import one_line
+from crankstar.options import values as request
+from crankstar.options.values import RequestError
 
 if TYPE_CHECKING:
-    from crankstar.order_tables import Listing
+    from crankstar.tables.firing_orders import Listing
 
-Limit = Annotated[int, Parameter(help="how many rows to show; --csv and --json have all")]
-Row = Annotated[int | None, Parameter(help="write this row as an engine file, in the explicit form, instead of the table")]
-Json = Annotated[bool, Parameter(help="all rows, one object", negative=())]
-Csv = Annotated[bool, Parameter(help="all rows as CSV", negative=())]
+Top = Annotated[int, Parameter(help="Number of rows to print; --csv and --json have all.")]
+Row = Annotated[
+    int | None, Parameter(help="Write this row as an engine file, in the explicit form.")
+]
 Place = Annotated[
     str | None,
-    Parameter(name=["--output", "-o"], help="file to write: .txt for the table, .csv, .json, or with --row the engine file, .toml"),
+    file_to_write("File to write: .txt, .csv, .json, .xlsx, .parquet, or .toml with --row."),
 ]
 
-KINDS = ("", "csv", "json", "txt")
-"""Endings of the files that lists are written to; a device or a pipe has none."""
+
+REASONS = 4
+"""Dead centres that are named as the reason why nothing fires evenly."""
 
 
 @app.command
@@ -38,147 +44,199 @@ def orders(
     *,
     intervals: Annotated[
         str | None,
-        Parameter(help='only orders with these intervals, repeated to fill the cycle, as in "90, 150 deg"; 0 for firing at once'),
+        text(
+            'Firing intervals, repeated to fill the cycle, such as "90, 150 deg"; 0 for cylinders '
+            "that fire together (default: even)."
+        ),
     ] = None,
     any_: Annotated[
-        bool, Parameter(name="--any", help="every order the dead centres allow, even or not, most even first", negative=())
+        bool,
+        Parameter(
+            name="--any",
+            help="List every order that the dead centres allow, the most even first.",
+            negative=(),
+        ),
     ] = False,
     together: Annotated[
-        bool, Parameter(help="with --any: cylinders at dead centre together may fire together", negative=())
+        bool, flag("With --any: cylinders may fire together at the same dead centre.")
     ] = False,
     tolerance: Annotated[
-        str | None, Parameter(help='how far a firing may be from its place in the cycle, as in "2 deg"; else 0.0001 deg')
+        str | None,
+        text(
+            'Greatest deviation of a firing from its place in the cycle, such as "2 deg" (default: '
+            "0.0001 deg)."
+        ),
     ] = None,
-    limit: Limit = 20,
+    top: Top = 20,
     row: Row = None,
     json: Json = False,
     csv: Csv = False,
     settings: Settings = None,
     output: Place = None,
 ) -> None:
-    """Firing orders that a crank can fire: evenly, at given intervals or at any; banks, neighbours, throws."""
-    from crankstar import order_tables as tables
-    from crankstar.answer import json_text
-    from crankstar.search import numbering
-    from crankstar.search import orders as firing_orders
-    from crankstar.search.timetable import OrderError
+    """List the firing orders that a crank can fire, with exhaust intervals and neighbours."""
+    from crankstar.firing import numbering
+    from crankstar.firing import orders as firing_orders
+    from crankstar.firing.timetable import OrderError
+    from crankstar.tables import firing_orders as tables
 
-    kind = _kind(output, json=json, csv=csv, row=row, limit=limit)
+    form = _form(output, json=json, csv=csv, row=row, top=top)
     if any_:
         request.alone("--any", {"--intervals": intervals, "--tolerance": tolerance})
     else:
         request.alone("a list without --any", {"--together": together or None})
     loaded = loaded_engine(engine, settings)
     try:
-        with working("trying firing orders ..."):
+        with working(_("trying firing orders ...")):
             if any_:
-                listing = tables.Listing(loaded, firing_orders.possible_orders(loaded, together=together))
+                listing = tables.Listing(
+                    loaded, firing_orders.possible_orders(loaded, together=together)
+                )
             elif intervals is not None or tolerance is not None:
                 listing = _asked(loaded, intervals, tolerance)
             else:
-                listing = tables.Listing(loaded, firing_orders.most_even_orders(loaded), firing_orders.why_uneven(loaded))
+                listing = tables.Listing(
+                    loaded,
+                    firing_orders.most_even_orders(loaded),
+                    " ".join(
+                        fault.sentence for fault in firing_orders.why_uneven(loaded)[:REASONS]
+                    ),
+                )
     except OrderError as error:
         raise RequestError(f"{loaded.name}: {error}") from None
     if row is not None:
-        write(_file(numbering.with_order(loaded, listing.orders[_index(row, listing.orders)].firing)), output)
-    elif kind == "csv":
-        write(tables.orders_csv(listing), output)
-    elif kind == "json":
-        write(json_text(tables.orders_tree(listing)), output)
+        write(
+            _file(numbering.with_order(loaded, listing.orders[_index(row, listing.orders)].firing)),
+            output,
+        )
     else:
-        display(tables.orders_table(listing, limit=limit), output)
+        shown = top if form == "txt" else None
+        give(tables.firing_orders(listing, limit=shown), output, form=form)
 
 
 def _asked(engine: Engine, intervals: str | None, tolerance: str | None) -> Listing:
-    """The orders with the intervals that are asked for, else the even ones, within a tolerance. Raises OrderError."""
-    from crankstar.order_tables import Listing
-    from crankstar.search.orders import SAME_PLACE, orders_at
+    """The orders with the given intervals, else the even ones, within a tolerance.
+
+    Raises OrderError.
+    """
+    from crankstar.firing.orders import SAME_PLACE, orders_at
+    from crankstar.tables.firing_orders import Listing
 
     count = len(engine.chambers)
     near = None if tolerance is None else request.degrees("--tolerance", tolerance)[0]
     even = (engine.cycle_angle / count,) * count
-    wanted = even if intervals is None else tuple(request.repeated("--intervals", intervals, of=count))
-    found = orders_at(engine, intervals_deg=wanted, tolerance_deg=SAME_PLACE if near is None else near)
+    wanted = (
+        even if intervals is None else tuple(request.repeated("--intervals", intervals, of=count))
+    )
+    found = orders_at(
+        engine, intervals_deg=wanted, tolerance_deg=SAME_PLACE if near is None else near
+    )
     return Listing(engine, found, asked_deg=wanted, tolerance_deg=near)
 
 
 @app.command
 def vees(
-    cylinders: Annotated[int, Parameter(help="how many cylinders, an even number up to 16")],
+    cylinders: Annotated[int, Parameter(help="Number of cylinders, even, up to 16.")],
     /,
     *,
     bank: Annotated[
-        str | None, Parameter(help='bank angles, as in "60 deg, 90 deg"; else the multiples of the firing interval up to 180 deg')
+        str | None,
+        text(
+            'Bank angles, such as "60 deg, 90 deg" (default: the multiples of the firing '
+            "interval up "
+            "to 180 deg)."
+        ),
     ] = None,
     greatest_split: Annotated[
         str | None,
-        Parameter(
-            help='how far pins may be split, as in "30 deg", 0 for not at all; else as far as it takes. Without --bank, the usual '
-            "bank angles that need no more are tried too"
+        text(
+            'Greatest pin split, such as "30 deg"; 0 forbids it (default: none). Without --bank, '
+            "also tries the usual bank angles that it makes possible."
         ),
     ] = None,
-    two_stroke: Annotated[bool, Parameter(help="two-stroke engines; else four-stroke", negative=())] = False,
-    limit: Limit = 20,
+    cycle: Annotated[str, Parameter(help="four-stroke or two-stroke.")] = "four-stroke",
+    top: Top = 20,
     row: Row = None,
     star: Annotated[
-        int, Parameter(help="with --row: which of the stars with this balance, mirror images and reverses not counted, as in --csv")
+        int,
+        Parameter(
+            help="With --row: number of the star with this balance, mirror images and reverses not "
+            "counted."
+        ),
     ] = 1,
     json: Json = False,
     csv: Csv = False,
     output: Place = None,
 ) -> None:
-    """V engines that fire evenly, crank and bank together: bank angle, pin split, throws, and their balance."""
-    from crankstar import vee_tables as tables
-    from crankstar.answer import json_text
-    from crankstar.search import vees as engines
-    from crankstar.search.timetable import OrderError
+    """List V engines that fire evenly: bank angle, pin split, throws and balance."""
+    from crankstar.firing import vees as engines
+    from crankstar.firing.timetable import OrderError
+    from crankstar.tables.vee_engines import vee_engines
 
-    kind = _kind(output, json=json, csv=csv, row=row, limit=limit)
+    form = _form(output, json=json, csv=csv, row=row, top=top)
     if row is None:
         request.alone("a list without --row", {"--star": None if star == 1 else star})
     angles = None if bank is None else request.degrees("--bank", bank)
-    split = None if greatest_split is None else request.degrees("--greatest-split", greatest_split)[0]
-    cycle = "two-stroke" if two_stroke else "four-stroke"
+    split = (
+        None if greatest_split is None else request.degrees("--greatest-split", greatest_split)[0]
+    )
+    if cycle not in get_args(Cycle):
+        raise RequestError(
+            _("--cycle {cycle}: give four-stroke or two-stroke", cycle=one_line(cycle))
+        )
     try:
-        with working("trying cranks and bank angles ..."):
-            found = engines.vees(cylinders=cylinders, bank_angles_deg=angles, greatest_split_deg=split, cycle=cycle)
+        with working(_("trying cranks and bank angles ...")):
+            found = engines.vees(
+                cylinders=cylinders,
+                bank_angles_deg=angles,
+                greatest_split_deg=split,
+                cycle=cast("Cycle", cycle),
+            )
     except OrderError as error:
         raise RequestError(str(error)) from None
     if row is not None:
         one = found[_index(row, found)]
-        place = _index(star, one.stars, option="--star", besides=", mirror images and reverses not counted")
+        place = _index(star, one.stars, option="--star")
         write(_file(engines.engine_of(one, star=place)), output)
-    elif kind == "csv":
-        write(tables.vees_csv(found), output)
-    elif kind == "json":
-        write(json_text(tables.vees_tree(found)), output)
     else:
-        display(tables.vees_table(found, limit=limit, only_multiples=angles is None and split is None), output)
+        shown = top if form == "txt" else None
+        usual = angles is None and split is None
+        give(vee_engines(found, limit=shown, only_multiples=usual), output, form=form)
 
 
-def _kind(output: str | None, *, json: bool, csv: bool, row: int | None, limit: int) -> str:
-    """In which form to write: csv, json, or else a table; as asked for, or as the name of the file says."""
-    asked = [name for name, wanted in (("--json", json), ("--csv", csv)) if wanted]
-    if len(asked) > 1:
-        raise RequestError("--json and --csv: ask for one of them")
-    if row is not None:
-        request.alone("--row", dict.fromkeys(asked, True))
-    if limit < 1:
-        raise RequestError(f"--limit {limit}: give a number from 1 up")
-    kind = "" if output in STANDARD_OUTPUT else PurePath(output or "").suffix.lower().removeprefix(".")
-    if row is not None and kind not in ("", "toml"):
-        raise RequestError(f"-o {one_line(output or '')}: let the name of the engine file end in .toml")
-    if row is None and not asked and kind not in KINDS:
-        raise RequestError(f"-o {one_line(output or '')}: let the name end in .csv, .json, .txt; or in .toml with --row")
-    return asked[0].removeprefix("--") if asked else kind
+def _form(output: str | None, *, json: bool, csv: bool, row: int | None, top: int) -> str:
+    """The form of a list, or toml for the engine of a row. Raises RequestError."""
+    if top < 1:
+        raise RequestError(_("--top {count}: give a number from 1 up", count=top))
+    if row is None:
+        return form_of(output, json=json, csv=csv)
+    request.alone("--row", {"--json": json or None, "--csv": csv or None})
+    named = output not in STANDARD_OUTPUT and PurePath(output or "").suffix.lower()
+    if named and named != ".toml":
+        raise RequestError(
+            _(
+                "-o {file}: the name of an engine file must end in .toml",
+                file=one_line(output or ""),
+            )
+        )
+    return "toml"
 
 
-def _index(row: int, of: Any, *, option: str = "--row", besides: str = "") -> int:
-    """The place of a row, counted from 0; `besides`: what is not among those that are counted. Raises RequestError."""
-    if not 1 <= row <= len(of):
-        told = f"there {'is' if len(of) == 1 else 'are'} {len(of) or 'none'}{besides}"
-        give = f"; give {'1' if len(of) == 1 else f'a number from 1 to {len(of)}'}" if of else ""
-        raise RequestError(f"{option} {row}: {told}{give}")
+def _index(row: int, rows: Sequence[object], *, option: str = "--row") -> int:
+    """The place of a row, counted from 0. Raises RequestError."""
+    if not rows:
+        raise RequestError(_("{option} {row}: the list is empty", option=option, row=row))
+    if not 1 <= row <= len(rows):
+        raise RequestError(
+            _n(
+                "{option} {row}: there is {count}; give 1",
+                "{option} {row}: there are {count}; give a number from 1 to {count}",
+                len(rows),
+                option=option,
+                row=row,
+                count=len(rows),
+            )
+        )
     return row - 1
 
 
@@ -186,6 +244,6 @@ def _file(engine: Engine) -> str:
     """An engine file, which is never written where it could not be read again."""
     from crankstar.files import engine_of, toml, tree_of
 
-    text = toml(engine)
-    engine_of(tree_of(text))
-    return text
+    content = toml(engine)
+    engine_of(tree_of(content))
+    return content

@@ -1,4 +1,8 @@
-"""The options that several verbs share, with their help, and the engine that they name."""
+"""The options that several verbs share, with their help, and the engine that they name.
+
+An option means the same in every verb. `flag` and `text` are the two kinds that need no more than
+a sentence of help.
+"""
 
 from __future__ import annotations
 
@@ -6,47 +10,65 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
-from crankstar import request
-from crankstar.catalog import load
-from crankstar.engine import Engine
+from crankstar.engine.engine import Engine
+from crankstar.files.catalog import load
+from crankstar.options import values as request
 
-EngineName = Annotated[str, Parameter(help="a name from the catalog, a file, or - for standard input")]
+
+def flag(sentence: str) -> Parameter:
+    """A switch without a `--no-` form."""
+    return Parameter(help=sentence, negative=())
+
+
+def text(sentence: str, *names: str) -> Parameter:
+    """A value that may begin with a minus sign."""
+    return Parameter(name=names or None, help=sentence, allow_leading_hyphen=True)
+
+
+def output(sentence: str) -> Parameter:
+    """The file to write."""
+    return Parameter(name=["--output", "-o"], help=sentence)
+
+
+ENGINE = "Name from the catalog, engine file, or - for standard input."
+ORDER_NAMES = ("--orders", "--order")
+
+EngineName = Annotated[str, Parameter(help=ENGINE)]
 Speed = Annotated[
-    str | None,
-    Parameter(
-        name="--speed", allow_leading_hyphen=True, help='crank speed with its unit, as in "6000 rpm"; else the speed in the file'
-    ),
+    str | None, text('Crank speed, such as "6000 rpm" (default: the speed in the file).', "--speed")
 ]
 Orders = Annotated[
     str | None,
-    Parameter(name="--orders", allow_leading_hyphen=True, help="crank orders, as in 1,2,4,6 or all; else those up to 6 that occur"),
+    text(
+        "Crank orders, such as 1,2,4,6, or all (default: those up to 6 that occur).", *ORDER_NAMES
+    ),
 ]
 ReferencePoint = Annotated[
     str | None,
-    Parameter(
-        name="--reference",
-        allow_leading_hyphen=True,
-        help='point for couples and rolls: z, or z, up and right, as in "-120 mm" or "0 mm, 35 mm, 0 mm"; z as in crankstar show '
-        "(else the middle of the cylinders' span, on the crank axis)",
+    text(
+        'Point about which couples and roll are taken: z, or z, up and right, such as "-120 mm" or '
+        '"0 mm, 35 mm, 0 mm", with z as in `crankstar show` (default: the middle of the cylinders, '
+        "on the crank axis).",
+        "--reference",
     ),
 ]
-Angles = Annotated[
+Theta = Annotated[
     str | None,
-    Parameter(name="--at", allow_leading_hyphen=True, help='also all orders together at these crank angles, as in "0 deg, 90 deg"'),
+    text('Also the sum of all orders at these crank angles, such as "0 deg, 90 deg".', "--theta"),
 ]
-Output = Annotated[
-    str | None, Parameter(name=["--output", "-o"], help="write to this file instead; it is replaced only when all went well")
-]
+Output = Annotated[str | None, output("File to write (default: standard output).")]
 Settings = Annotated[
     list[str] | None,
     Parameter(
         name="--set",
-        help='change a value of the file, as in --set layout.bore_pitch="100 mm" --set balance_factor=0.5',
+        help='Change a value of the file, such as layout.bore_pitch="100 mm"; repeatable.',
         negative=(),
     ),
 ]
+Json = Annotated[bool, flag("Print JSON.")]
+Csv = Annotated[bool, flag("Print CSV.")]
 
 
 def loaded_engine(name: str, settings: list[str] | None) -> Engine:
     """The engine of a name or file, with the values of --set."""
-    return load(name, changes=dict(request.setting(text) for text in settings or []))
+    return load(name, changes=dict(request.setting(setting) for setting in settings or []))

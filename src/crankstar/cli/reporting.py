@@ -1,4 +1,4 @@
-"""The verb that writes it all down: report."""
+"""The verb that writes the printed report: report."""
 
 from __future__ import annotations
 
@@ -7,12 +7,14 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
-from crankstar import chart_request, request
-from crankstar.catalog import load, tree_of
 from crankstar.cli.application import app
-from crankstar.cli.options import EngineName, Settings, Speed
-from crankstar.output import kind_of, working, writable, write, write_bytes
-from crankstar.request import RequestError
+from crankstar.cli.options import ORDER_NAMES, EngineName, Settings, Speed, output, text
+from crankstar.cli.output import kind_of, working, writable, write, write_bytes
+from crankstar.files.catalog import load, tree_of
+from crankstar.language.messages import _
+from crankstar.options import charts as chart_request
+from crankstar.options import values as request
+from crankstar.options.values import RequestError
 
 KINDS = ("html", "pdf")
 
@@ -22,20 +24,24 @@ def write_report(
     engine: EngineName,
     /,
     *,
-    output: Annotated[str | None, Parameter(name=["--output", "-o"], help="file to write: .html, or .pdf through Chromium")] = None,
+    output: Annotated[
+        str | None, output("File to write: .html, or .pdf, which needs Chromium.")
+    ] = None,
     speed: Speed = None,
     orders: Annotated[
         str | None,
-        Parameter(
-            name=["--orders", "--order"],
-            allow_leading_hyphen=True,
-            help="crank orders, as in 1,2,4,6 or all, each drawn and derived in full; else those up to 6 that matter",
+        text(
+            "Crank orders to draw and derive in full, such as 1,2,4, or all (default: the largest "
+            "up to 6).",
+            *ORDER_NAMES,
         ),
     ] = None,
-    beside: Annotated[str | None, Parameter(help="another engine, compared with it order by order")] = None,
+    beside: Annotated[
+        str | None, Parameter(help="Another engine, compared order by order.")
+    ] = None,
     settings: Settings = None,
 ) -> None:
-    """Write a report: data, views, strokes, orders, derivations, diagrams, verdict, remedies, sources."""
+    """Write a report: data, verdict, views, strokes, orders, diagrams, remedies, derivations."""
     chart_request.charts()
     kind = kind_of(output, KINDS, what="a report")
     from crankstar import report
@@ -48,9 +54,20 @@ def write_report(
     loaded = engine_of(tree, name=shown, changes=changes)
     other = load(beside) if beside is not None else None
     turning = request.speed(speed)
-    given = {"--speed": [speed], "--orders": [orders], "--beside": [beside and request.named(beside)], "--set": settings or []}
-    words = [word for option, values in given.items() for value in values if value is not None for word in (option, value)]
-    matter = report.Matter(
+    given = {
+        "--speed": [speed],
+        "--orders": [orders],
+        "--beside": [beside and request.named(beside)],
+        "--set": settings or [],
+    }
+    words = [
+        word
+        for option, values in given.items()
+        for value in values
+        if value is not None
+        for word in (option, value)
+    ]
+    subject = report.Subject(
         loaded,
         changed(tree, changes, name=shown),
         shlex.join(["crankstar", "report", request.named(engine), *words, "-o", f"report.{kind}"]),
@@ -58,15 +75,15 @@ def write_report(
         None,
         other,
     )
-    wanted = request.orders(orders, list(matter.shown.normalised.force.orders.tolist()))
-    matter = matter.about(orders=tuple(wanted) if wanted else None)
+    wanted = request.orders(orders, list(subject.shown.normalised.force.orders.tolist()))
+    subject = subject.with_orders(tuple(wanted) if wanted else None)
     try:
         by = report.browser() if kind == "pdf" else ""
-        with working("writing the report ...") as tell:
-            page = report.report(matter, tell=tell)
+        with working(_("Writing the report ...")) as tell:
+            page = report.report(subject, tell=tell)
             if kind == "html":
                 return write(page, output)
-            tell("printing ...")
+            tell(_("Printing ..."))
             content = report.pdf(page, by=by)
     except report.PrintingError as error:
         raise RequestError(str(error)) from None

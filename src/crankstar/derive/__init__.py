@@ -1,52 +1,79 @@
-"""Exact closed forms and step-by-step derivations of the inertia forces and couples of an engine, order by order.
+"""Exact closed forms of inertia forces and couples, derived step by step, order by order.
 
-Bottom to top:
+Engine -> Derivation -> document.
 
-| module | one line |
+| module, bottom to top | one line |
 |---|---|
-| `documents` | chapters for the terminal, as LaTeX, Markdown, HTML |
-| `cure` | what weights on a shaft take away, in closed form, and the proof that nothing is left |
-| `notations` | the letters of this project, of the V8 pages, of Sinitsyn |
-| `families` | closed forms with a dimension left open: bank angle, crank phase, number of cylinders |
-| `six_signs` | the six signs of balance |
-| `steps` | Engine -> Derivation: from one cylinder to the resultant |
-| `pins` | the same sum pin by pin |
-| `task` | what every step knows, and the lines they have in common |
-| `resultant` | closed forms of the whole engine, their ellipse, the force of the real engine |
-| `gather` | cosines added up as by hand: in phase, in pairs that cancel, in closed polygons |
-| `records` | Derivation, Chapter, Step, Line |
-| `bodies` | what each part does in one order, exactly or in balls |
-| `positions` | places along the crankshaft as linear forms in the bore pitch a and the bank offset b |
-| `wave` | signals whose amplitude is a linear form of exact numbers; as few cosines as there can be |
-| `enclosure` | harmonics of any rod to fifty digits, with a proved bound |
-| `radical` | exact numbers in the shortest form: radicals, arctangents, else enclosed decimals |
-| `typeset` | formulas in text, LaTeX and MathML |
-| `formula` | formulas as trees that can be evaluated |
-| `cyclotomic` | the fields Q(zeta_N): exact arithmetic, exact zeros, also of whole batches |
-| `meant` | doubles as the rational numbers they were meant to be |
+| `algebra` | exact numbers, formulas and their print |
+| `records` | Line and Step |
+| `positions` | places along the crankshaft in bore pitches and bank offsets |
+| `addition` | cosines added as by hand |
+| `body` | the push of one moving part |
+| `rotors` | the rotating parts |
+| `pistons` | the push of pistons, exactly or in balls |
+| `bodies` | all parts that push in one order |
+| `errata` | wrong formulas of the sources beside the right ones |
+| `task` | the data and the lines that all steps share |
+| `law` | the first step: the force of one piston, and the unit |
+| `banks` | sums by cylinder, by bank, and of all banks |
+| `pins` | the same sum by crank pins |
+| `turning` | the rotating masses |
+| `resultant` | two counter-rotating vectors and their path |
+| `real` | the series of the harmonic, its exact value, and newtons |
+| `notations` | the letters of different schools |
+| `documents` | terminal, LaTeX, Markdown and HTML |
+| `chapters` | the results of derivations, as records that print |
+| `steps` | one order of an engine, from one cylinder to the resultant |
+| `vee_family` | V engines with the bank angle as a letter |
+| `families` | closed forms in which a dimension stays a letter |
+| `six_signs` | the six signs of balance of a single-shaft engine |
+| `cure` | weights on a shaft, with the proof that they leave nothing |
 
->>> from crankstar import load
+>>> from crankstar import derivation, load
 >>> derivation(load("v8-cross-plane"), 2).zero
 True
 """
 
-from crankstar.derive.cure import Cure, cure
-from crankstar.derive.families import family
-from crankstar.derive.records import Chapter, Derivation, DerivationError, Line, Step
-from crankstar.derive.six_signs import Sign, signs, signs_chapter
-from crankstar.derive.steps import derivation
+from __future__ import annotations
 
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from crankstar.derive.chapters import Chapter, Derivation
+    from crankstar.derive.families import family
+    from crankstar.derive.records import DerivationError, Line, Step
+    from crankstar.derive.six_signs import Sign, signs, signs_chapter
+    from crankstar.derive.steps import derivation
+
+_LATE = {
+    "family": "families",
+    "Chapter": "chapters",
+    "Derivation": "chapters",
+    "DerivationError": "records",
+    "Line": "records",
+    "Step": "records",
+    "Sign": "six_signs",
+    "signs": "six_signs",
+    "signs_chapter": "six_signs",
+    "derivation": "steps",
+}
 __all__ = [
     "Chapter",
-    "Cure",
     "Derivation",
     "DerivationError",
     "Line",
     "Sign",
     "Step",
-    "cure",
     "derivation",
     "family",
     "signs",
     "signs_chapter",
 ]
+
+
+def __getattr__(name: str) -> Any:
+    """Names are loaded when they are asked for: a search needs the exact algebra alone."""
+    if name not in _LATE:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(f"{__name__}.{_LATE[name]}"), name)

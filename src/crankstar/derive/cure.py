@@ -1,13 +1,14 @@
-"""What weights on a shaft take away, exactly: their closed forms, and the proof that nothing is left.
+"""Weights on a shaft in closed form, and the proof that they leave nothing.
 
-A shaft of speed ratio n carries unbalances u_j in planes p_j (in bore pitches from the reference plane). They push with
-n^2 u_j on the vector of order |n| that turns as the shaft does. With F and M the exact force and couple of that vector,
+A shaft of speed ratio n carries unbalances u_j in planes p_j (in bore pitches from the reference
+plane). They push with n^2 u_j on the vector of order |n| that turns as the shaft does. With F and M
+the exact force and couple of that vector,
 
     u_j = -(alpha + beta p_j)/n^2,    sum (alpha + beta p_j) = F,    sum p_j (alpha + beta p_j) = M,
 
-is the least of all sets of weights with n^2 sum u_j = -F and n^2 sum p_j u_j = -M; its coefficients are rational where the
-places are. What is left, F + n^2 sum u_j and M + n^2 sum p_j u_j, is added up again from these u_j and reduced in the
-field: it is zero or it is not.
+is the least of all sets of weights with n^2 sum u_j = -F and n^2 sum p_j u_j = -M; its coefficients
+are rational where the places are. What is left, F + n^2 sum u_j and M + n^2 sum p_j u_j, is added
+up again from these u_j and reduced in the field: it is zero or it is not.
 """
 
 from __future__ import annotations
@@ -17,20 +18,26 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import isfinite
 
-from crankstar.balance import default_reference
-from crankstar.derive import cyclotomic, meant, positions, wave
-from crankstar.derive.formula import NOUGHT, Formula, Polar, Symbol, product
-from crankstar.derive.records import Chapter, Derivation, DerivationError, Line, Step, nth, unit_symbol
+from crankstar.derive import positions
+from crankstar.derive.algebra import cyclotomic, rational, wave
+from crankstar.derive.algebra.formula import NOUGHT, Formula, Polar, Symbol, product
+from crankstar.derive.algebra.wave import Amount, joined
+from crankstar.derive.chapters import Chapter, Derivation
+from crankstar.derive.records import DerivationError, Line, Step, unit_symbol
 from crankstar.derive.steps import derivation
-from crankstar.derive.wave import Amount, joined
-from crankstar.engine import Engine
+from crankstar.engine.copies import with_values
+from crankstar.engine.engine import Engine
+from crankstar.language.messages import _
+from crankstar.mechanics.balance import default_reference
+from crankstar.remedy import needs, without_counterweights
 
 
 @dataclass(frozen=True)
 class Cure:
-    """The exact unbalances in the planes, in m r of the first cylinder (times A_k, k = `harmonic`, unless that is None or 1).
+    """The exact unbalances in the planes, in m r of the first cylinder.
 
-    `force` and `couple` are what is left of the vector: `proved` tells that both are exact zeros.
+    They are times A_k, k = `harmonic`, unless that is None or 1. `force` and `couple` are the
+    remaining vector; it is `proved` that both are exact zeros.
     """
 
     ratio: Fraction
@@ -45,12 +52,13 @@ class Cure:
 
 
 def cure(engine: Engine, *, ratio: Fraction | int, planes: Sequence[float]) -> Cure:
-    """The exact weights on a shaft of speed `ratio` (1: the crankshaft itself) in `planes` (z as in the engine), and the proof.
+    """The exact weights on a shaft of speed `ratio` (1: the crankshaft itself), and the proof.
 
-    `engine` is without them. Raises DerivationError, also where the force and couple cannot be taken away in these planes.
+    They stand in `planes` (z as in the engine); `engine` is without them. Raises DerivationError,
+    also where force and couple cannot be balanced in these planes.
 
-    >>> from crankstar.catalog import load
-    >>> from crankstar.derive.typeset import text
+    >>> from crankstar.files.catalog import load
+    >>> from crankstar.derive.algebra.typeset import text
     >>> ends = cure(load("v8-cross-plane"), ratio=1, planes=[1.75, -1.75])
     >>> ends.proved, text(wave.length(ends.unbalance[0]).formula)
     (True, '2√10/7')
@@ -58,49 +66,84 @@ def cure(engine: Engine, *, ratio: Fraction | int, planes: Sequence[float]) -> C
     try:
         ratio = Fraction(ratio)
     except (ValueError, OverflowError, ZeroDivisionError, TypeError):
-        raise DerivationError(f"{ratio} is no speed ratio; give a whole number or a fraction, negative against the crank") from None
+        raise DerivationError(
+            _(
+                "The speed ratio is {ratio}; give a whole number or a fraction, negative for a "
+                "shaft that turns against the crank.",
+                ratio=repr(ratio),
+            )
+        ) from None
     if not all(isfinite(plane) for plane in planes):
-        raise DerivationError("a plane has no place along the shaft; give each as a finite number")
-    found = [derivation(engine, abs(ratio), quantity) for quantity in ("force", "couple")]
+        raise DerivationError(_("A plane is not finite; give its place along the shaft."))
+    derived = [derivation(engine, abs(ratio), quantity) for quantity in ("force", "couple")]
     with cyclotomic.precision(cyclotomic.DIGITS):
         placed = positions.arms(engine)
         values = placed.values
         middle = default_reference(engine).z
         places = tuple(_short((plane - middle) / engine.pitch) for plane in planes)
-        vectors = [wave.at(one.forward if ratio > 0 else one.backward, values) for one in found]
+        vectors = [wave.at(own.forward if ratio > 0 else own.backward, values) for own in derived]
         force, couple = vectors
         if force is None or couple is None:
-            raise DerivationError("the weights have no closed form: the pistons have different harmonics")
+            raise DerivationError(
+                _("The weights have no closed form: the pistons have different harmonics.")
+            )
         if force.zero and couple.zero:
-            raise DerivationError(f"there is nothing of order {abs(ratio)} for a shaft of speed ratio {ratio} to take away")
+            raise DerivationError(
+                _(
+                    "Nothing of order {order} turns with a shaft of speed ratio {ratio}.",
+                    order=abs(ratio),
+                    ratio=ratio,
+                )
+            )
         weights = _least(force, couple, places, ratio)
-        pushed = [(weight.times(ratio**2), place) for weight, place in zip(weights, places, strict=True)]
+        pushed = [
+            (weight.times(ratio**2), place) for weight, place in zip(weights, places, strict=True)
+        ]
         left_force = _sum([force, *(push for push, _ in pushed)])
         left_couple = _sum([couple, *(push.times(place) for push, place in pushed)])
-        exact = not any(one.why for one in found)
+        exact = not any(own.why for own in derived)
         proved = exact and left_force.zero and left_couple.zero
-        harmonic, scale = found[0].harmonic, found[0].scale
-        steps = _steps(found, ratio, places, (force, couple), weights, proved=proved)
-    title = f"What takes away the {nth(abs(ratio), 'vector')} that turns {'with' if ratio > 0 else 'against'} the crank"
-    chapter = Chapter(
-        engine.name, title, harmonic, found[1].symbols, steps, {key: text for one in found for key, text in one.meanings.items()}
+        harmonic, scale = derived[0].harmonic, derived[0].scale
+        steps = _steps(derived, ratio, places, (force, couple), weights, proved=proved)
+    if ratio > 0:
+        title = _("Weights for the vector of order {order} that turns with the crank", order=ratio)
+    else:
+        title = _(
+            "Weights for the vector of order {order} that turns against the crank", order=-ratio
+        )
+    meanings = {key: words for own in derived for key, words in own.meanings.items()}
+    chapter = Chapter(engine.name, title, harmonic, derived[1].symbols, steps, meanings)
+    return Cure(
+        ratio, places, tuple(weights), harmonic, scale, left_force, left_couple, proved, chapter
     )
-    return Cure(ratio, places, tuple(weights), harmonic, scale, left_force, left_couple, proved, chapter)
 
 
 def _short(pitches: float) -> Fraction:
-    """A place as the multiple of the bore pitch that it was meant to be."""
+    """A place as a short multiple of the bore pitch."""
     near = Fraction(pitches).limit_denominator(positions.GREATEST_STEP)
-    return near if abs(float(near) - pitches) < positions.SAME_PLACE / 100 else meant.ratio(pitches)
+    return (
+        near if abs(float(near) - pitches) < positions.SAME_PLACE / 100 else rational.ratio(pitches)
+    )
 
 
-def _least(force: Amount, couple: Amount, places: Sequence[Fraction], ratio: Fraction) -> list[Amount]:
+def _least(
+    force: Amount, couple: Amount, places: Sequence[Fraction], ratio: Fraction
+) -> list[Amount]:
     """The least unbalances of the two conditions, by their rational normal equations."""
-    count, first, second = Fraction(len(places)), sum(places, Fraction(0)), sum((p * p for p in places), Fraction(0))
+    count, first, second = (
+        Fraction(len(places)),
+        sum(places, Fraction(0)),
+        sum((p * p for p in places), Fraction(0)),
+    )
     determinant = count * second - first * first
     if determinant == 0:
         if not places or not _sum([couple, force.times(-places[0])]).zero:
-            raise DerivationError("one plane takes away only a force that acts in it; give two planes or more, all different")
+            raise DerivationError(
+                _(
+                    "One plane balances only a force that acts in it; give two planes or more, all "
+                    "different."
+                )
+            )
         return [force.times(Fraction(-1, len(places)) / ratio**2) for _ in places]
     alpha = _sum([force.times(second / determinant), couple.times(-first / determinant)])
     beta = _sum([force.times(-first / determinant), couple.times(count / determinant)])
@@ -113,7 +156,7 @@ def _sum(amounts: Sequence[Amount]) -> Amount:
 
 
 def _steps(
-    found: Sequence[Derivation],
+    derived: Sequence[Derivation],
     ratio: Fraction,
     places: Sequence[Fraction],
     vectors: tuple[Amount, Amount],
@@ -122,35 +165,85 @@ def _steps(
     proved: bool,
 ) -> tuple[Step, ...]:
     sign = "+" if ratio > 0 else "−"
-    counted = unit_symbol(found[0].harmonic)
-    pitch = Symbol("a")
-    there = [
-        Line(Symbol("F", sign), (_vector(vectors[0], counted),), label="force"),
-        Line(Symbol("M", sign), (_vector(vectors[1], counted, pitch),), label="couple about the middle of the cylinders"),
-    ]
-    what = "The vectors are those of the derivation of this order; lengths along the crankshaft have the values of the engine file."
-    unbalance = product(Symbol("m"), Symbol("r"), *([Symbol("A", str(k))] if (k := found[0].harmonic) not in (None, 1) else []))
-    lines = [
-        Line(Symbol("u", str(number)), (_vector(weight, unbalance),), label=f"in the plane {_place(place)}")
+    harmonic = derived[0].harmonic
+    counted, unbalance = unit_symbol(harmonic), product(Symbol("m"), Symbol("r"))
+    if harmonic not in (None, 1):
+        unbalance = product(unbalance, Symbol("A", str(harmonic)))
+    couple = _vector(vectors[1], counted, Symbol("a"))
+    there = (
+        Line(Symbol("F", sign), (_vector(vectors[0], counted),), label=_("force")),
+        Line(Symbol("M", sign), (couple,), label=_("couple about the middle of the cylinders")),
+    )
+    first = _(
+        "The vectors are those of the derivation of this order; lengths along the crankshaft have "
+        "the values of the engine file."
+    )
+    lines = tuple(
+        Line(
+            Symbol("u", str(number)),
+            (_vector(weight, unbalance),),
+            label=_("in the plane {place}", place=_place(place)),
+        )
         for number, (weight, place) in enumerate(zip(weights, places, strict=True), 1)
-    ]
-    speed = "as fast as the crankshaft" if abs(ratio) == 1 else f"{abs(ratio)} times as fast as the crankshaft"
-    push = "u ω²" if abs(ratio) == 1 else f"{ratio**2} u ω²"
-    shaft = "the crankshaft itself" if ratio == 1 else f"a shaft that turns {'with' if ratio > 0 else 'against'} it, {speed}"
-    words = f"Weights on {shaft} push with {push}. Their sum must be −F, the sum of their moments −M; of all that do it, these "
-    words += "are the least. A vector is an unbalance ∠ its bearing at θ = 0."
-    verdict = "Added up again from these closed forms, force and couple are exactly zero: the residual is proved to vanish."
-    if not proved:
-        why = next((one.why for one in found if one.why), "") or "some numbers are decimals"
-        verdict = f"Added up again, force and couple cannot be told from zero to {cyclotomic.DIGITS - 5} digits: {why}."
+    )
     residual = (
-        Line(None, (Symbol("F", f"{sign}, left"), NOUGHT), label="force"),
-        Line(None, (Symbol("M", f"{sign}, left"), NOUGHT), label="couple"),
+        Line(None, (Symbol("F", f"{sign}, left"), NOUGHT), label=_("force")),
+        Line(None, (Symbol("M", f"{sign}, left"), NOUGHT), label=_("couple")),
     )
     return (
-        Step("What turns", (what,), tuple(there)),
-        Step("The weights", (words,), tuple(lines)),
-        Step("What is left", (verdict,), residual if proved else ()),
+        Step(_("The rotating vectors"), (first,), there),
+        Step(_("The weights"), _about_weights(ratio), lines),
+        Step(
+            _("The remaining unbalance"),
+            (_verdict(derived, proved=proved),),
+            residual if proved else (),
+        ),
+    )
+
+
+def _about_weights(ratio: Fraction) -> tuple[str, ...]:
+    """How the weights push, and what they must do."""
+    push = "u ω²" if abs(ratio) == 1 else f"{ratio**2} u ω²"
+    if ratio == 1:
+        shaft = _("Weights on the crankshaft push with {push}.", push=push)
+    elif ratio > 0:
+        shaft = _(
+            "Weights on a shaft that turns with the crank, {speed} times as fast, push with "
+            "{push}.",
+            speed=ratio,
+            push=push,
+        )
+    elif ratio == -1:
+        shaft = _(
+            "Weights on a shaft that turns against the crank, as fast as it, push with {push}.",
+            push=push,
+        )
+    else:
+        shaft = _(
+            "Weights on a shaft that turns against the crank, {speed} times as fast, push with "
+            "{push}.",
+            speed=-ratio,
+            push=push,
+        )
+    least = _(
+        "Their sum must be −F, the sum of their moments −M; of all that do it, these are the least."
+    )
+    return shaft, least, _("A vector is an unbalance ∠ its bearing at θ = 0.")
+
+
+def _verdict(derived: Sequence[Derivation], *, proved: bool) -> str:
+    """What the weights leave."""
+    if proved:
+        return _(
+            "Added up again from these closed forms, force and couple are exactly zero: the "
+            "residual is proved to vanish."
+        )
+    reason = next((own.why for own in derived if own.why), "") or _("Some numbers are decimals.")
+    return _(
+        "Added up again, force and couple cannot be distinguished from zero to {digits} digits. "
+        "{reason}",
+        digits=cyclotomic.DIGITS - 5,
+        reason=reason,
     )
 
 
@@ -161,5 +254,37 @@ def _place(place: Fraction) -> str:
 def _vector(amount: Amount, *units: Formula) -> Formula:
     if amount.zero:
         return NOUGHT
-    found = wave.vector({(): amount})
-    return Polar(product(*units, found.length), found.angle) if isinstance(found, Polar) else product(*units, found)
+    vector = wave.vector({(): amount})
+    if isinstance(vector, Polar):
+        return Polar(product(*units, vector.length), vector.angle)
+    return product(*units, vector)
+
+
+def proofs(before: Engine, after: Engine) -> list[Chapter]:
+    """The exact weights in the planes of the crankshaft and of each balance shaft of `after`.
+
+    They are the least that balance all of their vector, as those of half the reciprocating mass do,
+    and are proved to leave nothing; weights of the crankshafts that leave some of it are left out.
+    Raises DerivationError.
+    """
+    bare, crank, count = without_counterweights(before), after.shafts[0], len(before.shafts)
+    chapters: list[Chapter] = []
+    if crank.weights and _turning_with_crank(bare) and not _turning_with_crank(after):
+        planes = sorted({weight.z for weight in crank.weights}, reverse=True)
+        chapters.append(cure(bare, ratio=1, planes=planes).chapter)
+    for place, shaft in enumerate(after.shafts[count:], count):
+        # Only what turns as this shaft does adds to its vector; weights that do not would only
+        # bring their decimals.
+        alike = tuple(
+            other for other in after.shafts[count:place] if other.speed_ratio == shaft.speed_ratio
+        )
+        base = after if shaft.speed_ratio == 1 else bare
+        without = with_values(base, shafts=(*base.shafts[:count], *alike))
+        planes = [weight.z for weight in shaft.weights]
+        chapters.append(cure(without, ratio=shaft.speed_ratio, planes=planes).chapter)
+    return chapters
+
+
+def _turning_with_crank(engine: Engine) -> bool:
+    """Whether a primary force or couple turns with the crankshaft."""
+    return any(need.ratio == 1 for need in needs(engine, highest=1))

@@ -1,18 +1,20 @@
 """Notations: the same derivation in the letters of different schools.
 
-A derivation is written in the letters of this project: m, r, l, lambda = r/l, omega, bore pitch a, unit C_k = m r omega^2 A_k.
-A notation says what takes their place, and how the series of A_k is written.
+A derivation is written in the letters of this project: m, r, l, lambda = r/l, omega, bore pitch a,
+unit C_k = m r omega^2 A_k. A notation says what takes their place, and how the series of A_k is
+written.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
-from crankstar.derive import resultant
-from crankstar.derive.formula import Formula, Ratio, Symbol, letters_of, number, renamed
-from crankstar.derive.records import Chapter, DerivationError, Line, unit_symbol
+from crankstar.derive.algebra.formula import Formula, Ratio, Symbol, letters_of, number, renamed
+from crankstar.derive.real import series
+from crankstar.derive.records import DerivationError, Line, Readable, unit_symbol
+from crankstar.language.messages import N_, _
 
 ROMAN = {1: "I", 2: "II", 4: "IV", 6: "VI", 8: "VIII"}
 
@@ -40,9 +42,12 @@ def _roman_unit(harmonic: int | None) -> Formula:
 
 
 _LENGTHS: tuple[Meaning, ...] = (
-    Meaning(Symbol("a"), "bore pitch"),
-    Meaning(Symbol("b"), "how far one bank stands in front of the other"),
-    Meaning(Symbol("theta"), "crank angle, from top dead centre of cylinder 1, in the direction of rotation"),
+    Meaning(Symbol("a"), N_("bore pitch")),
+    Meaning(Symbol("b"), N_("bank offset")),
+    Meaning(
+        Symbol("theta"),
+        N_("crank angle, from top dead centre of cylinder 1, in the direction of rotation"),
+    ),
 )
 _STROKE = Ratio(Symbol("S"), number(2))
 
@@ -50,12 +55,12 @@ CRANKSTAR = Notation(
     name="crankstar",
     letters={},
     unit=unit_symbol,
-    series=lambda harmonic, power: resultant.series(harmonic, power, Symbol("lambda")),
+    series=lambda harmonic, power: series(harmonic, power, Symbol("lambda")),
     legend=(
-        Meaning(Symbol("m"), "reciprocating mass of a cylinder"),
-        Meaning(Symbol("r"), "crank radius"),
-        Meaning(Symbol("lambda"), "r/l, l the length of the connecting rod"),
-        Meaning(Symbol("omega"), "angular speed of the crankshaft, rad/s"),
+        Meaning(Symbol("m"), N_("reciprocating mass of a cylinder")),
+        Meaning(Symbol("r"), N_("crank radius")),
+        Meaning(Symbol("lambda"), N_("r/l, l the length of the connecting rod")),
+        Meaning(Symbol("omega"), N_("angular speed of the crankshaft, rad/s")),
         *_LENGTHS,
     ),
 )
@@ -63,12 +68,12 @@ STROKE = Notation(
     name="stroke",
     letters={"m": Symbol("M"), "r": _STROKE},
     unit=unit_symbol,
-    series=lambda harmonic, power: resultant.series(harmonic, power, Symbol("L"), inverted=True),
+    series=lambda harmonic, power: series(harmonic, power, Symbol("L"), inverted=True),
     legend=(
-        Meaning(Symbol("M"), "reciprocating mass of a cylinder"),
-        Meaning(Symbol("S"), "stroke, twice the crank radius"),
-        Meaning(Symbol("L"), "l/S, l the length of the connecting rod"),
-        Meaning(Symbol("omega"), "angular speed of the crankshaft, π n/30 with n in rpm"),
+        Meaning(Symbol("M"), N_("reciprocating mass of a cylinder")),
+        Meaning(Symbol("S"), N_("stroke, twice the crank radius")),
+        Meaning(Symbol("L"), N_("l/S, l the length of the connecting rod")),
+        Meaning(Symbol("omega"), N_("angular speed of the crankshaft, π n/30 with n in rpm")),
         *_LENGTHS,
     ),
 )
@@ -76,52 +81,72 @@ SINITSYN = Notation(
     name="sinitsyn",
     letters={"a": Symbol("l", "0")},
     unit=_roman_unit,
-    series=lambda harmonic, power: resultant.series(harmonic, power, Symbol("lambda")),
+    series=lambda harmonic, power: series(harmonic, power, Symbol("lambda")),
     legend=(
         Meaning(
-            Symbol("C", "I"), "greatest inertia force of the first order of one cylinder, m r ω²; C_II, C_IV, ... of the others"
+            Symbol("C", "I"),
+            N_(
+                "greatest primary inertia force of one cylinder, m r ω²; C_II, C_IV, ... those of "
+                "the other orders"
+            ),
         ),
-        Meaning(Symbol("P", "R"), "centrifugal force of the rotating masses of one crank"),
-        Meaning(Symbol("l", "0"), "distance of neighbouring cylinders"),
-        Meaning(Symbol("m"), "reciprocating mass of a cylinder"),
-        Meaning(Symbol("r"), "crank radius"),
-        Meaning(Symbol("lambda"), "r/l, l the length of the connecting rod"),
-        Meaning(Symbol("omega"), "angular speed of the crankshaft, rad/s"),
+        Meaning(Symbol("P", "R"), N_("centrifugal force of the rotating masses of one crank")),
+        Meaning(Symbol("l", "0"), N_("bore pitch")),
+        Meaning(Symbol("m"), N_("reciprocating mass of a cylinder")),
+        Meaning(Symbol("r"), N_("crank radius")),
+        Meaning(Symbol("lambda"), N_("r/l, l the length of the connecting rod")),
+        Meaning(Symbol("omega"), N_("angular speed of the crankshaft, rad/s")),
         *_LENGTHS[1:],
     ),
 )
 NOTATIONS = {notation.name: notation for notation in (CRANKSTAR, STROKE, SINITSYN)}
 
 
-def notated(chapter: Chapter, notation: Notation) -> Chapter:
+C = TypeVar("C", bound=Readable)
+
+
+def notated(chapter: C, notation: Notation) -> C:
     """The chapter in another notation; its formulas then evaluate with the letters of that one."""
     letters = dict(notation.letters)
     letters[unit_symbol(chapter.harmonic).name] = notation.unit(chapter.harmonic)
 
-    def line(one: Line) -> Line:
-        chain = (notation.series(*one.series),) if one.series else tuple(renamed(formula, letters) for formula in one.chain)
-        name, arm = (None if part is None else renamed(part, letters) for part in (one.name, one.arm))
-        return replace(one, name=name, arm=arm, chain=chain)
+    def written(line: Line) -> Line:
+        chain = (
+            (notation.series(*line.series),)
+            if line.series
+            else tuple(renamed(formula, letters) for formula in line.chain)
+        )
+        name, arm = (
+            None if part is None else renamed(part, letters) for part in (line.name, line.arm)
+        )
+        return replace(line, name=name, arm=arm, chain=chain)
 
-    steps = tuple(replace(step, lines=tuple(map(line, step.lines))) for step in chapter.steps)
+    steps = tuple(replace(step, lines=tuple(map(written, step.lines))) for step in chapter.steps)
     return replace(chapter, steps=steps)
 
 
-def legend(chapter: Chapter, notation: Notation) -> list[Meaning]:
-    """The letters of a notation that a chapter uses."""
+def legend(chapter: Readable, notation: Notation) -> list[Meaning]:
+    """The letters of a notation that a chapter in it uses."""
     used: set[str] = set()
-    for step in notated(chapter, notation).steps:
-        for one in step.lines:
-            for formula in (*one.chain, *(part for part in (one.name, one.arm) if part is not None)):
+    for step in chapter.steps:
+        for line in step.lines:
+            names = [part for part in (line.name, line.arm) if part is not None]
+            for formula in (*line.chain, *names):
                 used |= letters_of(formula)
-    said = [meaning for meaning in notation.legend if letters_of(meaning.letter) & used]
     own = {_named(notation, name): words for name, words in chapter.meanings.items()}
-    told = [meaning._replace(words=own.pop(name)) if (name := _name(meaning.letter)) in own else meaning for meaning in said]
-    harmonics = sorted(name for name in used if name.startswith("A"))
-    if harmonics:
-        told.append(Meaning(Symbol("A", "k"), "k-th harmonic of a piston's acceleration, in units of r ω²"))
-    return told + [
-        Meaning(letter, words) for letter, words in _others(notation, chapter) if letter.name in used and letter.name in own
+    out: list[Meaning] = []
+    for meaning in notation.legend:
+        if letters_of(meaning.letter) & used:
+            name = _name(meaning.letter)
+            words = own.pop(name) if name in own else _(meaning.words)
+            out.append(Meaning(meaning.letter, words))
+    if any(name.startswith("A") for name in used):
+        words = _("harmonic k of the acceleration of a piston, in units of r ω²")
+        out.append(Meaning(Symbol("A", "k"), words))
+    return out + [
+        Meaning(letter, words)
+        for letter, words in _others(notation, chapter)
+        if letter.name in used and letter.name in own
     ]
 
 
@@ -130,19 +155,28 @@ def _name(letter: Formula) -> str:
 
 
 def _named(notation: Notation, name: str) -> str:
-    """What a letter of ours is called in a notation."""
+    """The name of a letter of ours in a notation."""
     return _name(notation.letters[name]) if name in notation.letters else name
 
 
-def _others(notation: Notation, chapter: Chapter) -> list[tuple[Symbol, str]]:
+def _others(notation: Notation, chapter: Readable) -> list[tuple[Symbol, str]]:
     """Letters of the engine that no legend foresees: b_1, b_2, ..., z_0."""
     known = {_name(meaning.letter) for meaning in notation.legend}
-    letters = [(Symbol(*name.split("_", 1)) if "_" in name else Symbol(name), words) for name, words in chapter.meanings.items()]
+    letters = [
+        (Symbol(*name.split("_", 1)) if "_" in name else Symbol(name), words)
+        for name, words in chapter.meanings.items()
+    ]
     return [(letter, words) for letter, words in letters if letter.name not in known]
 
 
 def chosen(name: str) -> Notation:
     """A notation by its name. Raises DerivationError with the names there are."""
     if name not in NOTATIONS:
-        raise DerivationError(f"there is no notation {name!r}; there are: {', '.join(NOTATIONS)}")
+        raise DerivationError(
+            _(
+                "There is no notation {name}; choose from {names}.",
+                name=repr(name),
+                names=", ".join(NOTATIONS),
+            )
+        )
     return NOTATIONS[name]

@@ -1,32 +1,35 @@
-"""Where things stand along the crankshaft, as linear forms in the bore pitch a and the bank offset b.
+"""Places along the crankshaft as linear forms in the bore pitch a and the bank offset b.
 
-Within a bank the cylinders stand at multiples of the pitch; by how much the front cylinder of another bank stands before
-or behind that of the first one is an offset b (b_1, b_2, ... where there are several). A shaft's throw stands in the middle
-of its cylinders, a weight at its throw. What stands elsewhere keeps its own multiple of a.
+Within a bank the cylinders stand at multiples of the pitch; by how much the front cylinder of
+another bank stands before or behind that of the first one is an offset b (b_1, b_2, ... where there
+are several). A shaft's throw stands in the middle of its cylinders, a weight at its throw. What
+stands elsewhere keeps its own multiple of a.
 """
 
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
-from crankstar.balance import default_reference
-from crankstar.derive import meant
-from crankstar.derive.formula import Symbol
-from crankstar.derive.wave import Form, Key, form_sum
-from crankstar.engine import Engine
-from crankstar.mechanism import Reference
+from crankstar.derive.algebra import rational
+from crankstar.derive.algebra.formula import Symbol
+from crankstar.derive.algebra.wave import Form, Key, form_sum
+from crankstar.engine.engine import Engine
+from crankstar.language.messages import _
+from crankstar.mechanics.balance import default_reference
+from crankstar.mechanics.excitation import Reference
 
 SAME_PLACE = 1e-9
 """Bore pitches: places closer than this are one."""
 GREATEST_STEP = 100
 """Denominator up to which a place within a bank is a multiple of the pitch."""
 
+P = TypeVar("P")
 PITCH: Key = (Symbol("a"),)
 
 
 class Arms(NamedTuple):
-    """Distances in front of the reference plane: of cylinders by number, of throws and weights by shaft and place.
+    """Distances in front of the reference plane: cylinders by number, throws and weights by shaft.
 
     `values` gives the length of each symbol in bore pitches.
     """
@@ -38,48 +41,87 @@ class Arms(NamedTuple):
 
 
 def arms(engine: Engine, reference: Reference | None = None) -> Arms:
-    """The arms of all parts about the reference plane (the middle of the cylinders' span unless given)."""
+    """The arms of all parts about the reference plane, the middle of the cylinders unless given."""
     pitch = engine.pitch
     places = {cylinder.number: cylinder.z for cylinder in engine.cylinders}
     forms, values = _cylinders(engine, pitch)
-    front, rear = max(places, key=lambda number: places[number]), min(places, key=lambda number: places[number])
+    front, rear = (
+        max(places, key=lambda number: places[number]),
+        min(places, key=lambda number: places[number]),
+    )
     middle = form_sum([(Fraction(1, 2), forms[front]), (Fraction(1, 2), forms[rear])])
-    centred = {number: form_sum([(Fraction(1), form), (Fraction(-1), middle)]) for number, form in forms.items()}
+    centred = {
+        number: form_sum([(Fraction(1), form), (Fraction(-1), middle)])
+        for number, form in forms.items()
+    }
     centre = (places[front] + places[rear]) / 2
     throws = {
-        (shaft.name, index): _shared(engine, shaft.name, index, (throw.z - centre) / pitch, centred, values)
+        (shaft.name, index): _shared(
+            engine, shaft.name, index, (throw.z - centre) / pitch, centred, values
+        )
         for shaft in engine.shafts
         for index, throw in enumerate(shaft.throws, 1)
     }
     weights: dict[tuple[str, int], Form] = {}
     for shaft in engine.shafts:
         for index, weight in enumerate(shaft.weights, 1):
-            at = next((i for i, throw in enumerate(shaft.throws, 1) if abs(throw.z - weight.z) < SAME_PLACE * pitch), None)
-            weights[shaft.name, index] = throws[shaft.name, at] if at else _multiple((weight.z - centre) / pitch)
+            at = next(
+                (
+                    i
+                    for i, throw in enumerate(shaft.throws, 1)
+                    if abs(throw.z - weight.z) < SAME_PLACE * pitch
+                ),
+                None,
+            )
+            weights[shaft.name, index] = (
+                throws[shaft.name, at] if at else _multiple((weight.z - centre) / pitch)
+            )
     away = 0.0 if reference is None else (reference.z - default_reference(engine).z) / pitch
     if abs(away) > SAME_PLACE:
         symbol = Symbol("z", "0")
-        values[symbol] = meant.ratio(away)
-        moved: Form = {(symbol,): Fraction(-1)}
-        for table in (centred, throws, weights):
-            for key, form in table.items():
-                table[key] = form_sum([(Fraction(1), form), (Fraction(1), moved)])  # pyright: ignore[reportArgumentType]
+        values[symbol] = rational.ratio(away)
+        moved = {(symbol,): Fraction(-1)}
+        centred, throws, weights = (
+            _moved(centred, moved),
+            _moved(throws, moved),
+            _moved(weights, moved),
+        )
     return Arms(centred, throws, weights, values)
 
 
+def _moved(places: dict[P, Form], moved: Form) -> dict[P, Form]:
+    """Places moved by a length."""
+    one = Fraction(1)
+    return {key: form_sum([(one, form), (one, moved)]) for key, form in places.items()}
+
+
 def meanings(engine: Engine, placed: Arms) -> dict[str, str]:
-    """What the letters a, b, z_0 are in this engine, with their sizes where these are known."""
+    """The meanings of the letters a, b, z_0 in this engine, with their sizes where known."""
     known = "pitch" not in engine.relative
-    one_plane = len({cylinder.z for cylinder in engine.cylinders}) == 1
-    words = "bore pitch" if engine.bore_pitch is not None else "unit of length" if one_plane else "closest spacing of cylinders"
-    out = {"a": f"{words}, {engine.pitch * 1000:.6g} mm" if known else words}
+    size = f"{engine.pitch * 1000:.6g} mm"
+    out = {"a": _meaning_of_pitch(engine, size if known else "")}
     for symbol, value in placed.values.items():
-        size = f", {float(value) * engine.pitch * 1000:.6g} mm" if known else f", {float(value):.6g} a"
+        pitches = float(value)
+        size = f"{pitches * engine.pitch * 1000:.6g} mm" if known else f"{pitches:.6g} a"
         if symbol.letter == "b":
-            out[symbol.name] = f"how far one bank stands in front of another{size}"
+            out[symbol.name] = _("bank offset, {size}", size=size)
         elif symbol.letter == "z":
-            out[symbol.name] = f"how far the reference plane stands in front of the middle of the cylinders{size}"
+            out[symbol.name] = _(
+                "distance of the reference plane in front of the middle of the cylinders, {size}",
+                size=size,
+            )
     return out
+
+
+def _meaning_of_pitch(engine: Engine, size: str) -> str:
+    """What the letter a is, with its size unless that is empty."""
+    if engine.bore_pitch is not None:
+        return _("bore pitch, {size}", size=size) if size else _("bore pitch")
+    if len({cylinder.z for cylinder in engine.cylinders}) == 1:
+        return _("unit of length, {size}", size=size) if size else _("unit of length")
+    if size:
+        return _("closest spacing of cylinders, {size}", size=size)
+    return _("closest spacing of cylinders")
 
 
 def _cylinders(engine: Engine, pitch: float) -> tuple[dict[int, Form], dict[Symbol, Fraction]]:
@@ -88,33 +130,51 @@ def _cylinders(engine: Engine, pitch: float) -> tuple[dict[int, Form], dict[Symb
     banks = list(engine.banks.values())
     anchors = [max(places[number] for number in numbers) for numbers in banks]
     shifts = [(anchor - anchors[0]) / pitch for anchor in anchors]
-    sizes = sorted({round(abs(shift), 9) for shift in shifts if abs(shift) > SAME_PLACE}, reverse=True)
-    names = [Symbol("b")] if len(sizes) == 1 else [Symbol("b", str(place)) for place in range(1, len(sizes) + 1)]
+    sizes = sorted(
+        {round(abs(shift), 9) for shift in shifts if abs(shift) > SAME_PLACE}, reverse=True
+    )
+    names = (
+        [Symbol("b")]
+        if len(sizes) == 1
+        else [Symbol("b", str(place)) for place in range(1, len(sizes) + 1)]
+    )
     exact = {round(abs(shift), 9): abs(shift) for shift in shifts}
-    values = {PITCH[0]: Fraction(1)} | {name: meant.ratio(exact[size]) for name, size in zip(names, sizes, strict=True)}
+    values = {PITCH[0]: Fraction(1)} | {
+        name: rational.ratio(exact[size]) for name, size in zip(names, sizes, strict=True)
+    }
     forms: dict[int, Form] = {}
     for numbers, anchor, shift in zip(banks, anchors, shifts, strict=True):
         offset: dict[Key, Fraction] = {}
         if abs(shift) > SAME_PLACE:
             offset[(names[sizes.index(round(abs(shift), 9))],)] = Fraction(1 if shift > 0 else -1)
         for number in numbers:
-            forms[number] = form_sum([(Fraction(1), _multiple((places[number] - anchor) / pitch)), (Fraction(1), offset)])
+            forms[number] = form_sum(
+                [(Fraction(1), _multiple((places[number] - anchor) / pitch)), (Fraction(1), offset)]
+            )
     return forms, values
 
 
 def _multiple(pitches: float) -> Form:
     near = Fraction(pitches).limit_denominator(GREATEST_STEP)
-    found = near if abs(float(near) - pitches) < SAME_PLACE / 100 else meant.ratio(pitches)
-    return {PITCH: found} if found else {}
+    multiple = near if abs(float(near) - pitches) < SAME_PLACE / 100 else rational.ratio(pitches)
+    return {PITCH: multiple} if multiple else {}
 
 
 def _shared(
-    engine: Engine, shaft: str, throw: int, pitches: float, centred: dict[int, Form], values: dict[Symbol, Fraction]
+    engine: Engine,
+    shaft: str,
+    throw: int,
+    pitches: float,
+    centred: dict[int, Form],
+    values: dict[Symbol, Fraction],
 ) -> Form:
     """A throw's place as the mean of its cylinders', if it is that."""
     on = [c.number for c in engine.cylinders if (c.shaft, c.throw) == (shaft, throw)]
     if on:
         mean = form_sum([(Fraction(1, len(on)), centred[number]) for number in on])
-        if abs(float(sum(value * values[key[0]] for key, value in mean.items())) - pitches) < SAME_PLACE:
+        if (
+            abs(float(sum(value * values[key[0]] for key, value in mean.items())) - pitches)
+            < SAME_PLACE
+        ):
             return mean
     return _multiple(pitches)

@@ -1,19 +1,18 @@
-"""A derivation as data: steps in words, each with formulas that can be evaluated, and what each must come to."""
+"""A derivation as data: steps in sentences, each with formulas that can be evaluated."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from fractions import Fraction
-from typing import Literal
+from typing import Any, ClassVar, Literal, Protocol
 
-from crankstar.derive.formula import Formula, Power, Symbol, product
-from crankstar.derive.wave import Wave
+from crankstar.derive.algebra.formula import Formula, Power, Symbol, product
+from crankstar.language.messages import _
 
 Quantity = Literal["force", "couple"]
 Kind = Literal["signal", "forward", "backward", "series", "plain"]
 
 GREATEST_ORDER = 24
-ORDINALS = {1: "first", 2: "second", 3: "third", 4: "fourth", 5: "fifth", 6: "sixth", 8: "eighth"}
 
 
 class DerivationError(ValueError):
@@ -24,10 +23,11 @@ class DerivationError(ValueError):
 class Line:
     """Formulas that are equal: `name = chain[0] = chain[1] = ...`.
 
-    A `signal` is the component along `bearing_deg` (degrees clockwise from up) of what the rows `rows` of a Balance push, at
-    crank angle theta; `forward` and `backward` are vectors. Both are counted in the unit of the derivation. A `series` is an
-    approximation, the powers of lambda up to a chosen one; a `plain` line is a definition, or a number of the real engine.
-    `arm` is the arm of what the line is about, to be told with its label.
+    A `signal` is the component along `bearing_deg` (degrees clockwise from up) of what the rows
+    `rows` of a Balance push, at crank angle theta; `forward` and `backward` are vectors. Both are
+    counted in the unit of the derivation. A `series` is an approximation, the powers of lambda up
+    to a chosen one: `series` holds the harmonic and that power. A `plain` line is a definition, or
+    a number of the real engine. `arm` is the arm of what the line is about, shown with its label.
     """
 
     name: Formula | None
@@ -43,80 +43,42 @@ class Line:
 
 @dataclass(frozen=True)
 class Step:
-    """What is done, in words, and the formulas."""
+    """One step: its title, what is done in sentences, and the formulas."""
 
     title: str
     words: tuple[str, ...]
     lines: tuple[Line, ...] = ()
 
 
-@dataclass(frozen=True)
-class Chapter:
-    """Steps under a title, to be read; counted in `m r w^2 A_j`, j = `harmonic`, or in `m r w^2` where it is None.
+class Readable(Protocol):
+    """What notations and documents read of a chapter."""
 
-    `symbols` has the values of the letters that have one for this engine (lengths in bore pitches, harmonics), `meanings` says
-    in words what letters are in this engine.
-    """
-
-    engine: str
-    title: str
-    harmonic: int | None
-    symbols: dict[str, float]
-    steps: tuple[Step, ...]
-    meanings: dict[str, str] = field(default_factory=dict)
-
-    def __str__(self) -> str:
-        from crankstar.derive import documents
-
-        return documents.plain([self])
-
-    def _repr_html_(self) -> str:
-        """The chapter typeset, in a notebook."""
-        from crankstar.derive import documents
-
-        return f"<style>{documents.ALIGNED}</style>{documents.html_part(self)}"
-
-
-@dataclass(frozen=True)
-class Derivation:
-    """The derivation of one order of one quantity of an engine.
-
-    Numbers are counted in `m r w^2 A_j`, j = `harmonic`, or in `m r w^2` where it is None; `scale` is that A_j. `symbols` has
-    the values of all symbols but theta, lengths in bore pitches. `up` and `right` are the exact amplitudes, `forward` and
-    `backward` the vectors. `why` says why numbers are decimals, and is empty where they are exact.
-    """
-
-    engine: str
-    order: Fraction
-    quantity: Quantity
-    harmonic: int | None
-    scale: float
-    symbols: dict[str, float]
-    steps: tuple[Step, ...]
-    up: Wave
-    right: Wave
-    forward: Wave
-    backward: Wave
-    why: str
-    meanings: dict[str, str] = field(default_factory=dict)
-
-    def __str__(self) -> str:
-        return str(self.chapter)
+    __dataclass_fields__: ClassVar[dict[str, Any]]
 
     @property
-    def chapter(self) -> Chapter:
-        """The steps under their title, `Second-order force`."""
-        title = nth(self.order, self.quantity)
-        return Chapter(self.engine, title[0].upper() + title[1:], self.harmonic, self.symbols, self.steps, self.meanings)
+    def engine(self) -> str:
+        """The name of the engine."""
+        ...
 
     @property
-    def zero(self) -> bool:
-        """Whether there is nothing: an exact zero, or, where numbers are decimals, nothing that can be told from zero."""
-        return not self.up and not self.right
+    def title(self) -> str:
+        """Its title."""
+        ...
 
-    def _repr_html_(self) -> str:
-        """The derivation typeset, in a notebook."""
-        return self.chapter._repr_html_()
+    @property
+    def harmonic(self) -> int | None:
+        """The j of the A_j that is its unit."""
+        ...
+
+    @property
+    def steps(self) -> tuple[Step, ...]:
+        """Its steps."""
+        ...
+
+    @property
+    def meanings(self) -> dict[str, str]:
+        """The meanings of its letters in this engine."""
+        ...
 
 
 def unit_symbol(harmonic: int | None) -> Symbol:
@@ -132,13 +94,16 @@ def unit_formula(harmonic: int | None) -> Formula:
     return product(*factors)
 
 
-def ordinal(order: Fraction) -> str:
-    """An order in words."""
-    if order.denominator == 1:
-        return ORDINALS.get(int(order), f"{int(order)}th")
-    return f"order {order}"
+def heading(order: Fraction, quantity: Quantity) -> str:
+    """The title of an order of a quantity.
 
-
-def nth(order: Fraction, quantity: str) -> str:
-    """An order of a quantity in words: `second-order force`."""
-    return f"{ordinal(order)}-order {quantity}" if order.denominator == 1 else f"{quantity} of order {order}"
+    >>> heading(Fraction(2), "force"), heading(Fraction(1, 2), "couple")
+    ('Secondary force', 'Couple of order 1/2')
+    """
+    if quantity == "force":
+        if order <= 2 and order.denominator == 1:
+            return _("Primary force") if order == 1 else _("Secondary force")
+        return _("Force of order {order}", order=order)
+    if order <= 2 and order.denominator == 1:
+        return _("Primary couple") if order == 1 else _("Secondary couple")
+    return _("Couple of order {order}", order=order)

@@ -9,25 +9,32 @@ from fractions import Fraction
 from functools import cached_property
 from math import radians
 
-from crankstar.derive import cyclotomic, enclosure, positions, wave
-from crankstar.derive.bodies import Bodies, Body
-from crankstar.derive.formula import Decimal, Formula, Symbol, number, product
-from crankstar.derive.gather import sum_as_product
-from crankstar.derive.radical import closed
+from crankstar.derive import positions
+from crankstar.derive.addition import sum_as_product
+from crankstar.derive.algebra import cyclotomic, enclosure, wave
+from crankstar.derive.algebra.formula import Decimal, Formula, Symbol, number, product
+from crankstar.derive.algebra.radicals import closed
+from crankstar.derive.algebra.wave import Form, Wave, joined
+from crankstar.derive.bodies import Bodies
+from crankstar.derive.body import Body
 from crankstar.derive.records import Line, Quantity
-from crankstar.derive.wave import Form, Wave, joined
-from crankstar.engine import Engine
-from crankstar.mechanism import Reference
+from crankstar.engine.engine import Engine
+from crankstar.language.messages import _
+from crankstar.mechanics.excitation import Reference
 
 
 @dataclass(frozen=True)
 class Task:
-    """What all steps know: the engine, the order, the parts with their arms, what is asked, and the sums."""
+    """What all steps know: the engine, the order, its parts and their arms, and the sums.
+
+    `bodies` are the parts with their pushes, `moving` the same for the quantity: times their arms
+    for a couple.
+    """
 
     engine: Engine
     order: Fraction
     quantity: Quantity
-    found: Bodies
+    bodies: Bodies
     moving: tuple[Body, ...]
     arms: positions.Arms
     reference: Reference | None
@@ -62,18 +69,20 @@ class Task:
 
 def arm_of(arms: positions.Arms, body: Body) -> Form:
     """How far in front of the reference plane a part stands."""
-    number = body.crank_end_of if body.cylinder is None else body.cylinder
-    if number is not None:
-        return arms.cylinder[number]
-    return (arms.weight if body.name.startswith("weight") else arms.throw)[body.shaft, body.place]
+    if body.cylinder is not None:
+        return arms.cylinder[body.cylinder]
+    return (arms.weight if body.kind == "weight" else arms.throw)[body.shaft, body.place]
 
 
 def rows(moving: Sequence[Body]) -> tuple[int, ...]:
-    """The rows of a Balance that the parts account for; none where a row is shared with a part that is not among them."""
-    found = Counter((row, body.sharing) for body in moving for row in body.rows)
-    if any(count < sharing for (_, sharing), count in found.items()):
+    """The rows of a Balance that the parts account for.
+
+    None where a row is shared with a part that is not among them.
+    """
+    shares = Counter((row, body.sharing) for body in moving for row in body.rows)
+    if any(count < sharing for (_, sharing), count in shares.items()):
         return ()
-    return tuple(row for row, _ in found)
+    return tuple(row for row, _ in shares)
 
 
 def degrees_text(value: float) -> str:
@@ -82,10 +91,19 @@ def degrees_text(value: float) -> str:
 
 
 def sides(
-    task: Task, name: str, up: Wave, right: Wave, rows: tuple[int, ...], label: str, arm: Formula | None = None
+    task: Task,
+    name: str,
+    up: Wave,
+    right: Wave,
+    rows: tuple[int, ...],
+    label: str,
+    arm: Formula | None = None,
 ) -> list[Line]:
-    """A push as its parts up and to the right."""
-    both = ((up, "up", 0.0), (right, "right", 90.0))
+    """A push as its components up and to the right."""
+    both = (
+        (up, "up", 0.0, _("{part}, up", part=label)),
+        (right, "right", 90.0, _("{part}, right", part=label)),
+    )
     return [
         Line(
             Symbol(task.letter, f"{name}, {side}"),
@@ -93,15 +111,15 @@ def sides(
             "signal",
             rows,
             bearing,
-            f"{label}, {side}",
+            labelled,
             arm=arm,
         )
-        for own, side, bearing in both
+        for own, side, bearing, labelled in both
     ]
 
 
 def share(body: Body, *, up: bool) -> Formula:
-    """What part of a push along a cylinder goes up, or to the right: the cosine or the sine of its bearing."""
+    """The share of a push along a cylinder that goes up or right: cosine or sine of its bearing."""
     if body.bearing is None:
         return _decimal_share(body.bearing_deg, up=up)
     return closed((cyclotomic.cosine if up else cyclotomic.sine)(body.bearing)).formula
@@ -115,16 +133,21 @@ def _decimal_share(bearing_deg: float, *, up: bool) -> Formula:
 
 def paired(parts: Sequence[tuple[Formula, Wave]], order: Fraction) -> list[Formula]:
     """Two signals of one size as a product of cosines, where that shows more than the sum."""
-    pieces = [(factor, piece) for factor, own in parts for piece in wave.pieces(own) if factor != number(0)]
+    pieces = [
+        (factor, piece)
+        for factor, own in parts
+        for piece in wave.pieces(own)
+        if factor != number(0)
+    ]
     if len(pieces) != 2:
         return []
-    sizes = [product(factor, piece.size) for factor, piece in pieces]
-    phases = [piece.phase for _, piece in pieces]
-    if phases[0] is None or phases[1] is None:
+    first, second = (product(factor, piece.size) for factor, piece in pieces)
+    p, q = (piece.phase for _, piece in pieces)
+    if p is None or q is None:
         return []
-    first, second = sizes
-    p, q = phases[0], phases[1]
     if first == product(-1, second):
         second, q = first, q + Fraction(1, 2)
     # Opposite signals simply cancel, and equal ones simply add.
-    return [sum_as_product(first, p, q, order)] if first == second and (p - q) % Fraction(1, 2) != 0 else []
+    if first != second or (p - q) % Fraction(1, 2) == 0:
+        return []
+    return [sum_as_product(first, p, q, order)]

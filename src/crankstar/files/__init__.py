@@ -1,21 +1,28 @@
-"""Engine files: TOML or JSON to an Engine and back, the JSON Schema, sentences for every mistake.
+"""Engine files: TOML or JSON to an Engine and back, the JSON Schema, every fault of a file.
 
-| module | one line |
+| module, bottom to top | one line |
 |---|---|
+| `units` | text with a unit to an SI number, and back |
 | `forms` | the short and the explicit form as records |
-| `mistakes` | what validation finds, as sentences |
-| `read` | text and trees to Engines |
+| `errors` | the error of a file |
+| `mistakes` | validation errors as faults; a corrected copy of a tree |
+| `source` | a file to its text and its tree of keys |
+| `changes` | values of a tree set by key path |
+| `read` | a tree of keys to an Engine, with every fault at once |
 | `write` | Engines to TOML, the JSON Schema |
 | `starters` | commented files to begin with |
+| `catalog` | the engines of the package, and a file or engine by its name |
 """
 
-from crankstar.files.read import STANDARD_INPUT, EngineFileError, Problem, changed, engine_of, keys_of, read, read_tree, tree_of
+from crankstar.files.changes import changed, keys_of
+from crankstar.files.errors import EngineFileError
+from crankstar.files.read import engine_of, read
+from crankstar.files.source import STANDARD_INPUT, read_tree, tree_of
 from crankstar.files.write import explicit, part_by_part, schema, toml, tree_text
 
 __all__ = [
     "STANDARD_INPUT",
     "EngineFileError",
-    "Problem",
     "changed",
     "engine_of",
     "explicit",

@@ -1,7 +1,9 @@
-"""The two forms of an engine file as records: the explicit one is the Engine itself, a short one has a layout.
+"""The two forms of an engine file as records.
 
-The `[layout]` table of a short file holds the keyword arguments of a layout function; its record is made from the
-function's signature, so that a new layout needs no second description.
+The explicit one is the Engine itself, a short one has a layout.
+
+The `[layout]` table of a short file holds the keyword arguments of a layout function; its record is
+made from the function's signature, so that a new layout needs no second description.
 """
 
 from __future__ import annotations
@@ -16,35 +18,47 @@ from typing import Annotated, Any, Literal, get_args, get_origin, get_type_hints
 from pydantic import Field, create_model
 from pydantic.fields import FieldInfo
 
-from crankstar.arrangement import Basis
-from crankstar.engine import Engine
-from crankstar.layouts import LAYOUTS
-from crankstar.quantity import Quantity
-from crankstar.records import Record
+from crankstar.engine.basis import Basis
+from crankstar.engine.engine import Engine
+from crankstar.engine.layouts import LAYOUTS
+from crankstar.engine.quantities import Quantity
+from crankstar.engine.records import Record
 
 
 def is_explicit(tree: Mapping[str, Any]) -> bool:
-    """Whether a tree is in the explicit form: shafts, and cylinders on them, rather than a layout."""
-    return not {"layout", "cylinder"} & tree.keys() and bool({"shaft", "shafts", "cylinders"} & tree.keys())
+    """Whether a tree is in the explicit form: shafts and cylinders rather than a layout."""
+    return not {"layout", "cylinder"} & tree.keys() and bool(
+        {"shaft", "shafts", "cylinders"} & tree.keys()
+    )
 
 
 @lru_cache(maxsize=16)
 def short_form(kind: str | None) -> type[Record]:
-    """The record of a short file with a layout of that kind; with None, one that takes any layout table."""
+    """The record of a short file with a layout of that kind; None: any layout table."""
     if kind is None:
         return create_model(
-            "Short", __base__=Basis, layout=(Annotated[Any, Field(description="how the cylinders are arranged")], {})
+            "Short",
+            __base__=Basis,
+            layout=(Annotated[Any, Field(description="how the cylinders are arranged")], {}),
         )
     function = LAYOUTS[kind]
     hints = get_type_hints(function, include_extras=True)
-    arguments = {name: p for name, p in inspect.signature(function).parameters.items() if p.kind is p.KEYWORD_ONLY}
-    fields: dict[str, Any] = {"type": (Annotated[Literal[kind], Field(description="names the layout")], ...)}
+    arguments = {
+        name: p
+        for name, p in inspect.signature(function).parameters.items()
+        if p.kind is p.KEYWORD_ONLY
+    }
+    fields: dict[str, Any] = {
+        "type": (Annotated[Literal[kind], Field(description="names the layout")], ...)
+    }
     for name, parameter in arguments.items():
         default = ... if parameter.default is parameter.empty else parameter.default
         fields[name] = (hints[name], default)
     layout = create_model(kind.capitalize(), __base__=Record, __doc__=_summary(function), **fields)
     said: Any = Annotated[layout, Field(description="how the cylinders are arranged")]
-    return create_model(f"Short{kind.capitalize()}", __base__=Basis, __doc__=_summary(function), layout=(said, ...))
+    return create_model(
+        f"Short{kind.capitalize()}", __base__=Basis, __doc__=_summary(function), layout=(said, ...)
+    )
 
 
 def form_of(tree: Mapping[str, Any]) -> type[Record]:
@@ -84,7 +98,9 @@ def record_in(annotation: Any) -> type[Record] | None:
     """The record a type is or holds: Throw for tuple[Throw, ...]."""
     if isinstance(annotation, type) and issubclass(annotation, Record):
         return annotation
-    return next((found for part in get_args(annotation) if (found := record_in(part)) is not None), None)
+    return next(
+        (found for part in get_args(annotation) if (found := record_in(part)) is not None), None
+    )
 
 
 def quantity_of(info: FieldInfo) -> Quantity | None:
@@ -102,7 +118,7 @@ def _quantity_in(annotation: Any) -> Quantity | None:
 
 
 def example(info: FieldInfo, *, depth: int = 0) -> str:
-    """A value a field could have, as TOML writes it, or one of its list, or of a list in it; empty where there is none to give."""
+    """An example value of a field, or of an item of its list, in TOML; empty if there is none."""
     if info.examples and not depth:
         return json.dumps(info.examples[0], ensure_ascii=False)
     sample = _sample(info.annotation, quantity_of(info))

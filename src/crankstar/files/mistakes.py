@@ -1,4 +1,4 @@
-"""What pydantic finds wrong with an engine file, said to the person who wrote it, and a file mended of it."""
+"""Validation errors of an engine file as faults, and a corrected copy of its tree."""
 
 from __future__ import annotations
 
@@ -9,46 +9,60 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from crankstar.fault import EngineError, Fault, counted
+from crankstar.engine.records import Record
 from crankstar.files.forms import by_key, example, field_at, quantity_of, record_in
-from crankstar.quantity import seen
-from crankstar.records import Record
+from crankstar.language.faults import EngineError, Fault, ValueFaultError
+from crankstar.language.quoting import seen
 
 Tree = dict[str, Any]
 Path = tuple[str | int, ...]
 
-_NEEDED = {
-    "int_type": "a whole number",
-    "int_from_float": "a whole number",
-    "int_parsing_size": "a whole number",
-    "float_type": "a number",
-    "finite_number": "a finite number",
+_KINDS = {
+    "int_type": "whole-number",
+    "int_from_float": "whole-number",
+    "int_parsing_size": "whole-number",
+    "float_type": "number",
+    "finite_number": "finite-number",
     "string_type": "text",
-    "string_unicode": "text of whole characters",
-    "tuple_type": "a list",
-    "dict_type": "a table",
-    "model_type": "a table",
-    "model_attributes_type": "a table",
+    "string_unicode": "whole-text",
+    "tuple_type": "list",
+    "dict_type": "table",
+    "model_type": "table",
+    "model_attributes_type": "table",
+}
+"""What is needed, by what pydantic finds."""
+_BOUNDS = {
+    "greater_than": ("greater-than", "gt"),
+    "greater_than_equal": ("at-least", "ge"),
+    "less_than_equal": ("at-most", "le"),
 }
 
 
-def faults_of(error: ValidationError, model: type[Record], tree: Tree, *, under: Path = ()) -> list[Fault]:
-    """Every mistake of a validation, as key path and sentence; `under` is where in the file that which was validated stands."""
+def faults_of(
+    error: ValidationError, model: type[Record], tree: Tree, *, under: Path = ()
+) -> list[Fault]:
+    """Every mistake of a validation as a fault; `under` is the path of the validated part."""
     faults: list[Fault] = []
     for mistake in _mistakes(error):
         cause = mistake.get("ctx", {}).get("error")
         if isinstance(cause, EngineError):
             faults += cause.faults
+            continue
+        path = (*under, *_path(mistake))
+        if isinstance(cause, ValueFaultError):
+            faults.append(Fault(path, cause.code, cause.values))
         else:
-            path = (*under, *_path(mistake))
-            faults.append(Fault(path, _sentence(mistake, path, model, tree)))
+            faults.append(_fault(mistake, path, model, tree))
     return faults
 
 
 def _mistakes(error: ValidationError) -> Iterator[Any]:
     """What a validation found, but for lists that are too short only because entries in them are mistaken."""
     for mistake in error.errors(include_url=False):
-        if mistake["type"] != "too_short" or len(mistake["input"]) < mistake.get("ctx", {})["min_length"]:
+        if (
+            mistake["type"] != "too_short"
+            or len(mistake["input"]) < mistake.get("ctx", {})["min_length"]
+        ):
             yield mistake
 
 
@@ -56,44 +70,45 @@ def _path(mistake: Any) -> Path:
     return tuple(key for key in mistake["loc"] if key != "[key]")
 
 
-def _sentence(mistake: Any, path: Path, model: type[Record], tree: Tree) -> str:
-    """What a validation error of pydantic means, said to the one who wrote the file."""
+def _fault(mistake: Any, path: Path, model: type[Record], tree: Tree) -> Fault:
+    """What a validation error of pydantic means to the one who wrote the file."""
     kind, context = mistake["type"], mistake.get("ctx", {})
     if kind == "extra_forbidden":
-        return "unknown key; " + _meant(str(path[-1]), path[:-1], model)
-    if kind == "value_error":
-        return str(context["error"])
+        return _unknown_key(path, model)
     if kind == "invalid_key":
-        return f"has the key {seen(mistake['input'])}; keys are text of whole characters"
-    value, info = seen(_at(tree, path, mistake["input"])), field_at(model, path)
+        return Fault(path, "key.no-text", {"value": seen(mistake["input"])})
+    values: dict[str, Any] = {"value": seen(_at(tree, path, mistake["input"]))}
+    info = field_at(model, path)
     depth = sum(1 for _ in takewhile(lambda key: isinstance(key, int), reversed(path)))
     sample = example(info, depth=depth) if info else ""
+    if kind == "missing":
+        values = {"key": str(path[-1])}
+        return _with_example(Fault(path, "missing", values), sample)
     if kind == "tuple_type" and len(path) == 1 and info and record_in(info.annotation):
-        return f"is {value}; a list of tables is needed, each of them headed [[{path[0]}]]"
-    if kind in _NEEDED:
-        return f"is {value}; {_NEEDED[kind]} is needed" + (f", such as {sample}" if sample else "")
-    such = f", such as {sample}" if info and quantity_of(info) else ""
-    least = context.get("min_length")
-    told = {
-        "missing": "is missing" + (f"; give it, as in {path[-1]} = {sample}" if sample else ""),
-        "greater_than": f"is {value}; it must be greater than {_bound(context.get('gt'))}{such}",
-        "greater_than_equal": f"is {value}; it must be at least {_bound(context.get('ge'))}{such}",
-        "less_than_equal": f"is {value}; it must be at most {_bound(context.get('le'))}{such}",
-        "literal_error": f"is {value}; it can be {context.get('expected', '')}".replace("'", '"'),
-        "too_long": f"has {_size(mistake)}; at most {context.get('max_length')} are allowed",
-        "too_short": f"has {_size(mistake)}; at least {least} {'is' if least == 1 else 'are'} needed",
-        "string_too_long": f"has {_size(mistake, 'letter')}; at most {context.get('max_length')} are allowed",
-    }
-    return told.get(kind) or f"is {value}; {mistake['msg']}"
+        return Fault(path, "type.list-of-tables", values | {"key": str(path[0])})
+    if kind in _KINDS:
+        return _with_example(Fault(path, "type", values | {"kind": _KINDS[kind]}), sample)
+    if kind in _BOUNDS:
+        code, bound = _BOUNDS[kind]
+        fault = Fault(path, code, values | {"bound": context[bound]})
+        return _with_example(fault, sample if info and quantity_of(info) else "")
+    if kind == "literal_error":
+        choices = str(context.get("expected", "")).replace("'", '"')
+        return Fault(path, "choice", values | {"choices": choices})
+    size = len(mistake["input"]) if hasattr(mistake["input"], "__len__") else 0
+    if kind in ("too_long", "string_too_long"):
+        code = "too-many" if kind == "too_long" else "too-long"
+        return Fault(path, code, {"size": size, "bound": context["max_length"]})
+    if kind == "too_short":
+        return Fault(path, "too-few", {"size": size, "count": context["min_length"]})
+    return Fault(path, "invalid", values | {"message": mistake["msg"]})
 
 
-def _bound(limit: Any) -> str:
-    return "" if limit is None else f"{limit:g}"
-
-
-def _size(mistake: Any, of: str = "entry") -> str:
-    count = len(mistake["input"]) if hasattr(mistake["input"], "__len__") else 0
-    return "no entries" if count == 0 else counted(count, of).replace("entrys", "entries")
+def _with_example(fault: Fault, sample: str) -> Fault:
+    if not sample:
+        return fault
+    values = {**fault.values, "example": sample}
+    return fault._replace(code=f"{fault.code}.example", values=values)
 
 
 def _at(tree: Any, path: Path, otherwise: Any = None) -> Any:
@@ -106,20 +121,27 @@ def _at(tree: Any, path: Path, otherwise: Any = None) -> Any:
 
 
 def _has(table: Any, key: Any) -> bool:
-    return key in table if isinstance(table, dict) else isinstance(table, list) and isinstance(key, int) and key < len(table)
+    return (
+        key in table
+        if isinstance(table, dict)
+        else isinstance(table, list) and isinstance(key, int) and key < len(table)
+    )
 
 
-def _meant(key: str, path: Path, model: type[Record]) -> str:
-    """What was probably meant by an unknown key: one spelt like it, or the same one in another table."""
-    keys = _keys_at(model, path)
+def _unknown_key(path: Path, model: type[Record]) -> Fault:
+    """The probable meaning of an unknown key: similar, or the same key in another table."""
+    key, table = str(path[-1]), path[:-1]
+    keys = _keys_at(model, table)
     near = _near(key, keys)
     if near:
-        return f'did you mean "{near}"?'
-    if path and key in by_key(model):
-        return "it belongs at the top of the file, above the first [table]"
+        return Fault(path, "key.misspelt", {"meant": f'"{near}"'})
+    if table and key in by_key(model):
+        return Fault(path, "key.belongs-at-top")
     tables = {name: record_in(info.annotation) for name, info in by_key(model).items()}
-    home = next((name for name, table in tables.items() if table and key in by_key(table)), None)
-    return f"it belongs in {home}" if home else f"there are: {', '.join(keys)}"
+    home = next((name for name, held in tables.items() if held and key in by_key(held)), None)
+    if home:
+        return Fault(path, "key.belongs-in", {"table": home})
+    return Fault(path, "key.unknown", {"keys": keys})
 
 
 def _keys_at(model: type[Record], path: Path) -> list[str]:
@@ -134,9 +156,12 @@ def _near(key: str, keys: list[str]) -> str | None:
 
 
 def mended(tree: Tree, error: ValidationError, model: type[Record], *, number: int) -> Tree:
-    """A copy of the tree in which slips of the pen are put right, and what else is mistaken is left out or replaced.
+    """A copy of the tree with slips corrected and other mistakes left out or replaced.
 
-    What replaces it comes from `number`, so that the faults two mendings have in common do not hang on it.
+    Replacements come from `number`, so faults common to two copies do not depend on them.
+
+    What replaces it comes from `number`, so that the faults two mendings have in common do not hang
+    on it.
     """
     out: Tree = copied(tree)
     for place, mistake in enumerate(_mistakes(error)):
@@ -151,7 +176,9 @@ def mended(tree: Tree, error: ValidationError, model: type[Record], *, number: i
                 table.setdefault(meant, value)
         elif isinstance(table, dict) or _has(table, last):
             text = info is not None and info.annotation is str
-            table[last] = number / 9000 if measured else f"text {number}" if text else number + place % 400
+            table[last] = (
+                number / 9000 if measured else f"text {number}" if text else number + place % 400
+            )
     return out
 
 

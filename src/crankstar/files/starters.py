@@ -38,11 +38,23 @@ _TAIL = """
 # "cylinder.bore" = { status = "published", source = "workshop manual, page 12" }
 """
 
-_FOUR = {"cycle": "four-stroke", "other": "two-stroke", "bore": "87.5 mm", "stroke": "82.5 mm", "rod": "146 mm"}
+_FOUR = {
+    "cycle": "four-stroke",
+    "other": "two-stroke",
+    "bore": "87.5 mm",
+    "stroke": "82.5 mm",
+    "rod": "146 mm",
+}
 _FOUR |= {"valves": "valves, before and after their dead centres"}
 _FOUR |= {"io": "15 deg", "ic": "50 deg", "eo": "50 deg", "ec": "15 deg"}
 _FOUR |= {"mass": "650 g", "rotating": "700 g", "speed": "6000 rpm"}
-_TWO = {"cycle": "two-stroke", "other": "four-stroke", "bore": "54 mm", "stroke": "54.4 mm", "rod": "110 mm"}
+_TWO = {
+    "cycle": "two-stroke",
+    "other": "four-stroke",
+    "bore": "54 mm",
+    "stroke": "54.4 mm",
+    "rod": "110 mm",
+}
 _TWO |= {"valves": "ports, before and after bottom dead centre"}
 _TWO |= {"io": "60 deg", "ic": "60 deg", "eo": "85 deg", "ec": "85 deg"}
 _TWO |= {"mass": "280 g", "rotating": "300 g", "speed": "10000 rpm"}
@@ -55,7 +67,15 @@ _STAR = {
     "rotating": "2.5 kg",
     "speed": "2200 rpm",
 }
-_HEAVY = {**_TWO, "bore": "105 mm", "stroke": "160 mm", "rod": "270 mm", "mass": "3 kg", "rotating": "3 kg", "speed": "2200 rpm"}
+_HEAVY = {
+    **_TWO,
+    "bore": "105 mm",
+    "stroke": "160 mm",
+    "rod": "270 mm",
+    "mass": "3 kg",
+    "rotating": "3 kg",
+    "speed": "2200 rpm",
+}
 
 _BODIES: dict[str, tuple[dict[str, str], str]] = {
     "inline": (

@@ -9,26 +9,32 @@ from typing import Any
 import tomli_w
 from pydantic import TypeAdapter
 
-from crankstar import units
-from crankstar.engine import Engine
+from crankstar.engine.engine import Engine
+from crankstar.engine.layouts import LAYOUTS
+from crankstar.engine.records import Record
+from crankstar.files import units
+from crankstar.files.changes import keys_of
 from crankstar.files.forms import field_at, quantity_of, short_form
-from crankstar.files.read import keys_of
-from crankstar.layouts import LAYOUTS
-from crankstar.records import Record
 
 DESCRIPTION = "An engine file of crankstar: the short form, by layout, or the explicit form with shafts and cylinders."
 SCHEMA_DIALECT = "https://json-schema.org/draft/2020-12/schema"
 
 
 def explicit(engine: Engine) -> dict[str, Any]:
-    """The tree of an engine in the explicit form, quantities as text with units; what is not set is left out."""
+    """The tree of an engine in the explicit form, quantities as text with units.
+
+    What is not set is left out.
+    """
     return _tree(engine, relative=frozenset(engine.relative))
 
 
 def part_by_part(engine: Engine) -> dict[str, Any]:
-    """The explicit form without the sources of keys that it does not have, such as those of the layout it was made from.
+    """The explicit form without the sources of keys that it does not have.
 
-    Unlike `explicit` and `toml`, which give back the same engine with every source, this is a tree to go on working with.
+    Such as those of the layout it was made from.
+
+    Unlike `explicit` and `toml`, which give back the same engine with every source, this is a tree
+    to go on working with.
     """
     tree = explicit(engine)
     sources = tree.pop("provenance", {})
@@ -37,7 +43,9 @@ def part_by_part(engine: Engine) -> dict[str, Any]:
 
 
 def _is_there(tree: Any, path: Sequence[str | int]) -> bool:
-    """Whether the tree has that key; one that is left out because it has the default value counts as there.
+    """Whether the tree has that key.
+
+    One that is left out because it has the default value counts as there.
 
     A list whose place is not given, as in `shaft.throw.radius`, stands for all that is in it.
     """
@@ -61,10 +69,15 @@ def toml(engine: Engine) -> str:
 
 
 def tree_text(tree: dict[str, Any]) -> str:
-    """A tree of keys as TOML, short lists on one line. Raises TypeError or ValueError for what TOML has no words for."""
+    """A tree of keys as TOML, short lists on one line.
+
+    Raises TypeError or ValueError for what TOML has no words for.
+    """
     text = tomli_w.dumps(tree)
     for inner in (8, 4):  # short lists in lists first
-        text = re.sub(rf"\[\n((?: {{{inner}}}\S[^\n]{{0,29}},\n)+) {{{inner - 4}}}\]", _on_one_line, text)
+        text = re.sub(
+            rf"\[\n((?: {{{inner}}}\S[^\n]{{0,29}},\n)+) {{{inner - 4}}}\]", _on_one_line, text
+        )
     return text
 
 
@@ -98,10 +111,15 @@ def _written(value: Any, quantity: Any, relative: frozenset[str]) -> Any:
 
 
 def schema() -> dict[str, Any]:
-    """The JSON Schema of engine files, short (by layout) or explicit, with the unit and meaning of every key."""
+    """The JSON Schema of engine files, short or explicit, with unit and meaning of every key."""
     models = [Engine, *(short_form(kind) for kind in LAYOUTS)]
     whole = TypeAdapter(_union(models)).json_schema(by_alias=True)
-    return {"$schema": SCHEMA_DIALECT, "title": "crankstar engine file", "description": DESCRIPTION, **whole}
+    return {
+        "$schema": SCHEMA_DIALECT,
+        "title": "crankstar engine file",
+        "description": DESCRIPTION,
+        **whole,
+    }
 
 
 def _union(models: list[type[Record]]) -> Any:

@@ -1,19 +1,25 @@
-"""Remedies: what is put on an engine so that it shakes less. A remedy is an Engine again.
+"""Remedies: weights and balance shafts that make an engine shake less. A remedy gives an Engine.
 
-| module | one line |
+| module, bottom to top | one line |
 |---|---|
-| `shafts` | balance shafts: which an engine needs, what each takes away, where it must lie so that nothing rolls |
-| `best` | the best weights in chosen planes, within limits, with a certificate |
-| `programme` | the second-order cone programme behind them, and its lower bound |
-| `aims` | what good weights make small: force, couple, pitch, yaw, bearing load; as numbers and as cones |
-| `counterweights` | weights on the crankshafts from a balance factor: at the throws, on webs, in chosen planes |
-| `planes` | where webs and main bearings are |
-| `loads` | what each crank pin carries, rotating and reciprocating; bobweights |
+| `loads` | the rotating and reciprocating masses on each crank pin; bobweights |
+| `planes` | positions of webs, ends and main bearings along a crankshaft |
+| `counterweights` | weights from a balance factor: at the throws, on webs, in given planes |
+| `programme` | the second-order cone programme behind the best weights, and its lower bound |
+| `aims` | force, couple, pitch, yaw, bearing load to minimise; as numbers and as cones |
+| `best` | the best weights in given planes, within limits, with a certificate |
+| `shafts` | balance shafts that an engine needs, and the place of a pair without roll |
+| `fitting` | an engine fitted with all of these; the cure that its verdict recommends |
 """
 
-from crankstar.remedy.aims import Aim, Plane, unit_unbalance
-from crankstar.remedy.best import Best, Limit, bearing_load, best_weights, said, without_weights
-from crankstar.remedy.counterweights import RemedyError, with_counterweights, with_web_weights, without_counterweights
+from crankstar.remedy.aims import Aim, Plane
+from crankstar.remedy.best import Best, Limit, aim_name, bearing_load, best_weights, without_weights
+from crankstar.remedy.counterweights import (
+    RemedyError,
+    with_counterweights,
+    with_web_weights,
+    without_counterweights,
+)
 from crankstar.remedy.loads import Load, bobweight, loads
 from crankstar.remedy.planes import end_planes, end_webs, main_bearings, webs
 from crankstar.remedy.shafts import (
@@ -35,6 +41,7 @@ __all__ = [
     "Need",
     "Plane",
     "RemedyError",
+    "aim_name",
     "bearing_load",
     "best_weights",
     "bobweight",
@@ -43,8 +50,6 @@ __all__ = [
     "loads",
     "main_bearings",
     "needs",
-    "said",
-    "unit_unbalance",
     "webs",
     "with_balance_shaft",
     "with_balance_shafts",

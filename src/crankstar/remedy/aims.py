@@ -1,16 +1,20 @@
-"""What good weights make small, as a number for any weights, and as the cones of a convex problem.
+"""Aims for weights: their value for any weights, and the cones of a convex problem.
 
-With unbalances u_j (m r, complex: up + i right at theta = 0) in planes z_j on shafts of speed ratio n_j an engine does
+With unbalances u_j (m r, complex: up + i right at theta = 0) in planes z_j on shafts of speed ratio
+n_j an engine does
 
-    force  F(theta) = F0(theta) + sum n_j^2 u_j exp(i s n_j theta),      couple M(theta) the same times z_j - z0,
+    force  F(theta) = F0(theta) + sum n_j^2 u_j exp(i s n_j theta),      couple M(theta) the same
+    times z_j - z0,
 
-F0 and M0 without them. Every aim is the greatest of some norms of such sums, each linear in the u_j, and so convex in them:
-the length at every crank angle (peak), or the root of its mean square over the period (rms); of the force, of the couple,
-or of one of its components (pitch is the couple's up, yaw its right); or the load on the main bearings.
+F0 and M0 without them. Every aim is the greatest of some norms of such sums, each linear in the
+u_j, and so convex in them: the length at every crank angle (peak), or the root of its mean square
+over the period (rms); of the force, of the couple, or of one of its components (pitch is the
+couple's up, yaw its right); or the load on the main bearings.
 
-The load is the first-order inertia force that a crankshaft cut through at its main bearings hands to one of them by the law
-of the lever, of what turns and of what goes to and fro. The side thrust of the pistons is left out, which changes it
-by the square of crank radius over rod length, some per cent.
+The load is the first-order inertia force that a crankshaft cut through at its main bearings hands
+to one of them by the law of the lever, of what turns and of what goes to and fro. The side thrust
+of the pistons is left out, which changes it by the square of crank radius over rod length, some per
+cent.
 """
 
 from __future__ import annotations
@@ -22,23 +26,24 @@ from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
-from crankstar import phasor
-from crankstar.balance import default_reference
-from crankstar.engine import Engine
-from crankstar.mechanism import Reference, mechanism, spectra
-from crankstar.phasor import Complex, Real, Spectrum
+from crankstar import spectra
+from crankstar.engine.engine import Engine
+from crankstar.mechanics.balance import default_reference, unit_unbalance
+from crankstar.mechanics.excitation import Reference, part_spectra
+from crankstar.mechanics.mechanism import mechanism
 from crankstar.remedy.planes import main_bearings
 from crankstar.remedy.programme import Cone
+from crankstar.spectra import Complex, Real, Spectrum
 
 Quantity = Literal["force", "couple", "bearing"]
 FINE = 720
-"""Crank angles per turn at which local maxima are looked for."""
+"""Crank angles per turn in the search for local maxima."""
 SIGNIFICANT = 1e-13
 """Share of the greatest vector below which an order is left out of the problem."""
 
 
 class Aim(NamedTuple):
-    """What to make small. `up` and `right` weigh the components of force and couple; a bearing's load counts as it is.
+    """A quantity to minimise; `up` and `right` weigh the components of force and couple.
 
     `Aim("couple", up=1, right=0)` is pitch, `Aim("couple", up=0, right=1)` yaw.
     """
@@ -58,11 +63,11 @@ class Plane(NamedTuple):
 
 @dataclass(frozen=True)
 class Setting:
-    """An engine with bare planes, in units of m r w^2 and m r w^2 a: force and couple without weights, and what a weight adds.
+    """An engine with bare planes, in units of m r w^2 and m r w^2 a, and the effect of weights.
 
-    Per plane [plane]: `order` of its shaft, whether that turns `forward` (with the reference crankshaft), its speed ratio
-    `squared`, and its `arm` z - z0 in a.
-    `loads`: per main bearing the share of each plane [plane] and the first-order vectors (forward, backward) without weights.
+    Per plane [plane]: `order` of its shaft, whether that turns `forward` (with the reference
+    crankshaft), its speed ratio `squared`, and its `arm` z - z0 in a. `loads`: per main bearing the
+    share of each plane [plane] and the first-order vectors (forward, backward) without weights.
     """
 
     force: Spectrum
@@ -74,60 +79,81 @@ class Setting:
     loads: tuple[tuple[Real, complex, complex], ...]
 
 
-def setting(engine: Engine, planes: Sequence[Plane], *, reference: Reference | None = None) -> Setting:
-    """The problem of an engine whose weights in these planes are to be chosen; `engine` without any there."""
+def setting(
+    engine: Engine, planes: Sequence[Plane], *, reference: Reference | None = None
+) -> Setting:
+    """The problem of choosing weights in these planes, of an engine without any there."""
     reference = reference or default_reference(engine)
     unit = unit_unbalance(engine)
-    parts = spectra(mechanism(engine), reference=reference)
+    parts = part_spectra(mechanism(engine), reference=reference)
     ratio = np.array([float(engine.shaft(plane.shaft).speed_ratio) for plane in planes])
-    force = _heard(phasor.scaled(phasor.total(parts.force), 1 / unit), np.abs(ratio))
-    couple = _heard(phasor.scaled(phasor.total(parts.couple), 1 / (unit * engine.pitch)), np.abs(ratio))
+    force = _with_orders(spectra.scaled(spectra.total(parts.force), 1 / unit), np.abs(ratio))
+    couple = _with_orders(
+        spectra.scaled(spectra.total(parts.couple), 1 / (unit * engine.pitch)), np.abs(ratio)
+    )
     return Setting(
         force=force,
         couple=couple,
         order=np.abs(ratio),
-        forward=tuple(bool(one > 0) for one in ratio),
+        forward=tuple(bool(each > 0) for each in ratio),
         squared=ratio**2,
         arm=np.array([(plane.z - reference.z) / engine.pitch for plane in planes]),
-        loads=tuple(_loads(engine, planes, phasor.scaled(parts.force, 1 / unit))),
+        loads=tuple(_loads(engine, planes, spectra.scaled(parts.force, 1 / unit))),
     )
 
 
-def unit_unbalance(engine: Engine) -> float:
-    """The unit in which unbalances are counted here, m r of the first cylinder, kg m."""
-    first = engine.first
-    return (first.reciprocating_mass or (first.rod.mass if first.rod else 1.0)) * engine.throw(first).radius
-
-
-def _heard(spectrum: Spectrum, kept: Real) -> Spectrum:
-    """The spectrum without the orders that are nothing, but with those of the planes."""
+def _with_orders(spectrum: Spectrum, kept: Real) -> Spectrum:
+    """The spectrum without the orders that are zero, but with those of the planes."""
     size = np.abs(spectrum.forward) + np.abs(spectrum.backward)
     orders = spectrum.orders[(size > SIGNIFICANT * size.max(initial=0.0))]
-    return phasor.selected(spectrum, np.union1d(np.round(orders, 12), np.round(kept, 12)))
+    return spectra.selected(spectrum, spectra.distinct(np.round(np.append(orders, kept), 12)))
 
 
-def _loads(engine: Engine, planes: Sequence[Plane], force: Spectrum) -> list[tuple[Real, complex, complex]]:
-    """For every main bearing what share of a weight in each plane it carries, and its first-order vectors without weights."""
-    found: list[tuple[Real, complex, complex]] = []
-    bodies = force.forward.shape[0] - sum(len(shaft.throws) + len(shaft.weights) for shaft in engine.shafts)
+def _loads(
+    engine: Engine, planes: Sequence[Plane], force: Spectrum
+) -> list[tuple[Real, complex, complex]]:
+    """For each main bearing its share of a weight in each plane, and its bare vectors."""
+    bearing_loads: list[tuple[Real, complex, complex]] = []
+    bodies = force.forward.shape[0] - sum(
+        len(shaft.throws) + len(shaft.weights) for shaft in engine.shafts
+    )
     z = [c.z for c in engine.cylinders] * (bodies // len(engine.cylinders))
-    z += [part.z for kind in ("throws", "weights") for shaft in engine.shafts for part in getattr(shaft, kind)]
+    z += [
+        part.z
+        for kind in ("throws", "weights")
+        for shaft in engine.shafts
+        for part in getattr(shaft, kind)
+    ]
     on = [c.shaft for c in engine.cylinders] * (bodies // len(engine.cylinders))
-    on += [shaft.name for kind in ("throws", "weights") for shaft in engine.shafts for _ in getattr(shaft, kind)]
+    on += [
+        shaft.name
+        for kind in ("throws", "weights")
+        for shaft in engine.shafts
+        for _ in getattr(shaft, kind)
+    ]
     for shaft in engine.shafts:
-        own = phasor.selected(force, [abs(float(shaft.speed_ratio))])
+        own = spectra.selected(force, [abs(float(shaft.speed_ratio))])
         mine = np.array([name == shaft.name for name in on])
         bearings = main_bearings(engine, shaft)
         for place in range(len(bearings)):
             share = np.array([_share(bearings, place, where) for where in z]) * mine
-            plane = np.array([_share(bearings, place, p.z) * (p.shaft == shaft.name) for p in planes])
-            with_crank, against = complex(share @ own.forward[:, 0]), complex(share @ own.backward[:, 0])
-            found.append((plane, with_crank, against) if shaft.speed_ratio > 0 else (plane, against, with_crank))
-    return found
+            plane = np.array(
+                [_share(bearings, place, p.z) * (p.shaft == shaft.name) for p in planes]
+            )
+            with_crank, against = (
+                complex(share @ own.forward[:, 0]),
+                complex(share @ own.backward[:, 0]),
+            )
+            bearing_loads.append(
+                (plane, with_crank, against)
+                if shaft.speed_ratio > 0
+                else (plane, against, with_crank)
+            )
+    return bearing_loads
 
 
 def _share(bearings: Sequence[float], place: int, z: float) -> float:
-    """The share of a force at z that a bearing takes of a shaft cut through at all of them; beyond the last, a lever."""
+    """The share of a force at z on one bearing of a shaft cut at all of them; beyond, a lever."""
     spans = list(pairwise(range(len(bearings))))
     front, rear = next(((a, b) for a, b in spans if z >= bearings[b]), spans[-1])
     if place not in (front, rear):
@@ -148,32 +174,36 @@ def with_unbalance(case: Setting, x: Real, quantity: Literal["force", "couple"])
 
 
 def measured(case: Setting, aim: Aim, x: Real) -> float:
-    """The number an aim makes small, exactly, for these weights: m r w^2 for force and bearings, m r w^2 a for couples."""
+    """The value of an aim for these weights, m r w^2, or m r w^2 a for couples."""
     if aim.quantity == "bearing":
         u = x[0::2] + 1j * x[1::2]
         return max(
-            (float(abs(ahead + (share * case.squared) @ u)) + abs(behind) for share, ahead, behind in case.loads), default=0.0
+            (
+                float(abs(ahead + (share * case.squared) @ u)) + abs(behind)
+                for share, ahead, behind in case.loads
+            ),
+            default=0.0,
         )
-    vector = _weighed(with_unbalance(case, x, aim.quantity), aim)
+    vector = _weighted(with_unbalance(case, x, aim.quantity), aim)
     if aim.rms:
         return float(np.sqrt((np.abs(vector.forward) ** 2 + np.abs(vector.backward) ** 2).sum()))
-    return phasor.peak(vector).value
+    return spectra.peak(vector).value
 
 
-def summits(case: Setting, aim: Aim, x: Real, *, above: float) -> Real:
-    """The crank angles (radians) at which a peak that is an aim stands above a level with these weights: its local maxima."""
+def maxima(case: Setting, aim: Aim, x: Real, *, above: float) -> Real:
+    """The crank angles (radians) of the local maxima of an aim above a level with these weights."""
     if aim.rms or aim.quantity == "bearing":
         return np.zeros(0)
-    vector = _weighed(with_unbalance(case, x, aim.quantity), aim)
-    turns = phasor.period(vector)
+    vector = _weighted(with_unbalance(case, x, aim.quantity), aim)
+    turns = spectra.period(vector)
     theta = np.arange(FINE * turns) * (2 * np.pi / FINE)
-    length = np.abs(phasor.value(vector, theta))
+    length = np.abs(spectra.value(vector, theta))
     local = (length >= np.roll(length, 1)) & (length >= np.roll(length, -1)) & (length > above)
-    highest = phasor.peak(vector)
+    highest = spectra.peak(vector)
     return np.append(theta[local], highest.theta) if highest.value > above else theta[local]
 
 
-def _weighed(spectrum: Spectrum, aim: Aim) -> Spectrum:
+def _weighted(spectrum: Spectrum, aim: Aim) -> Spectrum:
     """Every vector v made up * Re v + i right * Im v."""
     same, other = (aim.up + aim.right) / 2, (aim.up - aim.right) / 2
     return replace(
@@ -184,19 +214,19 @@ def _weighed(spectrum: Spectrum, aim: Aim) -> Spectrum:
 
 
 def cones(case: Setting, aim: Aim, theta: Real) -> list[Cone]:
-    """The norms whose greatest is the aim: at the crank angles `theta` for a peak, one for an rms, one for each bearing."""
+    """The norms whose greatest is the aim: one per crank angle `theta`, bearing, or rms."""
     count = case.order.size
     if aim.quantity == "bearing":
         return [
             Cone(_pairs(share * case.squared), np.array([ahead.real, ahead.imag]), abs(behind))
             for share, ahead, behind in case.loads
         ]
-    bare = _weighed(getattr(case, aim.quantity), aim)
+    bare = _weighted(getattr(case, aim.quantity), aim)
     factor = case.squared * (1.0 if aim.quantity == "force" else case.arm)
     if aim.rms:
         return [_mean(case, aim, bare, factor)]
     turn = np.where(case.forward, 1, -1) * bare.sense * case.order
-    values = phasor.value(bare, theta)
+    values = spectra.value(bare, theta)
     out: list[Cone] = []
     for angle, value in zip(theta, np.atleast_1d(values), strict=True):
         phase: Complex = factor * np.exp(1j * turn * angle)
@@ -222,10 +252,14 @@ def _mean(case: Setting, aim: Aim, bare: Spectrum, factor: Real) -> Cone:
         column = int(np.argmin(np.abs(bare.orders - case.order[place])))
         for unit in (factor[place], 1j * factor[place]):
             empty = np.zeros(size, complex)
-            one = empty.copy()
-            one[column] = unit
-            pushed = replace(bare, forward=one if ahead else empty, backward=empty if ahead else one)
-            columns.append(_rows(_weighed(pushed, aim)))
+            column_only = empty.copy()
+            column_only[column] = unit
+            pushed = replace(
+                bare,
+                forward=column_only if ahead else empty,
+                backward=empty if ahead else column_only,
+            )
+            columns.append(_rows(_weighted(pushed, aim)))
     return Cone(np.array(columns).T, _rows(bare))
 
 

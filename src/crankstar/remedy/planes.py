@@ -1,8 +1,9 @@
-"""Where weights can stand on a crankshaft: its webs, its ends, and the main bearings between its throws.
+"""Positions of webs, ends and main bearings along a crankshaft.
 
-Engine files say where pins are, not where webs and bearings are. Here a crankshaft has a main bearing half way between
-two neighbouring throws and one as far beyond the first and the last, and a web half way between a pin and each bearing
-beside it. Pins nearer to each other than a third of the bore pitch (split pins) are one throw, with no bearing between.
+Engine files say where pins are, not where webs and bearings are. Here a crankshaft has a main
+bearing half way between two neighbouring throws and one as far beyond the first and the last, and a
+web half way between a pin and each bearing beside it. Pins nearer to each other than a third of the
+bore pitch (split pins) are one throw, with no bearing between.
 """
 
 from __future__ import annotations
@@ -10,15 +11,18 @@ from __future__ import annotations
 from itertools import pairwise
 from typing import NamedTuple
 
-from crankstar.engine import Engine
-from crankstar.records import Shaft
+from crankstar.engine.engine import Engine
+from crankstar.engine.records import Shaft
 
 SAME_THROW = 0.35
-"""Bore pitches: pins closer than this stand between the same two bearings. Banks of boxers are about half a pitch apart."""
+"""Bore pitches: pins closer than this stand between the same two bearings.
+
+Banks of boxers are about half a pitch apart.
+"""
 
 
 class Span(NamedTuple):
-    """What stands between two neighbouring main bearings: numbers of the throws (from 1), z of bearings and webs, front first."""
+    """The throws (from 1) between two main bearings, with z of bearings and webs, front first."""
 
     throws: tuple[int, ...]
     bearings: tuple[float, float]
@@ -26,9 +30,9 @@ class Span(NamedTuple):
 
 
 def spans(engine: Engine, shaft: Shaft) -> tuple[Span, ...]:
-    """The throws of a crankshaft from front to rear, each with its bearings and webs; none where the shaft has no throws.
+    """The throws of a crankshaft from front to rear, each with its bearings and webs.
 
-    >>> from crankstar.catalog import load
+    >>> from crankstar.files.catalog import load
     >>> engine = load("v8-cross-plane")
     >>> [span.webs for span in spans(engine, engine.shafts[0])][0]
     (1.75, 1.25)
@@ -36,21 +40,26 @@ def spans(engine: Engine, shaft: Shaft) -> tuple[Span, ...]:
     groups = _groups(engine, shaft)
     if not groups:
         return ()
-    ends = [(max(places), min(places)) for places in ([shaft.throws[n - 1].z for n in group] for group in groups)]
+    ends = [
+        (max(places), min(places))
+        for places in ([shaft.throws[n - 1].z for n in group] for group in groups)
+    ]
     gaps = [rear - front for (_, rear), (front, _) in pairwise(ends)]
     room = min(gaps, default=_room(engine)) / 2
     between = [(rear + front) / 2 for (_, rear), (front, _) in pairwise(ends)]
     bearings = [ends[0][0] + room, *between, ends[-1][1] - room]
     return tuple(
         Span(group, (ahead, behind), ((ahead + front) / 2, (behind + rear) / 2))
-        for group, (front, rear), (ahead, behind) in zip(groups, ends, pairwise(bearings), strict=True)
+        for group, (front, rear), (ahead, behind) in zip(
+            groups, ends, pairwise(bearings), strict=True
+        )
     )
 
 
 def main_bearings(engine: Engine, shaft: Shaft) -> tuple[float, ...]:
     """Places z of the main bearings of a crankshaft, front first: one more than it has throws."""
-    found = spans(engine, shaft)
-    return (*(span.bearings[0] for span in found), found[-1].bearings[1]) if found else ()
+    along = spans(engine, shaft)
+    return (*(span.bearings[0] for span in along), along[-1].bearings[1]) if along else ()
 
 
 def webs(engine: Engine, shaft: Shaft) -> tuple[float, ...]:
@@ -60,19 +69,19 @@ def webs(engine: Engine, shaft: Shaft) -> tuple[float, ...]:
 
 def end_webs(engine: Engine, shaft: Shaft) -> tuple[float, ...]:
     """Places z of the first and the last web of a crankshaft."""
-    found = webs(engine, shaft)
-    return (found[0], found[-1]) if found else ()
+    places = webs(engine, shaft)
+    return (places[0], places[-1]) if places else ()
 
 
 def end_planes(engine: Engine) -> tuple[float, float]:
-    """Where the weights of balance shafts stand unless told otherwise: half a bore pitch beyond the first and the last cylinder."""
+    """The usual planes of balance shaft weights, half a bore pitch beyond the end cylinders."""
     places = [cylinder.z for cylinder in engine.cylinders]
     room = _room(engine) / 2
     return max(places) + room, min(places) - room
 
 
 def _room(engine: Engine) -> float:
-    """A bore pitch; where an engine has none, its stroke; of cylinders that all but share a place, some of it."""
+    """A bore pitch; without one the stroke, or part of it for cylinders almost in one plane."""
     several = len({cylinder.z for cylinder in engine.cylinders}) > 1
     if "pitch" in engine.relative or "radius" in engine.relative:
         return engine.pitch

@@ -2,13 +2,16 @@
 
     minimise t    over x [n] and t    with    c + |A x + b| <= t    for the cones of the aim,
                                               c + |A x + b| <= L    for those of a limit L,
-                                              |x_j| <= B            for the pair of numbers of every plane.
+                                              |x_j| <= B            for the pair of every plane.
 
-For any l_i >= |v_i| with sum l_i = 1 over the cones of the aim, and any m_i >= |w_i| over those of limits, every feasible x has
+For any l_i >= |v_i| with sum l_i = 1 over the cones of the aim, and any m_i >= |w_i| over those of
+limits, every feasible x has
 
-    t >= sum l_i c_i + v_i b_i + sum m_i (c_i - L_i) + w_i b_i - B sum_j |g_j|,    g = sum A_i' v_i + sum A_i' w_i,
+    t >= sum l_i c_i + v_i b_i + sum m_i (c_i - L_i) + w_i b_i - B sum_j |g_j|,
+    g = sum A_i' v_i + sum A_i' w_i,
 
-which is the lower bound; the multipliers may come from anywhere. They come from Clarabel, which solves the programme.
+which is the lower bound; the multipliers may come from anywhere. They come from Clarabel, which
+solves the programme.
 
 Source: P. J. Goulart, Y. Chen, Clarabel, arXiv:2405.12762.
 """
@@ -21,13 +24,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from crankstar.phasor import Real
+from crankstar.spectra import Real
 
 PRECISION = 1e-11
 
 
 class Cone(NamedTuple):
-    """One norm: `offset + |matrix x + shift|`, x the up and right parts of all unbalances, one after the other."""
+    """One norm, `offset + |matrix x + shift|`; x has up and right of each unbalance in turn."""
 
     matrix: Real
     shift: Real
@@ -39,14 +42,14 @@ class Cone(NamedTuple):
 
 
 class Ceiling(NamedTuple):
-    """Cones that may not be above a limit."""
+    """Cones with an upper limit."""
 
     cones: Sequence[Cone]
     limit: float
 
 
 class Solution(NamedTuple):
-    """The best x, and a number that t cannot be below; x is None where no x is within the limits."""
+    """The best x, or None where no x is within the limits, and a lower bound of t."""
 
     x: Real | None
     bound: float
@@ -69,10 +72,10 @@ def solved(aim: Sequence[Cone], ceilings: Sequence[Ceiling], *, greatest: float)
             residual = aim[0].matrix @ x + aim[0].shift
             multipliers = [np.append(1.0, residual / np.linalg.norm(residual))]
             return Solution(x, lower_bound(aim, [], multipliers, greatest=greatest))
-    found = _interior_point(aim, ceilings, greatest, count)
-    if found is None:
+    optimum = _interior_point(aim, ceilings, greatest, count)
+    if optimum is None:
         return Solution(None, 0.0)
-    x, multipliers = found
+    x, multipliers = optimum
     bounds = [
         lower_bound(aim, ceilings, one, greatest=greatest)
         for one in (multipliers, _closed(aim, ceilings, x, multipliers, greatest))
@@ -80,19 +83,30 @@ def solved(aim: Sequence[Cone], ceilings: Sequence[Ceiling], *, greatest: float)
     return Solution(x, max(bounds))
 
 
-def _closed(aim: Sequence[Cone], ceilings: Sequence[Ceiling], x: Real, multipliers: Sequence[Real], greatest: float) -> list[Real]:
-    """Multipliers whose slope g is zero but for the planes at their greatest unbalance: the solver's, mended in proportion."""
+def _closed(
+    aim: Sequence[Cone],
+    ceilings: Sequence[Ceiling],
+    x: Real,
+    multipliers: Sequence[Real],
+    greatest: float,
+) -> list[Real]:
+    """The solver's multipliers, corrected so that g is zero but for planes at their limit."""
     every = [*aim, *(cone for ceiling in ceilings for cone in ceiling.cones)]
     free = np.repeat(np.abs(x.reshape(-1, 2) @ [1, 1j]) < greatest * (1 - 1e-6), 2)
-    slope = sum((cone.matrix.T @ one[1:] for cone, one in zip(every, multipliers, strict=True)), np.zeros(free.size))
+    slope = sum(
+        (cone.matrix.T @ one[1:] for cone, one in zip(every, multipliers, strict=True)),
+        np.zeros(free.size),
+    )
     sizes = [abs(float(one[0])) for one in multipliers]
     normal = sum(
-        (size * cone.matrix.T @ cone.matrix for cone, size in zip(every, sizes, strict=True)), np.zeros((free.size, free.size))
+        (size * cone.matrix.T @ cone.matrix for cone, size in zip(every, sizes, strict=True)),
+        np.zeros((free.size, free.size)),
     )
     step = np.zeros(free.size)
     step[free] = np.linalg.lstsq(normal[np.ix_(free, free)], -slope[free], rcond=1e-14)[0]
     return [
-        np.append(one[0], one[1:] + size * (cone.matrix @ step)) for cone, one, size in zip(every, multipliers, sizes, strict=True)
+        np.append(one[0], one[1:] + size * (cone.matrix @ step))
+        for cone, one, size in zip(every, multipliers, sizes, strict=True)
     ]
 
 
@@ -103,16 +117,26 @@ def _least_squares(aim: Sequence[Cone]) -> Real:
     return np.linalg.lstsq(matrix, -shift, rcond=1e-12)[0]
 
 
-def lower_bound(aim: Sequence[Cone], ceilings: Sequence[Ceiling], multipliers: Sequence[Real], *, greatest: float) -> float:
-    """A number below which t cannot be, from any multipliers (l, v) of the cones, first those of the aim."""
+def lower_bound(
+    aim: Sequence[Cone],
+    ceilings: Sequence[Ceiling],
+    multipliers: Sequence[Real],
+    *,
+    greatest: float,
+) -> float:
+    """A lower bound of t from any multipliers (l, v) of the cones, those of the aim first."""
     limited = [(cone, ceiling.limit) for ceiling in ceilings for cone in ceiling.cones]
     total = sum(float(max(one[0], np.linalg.norm(one[1:]))) for one in multipliers[: len(aim)])
     if not total > 0:
         return 0.0
     constant, slope = 0.0, np.zeros(aim[0].matrix.shape[1])
-    for (cone, limit), one in zip([*((cone, 0.0) for cone in aim), *limited], multipliers, strict=True):
+    for (cone, limit), one in zip(
+        [*((cone, 0.0) for cone in aim), *limited], multipliers, strict=True
+    ):
         vector = one[1:] / total
-        constant += float(max(one[0] / total, np.linalg.norm(vector))) * (cone.offset - limit) + float(vector @ cone.shift)
+        constant += float(max(one[0] / total, np.linalg.norm(vector))) * (
+            cone.offset - limit
+        ) + float(vector @ cone.shift)
         slope += cone.matrix.T @ vector
     return constant - greatest * float(np.abs(slope.reshape(-1, 2) @ [1, 1j]).sum())
 
@@ -120,7 +144,7 @@ def lower_bound(aim: Sequence[Cone], ceilings: Sequence[Ceiling], multipliers: S
 def _interior_point(
     aim: Sequence[Cone], ceilings: Sequence[Ceiling], greatest: float, count: int
 ) -> tuple[Real, list[Real]] | None:
-    """The best x and the multipliers of all cones but those of the planes; None where there is no feasible x."""
+    """The best x and the multipliers of all cones but the planes'; None if nothing is feasible."""
     try:
         solver: Any = import_module("clarabel")
         sparse: Any = import_module("scipy.sparse")
@@ -134,7 +158,7 @@ def _interior_point(
     sizes: list[int] = []
 
     def add(matrix: Real, shift: Real, head: Real, room: float) -> None:
-        """The cone |matrix x + shift| <= room - head (x, t), in the solver's form right - rows (x, t)."""
+        """The cone |matrix x + shift| <= room - head (x, t), as right - rows (x, t)."""
         rows.append(np.vstack([head, np.column_stack([-matrix, np.zeros(len(matrix))])]))
         right.append(np.append(room, shift) / unit)
         sizes.append(len(matrix) + 1)
@@ -154,7 +178,9 @@ def _interior_point(
     cost = np.append(np.zeros(count), 1.0)
     shape = [solver.SecondOrderConeT(size) for size in sizes]
     linear = sparse.csc_matrix((count + 1, count + 1))
-    answer = solver.DefaultSolver(linear, cost, sparse.csc_matrix(np.vstack(rows)), np.concatenate(right), shape, settings).solve()
+    answer = solver.DefaultSolver(
+        linear, cost, sparse.csc_matrix(np.vstack(rows)), np.concatenate(right), shape, settings
+    ).solve()
     if str(answer.status) in ("PrimalInfeasible", "AlmostPrimalInfeasible"):
         return None
     parts = np.split(np.array(answer.z), np.cumsum(sizes)[:-1])[:weighed]

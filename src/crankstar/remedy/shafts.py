@@ -1,17 +1,19 @@
-"""Balance shafts: which an engine needs, what each takes away, and where it must lie so that nothing rolls.
+"""Balance shafts: which an engine needs, what each cancels, where a pair must lie against roll.
 
-In order k = |n| an engine's force is a vector F turning one way and one turning the other; a shaft of speed ratio n turns
-with one of them. Weights u_j on it, in planes z_j, push with n^2 w^2 u_j. They cancel force and couple about z0 where
+In order k = |n| an engine's force is a vector F turning one way and one turning the other; a shaft
+of speed ratio n turns with one of them. Weights u_j on it, in planes z_j, push with n^2 w^2 u_j.
+They cancel force and couple about z0 where
 
     n^2 sum u_j = -F,    n^2 sum (z_j - z0) u_j = -M,
 
-and of all such weights those with the least sum of |u_j|^2 are taken. A straight line of force (the second order of a four)
-needs two shafts, of ratio 2 and -2, half each: F. W. Lanchester's pair. A couple of one sense needs one shaft with two
-opposite weights (the first order of a three).
+and of all such weights those with the least sum of |u_j|^2 are taken. A straight line of force (the
+second order of a four) needs two shafts, of ratio 2 and -2, half each: F. W. Lanchester's pair. A
+couple of one sense needs one shaft with two opposite weights (the first order of a three).
 
-Where a shaft lies changes force and couple not at all, but its push has an arm P about the crankshaft, and so a rolling
-moment Im(conj(P) F). A pair at different heights rolls with its order, and can take away the roll of the block of that
-order: shafts of unequal height, as Mitsubishi built them from 1974.
+Where a shaft lies changes force and couple not at all, but its push has an arm P about the
+crankshaft, and so a rolling moment Im(conj(P) F). A pair at different heights rolls with its order,
+and can take away the roll of the block of that order: shafts of unequal height, as Mitsubishi built
+them from 1974.
 """
 
 from __future__ import annotations
@@ -24,24 +26,35 @@ from typing import NamedTuple
 
 import numpy as np
 
-from crankstar import phasor
-from crankstar.balance import default_reference
-from crankstar.engine import GREATEST_SHAFTS, Engine
-from crankstar.mechanism import Totals, block_roll, mechanism, spectra, total
-from crankstar.phasor import Spectrum
-from crankstar.records import Shaft, Weight
-from crankstar.remedy.counterweights import NEGLIGIBLE, RemedyError, apart, least_weights, turned_weights
+from crankstar import spectra
+from crankstar.engine.assembly import GREATEST_SHAFTS
+from crankstar.engine.copies import with_shaft, with_values, with_weights
+from crankstar.engine.engine import Engine
+from crankstar.engine.records import Shaft, Weight
+from crankstar.language.messages import _
+from crankstar.mechanics import remains
+from crankstar.mechanics.balance import default_reference
+from crankstar.mechanics.excitation import Totals, part_spectra, rolling_moment, total
+from crankstar.mechanics.mechanism import mechanism
+from crankstar.remedy.counterweights import (
+    NEGLIGIBLE,
+    RemedyError,
+    apart,
+    least_weights,
+    turned_weights,
+)
 from crankstar.remedy.planes import end_webs
+from crankstar.spectra import Spectrum
 
 GREATEST_RATIO = 8
-HEARD = 1e-9
-"""Share of what all parts push in an order, or push together, below which it is nothing."""
+ZERO = remains.NEGLIGIBLE
+"""Share of the sum of all parts' sizes below which a vector is zero."""
 
 
 class Need(NamedTuple):
-    """A vector that a shaft of this speed ratio would take away: force (kg m) and couple about the middle (kg m^2) at 1 rad/s.
+    """A force (kg m) and couple about the middle (kg m^2) at 1 rad/s that one shaft would cancel.
 
-    `paired` tells whether the same order has a vector that turns the other way too.
+    `paired`: the same order has a vector that turns the other way too.
     """
 
     ratio: Fraction
@@ -50,82 +63,126 @@ class Need(NamedTuple):
     paired: bool
 
 
-def needs(engine: Engine, *, highest: int = 2, heard: float = HEARD) -> tuple[Need, ...]:
-    """The vectors of all orders up to `highest` that the engine is left with, each of which needs a shaft to go away.
+def needs(engine: Engine, *, highest: int = 2, zero: float = ZERO) -> tuple[Need, ...]:
+    """The vectors up to order `highest` that remain; each needs a shaft to cancel it.
 
-    Of ratio 1 the crankshaft itself is such a shaft, by its counterweights. A vector smaller than the share `heard` of what all
-    parts push is nothing.
+    For ratio 1 the crankshaft itself is such a shaft, by its counterweights. A vector below the
+    share `zero` of the sum of its parts counts as zero.
 
-    >>> from crankstar.catalog import load
+    >>> from crankstar.files.catalog import load
     >>> [str(need.ratio) for need in needs(load("i4"))]  # the pair of F. W. Lanchester
     ['2', '-2']
     >>> [(str(need.ratio), abs(need.force)) for need in needs(load("triple-120"))]  # couples alone
     [('1', 0.0), ('-1', 0.0), ('2', 0.0), ('-2', 0.0)]
     """
-    parts = spectra(mechanism(engine), reference=default_reference(engine))
+    parts = part_spectra(mechanism(engine), reference=default_reference(engine))
     sums = total(parts)
-    found: list[Need] = []
-    for order in sorted({Fraction(one).limit_denominator(1000) for one in sums.force.orders.tolist() if one <= highest + 1e-9}):
-        sides = [_vectors(parts, sums, order * sign, heard) for sign in (1, -1)]
-        found += [
+    remaining: list[Need] = []
+    for order in sorted(
+        {
+            Fraction(order).limit_denominator(1000)
+            for order in sums.force.orders.tolist()
+            if order <= highest + 1e-9
+        }
+    ):
+        sides = [_vectors(parts, sums, order * sign, zero) for sign in (1, -1)]
+        remaining += [
             Need(order * sign, force, couple, paired=all(any(side) for side in sides))
             for sign, (force, couple) in zip((1, -1), sides, strict=True)
             if force or couple
         ]
-    return tuple(found)
+    return tuple(remaining)
 
 
-def _vectors(parts: Totals, sums: Totals, ratio: Fraction, share: float = HEARD) -> tuple[complex, complex]:
-    """Force and couple that turn at this ratio, zero where they are nothing beside what the parts push."""
+def _vectors(
+    parts: Totals, sums: Totals, ratio: Fraction, share: float = ZERO
+) -> tuple[complex, complex]:
+    """Force and couple that turn at this ratio; zero where negligible beside the parts."""
     way = "forward" if ratio > 0 else "backward"
 
-    def heard(name: str) -> complex:
-        vector = complex(getattr(phasor.selected(getattr(sums, name), [abs(float(ratio))]), way)[0])
+    def vector_of(name: str) -> complex:
+        vector = complex(
+            getattr(spectra.selected(getattr(sums, name), [abs(float(ratio))]), way)[0]
+        )
         return vector if abs(vector) > share * _pushed(getattr(parts, name)) else 0j
 
-    return heard("force"), heard("couple")
+    return vector_of("force"), vector_of("couple")
 
 
 def _pushed(spectrum: Spectrum) -> float:
-    """What all parts push, in the order in which they push most, without regard to direction."""
-    return float((np.abs(spectrum.forward) + np.abs(spectrum.backward)).sum(axis=0).max(initial=0.0))
+    """The sum of the sizes of all parts, in the order in which it is greatest."""
+    return float(
+        (np.abs(spectrum.forward) + np.abs(spectrum.backward)).sum(axis=0).max(initial=0.0)
+    )
 
 
 def with_balance_shaft(
-    engine: Engine, *, ratio: Fraction | int, planes: Sequence[float], up: float = 0.0, right: float = 0.0
+    engine: Engine,
+    *,
+    ratio: Fraction | int,
+    planes: Sequence[float],
+    up: float = 0.0,
+    right: float = 0.0,
 ) -> Engine:
-    """The engine with one more shaft, at `up`, `right` of the crankshaft (m or crank radii), with weights in these planes.
+    """The engine with one more shaft at `up`, `right` of the crankshaft, weights in these planes.
 
-    `ratio` is its speed per turn of the crankshaft, negative against it; `planes` are places along it: two or more, or one
-    in which the force alone acts. Raises RemedyError, also where there is nothing for it to balance.
+    `ratio` is its speed per turn of the crankshaft, negative against it; `planes` are places along
+    it: two or more, or one in which the force alone acts. Raises RemedyError, also where there is
+    nothing for it to balance.
 
-    >>> from crankstar import balance, load, phasor, total
-    >>> pair = with_balance_shaft(with_balance_shaft(load("i4"), ratio=2, planes=[1, -1]), ratio=-2, planes=[1, -1])
-    >>> second = phasor.selected(total(balance(pair)).force, 2)
+    >>> from crankstar import balance, load, spectra, total
+    >>> single = with_balance_shaft(load("i4"), ratio=2, planes=[1, -1])
+    >>> pair = with_balance_shaft(single, ratio=-2, planes=[1, -1])
+    >>> second = spectra.selected(total(balance(pair)).force, 2)
     >>> bool(abs(second.forward[0]) + abs(second.backward[0]) < 1e-15)  # F. W. Lanchester's pair
     True
     """
     if not isfinite(up) or not isfinite(right):
-        raise RemedyError("the place of a balance shaft is not finite; give up and right in metres (or crank radii)")
+        raise RemedyError(
+            _("the place of a balance shaft is not finite; give up and right as finite lengths")
+        )
     ratio = _fraction(ratio)
     if ratio == 0 or abs(ratio) > GREATEST_RATIO:
         raise RemedyError(
-            f"a balance shaft with speed ratio {ratio} is not possible; give one from -{GREATEST_RATIO} to {GREATEST_RATIO}, not 0"
+            _(
+                "a balance shaft cannot have the speed ratio {ratio}; give one from -{greatest} to "
+                "{greatest}, not 0",
+                ratio=ratio,
+                greatest=GREATEST_RATIO,
+            )
         )
     if not planes or len(set(planes)) < len(planes):
-        raise RemedyError("a balance shaft needs planes for its weights, all different; two are enough")
+        raise RemedyError(
+            _("a balance shaft needs planes for its weights, all different; two are enough")
+        )
     apart(engine, planes)
     if len(engine.shafts) >= GREATEST_SHAFTS:
-        raise RemedyError(f"the engine has {len(engine.shafts)} shafts already; more than {GREATEST_SHAFTS} are not possible")
+        raise RemedyError(
+            _(
+                "the engine already has {count} shafts; the greatest number is {greatest}",
+                count=len(engine.shafts),
+                greatest=GREATEST_SHAFTS,
+            )
+        )
     reference = default_reference(engine)
-    parts = spectra(mechanism(engine), reference=reference)
+    parts = part_spectra(mechanism(engine), reference=reference)
     force, couple = _vectors(parts, total(parts), ratio)
     if not (force or couple):
-        turning = "with" if ratio > 0 else "against"
         raise RemedyError(
-            f"nothing of order {abs(ratio)} turns {turning} the crankshaft: a shaft with speed ratio {ratio} has no use"
+            _(
+                "no force or couple of order {order} turns with a shaft of speed ratio {ratio}: it "
+                "has no use",
+                order=abs(ratio),
+                ratio=ratio,
+            )
         )
-    vectors = _unbalances(force, couple, [plane - reference.z for plane in planes], float(ratio) ** 2, _pushed(parts.couple))
+    vectors = _unbalances(
+        force,
+        couple,
+        [plane - reference.z for plane in planes],
+        float(ratio) ** 2,
+        _pushed(parts.couple),
+    )
     scale = max(map(abs, vectors))
     weights = tuple(
         Weight(unbalance=abs(vector), angle=phase(vector), z=plane)
@@ -133,99 +190,161 @@ def with_balance_shaft(
         if abs(vector) > NEGLIGIBLE * scale
     )
     shaft = Shaft(name=_name(engine, ratio), speed_ratio=ratio, up=up, right=right, weights=weights)
-    return engine.model_copy(update={"shafts": (*engine.shafts, shaft)})
+    return with_shaft(engine, shaft)
 
 
-def _unbalances(force: complex, couple: complex, arms: Sequence[float], squared: float, pushed: float) -> list[complex]:
+def _unbalances(
+    force: complex, couple: complex, arms: Sequence[float], squared: float, pushed: float
+) -> list[complex]:
     if len(arms) > 1:
         return least_weights(force=-force / squared, moment=-couple / squared, planes=arms)
-    if abs(couple - arms[0] * force) > HEARD * pushed:
-        raise RemedyError("one plane takes away a force that acts in it, and here is a couple too; give two planes or more")
+    if abs(couple - arms[0] * force) > ZERO * pushed:
+        raise RemedyError(_("one plane cannot cancel a couple; give two planes or more"))
     return [-force / squared]
 
 
 def with_turning_cancelled(engine: Engine, *, ratio: Fraction | int) -> Engine:
-    """The engine with what is left of the vector that turns at this speed ratio taken away by the crankshafts of that ratio.
+    """The engine with the vector of this ratio cancelled on the end webs of its crankshafts.
 
-    It is added to the weights on their end webs, and is the least that does it. A balance factor cannot always do it: no share of
-    the reciprocating masses is what turns with the crank where cylinder axes miss it. Raises RemedyError if no crankshaft has
-    this ratio.
+    The least unbalance that does it is added to the weights there. A balance factor cannot always
+    do it: where cylinder axes miss the crank axis, no share of the reciprocating masses turns with
+    the crank. Raises RemedyError if no crankshaft has this ratio.
 
-    >>> from crankstar.catalog import load
-    >>> [str(need.ratio) for need in needs(with_turning_cancelled(load("vw-vr6"), ratio=1), highest=1)]
+    >>> from crankstar.files.catalog import load
+    >>> quiet = with_turning_cancelled(load("vw-vr6"), ratio=1)
+    >>> [str(need.ratio) for need in needs(quiet, highest=1)]
     ['-1']
     """
     ratio = _fraction(ratio)
-    places = [place for place, shaft in enumerate(engine.shafts) if shaft.throws and shaft.speed_ratio == ratio]
+    places = [
+        place
+        for place, shaft in enumerate(engine.shafts)
+        if shaft.throws and shaft.speed_ratio == ratio
+    ]
     if not places:
-        raise RemedyError(f"no crankshaft has the speed ratio {ratio}; a balance shaft can take away what turns with it")
+        raise RemedyError(
+            _("no crankshaft has the speed ratio {ratio}; use a balance shaft", ratio=ratio)
+        )
     reference = default_reference(engine)
-    parts = spectra(mechanism(engine), reference=reference)
+    parts = part_spectra(mechanism(engine), reference=reference)
     force, couple = _vectors(parts, total(parts), ratio)
     if not (force or couple):
         return engine
     at = [(place, plane) for place in places for plane in end_webs(engine, engine.shafts[place])]
-    vectors = _unbalances(force, couple, [plane - reference.z for _, plane in at], float(ratio) ** 2, _pushed(parts.couple))
-    shafts = list(engine.shafts)
+    vectors = _unbalances(
+        force,
+        couple,
+        [plane - reference.z for place, plane in at],
+        float(ratio) ** 2,
+        _pushed(parts.couple),
+    )
+    shafts = engine.shafts
+    weights: dict[str, Sequence[Weight]] = {}
     for place in places:
-        there = [(weight.z, weight.unbalance * np.exp(1j * weight.angle)) for weight in shafts[place].weights]
-        there += [(plane, vector) for (where, plane), vector in zip(at, vectors, strict=True) if where == place]
-        planes = list(dict.fromkeys(plane for plane, _ in there))
-        sums = [sum(vector for one, vector in there if one == plane) for plane in planes]
-        shafts[place] = shafts[place].model_copy(update={"weights": tuple(turned_weights(sums, planes))})
-    return engine.model_copy(update={"shafts": tuple(shafts)})
+        there = [
+            (weight.z, weight.unbalance * np.exp(1j * weight.angle))
+            for weight in shafts[place].weights
+        ]
+        there += [
+            (plane, vector)
+            for (where, plane), vector in zip(at, vectors, strict=True)
+            if where == place
+        ]
+        planes = list(dict.fromkeys(z for z, vector in there))
+        sums = [sum(vector for z, vector in there if z == plane) for plane in planes]
+        homes = {weight.z: weight.throw for weight in shafts[place].weights}
+        weights[shafts[place].name] = turned_weights(
+            sums, planes, throws=[homes.get(plane) for plane in planes]
+        )
+    return with_weights(engine, weights)
 
 
 def with_balance_shafts(
-    engine: Engine, *, planes: Sequence[float], highest: int = 2, between: float = 0.0, right: float = 0.0, up: float = 0.0
+    engine: Engine,
+    *,
+    planes: Sequence[float],
+    highest: int = 2,
+    between: float = 0.0,
+    right: float = 0.0,
+    up: float = 0.0,
 ) -> Engine:
-    """The engine with a shaft for every vector up to order `highest` that its own counterweights cannot take away.
+    """The engine with a shaft for every vector up to order `highest` but those of ratio 1.
 
-    Give it its counterweights first. Shafts of a pair lie `between` from each other, left and right of `up`, `right`; single
-    ones lie there.
+    Add counterweights first. The shafts of a pair lie `between` apart, left and right of `up`,
+    `right`; single ones lie there.
     """
     for need in needs(engine, highest=highest):
         if need.ratio != 1:
-            aside = (between / 2 if need.ratio > 0 else -between / 2) if need.paired and abs(need.ratio) != 1 else 0.0
-            engine = with_balance_shaft(engine, ratio=need.ratio, planes=planes, up=up, right=right + aside)
+            aside = (
+                (between / 2 if need.ratio > 0 else -between / 2)
+                if need.paired and abs(need.ratio) != 1
+                else 0.0
+            )
+            engine = with_balance_shaft(
+                engine, ratio=need.ratio, planes=planes, up=up, right=right + aside
+            )
     return engine
 
 
 def with_roll_cancelled(engine: Engine, *, order: Fraction | int) -> Engine:
-    """The engine with its two balance shafts of ratio +-`order` moved, as little as can be, so that the block does not roll.
+    """The engine with its balance shafts of ratio +-`order` moved just enough to stop the roll.
 
-    The roll of the block is what it feels when flywheel and driveline take the torque (`mechanism.block_roll`). Raises
-    RemedyError where there is no such pair, or it has no force to do it with.
+    The roll of the block is what it feels when flywheel and driveline take the torque
+    (`excitation.rolling_moment`). Raises RemedyError where there is no such pair, or it has no
+    force to do it with.
 
-    >>> from crankstar import balance, load, phasor, total
+    >>> from crankstar import balance, load, spectra, total
     >>> pair = with_balance_shafts(load("i4"), planes=[0.0])
     >>> level = with_roll_cancelled(pair, order=2)
     >>> [round(shaft.up, 3) for shaft in level.shafts[1:]]  # apart by nearly a rod length, 4 r
     [1.969, -1.969]
     """
     order = abs(_fraction(order))
-    pair = [place for place, s in enumerate(engine.shafts) if s.weights and not s.throws and abs(s.speed_ratio) == order]
+    pair = [
+        place
+        for place, s in enumerate(engine.shafts)
+        if s.weights and not s.throws and abs(s.speed_ratio) == order
+    ]
     if sorted(engine.shafts[place].speed_ratio for place in pair) != [-order, order]:
-        raise RemedyError(f"there is no pair of balance shafts of speed ratios {order} and -{order} whose heights could be chosen")
+        raise RemedyError(
+            _(
+                "there is no pair of balance shafts of speed ratios {order} and -{order} to move",
+                order=order,
+            )
+        )
     columns: list[complex] = []
     for place in pair:
         shaft = engine.shafts[place]
-        push = float(order) ** 2 * sum(weight.unbalance * np.exp(1j * weight.angle) for weight in shaft.weights)
+        push = float(order) ** 2 * sum(
+            weight.unbalance * np.exp(1j * weight.angle) for weight in shaft.weights
+        )
         # Re(c exp(i k theta)) of Im(conj(P) F) for P = 1 (up) and P = i (right)
-        up, right = _roll_of(engine, push, shaft.speed_ratio, 1.0), _roll_of(engine, push, shaft.speed_ratio, 1j)
+        up, right = (
+            _roll_of(engine, push, shaft.speed_ratio, 1.0),
+            _roll_of(engine, push, shaft.speed_ratio, 1j),
+        )
         columns += [up, right]
     matrix = np.array([np.real(columns), np.imag(columns)])
-    rest = complex(phasor.amplitude(phasor.selected(_roll(engine), [float(order)]))[0])
+    rest = complex(spectra.amplitude(spectra.selected(_roll(engine), [float(order)]))[0])
     move = np.linalg.pinv(matrix, rcond=1e-9) @ -np.array([rest.real, rest.imag])
     shafts = list(engine.shafts)
     for place, (up, right) in zip(pair, move.reshape(2, 2), strict=True):
-        shafts[place] = shafts[place].model_copy(
-            update={"up": _rounded(shafts[place].up + up, move), "right": _rounded(shafts[place].right + right, move)}
+        shafts[place] = with_values(
+            shafts[place],
+            up=_rounded(shafts[place].up + up, move),
+            right=_rounded(shafts[place].right + right, move),
         )
-    moved = engine.model_copy(update={"shafts": tuple(shafts)})
-    left = complex(phasor.amplitude(phasor.selected(_roll(moved), [float(order)]))[0])
-    if abs(left) > HEARD * max(abs(rest), _pushed(spectra(mechanism(engine)).roll)):
-        raise RemedyError(f"the pair of ratios {order} and -{order} has no force of the kind that could take away the roll")
+    moved = with_values(engine, shafts=tuple(shafts))
+    left = complex(spectra.amplitude(spectra.selected(_roll(moved), [float(order)]))[0])
+    if abs(left) > ZERO * max(abs(rest), _pushed(part_spectra(mechanism(engine)).axis_moment)):
+        raise RemedyError(
+            _(
+                "the pair of ratios {order} and -{order} has no force of the kind that could "
+                "cancel "
+                "the roll",
+                order=order,
+            )
+        )
     return moved
 
 
@@ -233,7 +352,13 @@ def _fraction(ratio: Fraction | int) -> Fraction:
     try:
         return Fraction(ratio)
     except (ValueError, OverflowError, ZeroDivisionError, TypeError):
-        raise RemedyError(f"{ratio} is no speed ratio; give a whole number or a fraction, negative against the crank") from None
+        raise RemedyError(
+            _(
+                "{ratio} is not a speed ratio; give a whole number or a fraction, negative against "
+                "the crank",
+                ratio=ratio,
+            )
+        ) from None
 
 
 def _rounded(value: float, among: np.ndarray) -> float:
@@ -242,15 +367,22 @@ def _rounded(value: float, among: np.ndarray) -> float:
 
 
 def _roll(engine: Engine) -> Spectrum:
-    return block_roll(total(spectra(mechanism(engine), reference=default_reference(engine))))
+    return rolling_moment(
+        total(part_spectra(mechanism(engine), reference=default_reference(engine)))
+    )
 
 
 def _roll_of(engine: Engine, push: complex, ratio: Fraction, place: complex) -> complex:
     """Amplitude of the roll about the crankshaft of a force that turns at a ratio, at a place."""
     vector, none = np.array([push]), np.zeros(1, complex)
     ahead = ratio > 0
-    force = Spectrum(np.array([abs(float(ratio))]), vector if ahead else none, none if ahead else vector, engine.sense)
-    return complex(phasor.horizontal(phasor.scaled(force, np.conj(place)))[0])
+    force = Spectrum(
+        np.array([abs(float(ratio))]),
+        vector if ahead else none,
+        none if ahead else vector,
+        engine.sense,
+    )
+    return complex(spectra.horizontal(spectra.scaled(force, np.conj(place)))[0])
 
 
 def _name(engine: Engine, ratio: Fraction) -> str:

@@ -1,21 +1,23 @@
-"""The report on an engine: one HTML file that needs neither script nor network, and a PDF of it through a system Chromium.
+"""The report on an engine: one HTML file without script or network, or a PDF of it.
 
-| module | one line |
+| module, bottom to top | one line |
 |---|---|
-| `printing` | the report as a PDF, by a Chromium that is there |
-| `document` | the sections put together, with the style sheet and its hash |
-| `ending` | sources, conventions, the command that makes the report again |
-| `whirling` | the paths of the ends of the crankshaft if nothing held the engine |
-| `cures` | what weights and balance shafts do: before and after |
-| `pages` | crankshaft, strokes, orders, vectors, derivations, another engine beside it |
-| `title` | the first page: data, and the verdict |
-| `gallery` | the figures, drawn while the words are being written |
-| `matter` | what a report is about |
-| `markup` | tables and sentences of the terminal as HTML |
+| `markup` | sections, figures and tables as HTML |
+| `subject` | the engine, its speed and orders |
+| `projections` | directions of sight, solids drawn along them |
+| `views` | the engine from the front, the side and above |
+| `gallery` | the figures, drawn in threads |
+| `title` | the first page: data and verdict |
+| `pages` | crankshaft, strokes, orders, vectors, derivations, comparison |
+| `whirling` | the paths of the crankshaft's ends in an unmounted engine |
+| `remedies` | counterweights and balance shafts: before and after |
+| `sources` | the last pages: sources, conventions, the command |
+| `document` | all sections, with the style sheet and its hash |
+| `printing` | the PDF, printed by an installed Chromium |
 """
 
 from crankstar.report.document import report
-from crankstar.report.matter import Matter
 from crankstar.report.printing import PrintingError, browser, pdf
+from crankstar.report.subject import Subject
 
-__all__ = ["Matter", "PrintingError", "browser", "pdf", "report"]
+__all__ = ["PrintingError", "Subject", "browser", "pdf", "report"]

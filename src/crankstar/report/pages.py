@@ -1,4 +1,4 @@
-"""The middle of a report: crankshaft and strokes, orders and their vectors, derivations, another engine beside it."""
+"""The middle of a report: views, crankshaft, strokes, orders, vectors, derivations, comparison."""
 
 from __future__ import annotations
 
@@ -7,152 +7,199 @@ from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
 
-from rich.console import Group
-
-from crankstar import derive, description, tables
+from crankstar import derive
 from crankstar.derive import documents
-from crankstar.fault import EngineError
+from crankstar.firing.strokes import working_cycle
+from crankstar.language.faults import EngineError
+from crankstar.language.messages import N_, _
+from crankstar.language.numbers import number
 from crankstar.report.gallery import Gallery
-from crankstar.report.markup import figure, figures, of, paragraph, section
-from crankstar.report.matter import Matter, Quantity
-from crankstar.stroke_table import stroke_tables
-from crankstar.views import views
-from crankstar.wording import number, timing_lines
+from crankstar.report.markup import figure, figures, parts_html, section
+from crankstar.report.subject import Quantity, Subject
+from crankstar.report.views import views
+from crankstar.tables import analysis, comparison, engines, strokes
+from crankstar.tables.headings import timing_lines
+from crankstar.tables.html import paragraph
 
 BOTH: tuple[Quantity, Quantity] = ("force", "couple")
-FULL = (1.0, 2.0)
-"""The orders whose derivation is given step by step unless orders are named; of the others the result."""
+STEP_BY_STEP = (1.0, 2.0)
+"""The orders that are derived step by step unless orders are named; of others the result."""
 MANY = 16
-"""Pistons from which on only results are given: step by step an order of a Deltic takes ten pages."""
-
+"""Pistons above which only results are given; the steps of an order of a Deltic take ten pages."""
 LEVEL = re.compile(r"(?<=<h)[23](?=>)|(?<=</h)[23](?=>)")
-"""The level of a heading of a derivation, which stands in a section of the report."""
+"""The level of a heading of a derivation, which is in a section of the report."""
+PATHS = {
+    "force": N_("The path of the force of order {order}."),
+    "couple": N_("The path of the couple of order {order}."),
+}
+ALL_PATHS = {
+    "force": N_("The path of the force, all orders."),
+    "couple": N_("The path of the couple, all orders."),
+}
+STARS = {
+    "force": N_("The force vectors of order {order}."),
+    "couple": N_("The couple vectors of order {order}."),
+}
+POLYGONS = {
+    ("force", True): N_("Head to tail, with the remaining force of order {order}."),
+    ("couple", True): N_("Head to tail, with the remaining couple of order {order}."),
+    ("force", False): N_("Head to tail: the polygon is closed, no force of order {order} remains."),
+    ("couple", False): N_(
+        "Head to tail: the polygon is closed, no couple of order {order} remains."
+    ),
+}
+CURVES = {
+    "force": N_("Force over the crank angle."),
+    "couple": N_("Couple over the crank angle."),
+    "torque": N_("Inertia torque over the crank angle."),
+}
+ZERO = {"force": N_("force of order {order}"), "couple": N_("couple of order {order}")}
 
-Page = Callable[[Matter, Gallery], str]
+Page = Callable[[Subject, Gallery], str]
 """A section of the report."""
 
 
-def looks(matter: Matter, gallery: Gallery) -> str:  # noqa: ARG001 - all pages are made alike
-    """The engine from the front, the side and above, and what of its proportions is assumed."""
-    captions = ("From the front.", "From the right side; the front is at the left.", "From above; the front is at the left.")
-    drawn = [figure(*pair) for pair in zip(views(matter.scene, name=matter.engine.name), captions, strict=True)]
-    assumed = "".join(paragraph(line, "note") for line in matter.scene.assumed)
-    told = paragraph("Drawn at θ = 0 to one scale, the crankshaft in red.")
-    return section("Views", told + figures(drawn, "views") + assumed, name="views")
+def drawings(subject: Subject, gallery: Gallery) -> str:  # noqa: ARG001 - one signature for all
+    """The engine from the front, the side and above, and the assumed proportions."""
+    captions = (
+        _("From the front."),
+        _("From the right side; the front is at the left."),
+        _("From above; the front is at the left."),
+    )
+    pairs = zip(views(subject.engine, subject.scene), captions, strict=True)
+    lead = paragraph(_("At θ = 0, all to one scale; the crankshaft is red."))
+    assumed = "".join(paragraph(line, "note") for line in subject.scene.assumed)
+    drawn = figures([figure(drawing, caption) for drawing, caption in pairs], "views")
+    return section(_("Views"), lead + drawn + assumed, name="views")
 
 
-def crankshaft(matter: Matter, gallery: Gallery) -> str:
-    """Throws, cylinders, harmonics as tables, the crank star, and every shaft from the side."""
-    engine = matter.engine
+def crankshaft(subject: Subject, gallery: Gallery) -> str:
+    """Throws, cylinders and harmonics as tables, the crank star, and every shaft from the side."""
+    engine = subject.engine
     drawn = [
-        gallery.figure("crank-star", "The throws seen from the front; the numbers are those of the cylinders."),
-        gallery.figure("shaft", "The shaft from the side, with the arms of the forces."),
-    ]
-    shown = Group(description.rotors(engine), description.cylinders(engine), description.harmonics(engine))
-    return section("Crankshaft and cylinders", figures(drawn) + of(shown), name="crankshaft")
-
-
-def strokes(matter: Matter, gallery: Gallery) -> str:
-    """Strokes, valve events and exhausts."""
-    try:
-        shown = stroke_tables(matter.engine)
-    except EngineError:
-        told = "The engine file gives no firing order, and without one nobody knows which stroke a cylinder is on."
-        if matter.engine.firing_order:
-            told = "The crankshafts turn at different speeds; their cylinders have no common working cycle."
-        lines = "".join(paragraph(line) for line in timing_lines(matter.engine)) if matter.engine.valves is not None else ""
-        return section("Strokes", paragraph(told) + lines, name="strokes")
-    drawn = [
-        gallery.figure("stroke-chart", "When intake and exhaust are open, and when each cylinder fires."),
-        gallery.figure("firing-ring", "The cylinders round the working cycle."),
-    ]
-    rest = Group(*shown.renderables[1:]) if isinstance(shown, Group) else shown  # the heading is on the first page
-    return section("Strokes", figures(drawn) + of(rest), name="strokes")
-
-
-def orders(matter: Matter, gallery: Gallery) -> str:
-    """The table of orders, the spectrum, and the paths of what remains."""
-    shown = tables.report(matter.shown)
-    rest = Group(*shown.renderables[1:]) if isinstance(shown, Group) else shown
-    drawn = [gallery.figure("spectrum", "How great force, couple and roll of each order become.", speed=matter.at)]
-    paths = [
         gallery.figure(
-            "hodograph", f"The path of the {quantity} of order {number(order)}.", order=order, quantity=quantity, speed=matter.at
-        )
-        for quantity in BOTH
-        for order in matter.left(quantity)
+            "crank-star", _("The throws, seen from the front, with the numbers of the cylinders.")
+        ),
+        gallery.figure("shaft", _("The shaft from the side, with the lever arms of the forces.")),
     ]
-    return section("Orders", of(rest) + figures([*drawn, *paths]), name="orders")
+    tables = parts_html(
+        [engines.rotors(engine), engines.cylinders(engine), *engines.harmonics(engine)]
+    )
+    return section(_("Crankshaft and cylinders"), figures(drawn) + tables, name="crankshaft")
 
 
-def vectors(matter: Matter, gallery: Gallery) -> str:
-    """The vector star and the polygon of every order that matters."""
-    out: list[str] = []
-    for quantity in BOTH:
-        for order in matter.pushing(quantity):
-            asked = {"order": order, "quantity": quantity, "speed": matter.at}
-            name = f"{quantity} of order {number(order)}"
-            star = gallery.figure("vector-star", f"The vectors of the cylinders: {name}.", **asked)
-            polygon = gallery.figure("polygon", f"The same head to tail: {_sum(matter, quantity, order)}.", **asked)
-            out.append(f'<div class="pair">{star}{polygon}</div>')
-    return section("Vector stars and polygons", "".join(out), name="vectors")
-
-
-def _sum(matter: Matter, quantity: Quantity, order: float) -> str:
-    return f"the {quantity} that remains" if order in matter.left(quantity) else "closed, nothing remains"
-
-
-def over_the_turn(matter: Matter, gallery: Gallery) -> str:
-    """Force, couple and roll over the crank angle."""
+def strokes_page(subject: Subject, gallery: Gallery) -> str:
+    """Strokes, valve events and exhausts."""
+    engine, name = subject.engine, "strokes"
+    try:
+        cycle = working_cycle(engine) if engine.firing_order else None
+        missing = _("The engine file gives no firing order, so the strokes are unknown.")
+    except EngineError:
+        cycle = None
+        missing = _("The crankshafts differ in speed, so the cylinders have no common cycle.")
+    if cycle is None:
+        lines = timing_lines(engine) if engine.valves is not None else []
+        return section(_("Strokes"), "".join(map(paragraph, [missing, *lines])), name=name)
     drawn = [
-        gallery.figure("over-turn", f"{quantity.capitalize()} over the crank angle.", quantity=quantity, speed=matter.at)
-        for quantity in ("force", "couple", "torque")
-        if quantity != "couple" or matter.left(quantity)
+        gallery.figure("stroke-chart", _("Open intake and exhaust, and ignition.")),
+        gallery.figure("firing-ring", _("The cylinders round the working cycle.")),
     ]
-    return section("Over the crank angle", figures(drawn), name="turn")
+    tables = parts_html(strokes.tables(engine, cycle))
+    return section(_("Strokes"), figures(drawn) + tables, name=name)
 
 
-def derivations(matter: Matter, gallery: Gallery) -> str:  # noqa: ARG001 - all pages are made alike
-    """How each order comes about, exactly: step by step for those that matter most, the result of the others."""
-    chapters: list[derive.Chapter] = []
-    proved: list[str] = []
+def orders(subject: Subject, gallery: Gallery) -> str:
+    """The tables of orders, the spectrum, and the paths of the remaining vectors."""
+    at = subject.at
+    drawn = [gallery.figure("spectrum", _("Peak force, couple and roll of each order."), speed=at)]
     for quantity in BOTH:
-        for order in matter.shown.orders:
-            if quantity == "couple" and not matter.pushing("couple"):
+        for order in subject.remaining(quantity):
+            caption = _(PATHS[quantity], order=number(order))
+            options = {"order": order, "quantity": quantity, "speed": at}
+            drawn.append(gallery.figure("hodograph", caption, **options))
+    notes = "".join(paragraph(line, "note") for line in analysis.conditions(subject.shown))
+    tables = parts_html(analysis.tables(subject.shown))
+    return section(_("Orders"), notes + tables + figures(drawn), name="orders")
+
+
+def vectors(subject: Subject, gallery: Gallery) -> str:
+    """The vector star and the polygon of every drawn order."""
+    pairs: list[str] = []
+    for quantity in BOTH:
+        for order in subject.drawn(quantity):
+            options = {"order": order, "quantity": quantity, "speed": subject.at}
+            named = {"order": number(order)}
+            remaining = order in subject.remaining(quantity)
+            star = gallery.figure("vector-star", _(STARS[quantity], **named), **options)
+            caption = _(POLYGONS[quantity, remaining], **named)
+            polygon = gallery.figure("polygon", caption, **options)
+            pairs.append(f'<div class="pair">{star}{polygon}</div>')
+    return section(_("Vector stars and polygons"), "".join(pairs), name="vectors")
+
+
+def over_the_turn(subject: Subject, gallery: Gallery) -> str:
+    """Force, couple and torque over the crank angle."""
+    drawn = [
+        gallery.figure("over-turn", _(caption), quantity=quantity, speed=subject.at)
+        for quantity, caption in CURVES.items()
+        if quantity != "couple" or subject.remaining("couple")
+    ]
+    return section(_("Over the crank angle"), figures(drawn), name="turn")
+
+
+def derivations(subject: Subject, gallery: Gallery) -> str:  # noqa: ARG001 - one signature for all
+    """The exact derivation of each order: step by step, or the result alone."""
+    many = len(subject.engine.cylinders) > MANY
+    chapters: list[derive.Chapter] = []
+    zero: list[str] = []
+    for quantity in BOTH:
+        for order in subject.shown.orders:
+            if quantity == "couple" and not subject.drawn("couple"):
                 continue
+            ratio = Fraction(order).limit_denominator(1000)
             try:
-                found = derive.derivation(matter.engine, Fraction(order).limit_denominator(1000), quantity, speed=matter.at)
+                result = derive.derivation(subject.engine, ratio, quantity, speed=subject.at)
             except derive.DerivationError:
                 continue
-            if found.zero and not found.why:
-                proved.append(f"{quantity} of order {number(order)}")
-            whole = len(matter.engine.cylinders) <= MANY and (matter.orders or order in FULL)
-            chapters.append(found.chapter if whole else replace(found.chapter, steps=found.steps[-2:-1]))
+            if result.zero and not result.why:
+                zero.append(_(ZERO[quantity], order=number(order)))
+            whole = not many and (subject.orders or order in STEP_BY_STEP)
+            short = replace(result.chapter, steps=result.steps[-2:-1])
+            chapters.append(result.chapter if whole else short)
     if not chapters:
         return ""
-    told = f"Proved to be exactly zero: {', '.join(proved)}." if proved else "None of these orders is exactly zero."
-    if len(matter.engine.cylinders) > MANY:
-        told += " Given here are the results; crankstar derive gives every step."
-    shown = "".join(documents.html_parts(chapters))
-    return section("Derivations", paragraph(told) + LEVEL.sub(_lower, shown), name="derivations")
+    lead = _("None of these orders is exactly zero.")
+    if zero:
+        lead = _("Proved to be exactly zero: {quantities}.", quantities=", ".join(zero))
+    notes = [lead]
+    if many:
+        notes.append(_("Only the results are given; `crankstar derive` prints every step."))
+    lowered = LEVEL.sub(_lower, "".join(documents.html_parts(chapters)))
+    body = "".join(map(paragraph, notes)) + lowered
+    return section(_("Derivations"), body, name="derivations")
 
 
 def _lower(level: re.Match[str]) -> str:
     return str(int(level.group()) + 1)
 
 
-def beside(matter: Matter, gallery: Gallery) -> str:
-    """The other engine: every order of both, and what can be drawn on common axes."""
-    other = matter.beside
+def beside(subject: Subject, gallery: Gallery) -> str:
+    """The other engine: the orders of both as a table and as figures on common axes."""
+    other = subject.beside
     if other is None:
         return ""
-    pair = [tables.analysis(one, speed=matter.speed) for one in (matter.engine, other)]
-    if matter.orders:
-        pair = [one._replace(orders=matter.orders, turning=matter.orders) for one in pair]
-    speed = matter.at if all(one.real is not None for one in pair) else None
-    drawn = [gallery.figure("spectrum", "The spectra of both.", "wide", beside=other, speed=speed)]
+    pair = [subject.analysis_of(engine) for engine in (subject.engine, other)]
+    speed = subject.at if all(engine.real is not None for engine in pair) else None
+    drawn = [
+        gallery.figure(
+            "spectrum", _("The spectra of both engines."), "wide", beside=other, speed=speed
+        )
+    ]
     for quantity in BOTH:
-        if matter.pushing(quantity):
-            caption = f"The path of the {quantity} of all orders."
-            drawn.append(gallery.figure("hodograph", caption, "wide", beside=other, quantity=quantity, speed=speed))
-    return section(f"Beside {other.name}", of(tables.comparison(pair)) + figures(drawn), name="beside")
+        if subject.drawn(quantity):
+            options = {"beside": other, "quantity": quantity, "speed": speed}
+            drawn.append(gallery.figure("hodograph", _(ALL_PATHS[quantity]), "wide", **options))
+    title = _("Comparison with {engine}", engine=other.name)
+    compared = comparison.comparison(pair)
+    tables = paragraph(compared.title) + parts_html(compared.parts)
+    return section(title, tables + figures(drawn), name="beside")

@@ -1,4 +1,4 @@
-"""How the engine would move if nothing held it: the paths of both ends of the crankshaft, seen from the front."""
+"""The free response: the paths of both ends of the crankshaft of an unmounted engine."""
 
 from __future__ import annotations
 
@@ -8,63 +8,81 @@ from typing import NamedTuple
 
 import numpy as np
 
-from crankstar import phasor
-from crankstar.exhibit.numbers import free_response as free
-from crankstar.exhibit.proportions import proportions
-from crankstar.exhibit.records import Pair, Vectors, Whirl
-from crankstar.phasor import Complex, Spectrum
+from crankstar import spectra
+from crankstar.language.messages import N_, _
+from crankstar.language.numbers import NEGLIGIBLE, number
+from crankstar.page.orders import free_response as free
+from crankstar.page.proportions import proportions
+from crankstar.page.records import Pair, Vectors, Whirl
 from crankstar.report.gallery import Gallery
-from crankstar.report.markup import figure, figures, paragraph, section, table, text
-from crankstar.report.matter import Matter
-from crankstar.wording import NEGLIGIBLE, number, shape
+from crankstar.report.markup import figure, figures, parts_html, section
+from crankstar.report.subject import Subject
+from crankstar.spectra import Complex, Spectrum
+from crankstar.tables.html import paragraph, text
+from crankstar.tables.paths import shape
+from crankstar.tables.table import Column, Table, Value
 
 SIDE, MARGIN = 180.0, 40.0
-"""px of the drawing of a path, and round it."""
+"""px of the drawing of a path, and around it."""
 SAMPLES = 721
-STILL = 1e-9
-"""Share of the size of the engine below which it does not move."""
+INK = 'fill="currentColor"'
+FRONT, REAR = N_("The path of the front end."), N_("The path of the rear end.")
 
 
 class End(NamedTuple):
-    """An end of the crankshaft and what it does, order by order."""
+    """An end of the crankshaft: a heading, a caption, its motion order by order."""
 
     name: str
-    moves: Spectrum
+    caption: str
+    motion: Spectrum
 
 
-def free_response(matter: Matter, gallery: Gallery) -> str:  # noqa: ARG001 - all pages are made alike
-    """The paths of the front and the rear end, with what of the engine's mass and inertia is an estimate."""
-    found = free(matter.engine, matter.shown.orders, along=proportions(matter.engine).along)
-    shaft = matter.scene.shafts[0]
-    ends = [End(name, _moves(matter, found, z)) for name, z in (("front end", shaft.z_to), ("rear end", shaft.z_from))]
-    size = max(high - low for low, high in zip(matter.scene.low, matter.scene.high, strict=True))
-    greatest = max(phasor.peak(end.moves).value for end in ends)
-    told = paragraph(
-        "Seen from the front: where the ends of the crankshaft go if nothing holds the engine, of the orders above together. The "
-        "speed makes no difference to the path: force and acceleration grow alike."
+def free_response(subject: Subject, gallery: Gallery) -> str:  # noqa: ARG001 - all pages are made alike
+    """The paths of the front and the rear end, with the estimates of mass and inertia."""
+    along = proportions(subject.engine).along
+    whirl = free(subject.engine, subject.shown.orders, along=along)
+    shaft = subject.scene.shafts[0]
+    ends = [
+        End(_("front end"), _(FRONT), _motion(subject, whirl, shaft.z_to)),
+        End(_("rear end"), _(REAR), _motion(subject, whirl, shaft.z_from)),
+    ]
+    size = max(high - low for low, high in zip(subject.scene.low, subject.scene.high, strict=True))
+    greatest = max(spectra.peak(end.motion).value for end in ends)
+    lead = paragraph(
+        _(
+            "The paths of the ends of the crankshaft, seen from the front, if the engine were "
+            "unmounted: the sum of these orders. The paths are the same at every speed."
+        )
     )
-    assumed = "".join(paragraph(line, "doubt") for line in found.assumed)
-    if greatest < STILL * size:
-        still = paragraph("The ends of the crankshaft stand still: no force and no couple of these orders is left.")
-        return section("If nothing held it", still + assumed, name="whirl")
-    scale, unit = (1e6, "µm") if matter.scene.length_unit == "m" else (1e3, "r / 1000")
-    rows = [[number(order), *_told(ends, order, scale, greatest)] for order in matter.shown.orders]
-    rows.append(["all", *(cell for end in ends for cell in ("", number(phasor.peak(end.moves).value * scale)))])
-    heads = ["order", *(head for end in ends for head in (end.name, f"greatest [{unit}]"))]
-    drawn = [figure(_path(end, greatest, scale, unit), f"The path of the {end.name}.") for end in ends]
-    whole = told + figures(drawn) + table(heads, rows, title="Paths, order by order") + assumed
-    return section("If nothing held it", whole, name="whirl")
+    assumed = "".join(paragraph(line, "doubt") for line in whirl.assumed)
+    if greatest < NEGLIGIBLE * size:
+        rest = paragraph(_("The engine is at rest: these orders have no force and no couple."))
+        return section(_("Free response"), rest + assumed, name="whirl")
+    scale, unit = (1e6, "µm") if subject.scene.length_unit == "m" else (1e3, "r / 1000")
+    rows: list[tuple[Value, ...]] = [
+        (order, *_paths(ends, order, scale, greatest)) for order in subject.shown.orders
+    ]
+    peaks = [cell for end in ends for cell in ("", spectra.peak(end.motion).value * scale)]
+    rows.append((_("all"), *peaks))
+    columns = [Column(_("order"))]
+    for end in ends:
+        columns += [Column(end.name, kind="text"), Column(_("greatest"), unit)]
+    drawn = [figure(_path(end, greatest, scale, unit), end.caption) for end in ends]
+    paths = parts_html([Table(_("Paths by order"), tuple(columns), tuple(rows))])
+    return section(_("Free response"), lead + figures(drawn) + paths + assumed, name="whirl")
 
 
-def _moves(matter: Matter, found: Whirl, z: float) -> Spectrum:
-    """What the crank axis does at z: shift + (z - z of the centre) tilt + i turn * (its place from the centre)."""
-    up, right, along = found.centre
-    orders, sense = np.array(matter.shown.orders), matter.engine.sense
-    shift, tilt = _vectors(found.shift), _vectors(found.tilt)
-    turn = phasor.real_signal(orders, _complex(found.turn))
+def _motion(subject: Subject, whirl: Whirl, z: float) -> Spectrum:
+    """The motion of the crank axis at z: shift + (z - z of the centre) tilt + i turn * offset."""
+    up, right, along = whirl.centre
+    orders, sense = np.array(subject.shown.orders), subject.engine.sense
+    shift, tilt = _vectors(whirl.shift), _vectors(whirl.tilt)
+    turn = spectra.real_signal(orders, _complex(whirl.turn))
     aside = 1j * complex(-up, -right)
     mates = (turn.forward, turn.backward) if sense > 0 else (turn.backward, turn.forward)
-    forward, backward = (shift[way] + (z - along) * tilt[way] + aside * mate for way, mate in enumerate(mates))
+    forward, backward = (
+        shift[way] + (z - along) * tilt[way] + aside * mate for way, mate in enumerate(mates)
+    )
     return Spectrum(orders, forward, backward, sense)
 
 
@@ -76,37 +94,40 @@ def _complex(pairs: Sequence[Pair]) -> Complex:
     return np.array([complex(*pair) for pair in pairs])
 
 
-def _told(ends: Sequence[End], order: float, scale: float, greatest: float) -> list[str]:
-    out: list[str] = []
+def _paths(ends: Sequence[End], order: float, scale: float, greatest: float) -> list[Value]:
+    out: list[Value] = []
     for end in ends:
-        one = phasor.selected(end.moves, [order])
-        path = phasor.ellipse(complex(one.forward[0]), complex(one.backward[0]))
+        one = spectra.selected(end.motion, [order])
+        path = spectra.ellipse(complex(one.forward[0]), complex(one.backward[0]))
         none = path.semi_major <= NEGLIGIBLE * greatest
-        out += ["none", "0"] if none else [shape(path, greatest), number(path.semi_major * scale)]
+        out += [_("none"), 0.0] if none else [shape(path, greatest), path.semi_major * scale]
     return out
 
 
 def _path(end: End, greatest: float, scale: float, unit: str) -> str:
     """The path as a drawing with equal scales, a dot where it is at theta = 0."""
-    turns = phasor.period(end.moves)
-    run = np.asarray(phasor.value(end.moves, np.linspace(0, 2 * pi * turns, SAMPLES * turns)))
+    turns = spectra.period(end.motion)
+    run = np.asarray(spectra.value(end.motion, np.linspace(0, 2 * pi * turns, SAMPLES * turns)))
     middle, reach = SIDE / 2 + MARGIN, SIDE / 2 / greatest
     x, y = middle + np.imag(run) * reach, middle - np.real(run) * reach
     line = "L".join(f"{a:.1f} {b:.1f}" for a, b in zip(x, y, strict=True))
     whole = SIDE + 2 * MARGIN
-    axes = f"M{MARGIN - 8:g} {middle:g}H{whole - MARGIN + 8:g}M{middle:g} {whole - MARGIN + 8:g}V{MARGIN - 8:g}"
+    ends = f"H{whole - MARGIN + 8:g}M{middle:g} {whole - MARGIN + 8:g}V{MARGIN - 8:g}"
+    axes = f"M{MARGIN - 8:g} {middle:g}{ends}"
     label = f"{number(float(f'{greatest * scale:.2g}'))} {unit}"
     long = float(f"{greatest * scale:.2g}") / scale * reach
     bar = f"M{middle:g} {whole - 14:g}h{long:g}m0 -3v6M{middle:g} {whole - 17:g}v6"
     size = f'width="{whole:g}" height="{whole:g}" viewBox="0 0 {whole:g} {whole:g}"'
     return (
-        f'<svg role="img" xmlns="http://www.w3.org/2000/svg" {size} font-family="sans-serif" font-size="12">'
-        f"<title>{text(f'path of the {end.name}')}</title>"
+        f'<svg role="img" xmlns="http://www.w3.org/2000/svg" {size} '
+        f'font-family="sans-serif" font-size="12">'
+        f"<title>{text(end.caption)}</title>"
         f'<path d="{axes}" fill="none" stroke="currentColor" stroke-opacity="0.35"/>'
-        f'<text x="{middle:g}" y="{MARGIN - 14:g}" text-anchor="middle" fill="currentColor">up</text>'
-        f'<text x="{whole - 4:g}" y="{middle - 6:g}" text-anchor="end" fill="currentColor">right</text>'
+        f'<text x="{middle:g}" y="{MARGIN - 14:g}" text-anchor="middle" {INK}>{_("up")}</text>'
+        f'<text x="{whole - 4:g}" y="{middle - 6:g}" text-anchor="end" {INK}>{_("right")}</text>'
         f'<path d="M{line}" fill="none" stroke="#d1382a" stroke-width="1.6"/>'
         f'<circle cx="{x[0]:.1f}" cy="{y[0]:.1f}" r="4" fill="#d1382a"/>'
         f'<path d="{bar}" fill="none" stroke="currentColor"/>'
-        f'<text x="{middle - 6:g}" y="{whole - 10:g}" text-anchor="end" fill="currentColor">{text(label)}</text></svg>'
+        f'<text x="{middle - 6:g}" y="{whole - 10:g}" text-anchor="end" {INK}>{text(label)}</text>'
+        "</svg>"
     )

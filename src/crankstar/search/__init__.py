@@ -1,27 +1,31 @@
-"""The inverse problem: which arrangement of cranks, which firing order, so that it shakes least.
+"""The inverse problem: the arrangement of cranks and the firing order that shake least.
 
-| module, top to bottom | one line |
+| module, bottom to top | one line |
 |---|---|
-| `weighed` | the stars of a real engine: its places, its sums in newtons |
-| `likeness` | all stars with the same moments as one |
-| `angles` | uneven angles: couples against free forces and even intervals, a local optimum |
-| `vees` | crank and bank together: V engines that fire evenly, with their balance |
-| `orders` | firing orders on a given crank: all that fire evenly, at given intervals, or at any |
-| `timetable` | every way of giving each chamber a dead centre of its own |
-| `numbering` | an engine with another firing order, or with its cylinders numbered otherwise |
-| `engines` | a star as an in-line Engine, with the firing order it allows |
-| `findings` | the answer: stars with their sums, exact zeros, how many there are, what proves that these are all |
-| `run` | a search from beginning to end: stretches handed out, gathered, proved complete |
-| `hands` | who does the work: this process, processes of this machine, a cluster |
-| `checkpoint` | a search kept in a file, so that it can go on after it was stopped |
-| `work` | one stretch of blocks; the same wherever and whenever it is run |
-| `strips` | where to look, and when what was found proves the answer complete |
-| `harvest` | stars that were found, and how several finds become one |
-| `halves` | a question as arrays: two halves of the shaft, blocks, how much work |
-| `kernels` | compiled loops; the only user of numba |
-| `arrays` | what the compiled loops work on |
-| `proof` | zeros and equal lengths of many stars, decided in whole numbers |
-| `question` | which stars, judged by what, within which limits, what is asked |
-| `sums` | vector sums of a star: forces, couples, torsion; neighbours in succession |
-| `stars` | all ways to set cylinders on evenly spaced throws, and how many there are |
+| `faults` | faults of a search: path, code, values |
+| `stars` | all ways to set cylinders on evenly spaced throws |
+| `sums` | the objectives of a star: vector sums, neighbours in succession |
+| `engines` | a star as an Engine |
+| `engine_stars` | the stars of a real engine, in newtons |
+| `question` | stars, objectives and limits of a search |
+| `proof` | exact zeros and equal lengths, in whole numbers |
+| `descent` | uneven angles as an optimisation |
+| `angles` | uneven throw angles and their cost |
+| `arrays` | a question as arrays, buffers, output and state |
+| `compiling` | compiled loops, the only module that imports numba |
+| `arrangements` | compiled loops over one half of the shaft |
+| `kernels` | compiled loops over pairs of halves |
+| `halves` | a question as two halves of the shaft, in blocks |
+| `results` | stars found, merged in any order |
+| `regions` | where to search, and when that proves the answer |
+| `work` | one range of blocks |
+| `interrupts` | signals kept away from critical code |
+| `progress` | how far a search has come |
+| `estimates` | time and memory of a search |
+| `executors` | processes of this machine or a cluster |
+| `checkpoint` | a search kept in a file |
+| `run` | a search from beginning to end |
+| `answer` | stars, exact zeros, their number, proof of completeness |
+| `equivalence` | stars with the same moments |
+| `options` | options of a search as values, and its question |
 """

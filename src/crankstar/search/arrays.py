@@ -1,6 +1,7 @@
-"""What the compiled loops work on: a question as arrays, room for one block, what was found.
+"""Records of the compiled loops: a question as arrays, buffers for one block, output, state.
 
-Letters of the shapes: m vector sums, each two numbers; n directions; k places of a half; q objectives; s symmetries; f finds.
+Letters of the shapes: m vector sums, each two numbers; n directions; k places of a half; q
+objectives; s symmetries; f stars found.
 """
 
 from __future__ import annotations
@@ -8,6 +9,13 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
+
+BLOCK, REGION, ROW, FOUND, MET, FRONT, GROWS = range(7)
+"""Places in the state of a search over some blocks.
+
+Block, region and row of the outer half to go on from; stars in the output, stars met in the
+regions, points of the front, whether the front grows.
+"""
 
 
 class Tables(NamedTuple):
@@ -33,17 +41,17 @@ class Tables(NamedTuple):
     anchored: bool
     """Whether stars are turned so that the first place has direction 0."""
     step: int
-    """How many directions on the next cylinder to fire has its throw; 0 where two cylinders share each direction."""
+    """From a direction to that of the next cylinder to fire; 0 where two share each direction."""
     weights: np.ndarray
-    """Square of the weight of each sum in each objective [q, m]; the last column is the weight of neighbours in succession."""
+    """Squared weight of each sum in each objective, then the weight of neighbours [q, m + 1]."""
     limits: np.ndarray
-    """Greatest length of each sum [m], then the greatest number of neighbours in succession; infinite where free."""
+    """Greatest length of each sum [m], then of neighbours in succession; infinite where free."""
     floors: np.ndarray
     """Least length of each sum [m]."""
 
 
-class Room(NamedTuple):
-    """Room for one block: vectors and codes of both halves, and the cells."""
+class Buffers(NamedTuple):
+    """Buffers for one block: vectors and codes of both halves, and the cells."""
 
     outer_pairs: np.ndarray
     """Exchanges that lead through all permutations; none where places share directions."""
@@ -61,11 +69,11 @@ class Room(NamedTuple):
     cell: np.ndarray
     """Side of a cell of each plane that leaves about one vector in each [m]."""
     loose: np.ndarray
-    """Square of the limit of each sum, with room for rounding [m]."""
+    """Square of the limit of each sum, and a little more for rounding [m]."""
 
 
-class Found(NamedTuple):
-    """Stars that were met: values of the objectives, directions, classes (times symmetries) and stars each stands for."""
+class Output(NamedTuple):
+    """Stars found: values, directions, classes (times symmetries) and stars each stands for."""
 
     values: np.ndarray
     stars: np.ndarray
@@ -73,8 +81,8 @@ class Found(NamedTuple):
     times: np.ndarray
 
 
-class Desk(NamedTuple):
-    """Room for one star: its sums (or their squares), values, directions, two images of it, and who sits in each direction."""
+class Scratch(NamedTuple):
+    """Buffers for one star: sums or their squares, values, directions, two images, seats."""
 
     sums: np.ndarray
     values: np.ndarray

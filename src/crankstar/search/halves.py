@@ -1,9 +1,12 @@
-"""A question as arrays for the kernels: the two halves of the shaft, blocks of stars, strips, and how much work they are.
+"""A question as arrays for the kernels.
 
-The places are sorted by how far they reach (the greatest |weight|), so that the outer half is the hard one to cancel. The
-outermost place has direction 0: that counts turned stars once. A block is a choice of the directions that the outer half
-gets; of two blocks that are mirror images one stands for both. How many blocks there are, and how many arrangements a half has,
-is counted without making them.
+The two halves of the shaft, blocks of stars, regions, and how much work they are.
+
+The places are sorted by how far they reach (the greatest |weight|), so that the outer half is the
+hard one to cancel. The outermost place has direction 0: that counts turned stars once. A block is a
+choice of the directions that the outer half gets; of two blocks that are mirror images one stands
+for both. How many blocks there are, and how many arrangements a half has, is counted without making
+them.
 """
 
 from __future__ import annotations
@@ -16,23 +19,30 @@ from math import factorial, inf, pi, sqrt
 import numpy as np
 
 from crankstar.search.arrays import Tables
+from crankstar.search.faults import error
 from crankstar.search.question import Question
-from crankstar.search.stars import SearchError, Stars
+from crankstar.search.stars import Stars
 from crankstar.search.sums import VectorSum
 
 GREATEST_ROWS = 4_000_000
-"""Arrangements of both halves that are held at once: 9! + 10! of 20 cylinders; a worker then takes 500 MB (`work.memory`)."""
+"""Arrangements of both halves that are held at once: 9! + 10! of 20 cylinders.
+
+A worker then takes 500 MB (`work.memory`).
+"""
 CACHED_ROWS = 100_000
-"""Arrangements of the inner half, which is looked into all over, up to which it stays in a processor's own cache."""
+"""Arrangements of the inner half, searched again and again, that fit in a processor's cache."""
 BUFFER = 1 << 14
-"""Stars found before the compiled loop hands them over, at least."""
+"""Stars found before the compiled loop workers them over, at least."""
 
 
 @dataclass(frozen=True)
 class Halves:
-    """A question made ready: tables for the kernels, greatest numbers of arrangements of the two halves, scales.
+    """A question made ready: tables for the kernels.
 
-    counts: how many free places each direction has; mirrored: whether of two mirror images of a block one stands for both.
+    Greatest numbers of arrangements of the two halves, scales.
+
+    counts: how many free places each direction has; mirrored: whether of two mirror images of a
+    block one stands for both.
     """
 
     tables: Tables
@@ -64,12 +74,14 @@ class Halves:
         pairs = list(zip(self.counts, self.counts[:1] + self.counts[:0:-1], strict=True))
         half = len(pairs) // 2
         alone = [0, half] if len(pairs) % 2 == 0 else [0]
-        still = [(1, self.counts[d]) for d in alone] + [(2, min(pairs[d])) for d in range(1, (len(pairs) + 1) // 2)]
+        still = [(1, self.counts[d]) for d in alone] + [
+            (2, min(pairs[d])) for d in range(1, (len(pairs) + 1) // 2)
+        ]
         return (every + _ways(still, wanted)) // 2
 
     @cached_property
     def blocks(self) -> np.ndarray:
-        """All shares of the outer half, the rest for the inner one, and how many blocks each stands for [b, 2 n + 1]."""
+        """All shares of the outer half and the inner one, and what each stands for [b, 2 n + 1]."""
         shares = _shares(self.counts, len(self.tables.outer))
         times = np.ones(len(shares), np.int64)
         if self.mirrored:
@@ -88,11 +100,15 @@ def check(question: Question) -> None:
         return
     free = len(ready.tables.outer) + len(ready.tables.inner)
     enough = next(k for k in range(free, 0, -1) if _rows(ready.counts, k) <= GREATEST_ROWS)
-    ways = [f"fix at least {len(question.stars.places) - enough} throws"]
-    if question.stars.sharing == 2 and not question.stars.symmetric:
-        ways.append("ask for cranks that are symmetric lengthwise")
-    message = f"the halves of a shaft of {free} free throws have {rows:,} arrangements, and {GREATEST_ROWS:,} can be held at once"
-    raise SearchError([f"{message}; {' or '.join(ways)}"])
+    wider = question.stars.sharing == 2 and not question.stars.symmetric
+    raise error(
+        "fix",
+        "too-large-symmetric" if wider else "too-large",
+        free=free,
+        rows=f"{rows:,}",
+        most=f"{GREATEST_ROWS:,}",
+        fixed=len(question.stars.places) - enough,
+    )
 
 
 def _rows(counts: Sequence[int], free: int) -> int:
@@ -103,11 +119,17 @@ def _rows(counts: Sequence[int], free: int) -> int:
 @lru_cache(maxsize=8)
 def halves(question: Question) -> Halves:
     """The question as arrays."""
-    columns = tuple(_column(question.stars, vector) for vector in question.sums) or (_nothing(question.stars),)
-    whole = np.ascontiguousarray(np.stack([part for column in columns for part in column.parts], axis=-1))
+    columns = tuple(_column(question.stars, vector) for vector in question.sums) or (
+        _nothing(question.stars),
+    )
+    whole = np.ascontiguousarray(
+        np.stack([part for column in columns for part in column.parts], axis=-1)
+    )
     size = tuple(column.size for column in columns)
     fixed, outer, inner, counts = _parted(question, whole)
-    constant = sum((whole[place, direction] for place, direction in fixed), np.zeros(whole.shape[2]))
+    constant = sum(
+        (whole[place, direction] for place, direction in fixed), np.zeros(whole.shape[2])
+    )
     limits = np.array([*_limits(question, size), question.neighbours_at_most])
     tables = Tables(
         outer=np.ascontiguousarray(whole[outer]),
@@ -140,7 +162,10 @@ def halves(question: Question) -> Halves:
 
 @dataclass(frozen=True)
 class _Column:
-    """A sum as numbers: the weight of each place, divided by the greatest; the unit vector of each direction."""
+    """A sum as numbers: the weight of each place, divided by the greatest.
+
+    The unit vector of each direction.
+    """
 
     weights: np.ndarray
     turns: np.ndarray
@@ -148,7 +173,9 @@ class _Column:
 
     @property
     def parts(self) -> tuple[np.ndarray, np.ndarray]:
-        return np.outer(self.weights, np.real(self.turns)), np.outer(self.weights, np.imag(self.turns))
+        return np.outer(self.weights, np.real(self.turns)), np.outer(
+            self.weights, np.imag(self.turns)
+        )
 
     @property
     def spread(self) -> float:
@@ -173,8 +200,13 @@ def _nothing(stars: Stars) -> _Column:
     return _Column(np.zeros(len(stars.places)), np.ones(stars.directions, complex), 1.0)
 
 
-def _parted(question: Question, whole: np.ndarray) -> tuple[list[tuple[int, int]], list[int], list[int], list[int]]:
-    """Fixed places with their directions; free ones, outer half and inner half; how many each direction has left."""
+def _parted(
+    question: Question, whole: np.ndarray
+) -> tuple[list[tuple[int, int]], list[int], list[int], list[int]]:
+    """Fixed places with their directions; free ones, outer half and inner half.
+
+    How many each direction has left.
+    """
     stars = question.stars
     reach = np.abs(whole[:, 0, 0::2] + 1j * whole[:, 0, 1::2]).max(axis=1)
     order = sorted(range(len(stars.places)), key=lambda place: (-reach[place], place))
@@ -191,7 +223,7 @@ def _parted(question: Question, whole: np.ndarray) -> tuple[list[tuple[int, int]
 
 
 def _shares(counts: Sequence[int], wanted: int) -> np.ndarray:
-    """All ways to take so many from the counts of all directions, in the order of words [ways, n]."""
+    """All ways to take so many from the counts of all directions, in lexical order [ways, n]."""
     shares, taken = np.zeros((1, 0), np.int64), np.zeros(1, np.int64)
     for d, count in enumerate(counts):
         least = np.maximum(0, wanted - taken - sum(counts[d + 1 :]))
@@ -203,18 +235,23 @@ def _shares(counts: Sequence[int], wanted: int) -> np.ndarray:
 
 
 def _ways(choices: Sequence[tuple[int, int]], wanted: int) -> int:
-    """In how many ways so many can be taken: of each choice up to a count, each of them so many at once."""
+    """The number of ways to take so many, of each choice up to a count, each of a given size."""
     ways = [1] + [0] * wanted
     for step, count in choices:
-        ways = [sum(ways[total - step * k] for k in range(count + 1) if total >= step * k) for total in range(wanted + 1)]
+        ways = [
+            sum(ways[total - step * k] for k in range(count + 1) if total >= step * k)
+            for total in range(wanted + 1)
+        ]
     return ways[wanted]
 
 
 def _most_rows(counts: Sequence[int], places: int) -> int:
-    """The greatest number of arrangements of so many places over the blocks: that of the most even share."""
+    """The greatest number of arrangements over the blocks: that of the most even shares."""
     share = [0] * len(counts)
     for _ in range(places):
-        share[min((d for d in range(len(counts)) if share[d] < counts[d]), key=share.__getitem__)] += 1
+        share[
+            min((d for d in range(len(counts)) if share[d] < counts[d]), key=share.__getitem__)
+        ] += 1
     rows = factorial(places)
     for count in share:
         rows //= factorial(count)
@@ -236,7 +273,14 @@ def units(question: Question, size: tuple[float, ...]) -> tuple[float, ...]:
     """By what the value of each objective is divided for the kernels: the greatest weight in it."""
     place = {vector: o for o, vector in enumerate(question.sums)}
     return tuple(
-        max((abs(weight * vector.scale) * size[place[vector]] for weight, vector in objective.terms), default=0.0) or 1.0
+        max(
+            (
+                abs(weight * vector.scale) * size[place[vector]]
+                for weight, vector in objective.terms
+            ),
+            default=0.0,
+        )
+        or 1.0
         for objective in question.objectives
     )
 

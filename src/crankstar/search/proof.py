@@ -1,8 +1,9 @@
 """Whether sums of many stars vanish, and which are equally long, decided in whole numbers.
 
-A sum of w_j exp(i 2 pi t_j) with rational w and t is a polynomial in the root of unity of order D, the common denominator of
-the turns, and so is the square of its length, the product with its conjugate. `derive.cyclotomic` reduces them to coefficients
-that are unique: here for all stars at once, in whole numbers.
+A sum of w_j exp(i 2 pi t_j) with rational w and t is a polynomial in the root of unity of order D,
+the common denominator of the turns, and so is the square of its length, the product with its
+conjugate. `derive.cyclotomic` reduces them to coefficients that are unique: here for all stars at
+once, in whole numbers.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from math import lcm
 
 import numpy as np
 
-from crankstar.derive import cyclotomic
+from crankstar.derive.algebra import cyclotomic
 from crankstar.search.stars import Star
 from crankstar.search.sums import VectorSum
 
@@ -23,7 +24,7 @@ def vanishing(vector: VectorSum, stars: Sequence[Star]) -> np.ndarray:
 
 
 def squares(vector: VectorSum, stars: Sequence[Star]) -> np.ndarray:
-    """Whole numbers that are the same for two stars if and only if the sum is equally long for both [stars, degree]."""
+    """Whole numbers, equal for two stars if and only if their sums are equally long [stars, k]."""
     plain = _coefficients(vector, stars)
     order = plain.shape[1]
     out = np.zeros_like(plain)
@@ -42,7 +43,7 @@ def alike(vectors: Sequence[VectorSum], stars: Sequence[Star]) -> np.ndarray:
 
 
 def _coefficients(vector: VectorSum, stars: Sequence[Star]) -> np.ndarray:
-    """The weights gathered by their power of the root of unity, as Python integers of any size [stars, D]."""
+    """The weights merged by their power of the root of unity, as Python integers [stars, D]."""
     order = lcm(*(turn.denominator for turn in vector.turns))
     whole = lcm(*(weight.denominator for weight in vector.weights))
     weights = [int(weight * whole) for weight in vector.weights]
@@ -56,5 +57,8 @@ def _coefficients(vector: VectorSum, stars: Sequence[Star]) -> np.ndarray:
 
 
 def _kind(weights: Sequence[int]) -> type:
-    """64 bits where products of sums of the weights, and what reducing adds, stay far below them; else Python integers."""
+    """64 bits where products of sums of the weights, and what reducing adds, stay far below them.
+
+    Else Python integers.
+    """
     return np.int64 if sum(abs(weight) for weight in weights) < 2**20 else object

@@ -1,4 +1,4 @@
-"""What is asked of a search: which stars, judged by what, within which limits, and which of them are the answer."""
+"""What is asked of a search: which stars, by which objectives, within which limits."""
 
 from __future__ import annotations
 
@@ -8,7 +8,8 @@ from functools import cached_property
 from hashlib import sha256
 from math import inf, isnan
 
-from crankstar.search.stars import SearchError, Star, Stars
+from crankstar.search.faults import SearchError, SearchFault, fault
+from crankstar.search.stars import Star, Stars
 from crankstar.search.sums import Limit, Objective, VectorSum
 
 KEPT = 64
@@ -19,7 +20,10 @@ GREATEST_LIST = 200_000
 
 @dataclass(frozen=True)
 class Front:
-    """Asks for the Pareto front: all values of the objectives of which none can be bettered without another getting worse."""
+    """Asks for the Pareto front.
+
+    All values of the objectives of which none can be bettered without another getting worse.
+    """
 
     examples: int = KEPT
 
@@ -43,7 +47,7 @@ class Best:
 
 @dataclass(frozen=True)
 class All:
-    """Asks for all stars within the limits, classes of mirrored stars once, in the order of the objectives."""
+    """Asks for all stars within the limits, mirrored ones once, in the order of the objectives."""
 
     greatest: int = GREATEST_LIST
 
@@ -54,11 +58,11 @@ class All:
 
 
 @dataclass(frozen=True)
-class Judge:
-    """A Python function as an objective or a limit: of a star (a direction for each cylinder), less is better.
+class FunctionObjective:
+    """A Python function of a star (a direction for each cylinder) as an objective or a limit.
 
-    It is asked about every star within the limits, so these must leave few enough. `symmetric`: whether it is the same for
-    mirrored stars and from the rear.
+    Less is better. It is called for every star within the limits, so these must leave few enough.
+    symmetric: whether it is the same for mirrored stars and from the rear.
     """
 
     name: str
@@ -70,43 +74,41 @@ class Judge:
 
 @dataclass(frozen=True)
 class Question:
-    """Which stars, judged by what, within which limits, and what is the answer."""
+    """Which stars, by which objectives, within which limits, and which of them are the answer."""
 
     stars: Stars
     objectives: tuple[Objective, ...]
     limits: tuple[Limit, ...] = ()
     neighbours_at_most: float = inf
     ask: Front | Best | All = field(default_factory=Front)
-    judges: tuple[Judge, ...] = ()
+    functions: tuple[FunctionObjective, ...] = ()
 
     def __post_init__(self) -> None:
         faults = list(self._faults())
         if faults:
             raise SearchError(faults)
 
-    def _faults(self) -> Iterator[str]:
+    def _faults(self) -> Iterator[SearchFault]:
+        stars = self.stars
         for vector in self.sums:
-            if (len(vector.weights), len(vector.turns)) != (self.stars.cylinders, self.stars.directions):
-                yield f"{vector.name} is a sum over other stars: {len(vector.weights)} cylinders in {len(vector.turns)} directions"
+            if (len(vector.weights), len(vector.turns)) != (stars.cylinders, stars.directions):
+                yield fault("", "other-stars", sum=vector.name, cylinders=len(vector.weights))
         for limit in self.limits:
             if not 0 <= limit.least <= limit.greatest:
-                yield f"{limit.sum.name} cannot be from {limit.least:g} to {limit.greatest:g} long"
+                least, greatest = f"{limit.least:g}", f"{limit.greatest:g}"
+                wrong = {"sum": limit.sum.name, "least": least, "greatest": greatest}
+                yield fault("limit", "limit-range", **wrong)
         if not self.neighbours_at_most >= 0:
-            yield f"{self.neighbours_at_most:g} neighbours in succession cannot be; give a number from 0 up"
-        if isinstance(self.ask, Best) and len(self.objectives) + len(self.judges) < 1:
-            yield "the best by nothing cannot be told; give an objective"
+            yield fault("limit", "neighbours", given=f"{self.neighbours_at_most:g}")
+        if isinstance(self.ask, Best) and not (self.objectives or self.functions):
+            yield fault("minimise", "no-objective")
         if isinstance(self.ask, Best) and len(self.objectives) > 1:
-            yield "a list of the best has one objective; put several together in one"
-        least = (
-            self.ask.examples
-            if isinstance(self.ask, Front)
-            else self.ask.count
-            if isinstance(self.ask, Best)
-            else self.ask.greatest
-        )
-        if least < 1:
-            yield f"a list of {least} cannot be; ask for at least 1"
-        yield from (f"{judge.name}: at most {judge.greatest} cannot be" for judge in self.judges if isnan(judge.greatest))
+            yield fault("minimise", "several-objectives")
+        if self.ask.size < 1:
+            yield fault("best", "list-size", given=self.ask.size)
+        for function in self.functions:
+            if isnan(function.greatest):
+                yield fault("", "function-limit", name=function.name)
 
     @cached_property
     def sums(self) -> tuple[VectorSum, ...]:
@@ -117,19 +119,23 @@ class Question:
     @property
     def counts(self) -> bool:
         """Whether neighbours in succession are asked for."""
-        return self.neighbours_at_most < inf or any(objective.neighbours for objective in self.objectives)
+        return self.neighbours_at_most < inf or any(
+            objective.neighbours for objective in self.objectives
+        )
 
     @property
     def digest(self) -> str:
         """What tells this question from others, for a checkpoint."""
-        judged = [(judge.name, judge.greatest, judge.symmetric) for judge in self.judges]
-        words = repr((self.stars, self.objectives, self.limits, self.neighbours_at_most, self.ask, judged))
+        functions = [(each.name, each.greatest, each.symmetric) for each in self.functions]
+        words = repr(
+            (self.stars, self.objectives, self.limits, self.neighbours_at_most, self.ask, functions)
+        )
         return sha256(words.encode()).hexdigest()[:16]
 
     @cached_property
     def symmetries(self) -> tuple[tuple[int, int], ...]:
-        """Changes of a star that leave its values: mirrored or not, from the rear or not. The first changes nothing."""
-        if self.stars.fixed or any(not judge.symmetric for judge in self.judges):
+        """Changes that keep the values of a star: mirrored or not, reversed or not."""
+        if self.stars.fixed or any(not each.symmetric for each in self.functions):
             return ((0, 0),)
         ends = self.stars.evenly_placed and not self.stars.symmetric
         if ends and all(_even(vector) for vector in self.sums):

@@ -1,71 +1,54 @@
-"""A search from beginning to end: stretches handed out to processes or a cluster, gathered, proved complete.
+"""A search from beginning to end.
 
-The answer hangs neither on who did which stretch, nor on how long the stretches are, nor on the order in which they come back,
-nor on whether the search was stopped between and taken up again.
+Block ranges handed out to processes or a cluster, merged, proved complete.
+
+The answer depends neither on who did which block range, nor on how long these are, nor on the order
+in which they come back, nor on whether the search was stopped in between and resumed.
 """
 
 from __future__ import annotations
 
-import signal
 import threading
 import time
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, wait
-from contextlib import contextmanager, suppress
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
-from fractions import Fraction
-from functools import lru_cache
-from math import sqrt
 
 from crankstar.search import checkpoint as checkpoints
-from crankstar.search import harvest, work
+from crankstar.search import results
 from crankstar.search.checkpoint import Checkpoint, Span
+from crankstar.search.estimates import range_size as usual_size
+from crankstar.search.executors import Workers, of_workers
+from crankstar.search.faults import error
 from crankstar.search.halves import Halves, check, halves
-from crankstar.search.hands import Hands, of_workers
-from crankstar.search.harvest import Harvest
-from crankstar.search.question import All, Question
-from crankstar.search.stars import SearchError, Stars
-from crankstar.search.strips import Strips, complete, strips
-from crankstar.search.sums import couple, of
-from crankstar.search.work import Stretch, asked, worked
+from crankstar.search.interrupts import signals_noted
+from crankstar.search.progress import Progress
+from crankstar.search.question import Question
+from crankstar.search.regions import Regions, complete, regions
+from crankstar.search.results import Results
+from crankstar.search.work import BlockRange, asked, results_of
 
 AHEAD = 3
-"""Stretches under way for each worker: none waits for the next."""
+"""Block ranges under way for each worker: none waits for the next."""
 RETRIES = 3
-"""How often a stretch is given out again when its worker was lost."""
-STRETCH_SECONDS = 1.0
-"""How long a stretch should take: long enough to be worth sending, short enough to lose."""
+"""How often a block range is given out again when its worker was lost."""
 WAIT_SECONDS = 0.5
-"""How long to wait for a stretch before an interrupt, a lost cluster or the clock is looked at."""
-
-
-@dataclass(frozen=True)
-class Progress:
-    """How far a search has come.
-
-    attempt: from 0; done, blocks: of this attempt, those of a checkpoint included; met: stars weighed one by one in it;
-    seconds: since the search was begun or taken up again; rate: blocks a second in this attempt, by what was done here;
-    seconds_left: expected to the end of this attempt, None as long as nothing is done.
-    """
-
-    attempt: int
-    done: int
-    blocks: int
-    met: int
-    seconds: float
-    rate: float
-    seconds_left: float | None
+"""How long to wait for a block range before interrupts and the cluster are checked."""
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """What a search found, in which strips, and whether that is proved to be all."""
+    """The stars a search found, in which regions, and whether these are proved to be all."""
 
     question: Question
     asked: Question
-    """What the blocks were asked: the question, but for all stars where Python functions are to judge them."""
-    found: Harvest
-    strips: Strips
+    """What the blocks were asked.
+
+    The question, but for all stars where Python functions are to judge them.
+    """
+    found: Results
+    regions: Regions
     attempts: int
     blocks: int
     complete: bool
@@ -78,72 +61,55 @@ Watch = Callable[[Progress], None]
 def searched(
     question: Question,
     *,
-    hands: Hands | None = None,
-    stretch: int | None = None,
+    workers: Workers | None = None,
+    range_size: int | None = None,
     checkpoint: Checkpoint | None = None,
     watch: Watch | None = None,
 ) -> Outcome:
     """The answer to a question, with its proof.
 
-    hands: who does the work (`processes`, `cluster`, or any Executor in `Hands`); None works in this process. stretch: blocks
-    that are handed out together (by default about a second's work). checkpoint: where stretches are kept. watch: is told of the
-    progress.
-    An interrupt from the keyboard ends the search early: the outcome is then marked interrupted, and is not complete.
-    Raises SearchError where the halves are beyond memory, the checkpoint is of another search or cannot be written, workers are
-    lost again and again, or a cluster is gone. What the work itself raises comes through as it is.
+    workers: who does the work (`processes`, `cluster`, or any Executor in `Workers`); None works in
+    this process. range_size: blocks that are handed out together (by default a second's work).
+    checkpoint: where block ranges are kept. watch: receives the progress. An interrupt from the
+    keyboard ends the search early: the outcome is then marked interrupted, and is not complete.
+    Raises SearchError where the halves are beyond memory, the checkpoint is of another search or
+    cannot be written, workers are lost again and again, or a cluster is gone. What the work itself
+    raises comes through as it is.
     """
     if checkpoint and checkpoint.question.digest != question.digest:
-        raise SearchError([f"the checkpoint {checkpoint.path} was opened for another search"])
+        raise error("checkpoint", "checkpoint-other", file=str(checkpoint.path))
     check(question)
-    if stretch is not None and stretch < 1:
-        raise SearchError([f"a stretch has at least 1 block, not {stretch}"])
+    if range_size is not None and range_size < 1:
+        raise error("", "range-size", given=range_size)
     plain = asked(question)
     ready = halves(plain)
-    with _interrupts() as stop:
-        means = _Means(hands, stretch, checkpoint, watch, stop)
-        best, attempt = harvest.nothing(len(plain.objectives), len(plain.stars.places)), 0
+    with signals_noted() as stop:
+        means = _Means(workers, range_size, checkpoint, watch, stop)
+        best, attempt = results.nothing(len(plain.objectives), len(plain.stars.places)), 0
         while True:
-            tried = strips(plain, ready, attempt=attempt)
+            tried = regions(plain, ready, attempt=attempt)
             effort = _Effort(plain, tried, attempt, ready, means)
             effort.run()
-            ended = Outcome(question, plain, effort.found, tried, attempt + 1, ready.block_count, complete=False)
+            ended = Outcome(
+                question, plain, effort.found, tried, attempt + 1, ready.block_count, complete=False
+            )
             if effort.stopped:
-                return replace(ended, found=harvest.best_so_far(best, effort.found, plain.ask), interrupted=True)
+                return replace(
+                    ended,
+                    found=results.best_so_far(best, effort.found, plain.ask),
+                    interrupted=True,
+                )
             if complete(plain, effort.found, tried):
                 return replace(ended, complete=True)
             best, attempt = effort.found, attempt + 1
-
-
-@contextmanager
-def _interrupts() -> Iterator[threading.Event]:
-    """Whether an interrupt from the keyboard has come, for a while; a second one is raised where it finds us.
-
-    So no exception breaks into an executor at work. Where the program has a handler of its own, or this is not the main thread,
-    nothing is changed.
-    """
-    stop = threading.Event()
-    ours = threading.current_thread() is threading.main_thread() and signal.getsignal(signal.SIGINT) is signal.default_int_handler
-
-    def noted(*_: object) -> None:
-        if stop.is_set():
-            raise KeyboardInterrupt
-        stop.set()
-
-    if ours:
-        signal.signal(signal.SIGINT, noted)
-    try:
-        yield stop
-    finally:
-        if ours:
-            signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @dataclass(frozen=True)
 class _Means:
     """With what a search is done, whether it is to stop, and when it began."""
 
-    hands: Hands | None
-    stretch: int | None
+    workers: Workers | None
+    range_size: int | None
     checkpoint: Checkpoint | None
     watch: Watch | None
     stop: threading.Event
@@ -153,35 +119,39 @@ class _Means:
 class _Effort:
     """One attempt: what is done, what is found, and whether it was stopped before the end."""
 
-    def __init__(self, question: Question, tried: Strips, attempt: int, ready: Halves, means: _Means) -> None:
+    def __init__(
+        self, question: Question, tried: Regions, attempt: int, ready: Halves, means: _Means
+    ) -> None:
         self.question, self.tried, self.attempt, self.means = question, tried, attempt, means
         self.blocks = ready.block_count
-        self.size = means.stretch or _stretch(question, ready, tried)
+        self.size = means.range_size or usual_size(question, ready, tried)
         self.began = time.monotonic()
-        self.found = harvest.nothing(len(question.objectives), len(question.stars.places))
+        self.found = results.nothing(len(question.objectives), len(question.stars.places))
         self.done = self.kept = 0
         self.stopped = False
 
     def run(self) -> None:
-        """Does all stretches that are not done yet."""
+        """Does all block ranges that are not done yet."""
         spans: list[Span] = []
         if self.means.checkpoint:
-            spans, self.found = self.means.checkpoint.kept(self.attempt, self.tried, self.question, self.blocks)
+            spans, self.found = self.means.checkpoint.kept(
+                self.attempt, self.tried, self.question, self.blocks
+            )
         self.done = self.kept = sum(stop - start for start, stop in spans)
         todo = checkpoints.left(self.blocks, spans, self.size)
         try:
-            if self.means.hands is None:
+            if self.means.workers is None:
                 self._alone(todo)
             else:
-                self._shared(todo, self.means.hands)
+                self._shared(todo, self.means.workers)
         except KeyboardInterrupt:
             self.stopped = True
 
-    def _stretch(self, span: Span) -> Stretch:
-        return Stretch(self.question, self.tried, *span)
+    def _block_range(self, span: Span) -> BlockRange:
+        return BlockRange(self.question, self.tried, *span)
 
-    def _take(self, span: Span, new: Harvest) -> None:
-        self.found = harvest.gathered([self.found, new], self.question.ask)
+    def _take(self, span: Span, new: Results) -> None:
+        self.found = results.merged([self.found, new], self.question.ask)
         self.done += span[1] - span[0]
         if self.means.checkpoint:
             self.means.checkpoint.add(self.attempt, self.tried, span, new)
@@ -193,26 +163,38 @@ class _Effort:
         now = time.monotonic()
         rate = (self.done - self.kept) / max(now - self.began, 1e-9)
         left = (self.blocks - self.done) / rate if rate else None
-        self.means.watch(Progress(self.attempt, self.done, self.blocks, self.found.met, now - self.means.began, rate, left))
+        self.means.watch(
+            Progress(
+                self.attempt,
+                self.done,
+                self.blocks,
+                self.found.met,
+                now - self.means.began,
+                rate,
+                left,
+            )
+        )
 
     def _alone(self, todo: Iterator[Span]) -> None:
-        """Does one stretch after the other."""
+        """Does one block range after the other."""
         for span in todo:
             if self.means.stop.is_set():
                 self.stopped = True
                 return
-            self._take(span, worked(self._stretch(span)))
+            self._take(span, results_of(self._block_range(span)))
 
-    def _shared(self, todo: Iterator[Span], hands: Hands) -> None:
-        """Hands stretches out, a few at a time; one whose worker was lost is handed out again."""
+    def _shared(self, todo: Iterator[Span], workers: Workers) -> None:
+        """Hand block ranges out, a few at a time; repeat those whose worker was lost."""
         again: list[Span] = []
         lost: dict[Span, int] = {}
-        under_way: dict[Future[Harvest], Span] = {}
+        under_way: dict[Future[Results], Span] = {}
         over = False
         try:
             while True:
-                while len(under_way) < AHEAD * hands.workers and (span := again.pop() if again else next(todo, None)):
-                    under_way[hands.submit(self._stretch(span))] = span
+                while len(under_way) < AHEAD * workers.count and (
+                    span := again.pop() if again else next(todo, None)
+                ):
+                    under_way[workers.submit(self._block_range(span))] = span
                 if not under_way:
                     over = True
                     return
@@ -222,14 +204,14 @@ class _Effort:
                     self.stopped = True
                     return
                 if not ended:
-                    hands.look()
+                    workers.look()
                     self._tell()
         finally:
             if not over:
-                _call_back(under_way, hands)
+                _call_back(under_way, workers)
 
-    def _received(self, ended: dict[Future[Harvest], Span], lost: dict[Span, int]) -> list[Span]:
-        """Takes what came back; says which stretches were lost with their workers. Raises what the work raised."""
+    def _received(self, ended: dict[Future[Results], Span], lost: dict[Span, int]) -> list[Span]:
+        """Block ranges lost with their workers. Raises what the work raised."""
         faults: dict[Span, BaseException] = {}
         for future, span in ended.items():
             fault = _fault(future)
@@ -243,103 +225,29 @@ class _Effort:
         return list(faults)
 
 
-def _fault(future: Future[Harvest]) -> BaseException | None:
-    """What went wrong with a stretch; being cancelled (a cluster does that, too) is one of these."""
+def _fault(future: Future[Results]) -> BaseException | None:
+    """What went wrong with a block range, cancellation by a cluster included."""
     try:
         return future.exception()
     except CancelledError as error:
         return error
 
 
-def _call_back(under_way: Iterable[Future[Harvest]], hands: Hands) -> None:
+def _call_back(under_way: Iterable[Future[Results]], workers: Workers) -> None:
     """Nobody waits any more for what is under way."""
     for future in under_way:
-        with suppress(Exception):  # of whatever kind an Executor has: it is gone, and so is the work
+        with suppress(
+            Exception
+        ):  # of whatever kind an Executor has: it is gone, and so is the work
             future.cancel()
-    hands.drop()
+    workers.drop()
 
 
 def _bear(fault: BaseException, times: int) -> None:
-    """Raises a fault of the work as it is, and the loss of workers where it has gone on too long."""
+    """Raise a fault of the work as it is, and the loss of workers where it has gone on too long."""
     if isinstance(fault, ImportError):
-        raise SearchError([f"a worker cannot load crankstar ({fault}); install the same version wherever workers run"]) from fault
+        raise error("", "worker-import", error=str(fault)) from fault
     if not of_workers(fault):
         raise fault
     if times > RETRIES:
-        message = (
-            f"a part of the search has lost its worker {times} times ({type(fault).__name__}); too little memory ends processes so,"
-            ' and so does a script that starts processes without: if __name__ == "__main__"'
-        )
-        raise SearchError([message])
-
-
-def _stretch(question: Question, ready: Halves, tried: Strips) -> int:
-    """Blocks of about a second's work, by what arrangements and pairs cost on an ordinary machine."""
-    return max(1, int(STRETCH_SECONDS * ready.block_count / max(cost(question, ready, tried), STRETCH_SECONDS)))
-
-
-def cost(question: Question, ready: Halves, tried: Strips) -> float:
-    """Seconds on one processor that a search takes, roughly: forming arrangements, weighing pairs, listing stars."""
-    listed = 4e-6 if isinstance(question.ask, All) else 0.0
-    return ready.rows * (6e-9 + 18e-9 * len(tried.radii)) + tried.expected * (6e-8 + listed)
-
-
-SAMPLE_SECONDS = 0.3
-"""How long blocks are timed for an estimate."""
-SAMPLE_ROWS = 400_000
-"""Arrangements of a half up to which blocks are timed themselves: 60 MB, a tenth of a second."""
-
-
-def estimate(question: Question) -> float:
-    """Seconds that one processor of this machine takes for the first attempt, which mostly is all; within a factor of two or so.
-
-    Blocks spread evenly over the question are timed. Where one block is too much, so are those of the question with more throws
-    fixed, and how much more there is to do is counted. Judges in Python are not.
-    """
-    plain = asked(question)
-    _warm()
-    narrow, seconds = plain, 0.0
-    while not _quick(narrow):
-        narrow = _narrower(narrow)
-    ready, tried = halves(narrow), strips(narrow, halves(narrow))
-    size = max(1, int(SAMPLE_SECONDS / 10 * ready.block_count / cost(narrow, ready, tried)))
-    timed, done, step = 0, 0, (sqrt(5) - 1) / 2
-    began = time.perf_counter()
-    while seconds < SAMPLE_SECONDS and done < ready.block_count:
-        start = int(timed * step % 1 * ready.block_count)
-        stop = min(start + size, ready.block_count)
-        worked(Stretch(narrow, tried, start, stop))
-        timed, done, seconds = timed + 1, done + stop - start, time.perf_counter() - began
-    whole = halves(plain)
-    return seconds / done * ready.block_count * cost(plain, whole, strips(plain, whole)) / cost(narrow, ready, tried)
-
-
-def _quick(question: Question) -> bool:
-    """Whether a block of a question can be timed."""
-    ready = halves(question)
-    small = max(ready.outer_rows, ready.inner_rows) <= SAMPLE_ROWS
-    return small and cost(question, ready, strips(question, ready)) / ready.block_count <= SAMPLE_SECONDS / 2
-
-
-def _narrower(question: Question) -> Question:
-    """The question with one more throw fixed, in a direction that has room for it."""
-    stars = question.stars
-    held = {place for place, _ in stars.fixed_places}
-    free = next(members[0] for place, members in enumerate(stars.places) if place not in held)
-    given = [direction for _, direction in stars.fixed_places]
-    room = next(direction for direction in range(stars.directions) if given.count(direction) < stars.each)
-    return replace(question, stars=replace(stars, fixed=(*stars.fixed, (free + 1, room))))
-
-
-@lru_cache(maxsize=1)
-def _warm() -> None:
-    """Loads the compiled loops, so that this is not timed."""
-    stars = Stars(4, "two-stroke", tuple(Fraction(3 - 2 * j, 2) for j in range(4)))
-    question = Question(stars, (of(couple(stars, 1)),))
-    ready = halves(question)
-    worked(Stretch(question, strips(question, ready), 0, ready.block_count))  # not `searched`, which would keep an interrupt
-
-
-def memory(question: Question) -> float:
-    """Bytes that each worker may come to use."""
-    return work.memory(halves(asked(question)))
+        raise error("", "worker-lost", times=times, error=type(fault).__name__)

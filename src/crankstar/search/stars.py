@@ -1,12 +1,13 @@
-"""Crank stars: all ways to set the cylinders of an in-line engine on evenly spaced throws, and how many there are.
+"""Crank stars: all ways to set in-line cylinders on evenly spaced throws, and their number.
 
-Directions are numbered in the order in which their throws come to top dead centre: direction d stands for a throw 360 d/n
-degrees behind that of direction 0 (n directions), so a star is one number for each cylinder from the front. A two-stroke engine
-of n cylinders, and a four-stroke one of odd n, has a throw in each of n directions; a four-stroke one of even n has two in
-each of n/2. Turning a star as a whole is turning the crankshaft: it is the same star, and is counted once. Its mirror
-image is the crankshaft of the engine that turns the other way, and, where the cylinders stand symmetrically, the star
-taken from the rear end is that of the engine turned end for end: forces and couples are as great in all of these, which
-are one class.
+Directions are numbered in the order in which their throws come to top dead centre: direction d
+stands for a throw 360 d/n degrees behind that of direction 0 (n directions), so a star is one
+number for each cylinder from the front. A two-stroke engine of n cylinders, and a four-stroke one
+of odd n, has a throw in each of n directions; a four-stroke one of even n has two in each of n/2.
+Turning a star as a whole is turning the crankshaft: it is the same star, and is counted once. Its
+mirror image is the crankshaft of the engine that turns the other way, and, where the cylinders
+stand symmetrically, the star taken from the rear end is that of the engine turned end for end:
+forces and couples are as great in all of these, which are one class.
 """
 
 from __future__ import annotations
@@ -18,18 +19,11 @@ from functools import cached_property
 from math import factorial, isfinite
 from typing import get_args
 
-from crankstar.quantity import Cycle, one_line
+from crankstar.engine.quantities import Cycle
+from crankstar.search.faults import SearchError, SearchFault, fault
 
 GREATEST_CYLINDERS = 24
 """Cylinders a star can have: a half of more than 12 places is beyond any memory."""
-
-
-class SearchError(ValueError):
-    """A search that cannot be, in a sentence for each thing wrong with it."""
-
-    def __init__(self, faults: list[str]) -> None:
-        self.faults = [one_line(fault, longest=1000) for fault in faults]
-        super().__init__("\n".join(self.faults))
 
 
 Star = tuple[int, ...]
@@ -40,9 +34,10 @@ Star = tuple[int, ...]
 class Stars:
     """The stars of an engine of so many cylinders.
 
-    positions: of each cylinder along the shaft, falling from the front, in any unit (the couples are counted in it),
-    measured from the middle; symmetric: only cranks of which the rear half is the mirror image of the front half
-    (four-stroke, even); fixed: directions that some cylinders must have, by cylinder number.
+    positions: of each cylinder along the shaft, falling from the front, in any unit (the couples
+    are counted in it), measured from the middle; symmetric: only cranks of which the rear half is
+    the mirror image of the front half (four-stroke, even); fixed: directions that some cylinders
+    must have, by cylinder number.
     """
 
     cylinders: int
@@ -56,51 +51,56 @@ class Stars:
         if faults:
             raise SearchError(faults)
 
-    def _faults(self) -> Iterator[str]:
+    def _faults(self) -> Iterator[SearchFault]:
         if self.cycle not in get_args(Cycle):
-            yield f'the cycle "{self.cycle}" is none; it can be {", ".join(get_args(Cycle))}'
+            yield fault("cycle", "cycle", given=self.cycle, choices=", ".join(get_args(Cycle)))
         if not 1 <= self.cylinders <= GREATEST_CYLINDERS:
-            yield f"{self.cylinders} cylinders have no star; there can be from 1 to {GREATEST_CYLINDERS}"
+            given, most = self.cylinders, GREATEST_CYLINDERS
+            yield fault("", "cylinders", given=given, least=1, most=most)
             return
         if len(self.positions) != self.cylinders:
-            yield f"{len(self.positions)} positions are given for {self.cylinders} cylinders; give one for each"
+            given = len(self.positions)
+            yield fault("", "positions", given=given, cylinders=self.cylinders)
         elif any(not isfinite(place) for place in self.positions):
-            yield "a position is no finite number"
+            yield fault("", "position")
         if self.symmetric and (self.sharing == 1 or not self.evenly_placed):
-            yield "only a four-stroke engine with an even number of evenly placed cylinders has symmetric cranks"
+            yield fault("symmetric", "symmetric")
             return
         yield from self._fixed_faults()
 
-    def _fixed_faults(self) -> Iterator[str]:
-        """What is wrong with fixed throws."""
+    def _fixed_faults(self) -> Iterator[SearchFault]:
+        """Faults of the fixed throws."""
         given: dict[int, int] = {}
+        last, step = self.directions - 1, f"{360 / self.directions:.4g}"
         for number, direction in self.fixed:
             if not 1 <= number <= self.cylinders:
-                yield f"a throw of cylinder {number} is fixed, and there are cylinders 1 to {self.cylinders}"
-            elif not 0 <= direction < self.directions:
-                yield f"cylinder {number} is to have direction {direction}; there are 0 to {self.directions - 1}"
+                wrong = {"cylinder": number, "cylinders": self.cylinders}
+                yield fault("fix", "fixed-cylinder", **wrong)
+            elif not 0 <= direction <= last:
+                wrong = {"cylinder": number, "direction": direction, "last": last, "step": step}
+                yield fault("fix", "fixed-direction", **wrong)
             elif given.setdefault(number, direction) != direction:
-                yield f"cylinder {number} is to have the directions {given[number]} and {direction}; it can have one"
-        held: dict[int, set[int]] = {}
-        for number, direction in given.items():
-            place = min(number, self.cylinders + 1 - number) if self.symmetric else number
-            held.setdefault(direction, set()).add(place)
-            other = given.get(self.cylinders + 1 - number, direction) if self.symmetric else direction
-            if other != direction:
-                yield f"cylinders {number} and {self.cylinders + 1 - number} of a symmetric crank have the same direction"
+                wrong = {"cylinder": number, "first": given[number], "second": direction}
+                yield fault("fix", "fixed-twice", **wrong)
+        held: dict[int, list[int]] = {}
+        for number, direction in sorted(given.items()):
+            other = self.cylinders + 1 - number
+            held.setdefault(direction, []).append(min(number, other) if self.symmetric else number)
+            if self.symmetric and number < other and given.get(other, direction) != direction:
+                yield fault("fix", "fixed-mirror", first=number, second=other)
         for direction, places in sorted(held.items()):
-            if len(places) > self.each:
-                yield f"direction {direction} is given to {len(places)} throws; there is room for {self.each}"
+            if len(set(places)) > self.each:
+                numbers = ", ".join(str(number) for number in given if given[number] == direction)
+                wrong = {"direction": direction, "cylinders": numbers, "room": self.sharing}
+                yield fault("fix", "fixed-crowded", **wrong)
 
-    def misfit(self, star: Sequence[int]) -> str:
-        """Why a row of directions is no star of these: empty if it is one."""
-        said = ", ".join(map(str, star))
+    def misfit(self, star: Sequence[int]) -> SearchFault | None:
+        """Why a row of directions is not one of these stars; None if it is."""
         if len(star) != self.cylinders:
-            return f"the star ({said}) has {len(star)} throws for {self.cylinders} cylinders; give a direction for each"
+            return fault("", "star-throws", given=len(star), cylinders=self.cylinders)
         if sorted(star) != sorted(d for d in range(self.directions) for _ in range(self.sharing)):
-            times = "once" if self.sharing == 1 else "twice"
-            return f"the star ({said}) has throws elsewhere; give each direction from 0 to {self.directions - 1} {times}"
-        return ""
+            return fault("", "star-directions", last=self.directions - 1, times=self.sharing)
+        return None
 
     @property
     def sharing(self) -> int:
@@ -114,14 +114,20 @@ class Stars:
 
     @property
     def step(self) -> int:
-        """From a direction to that of the next cylinder to fire; 0 where two cylinders of a direction leave a choice."""
+        """From a direction to that of the next cylinder to fire.
+
+        0 where two cylinders of a direction leave a choice.
+        """
         if self.sharing == 2:
             return 0
         return 1 if self.cycle == "two-stroke" else 2 % self.cylinders
 
     @cached_property
     def places(self) -> tuple[tuple[int, ...], ...]:
-        """What can be placed by itself: cylinders (from 0), or pairs of them in symmetric cranks."""
+        """What can be placed by itself.
+
+        Cylinders (from 0), or pairs of them in symmetric cranks.
+        """
         if self.symmetric:
             return tuple((j, self.cylinders - 1 - j) for j in range(self.cylinders // 2))
         return tuple((j,) for j in range(self.cylinders))
@@ -142,7 +148,7 @@ class Stars:
         return tuple(Fraction(360 * d, self.directions) for d in range(self.directions))
 
     def firing_deg(self) -> tuple[Fraction, ...] | None:
-        """Crank angle at which each direction fires, where there is no choice, degrees within the cycle."""
+        """Crank angle at which each direction fires, degrees; None where there is a choice."""
         if self.step == 0:
             return None
         cycle = 360 if self.cycle == "two-stroke" else 720
@@ -165,16 +171,20 @@ class Stars:
     @cached_property
     def fixed_places(self) -> tuple[tuple[int, int], ...]:
         """The fixed throws by place (from 0)."""
-        home = {cylinder: place for place, members in enumerate(self.places) for cylinder in members}
+        home = {
+            cylinder: place for place, members in enumerate(self.places) for cylinder in members
+        }
         return tuple(sorted({(home[number - 1], direction) for number, direction in self.fixed}))
 
     @cached_property
     def count(self) -> int:
-        """How many stars there are, turned ones counted once (where throws are fixed none can be turned)."""
+        """Number of stars, turned ones counted once (with fixed throws none can be turned)."""
         return self.total if self.fixed else self.total // self.directions
 
     def classes(self, *, mirrored: bool = True, reversed_: bool = True) -> int:
-        """How many classes they make if mirrored stars, and those taken from the rear, count as one. Burnside's lemma.
+        """The number of classes if mirrored stars and those from the rear count as one.
+
+        By Burnside's lemma.
 
         >>> Stars(7, "two-stroke", tuple(Fraction(3 - j) for j in range(7))).classes()
         192
@@ -184,15 +194,19 @@ class Stars:
         turns = [lambda d, c=c: (d + c) % self.directions for c in range(self.directions)]
         mirrors = [lambda d, c=c: (c - d) % self.directions for c in range(self.directions)]
         group = [*turns, *(mirrors if mirrored else [])]
-        still = sum(self._unmoved([g(d) for d in range(self.directions)], ends=False) for g in group)
+        still = sum(
+            self._unmoved([g(d) for d in range(self.directions)], ends=False) for g in group
+        )
         size = len(group)
         if reversed_ and self.evenly_placed and not self.symmetric:
-            still += sum(self._unmoved([g(d) for d in range(self.directions)], ends=True) for g in group)
+            still += sum(
+                self._unmoved([g(d) for d in range(self.directions)], ends=True) for g in group
+            )
             size *= 2
         return still // size
 
     def _unmoved(self, image: list[int], *, ends: bool) -> int:
-        """How many stars a change of directions, with or without one end for the other, leaves as they are."""
+        """Number of stars that a change of directions, perhaps reversed too, leaves as they are."""
         if not ends:
             return self.total if image == list(range(self.directions)) else 0
         if any(image[image[d]] != d for d in range(self.directions)):
@@ -213,7 +227,10 @@ class Stars:
         return tuple(out)
 
     def same(self, star: Star) -> Iterator[Star]:
-        """All stars of a star's class, turned ones once, each with cylinder 1 in direction 0; itself alone if throws are fixed."""
+        """All stars of a star's class, turned ones once, each with cylinder 1 in direction 0.
+
+        Itself alone if throws are fixed.
+        """
         if self.fixed:
             yield star
             return

@@ -1,17 +1,19 @@
-"""What a star is judged by: vector sums over its cylinders, and neighbours that fire one after the other.
+"""Objectives of a star: vector sums over its cylinders, and neighbours in succession.
 
 A vector sum of order k is
 
     V = scale * sum over cylinders j of w_j exp(i 2 pi t(d_j)),
 
-d_j the direction of cylinder j. With w = 1 and t = k d/n it is F_k, the sum of the unit forces of order k; with w_j = z_j, the
-distance from the middle, it is M_k, that of their couples; with w_j the amplitude of cylinder j in a torsional mode shape
-and t = k (firing angle)/360 deg it tells how strongly gas torque of order k (halves for a four-stroke engine) drives that mode.
-The weights and turns are rational, so that a sum is a number of a cyclotomic field: whether it is zero is decided, not
-estimated.
+d_j the direction of cylinder j. With w = 1 and t = k d/n it is F_k, the sum of the unit forces of
+order k; with w_j = z_j, the distance from the middle, it is M_k, that of their couples; with w_j
+the amplitude of cylinder j in a torsional mode shape and t = k (firing angle)/360 deg it tells how
+strongly gas torque of order k (halves for a four-stroke engine) drives that mode. The weights and
+turns are rational, so that a sum is a number of a cyclotomic field: whether it is zero is decided,
+not estimated.
 
-Source: C. F. Taylor, The Internal Combustion Engine in Theory and Practice, vol. 2, chapter 8, for F_k and M_k; J. P. Den
-Hartog, Mechanical Vibrations, section 5.4 (star diagrams of torsional vibration).
+Source: C. F. Taylor, The Internal Combustion Engine in Theory and Practice, vol. 2, chapter 8, for
+F_k and M_k; J. P. Den Hartog, Mechanical Vibrations, section 5.4 (star diagrams of torsional
+vibration).
 """
 
 from __future__ import annotations
@@ -20,13 +22,20 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from crankstar.derive import cyclotomic
-from crankstar.search.stars import SearchError, Star, Stars
+from crankstar.derive.algebra import cyclotomic
+from crankstar.search.faults import error
+from crankstar.search.stars import Star, Stars
+
+SAME = 1e-9
+"""Lengths nearer than this, in the unit of the weights, are equal; rounding is below 1e-13.
+
+Zeros are proved separately.
+"""
 
 
 @dataclass(frozen=True)
 class VectorSum:
-    """scale * sum of w_j exp(i 2 pi t(d_j)): a weight for each cylinder, a part of a turn for each direction."""
+    """scale * sum of w_j exp(i 2 pi t(d_j)): weights by cylinder, parts of a turn by direction."""
 
     name: str
     weights: tuple[Fraction, ...]
@@ -49,9 +58,10 @@ class VectorSum:
 
 @dataclass(frozen=True)
 class Objective:
-    """What is made least: the root of the sum of squares of some vector sums, each with a weight, and neighbours in succession.
+    """The root of the sum of squares of some weighted vector sums, to be minimised.
 
-    `neighbours` is what each pair of neighbours that fire one after the other costs; 1 and no terms: their number.
+    neighbours: what each pair of neighbours that fire in succession adds; 1 without terms is their
+    number.
     """
 
     name: str
@@ -62,7 +72,7 @@ class Objective:
 
 @dataclass(frozen=True)
 class Limit:
-    """A vector sum may be at most so long (0: it is to vanish, which is proved), and at least so long."""
+    """A vector sum with a greatest length (0: it vanishes, which is proved) and a least one."""
 
     sum: VectorSum
     greatest: float
@@ -71,7 +81,9 @@ class Limit:
 
 def force(stars: Stars, order: int) -> VectorSum:
     """F_k, the sum of the unit forces of an order."""
-    return VectorSum(f"F{order}", (Fraction(1),) * stars.cylinders, _turns(stars, order), unit=_unit(order))
+    return VectorSum(
+        f"F{order}", (Fraction(1),) * stars.cylinders, _turns(stars, order), unit=_unit(order)
+    )
 
 
 def couple(stars: Stars, order: int) -> VectorSum:
@@ -85,14 +97,14 @@ def couple(stars: Stars, order: int) -> VectorSum:
 
 
 def torsion(stars: Stars, *, order: Fraction, shape: Sequence[Fraction]) -> VectorSum:
-    """T_k, the sum of a torsional mode's amplitudes at the cylinders, each turned by order times firing angle.
+    """T_k, the sum of a torsional mode's amplitudes, each turned by order times firing angle.
 
-    order: per turn, a multiple of 1/2 in a four-stroke engine; shape: amplitude at each cylinder from the front.
-    Raises SearchError where the firing order is not settled by the star (four-stroke, even number) and the order is
-    not whole.
+    order: per turn, a multiple of 1/2 in a four-stroke engine; shape: amplitude at each cylinder
+    from the front. Raises SearchError where the firing order is not settled by the star
+    (four-stroke, even number) and the order is not whole.
     """
     if len(shape) != stars.cylinders:
-        raise SearchError([f"the mode shape has {len(shape)} amplitudes for {stars.cylinders} cylinders; give one for each"])
+        raise error("mode_shape", "shape-count", given=len(shape), cylinders=stars.cylinders)
     check_torsion(stars, order)
     angles = stars.firing_deg() or stars.angles_deg
     turns = tuple(order * angle / 360 % 1 for angle in angles)
@@ -102,10 +114,9 @@ def torsion(stars: Stars, *, order: Fraction, shape: Sequence[Fraction]) -> Vect
 def check_torsion(stars: Stars, order: Fraction) -> None:
     """Raises SearchError where an order of torsion is none, or is not settled by the star."""
     if stars.cycle == "two-stroke" and order.denominator != 1:
-        raise SearchError([f"T{float(order):g}: a two-stroke engine has whole orders only"])
+        raise error("", "two-stroke-torsion", name=f"T{float(order):g}")
     if stars.step == 0 and order.denominator != 1:
-        message = "where two cylinders share a direction the firing order decides on half orders; search with whole ones"
-        raise SearchError([f"T{float(order):g}: {message}"])
+        raise error("", "half-torsion", name=f"T{float(order):g}")
 
 
 def _unit(order: int) -> str:
@@ -118,7 +129,7 @@ def _turns(stars: Stars, order: int) -> tuple[Fraction, ...]:
 
 
 def neighbours() -> Objective:
-    """The number of neighbours that fire one after the other; where two cylinders share each direction, in the best order."""
+    """The number of neighbours in succession; where two share each direction, in the best order."""
     return Objective("neighbours", neighbours=1.0)
 
 

@@ -1,7 +1,8 @@
-"""A part of a search: one stretch of its blocks in the strips of one attempt; the same wherever and whenever it is run.
+"""One range of blocks in the regions of one attempt; the same wherever and whenever it is run.
 
-A worker holds all arrangements of both halves of one block. Its greatest memory, measured (and computed by `memory`, with room
-for as many stars as a block may bring): 0.19 GB (0.20) for 16 cylinders, 0.49 GB (0.81) for 20, 0.75 GB (0.98) for 21.
+A worker holds all arrangements of both halves of one block. Its greatest memory, measured (and
+computed by `memory`, with buffers for as many stars as a block may bring): 0.19 GB (0.20) for 16
+cylinders, 0.49 GB (0.81) for 20, 0.75 GB (0.98) for 21.
 """
 
 from __future__ import annotations
@@ -10,13 +11,14 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from crankstar.search import harvest, kernels
-from crankstar.search.arrays import Desk, Found, Room
+from crankstar.search import kernels, results
+from crankstar.search.arrangements import exchanges
+from crankstar.search.arrays import FOUND, FRONT, GROWS, MET, Buffers, Output, Scratch
 from crankstar.search.halves import BUFFER, Halves, halves
-from crankstar.search.harvest import Harvest
 from crankstar.search.question import All, Front, Question
+from crankstar.search.regions import Regions
+from crankstar.search.results import Results
 from crankstar.search.stars import Star
-from crankstar.search.strips import Strips
 
 GREATEST_FRONT = 4096
 """Points of a front that are used to turn others away while it grows; more only make it slower."""
@@ -27,63 +29,74 @@ INTERPRETER = 190e6
 
 
 @dataclass(frozen=True)
-class Stretch:
-    """Blocks from start up to stop of a question, and the strips to search."""
+class BlockRange:
+    """Blocks from start up to stop of a question, and the regions to search."""
 
     question: Question
-    strips: Strips
+    regions: Regions
     start: int
     stop: int
 
 
 def asked(question: Question) -> Question:
-    """What the blocks are asked: the question, but for all stars where Python functions are to judge them (later, not here)."""
-    if not question.judges:
+    """The question that blocks answer: for all stars where Python functions choose later."""
+    if not question.functions:
         return question
-    return replace(question, ask=All(), judges=tuple(replace(judge, function=_unheard) for judge in question.judges))
+    return replace(
+        question,
+        ask=All(),
+        functions=tuple(replace(each, function=_absent) for each in question.functions),
+    )
 
 
-def _unheard(star: Star) -> float:
-    """Stands in for a judge on its way to the workers: the judges' functions need not be such as can be sent."""
+def _absent(star: Star) -> float:
+    """Stands in for a function on its way to the workers, since not every function can be sent."""
     raise NotImplementedError(star)
 
 
-def worked(stretch: Stretch) -> Harvest:
-    """What the stars of a stretch bring in."""
-    question = stretch.question
+def results_of(part: BlockRange) -> Results:
+    """The results of a block range."""
+    question = part.question
     ready = halves(question)
     tables = ready.tables
-    room = _room(ready)
+    buffers = _buffers(ready)
     rows, places = BUFFER + ready.inner_rows, tables.whole.shape[0]
     objectives = len(tables.weights)
-    found = Found(
-        np.empty((rows, objectives)), np.empty((rows, places), np.int8), np.empty(rows, np.int64), np.empty(rows, np.int64)
+    output = Output(
+        np.empty((rows, objectives)),
+        np.empty((rows, places), np.int8),
+        np.empty(rows, np.int64),
+        np.empty(rows, np.int64),
     )
     front = np.empty((GREATEST_FRONT, objectives))
     state = np.zeros(7, np.int64)
-    state[6] = isinstance(question.ask, Front) and not question.judges
-    radii = np.array(stretch.strips.radii, float).reshape(-1, 2)
-    desk = _desk(ready)
-    blocks = ready.blocks[stretch.start : stretch.stop]
-    out = harvest.nothing(len(question.objectives), places)
-    waiting: list[Harvest] = []
+    state[GROWS] = isinstance(question.ask, Front) and not question.functions
+    radii = np.array(part.regions.radii, float).reshape(-1, 2)
+    scratch = _scratch(ready)
+    blocks = ready.blocks[part.start : part.stop]
+    out = results.nothing(len(question.objectives), places)
+    waiting: list[Results] = []
     ended = False
     while not ended:
-        ended = kernels.searched(tables, blocks, radii, room, found, front, state, desk)
-        waiting.append(_handed_over(found, int(state[3])))
-        state[3] = 0
+        ended = kernels.searched(tables, blocks, radii, buffers, output, front, state, scratch)
+        waiting.append(_taken(output, int(state[FOUND])))
+        state[FOUND] = 0
         if not ended and sum(map(len, waiting)) < len(out):
             continue
-        out, waiting = harvest.gathered([out, *waiting], question.ask), []
-        bar = harvest.threshold(out, question.ask)
+        out, waiting = results.merged([out, *waiting], question.ask), []
+        bar = results.threshold(out, question.ask)
         if bar is not None:
-            front[0], state[5] = bar, 1
-    return replace(out, met=int(state[4]))
+            front[0], state[FRONT] = bar, 1
+    return replace(out, met=int(state[MET]))
 
 
 def memory(ready: Halves) -> float:
-    """Bytes that a worker may come to use: the interpreter, one block, and the stars it has found before they are gathered."""
-    width, objectives, places = ready.tables.constant.shape[0], len(ready.tables.weights), ready.tables.whole.shape[0]
+    """Bytes of a worker at most: the interpreter, one block, and its stars before merging."""
+    width, objectives, places = (
+        ready.tables.constant.shape[0],
+        len(ready.tables.weights),
+        ready.tables.whole.shape[0],
+    )
     outer = ready.outer_rows * (8 * width + 8 + 2)
     inner = ready.inner_rows * (8 * width + 8 + 2 + 4 + 16 + 4) + 4 * _cells(ready)[2]
     found = (BUFFER + ready.inner_rows) * (8 * objectives + places + 16)
@@ -91,20 +104,25 @@ def memory(ready: Halves) -> float:
     return INTERPRETER + outer + inner + found + blocks
 
 
-def _handed_over(found: Found, rows: int) -> Harvest:
-    """The rows the kernel has filled."""
-    return Harvest(found.values[:rows].copy(), found.stars[:rows].copy(), found.classes[:rows].copy(), found.times[:rows].copy())
+def _taken(output: Output, rows: int) -> Results:
+    """The rows that the kernel has filled."""
+    return Results(
+        output.values[:rows].copy(),
+        output.stars[:rows].copy(),
+        output.classes[:rows].copy(),
+        output.times[:rows].copy(),
+    )
 
 
-def _room(ready: Halves) -> Room:
-    """Room for one block, and how finely its inner half is sorted: about one vector to a cell in the thick of them."""
+def _buffers(ready: Halves) -> Buffers:
+    """Buffers for one block, its inner half sorted into cells of about one vector each."""
     tables = ready.tables
     width = tables.constant.shape[0]
     once = max(ready.counts) <= 1
     reach, cell, cells = _cells(ready)
-    return Room(
-        outer_pairs=kernels.exchanges(len(tables.outer) if once else 0),
-        inner_pairs=kernels.exchanges(len(tables.inner) if once else 0),
+    return Buffers(
+        outer_pairs=exchanges(len(tables.outer) if once else 0),
+        inner_pairs=exchanges(len(tables.inner) if once else 0),
         outer=np.empty((ready.outer_rows, width)),
         outer_code=np.empty(ready.outer_rows, np.int64),
         inner=np.empty((ready.inner_rows, width)),
@@ -119,16 +137,18 @@ def _room(ready: Halves) -> Room:
     )
 
 
-def _desk(ready: Halves) -> Desk:
-    """Room for one star."""
+def _scratch(ready: Halves) -> Scratch:
+    """Buffers for one star."""
     places, directions, width = ready.tables.whole.shape
     star = np.zeros(places, np.int64)
     seat = np.empty((directions, 2), np.int64)
-    return Desk(np.empty(width), np.empty(len(ready.tables.weights)), star, star.copy(), star.copy(), seat)
+    return Scratch(
+        np.empty(width), np.empty(len(ready.tables.weights)), star, star.copy(), star.copy(), seat
+    )
 
 
 def _cells(ready: Halves) -> tuple[np.ndarray, np.ndarray, int]:
-    """How far the inner half reaches in each plane, sides of cells that leave about one vector in each, cells at most."""
+    """Reach of the inner half in each plane, sides of cells with one vector each, most cells."""
     longest = np.abs(ready.tables.inner[:, 0, 0::2] + 1j * ready.tables.inner[:, 0, 1::2])
     reach = longest.sum(axis=0) * 1.001 + 1e-9
     cell = np.sqrt((longest**2).sum(axis=0) * np.pi / ready.inner_rows) + 1e-9

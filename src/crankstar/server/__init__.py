@@ -1,20 +1,22 @@
 """The local server: engines analysed as they are edited, over HTTP with JSON.
 
-It keeps nothing of its askers but the searches they start: an engine comes whole with every question. It opens no file by a
-name that it is asked for, answers under names of this machine only, and never says where on the machine anything is.
+It keeps nothing of its clients but the searches they start: an engine comes whole with every
+question. It opens no file by a name from outside, answers under names of this machine only, and
+reveals no path of the machine.
 
-| module | one line |
+| module, bottom to top | one line |
 |---|---|
-| `running` | a port taken, the address said, served until interrupted |
-| `application` | the application: routes, refusals, description |
-| `pages` | the page, its scripts, the description of the API for people |
-| `routes` | questions about engines, and searches |
-| `guard` | who may ask: host, kind and size of a question; what every answer says to the browser |
-| `searches` | searches under way, their progress, what they found |
-| `search_process` | a search in a process of its own |
-| `answers` | answers kept, and each question reckoned once however many ask it |
-| `tasks` | what the processes of the crew are given to do |
-| `crew` | processes that reckon, and are ended when it takes too long |
 | `messages` | questions and answers as records |
-| `refusal` | what cannot be answered: a status and every mistake |
+| `refusal` | a refusal: a status and every mistake |
+| `processes` | a process spawned, spoken to over a pipe, ended with its parent |
+| `tasks` | tasks of worker processes: a question to its answer as JSON |
+| `workers` | worker processes with one task at a time and a time limit |
+| `answers` | answers kept; each question computed once |
+| `guard` | host, kind and size of a question; headers of every answer |
+| `search_process` | a search in a process of its own |
+| `searches` | searches under way: progress, answers, how they stop |
+| `pages` | the page and its scripts, the description of the API |
+| `routes` | questions about engines, and searches |
+| `application` | the application: routes, refusals, description |
+| `running` | takes a port, prints the address, serves until interrupted |
 """

@@ -1,4 +1,4 @@
-"""Answers kept for those who ask again, and each question reckoned once however many ask it at the same time."""
+"""Answers kept for those who ask again; each question computed once, however many ask it."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import json
 from collections import OrderedDict
 from typing import Any
 
-from crankstar.server.crew import Crew, Task
+from crankstar.server.workers import Task, Workers
 
 GREATEST_KEPT = 64_000_000
 """Bytes of answers that are kept."""
@@ -17,8 +17,8 @@ GREATEST_KEPT = 64_000_000
 class Answers:
     """What a crew has answered; the answers that were asked for longest ago are forgotten first."""
 
-    def __init__(self, crew: Crew, *, greatest: int = GREATEST_KEPT) -> None:
-        self.crew = crew
+    def __init__(self, workers: Workers, *, greatest: int = GREATEST_KEPT) -> None:
+        self.workers = workers
         self.greatest = greatest
         self.size = 0
         self._kept: OrderedDict[bytes, bytes] = OrderedDict()
@@ -34,7 +34,7 @@ class Answers:
             self._kept.move_to_end(key)
             return kept
         if key not in self._under_way:
-            made = asyncio.ensure_future(self.crew.do(task, *arguments))
+            made = asyncio.ensure_future(self.workers.do(task, *arguments))
             made.add_done_callback(lambda done: self._ended(key, done))
             self._under_way[key] = made, [0]
         work, askers = self._under_way[key]

@@ -12,14 +12,15 @@ from starlette.exceptions import HTTPException
 from starlette.routing import Match, Route
 
 from crankstar import __version__
-from crankstar.fault import where
-from crankstar.quantity import seen
+from crankstar.language.faults import where
+from crankstar.language.messages import N_, _
+from crankstar.language.quoting import seen
 from crankstar.server import pages, routes
 from crankstar.server.answers import Answers
-from crankstar.server.crew import Crew
 from crankstar.server.guard import Guard
 from crankstar.server.refusal import Refused, refused
 from crankstar.server.searches import Searches
+from crankstar.server.workers import Workers
 
 DESCRIPTION = """How a piston engine shakes: forces, couples and rolls of every order, figures, derivations, remedies, searches.
 
@@ -27,22 +28,24 @@ Every question holds its engine, by its name in the catalog or as the tree of an
 in it). Whatever is wrong is answered in one shape, `{"problems": [{"path": ..., "message": ...}]}`: every mistake, its key path,
 and what would be right."""
 Opening = tuple[Any, str, str]
-"""What the page opens with: an engine (its name or tree), the words by which it was named, the command that says so."""
+"""The engine that the page opens with (name or tree), its name as given, the command."""
 OPENS_WITH: Opening = ("v8-cross-plane", "v8-cross-plane", "crankstar serve v8-cross-plane")
 
 
-def application(*, crew: Crew, opening: Opening = OPENS_WITH, host: str = "127.0.0.1") -> Guard:
+def application(
+    *, workers: Workers, opening: Opening = OPENS_WITH, host: str = "127.0.0.1"
+) -> Guard:
     """The ASGI application of the server."""
     searches = Searches()
 
     @asynccontextmanager
     async def lifespan(_: FastAPI) -> AsyncIterator[None]:
-        crew.begin()
+        workers.begin()
         try:
             yield
         finally:
             searches.end()
-            crew.end()
+            workers.end()
 
     app = FastAPI(
         title="crankstar",
@@ -53,7 +56,7 @@ def application(*, crew: Crew, opening: Opening = OPENS_WITH, host: str = "127.0
         redirect_slashes=False,  # a redirection would be no answer in JSON, and its address partly the asker's
         lifespan=lifespan,
     )
-    app.state.answers = Answers(crew)
+    app.state.answers = Answers(workers)
     app.state.searches = searches
     app.state.opening = opening
     app.include_router(routes.router)
@@ -73,7 +76,10 @@ async def _refuse(_: Request, error: Exception) -> Response:
     return _shown(error)
 
 
-HTTP = {404: "there is no such address; /docs has those that there are", 405: "this address is not asked so; /docs says how"}
+HTTP = {
+    404: N_("There is no such address; see /docs."),
+    405: N_("This address does not take this method; see /docs."),
+}
 
 
 async def _refuse_http(request: Request, error: Exception) -> Response:
@@ -81,12 +87,19 @@ async def _refuse_http(request: Request, error: Exception) -> Response:
     if isinstance(error, routes.NotStrictError):
         return _shown(error.refusal)
     heads = {"allow": ", ".join(_methods(request))} if error.status_code == 405 else error.headers
-    return _shown(refused(error.status_code, HTTP.get(error.status_code, "this cannot be answered")), heads)
+    return _shown(refused(error.status_code, _(HTTP.get(error.status_code, UNANSWERABLE))), heads)
+
+
+UNANSWERABLE = N_("This question cannot be answered.")
 
 
 def _methods(request: Request) -> list[str]:
-    """How an address may be asked, by all routes together; the framework names only those of the first."""
-    every = [route for route in (*request.app.routes, *routes.router.routes, *pages.router.routes) if isinstance(route, Route)]
+    """The methods of an address, of all its routes; the framework names only those of the first."""
+    every = [
+        route
+        for route in (*request.app.routes, *routes.router.routes, *pages.router.routes)
+        if isinstance(route, Route)
+    ]
     there = [route for route in every if route.matches(request.scope)[0] is not Match.NONE]
     methods = {method for route in there for method in route.methods or ()}
     return sorted(methods | ({"HEAD"} if "GET" in methods else set()))
@@ -94,7 +107,9 @@ def _methods(request: Request) -> list[str]:
 
 async def _refuse_invalid(_: Request, error: Exception) -> Response:
     assert isinstance(error, RequestValidationError)  # noqa: S101
-    return _shown(Refused(422, [(_path(fault["loc"]), _sentence(fault)) for fault in error.errors()]))
+    return _shown(
+        Refused(422, [(_path(fault["loc"]), _sentence(fault)) for fault in error.errors()])
+    )
 
 
 def _path(loc: tuple[str | int, ...]) -> str:

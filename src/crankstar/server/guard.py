@@ -1,8 +1,10 @@
-"""Who may ask what: the host that is named, the kind and size of a question; and what every answer says to the browser.
+"""Who may ask: the host named, the kind and size of a question; headers of every answer.
 
-A page of another site may not ask through the browser of the one who runs the server: neither under its own name for this
-machine (the host is looked at), nor across sites (the origin is looked at, and a question must be JSON, which a browser asks
-leave for), nor in a frame. Nobody may keep a question open for long, or send one that fills the memory.
+A page of another site may not ask through the browser of the server's user: neither under its own
+name for this machine (the host is checked), nor across sites (the origin is checked, and a question
+must be JSON, for which a browser asks permission), nor in a frame. Nobody may keep a question open
+for long, or send one that fills the memory. Starlette's TrustedHostMiddleware is not used: it
+knows no IPv6 host, no "any address in numbers", and refuses in plain text.
 """
 
 from __future__ import annotations
@@ -14,14 +16,15 @@ import socket
 from collections.abc import Awaitable, Callable, Iterable, MutableMapping
 from typing import Any
 
-from crankstar.quantity import one_line
-from crankstar.server.crew import FAILED
+from crankstar.language.messages import _
+from crankstar.language.quoting import one_line
 from crankstar.server.refusal import Refused, refused
+from crankstar.server.workers import FAILED
 
 GREATEST_QUESTION = 1_000_000
 """Bytes."""
 GREATEST_HEARD_OUT = 20_000_000
-"""Bytes of a question that is too long which are let pass by: a browser hears the refusal only when it has sent all of it."""
+"""Bytes read of a question that is too long: a browser accepts the refusal only after them."""
 QUESTION_SECONDS = 10.0
 """How long a question may take to come."""
 LOOPBACK = frozenset({"localhost", "127.0.0.1", "::1"})
@@ -53,19 +56,27 @@ log = logging.getLogger("crankstar.server")
 
 
 def hosts_of(host: str) -> frozenset[str] | None:
-    """The names by which a server that listens at `host` may be called; None: any in numbers, and the machine's own."""
+    """The host names of a server at `host`; None: any IP address, and the machine's own names."""
     return LOOPBACK if host in LOOPBACK else None
 
 
 def too_late(seconds: float) -> Refused:
     """The refusal of a question that is not whole after so long."""
-    return refused(408, f"the question did not come within {seconds:g} s; send it at once")
+    return refused(
+        408, _("The question did not arrive within {seconds} s.", seconds=f"{seconds:g}")
+    )
 
 
 class Guard:
     """Stands before an ASGI application."""
 
-    def __init__(self, application: Application, *, host: str = "127.0.0.1", seconds: float = QUESTION_SECONDS) -> None:
+    def __init__(
+        self,
+        application: Application,
+        *,
+        host: str = "127.0.0.1",
+        seconds: float = QUESTION_SECONDS,
+    ) -> None:
         self.application = application
         self.hosts = hosts_of(host)
         self.own = {host.lower(), socket.gethostname().lower(), "localhost"}
@@ -73,7 +84,8 @@ class Guard:
 
     def description(self) -> dict[str, Any]:
         """The description of the API (OpenAPI)."""
-        return self.application.openapi()  # pyright: ignore[reportFunctionMemberAccess]  # a FastAPI stands behind it
+        # a FastAPI stands behind it
+        return self.application.openapi()  # pyright: ignore[reportFunctionMemberAccess]
 
     async def __call__(self, scope: Message, receive: Receive, send: Send) -> None:
         """Refuses a question, or hands it on whole; one whose asker leaves is given up."""
@@ -83,10 +95,14 @@ class Guard:
             return
         answer = _Answer(send)
         try:
-            heads = {name.decode("latin-1"): value.decode("latin-1") for name, value in scope["headers"]}
+            heads = {
+                name.decode("latin-1"): value.decode("latin-1") for name, value in scope["headers"]
+            }
             self._check(scope, heads)
             body = await self._body(heads, receive)
-            if scope["method"] == "HEAD":  # asked as if for the whole answer; who sends it leaves its body out
+            if (
+                scope["method"] == "HEAD"
+            ):  # asked as if for the whole answer; who sends it leaves its body out
                 scope = {**scope, "method": "GET"}
             await _until_left(self.application(scope, _given(body), answer.send), receive)
         except Refused as refusal:
@@ -95,19 +111,37 @@ class Guard:
             raise
         except Exception:
             log.exception("a question failed")
-            await answer.refuse(refused(500, FAILED))
+            await answer.refuse(refused(500, _(FAILED)))
 
     def _check(self, scope: Message, heads: dict[str, str]) -> None:
         host = heads.get("host", "")
         if not self._known(host):
-            raise refused(421, f"this server is not called {one_line(host, longest=100)}; ask for it by the address it said")
+            raise refused(
+                421,
+                _(
+                    "{host} is not a name of this server. Use the address that it printed.",
+                    host=one_line(host, longest=100),
+                ),
+            )
         origin = heads.get("origin")
-        if origin is not None and origin.lower() not in (f"http://{host.lower()}", f"https://{host.lower()}"):
-            raise refused(403, "a page of another site asks this; open the page of this server itself")
-        if scope["method"] in ("POST", "PUT", "PATCH") and not _is_json(heads.get("content-type", "")):
-            raise refused(415, "the question must be JSON, with the header Content-Type: application/json")
+        if origin is not None and origin.lower() not in (
+            f"http://{host.lower()}",
+            f"https://{host.lower()}",
+        ):
+            raise refused(
+                403, _("A page of another site asks this. Open the page of this server itself.")
+            )
+        if scope["method"] in ("POST", "PUT", "PATCH") and not _is_json(
+            heads.get("content-type", "")
+        ):
+            raise refused(
+                415, _("The question must be JSON, with the header Content-Type: application/json.")
+            )
         if heads.get("content-encoding", "identity").strip().lower() != "identity":
-            raise refused(415, "the question must come as it is, not compressed; leave the header Content-Encoding out")
+            raise refused(
+                415,
+                _("The question must not be compressed. Leave out the header Content-Encoding."),
+            )
 
     def _known(self, host: str) -> bool:
         name = _name_of(host)
@@ -117,9 +151,15 @@ class Guard:
 
     async def _body(self, heads: dict[str, str], receive: Receive) -> bytes:
         """The whole question. Raises Refused where it is too long, or too long in coming."""
-        told = heads.get("content-length", "0")
-        too_large = refused(413, f"the question is larger than {GREATEST_QUESTION // 1_000_000} MB; an engine file has a few kB")
-        if not told.isdecimal() or int(told[:20]) > GREATEST_HEARD_OUT:
+        length = heads.get("content-length", "0")
+        too_large = refused(
+            413,
+            _(
+                "The question is larger than {size} MB; an engine file has a few kB.",
+                size=GREATEST_QUESTION // 1_000_000,
+            ),
+        )
+        if not length.isdecimal() or int(length[:20]) > GREATEST_HEARD_OUT:
             raise too_large
         parts: list[bytes] = []
         size = 0
@@ -128,7 +168,7 @@ class Guard:
                 while True:
                     message = await receive()
                     if message["type"] != "http.request":
-                        raise refused(400, "the question broke off")
+                        raise refused(400, _("The question broke off."))
                     parts.append(message.get("body", b""))
                     size += len(parts[-1])
                     if size > GREATEST_QUESTION:
@@ -164,9 +204,14 @@ class _Answer:
         if self.begun:
             return
         body = refusal.body
-        heads = [(b"content-type", b"application/json"), (b"content-length", str(len(body)).encode())]
+        heads = [
+            (b"content-type", b"application/json"),
+            (b"content-length", str(len(body)).encode()),
+        ]
         if refusal.status in (408, 413):
-            heads.append((b"connection", b"close"))  # what is still to come of the question is not wanted
+            heads.append(
+                (b"connection", b"close")
+            )  # what is still to come of the question is not wanted
         await self.send({"type": "http.response.start", "status": refusal.status, "headers": heads})
         await self.send({"type": "http.response.body", "body": body})
 

@@ -1,13 +1,17 @@
-"""Questions and answers of the API as records; what an engine looks like is said by its own schema (`/api/schema`)."""
+"""Questions and answers of the API as records.
+
+What an engine looks like is said by its own schema (`/api/schema`).
+"""
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, cast
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, WithJsonSchema
 
-from crankstar.exhibit.records import Problem
-from crankstar.quantity import seen
+from crankstar.language.quoting import seen
+from crankstar.options.words import SearchWords
+from crankstar.page.records import Exhibit, Problem
 from crankstar.remedy.counterweights import GREATEST_FACTOR
 from crankstar.search.stars import GREATEST_CYLINDERS
 
@@ -16,10 +20,18 @@ EXAMPLE = {
     "format": 1,
     "name": "V2, 90 deg",
     "firing_order": [1, 2],
-    "cylinder": {"bore": "90 mm", "stroke": "70 mm", "rod_length": "130 mm", "reciprocating_mass": "500 g"},
+    "cylinder": {
+        "bore": "90 mm",
+        "stroke": "70 mm",
+        "rod_length": "130 mm",
+        "reciprocating_mass": "500 g",
+    },
     "layout": {
         "type": "vee",
-        "banks": [{"bearing": "-45 deg", "cylinders": [1]}, {"bearing": "45 deg", "cylinders": [2]}],
+        "banks": [
+            {"bearing": "-45 deg", "cylinders": [1]},
+            {"bearing": "45 deg", "cylinders": [2]},
+        ],
         "throws": ["0 deg"],
     },
 }
@@ -27,9 +39,13 @@ EXAMPLE = {
 
 def _engine(value: Any) -> Any:
     if isinstance(value, str) and len(value) > LONGEST_NAME:
-        raise ValueError(f"has {len(value)} letters; names of the catalog have at most {LONGEST_NAME}")
+        raise ValueError(
+            f"has {len(value)} letters; names of the catalog have at most {LONGEST_NAME}"
+        )
     if not isinstance(value, str | dict):
-        raise ValueError(f"is {seen(value)}; give the name of an engine of the catalog, or the keys of an engine file")
+        raise ValueError(
+            f"is {seen(value)}; give the name of an engine of the catalog, or the keys of an engine file"
+        )
     return value
 
 
@@ -39,15 +55,21 @@ EngineAsked = Annotated[
     WithJsonSchema(
         {
             "anyOf": [
-                {"type": "string", "maxLength": LONGEST_NAME, "description": "the name of an engine of the catalog"},
-                {"type": "object", "description": "an engine file as a tree of keys, in the short or the explicit form"},
+                {
+                    "type": "string",
+                    "maxLength": LONGEST_NAME,
+                    "description": "the name of an engine of the catalog",
+                },
+                {
+                    "type": "object",
+                    "description": "an engine file as a tree of keys, in the short or the explicit form",
+                },
             ],
             "examples": ["v8-cross-plane", EXAMPLE],
         }
     ),
 ]
 Many = Annotated[int, Field(ge=2, le=GREATEST_CYLINDERS)]
-Word = Annotated[str, Field(max_length=500)]
 Key = Annotated[str, Field(max_length=200, examples=["spectrum:quantity=force"])]
 
 
@@ -72,17 +94,23 @@ class ChartQuestion(EngineQuestion):
 class DerivationQuestion(EngineQuestion):
     """A derivation of an engine."""
 
-    key: Annotated[str, Field(max_length=200, examples=["force:2"])] = Field(description="its key, as an exhibit names it")
+    key: Annotated[str, Field(max_length=200, examples=["force:2"])] = Field(
+        description="its key, as an exhibit names it"
+    )
 
 
 class FittedQuestion(EngineQuestion):
-    """How an engine is to be fitted with weights and balance shafts; with nothing said, as its verdict advises."""
+    """The weights and balance shafts to fit an engine with; by default the verdict's advice."""
 
     factor: Annotated[float, Field(ge=0, le=GREATEST_FACTOR)] | None = Field(
         default=None, description="balance factor of the counterweights"
     )
-    weights: Literal["pins", "webs", "ends"] | None = Field(default=None, description="where the counterweights go")
-    shafts: Literal["none", "needed", "all"] | None = Field(default=None, description="which balance shafts")
+    weights: Literal["pins", "webs", "ends"] | None = Field(
+        default=None, description="where the counterweights go"
+    )
+    shafts: Literal["none", "needed", "all"] | None = Field(
+        default=None, description="which balance shafts"
+    )
 
 
 class TextQuestion(Message):
@@ -91,23 +119,23 @@ class TextQuestion(Message):
     text: str = Field(description="as long as a question may be")
 
 
-class SearchQuestion(Message):
-    """What a search is to find, in the words of `crankstar search`: of an in-line engine, or of a number of cylinders."""
+class SearchQuestion(SearchWords):
+    """The options of a search, of an in-line engine or of a number of cylinders."""
 
-    engine: EngineAsked | None = Field(default=None, description="an in-line engine whose cylinders they are")
-    cylinders: Many | None = Field(default=None, description="how many, where there is no engine")
-    cycle: Literal["two-stroke", "four-stroke"] | None = None
-    minimise: Word | None = Field(default=None, description="what to make least, as in M1,M2", examples=["M1,M2"])
-    zero: Word | None = Field(default=None, description="what is to vanish exactly, as in M2")
-    limit: Annotated[list[Word], Field(max_length=20)] = Field(default=[], description="what may be at most so great: M2=1.5")
-    pitch: Word | None = Field(default=None, description="gaps between cylinders from the front, in pitches")
-    fix: Word | None = Field(default=None, description="throws that stay, as in 1=0,4=3")
-    mode_shape: Word | None = Field(default=None, description="amplitude of the torsional mode at each cylinder")
-    symmetric: bool = Field(default=False, description="only cranks whose rear half is the image of the front half")
-    avoid_adjacent: bool = Field(default=False, description="no neighbours may fire one after the other")
-    front: bool = Field(default=False, description="all values of which none can be bettered without another getting worse")
-    best: Annotated[int, Field(ge=1, le=200)] | None = Field(default=None, description="so many of the best")
-    all_with: Word | None = Field(default=None, description="all stars with the same moments as a firing order")
+    model_config = ConfigDict(extra="forbid", frozen=True, strict=True, str_max_length=500)
+
+    engine: EngineAsked | None = Field(
+        default=None, description="an in-line engine whose cylinders they are"
+    )
+    cylinders: Many | None = Field(
+        default=None, description="the number of cylinders, where there is no engine"
+    )
+    limit: Annotated[list[str], Field(max_length=20)] = cast(
+        "list[str]", SearchWords.model_fields["limit"]
+    )
+    best: Annotated[int, Field(ge=1, le=200)] | None = cast(  # pyright: ignore[reportIncompatibleVariableOverride]
+        "int | None", SearchWords.model_fields["best"]
+    )
 
 
 class Refusal(BaseModel):
@@ -133,9 +161,9 @@ class DerivationShown(BaseModel):
 
 
 class FittedShown(BaseModel):
-    """An engine with weights and balance shafts as an exhibit (its file is the tree), or null where there is nothing to do."""
+    """An engine with weights and balance shafts as an exhibit, or null where nothing is needed."""
 
-    exhibit: dict[str, Any] | None
+    exhibit: Exhibit | None
 
 
 class TomlShown(BaseModel):
@@ -167,7 +195,9 @@ class SearchShown(BaseModel):
     note: str = Field(description="how fast it is and how long it will take yet, or why it failed")
     heads: list[str]
     rows: list[Found]
-    sentences: list[str] = Field(description="what was asked, and what proves that the answer is complete")
+    sentences: list[str] = Field(
+        description="what was asked, and what proves that the answer is complete"
+    )
 
 
 class Health(BaseModel):

@@ -1,4 +1,4 @@
-"""The page and its scripts, and the description of the API for people: all of it from this machine, nothing inline."""
+"""The page, its scripts and the API's description: all from this machine, nothing inline."""
 
 from __future__ import annotations
 
@@ -85,7 +85,8 @@ def asset(name: str) -> Asset | None:
     """A file of the bundle; None where it was not built."""
     place = files("crankstar") / "bundle" / name
     try:
-        return _asset(name, place.stat().st_mtime)  # pyright: ignore[reportAttributeAccessIssue]  # a real file wherever we run
+        # a real file wherever we run
+        return _asset(name, place.stat().st_mtime)  # pyright: ignore[reportAttributeAccessIssue]
     except FileNotFoundError:
         return None
 
@@ -99,16 +100,23 @@ def _text(text: str, kind: str) -> Response:
 
 
 def _file(request: Request, name: str, kind: str) -> Response:
-    """A file of the bundle: for ever under an address with its digest, else asked for again. Raises Refused."""
+    """A file of the bundle, cached for ever if its address has its digest; raises Refused."""
     found = asset(name)
     if found is None:
         raise refused(404, f"{name} was not built with this installation")
     tag = f'"{found.digest}"'
-    heads = {"etag": tag, "cache-control": FOR_EVER if request.query_params.get("v") == found.digest else ASK_AGAIN}
+    heads = {
+        "etag": tag,
+        "cache-control": FOR_EVER if request.query_params.get("v") == found.digest else ASK_AGAIN,
+    }
     if request.headers.get("if-none-match") == tag:
         return Response(status_code=304, headers=heads)
     if "gzip" in request.headers.get("accept-encoding", ""):
-        return Response(found.small, media_type=kind, headers={**heads, "content-encoding": "gzip", "vary": "accept-encoding"})
+        return Response(
+            found.small,
+            media_type=kind,
+            headers={**heads, "content-encoding": "gzip", "vary": "accept-encoding"},
+        )
     return Response(found.plain, media_type=kind, headers={**heads, "vary": "accept-encoding"})
 
 

@@ -1,4 +1,7 @@
-"""Questions about engines, and searches: each route looks what is asked, has it reckoned, and answers."""
+"""Questions about engines, and searches.
+
+Each route looks what is asked, has it reckoned, and answers.
+"""
 
 from __future__ import annotations
 
@@ -9,12 +12,13 @@ from fastapi.routing import APIRoute
 from starlette.exceptions import HTTPException
 
 from crankstar import files
-from crankstar.exhibit.records import Exhibit, Exhibition
+from crankstar.language.messages import _
+from crankstar.page.records import Exhibit, Exhibition
 from crankstar.server import messages, search_process, tasks
 from crankstar.server.answers import Answers
-from crankstar.server.crew import Task
 from crankstar.server.refusal import Refused, refused
 from crankstar.server.searches import Searches
+from crankstar.server.workers import Task
 
 JSON = "application/json"
 ASKED = "the question"
@@ -36,7 +40,9 @@ TOLD: Told = {
 ANSWERED: Told = {status: TOLD[status] for status in (403, 421, 500, 503)}
 """What may happen to any question."""
 MISSING: Told = {404: {"model": messages.Refusal, "description": "There is nothing of that name."}}
-CROWDED: Told = {429: {"model": messages.Refusal, "description": "As many searches as may be are under way."}}
+CROWDED: Told = {
+    429: {"model": messages.Refusal, "description": "As many searches as may be are under way."}
+}
 
 
 class NotStrictError(HTTPException):
@@ -48,7 +54,10 @@ class NotStrictError(HTTPException):
 
 
 class StrictRequest(Request):
-    """A question whose JSON is read as engine files are: no key twice, nothing nested without end, sentences for mistakes."""
+    """A request whose JSON is read as strictly as engine files.
+
+    No key twice, nothing nested without end, sentences for mistakes.
+    """
 
     async def json(self) -> Any:
         """The question as a tree. Raises NotStrictError."""
@@ -78,18 +87,27 @@ def strict(body: bytes) -> Any:
     try:
         text = body.decode("utf-8")
     except UnicodeDecodeError:
-        raise refused(422, "the question is not text in UTF-8") from None
+        raise refused(422, _("The question is not text in UTF-8.")) from None
     if not text.lstrip().startswith("{"):
-        raise refused(422, "the question is not a JSON object, as in {}".format('{"engine": "v8-cross-plane"}'))
-    with tasks.mistakes_told():
+        raise refused(
+            422,
+            _(
+                "The question is not a JSON object, as in {example}.",
+                example='{"engine": "v8-cross-plane"}',
+            ),
+        )
+    with tasks.mistakes_refused():
         return files.tree_of(text, name=ASKED)
 
 
 def bounded(engine: Any) -> Any:
-    """An engine that is asked about, once it is found to be no larger than one can be. Raises Refused."""
+    """An engine that is asked about, once it is found to be no larger than one can be.
+
+    Raises Refused.
+    """
     if not isinstance(engine, dict):
         return engine
-    with tasks.mistakes_told():
+    with tasks.mistakes_refused():
         return files.changed(engine, {}, name=tasks.ENGINE)
 
 
@@ -102,25 +120,45 @@ async def _answer(request: Request, task: Task, *arguments: Any) -> Response:
     return Response(await answers.to(task, *arguments), media_type=JSON)
 
 
-@router.get("/health", response_model=messages.Health, summary="Whether the server is there", tags=["server"])
+@router.get(
+    "/health",
+    response_model=messages.Health,
+    summary="Whether the server is there",
+    tags=["server"],
+)
 async def health(request: Request) -> messages.Health:
     """Its version."""
     return messages.Health(version=request.app.version)
 
 
-@router.get("/opening", response_model=Exhibition, summary="What the page opens with", tags=["server"])
+@router.get(
+    "/opening", response_model=Exhibition, summary="What the page opens with", tags=["server"]
+)
 async def opening(request: Request) -> Response:
-    """The engine that the server was started with, as an exhibition; its fitted engine is asked for when it is wanted."""
+    """The engine that the server was started with, as an exhibition.
+
+    Its fitted engine is asked for when it is wanted.
+    """
     return await _answer(request, tasks.opening, *request.app.state.opening)
 
 
-@router.get("/schema", response_model=dict[str, Any], summary="The JSON Schema of engine files", tags=["engines"])
+@router.get(
+    "/schema",
+    response_model=dict[str, Any],
+    summary="The JSON Schema of engine files",
+    tags=["engines"],
+)
 async def schema(request: Request) -> Response:
     """Both forms, with the unit and meaning of every key."""
     return await _answer(request, tasks.schema)
 
 
-@router.get("/catalog", response_model=list[messages.CatalogEntry], summary="The engines of the catalog", tags=["engines"])
+@router.get(
+    "/catalog",
+    response_model=list[messages.CatalogEntry],
+    summary="The engines of the catalog",
+    tags=["engines"],
+)
 async def catalog(request: Request) -> Response:
     """Their names, in alphabetical order, and what they are."""
     return await _answer(request, tasks.summaries)
@@ -134,26 +172,48 @@ async def catalog(request: Request) -> Response:
     tags=["engines"],
 )
 async def catalog_engine(
-    request: Request, name: Annotated[str, Path(description="its name", examples=["v8-cross-plane"], max_length=1000)]
+    request: Request,
+    name: Annotated[
+        str, Path(description="its name", examples=["v8-cross-plane"], max_length=1000)
+    ],
 ) -> Response:
     """As a tree of keys, exactly as in TOML."""
     return await _answer(request, tasks.catalog_answer, name)
 
 
-@router.post("/exhibit", response_model=Exhibit, responses=ASK, summary="All that the page shows of an engine", tags=["engines"])
+@router.post(
+    "/exhibit",
+    response_model=Exhibit,
+    responses=ASK,
+    summary="All that the page shows of an engine",
+    tags=["engines"],
+)
 async def exhibit(request: Request, question: messages.EngineQuestion) -> Response:
-    """Its scene, forces and couples of each order, free response, tables, verdict, and what else can be asked of it, by keys."""
+    """An engine's scene, forces and couples by order, free response, tables, verdict and keys.
+
+    Keys name the figures and derivations that can be asked for.
+    """
     return await _answer(request, tasks.exhibit, bounded(question.engine))
 
 
-@router.post("/chart", response_model=dict[str, Any], responses=ASK, summary="A figure of an engine", tags=["engines"])
+@router.post(
+    "/chart",
+    response_model=dict[str, Any],
+    responses=ASK,
+    summary="A figure of an engine",
+    tags=["engines"],
+)
 async def chart(request: Request, question: messages.ChartQuestion) -> Response:
-    """A Vega specification; where the figure turns it has one parameter, `theta`, in degrees."""
+    """Vega-Lite; where the figure turns it has one parameter, `theta`, in degrees."""
     return await _answer(request, tasks.chart, bounded(question.engine), question.key)
 
 
 @router.post(
-    "/derivation", response_model=messages.DerivationShown, responses=ASK, summary="A derivation for an engine", tags=["engines"]
+    "/derivation",
+    response_model=messages.DerivationShown,
+    responses=ASK,
+    summary="A derivation for an engine",
+    tags=["engines"],
 )
 async def derivation(request: Request, question: messages.DerivationQuestion) -> Response:
     """How force or couple of an order come about, step by step, as HTML with MathML."""
@@ -161,40 +221,69 @@ async def derivation(request: Request, question: messages.DerivationQuestion) ->
 
 
 @router.post(
-    "/fitted", response_model=messages.FittedShown, responses=ASK, summary="An engine with weights and shafts", tags=["engines"]
+    "/fitted",
+    response_model=messages.FittedShown,
+    responses=ASK,
+    summary="An engine with weights and shafts",
+    tags=["engines"],
 )
 async def fitted(request: Request, question: messages.FittedQuestion) -> Response:
-    """The same engine with counterweights and balance shafts, as an exhibit; null where there is nothing to do."""
+    """The same engine with counterweights and balance shafts, as an exhibit.
+
+    Null where there is nothing to do.
+    """
     options = question.model_dump(include={"factor", "weights", "shafts"}, exclude_none=True)
     return await _answer(request, tasks.fitted, bounded(question.engine), options)
 
 
-@router.post("/toml", response_model=messages.TomlShown, responses=ASK, summary="An engine file in TOML", tags=["files"])
+@router.post(
+    "/toml",
+    response_model=messages.TomlShown,
+    responses=ASK,
+    summary="An engine file in TOML",
+    tags=["files"],
+)
 async def toml(request: Request, question: messages.EngineQuestion) -> Response:
     """The tree as it is asked with, short or explicit; it is checked first."""
     return await _answer(request, tasks.toml, bounded(question.engine))
 
 
-@router.post("/read", response_model=messages.TreeShown, responses=ASK, summary="The text of an engine file", tags=["files"])
+@router.post(
+    "/read",
+    response_model=messages.TreeShown,
+    responses=ASK,
+    summary="The text of an engine file",
+    tags=["files"],
+)
 async def read(request: Request, question: messages.TextQuestion) -> Response:
     """TOML or JSON to a tree of keys, once it is found to be an engine."""
     return await _answer(request, tasks.read, question.text)
 
 
-@router.post("/explicit", response_model=messages.TreeShown, responses=ASK, summary="An engine, part by part", tags=["files"])
+@router.post(
+    "/explicit",
+    response_model=messages.TreeShown,
+    responses=ASK,
+    summary="An engine, part by part",
+    tags=["files"],
+)
 async def explicit(request: Request, question: messages.EngineQuestion) -> Response:
     """The same engine in the explicit form: every shaft, throw, weight and cylinder by itself."""
     return await _answer(request, tasks.explicit, bounded(question.engine))
 
 
 @router.post(
-    "/search", response_model=messages.SearchShown, responses=ASK | CROWDED, summary="Search for a better crank", tags=["search"]
+    "/search",
+    response_model=messages.SearchShown,
+    responses=ASK | CROWDED,
+    summary="Search for a better crank",
+    tags=["search"],
 )
 async def start_search(request: Request, question: messages.SearchQuestion) -> Response:
     """Starts a search, which goes on by itself; ask for it by its id."""
     asked = question.model_dump() | {"engine": bounded(question.engine)}
     searches: Searches = request.app.state.searches
-    await request.app.state.answers.crew.do(search_process.checked, asked)
+    await request.app.state.answers.workers.do(search_process.checked, asked)
     return Response(searches.begun(asked), media_type=JSON)
 
 
@@ -202,7 +291,11 @@ Identity = Annotated[str, Path(description="the id of the search", max_length=10
 
 
 @router.get(
-    "/search/{identity}", response_model=messages.SearchShown, responses=MISSING, summary="How far a search is", tags=["search"]
+    "/search/{identity}",
+    response_model=messages.SearchShown,
+    responses=MISSING,
+    summary="How far a search is",
+    tags=["search"],
 )
 async def search(request: Request, identity: Identity) -> Response:
     """Its progress, or what it found, which is kept for some minutes."""
@@ -211,9 +304,16 @@ async def search(request: Request, identity: Identity) -> Response:
 
 
 @router.delete(
-    "/search/{identity}", response_model=messages.SearchShown, responses=MISSING, summary="Stop a search", tags=["search"]
+    "/search/{identity}",
+    response_model=messages.SearchShown,
+    responses=MISSING,
+    summary="Stop a search",
+    tags=["search"],
 )
 async def stop_search(request: Request, identity: Identity) -> Response:
-    """Stops a search that is under way; what it has found so far is shown, and said to be incomplete."""
+    """Stops a search that is under way.
+
+    What it has found so far is shown, and said to be incomplete.
+    """
     searches: Searches = request.app.state.searches
     return Response(searches.stopped(identity), media_type=JSON)

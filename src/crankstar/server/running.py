@@ -16,12 +16,13 @@ import h11
 import uvicorn
 from uvicorn.protocols.http.h11_impl import H11Protocol
 
-from crankstar.quantity import one_line
-from crankstar.request import RequestError
+from crankstar.language.messages import _
+from crankstar.language.quoting import one_line
+from crankstar.options.values import RequestError
 from crankstar.server import guard
 from crankstar.server.application import Opening, application
-from crankstar.server.crew import Processes
 from crankstar.server.refusal import Refused, refused
+from crankstar.server.workers import InProcesses
 
 TASK_SECONDS = 10.0
 """How long an answer may take."""
@@ -33,9 +34,11 @@ GREATEST_UNHEARD = 500
 
 
 def opened(host: str, port: int) -> socket.socket:
-    """A socket that listens at an address; port 0 is any that is free. Raises RequestError that says what to do."""
+    """A listening socket; port 0 is any free port. Raises RequestError with advice."""
     try:
-        family, kind, protocol, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM, flags=socket.AI_PASSIVE)[0]
+        family, kind, protocol, _, address = socket.getaddrinfo(
+            host, port, type=socket.SOCK_STREAM, flags=socket.AI_PASSIVE
+        )[0]
     except (OSError, UnicodeError, OverflowError):
         told = "is no address of this machine; leave it out, or give one as in 127.0.0.1"
         raise RequestError(f"--host {one_line(host)}: {told}") from None
@@ -56,7 +59,9 @@ def _refusal(host: str, port: int, error: OSError) -> str:
     if error.errno == errno.EADDRINUSE:
         other = port + 1 if port < 65535 else 8000
         why = "is in use, perhaps by another crankstar serve"
-        return f"--port {port}: {why}; take another, as in --port {other}, or --port 0 for a free one"
+        return (
+            f"--port {port}: {why}; take another, as in --port {other}, or --port 0 for a free one"
+        )
     if error.errno == errno.EACCES:
         return f"--port {port}: may not be used by you; take one from 1024 up, as in --port 8000"
     return f"--host {one_line(host)}: cannot be used ({error.strerror}); leave it out, or give an address of this machine"
@@ -65,14 +70,24 @@ def _refusal(host: str, port: int, error: OSError) -> str:
 def address_of(taken: socket.socket, host: str) -> str:
     """The address of the page, as one types it."""
     port = taken.getsockname()[1]
-    name = "127.0.0.1" if host in ("0.0.0.0", "") else "[::1]" if host == "::" else f"[{host}]" if ":" in host else host  # noqa: S104
+    name = (
+        "127.0.0.1"
+        if host in ("0.0.0.0", "")  # noqa: S104
+        else "[::1]"
+        if host == "::"
+        else f"[{host}]"
+        if ":" in host
+        else host
+    )
     return f"http://{name}:{port}/"
 
 
 def serve(taken: socket.socket, *, host: str, opening: Opening, ready: Callable[[], None]) -> None:
-    """Serves until an interrupt or a signal to end; `ready` is called once questions are answered."""
-    crew = Processes(max(1, min(os.cpu_count() or 1, GREATEST_PROCESSES)), seconds=TASK_SECONDS)
-    app = application(crew=crew, opening=opening, host=host)
+    """Serve until an interrupt or a signal to end; `ready` is called when the server is up."""
+    workers = InProcesses(
+        max(1, min(os.cpu_count() or 1, GREATEST_PROCESSES)), seconds=TASK_SECONDS
+    )
+    app = application(workers=workers, opening=opening, host=host)
     settings: dict[str, Any] = {
         "lifespan": "on",
         "log_config": None,
@@ -82,13 +97,18 @@ def serve(taken: socket.socket, *, host: str, opening: Opening, ready: Callable[
         "log_level": "error",
     }
     config = uvicorn.Config(
-        app, **settings, http=_Protocol, loop="asyncio", timeout_graceful_shutdown=LEAVE_SECONDS, proxy_headers=False
+        app,
+        **settings,
+        http=_Protocol,
+        loop="asyncio",
+        timeout_graceful_shutdown=LEAVE_SECONDS,
+        proxy_headers=False,
     )
     _Server(config, ready).run(sockets=[taken])
 
 
 class _Protocol(H11Protocol):
-    """HTTP, with our own words for what is none; who does not say within a time what is asked is hung up on."""
+    """HTTP with our own refusal of malformed requests; a silent client is disconnected."""
 
     _patience: asyncio.TimerHandle | None = None
 
@@ -113,7 +133,7 @@ class _Protocol(H11Protocol):
     def send_400_response(self, msg: str) -> None:
         """Refuses what came, and hangs up."""
         del msg
-        self._hang_up(refused(400, "this is no question in HTTP"))
+        self._hang_up(refused(400, _("This is not a question in HTTP.")))
 
     def _wait(self) -> None:
         self._patience = self.loop.call_later(guard.QUESTION_SECONDS, self._too_late)
@@ -132,8 +152,16 @@ class _Protocol(H11Protocol):
             self.transport.close()  # a browser that opened a line to have it ready
 
     def _hang_up(self, refusal: Refused) -> None:
-        heads = [(b"content-type", b"application/json"), (b"connection", b"close"), *guard.heads_always()]
-        answer = (h11.Response(status_code=refusal.status, headers=heads), h11.Data(data=refusal.body), h11.EndOfMessage())
+        heads = [
+            (b"content-type", b"application/json"),
+            (b"connection", b"close"),
+            *guard.heads_always(),
+        ]
+        answer = (
+            h11.Response(status_code=refusal.status, headers=heads),
+            h11.Data(data=refusal.body),
+            h11.EndOfMessage(),
+        )
         self.transport.write(b"".join(self.conn.send(event) or b"" for event in answer))
         self.transport.close()
 
@@ -153,16 +181,21 @@ class _Server(uvicorn.Server):
 
     @contextmanager
     def capture_signals(self) -> Iterator[None]:
-        """Takes the signals that end a server for itself."""
-        before = {one: signal.signal(one, self._told) for one in (signal.SIGINT, signal.SIGTERM)}
+        """Let SIGINT and SIGTERM stop the server, each unless the parent has it ignored."""
+        heeded = [
+            number
+            for number in (signal.SIGINT, signal.SIGTERM)
+            if signal.getsignal(number) is not signal.SIG_IGN
+        ]
+        before = {number: signal.signal(number, self._stop) for number in heeded}
         try:
             yield
         finally:
-            for one, handler in before.items():
-                signal.signal(one, handler)
+            for number, handler in before.items():
+                signal.signal(number, handler)
 
-    def _told(self, _number: int, _frame: FrameType | None) -> None:
-        self.should_exit = True  # it ends soon, and no sooner in good order if it is told twice
+    def _stop(self, _number: int, _frame: FrameType | None) -> None:
+        self.should_exit = True  # a second signal must not break the orderly end
 
 
 def is_loopback(host: str) -> bool:

@@ -1,169 +1,165 @@
-"""A search in a process of its own: it says how far it is, stops when it is told to, and ends with its parent."""
+"""A search in a process of its own: it reports progress, stops when asked, ends with its parent."""
 
 from __future__ import annotations
 
 import os
-import re
+import signal
 import threading
 import time
 from contextlib import suppress
 from multiprocessing.connection import Connection
-from typing import TYPE_CHECKING, Any, NoReturn
+from typing import Any, NamedTuple
 
 from crankstar import files
-from crankstar.engine import Engine
-from crankstar.request import RequestError
-from crankstar.server.refusal import Refused, Told, refused
-from crankstar.server.tasks import engine_of, mistakes_told
-from crankstar.wording import duration
-
-if TYPE_CHECKING:
-    from crankstar.search import run
+from crankstar.engine.engine import Engine
+from crankstar.language.messages import N_, _
+from crankstar.language.numbers import duration
+from crankstar.options import search as options
+from crankstar.options.words import SearchWords
+from crankstar.search import engine_stars, engines, equivalence, halves
+from crankstar.search.options import Search
+from crankstar.search.progress import Progress, note
+from crankstar.server.processes import messages
+from crankstar.server.refusal import Refused, refused
+from crankstar.server.tasks import engine_of, mistakes_refused
 
 LONGEST_SECONDS = 600.0
-"""A search that is thought to take longer on one processor is not begun."""
-TELLING_SECONDS = 0.2
-"""How often progress is told."""
+"""A search expected to take longer on one processor is not begun."""
+REPORT_SECONDS = 0.2
+"""How often progress is reported."""
 ROWS = 60
 """Rows of an answer that are sent."""
-OTHERS = "`crankstar search` with -o FILE.csv has all of them"
-GO_ON = "`crankstar search` with --checkpoint FILE can be stopped and go on"
-STOPPED: tuple[Any, ...] = ("done", True, [], [], ["Stopped before anything was found."])
-NARROWER = "fix throws, take symmetric cranks, let a sum vanish; or use `crankstar search`, which waits as long as you like"
+OTHERS = N_("`crankstar search` with -o FILE.csv has all of them")
+RESUME = N_("`crankstar search` with --checkpoint FILE can be stopped and resumed")
 
 
-def requested(asked: dict[str, Any]) -> Any:
-    """What the words of a question ask for, as a search_request.Request. Raises Refused with every mistake in them."""
-    from crankstar import search_request
+class Progressed(NamedTuple):
+    """A message of the process: how far the search has come."""
 
+    done: int
+    blocks: int
+    note: str
+
+
+class Failed(NamedTuple):
+    """The last message of a search that failed."""
+
+    sentence: str
+
+
+class Ended(NamedTuple):
+    """The last message of a search: rows of cells, each with the engine file that it makes."""
+
+    interrupted: bool
+    heads: list[str]
+    rows: list[tuple[list[str], dict[str, Any]]]
+    sentences: list[str]
+
+
+def search_of(asked: dict[str, Any]) -> Search:
+    """The search that a question asks for. Raises Refused with every fault in it."""
     engine, cylinders = asked["engine"], asked["cylinders"]
     if (engine is None) == (cylinders is None):
-        raise refused(422, "give an engine, or a number of cylinders")
-    words = {name: asked[name] for name in ("minimise", "zero", "pitch", "fix", "mode_shape", "all_with")}
-    switches = {name: asked[name] for name in ("symmetric", "avoid_adjacent", "front")}
-    best = None if asked["best"] is None else str(asked["best"])
-    wish = search_request.Wish(limit=tuple(asked["limit"]), best=best, **words, **switches)
-    with mistakes_told():
+        raise refused(422, _("Give either an engine or a number of cylinders."))
+    words = {key: asked[key] for key in SearchWords.model_fields}
+    with mistakes_refused():
         about = cylinders if engine is None else engine_of(engine)[0]
-    speed = about.speed if isinstance(about, Engine) else None
-    try:
-        return search_request.request(about, asked["cycle"], wish, speed=speed)
-    except RequestError as error:
-        raise Refused(422, map(by_key, str(error).split("\n"))) from None
-
-
-def by_key(mistake: str) -> Told:
-    """A mistake in the words of the command line, at the key of a question that means its option, and naming keys."""
-    option = re.match(r"--([a-z-]+)(?:: | (?!and ))", mistake)
-    path = option[1].replace("-", "_") if option else ""
-    message = mistake[option.end() :] if option else mistake
-    return path, re.sub(r'"[^"]*"|--([a-z][a-z-]*)', _named, message)
-
-
-def _named(found: re.Match[str]) -> str:
-    """An option as the key that means it; what is quoted was said by the one who asks."""
-    return f"`{found[1].replace('-', '_')}`" if found[1] else found[0]
+        speed = about.speed if isinstance(about, Engine) else None
+        return options.search_of(about, SearchWords(**words), speed=speed)
 
 
 def checked(asked: dict[str, Any]) -> bytes:
-    """Nothing, once the words of a search are found to ask for something. Raises Refused."""
-    requested(asked)
+    """Nothing, once the options of a search are valid. Raises Refused."""
+    search_of(asked)
     return b""
 
 
-def work(way: Connection, asked: dict[str, Any]) -> None:
-    """The whole life of the process: it tells ("progress", ...), and in the end ("done", ...) or ("failed", sentence)."""
-    told = _Told(way)
-    threading.Thread(target=_listen, args=(way, told), daemon=True).start()
+def work(pipe: Connection, asked: dict[str, Any]) -> None:
+    """The whole life of the process: messages of progress, then Ended or Failed."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    reporter = _Reporter(pipe)
+    threading.Thread(target=reporter.listen, daemon=True).start()
     try:
-        answer = found(told, asked)
-    except Exception as error:  # noqa: BLE001  # whatever it is, the one who asked is told
-        answer = ("failed", _sentence(error))
-    told.last(answer)
+        last = ended(asked, reporter)
+    except Refused as refusal:
+        last = Failed("; ".join(problem.message for problem in refusal.problems))
+    except Exception:  # noqa: BLE001  # the asker must hear of any failure
+        last = Failed(_("crankstar failed at this search, which is a bug."))
+    with suppress(OSError):
+        pipe.send(last)
+    os._exit(0)
 
 
-class _Told:
-    """What is told to the parent, by the search and by who listens to the parent; nothing after the end."""
+class _Reporter:
+    """Sends messages to the parent, and stops the search when the parent asks for it."""
 
-    def __init__(self, way: Connection) -> None:
-        self._way, self._one_by_one = way, threading.Lock()
+    def __init__(self, pipe: Connection) -> None:
+        self._pipe = pipe
         self.stopping = threading.Event()
-        self.any_done = False
         self._latest = 0.0
 
-    def progress(self, now: run.Progress, note: str) -> None:
-        """How far the search is. Raises KeyboardInterrupt, which has the search end with the best so far, once it is to stop."""
-        self.any_done = now.done > 0
-        if time.monotonic() - self._latest > TELLING_SECONDS:
+    def listen(self) -> None:
+        """Wait for the parent to stop the search; end the process when the parent is gone."""
+        for _stop in messages(self._pipe):
+            self.stopping.set()
+        os._exit(1)
+
+    def progress(self, now: Progress) -> None:
+        """Report progress. Raises KeyboardInterrupt, which ends a search, once it is to stop."""
+        if time.monotonic() - self._latest > REPORT_SECONDS:
             self._latest = time.monotonic()
-            with self._one_by_one:
-                self._way.send(("progress", now.done, now.blocks, note))
+            self._pipe.send(Progressed(now.done, now.blocks, note(now)))
         if self.stopping.is_set():
             raise KeyboardInterrupt
 
-    def last(self, answer: tuple[Any, ...]) -> NoReturn:
-        """The last word, with which the process ends."""
-        with self._one_by_one:
-            with suppress(OSError):
-                self._way.send(answer)
-            os._exit(0)
+
+def ended(asked: dict[str, Any], reporter: _Reporter) -> Ended:
+    """The last message. Raises Refused, also for a search that would take too long."""
+    # compiled loops are loaded here, not where questions are checked
+    from crankstar.search import estimates
+    from crankstar.search.answer import answer_to
+
+    search = search_of(asked)
+    with mistakes_refused():
+        halves.check(search.question)
+        seconds = estimates.estimate(search.question)
+        if seconds > LONGEST_SECONDS:
+            raise refused(
+                422,
+                _(
+                    "This search takes about {duration} on one processor, too long for a page. Fix "
+                    "throws, take symmetric cranks or let a sum vanish; or use `crankstar search`, "
+                    "which has no limit.",
+                    duration=duration(seconds),
+                ),
+            )
+        answer = answer_to(search.question, watch=reporter.progress)
+        if search.equivalence:
+            answer = equivalence.equivalent(answer, search.equivalence)
+    return Ended(answer.certificate.interrupted, *_shown(answer, search.engine))
 
 
-def _sentence(error: Exception) -> str:
-    from crankstar.search.stars import SearchError
-
-    if isinstance(error, Refused):
-        return "; ".join(message for _, message in error.problems)
-    known = isinstance(error, (RequestError, SearchError))
-    return str(error) if known else "crankstar has failed at this search, which is a mistake of crankstar"
-
-
-def _listen(way: Connection, told: _Told) -> None:
-    """Stops the search when the parent says so, and ends the process when the parent is gone.
-
-    A search with nothing done yet ends at once: it may be compiling its loops, in the middle of which an exception can be lost.
-    """
-    try:
-        while way.recv() == "stop":
-            told.stopping.set()
-            if not told.any_done:
-                told.last(STOPPED)
-    except (EOFError, OSError):
-        os._exit(1)
-
-
-def found(told: _Told, asked: dict[str, Any]) -> tuple[Any, ...]:
-    """What the process tells in the end. Raises Refused for what would take too long, SearchError for what cannot be searched."""
-    from crankstar.search import halves, run
-    from crankstar.search.findings import findings
-    from crankstar.search_job import note
-
-    wanted = requested(asked)
-    halves.check(wanted.question)
-    seconds = run.estimate(wanted.question)
-    if seconds > LONGEST_SECONDS:
-        why = f"this search takes about {duration(seconds)} on one processor, too long for a page"
-        raise refused(422, f"{why}. To narrow it: {NARROWER}")
-    answer = findings(wanted.question, watch=lambda now: told.progress(now, note(now)))
-    return ("done", answer.certificate.interrupted, *_told(answer, wanted))
-
-
-def _told(answer: Any, wanted: Any) -> tuple[list[str], list[tuple[list[str], dict[str, Any]]], list[str]]:
+def _shown(
+    answer: Any, engine: Engine | None
+) -> tuple[list[str], list[tuple[list[str], dict[str, Any]]], list[str]]:
     """Heads, rows with the engine files that they make, and sentences."""
-    from crankstar import search_table
-    from crankstar.search import engines, likeness, weighed
+    from crankstar.tables import search_stars
+    from crankstar.tables.cells import cells, head
+    from crankstar.tables.table import Table
 
-    answer = likeness.chosen(answer, wanted.likeness) if wanted.likeness else answer
-    shown = answer.rows[:ROWS]
-    heads, cells = search_table.cells(answer, shown)
+    stars, rows = answer.question.stars, answer.rows[:ROWS]
     made = [
-        engines.engine(answer.question.stars, row.star)
-        if wanted.engine is None
-        else weighed.with_star(wanted.engine, answer.question.stars, row.star)
-        for row in shown
+        engines.engine(stars, row.star)
+        if engine is None
+        else engine_stars.with_star(engine, stars, row.star)
+        for row in rows
     ]
-    trees = [files.explicit(engine) for engine in made]
-    hints = search_table.Hints(others=OTHERS, stopped=GO_ON)
-    words = [search_table.heading(answer.question), search_table.census(answer.question.stars)]
-    words += [*search_table.as_it_is(answer, wanted.engine), *search_table.sentences(answer, shown=len(shown), hints=hints)]
-    return heads, list(zip(cells, trees, strict=True)), words
+    hints = search_stars.Hints(others=_(OTHERS), stopped=_(RESUME))
+    document = search_stars.search_stars(answer, engine=engine, limit=ROWS, hints=hints)
+    table = next(document.tables).readable
+    sentences = [
+        line for part in document.parts if not isinstance(part, Table) for line in part.lines
+    ]
+    heads = [head(column) for column in table.columns]
+    trees = map(files.explicit, made)
+    return heads, list(zip(cells(table), trees, strict=True)), [document.title, *sentences]

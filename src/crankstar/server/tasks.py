@@ -1,30 +1,32 @@
-"""What the processes of the crew are given to do: an engine as a name or tree, and what is asked of it, to the answer as JSON.
+"""Tasks of worker processes: an engine and a question about it, to the answer as JSON.
 
-An engine is a name of the catalog or a tree of keys; no file is ever opened by a name that comes from outside.
+An engine is a name of the catalog or a tree of keys; no file is opened by a name from outside.
 """
 
 from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from functools import lru_cache
 from typing import Any
 
 from pydantic import BaseModel
 
-from crankstar import __version__, catalog, files, fitting
+from crankstar import __version__, files
 from crankstar.charts import ChartError
+from crankstar.charts.strokes import STROKE_COLOURS
 from crankstar.derive import DerivationError
-from crankstar.engine import Engine
-from crankstar.exhibit import exhibits
-from crankstar.exhibit.figures import NoSuchKeyError
-from crankstar.exhibit.records import Exhibit, Exhibition
-from crankstar.fault import EngineError, where
-from crankstar.files import EngineFileError
-from crankstar.remedy import RemedyError
-from crankstar.request import RequestError
-from crankstar.server.refusal import Refused
+from crankstar.engine.engine import Engine
+from crankstar.files import EngineFileError, catalog
+from crankstar.language.faults import EngineError
+from crankstar.options.values import RequestError
+from crankstar.page import exhibits
+from crankstar.page.figures import NoSuchKeyError
+from crankstar.page.records import Exhibit, Exhibition, StrokeColours
+from crankstar.remedy import RemedyError, fitting
+from crankstar.search.faults import SearchError
+from crankstar.server.refusal import Refused, Told, of_faults
 
 Tree = dict[str, Any]
 ENGINE = "the engine"
@@ -33,14 +35,27 @@ KEPT = 64
 
 
 @contextmanager
-def mistakes_told(at: str = "") -> Iterator[None]:
-    """Turns what is wrong with a question into a refusal of it; `at` is where mistakes stand that say nothing of it."""
+def mistakes_refused(at: str = "") -> Iterator[None]:
+    """Turn the mistakes of a question into a refusal; `at` is the path of those without one."""
     try:
         yield
     except EngineFileError as error:
-        raise Refused(422, error.problems) from None
+        raise of_faults(422, error.faults) from None
     except EngineError as error:
-        raise Refused(422, [(where(fault.path), fault.message) for fault in error.faults]) from None
+        raise of_faults(422, error.faults) from None
+    except SearchError as error:
+        raise Refused(
+            422,
+            [
+                Told(
+                    fault.path,
+                    fault.sentence(lambda option: f"`{option}`"),
+                    fault.code,
+                    fault.values,
+                )
+                for fault in error.faults
+            ],
+        ) from None
     except (RequestError, RemedyError, DerivationError, ChartError, NoSuchKeyError) as error:
         raise Refused(422, [(at, line) for line in str(error).split("\n")]) from None
 
@@ -53,7 +68,7 @@ def answered(value: Any) -> bytes:
 def catalog_tree(name: str, *, status: int = 404, at: str = "") -> Tree:
     """The tree of an engine of the catalog; no other file is looked for. Raises Refused."""
     if name not in catalog.names():
-        raise Refused(status, [(at, f"there is no such engine in the catalog; {catalog.instead(name)}")])
+        raise of_faults(status, [catalog.unknown_name(name, path=(at,) if at else ())])
     return catalog.tree_of(name)[1]
 
 
@@ -69,14 +84,17 @@ def _kept(text: str) -> Engine:
 
 
 def exhibit(engine: str | Tree) -> bytes:
-    """All that the page is told of an engine, but for its neighbours in the catalog, which take long. Raises Refused."""
-    with mistakes_told():
+    """All that the page shows of an engine, but for its neighbours in the catalog, which take long.
+
+    Raises Refused.
+    """
+    with mistakes_refused():
         return _json(_exhibit(engine))
 
 
 def _exhibit(engine: str | Tree) -> Exhibit:
     made, tree = engine_of(engine)
-    return exhibits.exhibit(made, file=tree, neighbours=False)
+    return exhibits.exhibit(made, file=tree, relatives=False)
 
 
 def _json(record: BaseModel) -> bytes:
@@ -84,53 +102,63 @@ def _json(record: BaseModel) -> bytes:
 
 
 def opening(engine: str | Tree, shown: str, command: str) -> bytes:
-    """What the page opens with: an engine, the words by which it was named, and the command of the server. Raises Refused."""
-    with mistakes_told():
+    """What the page opens with: an engine, its name as given, the command of the server.
+
+    Raises Refused.
+    """
+    with mistakes_refused():
         return _json(
-            Exhibition(engines=(_exhibit(engine),), fitted=(None,), sources=(shown,), command=command, version=__version__)
+            Exhibition(
+                engines=(_exhibit(engine),),
+                fitted=(None,),
+                stroke_colours=StrokeColours(**STROKE_COLOURS),
+                sources=(shown,),
+                command=command,
+                version=__version__,
+            )
         )
 
 
-def drawing_made_ready() -> None:
-    """Loads what draws figures, half a second's work, before somebody waits for one."""
-    with suppress(ImportError):
-        import altair
-        import vl_convert
-
-        del altair, vl_convert
-
-
 def chart(engine: str | Tree, key: str) -> bytes:
-    """A figure by its key, as a Vega specification. Raises Refused."""
-    from crankstar.exhibit import figures
+    """A figure by its key, as Vega-Lite. Raises Refused."""
+    from crankstar.page import figures
 
-    with mistakes_told(at="key"):
+    with mistakes_refused(at="key"):
         made, _ = engine_of(engine)
         return answered(figures.chart(made, key))
 
 
 def derivation(engine: str | Tree, key: str) -> bytes:
     """A derivation by its key, as HTML. Raises Refused."""
-    from crankstar.exhibit import figures
+    from crankstar.page import figures
 
-    with mistakes_told(at="key"):
+    with mistakes_refused(at="key"):
         made, _ = engine_of(engine)
         return answered({"html": figures.derivation(made, key)})
 
 
 def fitted(engine: str | Tree, options: dict[str, Any]) -> bytes:
-    """An engine with weights and balance shafts as an exhibit, or null where there is nothing to do. Raises Refused."""
-    with mistakes_told():
+    """An engine with weights and balance shafts as an exhibit, or null. Raises Refused."""
+    with mistakes_refused():
         made, _ = engine_of(engine)
         found = _fitted(made, **options) if options else exhibits.fitted(made)
         return b'{"exhibit":' + (b"null" if found is None else _json(found)) + b"}"
 
 
-def _fitted(engine: Engine, *, factor: float | None = None, weights: Any = None, shafts: Any = "none") -> Exhibit | None:
-    """An engine with what was asked for: counterweights of a factor, shafts that are needed then."""
+def _fitted(
+    engine: Engine, *, factor: float | None = None, weights: Any = None, shafts: Any = "none"
+) -> Exhibit | None:
+    """An engine with what was asked for.
+
+    Counterweights of a factor, shafts that are needed then.
+    """
     after = engine
     if factor is not None or weights is not None:
-        after = fitting.by_factor(after, factor=fitting.FACTORS[0] if factor is None else factor, weights=weights or "webs")
+        after = fitting.by_factor(
+            after,
+            factor=fitting.FACTORS[0] if factor is None else factor,
+            weights=weights or "webs",
+        )
     if shafts != "none":
         after = fitting.with_shafts(after, ratios=shafts, places=fitting.ShaftPlaces())
     if after is engine:
@@ -139,8 +167,11 @@ def _fitted(engine: Engine, *, factor: float | None = None, weights: Any = None,
 
 
 def toml(engine: str | Tree) -> bytes:
-    """An engine file as it was given, in TOML. Raises Refused where it is none, or cannot be written so that it is read again."""
-    with mistakes_told():
+    """An engine file in TOML.
+
+    Raises Refused where it is no engine, or its TOML would not be read back the same.
+    """
+    with mistakes_refused():
         made, tree = engine_of(engine)
         try:
             text = files.tree_text(_without_nothing(tree))
@@ -159,18 +190,21 @@ def _without_nothing(value: Any) -> Any:
 
 
 def read(text: str) -> bytes:
-    """The tree of the text of an engine file, TOML or JSON, once it is found to be an engine. Raises Refused."""
+    """The tree of an engine file's text, TOML or JSON, checked to be an engine; raises Refused."""
     if not text.strip():
         raise Refused(422, [("text", "is empty; give the text of an engine file")])
-    with mistakes_told():
+    with mistakes_refused():
         tree = files.tree_of(text.removeprefix("\ufeff"), name=ENGINE)
         files.engine_of(tree, name=ENGINE)
         return answered({"tree": tree})
 
 
 def explicit(engine: str | Tree) -> bytes:
-    """The tree of an engine in the explicit form, every shaft, throw, weight and cylinder by itself. Raises Refused."""
-    with mistakes_told():
+    """The tree of an engine in the explicit form: every shaft, throw, weight and cylinder.
+
+    Raises Refused.
+    """
+    with mistakes_refused():
         made, _ = engine_of(engine)
         return answered({"tree": files.part_by_part(made)})
 

@@ -1,28 +1,35 @@
 import { useId, useRef, useState } from 'preact/hooks'
-import type { CatalogEntry } from '../host/host'
-import { useSession } from './context'
+import type { CatalogEntry } from '../exhibit'
+import { t } from '../language/messages'
 
-/** The entries that hold every word that was typed, in name, title, layout, number of cylinders or cycle. */
+/** The entries with every typed word in name, title, layout, cylinders or cycle. */
 export function matching(entries: readonly CatalogEntry[], typed: string): CatalogEntry[] {
   const words = typed.toLowerCase().split(/\s+/).filter(Boolean)
   return entries.filter((entry) => {
     const said =
       `${entry.name} ${entry.title} ${entry.layout} ${entry.cylinders} cylinders ${entry.cycle}`.toLowerCase()
     return words.every((word) =>
-      /^\d+$/.test(word) ? said.split(/[^a-z0-9]+/).includes(word) || said.includes(word) : said.includes(word),
+      /^\d+$/.test(word)
+        ? said.split(/[^a-z0-9]+/).includes(word) || said.includes(word)
+        : said.includes(word),
     )
   })
 }
 
-/** The catalog as a box to type in with a list of what fits; arrow keys choose, Enter takes, Escape closes. */
-export function CatalogPicker() {
-  const session = useSession()
+interface Props {
+  readonly label: string
+  readonly entries: readonly CatalogEntry[]
+  readonly take: (entry: CatalogEntry) => void
+}
+
+/** A box with a list of matching engines; arrow keys choose, Enter takes, Escape closes. */
+export function CatalogPicker({ label, entries: all, take: taken }: Props) {
   const [typed, setTyped] = useState('')
   const [open, setOpen] = useState(false)
   const [active, setActive] = useState(0)
   const list = useRef<HTMLDivElement>(null)
   const id = useId()
-  const entries = matching(session.catalog.value, typed)
+  const entries = matching(all, typed)
   const at = Math.min(active, entries.length - 1)
 
   const go = (to: number) => {
@@ -36,7 +43,7 @@ export function CatalogPicker() {
     setOpen(false)
     setTyped('')
     setActive(0)
-    void session.open(session.service.engine(entry.name), entry.title)
+    taken(entry)
   }
   const keys: Record<string, () => void> = {
     ArrowDown: () => go(open ? at + 1 : at),
@@ -49,7 +56,7 @@ export function CatalogPicker() {
 
   return (
     <div class="catalog">
-      <label for={`${id}box`}>Engine of the catalog</label>
+      <label for={`${id}box`}>{label}</label>
       <input
         id={`${id}box`}
         type="text"
@@ -58,7 +65,7 @@ export function CatalogPicker() {
         aria-controls={`${id}list`}
         aria-autocomplete="list"
         aria-activedescendant={open && entries.length ? `${id}option${at}` : undefined}
-        placeholder="search: v8, radial, two-stroke, 5 ..."
+        placeholder={t('name, layout, number of cylinders')}
         autocomplete="off"
         spellcheck={false}
         value={typed}
@@ -78,7 +85,14 @@ export function CatalogPicker() {
           act()
         }}
       />
-      <div id={`${id}list`} ref={list} role="listbox" aria-label="Engines" class="options" hidden={!open}>
+      <div
+        id={`${id}list`}
+        ref={list}
+        role="listbox"
+        aria-label={t('Engines')}
+        class="options"
+        hidden={!open}
+      >
         {entries.map((entry, place) => (
           <div
             key={entry.name}
@@ -92,10 +106,12 @@ export function CatalogPicker() {
             onKeyDown={() => undefined}
           >
             <span class="title">{entry.title}</span>
-            <span class="facts">{`${entry.layout}, ${entry.cylinders} cyl., ${entry.cycle}`}</span>
+            <span class="facts">{`${entry.layout}, ${entry.cylinders}, ${entry.cycle}`}</span>
           </div>
         ))}
-        {entries.length === 0 && <div class="none">No engine fits. Type fewer words.</div>}
+        {entries.length === 0 && (
+          <div class="none">{t('No engine matches. Type fewer words.')}</div>
+        )}
       </div>
     </div>
   )

@@ -20,7 +20,7 @@ export function idOf(path: Path): string {
   return `edit:${written(path).replace(/\s/g, '_')}`
 }
 
-/** The value at a path. What shows it is drawn again only when it changes: a form of hundreds of fields is as quick as a short one. */
+/** The value at a path; a component that uses it is drawn again only when it changes. */
 export function useValue(path: Path): unknown {
   const session = useSession()
   const key = written(path)

@@ -1,5 +1,6 @@
 import { useRef } from 'preact/hooks'
-import { settled } from './quantity'
+import { t } from '../language/messages'
+import { wrapped } from './quantity'
 
 const STEPS: Record<string, number> = {
   ArrowRight: 1,
@@ -23,7 +24,7 @@ interface Props {
   readonly rested: () => void
 }
 
-/** A small wheel for a bearing: drag it, or turn it with the arrow keys (Page keys: 15 deg). Whole degrees; with shift 15, with alt tenths. */
+/** A wheel for a bearing: drag or arrow keys, 1 deg; with shift or page keys 15, with alt 0.1. */
 export function Dial({ degrees, label, turned, rested }: Props) {
   const held = useRef(false)
   const shown = degrees !== null && Math.abs(degrees) < ABSURD
@@ -35,7 +36,7 @@ export function Dial({ degrees, label, turned, rested }: Props) {
     const up = box.top + box.height / 2 - event.clientY
     if (Math.hypot(up, right) < 3) return
     const step = event.shiftKey ? 15 : event.altKey ? 0.1 : 1
-    turned(settled((Math.atan2(right, up) * 180) / Math.PI, step))
+    turned(wrapped((Math.atan2(right, up) * 180) / Math.PI, step))
   }
 
   return (
@@ -46,8 +47,12 @@ export function Dial({ degrees, label, turned, rested }: Props) {
       aria-label={label}
       aria-valuemin={-180}
       aria-valuemax={180}
-      aria-valuenow={Math.round(settled(at, 0.001) * 1000) / 1000}
-      aria-valuetext={!shown ? 'no angle' : `${Math.round(at * 1000) / 1000} degrees clockwise from up`}
+      aria-valuenow={Math.round(wrapped(at, 0.001) * 1000) / 1000}
+      aria-valuetext={
+        shown
+          ? t('{degrees} degrees clockwise from up', { degrees: Math.round(at * 1000) / 1000 })
+          : t('no angle')
+      }
       onPointerDown={(event) => {
         held.current = true
         event.currentTarget.setPointerCapture(event.pointerId)
@@ -66,7 +71,7 @@ export function Dial({ degrees, label, turned, rested }: Props) {
         const step = STEPS[event.key]
         if (step === undefined) return
         event.preventDefault()
-        turned(settled(at + (event.shiftKey && Math.abs(step) === 1 ? 15 * step : step), 0.001))
+        turned(wrapped(at + (event.shiftKey && Math.abs(step) === 1 ? 15 * step : step), 0.001))
       }}
       onBlur={rested}
     >

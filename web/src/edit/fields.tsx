@@ -1,9 +1,21 @@
 import type { ComponentChildren } from 'preact'
 import { useRef, useState } from 'preact/hooks'
+import { t } from '../language/messages'
 import { idOf, useSentences, useSession, useValue } from './context'
 import { Dial } from './dial'
 import { measured } from './measured'
-import { angle, type Dimension, degrees, parsed, retold, type Scale, scale, settled, shown, typed } from './quantity'
+import {
+  angle,
+  type Dimension,
+  degrees,
+  parsed,
+  rewritten,
+  type Scale,
+  scale,
+  textOf,
+  typed,
+  wrapped,
+} from './quantity'
 import type { Field, Kind } from './schema'
 import { TYPING } from './session'
 import { at, type Path, same } from './tree'
@@ -17,9 +29,16 @@ export interface FieldProps {
 
 type Of<T extends Kind['is']> = Extract<Kind, { is: T }>
 
-const USUAL: Record<Dimension, string> = { angle: 'deg', length: 'mm', place: 'mm', mass: 'g', speed: 'rpm', other: '' }
+const USUAL: Record<Dimension, string> = {
+  angle: 'deg',
+  length: 'mm',
+  place: 'mm',
+  mass: 'g',
+  speed: 'rpm',
+  other: '',
+}
 
-/** A label, what it labels, its help and what is wrong with it. */
+/** A label with its field, help and mistakes. */
 export function Labelled({
   field,
   path,
@@ -36,7 +55,7 @@ export function Labelled({
       </label>
       <div class="taking">{children}</div>
       {field.help && (
-        <p class={quiet ? 'aside' : 'help'} id={`${id}-help`}>
+        <p class={quiet ? 'unseen' : 'help'} id={`${id}-help`}>
           {field.help}
         </p>
       )}
@@ -45,7 +64,7 @@ export function Labelled({
   )
 }
 
-/** What is wrong, beside its field; `below` takes what is wrong inside it too. */
+/** The mistakes of a field; with `below` also those inside it. */
 export function Sentences({ path, below = false }: { path: Path; below?: boolean }) {
   const lines = useSentences(path, below)
   const id = `${idOf(path)}-wrong`
@@ -69,15 +88,24 @@ interface BoxProps {
   readonly numeric?: boolean
 }
 
-/** A text box for the value at a path. What is typed stays as it is typed while it means what the file holds. */
-export function Box({ path, label, example, take, below = false, long = false, numeric = false }: BoxProps) {
+/** A box for the value at a path. Typed text stays while it means what the file holds. */
+export function Box({
+  path,
+  label,
+  example,
+  take,
+  below = false,
+  long = false,
+  numeric = false,
+}: BoxProps) {
   const session = useSession()
   const [raw, setRaw] = useState<string | null>(null)
   const wrong = useSentences(path, below).length > 0
   const value = useValue(path)
   const id = idOf(path)
-  const meant = (text: string) => (text.trim() || typeof path.at(-1) === 'number' ? take(text) : undefined)
-  const text = raw !== null && same(meant(raw), value) ? raw : shown(value)
+  const meant = (text: string) =>
+    text.trim() || typeof path.at(-1) === 'number' ? take(text) : undefined
+  const text = raw !== null && same(meant(raw), value) ? raw : textOf(value)
   const props = {
     id,
     value: text,
@@ -129,7 +157,13 @@ export function NumberField(props: FieldProps & { kind: Of<'number'> }) {
     <Labelled {...props}>
       <Box path={path} example={defaulted(field)} take={typed} numeric />
       {limits && number !== null && (
-        <Slider path={path} label={field.label} limits={limits} number={number} told={(moved) => moved} />
+        <Slider
+          path={path}
+          label={field.label}
+          limits={limits}
+          number={number}
+          written={(moved) => moved}
+        />
       )}
     </Labelled>
   )
@@ -154,7 +188,12 @@ export function NumbersField(props: FieldProps) {
   const { field, path } = props
   return (
     <Labelled {...props} below>
-      <Box path={path} example={field.example} take={field.kind.is === 'lists' ? listsIn : numbersIn} below />
+      <Box
+        path={path}
+        example={field.example}
+        take={field.kind.is === 'lists' ? listsIn : numbersIn}
+        below
+      />
     </Labelled>
   )
 }
@@ -172,10 +211,12 @@ export function ChoiceField(props: FieldProps & { kind: Of<'choice'> }) {
         value={String(value)}
         onChange={(event) => session.set(path, event.currentTarget.value)}
       >
-        {!known && <option value={String(value)}>{value === undefined ? 'choose' : String(value)}</option>}
-        {kind.among.map((one) => (
-          <option key={one} value={one}>
-            {one}
+        {!known && (
+          <option value={String(value)}>{value === undefined ? t('choose') : String(value)}</option>
+        )}
+        {kind.among.map((each) => (
+          <option key={each} value={each}>
+            {each}
           </option>
         ))}
       </select>
@@ -191,19 +232,19 @@ export function MarksField(props: FieldProps & { kind: Of<'marks'> }) {
   return (
     <fieldset class="field marks" id={idOf(path)} tabIndex={-1}>
       <legend>{field.label}</legend>
-      {kind.among.map((one) => (
-        <label key={one}>
+      {kind.among.map((each) => (
+        <label key={each}>
           <input
             type="checkbox"
-            checked={on.includes(one)}
+            checked={on.includes(each)}
             onChange={(event) => {
               const next = kind.among.filter((other) =>
-                other === one ? event.currentTarget.checked : on.includes(other),
+                other === each ? event.currentTarget.checked : on.includes(other),
               )
               session.set(path, next.length ? next : undefined)
             }}
           />
-          {one}
+          {each}
         </label>
       ))}
       <p class="help">{field.help}</p>
@@ -217,11 +258,12 @@ interface SliderProps {
   readonly label: string
   readonly limits: Scale
   readonly number: number
-  readonly told: (number: number) => unknown
+  /** What the engine file holds for a number. */
+  readonly written: (number: number) => unknown
 }
 
-/** A slider beside a text box; a drag is one step of the history, and the scale stays while it lasts. */
-function Slider({ path, label, limits, number, told }: SliderProps) {
+/** A slider beside a box; a drag is one step of the history and keeps its scale. */
+function Slider({ path, label, limits, number, written }: SliderProps) {
   const session = useSession()
   const held = useRef<Scale | null>(null)
   const { low, high, step } = held.current ?? limits
@@ -232,8 +274,8 @@ function Slider({ path, label, limits, number, told }: SliderProps) {
   return (
     <input
       type="range"
-      aria-label={`${label}, slider`}
-      aria-valuetext={shown(told(number))}
+      aria-label={t('{name}, slider', { name: label })}
+      aria-valuetext={textOf(written(number))}
       min={low}
       max={high}
       step={step}
@@ -243,7 +285,7 @@ function Slider({ path, label, limits, number, told }: SliderProps) {
       }}
       onInput={(event) => {
         held.current ??= limits
-        session.set(path, told(Number(event.currentTarget.value)), `drag ${idOf(path)}`)
+        session.set(path, written(Number(event.currentTarget.value)), `drag ${idOf(path)}`)
       }}
       onChange={rest}
       onBlur={rest}
@@ -251,13 +293,14 @@ function Slider({ path, label, limits, number, told }: SliderProps) {
   )
 }
 
-/** What stands in an empty box: the example, or what is taken if it is left out. */
+/** The placeholder of a box: the default, or an example. */
 function defaulted(field: Field): string {
-  if (field.initial !== undefined && field.initial !== null && field.initial !== '') return String(field.initial)
-  return field.example ? `as in ${field.example}` : ''
+  if (field.initial !== undefined && field.initial !== null && field.initial !== '')
+    return String(field.initial)
+  return field.example ? t('e.g. {example}', { example: field.example }) : ''
 }
 
-/** A box for a number with a unit: a bare number that is typed takes the unit that was there, or the usual one. */
+/** Text as a value: a bare number takes the unit that was there, or the usual one. */
 function useTake(path: Path, dimension: Dimension): (text: string) => unknown {
   const tree = useSession().tree.peek()
   const value = at(tree, path)
@@ -278,17 +321,21 @@ export function QuantityField(props: FieldProps & { kind: Of<'quantity'> }) {
   const take = useTake(path, kind.dimension)
   const given = parsed(value) ?? (value === undefined ? parsed(field.initial) : null)
   const whole =
-    given && kind.dimension === 'angle' ? { number: degrees(value ?? field.initial) ?? 0, unit: 'deg' } : given
+    given && kind.dimension === 'angle'
+      ? { number: degrees(value ?? field.initial) ?? 0, unit: 'deg' }
+      : given
   const slides = whole && (kind.dimension === 'angle' || value !== undefined)
-  const told = (number: number) =>
-    kind.dimension === 'angle' ? angle(number, value) : retold(number, value, USUAL[kind.dimension])
-  const number = whole && kind.dimension === 'angle' ? settled(whole.number, 1e-6) : whole?.number
+  const written = (number: number) =>
+    kind.dimension === 'angle'
+      ? angle(number, value)
+      : rewritten(number, value, USUAL[kind.dimension])
+  const number = whole && kind.dimension === 'angle' ? wrapped(whole.number, 1e-6) : whole?.number
   return (
     <Labelled {...props}>
       {kind.dimension === 'angle' && (
         <Dial
           degrees={number ?? null}
-          label={`${field.label}, wheel`}
+          label={t('{name}, wheel', { name: field.label })}
           turned={(deg) => session.set(path, angle(deg, value), `turn ${idOf(path)}`)}
           rested={session.rest}
         />
@@ -300,7 +347,7 @@ export function QuantityField(props: FieldProps & { kind: Of<'quantity'> }) {
           label={field.label}
           limits={scale(whole, kind.dimension, kind.positive)}
           number={number}
-          told={told}
+          written={written}
         />
       ) : (
         <span class="room" />
@@ -320,7 +367,7 @@ export function Item({ field, path, label }: { field: Field; path: Path; label: 
       {dimension === 'angle' && (
         <Dial
           degrees={degrees(value)}
-          label={`${label}, wheel`}
+          label={t('{name}, wheel', { name: label })}
           turned={(deg) => session.set(path, angle(deg, value), `turn ${idOf(path)}`)}
           rested={session.rest}
         />

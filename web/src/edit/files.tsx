@@ -1,6 +1,7 @@
 import { useEffect, useRef, useState } from 'preact/hooks'
+import { t } from '../language/messages'
 import { useSession } from './context'
-import { type Session, told } from './session'
+import { answered, type Session } from './session'
 
 /** Bytes of a file that is read at all; the server takes no more. */
 const LARGEST = 1_000_000
@@ -19,7 +20,7 @@ export function fileName(name: unknown): string {
 export async function openFile(session: Session, file: File): Promise<void> {
   const name = file.name.slice(0, 80)
   if (file.size > LARGEST) {
-    session.note.value = `${name} is too large for an engine file; open one of up to 1 MB.`
+    session.note.value = t('{file} is too large. An engine file has at most 1 MB.', { file: name })
     return
   }
   await session.open(
@@ -30,9 +31,9 @@ export async function openFile(session: Session, file: File): Promise<void> {
 
 async function save(session: Session): Promise<void> {
   const tree = session.tree.value
-  const answer = await told(session.service.toml(tree))
+  const answer = await answered(session.service.toml(tree))
   if (!answer.ok) {
-    session.note.value = `Not saved: ${answer.problems[0]?.message ?? 'the engine has mistakes'}. Mend what is marked first.`
+    session.note.value = t('The engine was not saved. Correct the marked mistakes first.')
     return
   }
   const address = URL.createObjectURL(new Blob([answer.value], { type: 'application/toml' }))
@@ -42,7 +43,7 @@ async function save(session: Session): Promise<void> {
   link.click()
   // The download reads the address after this call has returned.
   setTimeout(() => URL.revokeObjectURL(address), 10_000)
-  session.note.value = `Saved as ${link.download}.`
+  session.note.value = t('Saved as {file}.', { file: link.download })
 }
 
 /** Open and save. */
@@ -52,14 +53,14 @@ export function FileButtons() {
   return (
     <>
       <button type="button" onClick={() => chooser.current?.click()}>
-        Open ...
+        {t('Open …')}
       </button>
       <input
         ref={chooser}
         type="file"
-        class="chooser"
+        class="unseen"
         accept=".toml,.json,application/toml,application/json"
-        aria-label="Engine file to open"
+        aria-label={t('Engine file to open')}
         tabIndex={-1}
         onChange={(event) => {
           const file = event.currentTarget.files?.[0]
@@ -68,13 +69,13 @@ export function FileButtons() {
         }}
       />
       <button type="button" onClick={() => void save(session)}>
-        Save as TOML
+        {t('Save as TOML')}
       </button>
     </>
   )
 }
 
-/** Takes an engine file that is dropped anywhere on the page; shows that it may be while it is dragged over it. */
+/** Opens an engine file that is dropped anywhere on the page. */
 export function DropZone({ opens }: { opens: () => void }) {
   const session = useSession()
   const [over, setOver] = useState(false)
@@ -110,5 +111,7 @@ export function DropZone({ opens }: { opens: () => void }) {
     document.addEventListener('drop', drop, { signal })
     return () => ends.abort()
   }, [session, opens])
-  return over ? <div class="edit-dropzone">Drop an engine file (TOML or JSON) to open it</div> : null
+  return over ? (
+    <div class="edit-dropzone">{t('Drop an engine file (TOML or JSON) to open it')}</div>
+  ) : null
 }

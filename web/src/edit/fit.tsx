@@ -1,28 +1,27 @@
 import { useId, useRef, useState } from 'preact/hooks'
 import type { Fitting } from '../host/host'
+import { message, t } from '../language/messages'
 import { useSession } from './context'
-import { told } from './session'
+import { answered } from './session'
 
-const WEIGHTS: Record<string, Fitting['weights']> = {
-  'opposite each pin': 'pins',
-  'on the webs': 'webs',
-  'at the ends': 'ends',
-}
-const SHAFTS: Record<string, Fitting['shafts']> = {
-  none: 'none',
-  'where needed': 'needed',
-  'for all that is left': 'all',
-}
-const FACTOR = 'Balance factor to fit'
-const ADVISED = 'as its verdict advises'
+const WEIGHTS = {
+  pins: message('opposite each pin'),
+  webs: message('on the webs'),
+  ends: message('at the ends'),
+} as const satisfies Record<NonNullable<Fitting['weights']>, string>
+const SHAFTS = {
+  none: message('none'),
+  needed: message('where needed'),
+  all: message('for all remaining orders'),
+} as const satisfies Record<NonNullable<Fitting['shafts']>, string>
 
-/** Puts counterweights and balance shafts on the engine; what it becomes has every weight in it (explicit form). */
+/** Puts counterweights and balance shafts on the engine; its file is then in the explicit form. */
 export function Fit() {
   const session = useSession()
   const id = useId()
   const [factor, setFactor] = useState('')
-  const [weights, setWeights] = useState(ADVISED)
-  const [shafts, setShafts] = useState(ADVISED)
+  const [weights, setWeights] = useState<keyof typeof WEIGHTS | ''>('')
+  const [shafts, setShafts] = useState<keyof typeof SHAFTS | ''>('')
   const [busy, setBusy] = useState(false)
   const root = useRef<HTMLDivElement>(null)
 
@@ -30,30 +29,28 @@ export function Fit() {
     const note = root.current?.closest('.editor')?.querySelector<HTMLElement>('.note')
     const share = Number(factor.trim().replace(',', '.'))
     if (!Number.isFinite(share)) {
-      session.note.value = `${FACTOR}: “${factor}” is no number; give one as in 0.5, or leave it empty for the best.`
+      session.note.value = t('Balance factor: “{factor}” is not a number. Type one, as in 0.5.', {
+        factor,
+      })
       if (note) lookAt(note)
       return
     }
-    const at = WEIGHTS[weights]
-    const which = SHAFTS[shafts]
     const options: Fitting = {
       ...(factor.trim() && { factor: share }),
-      ...(at && { weights: at }),
-      ...(which && { shafts: which }),
+      ...(weights && { weights }),
+      ...(shafts && { shafts }),
     }
     setBusy(true)
-    const answer = await told(session.service.fitted(session.tree.value, options))
+    const answer = await answered(session.service.fitted(session.tree.value, options))
     setBusy(false)
     if (!answer.ok) {
-      const problems = answer.problems.map((one) => (one.path === 'factor' ? { ...one, path: FACTOR } : one))
       session.note.value = ''
-      session.refused.value = { what: 'The engine could not be fitted; it stays as it is.', problems }
+      session.refused.value = { what: t('The engine was not fitted.'), problems: answer.problems }
     } else if (answer.value === null)
-      session.note.value = 'There is nothing to fit: weights and shafts would take nothing away.'
+      session.note.value = t('Weights and shafts would not reduce the unbalance.')
     else {
       session.edit(answer.value)
-      session.note.value =
-        'Fitted. The engine is in the explicit form now, weight by weight; undo takes them off again.'
+      session.note.value = t('Fitted. The engine file now lists every weight; Undo removes them.')
     }
     if (note) lookAt(note)
   }
@@ -61,52 +58,58 @@ export function Fit() {
   return (
     <div class="fit" ref={root}>
       <p class="help">
-        Weights and shafts that take away what they can. The engine is then in the explicit form, weight by weight.
+        {t('Fits counterweights and balance shafts. The engine file then lists every weight.')}
       </p>
       <div>
-        <label for={id}>{FACTOR}</label>
+        <label for={id}>{t('Balance factor')}</label>
         <input
           id={id}
           type="text"
           inputMode="decimal"
-          placeholder="the best"
+          placeholder={t('best')}
           autocomplete="off"
           value={factor}
           onInput={(event) => setFactor(event.currentTarget.value)}
         />
       </div>
-      <Choice label="Counterweights" among={Object.keys(WEIGHTS)} value={weights} choose={setWeights} />
-      <Choice label="Balance shafts" among={Object.keys(SHAFTS)} value={shafts} choose={setShafts} />
+      <Choice label={t('Counterweights')} names={WEIGHTS} value={weights} choose={setWeights} />
+      <Choice label={t('Balance shafts')} names={SHAFTS} value={shafts} choose={setShafts} />
       <button type="button" disabled={busy} onClick={() => void fit()}>
-        Fit
+        {t('Fit')}
       </button>
     </div>
   )
 }
 
-/** What was done is told at the head of the form, far from the button, and the form is another one then: go there. */
+/** Scrolls to the note at the head of the form, which is far from the button and has changed. */
 function lookAt(note: HTMLElement): void {
   note.focus({ preventScroll: true })
   // Once the new form stands: the browser holds on to the old place until then.
   requestAnimationFrame(() => requestAnimationFrame(() => note.scrollIntoView({ block: 'center' })))
 }
 
-interface ChoiceProps {
+interface ChoiceProps<T extends string> {
   readonly label: string
-  readonly among: readonly string[]
-  readonly value: string
-  readonly choose: (value: string) => void
+  readonly names: Readonly<Record<T, string>>
+  /** Empty for the recommendation of the verdict. */
+  readonly value: T | ''
+  readonly choose: (value: T | '') => void
 }
 
-function Choice({ label, among, value, choose }: ChoiceProps) {
+function Choice<T extends string>({ label, names, value, choose }: ChoiceProps<T>) {
   const id = useId()
   return (
     <div>
       <label for={id}>{label}</label>
-      <select id={id} value={value} onChange={(event) => choose(event.currentTarget.value)}>
-        {[ADVISED, ...among].map((one) => (
-          <option key={one} value={one}>
-            {one}
+      <select
+        id={id}
+        value={value}
+        onChange={(event) => choose(event.currentTarget.value as T | '')}
+      >
+        <option value="">{t('recommended')}</option>
+        {(Object.keys(names) as T[]).map((each) => (
+          <option key={each} value={each}>
+            {t(String(names[each]))}
           </option>
         ))}
       </select>

@@ -1,3 +1,4 @@
+import { message, t } from '../language/messages'
 import { idOf, useSession } from './context'
 import { Fit } from './fit'
 import { TYPES, withLayout } from './layouts'
@@ -11,33 +12,38 @@ interface Group {
   readonly open: boolean
 }
 
-const COUNTERWEIGHTS = 'Counterweights and balance shafts'
+const COUNTERWEIGHTS = message('Counterweights and balance shafts')
 
-/** What engineers change first stands first. Keys that no group names, new ones too, stand under the last. */
+/** The usual changes first. Keys of no group, new ones too, stand in the last. */
 const GROUPS: readonly Group[] = [
-  { title: 'Engine', keys: ['name', 'cycle', 'rotation', 'firing_order', 'speed'], open: true },
-  { title: 'Layout', keys: ['layout'], open: true },
-  { title: 'Shafts, throws and weights', keys: ['shaft', 'bore_pitch'], open: true },
-  { title: 'Cylinder', keys: ['cylinder'], open: true },
+  {
+    title: message('Engine'),
+    keys: ['name', 'cycle', 'rotation', 'firing_order', 'speed'],
+    open: true,
+  },
+  { title: message('Layout'), keys: ['layout'], open: true },
+  { title: message('Shafts, throws and weights'), keys: ['shaft', 'bore_pitch'], open: true },
+  { title: message('Cylinder'), keys: ['cylinder'], open: true },
   { title: COUNTERWEIGHTS, keys: ['balance_factor'], open: true },
-  { title: 'Cylinders one by one', keys: ['cylinders'], open: false },
-  { title: 'Block', keys: ['block'], open: false },
-  { title: 'Valves or ports', keys: ['valves'], open: false },
+  { title: message('Individual cylinders'), keys: ['cylinders'], open: false },
+  { title: message('Block'), keys: ['block'], open: false },
+  { title: message('Valves or ports'), keys: ['valves'], open: false },
 ]
-const REST = 'Sources, notes and the rest'
+const REST = message('Sources and notes')
 
 /** The whole form of the engine file. */
 export function EngineForm() {
   const session = useSession()
   const form = session.form.value
-  if (!form) return <p class="help">The form is on its way ...</p>
+  if (!form) return <p class="help">{t('Loading the form …')}</p>
   const named = new Set(GROUPS.flatMap((group) => group.keys))
   const rest = {
     title: REST,
     keys: form.fields.filter((field) => !named.has(field.key)).map((field) => field.key),
     open: false,
   }
-  // The explicit form has its counterweights at the shafts; that it can be fitted with others stands here all the same.
+  // The explicit form has its counterweights at the shafts; that it can be fitted with others
+  // stands here all the same.
   const groups = [...GROUPS, rest].map((group) => ({
     ...group,
     fields: group.keys.flatMap((key) => form.fields.filter((f) => f.key === key)),
@@ -47,16 +53,29 @@ export function EngineForm() {
       {groups
         .filter((group) => group.fields.length > 0 || group.title === COUNTERWEIGHTS)
         .map((group) => (
-          <GroupOf key={`${form.type} ${group.title}`} title={group.title} open={group.open} fields={group.fields} />
+          <GroupOf
+            key={`${form.type} ${group.title}`}
+            title={group.title}
+            open={group.open}
+            fields={group.fields}
+          />
         ))}
     </form>
   )
 }
 
-function GroupOf({ title, open, fields }: { title: string; open: boolean; fields: readonly Field[] }) {
+function GroupOf({
+  title,
+  open,
+  fields,
+}: {
+  title: string
+  open: boolean
+  fields: readonly Field[]
+}) {
   const session = useSession()
   return (
-    <Folded title={title} open={open} paths={fields.map((field) => [field.key])}>
+    <Folded title={t(title)} open={open} paths={fields.map((field) => [field.key])}>
       {() => (
         <>
           {title === 'Layout' && <LayoutType />}
@@ -89,7 +108,7 @@ function LayoutType() {
   const type = session.form.value?.type ?? EXPLICIT
   return (
     <div class="field">
-      <label for="edit:layout.type">Type</label>
+      <label for="edit:layout.type">{t('Type')}</label>
       <div class="taking">
         <select
           id="edit:layout.type"
@@ -97,28 +116,37 @@ function LayoutType() {
           onChange={(event) => {
             const chosen = event.currentTarget.value
             if (chosen === EXPLICIT)
-              void session.open(session.service.explicit(session.tree.value), 'The explicit form')
+              void session.open(
+                session.service.explicit(session.tree.value),
+                t('The explicit form'),
+              )
             else session.edit(withLayout(session.tree.value, chosen))
           }}
         >
-          {TYPES.map((one) => (
-            <option key={one} value={one}>
-              {one}
+          {TYPES.map((each) => (
+            <option key={each} value={each}>
+              {each}
             </option>
           ))}
-          <option value={EXPLICIT}>explicit: every shaft, throw and weight</option>
+          <option value={EXPLICIT}>{t('explicit: every shaft, throw and weight')}</option>
         </select>
       </div>
-      <p class="help">another type begins with the same cylinders, evenly spaced throws and no firing order</p>
+      <p class="help">
+        {t('A new type starts with the same cylinders, evenly spaced throws and no firing order.')}
+      </p>
     </div>
   )
 }
 
-/** Opens what a field is folded in, brings it into view and puts the focus on it; the nearest one above if it is not there itself. */
+/** Unfolds the field of a problem, or the nearest above it, and gives it the focus. */
 export function jump(root: HTMLElement, problem: Placed): void {
   const element = nearest(root, problem.at)
   if (!element) return
-  for (let fold = element.closest('details'); fold; fold = fold.parentElement?.closest('details') ?? null)
+  for (
+    let fold = element.closest('details');
+    fold;
+    fold = fold.parentElement?.closest('details') ?? null
+  )
     fold.open = true
   const reduced = matchMedia('(prefers-reduced-motion: reduce)').matches
   element.scrollIntoView({ block: 'center', behavior: reduced ? 'auto' : 'smooth' })
@@ -127,8 +155,8 @@ export function jump(root: HTMLElement, problem: Placed): void {
 
 function nearest(root: HTMLElement, path: Placed['at']): HTMLElement | null {
   for (let length = path.length; length > 0; length--) {
-    const found = root.querySelector<HTMLElement>(`#${CSS.escape(idOf(path.slice(0, length)))}`)
-    if (found) return found
+    const element = root.querySelector<HTMLElement>(`#${CSS.escape(idOf(path.slice(0, length)))}`)
+    if (element) return element
   }
   return null
 }

@@ -1,6 +1,6 @@
 import { same } from './tree'
 
-/** Engine files one after the other, one of them the present; a gesture (a drag, typing in one field) is one step. */
+/** Engine files in time, one the present; a gesture (a drag, typing) is one step. */
 export interface History<T> {
   readonly past: readonly T[]
   readonly present: T
@@ -22,7 +22,7 @@ export function begun<T>(present: T): History<T> {
   return { past: [], present, future: [], gesture: null }
 }
 
-/** The history after a move. An edit that changes nothing, an undo at the beginning and a redo at the end leave it as it is. */
+/** The history after a move; a move that changes nothing gives the same history. */
 export function after<T>(history: History<T>, move: Move<T>): History<T> {
   const { past, present, future } = history
   switch (move.kind) {
@@ -30,14 +30,24 @@ export function after<T>(history: History<T>, move: Move<T>): History<T> {
       if (same(move.to, present)) return history
       const gesture = move.gesture ?? null
       const goesOn = gesture !== null && gesture === history.gesture && past.length > 0
-      return { past: goesOn ? past : [...past, present].slice(-LONGEST), present: move.to, future: [], gesture }
+      return {
+        past: goesOn ? past : [...past, present].slice(-LONGEST),
+        present: move.to,
+        future: [],
+        gesture,
+      }
     }
     case 'rest':
       return history.gesture === null ? history : { ...history, gesture: null }
     case 'undo': {
       const before = past.at(-1)
       if (before === undefined) return history
-      return { past: past.slice(0, -1), present: before, future: [present, ...future], gesture: null }
+      return {
+        past: past.slice(0, -1),
+        present: before,
+        future: [present, ...future],
+        gesture: null,
+      }
     }
     case 'redo': {
       const [next, ...rest] = future

@@ -1,6 +1,7 @@
 import { useEffect, useMemo, useRef } from 'preact/hooks'
 import type { Exhibit } from '../exhibit'
 import type { Service, Tree } from '../host/host'
+import { plural, t } from '../language/messages'
 import { CatalogPicker } from './catalog'
 import { Provider } from './context'
 import css from './edit.css?inline'
@@ -20,7 +21,7 @@ interface Props {
   readonly shown: (exhibit: Exhibit, tree: Tree) => void
 }
 
-/** Live editing: the catalog, the form of the engine file, undo, files, and the search for a better crank. */
+/** Live editing: catalog, form of the engine file, undo, files, and the crank search. */
 export function Editor({ service, tree, shown }: Props) {
   const session = sessionOf(service, tree, shown)
   const root = useRef<HTMLElement>(null)
@@ -30,14 +31,28 @@ export function Editor({ service, tree, shown }: Props) {
   useEffect(session.load, [session])
   return (
     <Provider value={session}>
-      <section class="editor" ref={root} aria-label="Editor" aria-busy={session.busy.value}>
-        <CatalogPicker />
-        <div class="bar" role="toolbar" aria-label="Edit">
-          <button type="button" disabled={!session.canUndo.value} onClick={session.undo} title="Ctrl+Z">
-            Undo
+      <section class="editor" ref={root} aria-label={t('Editor')} aria-busy={session.busy.value}>
+        <CatalogPicker
+          label={t('Engine of the catalog')}
+          entries={session.catalog.value}
+          take={({ name, title }) => void session.open(service.engine(name), title)}
+        />
+        <div class="bar" role="toolbar" aria-label={t('Edit')}>
+          <button
+            type="button"
+            disabled={!session.canUndo.value}
+            onClick={session.undo}
+            title="Ctrl+Z"
+          >
+            {t('Undo')}
           </button>
-          <button type="button" disabled={!session.canRedo.value} onClick={session.redo} title="Ctrl+Shift+Z">
-            Redo
+          <button
+            type="button"
+            disabled={!session.canRedo.value}
+            onClick={session.redo}
+            title="Ctrl+Shift+Z"
+          >
+            {t('Redo')}
           </button>
           <FileButtons />
           <SearchButton />
@@ -53,7 +68,7 @@ export function Editor({ service, tree, shown }: Props) {
   )
 }
 
-/** What editing does whichever tab is open: undo by keys, and a file that is dropped; `opens` is called when it is. */
+/** Undo keys and dropped files on every tab; `opens` is called when a file is dropped. */
 export function EditAnywhere({ service, tree, shown, opens }: Props & { opens: () => void }) {
   const session = sessionOf(service, tree, shown)
   useEffect(() => session.adopt(tree), [session, tree])
@@ -65,7 +80,7 @@ export function EditAnywhere({ service, tree, shown, opens }: Props & { opens: (
   )
 }
 
-/** What was asked for and not done, and why; it is looked at as soon as it is there. */
+/** A request that was refused, and why; scrolled to as soon as it is there. */
 function NotDone({ session }: { session: Session }) {
   const box = useRef<HTMLDivElement>(null)
   const refused = session.refused.value
@@ -85,15 +100,19 @@ function NotDone({ session }: { session: Session }) {
   )
 }
 
-/** All that is wrong, each a way to where it is. */
+/** All mistakes, each leading to its field. */
 function Mistakes({ session, root }: { session: Session; root: () => HTMLElement | null }) {
   const problems = session.problems.value
   if (!problems.length) return null
   return (
     <div class="mistakes" role="alert">
       <p>
-        {problems.length === 1 ? '1 mistake' : `${problems.length} mistakes`}. The stage shows the engine as it was
-        before, until {problems.length === 1 ? 'it is' : 'they are'} mended.
+        {plural(
+          '{count} mistake. The stage shows the last valid engine until it is corrected.',
+          '{count} mistakes. The stage shows the last valid engine until they are corrected.',
+          problems.length,
+          { count: problems.length },
+        )}
       </p>
       <ul>
         {problems.map((problem) => (
@@ -115,15 +134,19 @@ function Mistakes({ session, root }: { session: Session; root: () => HTMLElement
         ))}
       </ul>
       {problems.some(({ at }) => at[0] === 'firing_order') && (
-        <button type="button" class="way-out" onClick={() => session.set(['firing_order'], undefined)}>
-          Leave the firing order out
+        <button
+          type="button"
+          class="way-out"
+          onClick={() => session.set(['firing_order'], undefined)}
+        >
+          {t('Remove the firing order')}
         </button>
       )}
     </div>
   )
 }
 
-/** Ctrl+Z and Ctrl+Shift+Z (Cmd on a Mac, Ctrl+Y too) anywhere on the page, but in text that is not the form's. Returns what ends it. */
+/** Ctrl+Z, Ctrl+Shift+Z, Ctrl+Y (Cmd on a Mac), except in other text. Returns what ends it. */
 function undoKeys(session: Session): () => void {
   const pressed = (event: KeyboardEvent) => {
     if (!(event.ctrlKey || event.metaKey) || event.altKey) return

@@ -19,7 +19,10 @@ export function numbersOf(tree: Tree): number[] {
 }
 
 const spaced = (count: number) =>
-  Array.from({ length: count }, (_, place) => `${Math.round((place * 3600000) / count) / 10000} deg`)
+  Array.from(
+    { length: count },
+    (_, place) => `${Math.round((place * 3600000) / count) / 10000} deg`,
+  )
 
 /** Where a layout of another type begins: the same cylinders, their throws evenly spaced. */
 const BEGINNINGS: Record<string, (numbers: number[], tree: Tree) => Tree> = {
@@ -41,7 +44,10 @@ const BEGINNINGS: Record<string, (numbers: number[], tree: Tree) => Tree> = {
     })
     const right = at(tree, ['cylinder', 'stroke']) ? '150 mm' : 4
     return {
-      cranks: [crank('front', all.slice(0, half)), { ...crank('rear', all.slice(half)), right, speed_ratio: -1 }],
+      cranks: [
+        crank('front', all.slice(0, half)),
+        { ...crank('rear', all.slice(half)), right, speed_ratio: -1 },
+      ],
     }
   },
 }
@@ -58,10 +64,7 @@ function twoBanks(numbers: number[], bearings: readonly [string, string]): Tree 
 /** The types of layout that one may change to. */
 export const TYPES: readonly string[] = Object.keys(BEGINNINGS)
 
-/**
- * The same engine with a layout of another type to begin with. The firing order and whatever belonged to the old layout alone are
- * left out, since they need not fit; undo has them back.
- */
+/** The engine with a layout of another type, without its firing order, which may not fit. */
 export function withLayout(tree: Tree, type: string): Tree {
   const begin = BEGINNINGS[type]
   if (!begin || type === EXPLICIT) return tree

@@ -1,4 +1,4 @@
-/** A number with the unit it was given in; '' for a bare number, which is SI or in the engine's own units. */
+/** A number with its unit; '' for a bare number, in SI or in the engine's own units. */
 export interface Quantity {
   readonly number: number
   readonly unit: string
@@ -13,7 +13,7 @@ export interface Scale {
   readonly step: number
 }
 
-/** A value of an engine file as number and unit; null where it is neither a number nor a number with a unit. */
+/** A value as number and unit; null where it is neither. */
 export function parsed(value: unknown): Quantity | null {
   if (typeof value === 'number') return Number.isFinite(value) ? { number: value, unit: '' } : null
   if (typeof value !== 'string') return null
@@ -21,8 +21,8 @@ export function parsed(value: unknown): Quantity | null {
   return match ? { number: Number(match[1]), unit: match[2] ?? '' } : null
 }
 
-/** A number as an engine file writes it, in the unit and in the manner (bare or as text) of the value it takes the place of. */
-export function retold(number: number, was: unknown, usual: string): unknown {
+/** A number in the unit and form (bare or text) of the value that it replaces. */
+export function rewritten(number: number, was: unknown, usual: string): unknown {
   const before = parsed(was)
   const plain = Number(number.toPrecision(12))
   if (before === null) return usual ? `${plain} ${usual}` : plain
@@ -30,16 +30,16 @@ export function retold(number: number, was: unknown, usual: string): unknown {
   return typeof was === 'string' ? `${plain}` : plain
 }
 
-/** Text that was typed, as an engine file holds it: a bare number as a number, all else as the text that it is. */
+/** Typed text as a value: a bare number as a number, all else as text. */
 export function typed(text: string): unknown {
   const trimmed = text.trim()
   return /^[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$/.test(trimmed) ? Number(trimmed) : text
 }
 
-/** What stands in a field for a value: lists with commas, lists of lists with semicolons between them. */
-export function shown(value: unknown): string {
+/** A value as text in a field: lists with commas, lists of lists with semicolons. */
+export function textOf(value: unknown): string {
   if (value === undefined || value === null) return ''
-  if (Array.isArray(value)) return value.map(shown).join(value.some(Array.isArray) ? '; ' : ', ')
+  if (Array.isArray(value)) return value.map(textOf).join(value.some(Array.isArray) ? '; ' : ', ')
   return String(value)
 }
 
@@ -67,11 +67,11 @@ export function degrees(value: unknown): number | null {
 /** An angle from degrees, in the unit of the value it takes the place of. */
 export function angle(deg: number, was: unknown): unknown {
   const unit = parsed(was)?.unit ?? 'deg'
-  return retold((deg / 360) * turn(unit), was, 'deg')
+  return rewritten((deg / 360) * turn(unit), was, 'deg')
 }
 
 /** An angle between -180 (left out) and 180 degrees, rounded to a step. */
-export function settled(deg: number, step: number): number {
+export function wrapped(deg: number, step: number): number {
   const rounded = Math.round(deg / step) * step
   const within = rounded - 360 * Math.ceil((rounded - 180) / 360)
   return Object.is(within, -0) ? 0 : within

@@ -1,6 +1,6 @@
 import type { ComponentChildren, JSX } from 'preact'
 import { useState } from 'preact/hooks'
-import { another, recordOf } from './beginnings'
+import { plural, t } from '../language/messages'
 import { idOf, useSession, useValue } from './context'
 import {
   ChoiceField,
@@ -13,13 +13,14 @@ import {
   Sentences,
   TextField,
 } from './fields'
-import { shown } from './quantity'
+import { another, recordOf } from './newRecords'
+import { textOf } from './quantity'
 import type { Field, Kind } from './schema'
 import { at, moved, type Path, within } from './tree'
 
 type Of<T extends Kind['is']> = Extract<Kind, { is: T }>
 
-/** Keys that lie open in a table; all others are under "More", unless the table is as short as that. */
+/** Keys that lie open in a table; the others are under "More", except in short tables. */
 const OPEN = new Set(
   `name bearing cylinders throws angle radius z unbalance speed_ratio lag bore_pitch bank_offset row_pitch knuckle_radius crank_distance
   banks rows cranks throw weight number shaft master rod_length reciprocating_mass bore stroke rod_ratio rotating_mass up right mass
@@ -59,7 +60,15 @@ export function AnyField(props: FieldProps): JSX.Element | null {
 }
 
 /** The fields of a table: what engineers change first lies open, the rest is folded. */
-export function Fields({ fields, path, quiet = false }: { fields: readonly Field[]; path: Path; quiet?: boolean }) {
+export function Fields({
+  fields,
+  path,
+  quiet = false,
+}: {
+  fields: readonly Field[]
+  path: Path
+  quiet?: boolean
+}) {
   const session = useSession()
   const here = at(session.tree.peek(), path)
   const chief = fields.filter((field) => field.required || OPEN.has(field.key))
@@ -67,13 +76,17 @@ export function Fields({ fields, path, quiet = false }: { fields: readonly Field
   const folded = fields.filter((field) => !open.includes(field) && field.kind.is !== 'fixed')
   const given = folded.filter((field) => at(here, [field.key]) !== undefined)
   const each = (list: readonly Field[]) =>
-    list.map((field) => <AnyField key={field.key} field={field} path={[...path, field.key]} quiet={quiet} />)
+    list.map((field) => (
+      <AnyField key={field.key} field={field} path={[...path, field.key]} quiet={quiet} />
+    ))
   return (
     <>
       {each(open)}
       {folded.length > 0 && (
         <Folded
-          title={`More: ${folded.map((field) => field.label.toLowerCase()).join(', ')}`}
+          title={t('More: {fields}', {
+            fields: folded.map((field) => field.label.toLowerCase()).join(', '),
+          })}
           open={given.length > 0}
           paths={folded.map((field) => [...path, field.key])}
         >
@@ -87,200 +100,234 @@ export function Fields({ fields, path, quiet = false }: { fields: readonly Field
 interface FoldedProps {
   readonly title: string
   readonly open: boolean
-  /** What is in it: a mistake there is told in its title. */
+  /** Its contents: the title counts their mistakes. */
   readonly paths: readonly Path[]
   readonly children: () => ComponentChildren
 }
 
-/** What is drawn only once it has been opened, or has a mistake in it; it stays in the page after that. */
+/** Contents that are drawn once they have been opened or have a mistake. */
 export function Folded({ title, open, paths, children }: FoldedProps) {
   const [begins] = useState(open)
   const [seen, setSeen] = useState(open)
-  const wrong = useSession().problems.value.filter((problem) => paths.some((path) => within(problem.at, path))).length
+  const wrong = useSession().problems.value.filter((problem) =>
+    paths.some((path) => within(problem.at, path)),
+  ).length
   return (
-    <details class="folded" open={begins} onToggle={(event) => event.currentTarget.open && setSeen(true)}>
+    <details
+      class="folded"
+      open={begins}
+      onToggle={(event) => event.currentTarget.open && setSeen(true)}
+    >
       <summary>
         {title}
-        {wrong > 0 && <span class="count"> {wrong === 1 ? 'a mistake' : `${wrong} mistakes`}</span>}
+        {wrong > 0 && (
+          <span class="count">
+            {' '}
+            {plural('{count} mistake', '{count} mistakes', wrong, { count: wrong })}
+          </span>
+        )}
       </summary>
       <div class="within">{(seen || wrong > 0) && children()}</div>
     </details>
   )
 }
 
+/** A button with a sign in place of a word. */
+function Sign({ sign, label, does }: { sign: string; label: string; does?: () => void }) {
+  return (
+    <button type="button" aria-label={label} title={label} disabled={!does} onClick={does}>
+      {sign}
+    </button>
+  )
+}
+
 /** Up, down and away for an item of a list. */
-function Buttons({ list, index, count, name }: { list: Path; index: number; count: number; name: string }) {
+function Buttons({ list, index, name }: { list: Path; index: number; name: string }) {
   const session = useSession()
-  const to = (place: number) => session.set(list, at(moved(session.tree.value, list, index, place), list))
+  const items = at(session.tree.peek(), list)
+  const to = (place: number) =>
+    Array.isArray(items) && place in items
+      ? { does: () => session.set(list, at(moved(session.tree.value, list, index, place), list)) }
+      : {}
   return (
     <span class="buttons">
-      <button type="button" aria-label={`${name}: up`} title="up" disabled={index === 0} onClick={() => to(index - 1)}>
-        ↑
-      </button>
-      <button
-        type="button"
-        aria-label={`${name}: down`}
-        title="down"
-        disabled={index === count - 1}
-        onClick={() => to(index + 1)}
-      >
-        ↓
-      </button>
-      <button
-        type="button"
-        aria-label={`${name}: remove`}
-        title="remove"
-        onClick={() => session.set([...list, index], undefined)}
-      >
-        ×
-      </button>
+      <Sign sign="↑" label={t('{name}: move up', { name })} {...to(index - 1)} />
+      <Sign sign="↓" label={t('{name}: move down', { name })} {...to(index + 1)} />
+      <Remove path={[...list, index]} name={name} />
     </span>
   )
 }
+
+function Remove({ path, name }: { path: Path; name: string }) {
+  const session = useSession()
+  const does = () => session.set(path, undefined)
+  return <Sign sign="×" label={t('{name}: remove', { name })} does={does} />
+}
+
+/** A field that holds others: name, help, contents, mistakes. */
+function Frame({
+  field,
+  path,
+  kind,
+  below = false,
+  children,
+}: FieldProps & { kind: string; below?: boolean; children: ComponentChildren }) {
+  return (
+    <fieldset class={`field ${kind}`} id={idOf(path)} tabIndex={-1}>
+      <legend>{field.label}</legend>
+      <p class="help">{field.help}</p>
+      {children}
+      <Sentences path={path} below={below} />
+    </fieldset>
+  )
+}
+
+function Add({ name, does }: { name: string; does: () => void }) {
+  return (
+    <button type="button" class="add" onClick={does}>
+      {t('Add {name}', { name: name.toLowerCase() })}
+    </button>
+  )
+}
+
+/** The name of one item of a list. */
+const singular = ({ label }: Field): string => label.replace(/s$/, '')
 
 function QuantitiesField({ field, path, kind }: FieldProps & { kind: Of<'quantities'> }) {
   const session = useSession()
   const value = useValue(path)
   const items: unknown[] = Array.isArray(value) ? value : []
-  const id = idOf(path)
-  const name = field.label.replace(/s$/, '')
+  const name = singular(field)
   return (
-    <fieldset class="field list" id={id} tabIndex={-1}>
-      <legend>{field.label}</legend>
-      <p class="help">{field.help}</p>
+    <Frame field={field} path={path} kind="list">
       <ol class="items">
         {items.map((_, index) => (
           <li key={index}>
             <span class="place">{index + 1}</span>
             <Item field={kind.item} path={[...path, index]} label={`${name} ${index + 1}`} />
-            <Buttons list={path} index={index} count={items.length} name={`${name} ${index + 1}`} />
+            <Buttons list={path} index={index} name={`${name} ${index + 1}`} />
           </li>
         ))}
       </ol>
-      <button
-        type="button"
-        class="add"
-        onClick={() => session.set(path, [...items, items.at(-1) ?? kind.item.example])}
-      >
-        Add {name.toLowerCase()}
-      </button>
-      <Sentences path={path} />
-    </fieldset>
+      <Add
+        name={name}
+        does={() => session.set(path, [...items, items.at(-1) ?? kind.item.example])}
+      />
+    </Frame>
   )
 }
 
 function RecordField({ field, path, kind }: FieldProps & { kind: Of<'record'> }) {
   const session = useSession()
   const there = useValue(path) !== undefined
-  const id = idOf(path)
   const always = field.required || kind.fields.every((inner) => !inner.required)
+  const put = (value: unknown) => session.set(path, value)
+  const name = field.label.toLowerCase()
   return (
-    <fieldset class="field record" id={id} tabIndex={-1}>
-      <legend>{field.label}</legend>
-      <p class="help">{field.help}</p>
+    <Frame field={field} path={path} kind="record" below={!there}>
       {(there || always) && <Fields fields={kind.fields} path={path} />}
-      {!always && (
-        <button
-          type="button"
-          class="add"
-          onClick={() => session.set(path, there ? undefined : recordOf(kind.fields, session.tree.value))}
-        >
-          {there ? `Leave out ${field.label.toLowerCase()}` : `Give ${field.label.toLowerCase()}`}
+      {!always && there && (
+        <button type="button" class="add" onClick={() => put(undefined)}>
+          {t('Remove {name}', { name })}
         </button>
       )}
-      <Sentences path={path} below={!there} />
-    </fieldset>
+      {!always && !there && (
+        <Add name={name} does={() => put(recordOf(kind.fields, session.tree.value))} />
+      )}
+    </Frame>
   )
 }
 
-/** A record of a list, by what tells it from the others: its number or place, its name, where it points. */
-function nameOf(kind: string, record: unknown, index: number): string {
+/** A record of a list by its number or place, its name and its direction. */
+function nameOf(field: Field, record: unknown, index: number): string {
   const number = at(record, ['number'])
-  const name = at(record, ['name'])
-  const angle = at(record, ['angle']) ?? at(record, ['bearing'])
-  const which = `${kind.replace(/s$/, '')} ${typeof number === 'number' ? number : index + 1}`
-  const said = [name, angle].filter((one) => one !== undefined && one !== null && one !== '')
-  return said.length ? `${which}: ${said.map(shown).join(', ')}` : which
+  const direction = at(record, ['angle']) ?? at(record, ['bearing'])
+  const which = `${singular(field)} ${typeof number === 'number' ? number : index + 1}`
+  const more = [at(record, ['name']), direction].map(textOf).filter(Boolean)
+  return more.length ? `${which}: ${more.join(', ')}` : which
 }
 
+/** So many records lie open. */
 const MANY = 4
 
 function RecordsField({ field, path, kind }: FieldProps & { kind: Of<'records'> }) {
   const session = useSession()
   const value = useValue(path)
   const records: unknown[] = Array.isArray(value) ? value : []
-  const id = idOf(path)
-  const one = field.label.replace(/s$/, '').toLowerCase()
   return (
-    <fieldset class="field records" id={id} tabIndex={-1}>
-      <legend>{field.label}</legend>
-      <p class="help">{field.help}</p>
-      {records.map((record, index) => (
-        <div key={index} class="card">
-          <details id={idOf([...path, index])} open={records.length <= MANY}>
-            <summary>{nameOf(field.label, record, index)}</summary>
-            <div class="within">
-              <Fields fields={kind.fields} path={[...path, index]} quiet={index > 0} />
-            </div>
-          </details>
-          <Buttons list={path} index={index} count={records.length} name={nameOf(field.label, record, index)} />
-          <Sentences path={[...path, index]} />
+    <Frame field={field} path={path} kind="records">
+      {records.map((record, index) => {
+        const name = nameOf(field, record, index)
+        return (
+          <Card
+            key={index}
+            path={[...path, index]}
+            title={name}
+            fields={kind.fields}
+            open={records.length <= MANY}
+            quiet={index > 0}
+          >
+            <Buttons list={path} index={index} name={name} />
+          </Card>
+        )
+      })}
+      <Add
+        name={singular(field)}
+        does={() =>
+          session.set(path, [...records, another(records, kind.fields, session.tree.value)])
+        }
+      />
+    </Frame>
+  )
+}
+
+interface CardProps {
+  readonly path: Path
+  readonly title: ComponentChildren
+  readonly fields: readonly Field[]
+  readonly open?: boolean
+  readonly quiet?: boolean
+  readonly children: ComponentChildren
+}
+
+/** A record that can be folded, with its buttons. */
+function Card({ path, title, fields, open = false, quiet = true, children }: CardProps) {
+  return (
+    <div class="card">
+      <details id={idOf(path)} open={open}>
+        <summary>{title}</summary>
+        <div class="within">
+          <Fields fields={fields} path={path} quiet={quiet} />
         </div>
-      ))}
-      <button
-        type="button"
-        class="add"
-        onClick={() => session.set(path, [...records, another(records, kind.fields, session.tree.value)])}
-      >
-        Add {one}
-      </button>
+      </details>
+      {children}
       <Sentences path={path} />
-    </fieldset>
+    </div>
   )
 }
 
 function TableField({ field, path, kind }: FieldProps & { kind: Of<'table'> }) {
   const session = useSession()
   const [key, setKey] = useState('')
-  const value = useValue(path)
-  const keys = Object.keys((value ?? {}) as object)
-  const id = idOf(path)
+  const keys = Object.keys((useValue(path) ?? {}) as object)
   const add = () => {
     if (!key.trim() || keys.includes(key)) return
     session.set([...path, key.trim()], recordOf(kind.fields, session.tree.value))
     setKey('')
   }
   return (
-    <fieldset class="field table" id={id} tabIndex={-1}>
-      <legend>{field.label}</legend>
-      <p class="help">{field.help}</p>
-      {keys.map((one) => (
-        <div key={one} class="card">
-          <details id={idOf([...path, one])}>
-            <summary>
-              <code>{one}</code>
-            </summary>
-            <div class="within">
-              <Fields fields={kind.fields} path={[...path, one]} quiet />
-            </div>
-          </details>
+    <Frame field={field} path={path} kind="table">
+      {keys.map((name) => (
+        <Card key={name} path={[...path, name]} title={<code>{name}</code>} fields={kind.fields}>
           <span class="buttons">
-            <button
-              type="button"
-              aria-label={`${one}: remove`}
-              title="remove"
-              onClick={() => session.set([...path, one], undefined)}
-            >
-              ×
-            </button>
+            <Remove path={[...path, name]} name={name} />
           </span>
-          <Sentences path={[...path, one]} />
-        </div>
+        </Card>
       ))}
       <div class="taking">
         <input
           type="text"
-          aria-label={`${field.label}: key path`}
+          aria-label={t('{name}: key path', { name: field.label })}
           placeholder="cylinder.bore"
           value={key}
           onInput={(event) => setKey(event.currentTarget.value)}
@@ -291,10 +338,9 @@ function TableField({ field, path, kind }: FieldProps & { kind: Of<'table'> }) {
           }}
         />
         <button type="button" class="add" onClick={add}>
-          Add
+          {t('Add')}
         </button>
       </div>
-      <Sentences path={path} />
-    </fieldset>
+    </Frame>
   )
 }

@@ -1,5 +1,5 @@
 import type { Tree } from '../host/host'
-import { type Dimension, shown } from './quantity'
+import { type Dimension, textOf } from './quantity'
 import { at } from './tree'
 
 /** What a field of an engine file takes, read from the JSON Schema of the files. */
@@ -31,14 +31,14 @@ export interface Field {
 
 type Node = Record<string, unknown>
 
-const DIMENSIONS: readonly [RegExp, Dimension][] = [
-  [/unit of angle/, 'angle'],
-  [/unit of length along/, 'place'],
-  [/unit of length/, 'length'],
-  [/unit of mass/, 'mass'],
-  [/unit of rotational speed/, 'speed'],
-  [/with a unit of/, 'other'],
-]
+/** Dimensions of the schema that the form treats in their own way. */
+const DIMENSIONS: Readonly<Record<string, Dimension>> = {
+  angle: 'angle',
+  length: 'length',
+  'length along the crankshaft': 'place',
+  mass: 'mass',
+  'rotational speed': 'speed',
+}
 
 const nodes = (value: unknown): Node[] => (Array.isArray(value) ? (value as Node[]) : [])
 const text = (value: unknown): string => (typeof value === 'string' ? value : '')
@@ -49,25 +49,28 @@ function followed(schema: Tree, node: Node): Node {
   const reference = text(node.$ref)
   if (!reference) return node
   const { $ref: _, ...beside } = node
-  const found = at(schema, reference.replace(/^#\//, '').split('/')) as Node | undefined
-  return { ...followed(schema, found ?? {}), ...beside }
+  const definition = at(schema, reference.replace(/^#\//, '').split('/')) as Node | undefined
+  return { ...followed(schema, definition ?? {}), ...beside }
 }
 
-/** The ways in which a value may be given, but for null: that it may be left out is seen from `required`. */
+/** The alternatives for a value except null; `required` says whether it may be absent. */
 function ways(schema: Tree, node: Node): Node[] {
-  const given = node.anyOf ? nodes(node.anyOf).map((way) => followed(schema, way)) : [followed(schema, node)]
+  const given = node.anyOf
+    ? nodes(node.anyOf).map((way) => followed(schema, way))
+    : [followed(schema, node)]
   return given.filter((way) => way.type !== 'null')
 }
 
 function dimensionOf(given: readonly Node[]): Dimension | null {
-  const words = given.map((way) => text(way.description)).join(' ')
-  return DIMENSIONS.find(([sign]) => sign.test(words))?.[1] ?? null
+  const name = text(given.find((way) => 'x-dimension' in way)?.['x-dimension'])
+  return name ? (DIMENSIONS[name] ?? 'other') : null
 }
 
 function listKind(schema: Tree, way: Node): Kind {
   const item = (way.items ?? {}) as Node
   const inner = fieldOf(schema, '', item, true)
-  if (inner.kind.is === 'quantity') return { is: 'quantities', item: { ...inner, help: text(way.description) } }
+  if (inner.kind.is === 'quantity')
+    return { is: 'quantities', item: { ...inner, help: text(way.description) } }
   if (inner.kind.is === 'numbers') return { is: 'lists' }
   if (inner.kind.is === 'choice') return { is: 'marks', among: inner.kind.among }
   if (inner.kind.is === 'record') return { is: 'records', fields: inner.kind.fields }
@@ -106,8 +109,9 @@ export function worded(key: string): string {
 }
 
 function exampleOf(schema: Tree, node: Node): string {
-  const given = nodes(node.examples)[0] ?? ways(schema, node).flatMap((way) => nodes(way.examples))[0]
-  return given === undefined ? '' : shown(given)
+  const given =
+    nodes(node.examples)[0] ?? ways(schema, node).flatMap((way) => nodes(way.examples))[0]
+  return given === undefined ? '' : textOf(given)
 }
 
 function fieldOf(schema: Tree, key: string, node: Node, required: boolean): Field {
@@ -131,7 +135,7 @@ function fieldsOf(schema: Tree, node: Node): Field[] {
   )
 }
 
-/** A form that an engine file can have: the explicit one, or a short one for each type of layout. */
+/** A form of engine files: the explicit one, or a short one for a type of layout. */
 export interface Form {
   /** Type of the layout, or `explicit`. */
   readonly type: string
@@ -147,17 +151,23 @@ export function forms(schema: Tree): Form[] {
     const node = followed(schema, way)
     const fields = fieldsOf(schema, node)
     const layout = fields.find((field) => field.key === 'layout')?.kind
-    const fixed = layout?.is === 'record' ? layout.fields.find((field) => field.key === 'type')?.kind : undefined
+    const fixed =
+      layout?.is === 'record'
+        ? layout.fields.find((field) => field.key === 'type')?.kind
+        : undefined
     const type = fixed?.is === 'fixed' ? String(fixed.value) : EXPLICIT
     return {
       type,
-      help: type === EXPLICIT ? 'every shaft, throw, weight and cylinder by itself' : text(node.description),
+      help:
+        type === EXPLICIT
+          ? 'every shaft, throw, weight and cylinder by itself'
+          : text(node.description),
       fields,
     }
   })
 }
 
-/** The form that an engine file is in: by the type of its layout; without a layout, the explicit one. */
+/** The form of an engine file, by the type of its layout; without one, the explicit form. */
 export function formOf(all: readonly Form[], tree: Tree): Form | undefined {
   const type = at(tree, ['layout', 'type'])
   return (

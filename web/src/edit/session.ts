@@ -1,8 +1,10 @@
 import { batch, computed, type ReadonlySignal, type Signal, signal } from '@preact/signals'
-import type { Exhibit, Problem } from '../exhibit'
-import type { Answer, CatalogEntry, Service, Tree } from '../host/host'
+import type { CatalogEntry, Exhibit, Problem } from '../exhibit'
+import type { Answer, Service, Tree } from '../host/host'
+import { t } from '../language/messages'
+import { reasonOf } from '../reason'
 import { after, begun, type History } from './history'
-import { asked, sentence } from './live'
+import { latest } from './latest'
 import { type Form, formOf, forms } from './schema'
 import { withoutSources } from './sources'
 import { type Path, put, read, same, within } from './tree'
@@ -21,7 +23,8 @@ export interface Refused {
 }
 
 /**
- * The engine file that is being edited: what is in the form, valid or not, with its history; the engine on the stage is the last
+ * The engine file that is being edited: what is in the form, valid or not, with its history; the
+ * engine on the stage is the last
  * valid one. It outlives the form, so that a look at another tab loses nothing.
  */
 export interface Session {
@@ -31,7 +34,7 @@ export interface Session {
   readonly forms: Signal<readonly Form[]>
   readonly catalog: Signal<readonly CatalogEntry[]>
   readonly problems: Signal<readonly Placed[]>
-  /** What was not done, and why: a file that is no engine, weights that cannot be fitted. Nothing in the form is wrong for it. */
+  /** A request that was refused, and why; the form itself has no mistake. */
   readonly refused: Signal<Refused | null>
   readonly busy: Signal<boolean>
   /** What was done or went wrong last, for everyone to see and hear. */
@@ -49,7 +52,7 @@ export interface Session {
   load(): void
   /** Takes over the engine that was put on the stage by others. */
   adopt(tree: Tree): void
-  /** Makes an answer with an engine file the engine, or tells what is wrong with it. Returns whether it was one. */
+  /** Edits the engine to that of an answer, or shows its faults. Returns whether it was one. */
   open(answer: Promise<Answer<Tree>>, what: string): Promise<boolean>
   /** What may change from one drawing of the shell to the next. */
   shown: Shown
@@ -77,7 +80,7 @@ export function session(service: Service, tree: Tree, shown: Shown): Session {
   let lastEdit = 0
   let loading = false
 
-  const live = asked<Tree, Exhibit>({
+  const live = latest<Tree, Exhibit>({
     send: (subject, abort) => service.exhibit(subject, abort),
     answered: (answer, subject, newest) => {
       if (answer.ok) {
@@ -120,7 +123,8 @@ export function session(service: Service, tree: Tree, shown: Shown): Session {
       lastEdit = now
       move(gesture === undefined ? { kind: 'edit', to } : { kind: 'edit', to, gesture })
     },
-    set: (path, value, gesture) => self.edit(withoutSources(put(history.value.present, path, value), path), gesture),
+    set: (path, value, gesture) =>
+      self.edit(withoutSources(put(history.value.present, path, value), path), gesture),
     rest: () => move({ kind: 'rest' }),
     undo: () => move({ kind: 'undo' }),
     redo: () => move({ kind: 'redo' }),
@@ -139,7 +143,7 @@ export function session(service: Service, tree: Tree, shown: Shown): Session {
       loading = true
       const failed = (reason: unknown) => {
         loading = false
-        note.value = sentence(reason)
+        note.value = reasonOf(reason)
       }
       void service.schema().then((schema) => {
         allForms.value = forms(schema)
@@ -149,27 +153,30 @@ export function session(service: Service, tree: Tree, shown: Shown): Session {
       }, failed)
     },
     async open(answer, what) {
-      const found = await told(answer)
+      const opened = await answered(answer)
       batch(() => {
-        if (found.ok) self.edit(found.value)
-        note.value = found.ok ? `${what} is in the form.` : ''
-        refused.value = found.ok
+        if (opened.ok) self.edit(opened.value)
+        note.value = opened.ok ? t('{what} is now in the form.', { what }) : ''
+        refused.value = opened.ok
           ? null
-          : { what: `${what} could not be opened; the engine on the stage stays.`, problems: found.problems }
+          : {
+              what: t('{what} could not be opened.', { what }),
+              problems: opened.problems,
+            }
       })
-      return found.ok
+      return opened.ok
     },
   }
 
   return self
 }
 
-/** An answer in any case: that there is none is a problem too. */
-export async function told<T>(answer: Promise<Answer<T>>): Promise<Answer<T>> {
+/** The answer; a server that cannot be reached is a problem too. */
+export async function answered<T>(answer: Promise<Answer<T>>): Promise<Answer<T>> {
   try {
     return await answer
   } catch (reason) {
-    return { ok: false, problems: [{ path: '', message: sentence(reason) }] }
+    return { ok: false, problems: [{ path: '', message: reasonOf(reason) }] }
   }
 }
 
@@ -189,8 +196,8 @@ const sessions = new WeakMap<Service, Session>()
 
 /** The session of a service, begun with an engine if there is none. */
 export function sessionOf(service: Service, tree: Tree, shown: Shown): Session {
-  const found = sessions.get(service) ?? session(service, tree, shown)
-  sessions.set(service, found)
-  found.shown = shown
-  return found
+  const its = sessions.get(service) ?? session(service, tree, shown)
+  sessions.set(service, its)
+  its.shown = shown
+  return its
 }

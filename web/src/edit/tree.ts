@@ -1,4 +1,4 @@
-/** Where something stands in an engine file: keys of tables and indices of lists, counted from 0. */
+/** A place in an engine file: keys of tables, indices of lists from 0. */
 export type Path = readonly (string | number)[]
 
 type Json = unknown
@@ -13,21 +13,27 @@ export function at(tree: Json, path: Path): Json {
   return here
 }
 
-/** The same tree with a value put at a path, tables made on the way; undefined takes the key or the item away. */
+/** The tree with a value at a path, with tables on the way; undefined removes. */
 export function put<T>(tree: T, path: Path, value: Json): T {
   const [key, ...rest] = path
   if (key === undefined) return value as T
-  const inner = rest.length ? put(at(tree, [key]) ?? (typeof rest[0] === 'number' ? [] : {}), rest, value) : value
+  const inner = rest.length
+    ? put(at(tree, [key]) ?? (typeof rest[0] === 'number' ? [] : {}), rest, value)
+    : value
   if (Array.isArray(tree)) {
     const index = Number(key)
     return (inner === undefined ? tree.toSpliced(index, 1) : tree.toSpliced(index, 1, inner)) as T
   }
   const { [key]: _, ...others } = (tree ?? {}) as Record<string, Json>
   if (inner === undefined) return others as T
-  return (key in ((tree ?? {}) as object) ? { ...(tree as object), [key]: inner } : { ...others, [key]: inner }) as T
+  return (
+    key in ((tree ?? {}) as object)
+      ? { ...(tree as object), [key]: inner }
+      : { ...others, [key]: inner }
+  ) as T
 }
 
-/** The same tree with an item of a list at another place of that list; out of the list: as it was. */
+/** The tree with an item of a list moved; unchanged where the place is outside. */
 export function moved<T>(tree: T, list: Path, from: number, to: number): T {
   const items = at(tree, list)
   if (!Array.isArray(items) || to < 0 || to >= items.length) return tree
@@ -35,19 +41,24 @@ export function moved<T>(tree: T, list: Path, from: number, to: number): T {
   return put(tree, list, taken.toSpliced(to, 0, items[from]))
 }
 
-/** Whether two trees say the same, whatever the order of their keys. */
+/** Whether two trees are equal up to the order of their keys. */
 export function same(one: Json, other: Json): boolean {
   if (Object.is(one, other)) return true
-  if (typeof one !== 'object' || typeof other !== 'object' || one === null || other === null) return false
+  if (typeof one !== 'object' || typeof other !== 'object' || one === null || other === null)
+    return false
   if (Array.isArray(one) !== Array.isArray(other)) return false
   const keys = Object.keys(one)
   return (
     keys.length === Object.keys(other).length &&
-    keys.every((key) => key in other && same((one as Record<string, Json>)[key], (other as Record<string, Json>)[key]))
+    keys.every(
+      (key) =>
+        key in other &&
+        same((one as Record<string, Json>)[key], (other as Record<string, Json>)[key]),
+    )
   )
 }
 
-/** A path as the sentences of errors write it: `layout.banks[2].bearing`, indices counted from one. */
+/** A path as text: `layout.banks[2].bearing`, indices from 1. */
 export function written(path: Path): string {
   let text = ''
   for (const key of path) {

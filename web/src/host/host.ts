@@ -1,9 +1,17 @@
-import type { Exhibit, Exhibition, Problem } from '../exhibit'
+import type {
+  CatalogEntry,
+  Exhibit,
+  Exhibition,
+  FittedQuestion,
+  Problem,
+  SearchQuestion,
+  SearchShown,
+} from '../exhibit'
 
-/** A compiled Vega specification with one parameter, `theta`, in degrees. */
+/** A figure as Vega-Lite; where it turns it has one parameter, `theta`, in degrees. */
 export type Spec = Record<string, unknown>
 
-/** Where the page runs, and where it gets what an exhibit only names: a file and a notebook have it with them, a server is asked. */
+/** Where the page runs, and its source of figures, derivations and fitted engines. */
 export interface Host {
   readonly kind: 'page' | 'server' | 'widget'
   /** What the page opens with. */
@@ -14,51 +22,31 @@ export interface Host {
   derivation(exhibit: Exhibit, key: string): Promise<string>
   /** The same engine with weights and balance shafts; null where there is nothing to do. */
   fitted(exhibit: Exhibit): Promise<Exhibit | null>
+  /** Language that the host asks for, as in `ja`; empty for none. */
+  readonly language: string
   /** The state of the page as text: of the address for a page, of the model for a notebook. */
   readState(): string
   writeState(text: string): void
-  /** Called when the state is changed from outside: the back button, another cell. Returns what ends it. */
+  /** Calls back when the state changes from outside. Returns what ends it. */
   onState(changed: (text: string) => void): () => void
   /** What only a server can do; absent elsewhere. */
   readonly service?: Service
 }
 
-export interface CatalogEntry {
-  name: string
-  title: string
-  layout: string
-  cylinders: number
-  cycle: string
-}
-
 export type Tree = Record<string, unknown>
 
-/** An answer, or what is wrong with the question, mistake by mistake. */
+/** An answer, or all faults of the request. */
 export type Answer<T> = { ok: true; value: T } | { ok: false; problems: Problem[] }
 
-/** A line of a search's answer; `tree` is the engine file it makes. */
-export interface Found {
-  cells: string[]
-  tree: Tree
-}
+/** Progress and rows of a search. */
+export type SearchState = SearchShown
+export type SearchRow = SearchShown['rows'][number]
 
-export interface SearchState {
-  id: string
-  state: 'running' | 'done' | 'cancelled' | 'failed'
-  done: number
-  blocks: number
-  note: string
-  heads: string[]
-  rows: Found[]
-  sentences: string[]
-}
+/** How an engine is fitted with weights and shafts; by default as its verdict recommends. */
+export type Fitting = Omit<FittedQuestion, 'engine'>
 
-/** How an engine is fitted with weights and shafts; what is left out is done as its verdict advises. */
-export interface Fitting {
-  factor?: number
-  weights?: 'pins' | 'webs' | 'ends'
-  shafts?: 'none' | 'needed' | 'all'
-}
+/** Options of a search as they were typed; the server checks their values. */
+export type SearchOptions = Partial<Record<Exclude<keyof SearchQuestion, 'engine'>, unknown>>
 
 /** Live editing: engine files as trees, exactly as in TOML. All of it may be aborted. */
 export interface Service {
@@ -73,8 +61,8 @@ export interface Service {
   read(text: string): Promise<Answer<Tree>>
   /** The engine file with counterweights and balance shafts; null where there is nothing to do. */
   fitted(tree: Tree, options: Fitting): Promise<Answer<Tree | null>>
-  /** Of the in-line engine of a tree; without one, of `cylinders` and `cycle` in the wish. */
-  startSearch(tree: Tree | null, wish: Record<string, unknown>): Promise<Answer<SearchState>>
+  /** Of the in-line engine of a tree; without one, of `cylinders` and `cycle` in the options. */
+  startSearch(tree: Tree | null, options: SearchOptions): Promise<Answer<SearchState>>
   search(id: string): Promise<Answer<SearchState>>
   cancelSearch(id: string): Promise<Answer<SearchState>>
 }

@@ -1,14 +1,15 @@
 import type { Exhibit, Exhibition } from '../exhibit'
+import { t } from '../language/messages'
 import { addressState } from './address'
 import type { Host, Spec } from './host'
 
-/** What goes with one exhibit in a file: its figures and derivations by their keys. */
+/** Figures and derivations of one exhibit by their keys. */
 export interface Library {
   readonly charts: Readonly<Record<string, Spec>>
   readonly derivations: Readonly<Record<string, string>>
 }
 
-/** All that a file holds; `libraries` and `fitted` stand in the order of the exhibition's engines. */
+/** The data of a file; `libraries` and `fitted` in the order of the engines. */
 export interface PageData {
   readonly exhibition: Exhibition
   readonly libraries: readonly Library[]
@@ -29,7 +30,12 @@ export async function inflated(bytes: Uint8Array<ArrayBuffer>): Promise<string> 
 }
 
 function isPacked(value: unknown): value is { encoding: string; data: string } {
-  return typeof value === 'object' && value !== null && 'encoding' in value && value.encoding === 'gzip+base64'
+  return (
+    typeof value === 'object' &&
+    value !== null &&
+    'encoding' in value &&
+    value.encoding === 'gzip+base64'
+  )
 }
 
 function bytesOf(base64: string): Uint8Array<ArrayBuffer> {
@@ -39,7 +45,7 @@ function bytesOf(base64: string): Uint8Array<ArrayBuffer> {
   return bytes
 }
 
-/** What a file or a notebook can tell of its exhibits: all of it is there already. */
+/** Charts, derivations and fitted engines that a file holds. */
 export function shelf(data: PageData): Pick<Host, 'chart' | 'derivation' | 'fitted'> {
   const libraries = new Map<Exhibit, Library>()
   const cured = new Map<Exhibit, Exhibit | null>()
@@ -51,16 +57,16 @@ export function shelf(data: PageData): Pick<Host, 'chart' | 'derivation' | 'fitt
     const beside = data.fitted[index]
     if (fitted && beside) libraries.set(fitted, beside)
   })
-  const taken = <T>(found: T | undefined, what: string): Promise<T> =>
-    found === undefined ? Promise.reject(new Error(`${what} is not in this file.`)) : Promise.resolve(found)
+  const held = <T>(item: T | undefined, missing: string): Promise<T> =>
+    item === undefined ? Promise.reject(new Error(missing)) : Promise.resolve(item)
   return {
-    chart: (exhibit, key) => taken(libraries.get(exhibit)?.charts[key], 'This figure'),
-    derivation: (exhibit, key) => taken(libraries.get(exhibit)?.derivations[key], 'This derivation'),
+    chart: (exhibit, key) =>
+      held(libraries.get(exhibit)?.charts[key], t('This file does not hold the figure.')),
+    derivation: (exhibit, key) =>
+      held(libraries.get(exhibit)?.derivations[key], t('This file does not hold the derivation.')),
     fitted: (exhibit) => Promise.resolve(cured.get(exhibit) ?? null),
   }
 }
-
-const AGAIN = 'Write it again: crankstar page ENGINE -o FILE.html'
 
 function isPageData(value: unknown): value is PageData {
   if (typeof value !== 'object' || value === null) return false
@@ -68,15 +74,21 @@ function isPageData(value: unknown): value is PageData {
   const whole = (engine: Partial<Exhibit> | null) =>
     !!engine?.scene && !!engine.whirl && !!engine.total && !!engine.table
   const { engines } = exhibition ?? {}
-  return Array.isArray(libraries) && Array.isArray(fitted) && !!engines?.length && engines.every(whole)
+  return (
+    Array.isArray(libraries) && Array.isArray(fitted) && !!engines?.length && engines.every(whole)
+  )
 }
 
 /** A file that was opened from disk or the web: everything is in it. */
 export async function pageHost(holder: Document): Promise<Host> {
   const text = holder.getElementById('crankstar-data')?.textContent
-  if (!text) throw new Error(`This file holds no engine. ${AGAIN}`)
-  // What the browser says of data that are cut or changed helps nobody.
-  const data = await unpacked(text).catch(() => null)
-  if (!isPageData(data)) throw new Error(`This file is damaged: its engine cannot be read. ${AGAIN}`)
+  // The browser's own words about incomplete data help nobody.
+  const data = text ? await unpacked(text).catch(() => null) : null
+  if (!isPageData(data)) {
+    const command = 'crankstar page ENGINE -o FILE.html'
+    throw new Error(
+      t('The engine in this file cannot be read. Write the file again: {command}', { command }),
+    )
+  }
   return { kind: 'page', exhibition: data.exhibition, ...shelf(data), ...addressState() }
 }

@@ -1,6 +1,7 @@
 import { effect } from '@preact/signals'
 import type { App } from '../app'
 import type { Exhibit, Exhibition } from '../exhibit'
+import { t } from '../language/messages'
 import type { Host, Spec } from './host'
 import { unpacked } from './page'
 
@@ -10,8 +11,8 @@ export interface Model {
   set(name: string, value: unknown): void
   save_changes(): void
   send(content: unknown): void
-  on(event: string, told: (content: unknown) => void): void
-  off(event: string, told: (content: unknown) => void): void
+  on(event: string, listener: (content: unknown) => void): void
+  off(event: string, listener: (content: unknown) => void): void
 }
 
 /** The key of the crank angle in the text of a state: a notebook has its own traits for that. */
@@ -30,7 +31,7 @@ function put(model: Model, name: string, value: unknown): void {
   model.save_changes()
 }
 
-/** What the kernel is asked; `fitted` for the engine with weights and shafts. */
+/** A request to the kernel; `fitted` for the engine with weights and shafts. */
 interface Question {
   engine: number
   fitted: boolean
@@ -38,47 +39,51 @@ interface Question {
   key: string
 }
 
-interface Told {
+interface Reply {
   id: unknown
   value?: unknown
   sentence?: unknown
 }
 
-const isTold = (content: unknown): content is Told => typeof content === 'object' && content !== null && 'id' in content
+const isReply = (content: unknown): content is Reply =>
+  typeof content === 'object' && content !== null && 'id' in content
 
-let asked = 0
+let questions = 0
 
 /** Asks the kernel of the notebook; several views of one model each hear only their own answers. */
 function kernel(model: Model, question: Question): Promise<unknown> {
-  asked += 1
-  const id = `${asked} ${Math.random()}`
-  return new Promise((found, failed) => {
+  questions += 1
+  const id = `${questions} ${Math.random()}`
+  return new Promise((resolve, reject) => {
     const over = (): void => {
       window.clearTimeout(late)
-      model.off('msg:custom', told)
+      model.off('msg:custom', listener)
     }
-    const told = (content: unknown): void => {
-      if (!isTold(content) || content.id !== id) return
+    const listener = (content: unknown): void => {
+      if (!isReply(content) || content.id !== id) return
       over()
-      if (content.value === undefined) failed(new Error(String(content.sentence)))
-      else found(content.value)
+      if (content.value === undefined) reject(new Error(String(content.sentence)))
+      else resolve(content.value)
     }
     const late = window.setTimeout(() => {
       over()
-      failed(new Error('The kernel of the notebook does not answer. Is it running, and idle?'))
+      reject(new Error(t('The notebook kernel does not answer. Is it running and idle?')))
     }, PATIENCE)
-    model.on('msg:custom', told)
+    model.on('msg:custom', listener)
     model.send({ ...question, id })
   })
 }
 
 /** Where an exhibit stands in what the kernel has. */
-function placeIn({ engines, fitted }: Exhibition, exhibit: Exhibit): Pick<Question, 'engine' | 'fitted'> {
+function placeIn(
+  { engines, fitted }: Exhibition,
+  exhibit: Exhibit,
+): Pick<Question, 'engine' | 'fitted'> {
   const engine = engines.indexOf(exhibit)
   return engine >= 0 ? { engine, fitted: false } : { engine: fitted.indexOf(exhibit), fitted: true }
 }
 
-/** A cell of a notebook: its engines are in the trait `data`, the view in `state`; angle and motion have traits of their own. */
+/** A notebook cell: engines in the trait `data`, view in `state`, angle and motion apart. */
 export async function widgetHost(model: Model): Promise<Host> {
   const { exhibition } = (await unpacked(textOf(model, 'data'))) as { exhibition: Exhibition }
   const ask = (exhibit: Exhibit, what: Question['what'], key: string): Promise<unknown> =>
@@ -92,9 +97,11 @@ export async function widgetHost(model: Model): Promise<Host> {
   return {
     kind: 'widget',
     exhibition,
+    language: '',
     chart: (exhibit, key) => ask(exhibit, 'chart', key) as Promise<Spec>,
     derivation: (exhibit, key) => ask(exhibit, 'derivation', key) as Promise<string>,
-    fitted: (exhibit) => Promise.resolve(exhibition.fitted[exhibition.engines.indexOf(exhibit)] ?? null),
+    fitted: (exhibit) =>
+      Promise.resolve(exhibition.fitted[exhibition.engines.indexOf(exhibit)] ?? null),
     readState,
     writeState: (text) => {
       const state = new URLSearchParams(text)
@@ -102,14 +109,14 @@ export async function widgetHost(model: Model): Promise<Host> {
       put(model, 'state', state.toString())
     },
     onState: (changed) => {
-      const told = (): void => changed(readState())
-      model.on('change:state', told)
-      return () => model.off('change:state', told)
+      const listener = (): void => changed(readState())
+      model.on('change:state', listener)
+      return () => model.off('change:state', listener)
     },
   }
 }
 
-/** The engine turns and stands as the model says, and the model says what the engine does; returns what ends that. */
+/** Keeps angle and motion of model and page equal. Returns what ends that. */
 export function linked(model: Model, { clock, store }: Pick<App, 'clock' | 'store'>): () => void {
   const turn = (): void => {
     if (Math.abs(angleOf(model) - clock.degrees()) < SAME) return

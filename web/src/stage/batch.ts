@@ -16,7 +16,14 @@ export class Batch {
   readonly #shape: Shape
   readonly #lineGeometry: InstancedBufferGeometry | null = null
 
-  constructor(parent: Group, shape: Shape, count: number, paint: ShaderMaterial, ink: ShaderMaterial | null, rank = 0) {
+  constructor(
+    parent: Group,
+    shape: Shape,
+    count: number,
+    paint: ShaderMaterial,
+    ink: ShaderMaterial | null,
+    rank = 0,
+  ) {
     this.#shape = shape
     this.mesh = new InstancedMesh(shape.faces, paint, count)
     this.mesh.instanceMatrix.setUsage(DynamicDrawUsage)
@@ -35,7 +42,7 @@ export class Batch {
     parent.add(this.#lines)
   }
 
-  /** Puts one of them at x, y, z with its own y-axis along the direction [up, right], stretched along its axes. */
+  /** Puts an item at x, y, z, its y-axis along [up, right], stretched along its axes. */
   put(
     index: number,
     x: number,
@@ -88,7 +95,7 @@ function still(object: InstancedMesh | LineSegments, rank: number): void {
   object.renderOrder = rank
 }
 
-/** Things that look alike together: a list of lists, told apart by a key. */
+/** Items grouped by a key. */
 export function alike<T>(things: readonly T[], key: (thing: T) => string): T[][] {
   const groups = new Map<string, T[]>()
   for (const thing of things) {

@@ -6,13 +6,22 @@ import { toothBearings } from './parts/meshing'
 import { PIN } from './parts/pistons'
 
 /**
- * What a body moves with: a shaft, a piston or a rod, by its index; or it stands on the axis of a cylinder. A charge is 1 high
+ * What a body moves with: a shaft, a piston or a rod, by its index; or it stands on the axis of a
+ * cylinder. A charge is 1 high
  * from the crown of its piston to the end of its bore.
  */
 export type Carrier = 'shaft' | 'piston' | 'rod' | 'bore' | 'charge'
-export type Fill = 'crankshaft' | 'balanceShaft' | 'gear' | 'piston' | 'rod' | 'slave' | 'glass' | 'charge'
+export type Fill =
+  | 'crankshaft'
+  | 'balanceShaft'
+  | 'gear'
+  | 'piston'
+  | 'rod'
+  | 'slave'
+  | 'glass'
+  | 'charge'
 
-/** A convex body between two equal caps, for flat drawings: the points of one cap after the other, [x, y, z] each. */
+/** A convex body between two equal caps: the points [x, y, z] of one cap, then the other. */
 export interface Body {
   readonly points: Float64Array
   readonly carrier: Carrier
@@ -30,8 +39,13 @@ export function bodiesOf(scene: Scene): Body[] {
 function turning(scene: Scene): Body[] {
   return scene.shafts.flatMap((shaft, index) => {
     const fill = shaft.kind === 'crankshaft' ? 'crankshaft' : 'balanceShaft'
-    const body = (outline: Outline, from: number, to: number) => prism(outline, from, to, 'shaft', index, fill)
-    const cuts = [shaft.z_from, ...shaft.throws.flatMap((pin) => [pin.pin_from, pin.pin_to]), shaft.z_to]
+    const body = (outline: Outline, from: number, to: number) =>
+      prism(outline, from, to, 'shaft', index, fill)
+    const cuts = [
+      shaft.z_from,
+      ...shaft.throws.flatMap((pin) => [pin.pin_from, pin.pin_to]),
+      shaft.z_to,
+    ]
     cuts.sort((a, b) => a - b)
     const journals = cuts.slice(1).flatMap((to, part) => {
       const from = cuts[part] as number
@@ -41,17 +55,29 @@ function turning(scene: Scene): Body[] {
     })
     const pins = shaft.throws.map((pin) => {
       const [x, y] = towards(pin.angle)
-      return body(circle(x * pin.radius, y * pin.radius, pin.pin_radius, 18), pin.pin_from, pin.pin_to)
+      return body(
+        circle(x * pin.radius, y * pin.radius, pin.pin_radius, 18),
+        pin.pin_from,
+        pin.pin_to,
+      )
     })
     const webs = shaft.webs.flatMap((web) => {
       const pin = shaft.throws[web.throw]
       if (!pin) return []
       return [
-        body(band(1.28 * shaft.journal_radius, pin.radius, pin.angle, 1.26 * pin.pin_radius), web.z_from, web.z_to),
+        body(
+          band(1.28 * shaft.journal_radius, pin.radius, pin.angle, 1.26 * pin.pin_radius),
+          web.z_from,
+          web.z_to,
+        ),
       ]
     })
     const weights = shaft.weights.map(({ angle, half_angle, outer_radius, z, thickness }) => {
-      return body(sector(0, outer_radius, angle, Math.min(half_angle, 1.57)), z - thickness / 2, z + thickness / 2)
+      return body(
+        sector(0, outer_radius, angle, Math.min(half_angle, 1.57)),
+        z - thickness / 2,
+        z + thickness / 2,
+      )
     })
     return [...journals, ...pins, ...webs, ...weights]
   })
@@ -61,7 +87,15 @@ function wheels(scene: Scene): Body[] {
   const bearings = toothBearings(scene)
   return scene.gears.map((wheel, index) => {
     const [from, to] = [wheel.z - wheel.thickness / 2, wheel.z + wheel.thickness / 2]
-    return prism(gear(wheel.radius, wheel.teeth), from, to, 'shaft', wheel.shaft, 'gear', bearings[index])
+    return prism(
+      gear(wheel.radius, wheel.teeth),
+      from,
+      to,
+      'shaft',
+      wheel.shaft,
+      'gear',
+      bearings[index],
+    )
   })
 }
 
@@ -77,7 +111,14 @@ function reciprocating(scene: Scene): Body[] {
       upright(0.485 * c.bore, 0, 1, 'charge', index, 'charge'),
       upright(0.49 * c.bore, -c.skirt, c.pin_height, 'piston', index, 'piston'),
       prism(circle(0, 0, big, 20), -half, half, 'rod', index, fill),
-      prism(strip(0, c.rod_length, 0.6 * big, 0.7 * small), -0.5 * half, 0.5 * half, 'rod', index, fill),
+      prism(
+        strip(0, c.rod_length, 0.6 * big, 0.7 * small),
+        -0.5 * half,
+        0.5 * half,
+        'rod',
+        index,
+        fill,
+      ),
       prism(circle(0, c.rod_length, small, 16), -half, half, 'rod', index, fill),
       ...knuckles(scene, index).map((outline) => prism(outline, -half, half, 'rod', index, fill)),
     ]
@@ -89,8 +130,12 @@ function knuckles(scene: Scene, index: number): Outline[] {
   const slaves = scene.cylinders.filter((other) => other.master === index)
   const pin = (radius: number) => 0.3 * radius
   if (slaves.length > 3)
-    return [circle(0, 0, Math.max(...slaves.map((c) => c.knuckle_radius + pin(c.knuckle_radius))), 28)]
-  return slaves.map((c) => band(c.knuckle_radius * 0.6, c.knuckle_radius, c.knuckle_angle, pin(c.knuckle_radius)))
+    return [
+      circle(0, 0, Math.max(...slaves.map((c) => c.knuckle_radius + pin(c.knuckle_radius))), 28),
+    ]
+  return slaves.map((c) =>
+    band(c.knuckle_radius * 0.6, c.knuckle_radius, c.knuckle_angle, pin(c.knuckle_radius)),
+  )
 }
 
 function prism(
@@ -107,10 +152,23 @@ function prism(
 }
 
 /** A cylinder about the carrier's own y-axis. */
-function upright(radius: number, low: number, high: number, carrier: Carrier, index: number, fill: Fill): Body {
+function upright(
+  radius: number,
+  low: number,
+  high: number,
+  carrier: Carrier,
+  index: number,
+  fill: Fill,
+): Body {
   const ring = circle(0, 0, radius, 24)
   const cap = (y: number) => ring.flatMap(([x, z]) => [x, y, -z])
-  return { points: Float64Array.from([...cap(low), ...cap(high)]), carrier, index, fill, bearing: 0 }
+  return {
+    points: Float64Array.from([...cap(low), ...cap(high)]),
+    carrier,
+    index,
+    fill,
+    bearing: 0,
+  }
 }
 
 /** The two colours of a body: its side, and the cap that faces the eye. */

@@ -1,24 +1,22 @@
 import { type Disc, reach } from './extent'
 import type { Camera } from './stage'
+import type { Vector } from './vector'
 
-/** A point or direction of the drawing: x to the right, y up, z to the front of the engine. */
-export type Vector = readonly [number, number, number]
-
-/** How one looks at the engine: unit vectors of the screen (`right`, `up`) and `back` from the engine to the eye. */
+/** The unit vectors `right` and `up` of the screen, and `back` from the engine to the eye. */
 export interface Look {
   readonly right: Vector
   readonly up: Vector
   readonly back: Vector
 }
 
-/** A look, what it looks at, and half of what is seen of it upward, before zooming. */
+/** A look, its middle, and half of the visible height, before zooming. */
 export interface Frame {
   readonly look: Look
   readonly centre: Vector
   readonly half: number
 }
 
-/** A free look: angle round the vertical from the front to the right, angle above the horizon, radians; zoom and shift. */
+/** A free look: angles from the front to the right and above the horizon, zoom and shift. */
 export interface Orbit {
   azimuth: number
   elevation: number
@@ -38,14 +36,15 @@ const FILLED = 0.92
 export interface Screen {
   /** Width over height. */
   readonly aspect: number
-  /** Share of the height, at the lower edge, that is kept for what is written there. */
+  /** Share of the height, at the lower edge, that is kept for labels. */
   readonly foot: number
   /** How much larger than the engine the picture is. */
   readonly margin: number
 }
 
 /**
- * The looks of the drawing. Plan and side view have the front of the engine at the left, so that they stand under each other
+ * The looks of the drawing. Plan and side view have the front of the engine at the left, so that
+ * they stand under each other
  * as on a drawing sheet: the plan is seen from above, the side from the right.
  */
 export function lookOf(camera: Camera, orbit: Readonly<Orbit>): Look {
@@ -59,47 +58,61 @@ export function lookOf(camera: Camera, orbit: Readonly<Orbit>): Look {
 function upright({ azimuth, elevation }: { azimuth: number; elevation: number }): Look {
   const [sin, cos] = [Math.sin(azimuth), Math.cos(azimuth)]
   const [rise, level] = [Math.sin(elevation), Math.cos(elevation)]
-  return { right: [cos, 0, -sin], up: [-rise * sin, level, -rise * cos], back: [level * sin, rise, level * cos] }
+  return {
+    right: [cos, 0, -sin],
+    up: [-rise * sin, level, -rise * cos],
+    back: [level * sin, rise, level * cos],
+  }
 }
 
-export function dot(a: Vector, b: Vector): number {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-/** What a camera sees of things that fill these discs, on a screen. */
-export function frameOf(camera: Camera, orbit: Readonly<Orbit>, discs: readonly Disc[], screen: Screen): Frame {
+/**
+ * What a camera sees on a screen. Each room is what discs fill; the first is looked at, and all of
+ * them would fit in, so that engines side by side are drawn to one scale.
+ */
+export function frameOf(
+  camera: Camera,
+  orbit: Readonly<Orbit>,
+  rooms: readonly (readonly Disc[])[],
+  { aspect, foot, margin }: Screen,
+): Frame {
   const look = lookOf(camera, orbit)
-  const spans = [look.right, look.up, look.back].map((axis) => reach(discs, axis, [0, 0]))
-  const [wide, tall, deep] = spans as [Span, Span, Span]
-  const middle = ([low, high]: Span) => (low + high) / 2
-  const at = (index: 0 | 1 | 2) =>
-    middle(wide) * look.right[index] + middle(tall) * look.up[index] + middle(deep) * look.back[index]
-  if (camera === 'orbit') return around(look, discs, screen)
-  return raised(look, [at(0), at(1), at(2)], (wide[1] - wide[0]) / 2, (tall[1] - tall[0]) / 2, screen)
+  const extents = rooms.map((discs) => (camera === 'orbit' ? ball(discs) : box(look, discs)))
+  const halves = extents.map(({ wide, tall }) => Math.max(tall / (1 - foot), wide / aspect))
+  const half = margin * Math.max(...halves)
+  const middle = extents[0]?.middle ?? [0, 0, 0]
+  return { look, centre: sum(middle, look.up, -half * foot), half }
+}
+
+/** The middle of things, and how far they reach from it to either side and up and down. */
+interface Extent {
+  readonly middle: Vector
+  readonly wide: number
+  readonly tall: number
+}
+
+function box({ right, up, back }: Look, discs: readonly Disc[]): Extent {
+  let middle: Vector = [0, 0, 0]
+  const [wide = 0, tall = 0] = [right, up, back].map((axis) => {
+    const [low, high] = reach(discs, axis, [0, 0])
+    middle = sum(middle, axis, (low + high) / 2)
+    return (high - low) / 2
+  })
+  return { middle, wide, tall }
 }
 
 /** A free look keeps its middle and its size while it turns: those of a ball round everything. */
-function around(look: Look, discs: readonly Disc[], screen: Screen): Frame {
-  const span = (axis: Vector) => reach(discs, axis, [0, 0])
-  const spans = [span([1, 0, 0]), span([0, 1, 0]), span([0, 0, 1])]
-  const centre = spans.map(([low, high]) => (low + high) / 2) as unknown as Vector
-  const ball = Math.max(
-    ...discs.map((disc) => Math.hypot(...disc.centre.map((at, i) => at - (centre[i] as number)), disc.radius)),
-  )
-  return raised(look, centre, FILLED * ball, FILLED * ball, screen)
+function ball(discs: readonly Disc[]): Extent {
+  const { middle } = box({ right: [1, 0, 0], up: [0, 1, 0], back: [0, 0, 1] }, discs)
+  const radii = discs.map(({ centre, radius }) => Math.hypot(...sum(centre, middle, -1), radius))
+  const radius = FILLED * Math.max(...radii)
+  return { middle, wide: radius, tall: radius }
 }
 
-/** The frame in which so much to either side and up and down fits between the screen's top and its foot. */
-function raised(look: Look, middle: Vector, wide: number, tall: number, { aspect, foot, margin }: Screen): Frame {
-  const half = margin * Math.max(tall / (1 - foot), wide / aspect)
-  const down = half * foot
-  const centre = middle.map((at, index) => at - down * (look.up[index] as number)) as unknown as Vector
-  return { look, centre, half }
+function sum(a: Vector, b: Vector, factor: number): Vector {
+  return [a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]]
 }
 
-type Span = [number, number]
-
-/** A frame part of the way from one to another, `share` from 0 to 1: the look turns, the rest slides. */
+/** A frame at a `share` from 0 to 1 of the way: the look turns, the rest slides. */
 export function between(from: Frame, to: Frame, share: number): Frame {
   const mixed = (a: Vector, b: Vector): Vector => [
     a[0] + (b[0] - a[0]) * share,

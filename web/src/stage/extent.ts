@@ -1,7 +1,7 @@
 import type { CylinderShown, Scene } from '../exhibit'
-import { dot, type Vector } from './cameras'
+import { dot, type Vector } from './vector'
 
-/** A round thing that the drawing must have room for: its centre (x, y, z), the way it faces, its radius. */
+/** A disc that must be visible: its centre (x, y, z), the way it faces, its radius. */
 export interface Disc {
   readonly centre: Vector
   readonly facing: Vector
@@ -26,14 +26,22 @@ export function discsOf(scene: Scene): Disc[] {
         [pin.pin_from, pin.pin_to].map((z) => disc(z, pin.radius + 1.4 * pin.pin_radius)),
       ),
       ...shaft.weights.flatMap((weight) => {
-        return [-0.5, 0.5].map((side) => disc(weight.z + side * weight.thickness, weight.outer_radius))
+        return [-0.5, 0.5].map((side) =>
+          disc(weight.z + side * weight.thickness, weight.outer_radius),
+        )
       }),
     ]
   })
   const wheels = scene.gears.flatMap((wheel) => {
     const shaft = scene.shafts[wheel.shaft]
     return shaft
-      ? [{ centre: [shaft.right, shaft.up, wheel.z] as Vector, facing: [0, 0, 1] as Vector, radius: wheel.radius }]
+      ? [
+          {
+            centre: [shaft.right, shaft.up, wheel.z] as Vector,
+            facing: [0, 0, 1] as Vector,
+            radius: wheel.radius,
+          },
+        ]
       : []
   })
   return [...turning, ...wheels, ...scene.cylinders.flatMap((cylinder) => ends(scene, cylinder))]
@@ -58,9 +66,13 @@ export function along(scene: Scene, cylinder: CylinderShown, distance: number): 
 }
 
 /** Whether another piston works in the same chamber from the other side. */
-export function facesAnother(cylinder: CylinderShown, cylinders: readonly CylinderShown[]): boolean {
+export function facesAnother(
+  cylinder: CylinderShown,
+  cylinders: readonly CylinderShown[],
+): boolean {
   return cylinders.some(
-    (other) => other.chamber === cylinder.chamber && Math.cos(other.bearing - cylinder.bearing) < -0.99,
+    (other) =>
+      other.chamber === cylinder.chamber && Math.cos(other.bearing - cylinder.bearing) < -0.99,
   )
 }
 
@@ -69,12 +81,19 @@ export function boreEnd(scene: Scene, cylinder: CylinderShown): number {
   if (!facesAnother(cylinder, scene.cylinders)) return cylinder.bore_to
   const other = scene.cylinders.find((c) => c !== cylinder && c.chamber === cylinder.chamber)
   if (!other) return cylinder.bore_to
-  const [own, facing] = [along(scene, cylinder, cylinder.bore_to), along(scene, other, other.bore_to)]
+  const [own, facing] = [
+    along(scene, cylinder, cylinder.bore_to),
+    along(scene, other, other.bore_to),
+  ]
   return cylinder.bore_to + Math.hypot(facing[0] - own[0], facing[1] - own[1]) / 2
 }
 
 /** The least and the greatest of what discs reach along a direction, written into `out`. */
-export function reach(discs: readonly Disc[], axis: Vector, out: [number, number]): [number, number] {
+export function reach(
+  discs: readonly Disc[],
+  axis: Vector,
+  out: [number, number],
+): [number, number] {
   out[0] = Number.POSITIVE_INFINITY
   out[1] = Number.NEGATIVE_INFINITY
   for (const { centre, facing, radius } of discs) {

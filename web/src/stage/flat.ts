@@ -1,16 +1,16 @@
-import type { Exhibit } from '../exhibit'
-import type { Chain, Places } from '../motion'
+import type { Exhibit, StrokeColours } from '../exhibit'
+import { type Places, turned } from '../motion'
 import { type Body, bodiesOf, coloursOf } from './bodies'
-import { dot, type Vector } from './cameras'
 import { boreEnd } from './extent'
 import { hull } from './hull'
 import { css } from './palette'
 import type { Instant, Picture } from './picture'
 import type { Reading } from './stage'
 import { tint, windowsOf } from './strokes'
+import { dot, type Vector } from './vector'
 import { displaced } from './whirl'
 
-/** A picture without WebGL: the same views, made of the outlines of convex bodies, the farthest first. */
+/** The picture without WebGL: outlines of convex bodies, the farthest first. */
 export function flatPicture(): Picture {
   return new FlatPicture()
 }
@@ -36,10 +36,10 @@ class FlatPicture implements Picture {
   #pistons: Reading['pistons'] = {}
   #pins: Reading['pins'] = []
 
-  show(exhibit: Exhibit, _chain: Chain): void {
+  show(exhibit: Exhibit, colours: StrokeColours): void {
     this.#exhibit = exhibit
     this.#bodies = bodiesOf(exhibit.scene)
-    this.#windows = windowsOf(exhibit)
+    this.#windows = windowsOf(exhibit, colours)
   }
 
   draw(instant: Instant): void {
@@ -54,7 +54,9 @@ class FlatPicture implements Picture {
     this.#pins = exhibit.scene.shafts.map(() => [])
     const project = this.#projection(instant, exhibit)
     const drawn = this.#bodies
-      .filter(({ fill }) => (fill === 'glass' ? instant.view.glass : fill !== 'charge' || instant.view.glow))
+      .filter(({ fill }) =>
+        fill === 'glass' ? instant.view.glass : fill !== 'charge' || instant.view.glow,
+      )
       .map((body) => this.#flattened(body, exhibit, instant, project))
     for (const shape of drawn.sort((a, b) => a.depth - b.depth)) this.#paint(to, shape, instant)
     this.#arrows(to, instant, project)
@@ -62,7 +64,10 @@ class FlatPicture implements Picture {
   }
 
   /** Takes a point of the block to the screen: x, y, and how near it is. */
-  #projection({ frame, moved, view }: Instant, { whirl }: Exhibit): (point: Vector) => [number, number, number] {
+  #projection(
+    { frame, moved, view }: Instant,
+    { whirl }: Exhibit,
+  ): (point: Vector) => [number, number, number] {
     const { width, height } = this.#size
     const { look, centre, half } = frame
     const pixels = height / 2 / half
@@ -103,7 +108,7 @@ class FlatPicture implements Picture {
       flat[2 * index + 1] = down
       depths[index < count / 2 ? 0 : 1] += (2 * near) / count
     }
-    // What is inside a bore is painted over it: glass stands behind everything at its place.
+    // Glass stands behind everything at its place, so that pistons are painted over their bores.
     const depth = (depths[0] + depths[1]) / 2 - (body.fill === 'glass' ? 1e-3 : 0)
     return { body, flat, depth, nearer: depths[1] > depths[0] ? count / 2 : 0 }
   }
@@ -133,7 +138,7 @@ class FlatPicture implements Picture {
     to.stroke()
   }
 
-  /** Tints what is in a bore by its stroke. */
+  /** Tints the charge of a bore by its stroke. */
   #glow(to: CanvasRenderingContext2D, body: Body, theta: number): void {
     const cycle = this.#exhibit?.cycle_deg ?? 720
     tint(this.#windows[body.index] ?? [], (theta * 180) / Math.PI, cycle, this.#hue, 0)
@@ -143,7 +148,11 @@ class FlatPicture implements Picture {
     to.fill()
   }
 
-  #arrows(to: CanvasRenderingContext2D, { load, arrow, palette }: Instant, project: (p: Vector) => number[]): void {
+  #arrows(
+    to: CanvasRenderingContext2D,
+    { load, arrow, palette }: Instant,
+    project: (p: Vector) => number[],
+  ): void {
     to.lineCap = 'round'
     for (const { kind, x, y, z, up, right } of load.pulls) {
       const [fromX, fromY] = project([x, y, z]) as [number, number]
@@ -171,7 +180,7 @@ class FlatPicture implements Picture {
     const { scene, sense } = exhibit
     this.#pins = scene.shafts.map((shaft) =>
       shaft.throws.map(({ angle, radius, z }): [number, number, number] => {
-        const bearing = angle + sense * shaft.speed_ratio * view.theta
+        const bearing = angle + turned(shaft, sense, view.theta)
         return [shaft.up + radius * Math.cos(bearing), shaft.right + radius * Math.sin(bearing), z]
       }),
     )
@@ -199,7 +208,7 @@ class FlatPicture implements Picture {
   }
 }
 
-/** A body on the screen: its points [x, y], how near it is, and which of its points are the nearer cap. */
+/** A body on the screen: points [x, y], nearness, and the first point of the nearer cap. */
 interface Flattened {
   readonly body: Body
   readonly flat: Float64Array
@@ -212,8 +221,14 @@ function standOf(body: Body, exhibit: Exhibit, places: Places, theta: number): S
   const { index } = body
   if (body.carrier === 'shaft') {
     const shaft = scene.shafts[index]
-    const bearing = body.bearing + sense * (shaft?.speed_ratio ?? 1) * theta
-    return { x: shaft?.right ?? 0, y: shaft?.up ?? 0, z: 0, up: Math.cos(bearing), right: Math.sin(bearing) }
+    const bearing = body.bearing + (shaft ? turned(shaft, sense, theta) : 0)
+    return {
+      x: shaft?.right ?? 0,
+      y: shaft?.up ?? 0,
+      z: 0,
+      up: Math.cos(bearing),
+      right: Math.sin(bearing),
+    }
   }
   const c = scene.cylinders[index]
   const bearing = c?.bearing ?? 0
@@ -225,12 +240,26 @@ function standOf(body: Body, exhibit: Exhibit, places: Places, theta: number): S
     return { x: x + above * right, y: y + above * up, z: c?.z ?? 0, up, right }
   }
   if (body.carrier === 'rod') {
-    const direction = { up: places.direction[at] as number, right: places.direction[at + 1] as number }
-    return { x: places.bigEnd[at + 1] as number, y: places.bigEnd[at] as number, z: c?.rod_z ?? 0, ...direction }
+    const direction = {
+      up: places.direction[at] as number,
+      right: places.direction[at + 1] as number,
+    }
+    return {
+      x: places.bigEnd[at + 1] as number,
+      y: places.bigEnd[at] as number,
+      z: c?.rod_z ?? 0,
+      ...direction,
+    }
   }
   const shaft = scene.shafts[c?.shaft ?? 0]
   const offset = c?.offset ?? 0
-  return { x: (shaft?.right ?? 0) + offset * up, y: (shaft?.up ?? 0) - offset * right, z: c?.z ?? 0, up, right }
+  return {
+    x: (shaft?.right ?? 0) + offset * up,
+    y: (shaft?.up ?? 0) - offset * right,
+    z: c?.z ?? 0,
+    up,
+    right,
+  }
 }
 
 /** How far it is from the crown of a piston to the end of its bore. */
@@ -245,6 +274,7 @@ function chargeHeight({ index }: Body, { scene }: Exhibit, { piston }: Places): 
 
 function trace(to: CanvasRenderingContext2D, flat: Float64Array, corners: readonly number[]): void {
   to.beginPath()
-  for (const corner of corners) to.lineTo(flat[2 * corner] as number, flat[2 * corner + 1] as number)
+  for (const corner of corners)
+    to.lineTo(flat[2 * corner] as number, flat[2 * corner + 1] as number)
   to.closePath()
 }

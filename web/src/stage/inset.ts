@@ -1,8 +1,9 @@
+import { t } from '../language/messages'
 import { css, type Palette } from './palette'
 import { roundValue } from './sheet'
 import { REST } from './whirl'
 
-/** Side of the drawing, pixels: at most, at least, and as a share of the stage; the words below it need their width. */
+/** Side of the inset, pixels: greatest, least, share of the stage; width of its words. */
 const [LARGEST, SMALLEST, SHARE] = [148, 76, 0.27]
 const [WORDS, BELOW] = [124, 34]
 const FONT = '11px system-ui, sans-serif'
@@ -13,7 +14,7 @@ export interface Paths {
   readonly rear: [number, number][]
 }
 
-/** A small drawing in a corner: how the crank axis moves at the front and at the rear, seen from the front. */
+/** An inset: how the crank axis moves at front and rear, seen from the front. */
 export class Inset {
   readonly canvas: HTMLCanvasElement
   #paths: Paths = { front: [], rear: [] }
@@ -44,7 +45,9 @@ export class Inset {
 
   /** Takes the measure of the stage, before paths are traced. */
   fit(width: number, height: number): void {
-    this.#side = Math.round(Math.max(SMALLEST, Math.min(LARGEST, SHARE * width, 1.3 * SHARE * height)))
+    this.#side = Math.round(
+      Math.max(SMALLEST, Math.min(LARGEST, SHARE * width, 1.3 * SHARE * height)),
+    )
     this.canvas.style.width = `${Math.max(WORDS, this.#side)}px`
     this.canvas.style.height = `${this.#side + BELOW}px`
   }
@@ -52,11 +55,16 @@ export class Inset {
   /** Takes new paths; `unit` is the scene's, `size` the engine's. */
   trace(paths: Paths, unit: string, size: number): void {
     this.#paths = paths
-    const most = Math.max(...[...paths.front, ...paths.rear].map(([up, right]) => Math.hypot(up, right)), 0)
+    const most = Math.max(
+      ...[...paths.front, ...paths.rear].map(([up, right]) => Math.hypot(up, right)),
+      0,
+    )
     const some = most > REST * size
     this.#pixels = some ? (0.4 * this.#side) / most : 0
     this.#ring = some ? roundValue(1.0001 * most) : 0
-    this.#label = some ? `ring: ${small(this.#ring, unit)}` : 'axis stays at rest'
+    this.#label = some
+      ? t('ring: {radius}', { radius: small(this.#ring, unit) })
+      : t('crank axis at rest')
     this.#outlines = [this.#outline(paths.front), this.#outline(paths.rear)]
   }
 
@@ -101,10 +109,10 @@ export class Inset {
     to.textBaseline = 'top'
     to.textAlign = 'right'
     to.fillStyle = colours[0]
-    to.fillText('front end', -6, side / 2 + 3)
+    to.fillText(t('front end'), -6, side / 2 + 3)
     to.textAlign = 'left'
     to.fillStyle = colours[1]
-    to.fillText('rear end', 6, side / 2 + 3)
+    to.fillText(t('rear end'), 6, side / 2 + 3)
     to.textAlign = 'center'
     to.fillStyle = palette.text
     to.fillText(this.#label, 0, side / 2 + 18)
@@ -145,7 +153,7 @@ export class Inset {
 const DASHED = [4, 3]
 const WHOLE: number[] = []
 
-/** A small length of the scene, as one says it. */
+/** A small length of the scene as text. */
 function small(value: number, unit: string): string {
   if (unit !== 'm') return `${+value.toPrecision(2)} ${unit}`
   if (value < 1e-3) return `${+(value * 1e6).toPrecision(2)} µm`

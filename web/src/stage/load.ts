@@ -13,7 +13,7 @@ import {
 import { along, type Disc } from './extent'
 import type { View } from './stage'
 
-/** A force to be drawn: where its arrow begins (x, y, z) and the vector in units of the longest of its kind. */
+/** An arrow: its origin (x, y, z) and its vector in shares of the longest of its kind. */
 export interface Pull {
   readonly kind: 'force' | 'part' | 'couple'
   readonly x: number
@@ -26,17 +26,17 @@ export interface Pull {
 /** All that pulls at the block at an instant. */
 export interface Load {
   readonly pulls: Pull[]
-  /** Values for which an arrow has the design length at scale 1; 0 where there is nothing to draw. */
+  /** Values of an arrow of the design length at scale 1; 0 where none is drawn. */
   force: number
   couple: number
 }
 
-/** A sum that is less than this share of what it is a sum of is rounding, and nothing to be drawn. */
+/** A sum below this share of its parts is a rounding error and not drawn. */
 const ROUNDING = 1e-9
-/** A sum that is less than this share of the greatest force of a cylinder (or of its couple) is not drawn larger for that. */
+/** A sum below this share of a cylinder's greatest force (or couple) is drawn small. */
 const LITTLE = 0.1
 
-/** Forces of an exhibit as arrows. The couple is a pair of forces at the two ends, in the plane in which it acts. */
+/** The arrows of an exhibit; a couple is a pair of forces at the two ends, in its plane. */
 export class Loads {
   readonly #exhibit: Exhibit
   readonly #force: Coefficients
@@ -61,13 +61,13 @@ export class Loads {
     this.#load = { pulls: this.#begun(), force: 0, couple: 0 }
   }
 
-  /** Engines that are looked at together with this one: arrows of the same length mean the same in all of them. */
+  /** Engines beside this one: arrows of the same length mean the same in all of them. */
   set beside(exhibits: readonly Exhibit[]) {
     this.#beside = exhibits
     this.#scaled = ''
   }
 
-  /** Where arrows begin: the total at the reference point, the couple at both ends, a cylinder's above its head. */
+  /** Arrows begin at the reference point, at both ends (couple) and above the heads. */
   #begun(): Pull[] {
     const { scene, reference_z } = this.#exhibit
     const axis = { x: scene.shafts[0]?.right ?? 0, y: scene.shafts[0]?.up ?? 0, up: 0, right: 0 }
@@ -101,8 +101,10 @@ export class Loads {
     return load
   }
 
-  /** The room that arrows need on the drawing over the whole cycle, where the greatest is `arrow` long; after `at`. */
-  room({ arrows }: View, arrow: number): readonly Disc[] {
+  /** The room that arrows need over the whole cycle, where the longest is `arrow` long. */
+  room(view: View, arrow: number): readonly Disc[] {
+    const { arrows } = view
+    this.#scale(view)
     if (arrow === this.#long) return this.#room
     this.#long = arrow
     const { orders, turns } = this.#exhibit
@@ -112,14 +114,20 @@ export class Loads {
       const [up, right] = spans(coefficients, orders, arrows.orders, turns).map(
         (most) => (most / scale) * arrow,
       ) as Plane
-      const tip = (x: number, y: number): Disc => ({ centre: [x, y, pull.z], facing: [0, 0, 1], radius: 0 })
+      const tip = (x: number, y: number): Disc => ({
+        centre: [x, y, pull.z],
+        facing: [0, 0, 1],
+        radius: 0,
+      })
       return [tip(pull.x - right, pull.y - up), tip(pull.x + right, pull.y + up)]
     }
     this.#room = [
       ...tips(pulls[0], this.#force, force),
       ...tips(pulls[1], this.#couple, couple),
       ...tips(pulls[2], this.#couple, couple),
-      ...this.#parts.flatMap((part, index) => tips(pulls[3 + index], part, arrows.cylinders ? force : 0)),
+      ...this.#parts.flatMap((part, index) =>
+        tips(pulls[3 + index], part, arrows.cylinders ? force : 0),
+      ),
     ]
     return this.#room
   }
@@ -132,7 +140,7 @@ export class Loads {
     pull.right = scale > 0 ? (sign * this.#place[1]) / scale : 0
   }
 
-  /** The greatest of what is shown here or at its side, whenever that is something else than before. */
+  /** The greatest of what is shown here and beside, whenever the choice changes. */
   #scale({ arrows }: View): void {
     const key = `${arrows.force} ${arrows.couple} ${arrows.cylinders} ${arrows.orders?.join() ?? 'all'}`
     if (key === this.#scaled) return
@@ -140,10 +148,16 @@ export class Loads {
     this.#long = -1
     this.#load.force = 0
     this.#load.couple = 0
+    const { units, scale } = this.#exhibit
     for (const exhibit of [this.#exhibit, ...this.#beside]) {
       const { force, couple } = longest(exhibit, arrows)
-      if (exhibit.units.force === this.#exhibit.units.force) this.#load.force = Math.max(this.#load.force, force)
-      if (exhibit.units.couple === this.#exhibit.units.couple) this.#load.couple = Math.max(this.#load.couple, couple)
+      // in other units, as multiples of m r w^2 of the first cylinder
+      const alike = exhibit.units.force === units.force && exhibit.units.couple === units.couple
+      const [forces, couples] = alike
+        ? [1, 1]
+        : [scale.force / exhibit.scale.force, scale.couple / exhibit.scale.couple]
+      this.#load.force = Math.max(this.#load.force, forces * force)
+      this.#load.couple = Math.max(this.#load.couple, couples * couple)
     }
   }
 }
@@ -155,7 +169,8 @@ function longest(exhibit: Exhibit, arrows: View['arrows']): { force: number; cou
   const [force, couple] = [most(coefficientsOf(total.force)), most(coefficientsOf(total.couple))]
   const alone = Math.max(0, ...cylinders.map((part) => most(coefficientsOf(part.force))))
   const shown = arrows.cylinders ? Math.max(force, alone) : force
-  const arm = Math.max(0, ...cylinders.map((part) => Math.abs(part.z - reference_z))) / couple_length
+  const arm =
+    Math.max(0, ...cylinders.map((part) => Math.abs(part.z - reference_z))) / couple_length
   const pair = alone * arm
   return {
     force: arrows.force && shown > ROUNDING * alone ? Math.max(shown, LITTLE * alone) : 0,

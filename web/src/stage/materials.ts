@@ -2,8 +2,10 @@ import { DoubleSide, ShaderMaterial, Vector3 } from 'three'
 import { channels, type Palette } from './palette'
 
 /**
- * Materials of a technical illustration: a light that stands at the eye's left shoulder, shading from cool to warm (after
- * A. Gooch), a darker rim, thin lines along the edges. Cheap enough for a computer without a graphics card.
+ * Materials of a technical illustration: a light that stands at the eye's left shoulder, shading
+ * from cool to warm (after
+ * A. Gooch), a darker rim, thin lines along the edges. Cheap enough for a computer without a
+ * graphics card.
  */
 const VERTEX = /* glsl */ `
 attribute float tint;
@@ -98,8 +100,14 @@ export interface Materials {
 }
 
 export function materials(): Materials {
-  const paints = Object.fromEntries(PAINTS.map((paint) => [paint, shaded()])) as Record<Paint, ShaderMaterial>
-  const arrows = Object.fromEntries(ARROWS.map((arrow) => [arrow, overAll()])) as Record<Arrow, ShaderMaterial>
+  const paints = Object.fromEntries(PAINTS.map((paint) => [paint, shaded()])) as Record<
+    Paint,
+    ShaderMaterial
+  >
+  const arrows = Object.fromEntries(ARROWS.map((arrow) => [arrow, overAll()])) as Record<
+    Arrow,
+    ShaderMaterial
+  >
   const lines = plain(LINE_VERTEX, PLAIN)
   const glassLines = plain(LINE_VERTEX, PLAIN)
   const glass = plain(VERTEX, GLASS)
@@ -139,7 +147,11 @@ export function materials(): Materials {
 }
 
 function shaded(): ShaderMaterial {
-  const uniforms = { base: { value: new Vector3() }, second: { value: new Vector3() }, dark: { value: 0 } }
+  const uniforms = {
+    base: { value: new Vector3() },
+    second: { value: new Vector3() },
+    dark: { value: 0 },
+  }
   // Faces stand back a little, so that the lines on their edges are whole.
   const back = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 2 }
   return new ShaderMaterial({ vertexShader: VERTEX, fragmentShader: SHADED, uniforms, ...back })
@@ -156,7 +168,13 @@ function overAll(): ShaderMaterial {
 
 function plain(vertexShader: string, fragmentShader: string): ShaderMaterial {
   const uniforms = { base: { value: new Vector3() }, opacity: { value: 1 } }
-  return new ShaderMaterial({ vertexShader, fragmentShader, uniforms, transparent: true, depthWrite: false })
+  return new ShaderMaterial({
+    vertexShader,
+    fragmentShader,
+    uniforms,
+    transparent: true,
+    depthWrite: false,
+  })
 }
 
 function colour(material: ShaderMaterial, name: string, value: number): void {

@@ -8,14 +8,17 @@ const [NEAREST, FARTHEST] = [12, 0.4]
 /** Turns a free look by so many pixels of dragging. */
 export function dragged(orbit: Orbit, dx: number, dy: number): void {
   orbit.azimuth = (orbit.azimuth - dx * RADIANS_PER_PIXEL) % (2 * Math.PI)
-  orbit.elevation = Math.max(-Math.PI / 2, Math.min(Math.PI / 2, orbit.elevation + dy * RADIANS_PER_PIXEL))
+  orbit.elevation = Math.max(
+    -Math.PI / 2,
+    Math.min(Math.PI / 2, orbit.elevation + dy * RADIANS_PER_PIXEL),
+  )
 }
 
 export function zoomed(orbit: Orbit, factor: number): void {
   orbit.zoom = Math.max(FARTHEST, Math.min(NEAREST, orbit.zoom * factor))
 }
 
-export function wentHome(orbit: Orbit): void {
+function wentHome(orbit: Orbit): void {
   Object.assign(orbit, HOME)
 }
 
@@ -34,14 +37,23 @@ export function pressed(orbit: Orbit, key: string): boolean {
 }
 
 /**
- * Lets mouse, fingers and keys turn a free look on an element: dragging turns, two fingers or the wheel zoom, dragging with
- * another button, the shift key or two fingers shifts. `active` tells whether the free look is on. Gives back what ends it.
+ * Lets mouse, fingers and keys turn a free look on an element: dragging turns, two fingers or the
+ * wheel zoom, dragging with
+ * another button, the shift key or two fingers shifts. `active` tells whether the free look is on.
+ * Gives back what ends it.
  */
-export function listened(element: HTMLElement, orbit: Orbit, active: () => boolean, changed: () => void): () => void {
+export function listened(
+  element: HTMLElement,
+  orbit: Orbit,
+  active: () => boolean,
+  changed: () => void,
+): () => void {
   const fingers = new Map<number, { x: number; y: number }>()
   const ending = new AbortController()
-  const on = <K extends keyof HTMLElementEventMap>(name: K, does: (event: HTMLElementEventMap[K]) => void) =>
-    element.addEventListener(name, does, { signal: ending.signal, passive: false })
+  const on = <K extends keyof HTMLElementEventMap>(
+    name: K,
+    does: (event: HTMLElementEventMap[K]) => void,
+  ) => element.addEventListener(name, does, { signal: ending.signal, passive: false })
   const shifted = (dx: number, dy: number) => {
     orbit.x -= (2 * dx) / element.clientHeight
     orbit.y += (2 * dy) / element.clientHeight
@@ -66,7 +78,8 @@ export function listened(element: HTMLElement, orbit: Orbit, active: () => boole
     before.y = event.clientY
     changed()
   })
-  for (const name of ['pointerup', 'pointercancel'] as const) on(name, (event) => fingers.delete(event.pointerId))
+  for (const name of ['pointerup', 'pointercancel'] as const)
+    on(name, (event) => fingers.delete(event.pointerId))
   on('contextmenu', (event) => active() && event.preventDefault())
   on('wheel', (event) => {
     if (!active()) return
@@ -75,7 +88,8 @@ export function listened(element: HTMLElement, orbit: Orbit, active: () => boole
     changed()
   })
   on('keydown', (event) => {
-    if (!active() || event.ctrlKey || event.metaKey || event.altKey || !pressed(orbit, event.key)) return
+    if (!active() || event.ctrlKey || event.metaKey || event.altKey || !pressed(orbit, event.key))
+      return
     event.preventDefault()
     event.stopPropagation()
     changed()

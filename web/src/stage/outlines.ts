@@ -1,4 +1,4 @@
-/** Closed outlines in the plane square to the crankshaft, x to the right and y up, counter-clockwise. */
+/** Closed outlines across the crankshaft, x right, y up, counter-clockwise. */
 export type Outline = readonly (readonly [number, number])[]
 
 /** A bearing (clockwise from up) as a direction [x, y]. */
@@ -11,14 +11,21 @@ export function circle(x: number, y: number, radius: number, corners = 32): Outl
 }
 
 /** Points along an arc, both ends included; angles counter-clockwise from the x-axis. */
-function arc(x: number, y: number, radius: number, from: number, to: number, steps: number): [number, number][] {
+function arc(
+  x: number,
+  y: number,
+  radius: number,
+  from: number,
+  to: number,
+  steps: number,
+): [number, number][] {
   return Array.from({ length: steps + 1 }, (_, step) => {
     const angle = from + ((to - from) * step) / steps
     return [x + radius * Math.cos(angle), y + radius * Math.sin(angle)]
   })
 }
 
-/** A band tight round two circles: the second stands at `distance` in the direction of `bearing` from the first, at (0, 0). */
+/** A band round two circles, at (0, 0) and at `distance` in the direction `bearing`. */
 export function band(radius: number, distance: number, bearing: number, other: number): Outline {
   if (distance <= Math.abs(radius - other)) {
     const [x, y] = towards(bearing)
@@ -40,7 +47,9 @@ export function sector(inner: number, outer: number, bearing: number, half: numb
   const middle = Math.PI / 2 - bearing
   const steps = Math.max(6, Math.ceil(half * 14))
   const back =
-    inner > 1e-3 * outer ? arc(0, 0, inner, middle + half, middle - half, steps) : [[0, 0] as [number, number]]
+    inner > 1e-3 * outer
+      ? arc(0, 0, inner, middle + half, middle - half, steps)
+      : [[0, 0] as [number, number]]
   return [...arc(0, 0, outer, middle - half, middle + half, steps), ...back]
 }
 

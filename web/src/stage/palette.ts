@@ -1,6 +1,6 @@
-/** Colours of the drawing as 0xRRGGBB: the crankshaft red as in the documents, the rest after M. Okabe and K. Ito. */
+/** Colours as 0xRRGGBB: the crankshaft red, the others after M. Okabe and K. Ito. */
 export interface Palette {
-  /** A part's body, and what is machined on it. */
+  /** A part's body, and its machined surfaces. */
   readonly crankshaft: readonly [number, number]
   readonly balanceShaft: readonly [number, number]
   readonly gear: readonly [number, number]
@@ -54,12 +54,12 @@ export const DARK: Palette = {
   paper: '#14181d',
 }
 
-/** How a stroke tints its cylinder: colour, and how much of it there is at the beginning and at the end of the stroke. */
-export const STROKES = {
-  power: { colour: 0xff7a1a, begin: 0.85, end: 0.12 },
-  exhaust: { colour: 0x8a8a8a, begin: 0.3, end: 0.18 },
-  intake: { colour: 0x3f9fe0, begin: 0.12, end: 0.28 },
-  compression: { colour: 0xe0b400, begin: 0.16, end: 0.38 },
+/** Opacity of a stroke's tint at its beginning and its end. */
+export const TINTS = {
+  power: { begin: 0.85, end: 0.12 },
+  exhaust: { begin: 0.4, end: 0.15 },
+  intake: { begin: 0.12, end: 0.28 },
+  compression: { begin: 0.2, end: 0.45 },
 } as const
 
 /** A colour's red, green and blue from 0 to 1, as it stands on the screen. */

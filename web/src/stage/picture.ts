@@ -1,5 +1,5 @@
-import type { Exhibit } from '../exhibit'
-import type { Chain, Places } from '../motion'
+import type { Exhibit, StrokeColours } from '../exhibit'
+import type { Places } from '../motion'
 import type { Frame } from './cameras'
 import type { Load } from './load'
 import type { Palette } from './palette'
@@ -24,7 +24,7 @@ export interface Instant {
 export interface Picture {
   readonly means: Stage['means']
   readonly canvas: HTMLCanvasElement
-  show(exhibit: Exhibit, chain: Chain): void
+  show(exhibit: Exhibit, colours: StrokeColours): void
   draw(instant: Instant): void
   /** Where things stand in what was drawn last, the whirl taken away. */
   pistons(): Reading['pistons']

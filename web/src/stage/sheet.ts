@@ -1,8 +1,10 @@
 import type { Exhibit } from '../exhibit'
-import { dot, type Frame, type Vector } from './cameras'
+import { message, t } from '../language/messages'
+import type { Frame } from './cameras'
 import { along, facesAnother } from './extent'
 import type { Load } from './load'
 import { css, type Palette } from './palette'
+import { dot, type Vector } from './vector'
 import { type Displacement, displaced } from './whirl'
 
 const FONT = 'system-ui, sans-serif'
@@ -10,15 +12,17 @@ const FONT = 'system-ui, sans-serif'
 const AXIS = 30
 /** Labels nearer to each other than this are written as one, pixels. */
 const CLOSE = 15
-/** Below this there is no room for the scales of arrows beside the axes, pixels: they go beneath them. */
+/** Below this width, pixels, the scales of arrows go beneath the axes. */
 export const NARROW = 300
-const AXES: readonly { along: Vector; name: string }[] = [
-  { along: [1, 0, 0], name: 'x right' },
-  { along: [0, 1, 0], name: 'y up' },
-  { along: [0, 0, 1], name: 'z front' },
-]
+/** From this width on there is room for a sentence beside an arrow, pixels. */
+const WIDE = 560
+const AXES = [
+  { along: [1, 0, 0], name: message('x right') },
+  { along: [0, 1, 0], name: message('y up') },
+  { along: [0, 0, 1], name: message('z front') },
+] as const satisfies readonly { along: Vector; name: string }[]
 
-/** What is written on the drawing: numbers of cylinders, the frame's axes, how long the arrows are. */
+/** The labels of the drawing: cylinder numbers, axes, scales of the arrows. */
 export interface Writing {
   readonly frame: Frame
   readonly width: number
@@ -35,8 +39,15 @@ export interface Writing {
 /** Puts a point of the scene on the screen. */
 export function projected({ frame, width, height }: Writing, point: Vector): [number, number] {
   const pixels = height / 2 / frame.half
-  const from: Vector = [point[0] - frame.centre[0], point[1] - frame.centre[1], point[2] - frame.centre[2]]
-  return [width / 2 + pixels * dot(from, frame.look.right), height / 2 - pixels * dot(from, frame.look.up)]
+  const from: Vector = [
+    point[0] - frame.centre[0],
+    point[1] - frame.centre[1],
+    point[2] - frame.centre[2],
+  ]
+  return [
+    width / 2 + pixels * dot(from, frame.look.right),
+    height / 2 - pixels * dot(from, frame.look.up),
+  ]
 }
 
 /** Writes the sheet afresh. */
@@ -47,16 +58,31 @@ export function write(to: CanvasRenderingContext2D, exhibit: Exhibit, writing: W
   numbers(to, exhibit, writing)
   axes(to, writing)
   const lines = [
-    { value: writing.load.force, unit: exhibit.units.force, colour: palette.force, name: 'force' },
-    { value: writing.load.couple, unit: exhibit.units.couple, colour: palette.couple, name: 'couple' },
+    {
+      value: writing.load.force,
+      unit: exhibit.units.force,
+      colour: palette.force,
+      name: t('Force'),
+    },
+    {
+      value: writing.load.couple,
+      unit: exhibit.units.couple,
+      colour: palette.couple,
+      name: width < WIDE ? t('Couple') : t('Couple, as a pair of forces in its plane'),
+    },
   ].filter((line) => line.value > 0)
   lines.forEach((line, index) => {
     const step = width < NARROW ? 18 : 22
-    scale(to, writing, line, height - (width < NARROW ? 12 : 20) - step * (lines.length - 1 - index))
+    scale(
+      to,
+      writing,
+      line,
+      height - (width < NARROW ? 12 : 20) - step * (lines.length - 1 - index),
+    )
   })
 }
 
-/** The number of every cylinder beyond its head; those behind each other in one label, none on top of another. */
+/** The cylinder numbers beyond the heads; those behind each other in one label. */
 function numbers(to: CanvasRenderingContext2D, { scene, whirl }: Exhibit, writing: Writing): void {
   const labels: { x: number; y: number; near: number; names: number[] }[] = []
   for (const c of scene.cylinders) {
@@ -65,7 +91,7 @@ function numbers(to: CanvasRenderingContext2D, { scene, whirl }: Exhibit, writin
     const point = displaced(whirl, writing.moved, writing.magnification, rest, [0, 0, 0])
     const [x, y] = projected(writing, point)
     const near = dot(point, writing.frame.look.back)
-    const label = labels.find((one) => Math.hypot(one.x - x, one.y - y) < CLOSE)
+    const label = labels.find((other) => Math.hypot(other.x - x, other.y - y) < CLOSE)
     if (label) label.names.push(c.number)
     else labels.push({ x, y, near, names: [c.number] })
   }
@@ -77,7 +103,10 @@ function numbers(to: CanvasRenderingContext2D, { scene, whirl }: Exhibit, writin
     const text = names.length > 4 ? `${names[0]} … ${names[names.length - 1]}` : names.join(' · ')
     const half = to.measureText(text).width / 2 + 2
     const x = Math.min(Math.max(beyond, half), writing.width - half)
-    if (taken.some((one) => Math.abs(one.x - x) < one.half + half && Math.abs(one.y - y) < 13)) continue
+    if (
+      taken.some((label) => Math.abs(label.x - x) < label.half + half && Math.abs(label.y - y) < 13)
+    )
+      continue
     taken.push({ x, y, half })
     to.lineWidth = 3
     to.strokeStyle = writing.palette.paper
@@ -87,7 +116,7 @@ function numbers(to: CanvasRenderingContext2D, { scene, whirl }: Exhibit, writin
   }
 }
 
-/** The frame's axes in the lower left corner; one that points at the eye is a dot, one that points away a cross. */
+/** The axes in the lower left corner; a dot points at the eye, a cross away. */
 function axes(to: CanvasRenderingContext2D, { frame, height, width, palette }: Writing): void {
   const [x, y] = width < NARROW ? [66, height - 66] : [78, height - 50]
   to.strokeStyle = palette.quiet
@@ -101,14 +130,14 @@ function axes(to: CanvasRenderingContext2D, { frame, height, width, palette }: W
       end(to, x, y, dot(along, frame.look.back) > 0)
       to.textAlign = 'right'
       to.textBaseline = 'top'
-      to.fillText(name, x - 7, y + 6)
+      to.fillText(t(name), x - 7, y + 6)
       continue
     }
     const [tipX, tipY] = [x + AXIS * right, y - AXIS * up]
     line(to, x, y, tipX, tipY)
     to.textAlign = right > 0.3 * long ? 'left' : right < -0.3 * long ? 'right' : 'center'
     to.textBaseline = up > 0.5 * long ? 'bottom' : up < -0.5 * long ? 'top' : 'middle'
-    to.fillText(name, tipX + (6 * right) / long, tipY - (6 * up) / long)
+    to.fillText(t(name), tipX + (6 * right) / long, tipY - (6 * up) / long)
   }
 }
 
@@ -143,10 +172,9 @@ function scale(
   const round = roundValue(perPixel * Math.min(96, width / 5))
   const long = round / perPixel
   to.font = `12px ${FONT}`
-  const what = name === 'couple' && width >= 560 ? 'couple, as a pair of forces in its plane' : name
-  const told = `${quantity(round, unit)}  ${what}`
-  const right = width - long - 12 - to.measureText(told).width
-  const x = width < NARROW ? 12 : Math.max(4, Math.min(width < 560 ? 150 : 166, right))
+  const text = `${quantity(round, unit)}  ${name}`
+  const right = width - long - 12 - to.measureText(text).width
+  const x = width < NARROW ? 12 : Math.max(4, Math.min(width < WIDE ? 150 : 166, right))
   to.strokeStyle = to.fillStyle = css(colour)
   to.lineWidth = 3
   line(to, x, y, x + long - 6, y)
@@ -158,7 +186,7 @@ function scale(
   to.fillStyle = palette.text
   to.textAlign = 'left'
   to.textBaseline = 'middle'
-  to.fillText(told, x + long + 8, y)
+  to.fillText(text, x + long + 8, y)
 }
 
 /** The greatest of 1, 2, 5, 10, ... that is not above a value. */

@@ -1,7 +1,7 @@
 import { BufferAttribute, BufferGeometry, ShapeUtils, Vector2 } from 'three'
 import type { Outline } from './outlines'
 
-/** Neighbouring faces that meet at less than this (its cosine) are one smooth surface, and get no line between them. */
+/** Cosine of the angle between faces below which an edge is sharp and gets a line. */
 const SMOOTH = Math.cos(0.62)
 
 /** Faces and the lines that are drawn along their edges. */
@@ -11,7 +11,8 @@ export interface Shape {
 }
 
 /**
- * A body that is put together from prisms along z and turned shapes about y; each has a `tint` from 0 (the part's own colour)
+ * A body that is put together from prisms along z and turned shapes about y; each has a `tint` from
+ * 0 (the part's own colour)
  * to 1 (its second colour).
  */
 export class Solid {
@@ -22,11 +23,19 @@ export class Solid {
   readonly #lines: number[] = []
 
   /** A prism with this outline between two places along z, with holes through it. */
-  prism(outline: Outline, from: number, to: number, tint = 0, holes: readonly Outline[] = []): this {
+  prism(
+    outline: Outline,
+    from: number,
+    to: number,
+    tint = 0,
+    holes: readonly Outline[] = [],
+  ): this {
     const [low, high] = from < to ? [from, to] : [to, from]
-    for (const ring of [outline, ...holes]) this.#wall(ring, low, high, tint, ring === outline ? 1 : -1)
+    for (const ring of [outline, ...holes])
+      this.#wall(ring, low, high, tint, ring === outline ? 1 : -1)
     const corners = [outline, ...holes].flat()
-    const triangles = holes.length === 0 && convex(outline) ? fan(outline.length) : cut(outline, holes)
+    const triangles =
+      holes.length === 0 && convex(outline) ? fan(outline.length) : cut(outline, holes)
     for (const [z, front] of [
       [low, false],
       [high, true],
@@ -40,7 +49,7 @@ export class Solid {
     return this
   }
 
-  /** The side of a prism, `out` -1 where it is the side of a hole; both rings run counter-clockwise. */
+  /** The side of a prism, `out` -1 for a hole; both rings run counter-clockwise. */
   #wall(ring: Outline, low: number, high: number, tint: number, out: 1 | -1): void {
     const count = ring.length
     const corner = (index: number) => ring[(index + count) % count] as readonly [number, number]
@@ -72,10 +81,16 @@ export class Solid {
   }
 
   /**
-   * A surface turned about the y-axis: `profile` are [radius, height, tint] seen with the axis at the left, counter-clockwise,
+   * A surface turned about the y-axis: `profile` are [radius, height, tint] seen with the axis at
+   * the left, counter-clockwise,
    * over the angles from the x-axis towards the viewer. An open profile gives an open shell.
    */
-  turned(profile: readonly (readonly [number, number, number])[], from = 0, to = 2 * Math.PI, steps = 40): this {
+  turned(
+    profile: readonly (readonly [number, number, number])[],
+    from = 0,
+    to = 2 * Math.PI,
+    steps = 40,
+  ): this {
     const whole = to - from > 6.28
     for (let part = 0; part + 1 < profile.length; part++) {
       const [a, b] = [profile[part], profile[part + 1]] as [readonly number[], readonly number[]]
@@ -95,7 +110,8 @@ export class Solid {
           [r0, y0],
           [r1, y1],
         ] as const) {
-          if (r > 0) this.#lines.push(r * cos, y, r * sin, r * Math.cos(next), y, r * Math.sin(next))
+          if (r > 0)
+            this.#lines.push(r * cos, y, r * sin, r * Math.cos(next), y, r * Math.sin(next))
         }
       }
       if (!whole) {
@@ -113,7 +129,11 @@ export class Solid {
   }
 
   /** The flat end of a shape that is not turned all the way round; its profile must be convex. */
-  #end(profile: readonly (readonly [number, number, number])[], angle: number, last: boolean): void {
+  #end(
+    profile: readonly (readonly [number, number, number])[],
+    angle: number,
+    last: boolean,
+  ): void {
     const first = this.#positions.length / 3
     const [cos, sin] = [Math.cos(angle), Math.sin(angle)]
     const side = last ? 1 : -1
@@ -133,7 +153,8 @@ export class Solid {
 
   shape(): Shape {
     const faces = new BufferGeometry()
-    const floats = (values: number[], size: number) => new BufferAttribute(new Float32Array(values), size)
+    const floats = (values: number[], size: number) =>
+      new BufferAttribute(new Float32Array(values), size)
     faces.setAttribute('position', floats(this.#positions, 3))
     faces.setAttribute('normal', floats(this.#normals, 3))
     faces.setAttribute('tint', floats(this.#tints, 1))
@@ -147,7 +168,10 @@ export class Solid {
 /** Whether an outline never bends inward, so that it can be cut from one of its corners. */
 function convex(ring: Outline): boolean {
   return ring.every(([x, y], index) => {
-    const [a, b] = [ring[(index + 1) % ring.length], ring[(index + 2) % ring.length]] as [Corner, Corner]
+    const [a, b] = [ring[(index + 1) % ring.length], ring[(index + 2) % ring.length]] as [
+      Corner,
+      Corner,
+    ]
     return (a[0] - x) * (b[1] - a[1]) - (a[1] - y) * (b[0] - a[0]) >= 0
   })
 }

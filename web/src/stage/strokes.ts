@@ -1,5 +1,5 @@
-import type { Exhibit } from '../exhibit'
-import { channels, STROKES } from './palette'
+import type { Exhibit, StrokeColours } from '../exhibit'
+import { channels, TINTS } from './palette'
 
 /** What the chamber of a cylinder does over the cycle; angles in degrees of theta. */
 interface Window {
@@ -10,28 +10,37 @@ interface Window {
   readonly end: number
 }
 
-/** Windows of every cylinder, in the order of the scene; where two overlap, what is burnt or compressed goes first. */
-export function windowsOf(exhibit: Exhibit): Window[][] {
+/** Windows by cylinder; of two that overlap, power and compression come first. */
+export function windowsOf(exhibit: Exhibit, colours: StrokeColours): Window[][] {
   const rank = ['power', 'compression', 'exhaust', 'intake']
-  const sorted = [...exhibit.stroke_windows].sort((a, b) => rank.indexOf(a.stroke) - rank.indexOf(b.stroke))
+  const sorted = [...exhibit.stroke_windows].sort(
+    (a, b) => rank.indexOf(a.stroke) - rank.indexOf(b.stroke),
+  )
   return exhibit.scene.cylinders.map((cylinder) =>
     sorted
       .filter((window) => window.chamber === cylinder.chamber)
       .map(({ stroke, from_deg, to_deg }) => {
-        const { colour, begin, end } = STROKES[stroke]
+        const colour = Number.parseInt(colours[stroke].slice(1), 16)
+        const { begin, end } = TINTS[stroke]
         return { from: from_deg, length: to_deg - from_deg, hue: channels(colour), begin, end }
       }),
   )
 }
 
 /** Writes red, green, blue and opacity of a cylinder's tint at `degrees` into `out`. */
-export function tint(windows: readonly Window[], degrees: number, cycle: number, out: Float32Array, at: number): void {
+export function tint(
+  windows: readonly Window[],
+  degrees: number,
+  cycle: number,
+  out: Float32Array,
+  at: number,
+): void {
   out[at + 3] = 0
   for (const { from, length, hue, begin, end } of windows) {
     const since = (((degrees - from) % cycle) + cycle) % cycle
     if (since >= length) continue
     const share = since / length
-    // A flash dies away as it burns; what is drawn in or pressed together grows evenly.
+    // Combustion dies away; intake and compression grow evenly.
     const left = begin > end ? Math.exp(-3.2 * share) : 1 - share
     out[at] = hue[0]
     out[at + 1] = hue[1]

@@ -1,6 +1,7 @@
-import { between, type Frame, frameOf, HOME, type Orbit, type Screen, type Vector } from './cameras'
+import { between, type Frame, frameOf, HOME, type Orbit, type Screen } from './cameras'
 import type { Disc } from './extent'
 import type { Camera } from './stage'
+import type { Vector } from './vector'
 
 /** How long the way from one camera to another takes, ms. */
 const WAY = 420
@@ -14,24 +15,27 @@ export class Viewpoint {
   #from: Frame | null = null
   #since = 0
   #last: Frame | null = null
-  /** What the last frame was asked for with: as long as nothing changes, neither does it. */
+  /** Inputs of the last frame, which is kept as long as they are. */
   #asked: readonly unknown[] = []
-
-  get camera(): Camera | null {
-    return this.#camera
-  }
 
   /** Whether the picture will be another one in a moment by itself. */
   get moving(): boolean {
     return this.#from !== null
   }
 
-  /** The frame at time `now` (ms) for a camera, what it looks at and what it is fitted into. */
-  frame(camera: Camera, discs: readonly Disc[], screen: Screen, now: number): Frame {
-    const asked = [camera, discs, screen.aspect, screen.foot, screen.margin, ...ORBITED.map((name) => this.orbit[name])]
-    if (this.#last && !this.#from && asked.every((value, index) => value === this.#asked[index])) return this.#last
+  /** The frame at time `now` (ms): camera, what fills the picture, the screen. */
+  frame(camera: Camera, rooms: readonly (readonly Disc[])[], screen: Screen, now: number): Frame {
+    const asked = [
+      camera,
+      ...rooms,
+      screen.aspect,
+      screen.foot,
+      screen.margin,
+      ...ORBITED.map((name) => this.orbit[name]),
+    ]
+    if (this.#last && !this.#from && equal(asked, this.#asked)) return this.#last
     this.#asked = asked
-    const goal = this.#shifted(frameOf(camera, this.orbit, discs, screen), camera)
+    const goal = this.#shifted(frameOf(camera, this.orbit, rooms, screen), camera)
     if (this.#camera !== null && this.#camera !== camera && this.#last !== null && !still()) {
       this.#from = this.#last
       this.#since = now
@@ -50,12 +54,21 @@ export class Viewpoint {
     const half = frame.half / this.orbit.zoom
     const { right, up } = frame.look
     const [x, y] = [this.orbit.x * half, this.orbit.y * half]
-    const centre = frame.centre.map((at, i) => at + x * (right[i] as number) + y * (up[i] as number))
+    const centre = frame.centre.map(
+      (at, i) => at + x * (right[i] as number) + y * (up[i] as number),
+    )
     return { look: frame.look, half, centre: centre as unknown as Vector }
   }
 }
 
-/** Whether the reader has asked for less movement. */
+/** Whether two lists hold the same values. */
+export function equal(one: readonly unknown[], other: readonly unknown[]): boolean {
+  if (one.length !== other.length) return false
+  for (let index = 0; index < one.length; index++) if (one[index] !== other[index]) return false
+  return true
+}
+
+/** Whether the system asks for less motion. */
 function still(): boolean {
   return globalThis.matchMedia?.('(prefers-reduced-motion: reduce)').matches ?? false
 }

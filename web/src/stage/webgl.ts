@@ -1,6 +1,5 @@
 import { Matrix4, OrthographicCamera, Scene, Vector3, WebGLRenderer } from 'three'
-import type { Exhibit } from '../exhibit'
-import type { Chain } from '../motion'
+import type { Exhibit, StrokeColours } from '../exhibit'
 import type { Batch } from './batch'
 import { materials } from './materials'
 import { LIGHT, type Palette } from './palette'
@@ -27,7 +26,7 @@ interface Machine {
   arrows: ReturnType<typeof arrows> | null
 }
 
-/** How long nothing has moved before it is drawn finely where drawing is slow, and how much finer. */
+/** Milliseconds of rest before a slow machine draws finely, and how much finer. */
 const REST_MS = 500
 const FINER = 2
 
@@ -71,7 +70,7 @@ class WebglPicture implements Picture {
   #finer = 1
   #resting = 0
 
-  /** Without a graphics card that is `quick`, what moves is drawn coarsely, and finely once it rests. */
+  /** Without a graphics card (`quick`) motion is drawn coarsely, and finely at rest. */
   constructor(
     canvas: HTMLCanvasElement,
     context: WebGL2RenderingContext,
@@ -84,13 +83,13 @@ class WebglPicture implements Picture {
     this.#scene.matrixAutoUpdate = false
   }
 
-  show(exhibit: Exhibit, _chain: Chain): void {
+  show(exhibit: Exhibit, colours: StrokeColours): void {
     this.#clear()
     const { scene, sense } = exhibit
     const block = new Block(exhibit.whirl)
     const heads = pistons(block.group, scene, this.#paint)
     const turning = shafts(block.group, scene, sense, this.#paint)
-    const shine = glow(block.group, exhibit, this.#paint)
+    const shine = glow(block.group, exhibit, colours, this.#paint)
     this.#scene.add(block.group)
     this.#machine = {
       exhibit,
@@ -175,7 +174,13 @@ class WebglPicture implements Picture {
     return machine.exhibit.scene.shafts.map((shaft, index) => {
       const batch = machine.shafts.drawn[index] as Batch
       return shaft.throws.map((pin) => {
-        return this.#read(batch, 0, pin.radius * Math.sin(pin.angle), pin.radius * Math.cos(pin.angle), pin.z)
+        return this.#read(
+          batch,
+          0,
+          pin.radius * Math.sin(pin.angle),
+          pin.radius * Math.cos(pin.angle),
+          pin.z,
+        )
       })
     })
   }

@@ -10,10 +10,11 @@ import {
   turn,
   vectorAt,
 } from '../phasor'
-import type { Vector } from './cameras'
+import type { Vector } from './vector'
 
 /**
- * The small motion of the rigid engine at an instant: the centre goes by `up`, `right`; the axis by `tiltUp`, `tiltRight` more
+ * The small motion of the rigid engine at an instant: the centre goes by `up`, `right`; the axis by
+ * `tiltUp`, `tiltRight` more
  * for each unit of z in front of the centre; the block turns clockwise by `turn` (radians).
  */
 export interface Displacement {
@@ -51,7 +52,7 @@ export class Whirling {
       : [scene.high[2], scene.low[2]]
   }
 
-  /** The displacement at a crank angle, of the chosen orders (null: all), not magnified. The record is used again. */
+  /** The displacement at a crank angle, of the chosen orders (null: all). Reuses its record. */
   at(theta: number, chosen: readonly number[] | null): Displacement {
     const now = this.#now
     turn(this.#phase, this.#exhibit.orders, theta, chosen)
@@ -88,15 +89,21 @@ export class Whirling {
 }
 
 /**
- * The rotation vector (x, y, z) of a displacement. Tilting the front up is a turn about the axis to the right, backwards;
+ * The rotation vector (x, y, z) of a displacement. Tilting the front up is a turn about the axis to
+ * the right, backwards;
  * tilting it to the right is a turn about the vertical; clockwise is backwards about z.
  */
 export function rotation(moved: Displacement, magnification: number): [number, number, number] {
-  return [-moved.tiltUp * magnification, moved.tiltRight * magnification, -moved.turn * magnification]
+  return [
+    -moved.tiltUp * magnification,
+    moved.tiltRight * magnification,
+    -moved.turn * magnification,
+  ]
 }
 
 /**
- * Where a point of the block (x, y, z) is drawn: a true rotation about the centre of mass by the small angles times the
+ * Where a point of the block (x, y, z) is drawn: a true rotation about the centre of mass by the
+ * small angles times the
  * magnification, and the shift. Written into `out`.
  */
 export function displaced(

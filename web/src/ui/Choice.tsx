@@ -2,7 +2,11 @@ import { useId } from 'preact/hooks'
 
 interface Props<T extends string> {
   readonly label: string
-  readonly choices: readonly { readonly value: T; readonly label: string; readonly disabled?: boolean }[]
+  readonly choices: readonly {
+    readonly value: T
+    readonly label: string
+    readonly disabled?: boolean
+  }[]
   readonly value: T
   readonly chosen: (value: T) => void
 }

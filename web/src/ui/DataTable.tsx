@@ -1,25 +1,29 @@
 import type { Table } from '../exhibit'
+import { t } from '../language/messages'
 
+/** Letters of a cell that stays on one line. */
 const SHORT = 22
-const NUMERIC = /^[-−+~≈]?[\d.]/
 
-/** A table of text; it scrolls sideways by itself where it is too wide. */
+/** A table; it scrolls sideways by itself where it is too wide. */
 export function DataTable({ table }: { table: Table }) {
-  const { title, heads, rows, notes = [] } = table
+  const { title, heads, rows, numeric = [], notes = [] } = table
+  const short = rows[0]?.map((_, column) =>
+    rows.every((row) => (row[column]?.length ?? 0) <= SHORT),
+  )
   if (!rows.length && !notes.length) return title ? <h3>{title}</h3> : null
   return (
     <section class="table">
       {title && <h3>{title}</h3>}
       {rows.length > 0 && (
         // biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls is reached by keyboard
-        <section class="scroll" tabIndex={0} aria-label={title || 'Table'}>
+        <section class="scroll" tabIndex={0} aria-label={title || t('Table')}>
           <table>
             {heads.length > 0 && (
               <thead>
                 <tr>
                   {heads.map((head, column) =>
                     head ? (
-                      <th key={column} scope="col" class={isNumeric(rows, column) ? 'right' : ''}>
+                      <th key={column} scope="col" class={numeric[column] ? 'right' : ''}>
                         {head}
                       </th>
                     ) : (
@@ -33,7 +37,10 @@ export function DataTable({ table }: { table: Table }) {
               {rows.map((row, index) => (
                 <tr key={index}>
                   {row.map((cell, column) => (
-                    <td key={column} class={cellClass(rows, column)}>
+                    <td
+                      key={column}
+                      class={`${numeric[column] ? 'right' : ''}${short?.[column] ? ' short' : ''}`}
+                    >
                       {cell}
                     </td>
                   ))}
@@ -50,14 +57,4 @@ export function DataTable({ table }: { table: Table }) {
       ))}
     </section>
   )
-}
-
-/** Numbers stand at the right; what is short stays on one line. */
-function cellClass(rows: readonly (readonly string[])[], column: number): string {
-  const short = rows.every((row) => (row[column]?.length ?? 0) <= SHORT)
-  return `${isNumeric(rows, column) ? 'right' : ''}${short ? ' short' : ''}`
-}
-
-function isNumeric(rows: readonly (readonly string[])[], column: number): boolean {
-  return rows.every((row) => !row[column] || NUMERIC.test(row[column]))
 }

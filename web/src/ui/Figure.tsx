@@ -1,11 +1,21 @@
 import { useSignal } from '@preact/signals'
 import { useEffect, useRef } from 'preact/hooks'
 import type { Exhibit } from '../exhibit'
+import { t } from '../language/messages'
+import { reasonOf } from '../reason'
 import { useApp } from './context'
 import { type Drawing, drawn } from './drawing'
 
-/** A figure of an engine by its key; it turns with the engine. What was drawn stays until the next is there. */
-export function Figure({ exhibit, chart, label }: { exhibit: Exhibit; chart: string; label: string }) {
+/** A figure of an engine by its key, turning with it; the old one stays until the next. */
+export function Figure({
+  exhibit,
+  chart,
+  label,
+}: {
+  exhibit: Exhibit
+  chart: string
+  label: string
+}) {
   const { host, clock } = useApp()
   const figure = useRef<HTMLElement>(null)
   const place = useRef<HTMLDivElement>(null)
@@ -40,12 +50,12 @@ export function Figure({ exhibit, chart, label }: { exhibit: Exhibit; chart: str
         shown.current?.dispose()
         shown.current = null
         there.value = false
-        trouble.value = error instanceof Error ? error.message : String(error)
+        trouble.value = reasonOf(error)
       } finally {
         if (!ended) busy.value = false
       }
     }
-    // one after the other: while an engine is being dragged only the newest is asked for
+    // one after the other: during a drag only the newest is requested
     last.current = last.current.then(draw)
     const unfollow = clock.follow(() => {
       const drawing = shown.current
@@ -60,9 +70,16 @@ export function Figure({ exhibit, chart, label }: { exhibit: Exhibit; chart: str
   useEffect(() => () => shown.current?.dispose(), [])
 
   return (
-    <figure ref={figure} class={`figure${there.value ? '' : ' empty'}`} data-chart={chart} aria-busy={busy.value}>
+    <figure
+      ref={figure}
+      class={`figure${there.value ? '' : ' empty'}`}
+      data-chart={chart}
+      aria-busy={busy.value}
+    >
       <div class="drawing" ref={place} role="img" aria-label={`${label}. ${exhibit.name}.`} />
-      {!there.value && !trouble.value && <p class="wait">Drawing: {label} …</p>}
+      {!there.value && !trouble.value && (
+        <p class="wait">{t('Drawing {figure} …', { figure: label })}</p>
+      )}
       {trouble.value && (
         <p class="wait">
           {trouble.value}{' '}
@@ -72,7 +89,7 @@ export function Figure({ exhibit, chart, label }: { exhibit: Exhibit; chart: str
               attempt.value += 1
             }}
           >
-            Try again
+            {t('Try again')}
           </button>
         </p>
       )}

@@ -1,28 +1,29 @@
 import { type Signal, useSignal } from '@preact/signals'
 import { useId } from 'preact/hooks'
+import { message, t } from '../language/messages'
 import { CAMERAS, type Camera } from '../stage/stage'
 import { useApp } from './context'
 import { Icon } from './icons'
 import { toggledWhirl } from './whirl'
 
-const CAMERA_WORDS: Readonly<Record<Camera, string>> = {
-  front: 'Front',
-  plan: 'Plan',
-  side: 'Side',
-  isometric: 'Isometric',
-  orbit: 'Orbit',
-}
+const CAMERA = {
+  front: message('Front'),
+  plan: message('Plan'),
+  side: message('Side'),
+  isometric: message('Isometric'),
+  orbit: message('Orbit'),
+} as const satisfies Record<Camera, string>
 
-/** From where the engine is seen, and what is drawn beside its parts. */
+/** The view of the engine, and what is drawn with its parts. */
 export function Layers() {
   const app = useApp()
   const { store } = app
   const open = useSignal(false)
   const id = useId()
   return (
-    <section class="layers" aria-label="View">
+    <section class="layers" aria-label={t('View')}>
       <fieldset class="cameras">
-        <legend class="unseen">Seen from</legend>
+        <legend class="unseen">{t('View from')}</legend>
         {CAMERAS.map((camera) => (
           <label key={camera} class={store.camera.value === camera ? 'chosen' : ''}>
             <input
@@ -34,7 +35,7 @@ export function Layers() {
                 store.camera.value = camera
               }}
             />
-            <span>{CAMERA_WORDS[camera]}</span>
+            <span>{t(CAMERA[camera])}</span>
           </label>
         ))}
       </fieldset>
@@ -48,28 +49,32 @@ export function Layers() {
         }}
       >
         <Icon name="layers" />
-        <span>Show</span>
+        <span>{t('Show')}</span>
       </button>
       <div class={`shown${open.value ? ' open' : ''}`} id={`${id}-shown`}>
-        <Switch label="Force" part={store.force} />
-        <Switch label="Couple" part={store.couple} />
-        <Switch label="Each cylinder" part={store.cylinders} />
+        <Switch label={t('Force')} part={store.force} />
+        <Switch label={t('Couple')} part={store.couple} />
+        <Switch label={t('Each cylinder')} part={store.cylinders} />
         <label class="switch">
-          <input type="checkbox" checked={store.whirl.value > 0} onChange={() => toggledWhirl(app)} />
-          <span>Whirl</span>
+          <input
+            type="checkbox"
+            checked={store.whirl.value > 0}
+            onChange={() => toggledWhirl(app)}
+          />
+          <span>{t('Whirl')}</span>
         </label>
-        <Switch label="Bores" part={store.glass} />
-        <Switch label="Firing" part={store.glow} />
+        <Switch label={t('Bores')} part={store.glass} />
+        <Switch label={t('Strokes')} part={store.glow} />
         <label class="slider">
-          <span>Arrows</span>
+          <span>{t('Arrows')}</span>
           <input
             type="range"
             min="-1"
             max="1"
             step="0.05"
             value={Math.log10(store.scale.value)}
-            aria-label="Length of the arrows"
-            aria-valuetext={`${store.scale.value.toFixed(2)} times`}
+            aria-label={t('Arrow length')}
+            aria-valuetext={`× ${store.scale.value.toFixed(2)}`}
             onInput={(event) => {
               store.scale.value = Number((10 ** event.currentTarget.valueAsNumber).toPrecision(3))
             }}

@@ -1,13 +1,24 @@
 import { useMemo, useRef } from 'preact/hooks'
 import type { Exhibit } from '../exhibit'
-import { type Coefficients, coefficientsOf, type Plane, phaseOf, signalAt, signalOf, turn, vectorAt } from '../phasor'
+import { t } from '../language/messages'
+import {
+  type Coefficients,
+  coefficientsOf,
+  type Plane,
+  phaseOf,
+  signalAt,
+  signalOf,
+  turn,
+  vectorAt,
+} from '../phasor'
 import { useApp, useFollower } from './context'
+import { quantityName } from './names'
 
-/** Force, couple and roll at this very angle, of the chosen orders. */
+/** Force, couple and roll of the block at the present crank angle, of the chosen orders. */
 export function Now() {
   const { shown } = useApp()
   return (
-    <section class="now" aria-label="At this angle">
+    <section class="now" aria-label={t('At this crank angle')}>
       {shown.value.map((exhibit, index) => (
         <Numbers key={index} exhibit={exhibit} named={shown.value.length > 1} />
       ))}
@@ -36,12 +47,23 @@ function Numbers({ exhibit, named }: { exhibit: Exhibit; named: boolean }) {
     <div class="numbers">
       {named && <h2 class="whose">{exhibit.name}</h2>}
       <dl ref={cells}>
-        <Vector label="Force" unit={units.force} />
-        <Vector label="Couple" unit={units.couple} />
+        <Vector
+          label={quantityName('force')}
+          unit={units.force}
+          up={t('Vertical force, upward')}
+          right={t('Horizontal force, to the right')}
+        />
+        <Vector
+          label={quantityName('couple')}
+          unit={units.couple}
+          up={t('Pitching couple, in the vertical plane')}
+          right={t('Yawing couple, in the horizontal plane')}
+        />
         <div>
-          <dt>Roll</dt>
+          <dt>{quantityName('roll')}</dt>
           <dd>
-            <output aria-live="off" aria-label="roll" /> <span class="unit">{units.roll}</span>
+            <output aria-live="off" aria-label={quantityName('roll')} />{' '}
+            <span class="unit">{units.roll}</span>
           </dd>
         </div>
       </dl>
@@ -49,19 +71,27 @@ function Numbers({ exhibit, named }: { exhibit: Exhibit; named: boolean }) {
   )
 }
 
-function Vector({ label, unit }: { label: string; unit: string }) {
+interface VectorProps {
+  readonly label: string
+  readonly unit: string
+  /** What the two components are. */
+  readonly up: string
+  readonly right: string
+}
+
+function Vector({ label, unit, up, right }: VectorProps) {
   return (
     <div>
       <dt>{label}</dt>
       <dd>
-        <span class="way" title="up">
+        <span class="way" title={up}>
           ↑
         </span>
-        <output aria-live="off" aria-label={`${label} up`} />{' '}
-        <span class="way" title="right">
+        <output aria-live="off" aria-label={up} />{' '}
+        <span class="way" title={right}>
           →
         </span>
-        <output aria-live="off" aria-label={`${label} right`} /> <span class="unit">{unit}</span>
+        <output aria-live="off" aria-label={right} /> <span class="unit">{unit}</span>
       </dd>
     </div>
   )
@@ -69,20 +99,29 @@ function Vector({ label, unit }: { label: string; unit: string }) {
 
 type Texts = (theta: number, orders: readonly number[] | null) => readonly string[]
 
-/** What tells the numbers of an engine as texts: force up and right, couple up and right, roll. */
+/** The numbers of an engine as texts: force up and right, couple up and right, roll of the block. */
 function numbersOf({ orders, sense, total }: Exhibit): Texts {
   const phase = phaseOf(orders.length, sense)
   const force = coefficientsOf(total.force)
   const couple = coefficientsOf(total.couple)
   const roll = signalOf(total.roll)
-  const digits = [force, couple, roll].map((numbers) => decimals(bound(numbers))) as [number, number, number]
+  const digits = [force, couple, roll].map((numbers) => decimals(bound(numbers))) as [
+    number,
+    number,
+    number,
+  ]
   const place: Plane = [0, 0]
   return (theta, chosen) => {
     turn(phase, orders, theta, chosen)
     const [up, right] = vectorAt(force, phase, place)
     const texts = [signed(up, digits[0]), signed(right, digits[0])]
     const [front, side] = vectorAt(couple, phase, place)
-    return [...texts, signed(front, digits[1]), signed(side, digits[1]), signed(signalAt(roll, phase), digits[2])]
+    return [
+      ...texts,
+      signed(front, digits[1]),
+      signed(side, digits[1]),
+      signed(signalAt(roll, phase), digits[2]),
+    ]
   }
 }
 
@@ -94,7 +133,7 @@ function bound(coefficients: Coefficients): number {
   return sum
 }
 
-/** So many decimals that the greatest value has four figures; the same all the time, so that nothing jumps. */
+/** Decimals that give the greatest value four figures, the same at every angle. */
 function decimals(greatest: number): number {
   if (!(greatest > 1e-12)) return 0
   return Math.min(6, Math.max(0, 3 - Math.floor(Math.log10(greatest))))

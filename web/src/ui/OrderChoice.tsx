@@ -1,4 +1,5 @@
 import type { Exhibit } from '../exhibit'
+import { t } from '../language/messages'
 import { useApp, useExhibit } from './context'
 
 const SAME = 1e-6
@@ -10,7 +11,7 @@ export function orderText(exhibit: Exhibit, order: number): string {
 
 /** Whether an order is among those that are shown. */
 export function isChosen(orders: readonly number[] | null, order: number): boolean {
-  return orders?.some((one) => Math.abs(one - order) < SAME) ?? false
+  return orders?.some((other) => Math.abs(other - order) < SAME) ?? false
 }
 
 /** Orders for arrows, whirl and figures: all, or some of them. */
@@ -19,13 +20,13 @@ export function OrderChoice() {
   const exhibit = useExhibit()
   const orders = store.orders.value
   function toggle(order: number): void {
-    const kept = (orders ?? []).filter((one) => Math.abs(one - order) >= SAME)
+    const kept = (orders ?? []).filter((other) => Math.abs(other - order) >= SAME)
     const next = isChosen(orders, order) ? kept : [...kept, order].sort((one, other) => one - other)
     store.orders.value = next.length ? next : null
   }
   return (
     <fieldset class="choice orders">
-      <legend>Orders shown</legend>
+      <legend>{t('Orders shown')}</legend>
       <div class="choices">
         <label class={orders === null ? 'chosen' : ''}>
           <input
@@ -35,11 +36,15 @@ export function OrderChoice() {
               store.orders.value = null
             }}
           />
-          <span>all</span>
+          <span>{t('all')}</span>
         </label>
         {exhibit.orders.map((order) => (
           <label key={order} class={isChosen(orders, order) ? 'chosen' : ''}>
-            <input type="checkbox" checked={isChosen(orders, order)} onChange={() => toggle(order)} />
+            <input
+              type="checkbox"
+              checked={isChosen(orders, order)}
+              onChange={() => toggle(order)}
+            />
             <span>{orderText(exhibit, order)}</span>
           </label>
         ))}

@@ -1,4 +1,5 @@
 import { useEffect, useRef } from 'preact/hooks'
+import { language, t } from '../language/messages'
 import type { Stage } from '../stage/stage'
 import { useApp } from './context'
 import { Editing } from './Editing'
@@ -10,7 +11,7 @@ import { StageView } from './StageView'
 import { Tabs } from './Tabs'
 import { TimeBar } from './TimeBar'
 
-/** The whole page. `made` is told of every stage when it is there, and when it goes. */
+/** The whole page. `made` gets every stage when it is there, and null when it goes. */
 export function Page({ made }: { made: (index: number, stage: Stage | null) => void }) {
   const { shown, host, clock, trouble, dark } = useApp()
   const root = useRef<HTMLDivElement>(null)
@@ -25,6 +26,7 @@ export function Page({ made }: { made: (index: number, stage: Stage | null) => v
     <div
       class={`crankstar ${host.kind} ${dark.value ? 'dark' : 'light'}`}
       ref={root}
+      lang={language.value}
       data-playing={clock.playing.value}
     >
       <div class="frame">
@@ -39,7 +41,7 @@ export function Page({ made }: { made: (index: number, stage: Stage | null) => v
                 trouble.value = ''
               }}
             >
-              Close
+              {t('Close')}
             </button>
           </p>
         )}

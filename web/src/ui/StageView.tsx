@@ -2,6 +2,7 @@ import { effect, untracked } from '@preact/signals'
 import { useEffect, useRef } from 'preact/hooks'
 import type { App } from '../app'
 import type { Exhibit } from '../exhibit'
+import { t } from '../language/messages'
 import { createStage } from '../stage'
 import type { Stage, View } from '../stage/stage'
 import { useApp } from './context'
@@ -26,8 +27,14 @@ function viewOf({ store, dark }: App, theta: number): View {
   }
 }
 
-/** One engine on a stage of its own; `index` tells which of those that are shown. */
-export function StageView({ index, made }: { index: number; made: (index: number, stage: Stage | null) => void }) {
+/** One of the engines shown, on a stage of its own. */
+export function StageView({
+  index,
+  made,
+}: {
+  index: number
+  made: (index: number, stage: Stage | null) => void
+}) {
   const app = useApp()
   const place = useRef<HTMLDivElement>(null)
 
@@ -35,7 +42,7 @@ export function StageView({ index, made }: { index: number; made: (index: number
     const element = place.current
     const first = app.shown.peek()[index]
     if (!element || !first) return undefined
-    const stage = createStage(element, first, app.clock.refresh)
+    const stage = createStage(element, first, app.host.exhibition.stroke_colours, app.clock.refresh)
     made(index, stage)
     let current = first
     const ends = [
@@ -46,7 +53,7 @@ export function StageView({ index, made }: { index: number; made: (index: number
         current = exhibit
         // as it is and with weights, this engine and the one beside it: all to one scale
         const all = [...app.engines.value, ...app.cured.value]
-        stage.beside(all.filter((one): one is Exhibit => one != null && one !== current))
+        stage.beside(all.filter((other): other is Exhibit => other != null && other !== current))
         // at once: where drawing takes long, the wait for the next frame is not to be added to it
         if (another) stage.draw(untracked(() => viewOf(app, (app.clock.degrees() * Math.PI) / 180)))
         app.clock.refresh()
@@ -71,10 +78,17 @@ export function StageView({ index, made }: { index: number; made: (index: number
   }, [app, index])
 
   const exhibit = app.shown.value[index]
+  const other = app.shown.value[1 - index]
   return (
-    <section class="stage" aria-label={`The engine: ${exhibit?.name ?? ''}`}>
+    <section class="stage" aria-label={exhibit?.name}>
       <div class="canvas" ref={place} />
-      {app.shown.value.length > 1 && <p class="label">{exhibit?.name}</p>}
+      {other && exhibit && (
+        <p class="label">
+          {exhibit.scene.length_unit === other.scene.length_unit
+            ? exhibit.name
+            : t('{engine}, drawn with equal crank radius', { engine: exhibit.name })}
+        </p>
+      )}
     </section>
   )
 }

@@ -1,7 +1,9 @@
 import type { ComponentType } from 'preact'
 import { useEffect, useId, useRef } from 'preact/hooks'
 import type { App } from '../app'
+import { message, t } from '../language/messages'
 import { TABS, type Tab } from '../state'
+import { Choice } from './Choice'
 import { useApp } from './context'
 import { About } from './panels/About'
 import { Compare } from './panels/Compare'
@@ -23,26 +25,28 @@ interface Panel {
 }
 
 const PANELS: Readonly<Record<Tab, Panel>> = {
-  orders: { label: 'Orders', content: Orders },
-  stars: { label: 'Stars', content: Stars },
-  forces: { label: 'Forces', content: Forces },
-  strokes: { label: 'Strokes', content: Strokes },
+  orders: { label: message('Orders'), content: Orders },
+  stars: { label: message('Stars'), content: Stars },
+  forces: { label: message('Forces'), content: Forces },
+  strokes: { label: message('Strokes'), content: Strokes },
   derivation: {
-    label: 'Derivation',
+    label: message('Derivation'),
     content: Derivation,
-    when: ({ shown }) => (shown.value[0]?.derivations.length ?? 0) > 0,
+    when: ({ shown, subject }) => (shown.value[subject.value]?.derivations.length ?? 0) > 0,
   },
-  verdict: { label: 'Verdict', content: Verdict },
-  remedies: { label: 'Weights and shafts', content: Remedies },
-  whirl: { label: 'Whirl', content: WhirlPanel },
+  verdict: { label: message('Verdict'), content: Verdict },
+  remedies: { label: message('Balancing'), content: Remedies },
+  whirl: { label: message('Whirl'), content: WhirlPanel },
   compare: {
-    label: 'Compare',
+    label: message('Compare'),
     content: Compare,
     when: ({ host }) => !!host.service || host.exhibition.engines.length > 1,
   },
-  edit: { label: 'Edit', content: Edit, when: ({ host }) => !!host.service },
-  about: { label: 'About', content: About },
+  edit: { label: message('Edit'), content: Edit, when: ({ host }) => !!host.service },
+  about: { label: message('About'), content: About },
 }
+/** Panels that show both engines, or the only one that can be edited. */
+const OF_ALL: readonly Tab[] = ['compare', 'edit', 'about']
 
 /** The panels, one at a time. Only the one that is seen is there. */
 export function Tabs() {
@@ -83,8 +87,8 @@ export function Tabs() {
   }, [chosen])
 
   return (
-    <section class="panels" aria-label="Analysis">
-      <div class="tabs" role="tablist" aria-label="Panels" ref={list} onKeyDown={pressed}>
+    <section class="panels" aria-label={t('Analysis')}>
+      <div class="tabs" role="tablist" aria-label={t('Panels')} ref={list} onKeyDown={pressed}>
         {there.map((tab) => (
           <button
             key={tab}
@@ -97,7 +101,7 @@ export function Tabs() {
             tabIndex={tab === chosen ? 0 : -1}
             onClick={() => choose(tab)}
           >
-            {PANELS[tab].label}
+            {t(PANELS[tab].label)}
           </button>
         ))}
       </div>
@@ -106,13 +110,30 @@ export function Tabs() {
         role="tabpanel"
         id={`${id}-panel`}
         aria-labelledby={`${id}-${chosen}`}
-        // biome-ignore lint/a11y/noNoninteractiveTabindex: a panel that scrolls is reached by keyboard
+        // biome-ignore lint/a11y/noNoninteractiveTabindex: a scrolling panel is reached by keys
         tabIndex={0}
         data-panel={chosen}
       >
-        <h2 class="unseen">{PANELS[chosen].label}</h2>
+        <h2 class="unseen">{t(PANELS[chosen].label)}</h2>
+        {!OF_ALL.includes(chosen) && <EngineChoice />}
         <Content key={chosen} />
       </div>
     </section>
+  )
+}
+
+/** Which of two engines the panel shows. */
+function EngineChoice() {
+  const { shown, subject, store } = useApp()
+  if (shown.value.length < 2) return null
+  return (
+    <Choice
+      label={t('Engine')}
+      value={String(subject.value + 1)}
+      choices={shown.value.map(({ name }, index) => ({ value: String(index + 1), label: name }))}
+      chosen={(value) => {
+        store.panel.value = value === '2' ? '2' : '1'
+      }}
+    />
   )
 }

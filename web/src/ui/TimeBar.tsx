@@ -1,28 +1,28 @@
 import { useSignal } from '@preact/signals'
 import { useId, useRef } from 'preact/hooks'
 import { degreesText, typedAngle, withinCycle } from '../angle'
-import { paceAt, paceWords, placeOf } from '../pace'
+import { t } from '../language/messages'
+import { paceAt, paceText, placeOf } from '../pace'
 import { useApp, useExhibit, useFollower } from './context'
 import { Icon } from './icons'
 
-/** Play and stop, the angle, the speed. */
+/** Play and stop, the crank angle, the pace. */
 export function TimeBar() {
-  const { clock, store } = useApp()
-  const exhibit = useExhibit()
+  const { clock } = useApp()
   const playing = clock.playing.value
   const step = (degrees: number) => () => {
     clock.stop()
     clock.turnTo(Math.round((clock.degrees() + degrees) * 1e6) / 1e6)
   }
   return (
-    <section class="time" aria-label="Crank angle and speed">
+    <section class="time" aria-label={t('Crank angle and speed')}>
       <div class="angle">
         <button
           type="button"
           class="play"
           onClick={playing ? clock.stop : clock.play}
-          aria-label={playing ? 'Stop' : 'Play'}
-          title={playing ? 'Stop (space)' : 'Play (space)'}
+          aria-label={playing ? t('Stop') : t('Play')}
+          title={playing ? t('Stop (space)') : t('Play (space)')}
         >
           <Icon name={playing ? 'stop' : 'play'} />
         </button>
@@ -30,47 +30,56 @@ export function TimeBar() {
           type="button"
           class="plain round"
           onClick={step(-1)}
-          aria-label="Back by 1 degree"
-          title="Back by 1° ( , )"
+          aria-label={t('Back 1 degree')}
+          title={t('Back 1° (comma)')}
         >
           <Icon name="back" />
         </button>
         <Scrubber />
-        <button type="button" class="plain round" onClick={step(1)} aria-label="On by 1 degree" title="On by 1° ( . )">
+        <button
+          type="button"
+          class="plain round"
+          onClick={step(1)}
+          aria-label={t('Forward 1 degree')}
+          title={t('Forward 1° (full stop)')}
+        >
           <Icon name="forth" />
         </button>
         <AngleField />
       </div>
-      <div class="pace">
-        <span class="way" title={way(exhibit.sense)}>
-          <Icon name="clockwise" mirrored={exhibit.sense === -1} />
-          <span>{way(exhibit.sense)}</span>
-        </span>
-        <label>
-          <span>Speed</span>
-          <input
-            type="range"
-            min="0"
-            max="1"
-            step="0.01"
-            value={placeOf(store.pace.value)}
-            aria-valuetext={`${store.pace.value} turns per second, ${paceWords(store.pace.value, exhibit.speed_rpm)}`}
-            onInput={(event) => {
-              store.pace.value = paceAt(event.currentTarget.valueAsNumber)
-            }}
-          />
-        </label>
-        <span class="words">
-          <span class="number">{store.pace.value.toFixed(2)}</span> turns/s,{' '}
-          {paceWords(store.pace.value, exhibit.speed_rpm)}
-        </span>
-      </div>
+      <Pace />
     </section>
   )
 }
 
-function way(sense: -1 | 1): string {
-  return sense === 1 ? 'clockwise, seen from the front' : 'counter-clockwise, seen from the front'
+/** How fast the crankshaft turns on the page, beside the speed of the engine. */
+function Pace() {
+  const { store } = useApp()
+  const { speed_rpm } = useExhibit()
+  const pace = store.pace.value
+  const beside = paceText(pace, speed_rpm)
+  const turns = t('{pace} turns/s', { pace: pace.toFixed(2) })
+  return (
+    <div class="pace">
+      <label>
+        <span>{t('Speed')}</span>
+        <input
+          type="range"
+          min="0"
+          max="1"
+          step="0.01"
+          value={placeOf(pace)}
+          aria-valuetext={`${turns}, ${beside}`}
+          onInput={(event) => {
+            store.pace.value = paceAt(event.currentTarget.valueAsNumber)
+          }}
+        />
+      </label>
+      <span class="words">
+        <span class="number">{turns}</span>, {beside}
+      </span>
+    </div>
+  )
 }
 
 function Scrubber() {
@@ -87,7 +96,7 @@ function Scrubber() {
       min="0"
       max={360 * clock.turns.value}
       step="1"
-      aria-label="Crank angle, degrees"
+      aria-label={t('Crank angle, degrees')}
       onInput={(event) => {
         clock.stop()
         clock.turnTo(event.currentTarget.valueAsNumber)
@@ -101,12 +110,13 @@ function AngleField() {
   const field = useRef<HTMLInputElement>(null)
   const wrong = useSignal('')
   const turns = clock.turns.value
-  const told = useId()
+  const id = useId()
   useFollower(() => {
     const input = field.current
-    // what is being typed, or about to be typed while the engine turns, is not overwritten
-    const meant = document.activeElement === input && (input?.dataset.typed || clock.playing.peek())
-    if (!input || meant || wrong.peek()) return
+    // typing is not overwritten, nor a field with the focus while the engine turns
+    const typing =
+      document.activeElement === input && (input?.dataset.typed || clock.playing.peek())
+    if (!input || typing || wrong.peek()) return
     input.value = clock.playing.peek() ? clock.degrees().toFixed(0) : degreesText(clock.degrees())
   }, [])
 
@@ -140,9 +150,9 @@ function AngleField() {
           inputMode="text"
           autocomplete="off"
           spellcheck={false}
-          aria-label="Crank angle: type degrees, or an angle with its unit"
+          aria-label={t('Crank angle: type degrees or a number with its unit')}
           aria-invalid={wrong.value !== ''}
-          aria-describedby={wrong.value ? told : undefined}
+          aria-describedby={wrong.value ? id : undefined}
           title="450, -30, 90 deg, 1.5 rad, 2 turns"
           onInput={(event) => {
             event.currentTarget.dataset.typed = 'yes'
@@ -159,10 +169,10 @@ function AngleField() {
           }}
           onBlur={leave}
         />
-        <span class="unit">° of {360 * turns}</span>
+        <span class="unit">{t('° of {cycle}', { cycle: 360 * turns })}</span>
       </label>
       {wrong.value && (
-        <span class="wrong" id={told} role="alert">
+        <span class="wrong" id={id} role="alert">
           {wrong.value}
         </span>
       )}

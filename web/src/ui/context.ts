@@ -13,14 +13,15 @@ export function useApp(): App {
   return app
 }
 
-/** The engine on the stage. */
+/** The engine on the stage that the panels show. */
 export function useExhibit(): Exhibit {
-  const exhibit = useApp().shown.value[0]
+  const { shown, subject } = useApp()
+  const exhibit = shown.value[subject.value]
   if (!exhibit) throw new Error('There is no engine.')
   return exhibit
 }
 
-/** Calls `follower` with every new crank angle while the component is there; anew when an input changes. */
+/** Calls `follower` with every crank angle; anew when an input changes. */
 export function useFollower(follower: Follower, inputs: readonly unknown[]): void {
   const { clock } = useApp()
   useEffect(() => clock.follow(follower), [clock, ...inputs])

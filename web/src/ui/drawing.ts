@@ -1,5 +1,6 @@
-import { Error as ERRORS, type Loader, loader, parse, View, type ViewOptions } from 'vega'
+import { Error as ERRORS, type Loader, loader, logger, parse, View, type ViewOptions } from 'vega'
 import { expressionInterpreter } from 'vega-interpreter'
+import { compile, type TopLevelSpec } from 'vega-lite'
 import type { Spec } from '../host/host'
 import { framed } from './framing'
 
@@ -17,9 +18,20 @@ export interface Drawing {
 
 const THETA = 'theta'
 
-/** Figures bring their data along: nothing is ever fetched for them, and nothing in them is a link. */
-const nothing = (): Promise<never> => Promise.reject(new Error('A figure asked for something outside of it.'))
-const closed: Loader = { ...loader(), load: nothing, sanitize: nothing, http: nothing, file: nothing }
+/** Figures hold their data: nothing is fetched, and nothing in them is a link. */
+const nothing = (): Promise<never> =>
+  Promise.reject(new Error('A figure asked for something outside of it.'))
+const closed: Loader = {
+  ...loader(),
+  load: nothing,
+  sanitize: nothing,
+  http: nothing,
+  file: nothing,
+}
+
+/** Vega of Vega-Lite. */
+const compiled = (figure: Spec): Spec =>
+  compile(figure as unknown as TopLevelSpec, { logger: logger(ERRORS) }).spec as unknown as Spec
 
 /** A view of a specification, without making code from text. */
 function viewOf(spec: Spec, options: ViewOptions): View {
@@ -28,7 +40,7 @@ function viewOf(spec: Spec, options: ViewOptions): View {
 }
 
 const turning = ({ signals }: Spec): boolean =>
-  Array.isArray(signals) && signals.some((one: { name?: unknown }) => one.name === THETA)
+  Array.isArray(signals) && signals.some(({ name }: { name?: unknown }) => name === THETA)
 
 /** The specification with panels that do not change their size as it turns. */
 async function steady(spec: Spec, cycleDegrees: number): Promise<Spec> {
@@ -40,11 +52,15 @@ async function steady(spec: Spec, cycleDegrees: number): Promise<Spec> {
   }
 }
 
-/** Draws a compiled Vega specification; `cycleDegrees` is after how much everything is back at the start. */
-export async function drawn(spec: Spec, cycleDegrees: number): Promise<Drawing> {
+/** Draws a figure; `cycleDegrees` is after how much everything is back at the start. */
+export async function drawn(figure: Spec, cycleDegrees: number): Promise<Drawing> {
   const element = document.createElement('div')
+  const spec = compiled(figure)
   const turns = turning(spec)
-  const view = viewOf(turns ? await steady(spec, cycleDegrees) : spec, { renderer: 'svg', container: element })
+  const view = viewOf(turns ? await steady(spec, cycleDegrees) : spec, {
+    renderer: 'svg',
+    container: element,
+  })
   try {
     await view.runAsync()
   } catch (error) {
@@ -55,7 +71,8 @@ export async function drawn(spec: Spec, cycleDegrees: number): Promise<Drawing> 
     element,
     width: element.querySelector('svg')?.viewBox.baseVal.width ?? 0,
     turns,
-    turnTo: (degrees) => (view.signal(THETA) === degrees ? Promise.resolve() : view.signal(THETA, degrees).runAsync()),
+    turnTo: (degrees) =>
+      view.signal(THETA) === degrees ? Promise.resolve() : view.signal(THETA, degrees).runAsync(),
     dispose() {
       view.finalize()
       element.remove()

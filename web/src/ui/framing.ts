@@ -25,7 +25,7 @@ interface Mark {
   readonly items?: readonly Item[]
 }
 
-/** How often a panel is looked at, at angles that no order repeats; labels reach farthest near some of them. */
+/** Number of looks at a panel, at angles that no order repeats. */
 const LOOKS = 21
 const GOLDEN = (Math.sqrt(5) - 1) / 2
 /** What a label may reach farther between two looks, px. */
@@ -35,34 +35,44 @@ const MARGIN = 3
 export function panelsOf(spec: Part): readonly string[] {
   const groups = (spec.marks ?? []).filter((mark) => mark.type === 'group')
   if (!spec.layout) return []
-  return groups.flatMap((group) => (group.layout ? panelsOf(group) : group.name === undefined ? [] : [group.name]))
+  return groups.flatMap((group) =>
+    group.layout ? panelsOf(group) : group.name === undefined ? [] : [group.name],
+  )
 }
 
 /**
- * The figure with panels that keep their size while it turns: each has an unseen frame about all that its parts reach in a
- * cycle. Without it the layout follows labels that swing out, and the whole figure jumps. `look` is a view of the figure that
+ * The figure with panels that keep their size while it turns: each has an unseen frame about all
+ * that its parts reach in a
+ * cycle. Without it the layout follows labels that swing out, and the whole figure jumps. `look` is
+ * a view of the figure that
  * is not drawn; it is turned to every angle.
  */
-export async function framed(spec: Spec, look: View, theta: string, cycleDegrees: number): Promise<Spec> {
+export async function framed(
+  spec: Spec,
+  look: View,
+  theta: string,
+  cycleDegrees: number,
+): Promise<Spec> {
   const names = new Set(panelsOf(spec))
   const reach = new Map<string, Bounds>()
   for (let step = 0; step < LOOKS; step++) {
     await look.signal(theta, cycleDegrees * ((step * GOLDEN) % 1)).runAsync()
     const root = (look.scenegraph() as unknown as { root: Mark }).root
-    for (const [name, bounds] of found(root, names)) reach.set(name, united(reach.get(name), bounds))
+    for (const [name, bounds] of panelsBelow(root, names))
+      reach.set(name, united(reach.get(name), bounds))
   }
   return withFrames(spec, reach) as Spec
 }
 
 /** The panels below a mark, each with how far it reaches from its own origin. */
-function found(mark: Mark, names: ReadonlySet<string>): (readonly [string, Bounds])[] {
+function panelsBelow(mark: Mark, names: ReadonlySet<string>): (readonly [string, Bounds])[] {
   return (mark.items ?? []).flatMap((item) => {
     const { x = 0, y = 0, bounds } = item
     if (mark.name !== undefined && names.has(mark.name) && bounds) {
       const own = { x1: bounds.x1 - x, y1: bounds.y1 - y, x2: bounds.x2 - x, y2: bounds.y2 - y }
       return [[mark.name, own] as const]
     }
-    return (item.items ?? []).flatMap((each) => found(each, names))
+    return (item.items ?? []).flatMap((each) => panelsBelow(each, names))
   })
 }
 

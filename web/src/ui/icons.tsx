@@ -4,22 +4,20 @@ const PATHS = {
   stop: 'M7 5h4v14H7zM13 5h4v14h-4z',
   back: 'M15 6l-6 6 6 6',
   forth: 'M9 6l6 6-6 6',
-  clockwise: 'M5.500 15.500A7.500 7.500 0 1 1 19 14.500M19.500 9.500l-.500 5-4.500-1.500',
   link: 'M10 14a4 4 0 0 0 5.7 0l3-3A4 4 0 0 0 13 5.300l-1.200 1.200M14 10a4 4 0 0 0-5.700 0l-3 3A4 4 0 0 0 11 18.700l1.200-1.200',
-  light: 'M12 8a4 4 0 1 0 0 8 4 4 0 0 0 0-8zM12 2v3M12 19v3M2 12h3M19 12h3M5 5l2 2M17 17l2 2M19 5l-2 2M7 17l-2 2',
+  light:
+    'M12 8a4 4 0 1 0 0 8 4 4 0 0 0 0-8zM12 2v3M12 19v3M2 12h3M19 12h3M5 5l2 2M17 17l2 2M19 5l-2 2M7 17l-2 2',
   dark: 'M20 14.500A8.500 8.500 0 1 1 9.500 4a7 7 0 0 0 10.500 10.500z',
   auto: 'M12 3a9 9 0 1 0 0 18 9 9 0 0 0 0-18zM12 3v18M12 8h7M12 12h9M12 16h7',
   layers: 'M12 4l9 5-9 5-9-5zM4 13.500l8 4.500 8-4.500',
-  home: 'M4 12l8-7 8 7M6.500 10v9h11v-9',
-  close: 'M6 6l12 12M18 6L6 18',
 } as const
 export type IconName = keyof typeof PATHS
 const FILLED: readonly IconName[] = ['play', 'stop']
 
-export function Icon({ name, mirrored = false }: { name: IconName; mirrored?: boolean }) {
+export function Icon({ name }: { name: IconName }) {
   return (
     <svg
-      class={`icon${FILLED.includes(name) ? ' filled' : ''}${mirrored ? ' mirrored' : ''}`}
+      class={`icon${FILLED.includes(name) ? ' filled' : ''}`}
       viewBox="0 0 24 24"
       aria-hidden="true"
       focusable="false"

@@ -14,19 +14,26 @@ const STEPS: Readonly<Record<string, number>> = {
 }
 /** Steps that also scroll or move through something: only where nothing else wants them. */
 const SHARED = new Set(['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown', 'PageUp', 'PageDown'])
-const WRITTEN_IN = 'input:not([type=range], [type=checkbox], [type=radio]), textarea, select, [contenteditable]'
+const WRITTEN_IN =
+  'input:not([type=range], [type=checkbox], [type=radio]), textarea, select, [contenteditable]'
 /** What the space bar already does something to. */
 const PRESSED = 'button, a, summary, [role=tab], [role=option], input'
-const MOVED_IN = 'input, [role=tablist], [role=listbox], [role=radiogroup], [role=grid], dialog, .panels'
+const MOVED_IN =
+  'input, [role=tablist], [role=listbox], [role=radiogroup], [role=grid], dialog, .panels'
 
-/** The keys that play, stop and step. `alone` says that nothing else is on the page, so that keys pressed nowhere count. */
-export function listenForKeys(target: Document | HTMLElement, root: HTMLElement, clock: Clock): () => void {
+/** Play, stop and step by keys, in `root` or where nothing has the focus. */
+export function listenForKeys(
+  target: Document | HTMLElement,
+  root: HTMLElement,
+  clock: Clock,
+): () => void {
   function pressed(event: Event): void {
     if (!(event instanceof KeyboardEvent) || event.defaultPrevented) return
     if (event.ctrlKey || event.metaKey || event.altKey || !(event.target instanceof Element)) return
     const { key, target: where } = event
     if (where.closest(WRITTEN_IN) || where.closest('dialog')) return
-    if (where !== document.body && where !== document.documentElement && !root.contains(where)) return
+    if (where !== document.body && where !== document.documentElement && !root.contains(where))
+      return
     if (key === ' ' && !where.closest(PRESSED)) {
       event.preventDefault()
       if (clock.playing.peek()) clock.stop()

@@ -1,8 +1,9 @@
-/** A number with four figures, as one reads it. */
+/** A number with four figures. */
 function figures(value: number): string {
   if (value === 0) return '0'
   const size = Math.abs(value)
-  const text = size >= 1e5 || size < 1e-4 ? value.toExponential(3) : Number(value.toPrecision(4)).toString()
+  const text =
+    size >= 1e5 || size < 1e-4 ? value.toExponential(3) : Number(value.toPrecision(4)).toString()
   return text.replace('-', '−')
 }
 

@@ -1,15 +1,19 @@
 import type { App } from '../app'
 import type { Exhibit, Vectors } from '../exhibit'
+import { t } from '../language/messages'
 import { Whirling } from '../stage/whirl'
 
-/** The share of the engine's size that the greatest movement is magnified to when nothing else was chosen. */
+/** Share of the engine's size that the default magnification gives the greatest movement. */
 const SHARE = 0.05
 
-/** A magnification that shows the whirl well: 1, 2 or 5 times a power of ten; 0 where nothing moves. */
+/** A magnification: 1, 2 or 5 times a power of ten; 0 where nothing moves. */
 export function suggestedMagnification(exhibit: Exhibit): number {
   const { low, high } = exhibit.scene
   const size = Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2])
-  const reach = Math.max(Math.abs(high[2] - exhibit.whirl.centre[2]), Math.abs(exhibit.whirl.centre[2] - low[2]))
+  const reach = Math.max(
+    Math.abs(high[2] - exhibit.whirl.centre[2]),
+    Math.abs(exhibit.whirl.centre[2] - low[2]),
+  )
   const { centre, shift, tilt, turn } = exhibit.whirl
   const most = greatest(shift) + reach * greatest(tilt) + rim(exhibit, centre) * total(turn)
   if (!(most > 1e-9 * size)) return 0
@@ -17,7 +21,10 @@ export function suggestedMagnification(exhibit: Exhibit): number {
 }
 
 /** How far from the centre of mass the farthest corner of the engine is, seen from the front. */
-function rim({ scene: { low, high } }: Exhibit, [up, right]: readonly [number, number, number]): number {
+function rim(
+  { scene: { low, high } }: Exhibit,
+  [up, right]: readonly [number, number, number],
+): number {
   return Math.hypot(Math.max(high[0] - up, up - low[0]), Math.max(high[1] - right, right - low[1]))
 }
 
@@ -37,27 +44,27 @@ function rounded(value: number): number {
 }
 
 /** Whirl on, as it is seen well, or off. */
-export function toggledWhirl({ store, shown }: App): void {
-  const exhibit = shown.peek()[0]
+export function toggledWhirl({ store, shown, subject }: App): void {
+  const exhibit = shown.peek()[subject.peek()]
   if (store.whirl.peek() > 0 || !exhibit) store.whirl.value = 0
   else store.whirl.value = suggestedMagnification(exhibit) || 1
 }
 
 export interface End {
   readonly name: string
-  readonly z: number
   /** How far the crank axis gets from where it rests, in the scene's unit. */
   readonly greatest: number
 }
 
-/** The two ends of the crankshaft and how far the axis moves there, of some orders or (null) of all. */
+/** The displacement of the crank axis at both ends, of some orders or (null) of all. */
 export function endsOf(exhibit: Exhibit, orders: readonly number[] | null): readonly [End, End] {
   const whirling = new Whirling(exhibit)
   const [front, rear] = whirling.ends
-  const moved = (z: number): number => Math.max(...whirling.path(z, orders).map(([up, right]) => Math.hypot(up, right)))
+  const moved = (z: number): number =>
+    Math.max(...whirling.path(z, orders).map(([up, right]) => Math.hypot(up, right)))
   return [
-    { name: 'front', z: front, greatest: moved(front) },
-    { name: 'rear', z: rear, greatest: moved(rear) },
+    { name: t('front end'), greatest: moved(front) },
+    { name: t('rear end'), greatest: moved(rear) },
   ]
 }
 
@@ -65,6 +72,8 @@ export function endsOf(exhibit: Exhibit, orders: readonly number[] | null): read
 export function rollOf(exhibit: Exhibit, orders: readonly number[] | null): number {
   const whirling = new Whirling(exhibit)
   const steps = 180 * Math.max(1, exhibit.turns)
-  const rolls = Array.from({ length: steps }, (_, step) => Math.abs(whirling.at((step / 90) * Math.PI, orders).turn))
+  const rolls = Array.from({ length: steps }, (_, step) =>
+    Math.abs(whirling.at((step / 90) * Math.PI, orders).turn),
+  )
   return Math.max(...rolls)
 }

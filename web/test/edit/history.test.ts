@@ -1,7 +1,8 @@
 import { expect, test } from 'vitest'
 import { after, begun, type History, LONGEST, type Move } from '../../src/edit/history'
 
-const walked = (start: number, ...moves: Move<number>[]): History<number> => moves.reduce(after<number>, begun(start))
+const walked = (start: number, ...moves: Move<number>[]): History<number> =>
+  moves.reduce(after<number>, begun(start))
 const undo: Move<number> = { kind: 'undo' }
 const redo: Move<number> = { kind: 'redo' }
 const edit = (to: number, gesture?: string): Move<number> =>
@@ -36,7 +37,8 @@ test('an edit forgets what was undone', () => {
 
 test('nothing to do is nothing done', () => {
   const history = begun(0)
-  for (const move of [undo, redo, edit(0), { kind: 'rest' } as const]) expect(after(history, move)).toBe(history)
+  for (const move of [undo, redo, edit(0), { kind: 'rest' } as const])
+    expect(after(history, move)).toBe(history)
 })
 
 test('the oldest steps are forgotten, never the newest', () => {

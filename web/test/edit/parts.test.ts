@@ -3,13 +3,25 @@ import { matching } from '../../src/edit/catalog'
 import { fileName } from '../../src/edit/files'
 import { numbersOf, TYPES, withLayout } from '../../src/edit/layouts'
 import { measured } from '../../src/edit/measured'
-import { NOTHING_YET, otherSentences, sentencesOf, wishOf } from '../../src/edit/search'
+import { EMPTY, optionsOf, otherSentences, sentencesOf } from '../../src/edit/searchForm'
 import { sentencesAt } from '../../src/edit/session'
 import { withoutSources } from '../../src/edit/sources'
 
 const entries = [
-  { name: 'v8-cross-plane', title: 'V8, cross-plane crank, 90 deg', layout: 'vee', cylinders: 8, cycle: 'four-stroke' },
-  { name: 'kr250-racer', title: 'Kawasaki KR250 racer', layout: 'tandem', cylinders: 2, cycle: 'two-stroke' },
+  {
+    name: 'v8-cross-plane',
+    title: 'V8, cross-plane crank, 90 deg',
+    layout: 'vee',
+    cylinders: 8,
+    cycle: 'four-stroke',
+  },
+  {
+    name: 'kr250-racer',
+    title: 'Kawasaki KR250 racer',
+    layout: 'tandem',
+    cylinders: 2,
+    cycle: 'two-stroke',
+  },
   { name: 'v12-60', title: 'V12, 60 deg', layout: 'vee', cylinders: 12, cycle: 'four-stroke' },
 ]
 
@@ -27,7 +39,9 @@ test.each([
 
 test('an engine is saved under a name that every system takes', () => {
   expect(fileName('V8, cross-plane crank, 90 deg')).toBe('v8-cross-plane-crank-90-deg.toml')
-  expect(fileName('</script><img src=x onerror=alert(1)>')).toBe('script-img-src-x-onerror-alert-1.toml')
+  expect(fileName('</script><img src=x onerror=alert(1)>')).toBe(
+    'script-img-src-x-onerror-alert-1.toml',
+  )
   expect(fileName('../../etc/passwd')).toBe('etc-passwd.toml')
   expect(fileName(undefined)).toBe('engine.toml')
 })
@@ -56,20 +70,27 @@ test('an unknown layout changes nothing', () => {
   expect(withLayout(vee, 'explicit')).toBe(vee)
 })
 
-test('the wish of a search says only what was asked', () => {
-  expect(wishOf(NOTHING_YET)).toEqual({})
-  expect(wishOf({ ...NOTHING_YET, aims: ['M1'] })).toEqual({ minimise: 'M1' })
+test('the options of a search are only those that were given', () => {
+  expect(optionsOf(EMPTY)).toEqual({})
+  expect(optionsOf({ ...EMPTY, objectives: ['M1'] })).toEqual({ minimise: 'M1' })
   expect(
-    wishOf({ ...NOTHING_YET, of: 'number', cylinders: '9', cycle: 'four-stroke', aims: ['M2'], more: ' F1 ,2*M4' }),
+    optionsOf({
+      ...EMPTY,
+      of: 'number',
+      cylinders: '9',
+      cycle: 'four-stroke',
+      objectives: ['M2'],
+      more: ' F1 ,2*M4',
+    }),
   ).toEqual({
     cylinders: 9,
     cycle: 'four-stroke',
     minimise: 'M2,F1,2*M4',
   })
   expect(
-    wishOf({
-      ...NOTHING_YET,
-      aims: [],
+    optionsOf({
+      ...EMPTY,
+      objectives: [],
       best: '20',
       limit: 'M2=1.5, neighbours=1',
       zero: 'M1',
@@ -100,8 +121,15 @@ test('a sentence stands beside the field that it names, and with those above onl
 
 test('a value that was changed loses the source of the old one, and nothing else does', () => {
   const published = { status: 'published' }
-  const tree = { provenance: { 'layout.banks': published, 'layout.throws': published, 'cylinder.bore': published } }
-  const left = (path: (string | number)[]) => Object.keys((withoutSources(tree, path).provenance ?? {}) as object)
+  const tree = {
+    provenance: {
+      'layout.banks': published,
+      'layout.throws': published,
+      'cylinder.bore': published,
+    },
+  }
+  const left = (path: (string | number)[]) =>
+    Object.keys((withoutSources(tree, path).provenance ?? {}) as object)
   expect(left(['layout', 'banks', 0, 'bearing'])).toEqual(['layout.throws', 'cylinder.bore'])
   expect(left(['layout'])).toEqual(['cylinder.bore'])
   expect(left(['cylinder', 'stroke'])).toEqual(['layout.banks', 'layout.throws', 'cylinder.bore'])
@@ -119,17 +147,14 @@ test('what an engine counts in its own units has none', () => {
   expect(measured({ cylinder: { stroke: '80 mm' } }, ['block', 'inertia_z'], 'other')).toBe(false)
 })
 
-test('what is wrong with a search stands where it was asked, in the words of the dialog', () => {
-  const wrong = [
-    { path: 'zero', message: 'neighbours: use `avoid_adjacent` for that' },
-    { path: 'limit[0]', message: 'give a letter' },
-    { path: '', message: '`front` and `best`: ask for one of them' },
+test('a fault of a search stands beside the field that it is about', () => {
+  const problems = [
+    { path: 'zero', message: 'not neighbours' },
+    { path: 'limit[1]', message: 'give a letter' },
+    { path: '', message: 'too much' },
     { path: 'engine.layout', message: 'is missing' },
   ]
-  expect(sentencesOf(wrong, ['zero'])).toEqual(['neighbours: use "no neighbours fire one after the other" for that'])
-  expect(sentencesOf(wrong, ['limit', 'fix'])).toEqual(['give a letter'])
-  expect(otherSentences(wrong)).toEqual([
-    '"front" and "How many of the best": ask for one of them',
-    'engine.layout: is missing',
-  ])
+  expect(sentencesOf(problems, ['zero'])).toEqual(['not neighbours'])
+  expect(sentencesOf(problems, ['limit', 'fix'])).toEqual(['give a letter'])
+  expect(otherSentences(problems)).toEqual(['too much', 'engine.layout: is missing'])
 })

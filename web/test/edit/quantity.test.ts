@@ -3,13 +3,13 @@ import {
   angle,
   degrees,
   parsed,
-  retold,
+  rewritten,
   roundNumber,
   scale,
-  settled,
-  shown,
+  textOf,
   turn,
   typed,
+  wrapped,
 } from '../../src/edit/quantity'
 
 test.each([
@@ -23,16 +23,19 @@ test.each([
   expect(parsed(value)).toEqual({ number, unit })
 })
 
-test.each(['', 'deg', 'forty deg', '--4 deg', null, undefined, Number.NaN, [1]])('%s is none', (value) => {
-  expect(parsed(value)).toBeNull()
-})
+test.each(['', 'deg', 'forty deg', '--4 deg', null, undefined, Number.NaN, [1]])(
+  '%s is none',
+  (value) => {
+    expect(parsed(value)).toBeNull()
+  },
+)
 
 test('a number that a slider gives is written as the one before it', () => {
-  expect(retold(60, '45 deg', 'deg')).toBe('60 deg')
-  expect(retold(0.3, 0.2, 'mm')).toBe(0.3)
-  expect(retold(3.25, '3 in', 'mm')).toBe('3.25 in')
-  expect(retold(80, undefined, 'mm')).toBe('80 mm')
-  expect(retold(0.1 + 0.2, '1 mm', 'mm')).toBe('0.3 mm')
+  expect(rewritten(60, '45 deg', 'deg')).toBe('60 deg')
+  expect(rewritten(0.3, 0.2, 'mm')).toBe(0.3)
+  expect(rewritten(3.25, '3 in', 'mm')).toBe('3.25 in')
+  expect(rewritten(80, undefined, 'mm')).toBe('80 mm')
+  expect(rewritten(0.1 + 0.2, '1 mm', 'mm')).toBe('0.3 mm')
 })
 
 test('what is typed is a number only if it is one', () => {
@@ -43,15 +46,15 @@ test('what is typed is a number only if it is one', () => {
 })
 
 test('values stand in a field as they stand in the file', () => {
-  expect(shown([1, 3, 4, 2])).toBe('1, 3, 4, 2')
+  expect(textOf([1, 3, 4, 2])).toBe('1, 3, 4, 2')
   expect(
-    shown([
+    textOf([
       [1, 4],
       [2, 3],
     ]),
   ).toBe('1, 4; 2, 3')
-  expect(shown(null)).toBe('')
-  expect(shown('<b>')).toBe('<b>')
+  expect(textOf(null)).toBe('')
+  expect(textOf('<b>')).toBe('<b>')
 })
 
 test('an angle keeps its unit on the way to a dial and back', () => {
@@ -73,14 +76,26 @@ test.each([
   [22.26, 0.1, 22.3],
   [100, 15, 105],
 ])('%f deg in steps of %f is %f', (from, step, to) => {
-  expect(settled(from, step)).toBeCloseTo(to, 9)
-  expect(Object.is(settled(from, step), -0)).toBe(false)
+  expect(wrapped(from, step)).toBeCloseTo(to, 9)
+  expect(Object.is(wrapped(from, step), -0)).toBe(false)
 })
 
 test('a slider has its value between its ends', () => {
-  expect(scale({ number: 82.5, unit: 'mm' }, 'length', true)).toEqual({ low: 1, high: 200, step: 1 })
-  expect(scale({ number: 0, unit: 'mm' }, 'place', false)).toEqual({ low: -50, high: 50, step: 0.25 })
-  expect(scale({ number: 45, unit: 'deg' }, 'angle', false)).toEqual({ low: -180, high: 180, step: 1 })
+  expect(scale({ number: 82.5, unit: 'mm' }, 'length', true)).toEqual({
+    low: 1,
+    high: 200,
+    step: 1,
+  })
+  expect(scale({ number: 0, unit: 'mm' }, 'place', false)).toEqual({
+    low: -50,
+    high: 50,
+    step: 0.25,
+  })
+  expect(scale({ number: 45, unit: 'deg' }, 'angle', false)).toEqual({
+    low: -180,
+    high: 180,
+    step: 1,
+  })
   for (const number of [0.0123, 3, 1e-9, 4711, -82]) {
     const { low, high } = scale({ number, unit: '' }, 'length', number > 0)
     expect(low).toBeLessThan(number)

@@ -1,21 +1,28 @@
 import { expect, test } from 'vitest'
-import { another, recordOf } from '../../src/edit/beginnings'
+import { another, recordOf } from '../../src/edit/newRecords'
 import { EXPLICIT, type Field, formOf, forms, worded } from '../../src/edit/schema'
 
 const quantity = (words: string, example: string, more: object = {}) => ({
   anyOf: [
-    { type: 'string', description: `a number with a unit of ${words}`, examples: [example] },
+    { type: 'string', 'x-dimension': words, examples: [example] },
     { type: 'number', ...more },
   ],
 })
-const orNull = (node: { anyOf: object[] }) => ({ anyOf: [...node.anyOf, { type: 'null' }], default: null })
+const orNull = (node: { anyOf: object[] }) => ({
+  anyOf: [...node.anyOf, { type: 'null' }],
+  default: null,
+})
 
 /** What the schema of engine files is made of, once each. */
 const schema = {
   $defs: {
     Bank: {
       properties: {
-        bearing: { ...quantity('angle', '90 deg'), default: 0, description: 'where the cylinders point' },
+        bearing: {
+          ...quantity('angle', '90 deg'),
+          default: 0,
+          description: 'where the cylinders point',
+        },
         cylinders: { type: 'array', items: { type: 'integer' } },
         name: { anyOf: [{ type: 'string', maxLength: 200 }, { type: 'null' }] },
       },
@@ -27,8 +34,13 @@ const schema = {
         type: { const: 'vee' },
         banks: { type: 'array', items: { $ref: '#/$defs/Bank' } },
         throws: { type: 'array', items: quantity('angle', '90 deg') },
-        bore_pitch: orNull(quantity('length along the crankshaft', '105.5 mm', { exclusiveMinimum: 0 })),
-        speed_ratio: { anyOf: [{ type: 'number' }, { type: 'string', pattern: '^' }], default: '1' },
+        bore_pitch: orNull(
+          quantity('length along the crankshaft', '105.5 mm', { exclusiveMinimum: 0 }),
+        ),
+        speed_ratio: {
+          anyOf: [{ type: 'number' }, { type: 'string', pattern: '^' }],
+          default: '1',
+        },
       },
       required: ['type', 'banks', 'throws'],
     },
@@ -50,13 +62,21 @@ const schema = {
         },
         relative: { type: 'array', items: { enum: ['mass', 'radius'] } },
         balance_factor: { anyOf: [{ type: 'number', minimum: 0, maximum: 2 }, { type: 'null' }] },
-        provenance: { type: 'object', additionalProperties: { properties: { status: { enum: ['published'] } } } },
+        provenance: {
+          type: 'object',
+          additionalProperties: { properties: { status: { enum: ['published'] } } },
+        },
         layout: { $ref: '#/$defs/Vee', description: 'how the cylinders are arranged' },
       },
       required: ['name', 'layout'],
     },
     Engine: {
-      properties: { shaft: { type: 'array', items: { properties: { name: { type: 'string' } }, required: ['name'] } } },
+      properties: {
+        shaft: {
+          type: 'array',
+          items: { properties: { name: { type: 'string' } }, required: ['name'] },
+        },
+      },
     },
   },
   anyOf: [{ $ref: '#/$defs/Engine' }, { $ref: '#/$defs/ShortVee' }],
@@ -100,7 +120,11 @@ test.each([
 })
 
 test('a length has its dimension, and whether it may be negative', () => {
-  expect(field(inner(layout), 'bore_pitch').kind).toEqual({ is: 'quantity', dimension: 'place', positive: true })
+  expect(field(inner(layout), 'bore_pitch').kind).toEqual({
+    is: 'quantity',
+    dimension: 'place',
+    positive: true,
+  })
   expect(field(inner(layout), 'bore_pitch').example).toBe('105.5 mm')
   const bearing = field(inner(field(inner(layout), 'banks')), 'bearing')
   expect(bearing).toMatchObject({ help: 'where the cylinders point', initial: 0, required: false })
@@ -114,11 +138,17 @@ test('words beside a reference stand over those of what it refers to', () => {
 })
 
 test('a new record has what it must have', () => {
-  expect(recordOf(inner(layout))).toEqual({ type: 'vee', banks: [{ cylinders: [1] }], throws: ['90 deg'] })
+  expect(recordOf(inner(layout))).toEqual({
+    type: 'vee',
+    banks: [{ cylinders: [1] }],
+    throws: ['90 deg'],
+  })
   const mass = { ...field(inner(layout), 'bore_pitch'), required: true, example: '165 kg' } as const
   const heavy = { ...mass, kind: { is: 'quantity', dimension: 'mass', positive: true } } as const
   expect(recordOf([heavy])).toEqual({ bore_pitch: 165 })
-  expect(recordOf([heavy], { cylinder: { reciprocating_mass: '1 kg' } })).toEqual({ bore_pitch: '165 kg' })
+  expect(recordOf([heavy], { cylinder: { reciprocating_mass: '1 kg' } })).toEqual({
+    bore_pitch: '165 kg',
+  })
 })
 
 test('another record is like the last, with the numbers that come next', () => {

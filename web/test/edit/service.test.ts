@@ -18,14 +18,16 @@ function answering(status: number, body: string) {
 
 test('an engine is sent as a tree and comes back as an exhibit', async () => {
   const asked = answering(200, '{"name": "V2"}')
-  expect(await service().exhibit({ name: 'V2' })).toEqual({ ok: true, value: { name: 'V2' } })
-  expect(asked).toEqual([{ path: '/api/exhibit', method: 'POST', body: { engine: { name: 'V2' } } }])
+  expect(await service.exhibit({ name: 'V2' })).toEqual({ ok: true, value: { name: 'V2' } })
+  expect(asked).toEqual([
+    { path: '/api/exhibit', method: 'POST', body: { engine: { name: 'V2' } } },
+  ])
 })
 
 test('mistakes come back as they are', async () => {
   const problems = [{ path: 'layout.banks[1].bearing', message: 'is "xx"' }]
   answering(422, JSON.stringify({ problems }))
-  expect(await service().exhibit({})).toEqual({ ok: false, problems })
+  expect(await service.exhibit({})).toEqual({ ok: false, problems })
 })
 
 test.each([
@@ -34,22 +36,22 @@ test.each([
   [200, 'not JSON'],
 ])('an answer %i that is none of ours is a sentence', async (status, body) => {
   answering(status, body)
-  const answer = await service().toml({})
+  const answer = await service.toml({})
   expect(answer.ok).toBe(false)
   expect(!answer.ok && answer.problems[0]?.message).toContain(String(status))
 })
 
 test('a name of the catalog cannot leave the catalog', async () => {
   const asked = answering(404, '{"problems": [{"path": "", "message": "none"}]}')
-  await service().engine('../health?x#y')
+  await service.engine('../health?x#y')
   expect(asked[0]?.path).toBe('/api/catalog/..%2Fhealth%3Fx%23y')
 })
 
 test('a search is of an engine, or of a number without one', async () => {
   const asked = answering(200, '{"id": "1"}')
-  await service().startSearch({ name: 'I4' }, { minimise: 'M2' })
-  await service().startSearch(null, { cylinders: 7, cycle: 'two-stroke' })
-  await service().cancelSearch('a/b')
+  await service.startSearch({ name: 'I4' }, { minimise: 'M2' })
+  await service.startSearch(null, { cylinders: 7, cycle: 'two-stroke' })
+  await service.cancelSearch('a/b')
   expect(asked.map(({ body }) => body)).toEqual([
     { engine: { name: 'I4' }, minimise: 'M2' },
     { cylinders: 7, cycle: 'two-stroke' },
@@ -60,7 +62,15 @@ test('a search is of an engine, or of a number without one', async () => {
 
 test('what is taken out of an answer', async () => {
   answering(200, '{"toml": "x = 1", "tree": {"a": 1}, "exhibit": {"file": {"b": 2}}}')
-  expect(await service().toml({})).toEqual({ ok: true, value: 'x = 1' })
-  expect(await service().read('')).toEqual({ ok: true, value: { a: 1 } })
-  expect(await service().fitted({}, { factor: 0.5 })).toEqual({ ok: true, value: { b: 2 } })
+  expect(await service.toml({})).toEqual({ ok: true, value: 'x = 1' })
+  expect(await service.read('')).toEqual({ ok: true, value: { a: 1 } })
+  expect(await service.fitted({}, { factor: 0.5 })).toEqual({ ok: true, value: { b: 2 } })
+})
+
+test('a server that cannot be reached is named, an aborted request is not', async () => {
+  vi.stubGlobal('fetch', async () => {
+    throw new TypeError('Failed to fetch')
+  })
+  await expect(service.catalog()).rejects.toThrow('crankstar serve')
+  await expect(service.exhibit({}, AbortSignal.abort())).rejects.toThrow('Failed to fetch')
 })

@@ -101,7 +101,7 @@ test('what the form is made of is asked for once, and again after a failure', as
   })
   now.load()
   await settle()
-  expect(now.note.value).toContain('The server does not answer')
+  expect(now.note.value).toContain('Failed to fetch')
   now.load()
   now.load()
   await settle()
@@ -110,7 +110,10 @@ test('what the form is made of is asked for once, and again after a failure', as
 
 test('a value that is changed is no longer the one that a source gives', () => {
   const { now } = begun()
-  now.edit({ ...now.tree.value, provenance: { speed: { status: 'published' }, cylinder: { status: 'published' } } })
+  now.edit({
+    ...now.tree.value,
+    provenance: { speed: { status: 'published' }, cylinder: { status: 'published' } },
+  })
   now.set(['speed'], '900 rpm')
   expect(now.tree.value.provenance).toEqual({ cylinder: { status: 'published' } })
 })

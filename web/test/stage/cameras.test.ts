@@ -1,18 +1,17 @@
 import { describe, expect, test } from 'vitest'
 import {
   between,
-  dot,
   type Frame,
   frameOf,
   HOME,
   type Look,
   lookOf,
   turnOf,
-  type Vector,
 } from '../../src/stage/cameras'
 import { type Disc, reach } from '../../src/stage/extent'
 import { dragged, pressed, zoomed } from '../../src/stage/orbit'
 import { CAMERAS } from '../../src/stage/stage'
+import { dot, type Vector } from '../../src/stage/vector'
 
 const cross = (a: Vector, b: Vector): Vector => [
   a[1] * b[2] - a[2] * b[1],
@@ -35,7 +34,7 @@ describe.each([...CAMERAS])('camera %s', (camera) => {
   })
 
   test('sees everything between the head and the foot of the screen', () => {
-    const { look, centre, half } = frameOf(camera, HOME, discs, SCREEN)
+    const { look, centre, half } = frameOf(camera, HOME, [discs], SCREEN)
     const spans = [look.right, look.up].map((axis) => {
       const [low, high] = reach(discs, axis, [0, 0])
       return [low - dot(axis, centre), high - dot(axis, centre)] as const
@@ -45,6 +44,16 @@ describe.each([...CAMERAS])('camera %s', (camera) => {
     expect(upward[1]).toBeLessThan(half)
     expect(upward[0]).toBeGreaterThan(-half * (1 - 2 * SCREEN.foot))
   })
+})
+
+test.each([...CAMERAS])('engines side by side have one scale on camera %s', (camera) => {
+  const large = discs.map((disc) => ({ ...disc, radius: 3 * disc.radius }))
+  const [one, other] = [
+    frameOf(camera, HOME, [discs, large], SCREEN),
+    frameOf(camera, HOME, [large, discs], SCREEN),
+  ]
+  expect(one.half).toBe(other.half)
+  expect(one.half).toBeGreaterThan(frameOf(camera, HOME, [discs], SCREEN).half)
 })
 
 test('the reach of a disc is that of the points on its rim', () => {
@@ -69,7 +78,8 @@ test('plan and side have the front at the left, the front view has x to the righ
     [1, 0, 0],
     [0, 1, 0],
   ])
-  for (const camera of ['plan', 'side'] as const) expect(lookOf(camera, HOME).right).toEqual([0, 0, -1])
+  for (const camera of ['plan', 'side'] as const)
+    expect(lookOf(camera, HOME).right).toEqual([0, 0, -1])
   expect(
     lookOf('isometric', HOME)
       .back.map((part) => part * Math.sqrt(3))
@@ -91,7 +101,10 @@ test('the way from one camera to another begins and ends at them, and never dist
 })
 
 test('a look is found again from its rotation, also one that is turned by half a turn', () => {
-  for (const look of [lookOf('plan', HOME), { right: [-1, 0, 0], up: [0, 1, 0], back: [0, 0, -1] } as Look]) {
+  for (const look of [
+    lookOf('plan', HOME),
+    { right: [-1, 0, 0], up: [0, 1, 0], back: [0, 0, -1] } as Look,
+  ]) {
     const [x, y, z, w] = turnOf(look)
     expect(x * x + y * y + z * z + w * w).toBeCloseTo(1, 14)
   }

@@ -1,4 +1,4 @@
-import type { CylinderShown, Exhibit, ShaftShown } from '../../src/exhibit'
+import type { CylinderShown, Exhibit, ShaftShown, StrokeColours } from '../../src/exhibit'
 
 /** A shaft with nothing on it. */
 export function shaft(changes: Partial<ShaftShown> = {}): ShaftShown {
@@ -47,6 +47,14 @@ export function cylinder(changes: Partial<CylinderShown> = {}): CylinderShown {
   }
 }
 
+/** Colours of the strokes that no palette has. */
+export const COLOURS: StrokeColours = {
+  intake: '#0000ff',
+  compression: '#00ff00',
+  power: '#ff0000',
+  exhaust: '#808080',
+}
+
 /** An exhibit of one order whose forces and response are given. */
 export function exhibit(changes: Partial<Exhibit> = {}): Exhibit {
   const none = { forward: [[0, 0]], backward: [[0, 0]] } as Exhibit['total']['force']
@@ -58,7 +66,9 @@ export function exhibit(changes: Partial<Exhibit> = {}): Exhibit {
     sense: 1,
     speed_rpm: null,
     units: { force: 'N', couple: 'N*m', roll: 'N*m', length: 'm' },
+    scale: { length: 1, force: 1, couple: 1 },
     heading: [],
+    unverified: [],
     reference_z: 0,
     couple_length: 1,
     orders: [1],

@@ -10,7 +10,7 @@ import { quantity, roundValue } from '../../src/stage/sheet'
 import { Solid } from '../../src/stage/solid'
 import type { View } from '../../src/stage/stage'
 import { tint, windowsOf } from '../../src/stage/strokes'
-import { cylinder, exhibit, shaft } from './engine'
+import { COLOURS, cylinder, exhibit, shaft } from './engine'
 
 const area = (ring: Outline) =>
   ring.reduce((sum, [x, y], index) => {
@@ -120,7 +120,10 @@ test('teeth of gears that mesh stand in the gaps of each other, at any crank ang
       [0, 1],
       [1, 2],
     ] as const) {
-      const [from, to] = [shafts[a], shafts[b]] as [ReturnType<typeof shaft>, ReturnType<typeof shaft>]
+      const [from, to] = [shafts[a], shafts[b]] as [
+        ReturnType<typeof shaft>,
+        ReturnType<typeof shaft>,
+      ]
       const line = Math.atan2(to.right - from.right, to.up - from.up)
       const share = (index: number, away: number) => {
         const bearing = (bearings[index] as number) + (shafts[index]?.speed_ratio ?? 0) * theta
@@ -138,9 +141,11 @@ test('opposed pistons share a bore to the middle between them, others end at the
   expect(pair.map((c) => facesAnother(c, pair))).toEqual([true, true])
   expect(boreEnd(scene, pair[0] as (typeof pair)[0])).toBeCloseTo(7, 12)
   expect(boreEnd(exhibit().scene, cylinder())).toBe(6.2)
-  expect(along(scene, cylinder({ bearing: Math.PI / 2, offset: 0.5 }), 3).map((part) => +part.toFixed(12))).toEqual([
-    3, 13.5, 0,
-  ])
+  expect(
+    along(scene, cylinder({ bearing: Math.PI / 2, offset: 0.5 }), 3).map(
+      (part) => +part.toFixed(12),
+    ),
+  ).toEqual([3, 13.5, 0])
 })
 
 describe('arrows', () => {
@@ -176,7 +181,7 @@ describe('arrows', () => {
     expect(new Loads(loaded).at(view({ cylinders: false })).force).toBeCloseTo(3, 12)
   })
 
-  test('engines side by side share the scale of their arrows, if they count in the same unit', () => {
+  test('engines side by side share the scale of their arrows, in other units by m r w^2', () => {
     const twice = exhibit({
       ...loaded,
       total: { ...loaded.total, force: { forward: [[6, 0]], backward: [[0, 0]] } },
@@ -184,8 +189,12 @@ describe('arrows', () => {
     const loads = new Loads(loaded)
     loads.beside = [twice]
     expect(loads.at(view({ cylinders: false })).force).toBeCloseTo(6, 12)
-    loads.beside = [{ ...twice, units: { ...twice.units, force: 'm r ω²' } }]
+    const units = { ...twice.units, force: 'm r ω²', couple: 'm r ω² a' }
+    loads.beside = [{ ...twice, units, scale: { length: 1, force: 4, couple: 4 } }]
+    // 6 of 4 in units of m r w^2, 3 of 1 here
     expect(loads.at(view({ cylinders: false })).force).toBeCloseTo(3, 12)
+    loads.beside = [{ ...twice, units, scale: { length: 1, force: 0.5, couple: 1 } }]
+    expect(loads.at(view({ cylinders: false })).force).toBeCloseTo(12, 12)
   })
 
   test('what is not wanted is not drawn', () => {
@@ -196,7 +205,9 @@ describe('arrows', () => {
         .pulls.filter((pull) => pull.up || pull.right)
         .map((pull) => pull.kind),
     ).toEqual(['couple', 'couple'])
-    expect(loads.at(view({ orders: [2] })).pulls.every((pull) => !pull.up && !pull.right)).toBe(true)
+    expect(loads.at(view({ orders: [2] })).pulls.every((pull) => !pull.up && !pull.right)).toBe(
+      true,
+    )
   })
 
   test('a sum that is rounding beside its parts is no arrow', () => {
@@ -216,6 +227,7 @@ test('a cylinder is tinted by its stroke; a flash dies away', () => {
         { chamber: 1, stroke: 'power', from_deg: 700, to_deg: 880 },
       ],
     }),
+    COLOURS,
   )
   const out = new Float32Array(4)
   const at = (degrees: number) => {

@@ -2,6 +2,7 @@ import { expect, test } from 'vitest'
 import type { Exhibit } from '../../src/exhibit'
 import { reach } from '../../src/stage/extent'
 import { Loads } from '../../src/stage/load'
+import { Room } from '../../src/stage/room'
 import type { View } from '../../src/stage/stage'
 import { exhibit } from './engine'
 
@@ -37,7 +38,10 @@ test('there is room for every arrow over the whole cycle, and for no more', () =
   }
   expect(seen.up).toBeCloseTo(1, 12)
   const discs = loads.room(shown, 5)
-  expect(reach(discs, [0, 1, 0], [0, 0])).toEqual([expect.closeTo(-5 * seen.up, 6), expect.closeTo(5 * seen.up, 6)])
+  expect(reach(discs, [0, 1, 0], [0, 0])).toEqual([
+    expect.closeTo(-5 * seen.up, 6),
+    expect.closeTo(5 * seen.up, 6),
+  ])
   expect(reach(discs, [1, 0, 0], [0, 0])[1]).toBeCloseTo(5 * seen.right, 6)
   expect(loads.room(shown, 5)).toBe(discs)
 })
@@ -50,4 +54,15 @@ test('what is not shown needs no room', () => {
   const parts = view({ cylinders: true })
   loads.at(parts)
   expect(loads.room(parts, 5)).toHaveLength(8)
+})
+
+test('the room of an engine beside is in the unit of the engine looked at, or in crank radii', () => {
+  const small = exhibit()
+  const size = (room: Room) => reach(room.discs(view({}), 0), [1, 0, 0], [0, 0])[1]
+  const own = size(new Room(small))
+  expect(size(new Room(small, small))).toBe(own)
+  const metres = { ...small, scale: { length: 0.05, force: 1, couple: 1 } }
+  const radii = { ...small, scene: { ...small.scene, length_unit: 'crank radii' } }
+  expect(size(new Room(radii, metres))).toBeCloseTo(0.05 * own, 12)
+  expect(size(new Room(metres, radii))).toBeCloseTo(20 * own, 10)
 })

@@ -56,7 +56,8 @@ test('a tilt that turns with the crank makes circles, opposite each other on the
   const shown = whirling({ centre: [0, 0, 0.5], tilt: vectors([1e-3, 0]) })
   const road = new Whirling(shown)
   const [front, rear] = [road.path(2, null), road.path(-1, null)]
-  for (const [up, right] of [...front, ...rear]) expect(Math.hypot(up, right)).toBeCloseTo(1.5e-3, 12)
+  for (const [up, right] of [...front, ...rear])
+    expect(Math.hypot(up, right)).toBeCloseTo(1.5e-3, 12)
   front.forEach(([up, right], step) => {
     expect(up).toBeCloseTo(-(rear[step]?.[0] ?? 0), 12)
     expect(right).toBeCloseTo(-(rear[step]?.[1] ?? 0), 12)

@@ -8,7 +8,11 @@ import { Solid } from '../solid'
 const THICK: Readonly<Record<Arrow, number>> = { force: 0.045, couple: 0.038, part: 0.026 }
 
 /** Arrows for what pulls at the block: the total, the couple as a pair, and each cylinder's. */
-export function arrows(parent: Group, load: Load, paint: Materials): { move(length: number): void; dispose(): void } {
+export function arrows(
+  parent: Group,
+  load: Load,
+  paint: Materials,
+): { move(length: number): void; dispose(): void } {
   const shaft = () => {
     const stick: [number, number, number][] = [
       [0, 0, 0],
@@ -56,7 +60,16 @@ export function arrows(parent: Group, load: Load, paint: Materials): { move(leng
           const wide = (tip / 3.6) * 1.45
           const stick = long - tip
           shafts.put(index, pull.x, pull.y, pull.z, up, right, Math.min(thick / 2, wide / 2), stick)
-          heads.put(index, pull.x + right * stick, pull.y + up * stick, pull.z, up, right, wide, tip)
+          heads.put(
+            index,
+            pull.x + right * stick,
+            pull.y + up * stick,
+            pull.z,
+            up,
+            right,
+            wide,
+            tip,
+          )
         }
         shafts.visible = some
         heads.visible = some

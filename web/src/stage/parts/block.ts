@@ -2,7 +2,7 @@ import { Group, Matrix4, Quaternion, Vector3 } from 'three'
 import type { Whirl } from '../../exhibit'
 import { type Displacement, rotation } from '../whirl'
 
-/** What moves with the block: everything. Its place is the displacement of the rigid engine, magnified. */
+/** The block with everything on it, at the magnified displacement of the rigid engine. */
 export class Block {
   readonly group = new Group()
   readonly #centre: Vector3

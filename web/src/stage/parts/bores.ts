@@ -37,7 +37,7 @@ export function bores(parent: Group, scene: Scene, paint: Materials): Batch[] {
   return [tubes, heads]
 }
 
-/** Puts something that is 1 high and has radius 1 on a cylinder's axis, `from` along it from the shaft. */
+/** Puts an item of height and radius 1 on a cylinder's axis, `from` the shaft. */
 export function stand(
   batch: Batch,
   index: number,

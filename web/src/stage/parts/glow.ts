@@ -1,5 +1,5 @@
 import { DynamicDrawUsage, type Group, InstancedBufferAttribute } from 'three'
-import type { Exhibit } from '../../exhibit'
+import type { Exhibit, StrokeColours } from '../../exhibit'
 import type { Places } from '../../motion'
 import { Batch } from '../batch'
 import { boreEnd } from '../extent'
@@ -9,10 +9,15 @@ import { tint, windowsOf } from '../strokes'
 import { stand } from './bores'
 import type { Part } from './part'
 
-/** What is in the cylinders: a volume between crown and head, tinted by its stroke. */
-export function glow(parent: Group, exhibit: Exhibit, paint: Materials): Part & { visible: boolean } {
+/** The charge of the cylinders: a volume between crown and head, tinted by its stroke. */
+export function glow(
+  parent: Group,
+  exhibit: Exhibit,
+  colours: StrokeColours,
+  paint: Materials,
+): Part & { visible: boolean } {
   const { scene, cycle_deg: cycle } = exhibit
-  const windows = windowsOf(exhibit)
+  const windows = windowsOf(exhibit, colours)
   const { cylinders } = scene
   const body = new Solid().turned(
     [
@@ -44,7 +49,15 @@ export function glow(parent: Group, exhibit: Exhibit, paint: Materials): Part & 
         const up = (piston[2 * index] as number) - (shaft?.up ?? 0)
         const right = (piston[2 * index + 1] as number) - (shaft?.right ?? 0)
         const crown = up * axis[0] + right * axis[1] + c.pin_height
-        stand(batch, index, c, scene, crown, Math.max(1e-6 * c.bore, (ends[index] as number) - crown), 0.49 * c.bore)
+        stand(
+          batch,
+          index,
+          c,
+          scene,
+          crown,
+          Math.max(1e-6 * c.bore, (ends[index] as number) - crown),
+          0.49 * c.bore,
+        )
         tint(windows[index] ?? [], degrees, cycle, hues.array as Float32Array, 4 * index)
       }
       hues.needsUpdate = true

@@ -1,13 +1,16 @@
 import type { GearShown, Scene } from '../../exhibit'
 
-/** Gears mesh if the distance of their shafts is the sum of their radii, within this share of it. */
+/** Share of the radii by which the distance of shafts of meshing gears may differ. */
 const NEAR = 0.03
 
 /**
- * The bearing of the first tooth of every gear at theta = 0, so that the teeth of two that mesh stand in each other's gaps.
+ * The bearing of the first tooth of every gear at theta = 0, so that the teeth of two that mesh
+ * stand in each other's gaps.
  *
- * On the line from gear A to gear B, at bearing b, a tooth of A stands `a` of a pitch clockwise of the line. A point of B that is
- * clockwise of the line moves the other way, so B's tooth has to stand `-(a + 1/2)` of its pitch from it.
+ * On the line from gear A to gear B, at bearing b, a tooth of A stands `a` of a pitch clockwise of
+ * the line. A point of B that is
+ * clockwise of the line moves the other way, so B's tooth has to stand `-(a + 1/2)` of its pitch
+ * from it.
  */
 export function toothBearings(scene: Scene): number[] {
   const { gears } = scene
@@ -38,7 +41,8 @@ function pitch(gear: GearShown): number {
 /** The bearing from one gear to another that it meshes with, null if it does not. */
 function lineOf(scene: Scene, one: GearShown, other: GearShown): number | null {
   const [a, b] = [scene.shafts[one.shaft], scene.shafts[other.shaft]]
-  if (!a || !b || a === b || Math.abs(one.z - other.z) > (one.thickness + other.thickness) / 2) return null
+  if (!a || !b || a === b || Math.abs(one.z - other.z) > (one.thickness + other.thickness) / 2)
+    return null
   const distance = Math.hypot(b.up - a.up, b.right - a.right)
   const both = one.radius + other.radius
   return Math.abs(distance - both) < NEAR * both ? Math.atan2(b.right - a.right, b.up - a.up) : null

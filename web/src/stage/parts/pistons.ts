@@ -19,7 +19,9 @@ export interface Pistons extends Part {
 
 export function pistons(parent: Group, scene: Scene, paint: Materials): Pistons {
   const numbered = scene.cylinders.map((cylinder, index) => ({ cylinder, index }))
-  const groups = alike(numbered, ({ cylinder: c }) => [c.bore, c.pin_height, c.skirt, shank(c)].join())
+  const groups = alike(numbered, ({ cylinder: c }) =>
+    [c.bore, c.pin_height, c.skirt, shank(c)].join(),
+  )
   const batches = groups.map((group) => {
     const first = group[0] as (typeof group)[number]
     return new Batch(parent, piston(first.cylinder), group.length, paint.paints.piston, paint.lines)
@@ -59,7 +61,7 @@ export function shank(cylinder: CylinderShown): number {
   return Math.min(cylinder.rod_width, 0.26 * cylinder.bore)
 }
 
-/** A piston, its pin at the origin, its crown up: ring lands, a skirt on the two sides that bear, bosses and pin. */
+/** A piston, its pin at the origin, crown up: ring lands, skirts, bosses and pin. */
 function piston(cylinder: CylinderShown): Shape {
   const { bore, pin_height: crown, skirt } = cylinder
   const radius = 0.492 * bore

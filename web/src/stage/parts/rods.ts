@@ -14,18 +14,22 @@ interface Rod {
   readonly index: number
   /** Radius of the pin its big end sits on. */
   readonly pin: number
-  /** Width of the blade between the prongs of a fork; of the slaves between the cheeks of a master. */
+  /** Width of the blade in a fork, and of the slaves in a master. */
   readonly gap: number
   /** Knuckle pins it carries: bearing from the rod, distance, radius. */
   readonly knuckles: readonly { angle: number; radius: number; pin: number }[]
 }
 
 export function rods(parent: Group, scene: Scene, paint: Materials): Part {
-  const groups = alike(rodsOf(scene), (rod) => JSON.stringify([sizes(rod.cylinder), rod.pin, rod.gap, rod.knuckles]))
+  const groups = alike(rodsOf(scene), (rod) =>
+    JSON.stringify([sizes(rod.cylinder), rod.pin, rod.gap, rod.knuckles]),
+  )
   const batches = groups.map((group) => {
     const first = group[0] as Rod
     const colour =
-      first.cylinder.rod === 'slave' || first.cylinder.rod === 'blade' ? paint.paints.slave : paint.paints.rod
+      first.cylinder.rod === 'slave' || first.cylinder.rod === 'blade'
+        ? paint.paints.slave
+        : paint.paints.rod
     return new Batch(parent, shapeOf(first), group.length, colour, paint.lines)
   })
   return {
@@ -60,7 +64,8 @@ function sizes(c: CylinderShown): (number | string)[] {
 
 function rodsOf(scene: Scene): Rod[] {
   const { cylinders } = scene
-  const crankPin = (c: CylinderShown) => scene.shafts[c.shaft]?.throws[c.throw]?.pin_radius ?? 0.2 * c.crank_radius
+  const crankPin = (c: CylinderShown) =>
+    scene.shafts[c.shaft]?.throws[c.throw]?.pin_radius ?? 0.2 * c.crank_radius
   const slavesOf = (index: number) => cylinders.filter((other) => other.master === index)
   const knuckle = (c: CylinderShown) => {
     const count = c.master < 0 ? 0 : slavesOf(c.master).length
@@ -78,12 +83,16 @@ function rodsOf(scene: Scene): Rod[] {
       index,
       pin: cylinder.master < 0 ? crankPin(cylinder) : knuckle(cylinder),
       gap: Math.max(0, ...between.map((c) => c.rod_width)),
-      knuckles: slaves.map((c) => ({ angle: c.knuckle_angle, radius: c.knuckle_radius, pin: knuckle(c) })),
+      knuckles: slaves.map((c) => ({
+        angle: c.knuckle_angle,
+        radius: c.knuckle_radius,
+        pin: knuckle(c),
+      })),
     }
   })
 }
 
-/** A rod, its big end at the origin, its piston pin up: shank of I-section, eyes, prongs of a fork, cheeks of a master. */
+/** A rod, big end at the origin, piston pin up: I-section, eyes, fork, master's cheeks. */
 function shapeOf(rod: Rod): Shape {
   const { cylinder: c, pin } = rod
   const solid = new Solid()
@@ -104,7 +113,13 @@ function shapeOf(rod: Rod): Shape {
 }
 
 /** One of the two ribs of an I-section. */
-function flange(low: number, high: number, wide: number, narrow: number, side: number): [number, number][] {
+function flange(
+  low: number,
+  high: number,
+  wide: number,
+  narrow: number,
+  side: number,
+): [number, number][] {
   const rib: [number, number][] = [
     [0.62 * wide, low],
     [wide, low],
@@ -128,20 +143,35 @@ function shapedFoot(solid: Solid, { cylinder: c, pin, gap, knuckles }: Rod, big:
   }
   solid.prism(circle(0, 0, big, 36), -half, half)
   // The cap's parting line and the seats of its bolts.
-  if (c.rod !== 'slave') solid.prism(strip(-0.62 * big, 0.5 * big, 1.16 * big, 1.16 * big), -0.36 * half, 0.36 * half)
+  if (c.rod !== 'slave')
+    solid.prism(strip(-0.62 * big, 0.5 * big, 1.16 * big, 1.16 * big), -0.36 * half, 0.36 * half)
   return big
 }
 
 /** Two plates that carry the knuckle pins, with room for the slaves between. */
-function cheeks(solid: Solid, half: number, gap: number, pin: number, big: number, knuckles: Rod['knuckles']): number {
+function cheeks(
+  solid: Solid,
+  half: number,
+  gap: number,
+  pin: number,
+  big: number,
+  knuckles: Rod['knuckles'],
+): number {
   const reach = Math.max(...knuckles.map((k) => k.radius + 1.5 * k.pin))
   const inner = Math.min(gap * 1.06, 0.72 * half)
   for (const side of [-1, 1]) {
     if (knuckles.length > 3) solid.prism(circle(0, 0, reach, 48), side * inner, side * half)
-    else for (const k of knuckles) solid.prism(band(big, k.radius, k.angle, 1.5 * k.pin), side * inner, side * half)
+    else
+      for (const k of knuckles)
+        solid.prism(band(big, k.radius, k.angle, 1.5 * k.pin), side * inner, side * half)
   }
   solid.prism(
-    circle(0, 0, Math.max(1.15 * pin, Math.min(big, 0.9 * (reach - 2 * (knuckles[0]?.pin ?? 0)))), 36),
+    circle(
+      0,
+      0,
+      Math.max(1.15 * pin, Math.min(big, 0.9 * (reach - 2 * (knuckles[0]?.pin ?? 0)))),
+      36,
+    ),
     -half,
     half,
   )

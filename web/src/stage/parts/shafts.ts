@@ -1,6 +1,6 @@
 import type { Group } from 'three'
 import type { GearShown, Scene, ShaftShown, ThrowShown } from '../../exhibit'
-import type { Places } from '../../motion'
+import { type Places, turned } from '../../motion'
 import { Batch } from '../batch'
 import type { Materials } from '../materials'
 import { band, circle, gear, sector, towards } from '../outlines'
@@ -15,10 +15,18 @@ export interface Shafts extends Part {
 
 /** Crankshafts, balance shafts and the gears on them; `sense` is that of the exhibit. */
 export function shafts(parent: Group, scene: Scene, sense: number, paint: Materials): Shafts {
-  const turning: { batch: Batch; shaft: ShaftShown; z: number; start: number }[] = scene.shafts.map((shaft) => {
-    const colour = shaft.kind === 'crankshaft' ? paint.paints.crankshaft : paint.paints.balanceShaft
-    return { batch: new Batch(parent, shapeOf(shaft), 1, colour, paint.lines), shaft, z: 0, start: 0 }
-  })
+  const turning: { batch: Batch; shaft: ShaftShown; z: number; start: number }[] = scene.shafts.map(
+    (shaft) => {
+      const colour =
+        shaft.kind === 'crankshaft' ? paint.paints.crankshaft : paint.paints.balanceShaft
+      return {
+        batch: new Batch(parent, shapeOf(shaft), 1, colour, paint.lines),
+        shaft,
+        z: 0,
+        start: 0,
+      }
+    },
+  )
   const drawn = turning.map(({ batch }) => batch)
   const bearings = toothBearings(scene)
   scene.gears.forEach((wheel, index) => {
@@ -31,7 +39,7 @@ export function shafts(parent: Group, scene: Scene, sense: number, paint: Materi
     drawn,
     move: (_: Places, theta: number) => {
       for (const { batch, shaft, z, start } of turning) {
-        const bearing = start + sense * shaft.speed_ratio * theta
+        const bearing = start + turned(shaft, sense, theta)
         batch.put(0, shaft.right, shaft.up, z, Math.cos(bearing), Math.sin(bearing))
         batch.placed()
       }
@@ -45,10 +53,16 @@ export function shafts(parent: Group, scene: Scene, sense: number, paint: Materi
 /** A shaft as it stands at theta = 0, its axis at the origin: journals, pins, webs, weights. */
 function shapeOf(shaft: ShaftShown): Shape {
   const solid = new Solid()
-  for (const [from, to] of journals(shaft)) solid.prism(circle(0, 0, shaft.journal_radius, 36), from, to, 1)
+  for (const [from, to] of journals(shaft))
+    solid.prism(circle(0, 0, shaft.journal_radius, 36), from, to, 1)
   for (const pin of shaft.throws) {
     const [x, y] = towards(pin.angle)
-    solid.prism(circle(x * pin.radius, y * pin.radius, pin.pin_radius, 36), pin.pin_from, pin.pin_to, 1)
+    solid.prism(
+      circle(x * pin.radius, y * pin.radius, pin.pin_radius, 36),
+      pin.pin_from,
+      pin.pin_to,
+      1,
+    )
   }
   for (const web of shaft.webs) {
     const pin = shaft.throws[web.throw]
@@ -58,14 +72,20 @@ function shapeOf(shaft: ShaftShown): Shape {
   }
   for (const weight of shaft.weights) {
     const { inner_radius, outer_radius, angle, half_angle, z, thickness } = weight
-    const inner = shaft.kind === 'crankshaft' ? Math.min(inner_radius, shaft.journal_radius) : inner_radius
-    solid.prism(sector(inner, outer_radius, angle, half_angle), z - thickness / 2, z + thickness / 2)
+    const inner =
+      shaft.kind === 'crankshaft' ? Math.min(inner_radius, shaft.journal_radius) : inner_radius
+    solid.prism(
+      sector(inner, outer_radius, angle, half_angle),
+      z - thickness / 2,
+      z + thickness / 2,
+    )
   }
   return solid.shape()
 }
 
 /**
- * Where along z the shaft itself is: everywhere but between the webs of its throws. It ends inside a web, never in the plane
+ * Where along z the shaft itself is: everywhere but between the webs of its throws. It ends inside
+ * a web, never in the plane
  * of its cheek, where the two would flicker through each other.
  */
 export function journals(shaft: ShaftShown): [number, number][] {
@@ -106,5 +126,7 @@ function wheelOf(wheel: GearShown, shaft: ShaftShown): Shape {
       : []
   const half = wheel.thickness / 2
   const solid = new Solid().prism(gear(wheel.radius, wheel.teeth), -half, half, 0, holes)
-  return solid.prism(circle(0, 0, 1.25 * shaft.journal_radius, 28), -1.25 * half, 1.25 * half, 1).shape()
+  return solid
+    .prism(circle(0, 0, 1.25 * shaft.journal_radius, 28), -1.25 * half, 1.25 * half, 1)
+    .shape()
 }

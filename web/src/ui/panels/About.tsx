@@ -1,87 +1,101 @@
+import { message, t } from '../../language/messages'
 import { useApp } from '../context'
+import { Heading } from '../Heading'
+import { NOTICES } from '../notices'
 
-const KEYS: readonly (readonly [string, string])[] = [
-  ['space', 'play or stop'],
-  [', and .', 'back or on by 1°; with shift 10°'],
-  ['arrows', 'the same, where nothing else uses them'],
-  ['page up, page down', 'on or back by 90°'],
-]
+const KEYS = [
+  [message('space'), message('play or stop')],
+  [message('comma, full stop'), message('1° back, 1° forward; 10° with shift')],
+  [message('arrows'), message('the same, where nothing else uses them')],
+  [message('page up, page down'), message('90° forward, 90° back')],
+] as const
 
-/** Where the numbers come from, what was assumed, and how to get the same page again. */
+/** Sources, assumptions, how to read the page, and how to write it again. */
 export function About() {
   const { host, shown, engines } = useApp()
   const { command, version, sources = [] } = host.exhibition
-  const asOpened = (index: number): boolean => same(engines.value[index]?.file, host.exhibition.engines[index]?.file)
+  const asOpened = (index: number): boolean =>
+    same(engines.value[index]?.file, host.exhibition.engines[index]?.file)
   return (
     <>
       {shown.value.map((exhibit, index) => (
         <section key={index}>
           <h2>{exhibit.name}</h2>
-          <ul class="heading">
-            {exhibit.heading.map((line) => (
-              <li key={line} class={line.startsWith('unverified') ? 'doubt' : ''}>
-                {line}
-              </li>
-            ))}
-          </ul>
+          <Heading exhibit={exhibit} />
           {sourceOf(exhibit.file).map((line) => (
             <p key={line}>
-              <span class="soft">Source:</span> {line}
+              <span class="soft">{t('Source:')}</span> {line}
             </p>
           ))}
           {sources[index] && asOpened(index) && (
             <p>
-              <span class="soft">Named as</span> <code>{sources[index]}</code>
+              <span class="soft">{t('Opened as')}</span> <code>{sources[index]}</code>
             </p>
           )}
-          {[...exhibit.scene.assumed, ...exhibit.whirl.assumed].length > 0 && (
-            <h3>Assumed for the drawing and the whirl</h3>
-          )}
-          <ul class="heading">
-            {[...exhibit.scene.assumed, ...exhibit.whirl.assumed].map((line) => (
-              <li key={line}>{line}</li>
-            ))}
-          </ul>
+          <Assumptions lines={[...exhibit.scene.assumed, ...exhibit.whirl.assumed]} />
         </section>
       ))}
       <section>
-        <h2>How to read it</h2>
+        <h2>{t('Conventions')}</h2>
         <p>
-          Everything is seen from the front, the end opposite the flywheel: up, and right as the viewer has it. The
-          crank angle θ is counted from top dead centre of cylinder 1, in the direction of rotation. A couple is drawn
-          in the plane in which it acts.
+          {t(
+            'The engine is seen from the front, the end opposite the flywheel. The crank angle θ is zero at top dead centre of cylinder 1 and grows in the direction of rotation. A couple is drawn in the plane in which it acts.',
+          )}
         </p>
-        <h3>Keys</h3>
+        <h3>{t('Keys')}</h3>
         <dl class="keys">
-          {KEYS.map(([key, words]) => (
+          {KEYS.map(([key, action]) => (
             <div key={key}>
               <dt>
-                <kbd>{key}</kbd>
+                <kbd>{t(key)}</kbd>
               </dt>
-              <dd>{words}</dd>
+              <dd>{t(action)}</dd>
             </div>
           ))}
         </dl>
       </section>
       <section>
-        <h2>This page</h2>
-        <p>Made by crankstar {version}.</p>
-        {!asOpened(0) && <p>The engine is not the one that was opened: save it as TOML (Edit) to have it again.</p>}
+        <h2>{t('This page')}</h2>
+        <p>{t('Made by crankstar {version}.', { version })}</p>
+        {!asOpened(0) && (
+          <p>{t('The engine has been changed. Save it as TOML (Edit) to keep it.')}</p>
+        )}
         {command && asOpened(0) && (
           <p>
-            Make it again: <code>{command}</code>
+            {t('Command:')} <code>{command}</code>
           </p>
         )}
+        <details class="notices">
+          <summary>{t('Licences of the software in this page')}</summary>
+          <pre>{NOTICES}</pre>
+        </details>
       </section>
     </>
   )
 }
 
-const same = (one: unknown, other: unknown): boolean => JSON.stringify(one) === JSON.stringify(other)
+function Assumptions({ lines }: { lines: readonly string[] }) {
+  if (!lines.length) return null
+  return (
+    <>
+      <h3>{t('Assumptions')}</h3>
+      <ul class="heading">
+        {lines.map((line) => (
+          <li key={line}>{line}</li>
+        ))}
+      </ul>
+    </>
+  )
+}
 
-/** What the engine file says of its source, if it is text. */
+const same = (one: unknown, other: unknown): boolean =>
+  JSON.stringify(one) === JSON.stringify(other)
+
+/** The `source` of the engine file, if it is text. */
 function sourceOf(file: Readonly<Record<string, unknown>>): string[] {
   const { source } = file
   if (typeof source === 'string') return [source]
-  return Array.isArray(source) ? source.filter((line): line is string => typeof line === 'string') : []
+  return Array.isArray(source)
+    ? source.filter((line): line is string => typeof line === 'string')
+    : []
 }

@@ -1,19 +1,22 @@
 import { useSignal } from '@preact/signals'
 import { useEffect, useLayoutEffect, useRef } from 'preact/hooks'
+import { t } from '../../language/messages'
+import { reasonOf } from '../../reason'
 import { useApp } from '../context'
 import { useVectors, VectorChoice } from '../Vectors'
 
-/** How a textbook would derive the force or the couple of one order of this engine, with the formulas typeset. */
+/** The derivation of the force or couple of one order, typeset. */
 export function Derivation() {
   const { host } = useApp()
   const vectors = useVectors(({ derivations }, quantity) =>
-    derivations.filter((one) => one.quantity === quantity).map((one) => one.order),
+    derivations.filter((each) => each.quantity === quantity).map(({ order }) => order),
   )
   const { exhibit, quantity, order } = vectors
-  const found = exhibit.derivations.find((one) => one.quantity === quantity && one.order === order)
+  const key = exhibit.derivations.find(
+    (each) => each.quantity === quantity && each.order === order,
+  )?.key
   const html = useSignal('')
   const trouble = useSignal('')
-  const key = found?.key
   const typeset = useRef<HTMLDivElement>(null)
   const text = html.value
 
@@ -42,7 +45,7 @@ export function Derivation() {
         if (!ended) html.value = made
       },
       (error: unknown) => {
-        if (!ended) trouble.value = error instanceof Error ? error.message : String(error)
+        if (!ended) trouble.value = reasonOf(error)
       },
     )
     return () => {
@@ -52,9 +55,9 @@ export function Derivation() {
 
   return (
     <>
-      <VectorChoice label="Derivation of" vectors={vectors} />
+      <VectorChoice label={t('Derivation of')} vectors={vectors} />
       {trouble.value && <p role="alert">{trouble.value}</p>}
-      {!text && !trouble.value && <p class="soft">Deriving …</p>}
+      {!text && !trouble.value && <p class="soft">{t('Deriving …')}</p>}
       {text && <div class="typeset" ref={typeset} dangerouslySetInnerHTML={{ __html: text }} />}
     </>
   )

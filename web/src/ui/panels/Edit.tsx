@@ -1,10 +1,18 @@
 import { Editor } from '../../edit'
+import { t } from '../../language/messages'
 import { useApp } from '../context'
 
-/** Live editing, where there is a server that checks and works out what is edited. */
+/** Live editing, where a server checks the engine. */
 export function Edit() {
   const { host, engines, put } = useApp()
   const exhibit = engines.value[0]
   if (!host.service || !exhibit) return null
-  return <Editor service={host.service} tree={exhibit.file} shown={put} />
+  return (
+    <>
+      {engines.value.length > 1 && (
+        <p class="soft">{t('This form edits {engine}.', { engine: exhibit.name })}</p>
+      )}
+      <Editor service={host.service} tree={exhibit.file} shown={put} />
+    </>
+  )
 }

@@ -1,37 +1,44 @@
+import { t } from '../../language/messages'
 import { QUANTITIES } from '../../state'
 import { Choice } from '../Choice'
 import { useApp, useExhibit } from '../context'
 import { Figure } from '../Figure'
+import { quantityName } from '../names'
 import { orderText } from '../OrderChoice'
 
-/** A quantity over the crank angle, and the path that its vector runs through. */
+/** A quantity over the crank angle, and the path of its vector. */
 export function Forces() {
-  const { store, quantity: told } = useApp()
+  const { store, quantity: chosen } = useApp()
   const exhibit = useExhibit()
-  const quantity = told.value
+  const quantity = chosen.value
   const single = store.orders.value?.length === 1 ? store.orders.value[0] : undefined
-  const paths = exhibit.charts.filter((chart) => chart.figure === 'hodograph' && chart.quantity === quantity)
-  const path = paths.find((chart) => chart.order === single) ?? paths.find((chart) => chart.order == null)
-  const over = exhibit.charts.find((chart) => chart.figure === 'over-turn' && chart.quantity === quantity)
+  const paths = exhibit.charts.filter(
+    (chart) => chart.figure === 'hodograph' && chart.quantity === quantity,
+  )
+  const path =
+    paths.find((chart) => chart.order === single) ?? paths.find((chart) => chart.order == null)
+  const over = exhibit.charts.find(
+    (chart) => chart.figure === 'over-turn' && chart.quantity === quantity,
+  )
   const orders = paths.flatMap((chart) => (chart.order == null ? [] : [chart.order]))
   return (
     <>
       <div class="controls">
         <Choice
-          label="Over the crank angle"
+          label={t('Over the crank angle')}
           value={quantity}
-          choices={QUANTITIES.map((one) => ({ value: one, label: one }))}
+          choices={QUANTITIES.map((each) => ({ value: each, label: quantityName(each) }))}
           chosen={(value) => {
             store.quantity.value = value
           }}
         />
         {paths.length > 0 && (
           <Choice
-            label="Path of order"
+            label={t('Path of order')}
             value={path?.order == null ? '' : String(path.order)}
             choices={[
-              { value: '', label: 'all' },
-              ...orders.map((one) => ({ value: String(one), label: orderText(exhibit, one) })),
+              { value: '', label: t('all') },
+              ...orders.map((each) => ({ value: String(each), label: orderText(exhibit, each) })),
             ]}
             chosen={(value) => {
               store.orders.value = value === '' ? null : [Number(value)]

@@ -1,17 +1,19 @@
 import { useMemo, useRef } from 'preact/hooks'
 import type { Exhibit, Row } from '../../exhibit'
+import { t } from '../../language/messages'
 import { QUANTITIES } from '../../state'
 import { useApp, useExhibit, useFollower } from '../context'
 import { dotOf, moveDots } from '../dots'
+import { quantityName } from '../names'
 import { isChosen, OrderChoice } from '../OrderChoice'
-import { isNothing, Path } from '../Path'
+import { Path } from '../Path'
 
-/** The table of orders: what each does, the path it runs through, and where on it the engine is now. */
+/** The table of orders: size and path of each, with the present point on the path. */
 export function Orders() {
   const exhibit = useExhibit()
   const body = useRef<HTMLTableElement>(null)
   const rows = useMemo(
-    () => QUANTITIES.flatMap((one) => exhibit.table.filter((row) => row.quantity === one)),
+    () => QUANTITIES.flatMap((each) => exhibit.table.filter((row) => row.quantity === each)),
     [exhibit],
   )
   const dots = useMemo(() => rows.map((row) => dotOf(exhibit, row)), [exhibit, rows])
@@ -19,17 +21,17 @@ export function Orders() {
   return (
     <>
       <OrderChoice />
-      <section class="scroll" aria-label="Orders">
+      <section class="scroll" aria-label={t('Orders')}>
         <table class="orders" ref={body}>
           <thead>
             <tr>
-              <th scope="col">order</th>
-              <th scope="col">path</th>
+              <th scope="col">{t('order')}</th>
+              <th scope="col">{t('path')}</th>
               <th scope="col" class="right">
-                greatest
+                {t('maximum')}
               </th>
-              <th scope="col">up</th>
-              <th scope="col">right</th>
+              <th scope="col">{t('vertical')}</th>
+              <th scope="col">{t('horizontal')}</th>
             </tr>
           </thead>
           {QUANTITIES.map((quantity) => (
@@ -43,21 +45,30 @@ export function Orders() {
         </table>
       </section>
       <p class="soft small">
-        Each path is drawn to its own scale, seen from the front; the dot is at the crank angle of the stage. Amplitudes
-        are written a ∠ p for a cos(kθ + p). A click on an order shows it alone, a second click all of them.
+        {t(
+          'Each path has its own scale and is seen from the front; the dot marks the present crank angle. a ∠ p stands for a cos(kθ + p). Click an order to show it alone; click it again to show all orders.',
+        )}
       </p>
     </>
   )
 }
 
-function Group({ exhibit, quantity, rows }: { exhibit: Exhibit; quantity: Row['quantity']; rows: readonly Row[] }) {
+function Group({
+  exhibit,
+  quantity,
+  rows,
+}: {
+  exhibit: Exhibit
+  quantity: Row['quantity']
+  rows: readonly Row[]
+}) {
   if (!rows.length) return null
   const unit = quantity === 'torque' ? exhibit.units.roll : exhibit.units[quantity]
   return (
     <tbody>
       <tr class="group">
         <th colSpan={5} scope="rowgroup">
-          {quantity === 'roll' ? 'roll of the block' : quantity} <span class="unit">{unit}</span>
+          {quantityName(quantity)} <span class="unit">{unit}</span>
         </th>
       </tr>
       {rows.map((row) => (
@@ -77,9 +88,16 @@ function Line({ row }: { row: Row }) {
   }
   return (
     // a click anywhere in the row is the same as on its button
-    <tr class={`${isNothing(row) ? 'nothing' : ''} ${chosen ? 'chosen' : ''}`} onClick={choose}>
+    <tr class={`${row.remains ? '' : 'nothing'} ${chosen ? 'chosen' : ''}`} onClick={choose}>
       <th scope="row">
-        <button type="button" aria-pressed={chosen} aria-label={`Order ${row.label}, ${row.quantity}: show it alone`}>
+        <button
+          type="button"
+          aria-pressed={chosen}
+          aria-label={t('{quantity}, order {order}: show alone', {
+            quantity: quantityName(row.quantity),
+            order: row.label,
+          })}
+        >
           {row.label}
         </button>
       </th>

@@ -1,5 +1,6 @@
 import { useEffect } from 'preact/hooks'
 import type { Exhibit } from '../../exhibit'
+import { t } from '../../language/messages'
 import { Choice } from '../Choice'
 import { useApp } from '../context'
 import { DataTable } from '../DataTable'
@@ -10,22 +11,26 @@ const COMPARED = 'spectrum:fitted'
 
 /** The engine as it is, and with counterweights and balance shafts. */
 export function Remedies() {
-  const { store, cured, engines, cure } = useApp()
-  const before = engines.value[0]
-  const after = cured.value[0]
+  const { store, cured, engines, cure, subject } = useApp()
+  const before = engines.value[subject.value]
+  const after = cured.value[subject.value]
   useEffect(cure, [before, cure])
   if (!before) return null
-  if (after === undefined) return <p class="soft">Weights and shafts are being worked out …</p>
+  if (after === undefined) return <p class="soft">{t('Fitting weights and shafts …')}</p>
   if (after === null)
-    return <p>Counterweights and balance shafts would take nothing of the first two orders from this engine.</p>
+    return (
+      <p>
+        {t('Counterweights and balance shafts cannot reduce the primary or secondary unbalance.')}
+      </p>
+    )
   return (
     <>
       <Choice
-        label="On the stage, and in all panels"
+        label={t('On the stage and in all panels')}
         value={store.fitted.value ? 'after' : 'before'}
         choices={[
-          { value: 'before', label: 'as it is' },
-          { value: 'after', label: 'with weights and shafts' },
+          { value: 'before', label: t('as it is') },
+          { value: 'after', label: t('with weights and shafts') },
         ]}
         chosen={(value) => {
           store.fitted.value = value === 'after'
@@ -34,11 +39,11 @@ export function Remedies() {
       <Figure
         exhibit={before}
         chart={COMPARED}
-        label="Spectrum, as it is and with weights and shafts, on common axes"
+        label={t('Spectrum with and without weights and shafts, on common axes')}
       />
       <div class="figures pair">
-        <Side title="As it is" exhibit={before} />
-        <Side title="With weights and shafts" exhibit={after} />
+        <Side title={t('As it is')} exhibit={before} />
+        <Side title={t('With weights and shafts')} exhibit={after} />
       </div>
       {after.remedies
         .filter((table) => table.rows.length > 0)

@@ -1,4 +1,5 @@
 import type { ChartKey } from '../../exhibit'
+import { t } from '../../language/messages'
 import { Figure } from '../Figure'
 import { useVectors, VectorChoice } from '../Vectors'
 
@@ -17,7 +18,7 @@ export function Stars() {
     (DRAWN.includes(chart.figure) && chart.quantity === quantity && chart.order === order)
   return (
     <>
-      <VectorChoice label="Vectors of" vectors={vectors} />
+      <VectorChoice label={t('Vectors of')} vectors={vectors} />
       <div class="figures">
         {exhibit.charts.filter(isShown).map((chart) => (
           <Figure key={chart.key} exhibit={exhibit} chart={chart.key} label={chart.label} />

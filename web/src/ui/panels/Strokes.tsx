@@ -1,15 +1,16 @@
+import { t } from '../../language/messages'
 import { useExhibit } from '../context'
 import { DataTable } from '../DataTable'
 import { Figure } from '../Figure'
 
 const DRAWN = ['stroke-chart', 'firing-ring']
 
-/** When each cylinder fires, what its valves do, and how the exhausts meet. */
+/** Firing, valve events and exhaust neighbours of each cylinder. */
 export function Strokes() {
   const exhibit = useExhibit()
   const charts = exhibit.charts.filter((chart) => DRAWN.includes(chart.figure))
   if (!charts.length && !exhibit.strokes.length)
-    return <p>The engine file gives no firing order: nothing is known of the strokes.</p>
+    return <p>{t('The engine file gives no firing order, so the strokes are unknown.')}</p>
   return (
     <>
       <div class="figures">
@@ -20,7 +21,10 @@ export function Strokes() {
       {exhibit.strokes
         .filter((table) => table.rows.length > 0 || (table.notes?.length ?? 0) > 0)
         .map((table) => (
-          <DataTable key={table.title} table={table.title === exhibit.name ? { ...table, title: '' } : table} />
+          <DataTable
+            key={table.title}
+            table={table.title === exhibit.name ? { ...table, title: '' } : table}
+          />
         ))}
     </>
   )

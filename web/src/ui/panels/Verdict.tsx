@@ -1,18 +1,13 @@
 import { useExhibit } from '../context'
+import { Heading } from '../Heading'
 
-/** The facts that the numbers show, as sentences, by what they are about. */
+/** The sentences of the verdict, by subject. */
 export function Verdict() {
   const exhibit = useExhibit()
   const subjects = [...new Set(exhibit.verdict.map((fact) => fact.about))]
   return (
     <>
-      <ul class="heading">
-        {exhibit.heading.map((line) => (
-          <li key={line} class={line.startsWith('unverified') ? 'doubt' : ''}>
-            {line}
-          </li>
-        ))}
-      </ul>
+      <Heading exhibit={exhibit} />
       <dl class="facts">
         {subjects.map((about) => (
           <div key={about}>

@@ -1,4 +1,5 @@
 import type { Exhibit } from '../../exhibit'
+import { t } from '../../language/messages'
 import { useApp, useExhibit } from '../context'
 import { DataTable } from '../DataTable'
 import { lengthText, quantityText } from '../lengths'
@@ -8,7 +9,7 @@ import { endsOf, rollOf, suggestedMagnification, toggledWhirl } from '../whirl'
 /** The slider runs from 1 to a million, in powers of ten. */
 const DECADES = 6
 
-/** How the engine moves if nothing holds it, magnified. */
+/** The motion of the free engine, magnified. */
 export function WhirlPanel() {
   const app = useApp()
   const { store } = app
@@ -19,26 +20,31 @@ export function WhirlPanel() {
   return (
     <>
       <p>
-        An engine that hangs freely answers its own forces: its block moves against its pistons. How far does not depend
-        on the speed.
+        {t(
+          'The engine block, free in space, moves against its own inertia forces. The displacement does not depend on the speed.',
+        )}
       </p>
       {most === 0 ? (
-        <p>This engine stays where it is: no force, no couple and no roll is left.</p>
+        <p>{t('The block stays at rest: no force, couple or roll remains.')}</p>
       ) : (
         <div class="controls">
           <label class="switch">
-            <input type="checkbox" checked={store.whirl.value > 0} onChange={() => toggledWhirl(app)} />
-            <span>Show it on the stage</span>
+            <input
+              type="checkbox"
+              checked={store.whirl.value > 0}
+              onChange={() => toggledWhirl(app)}
+            />
+            <span>{t('Show the whirl on the stage')}</span>
           </label>
           <label class="wide">
-            <span>Magnified</span>
+            <span>{t('Magnification')}</span>
             <input
               type="range"
               min="0"
               max={DECADES}
               step="0.02"
               value={Math.log10(Math.max(1, store.whirl.value || most))}
-              aria-valuetext={`${magnified(store.whirl.value || most)} times`}
+              aria-valuetext={`× ${magnified(store.whirl.value || most)}`}
               onInput={(event) => {
                 store.whirl.value = Number((10 ** event.currentTarget.valueAsNumber).toPrecision(2))
               }}
@@ -51,18 +57,25 @@ export function WhirlPanel() {
       <DataTable table={paths(exhibit, orders)} />
       <DataTable
         table={{
-          title: 'Block',
-          heads: ['', 'up', 'right', 'z'],
+          title: t('Block'),
+          heads: ['', t('vertical'), t('horizontal'), 'z'],
+          numeric: [false, true, true, true],
           rows: [
-            ['centre of mass', ...whirl.centre.map((place) => lengthText(place, scene.length_unit))],
-            ['inertia about the axis', ...whirl.inertia.map((inertia) => quantityText(inertia, inertiaUnit(exhibit)))],
+            [
+              t('centre of mass'),
+              ...whirl.centre.map((place) => lengthText(place, scene.length_unit)),
+            ],
+            [
+              t('moment of inertia about the axis'),
+              ...whirl.inertia.map((inertia) => quantityText(inertia, inertiaUnit(exhibit))),
+            ],
           ],
-          notes: [`Mass ${quantityText(whirl.mass, massUnit(exhibit))}.`],
+          notes: [t('Mass: {mass}', { mass: quantityText(whirl.mass, massUnit(exhibit)) })],
         }}
       />
       {whirl.assumed.map((sentence) => (
         <p key={sentence} class="estimate">
-          <strong>Estimate.</strong> {sentence}
+          <strong>{t('Estimate:')}</strong> {sentence}
         </p>
       ))}
     </>
@@ -73,7 +86,7 @@ function magnified(factor: number): string {
   return factor.toLocaleString('en', { maximumSignificantDigits: 2 })
 }
 
-/** An angle to either side, in degrees; what is rounding is nothing. */
+/** An angle in degrees; rounding errors are 0. */
 function degreesText(angle: number): string {
   return angle < 1e-12 ? '0' : quantityText((angle * 180) / Math.PI, '°').replace(' °', '°')
 }
@@ -89,12 +102,13 @@ function inertiaUnit(exhibit: Exhibit): string {
 function paths(exhibit: Exhibit, orders: readonly number[] | null) {
   const { length_unit } = exhibit.scene
   return {
-    title: 'Paths of the crank axis',
-    heads: ['end', 'farthest from rest'],
+    title: t('Displacement of the crank axis'),
+    heads: [t('end'), t('maximum')],
+    numeric: [false, true],
     rows: [
       ...endsOf(exhibit, orders).map((end) => [end.name, lengthText(end.greatest, length_unit)]),
-      ['roll of the block', degreesText(rollOf(exhibit, orders))],
+      [t('roll angle'), degreesText(rollOf(exhibit, orders))],
     ],
-    notes: ['In true size; the inset on the stage says how much it magnifies them.'],
+    notes: [t('True size, not magnified.')],
   }
 }

@@ -1,0 +1,137 @@
+"""Message catalogs: every sentence of the Python and TypeScript sources, and its translations.
+
+`python messages.py` extracts the sentences into the templates and brings each translation up to
+date with them; `python messages.py compile` writes what the program reads. The build hook compiles.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from io import BytesIO
+from pathlib import Path
+from typing import NamedTuple
+
+from babel.core import Locale
+from babel.messages.catalog import Catalog
+from babel.messages.extract import extract_from_dir
+from babel.messages.mofile import write_mo
+from babel.messages.pofile import read_po, write_po
+
+ROOT = Path(__file__).resolve().parent
+
+
+class Domain(NamedTuple):
+    """Sources in one language, and the catalogs of their sentences."""
+
+    sources: Path
+    extractors: tuple[tuple[str, str], ...]
+    """Extractor of Babel by file pattern."""
+    keywords: dict[str, tuple[int, ...] | None]
+    """Functions that take sentences, and which of their arguments are."""
+    template: Path
+    catalogs: str
+    """Pattern of the translations beside the template; `*` is the language."""
+
+    more: Callable[[], list[str]] = list
+    """Sentences that are not in calls."""
+
+    def extracted(self) -> list[str | tuple[str, ...]]:
+        """The sentence of every call that takes one, and the others."""
+        calls = extract_from_dir(self.sources, list(self.extractors), keywords=self.keywords)
+        return [*(sentence for _, _, sentence, _, _ in calls), *self.more()]
+
+    def collected(self) -> Catalog:
+        """The template as it should be."""
+        template = Catalog(charset="utf-8")
+        for sentence in self.extracted():
+            template.add(sentence)
+        return template
+
+    def translations(self) -> dict[str, Path]:
+        """The catalog of each language, one file for translators to edit."""
+        before, _, after = self.catalogs.partition("*")
+        paths = sorted(self.template.parent.glob(self.catalogs))
+        places = [path.relative_to(self.template.parent).as_posix() for path in paths]
+        names = [place.removeprefix(before).removesuffix(after) for place in places]
+        return dict(zip(names, paths, strict=True))
+
+
+def help_sentences() -> list[str]:
+    """The help of the command line, which cyclopts makes from docstrings and parameters."""
+    from crankstar.cli import app
+    from crankstar.cli.help import sentences
+
+    return sentences(app)
+
+
+PYTHON = Domain(
+    sources=ROOT / "src",
+    extractors=(("**.py", "python"),),
+    keywords={"_": None, "N_": None, "_n": (1, 2), "Plural": (1, 2)},
+    template=ROOT / "src/crankstar/language/catalogs/crankstar.pot",
+    catalogs="*/LC_MESSAGES/crankstar.po",
+    more=help_sentences,
+)
+PAGE = Domain(
+    sources=ROOT / "web/src",
+    extractors=(("**.ts", "javascript"), ("**.tsx", "javascript")),
+    keywords={"t": None, "message": None, "plural": (1, 2)},
+    template=ROOT / "web/src/language/crankstar-page.pot",
+    catalogs="*.po",
+)
+DOMAINS = (PYTHON, PAGE)
+
+
+def read(path: Path, language: str | None = None) -> Catalog:
+    """A catalog from its file; a template has no language."""
+    with path.open("rb") as file:
+        return read_po(file, locale=language)
+
+
+def text(catalog: Catalog) -> str:
+    """A catalog as its file has it: sorted, without dates and places, which differ every time."""
+    header = ["Content-Type: text/plain; charset=utf-8"]
+    if catalog.locale is not None:
+        header += [f"Language: {catalog.locale}", f"Plural-Forms: {catalog.plural_forms}"]
+    body = BytesIO()
+    write_po(
+        body,
+        catalog,
+        width=100,
+        no_location=True,
+        omit_header=True,
+        sort_output=True,
+        ignore_obsolete=True,
+    )
+    lines = "".join(f'"{line}\\n"\n' for line in header)
+    return f'msgid ""\nmsgstr ""\n{lines}\n{body.getvalue().decode().rstrip()}\n'
+
+
+def updated(path: Path, language: str, template: Catalog) -> Catalog:
+    """A translation with the sentences of the template: new ones empty, unused ones left out."""
+    catalog = read(path, language)
+    catalog.update(template, no_fuzzy_matching=True)
+    catalog.locale = Locale.parse(language)
+    return catalog
+
+
+def compile_all() -> None:
+    """Write the compiled form of the Python translations beside them; the page reads its own."""
+    for language, path in PYTHON.translations().items():
+        with path.with_suffix(".mo").open("wb") as file:
+            write_mo(file, read(path, language))
+
+
+def main() -> None:
+    """Extract and update, then compile; `compile` alone leaves template and translations alone."""
+    for domain in () if sys.argv[1:] == ["compile"] else DOMAINS:
+        template = domain.collected()
+        domain.template.write_text(text(template), encoding="utf-8")
+        for language, path in domain.translations().items():
+            path.write_text(text(updated(path, language, template)), encoding="utf-8")
+    compile_all()
+
+
+if __name__ == "__main__":
+    main()

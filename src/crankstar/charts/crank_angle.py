@@ -1,0 +1,35 @@
+"""The crank angle in figures: its axis, the rule at the parameter theta, functions of theta."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from crankstar.charts.grammar import Channel, Layer, field, of_rows
+from crankstar.language.messages import _
+from crankstar.spectra import Complex, Real
+
+
+def across(turns: int, *, ticks: int, foot: bool, **axis: Any) -> Channel:
+    """The crank angle over some turns to the right; numbers and title only at the `foot`."""
+    return field(
+        "x:Q",
+        scale={"domain": [0, 360 * turns], "nice": False},
+        axis={"values": list(range(0, 360 * turns + 1, ticks)), "labels": foot, **axis},
+        title=_("crank angle θ (degrees)") if foot else None,
+    )
+
+
+def at_theta(turns: int, **formulas: str) -> Layer:
+    """One row with `x` at the parameter theta within these turns, and fields from formulas."""
+    cycle = f"theta - {360 * turns} * floor(theta / {360 * turns + 1e-6})"
+    return of_rows([{}]).calculate(x=cycle, **formulas)
+
+
+def waves(orders: Real, amplitudes: Complex) -> str:
+    """The sum of Re(c exp(i k theta)) over the orders k as an expression of the parameter theta."""
+    terms = [
+        f"({c.real:.12g}) * cos({order:.12g} * theta * PI / 180)"
+        f" - ({c.imag:.12g}) * sin({order:.12g} * theta * PI / 180)"
+        for order, c in zip(orders.tolist(), amplitudes.tolist(), strict=True)
+    ]
+    return " + ".join(terms) or "0"

@@ -1,0 +1,76 @@
+"""The key of a front: number, firing order and values of its points as a table."""
+
+from __future__ import annotations
+
+from itertools import accumulate
+from typing import TYPE_CHECKING, Any
+
+from crankstar.charts.drawing import GREY, SMALL, Panel, layered
+from crankstar.charts.front_numbers import MOST_LISTED
+from crankstar.charts.grammar import field, of_rows
+from crankstar.charts.search_values import columns, digits_width, order_lines
+from crankstar.language.messages import _
+from crankstar.language.numbers import number
+
+if TYPE_CHECKING:
+    from crankstar.search.answer import Answer
+
+KEY = 520
+"""Greatest width of the key, px; longer firing orders are folded."""
+LEFT = 24.0
+"""Px from the left edge of the key to the axis."""
+LINE = 17.0
+"""Height of a line of the key, px."""
+
+
+def front_key(answer: Answer) -> Panel:
+    """Number, firing order, values, and neighbours that fire in succession."""
+    heads = columns(answer)
+    beside = [] if any(head.counted for head in heads) else [_("neighbours")]
+    names = [*(head.name for head in heads), *beside]
+    listed = answer.rows[:MOST_LISTED]
+    cells = [
+        [
+            *(number(value, digits=4) for value in row.values),
+            *(str(row.neighbours) for _name in beside),
+        ]
+        for row in listed
+    ]
+    widths = [
+        max(digits_width(text) for text in column) + 16
+        for column in zip(names, *cells, strict=True)
+    ]
+    room = max(KEY - sum(widths), 120.0)
+    orders = [order_lines(answer.question.stars, row, width=room) for row in listed]
+    ends = list(
+        accumulate(widths, initial=max(digits_width(line) for order in orders for line in order))
+    )
+    texts = [
+        _text(_("firing order"), 0, 0),
+        *(_text(name, end, 0, "right") for name, end in zip(names, ends[1:], strict=True)),
+    ]
+    line = 1.3
+    for place, (order, row) in enumerate(zip(orders, cells, strict=True), 1):
+        texts += [_text(str(place), -10, line, "right")]
+        texts += [_text(text, end, line, "right") for text, end in zip(row, ends[1:], strict=True)]
+        texts += [_text(part, 0, line + further) for further, part in enumerate(order)]
+        line += len(order)
+    if len(answer.rows) > MOST_LISTED:
+        more = len(answer.rows) - MOST_LISTED
+        texts.append(_text(_("and {count} more", count=more), 0, line))
+        line += 1
+    x = field("x:Q", scale={"domain": [0, ends[-1] - LEFT], "nice": False}, axis=None)
+    y = field("y:Q", scale={"domain": [line, 0], "nice": False}, axis=None)
+    layers = []
+    for side in ("left", "right"):
+        own = [text for text in texts if text["side"] == side]
+        layers.append(
+            of_rows(own)
+            .mark("text", fontSize=SMALL, color=GREY, align=side)
+            .encode(x=x, y=y, text=field("text:N"))
+        )
+    return layered(layers, width=ends[-1] - LEFT, height=line * LINE)
+
+
+def _text(text: str, x: float, line: float, side: str = "left") -> dict[str, Any]:
+    return {"text": text, "x": x - LEFT, "y": line + 0.5, "side": side}

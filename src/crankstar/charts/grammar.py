@@ -1,0 +1,77 @@
+"""Vega-Lite as plain data: layers of rows with a mark and its channels, and the chart they make.
+
+https://vega.github.io/vega-lite/docs/spec.html says what it all means; nothing is checked here.
+Altair writes the same data in the same words, but takes half a second to load: it is asked only
+where a notebook shows a chart, or to write a page.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+SCHEMA = "https://vega.github.io/schema/vega-lite/v6.json"
+KINDS = {"Q": "quantitative", "N": "nominal", "O": "ordinal"}
+Channel = dict[str, Any]
+
+
+def field(name: str, **options: Any) -> Channel:
+    """A channel for a field of the rows, its kind after a colon; the end of a span has none.
+
+    >>> field("length:Q", title=None), field("end")
+    ({'field': 'length', 'type': 'quantitative', 'title': None}, {'field': 'end'})
+    """
+    name, _, kind = name.partition(":")
+    return {"field": name, **({"type": KINDS[kind]} if kind else {}), **options}
+
+
+def constant(value: Any) -> Channel:
+    """A channel that is the same for all rows: a colour, a text, px."""
+    return {"value": value}
+
+
+@dataclass(frozen=True)
+class Layer:
+    """Rows of data drawn with one mark; each method gives a layer with one more part."""
+
+    spec: Mapping[str, Any]
+
+    def calculate(self, **formulas: str) -> Layer:
+        """With fields worked out from others, one after the other, in Vega's expressions."""
+        made = [{"calculate": formula, "as": name} for name, formula in formulas.items()]
+        return Layer({**self.spec, "transform": [*self.spec.get("transform", ()), *made]})
+
+    def mark(self, kind: str, **style: Any) -> Layer:
+        """With a mark: bar, line, point, rect, rule or text."""
+        return Layer({**self.spec, "mark": {"type": kind, **style}})
+
+    def encode(self, **channels: Channel | Sequence[Channel]) -> Layer:
+        """With what is shown of each row: where, in which colour, how large."""
+        return Layer({**self.spec, "encoding": channels})
+
+
+def of_rows(rows: Sequence[Mapping[str, Any]]) -> Layer:
+    """A layer of rows of data, without a mark."""
+    return Layer({"data": {"values": list(rows)}})
+
+
+@dataclass(frozen=True)
+class Chart:
+    """A figure as Vega-Lite; a notebook shows it with the help of Altair."""
+
+    spec: Mapping[str, Any]
+
+    def to_dict(self) -> dict[str, Any]:
+        """The figure as a tree that can be written as JSON."""
+        return {"$schema": SCHEMA, **self.spec}
+
+    def to_altair(self) -> Any:
+        """The same figure as an Altair chart, to be changed, saved or put beside others."""
+        import altair
+
+        return altair.Chart.from_dict(self.to_dict())
+
+    def _repr_mimebundle_(self, *_: Any, **__: Any) -> Any:
+        """The figure in a notebook."""
+        return self.to_altair()._repr_mimebundle_()

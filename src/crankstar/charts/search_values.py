@@ -1,0 +1,92 @@
+"""The values and firing orders of found stars as text: objectives, units, engine."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import TYPE_CHECKING, NamedTuple
+
+from crankstar.charts.drawing import LETTER, SMALL, numbers_text, text_width
+from crankstar.charts.labels import WIDER
+from crankstar.language.messages import _, _n
+from crankstar.language.numbers import unit_text
+from crankstar.search.engines import firing_order
+from crankstar.search.stars import Stars
+
+if TYPE_CHECKING:
+    from crankstar.search.answer import Answer, AnswerRow
+
+DASH = 0.33
+"""Width of a dash or a point in the size of the letters."""
+
+
+class Column(NamedTuple):
+    """A value of a found star: its name, its unit, whether it is a count."""
+
+    name: str
+    unit: str
+    counted: bool
+
+    @property
+    def title(self) -> str:
+        """The name with its unit, for an axis."""
+        return f"{self.name} ({unit_text(self.unit)})" if self.unit else self.name
+
+
+def columns(answer: Answer) -> tuple[Column, ...]:
+    """The values of found stars: the objectives, then those of Python functions."""
+    question = answer.question
+    named = [
+        Column(one.name, one.unit, counted=bool(one.neighbours) and not one.terms)
+        for one in question.objectives
+    ]
+    return (
+        *named,
+        *(Column(judge.name, judge.unit, counted=False) for judge in question.functions),
+    )
+
+
+def engine_text(stars: Stars) -> str:
+    """The engine of the stars in a line."""
+    pitches = {a - b for a, b in pairwise(stars.positions)}
+    count = stars.cylinders
+    parts = [_n("{count} cylinder", "{count} cylinders", count, count=count), _(stars.cycle)]
+    if stars.symmetric:
+        parts.append(_("symmetric crank"))
+    if len(pitches) > 1:
+        parts.append(_("unequal pitches"))
+    if stars.fixed:
+        fixed = numbers_text([cylinder for cylinder, _angle in stars.fixed])
+        parts.append(_("throws of {cylinders} fixed", cylinders=fixed))
+    return ", ".join(parts)
+
+
+def units_text(heads: Sequence[Column]) -> str:
+    """The units of the values: `M1, M2 in m r ω² a`."""
+    units = list(dict.fromkeys(head.unit for head in heads if head.unit))
+    return "; ".join(
+        _(
+            "{values} in {unit}",
+            values=", ".join(head.name for head in heads if head.unit == unit),
+            unit=unit_text(unit),
+        )
+        for unit in units
+    )
+
+
+def order_lines(stars: Stars, row: AnswerRow, *, width: float) -> list[str]:
+    """The firing order of a star in lines of this width, px; all but the last end in a dash."""
+    lines = [""]
+    for place, one in enumerate(firing_order(stars, row.star), 1):
+        piece = f"{one}-" if place < stars.cylinders else str(one)
+        if lines[-1] and digits_width(lines[-1] + piece) > width:
+            lines.append("")
+        lines[-1] += piece
+    return lines
+
+
+def digits_width(text: str) -> float:
+    """About how wide digits and dashes are, px."""
+    return WIDER * (
+        text_width(text, SMALL) - (LETTER - DASH) * SMALL * (text.count("-") + text.count("."))
+    )

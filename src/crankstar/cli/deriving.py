@@ -1,0 +1,140 @@
+"""Verbs that derive: derive, errata."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Annotated
+
+from cyclopts import Parameter
+
+from crankstar.cli.application import app
+from crankstar.cli.options import (
+    ORDER_NAMES,
+    EngineName,
+    Output,
+    ReferencePoint,
+    Settings,
+    Speed,
+    flag,
+    loaded_engine,
+    text,
+)
+from crankstar.cli.output import display, working, write
+from crankstar.language.messages import _
+from crankstar.language.quoting import one_line
+from crankstar.options import values as request
+from crankstar.options.values import RequestError
+
+
+@app.command
+def derive(
+    engine: EngineName,
+    /,
+    *,
+    order: Annotated[
+        str | None,
+        text("Crank orders, such as 2 or 1,2,4; all is 1,2,4,6 (default: 1,2).", *ORDER_NAMES),
+    ] = None,
+    quantity: Annotated[str | None, Parameter(help="force or couple (default: both).")] = None,
+    form: Annotated[
+        str, Parameter(name="--format", help="text, latex, markdown or html.")
+    ] = "text",
+    notation: Annotated[
+        str | None,
+        Parameter(
+            help="Symbols: crankstar (r, l, λ = r/l), stroke (S, L = l/S) or sinitsyn (P_R, C_I, "
+            "C_II, l0)."
+        ),
+    ] = None,
+    power: Annotated[
+        int | None,
+        Parameter(help="Highest power of λ in the series of each harmonic (default: 7)."),
+    ] = None,
+    symbolic: Annotated[
+        str | None,
+        Parameter(
+            help="Keep a dimension as a symbol: alpha (half the bank angle), phi (crank phase of a "
+            "twin) or n (cylinders in a row)."
+        ),
+    ] = None,
+    signs: Annotated[
+        bool, flag("Derive the six signs of balance instead: P_R, M_R, P_I, M_I, P_II, M_II.")
+    ] = False,
+    speed: Speed = None,
+    reference: ReferencePoint = None,
+    settings: Settings = None,
+    output: Output = None,
+) -> None:
+    """Derive the exact closed form of each order, step by step, from one cylinder to the sum."""
+    from crankstar import derive as exact
+    from crankstar.derive import documents, notations
+
+    loaded = loaded_engine(engine, settings)
+    turning = request.speed(speed)
+    point = request.reference(reference, loaded)
+    forms = ["text", *documents.FORMATS]
+    if form not in forms:
+        raise RequestError(
+            _("--format {form}: choose from {forms}", form=one_line(form), forms=", ".join(forms))
+        )
+    if power is not None and not 1 <= power <= 24:
+        raise RequestError(_("--power {power}: give a power of λ from 1 to 24", power=power))
+    given = {
+        "--order": order,
+        "--quantity": quantity,
+        "--power": power,
+        "--speed": speed,
+        "--reference": reference,
+    }
+    if signs:
+        request.alone("--signs", {**given, "--reference": None, "--symbolic": symbolic})
+    elif symbolic is not None:
+        request.alone("--symbolic", {**given, "--order": None, "--quantity": None})
+    wanted: list[tuple[Fraction, request.Derived]] = [
+        (one, kind)
+        for one in request.derived_orders("1,2" if order is None else order)
+        for kind in request.quantities(quantity)
+    ]
+    try:
+        letters = notations.chosen(
+            ("sinitsyn" if signs else "crankstar") if notation is None else notation
+        )
+        with working("deriving ...") as tell:
+            chapters = [exact.signs_chapter(loaded, reference=point)] if signs else []
+            for one, kind in [] if signs else wanted:
+                tell(f"deriving the {kind} of order {one} ...")
+                if symbolic is not None:
+                    chapters.append(exact.family(loaded, one, kind, symbol=symbolic))
+                else:
+                    chapters.append(
+                        exact.derivation(
+                            loaded, one, kind, reference=point, speed=turning, power=power or 7
+                        ).chapter
+                    )
+    except exact.DerivationError as error:
+        raise RequestError(str(error)) from None
+    if form == "text":
+        display(documents.rendered(chapters, letters), output)
+    else:
+        write(documents.FORMATS[form](chapters, letters), output)
+
+
+@app.command
+def errata(
+    *,
+    source: Annotated[
+        str | None,
+        Parameter(help="Only this source, by its key in the references, such as yamamoto2012."),
+    ] = None,
+    output: Output = None,
+) -> None:
+    """List errors in published sources: each printed formula beside the correct one."""
+    from crankstar.derive.errata import ErrataError
+    from crankstar.derive.errata import errata as errata_of
+    from crankstar.tables.errata import errata_document
+
+    try:
+        wanted = errata_of(source)
+    except ErrataError as error:
+        raise RequestError(f"--source {one_line(source or '')}: {error}") from None
+    display(errata_document(wanted), output)

@@ -1,0 +1,91 @@
+"""Verbs about engine files: check, new, schema."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from cyclopts import Parameter
+
+from crankstar.cli.application import app
+from crankstar.cli.options import Output, flag
+from crankstar.cli.output import complain, display, is_file, write
+from crankstar.engine.engine import Engine
+from crankstar.files import STANDARD_INPUT, EngineFileError
+from crankstar.files.catalog import load
+from crankstar.language.messages import _, _n
+from crankstar.language.quoting import one_line, seen
+from crankstar.options.values import RequestError
+
+
+@app.command
+def check(
+    *files: Annotated[str, Parameter(help="Engine files, or names from the catalog.")],
+) -> int:
+    """Check engine files and list every mistake in them."""
+    from rich.text import Text
+
+    if not files:
+        raise RequestError(_("check: name at least one engine file"))
+    failed = 0
+    for name in files:
+        try:
+            loaded = load(name)
+        except EngineFileError as error:
+            failed += 1
+            complain(str(error))
+        else:
+            display(Text(_good(name, loaded)))
+    return 2 if failed else 0
+
+
+def _good(name: str, engine: Engine) -> str:
+    """The line on a file without a mistake: the engine, its pistons, its firing intervals."""
+    from crankstar.firing.intervals import firing
+    from crankstar.tables.headings import firing_text
+
+    count = len(engine.cylinders)
+    engine_text = _n(
+        "{name}, {count} piston", "{name}, {count} pistons", count, name=engine.name, count=count
+    )
+    if engine.firing_order:
+        fires = firing_text(firing(engine))
+        engine_text = _("{engine}; fires {firing}", engine=engine_text, firing=fires)
+    file = _("standard input") if name == STANDARD_INPUT else one_line(name)
+    return _("{file}: good ({engine})", file=file, engine=engine_text)
+
+
+@app.command
+def new(
+    layout: Annotated[
+        str, Parameter(help="inline, vee, boxer, tandem, opposed, radial or explicit.")
+    ],
+    /,
+    *,
+    output: Output = None,
+    overwrite: Annotated[bool, flag("Replace an existing file.")] = False,
+) -> None:
+    """Write a commented engine file to start from."""
+    from crankstar.files.starters import STARTERS
+
+    if layout not in STARTERS:
+        raise RequestError(
+            _(
+                "there is no layout {layout}; the layouts are {layouts}",
+                layout=seen(layout),
+                layouts=", ".join(STARTERS),
+            )
+        )
+    if output is not None and not overwrite and is_file(output):
+        raise RequestError(
+            _("{file} already exists; --overwrite replaces it", file=one_line(output))
+        )
+    write(STARTERS[layout], output)
+
+
+@app.command
+def schema(*, output: Output = None) -> None:
+    """Print the JSON Schema of engine files, for completion and checks in an editor."""
+    from crankstar.files import schema as file_schema
+    from crankstar.tables.machine import json_text
+
+    write(json_text(file_schema()), output)

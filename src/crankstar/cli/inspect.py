@@ -1,0 +1,173 @@
+"""Verbs that print what is known of engines: list, show, analyze, compare, verdict, strokes."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from cyclopts import Parameter
+
+from crankstar.cli.application import app
+from crankstar.cli.options import (
+    Csv,
+    EngineName,
+    Json,
+    Orders,
+    Output,
+    ReferencePoint,
+    Settings,
+    Speed,
+    Theta,
+    flag,
+    loaded_engine,
+)
+from crankstar.cli.output import display, write
+from crankstar.cli.tabulating import form_of, give
+from crankstar.language.messages import _
+from crankstar.language.quoting import one_line
+from crankstar.options import values as request
+from crankstar.options.values import RequestError
+
+
+@app.command(name="list")
+def list_engines(
+    *,
+    cylinders: Annotated[
+        int | None, Parameter(help="Only engines with this number of cylinders.")
+    ] = None,
+    layout: Annotated[
+        str | None,
+        Parameter(
+            help="Only engines of this layout: inline, vee, boxer, tandem, opposed, radial, "
+            "explicit."
+        ),
+    ] = None,
+) -> None:
+    """List the engines of the catalog."""
+    from crankstar.files.catalog import summaries
+    from crankstar.tables.engines import catalog
+
+    rows = summaries()
+    kinds = sorted({row.layout for row in rows})
+    if layout is not None and layout not in kinds:
+        raise RequestError(
+            _(
+                "--layout {layout}: the layouts of the catalog are {layouts}",
+                layout=one_line(layout),
+                layouts=", ".join(kinds),
+            )
+        )
+    matching = [
+        row for row in rows if cylinders in (None, row.cylinders) and layout in (None, row.layout)
+    ]
+    if not matching:
+        raise RequestError(_("the catalog has no such engine; `crankstar list` shows all"))
+    display(catalog(matching))
+
+
+@app.command
+def show(
+    engine: EngineName,
+    /,
+    *,
+    explicit: Annotated[bool, flag("Print a complete engine file in the explicit form.")] = False,
+    settings: Settings = None,
+    output: Output = None,
+) -> None:
+    """Show an engine: throws, cylinders, dead centres, firing order and source of each value."""
+    from crankstar.files import toml
+    from crankstar.tables.engines import description
+
+    loaded = loaded_engine(engine, settings)
+    if explicit:
+        write(toml(loaded), output)
+    else:
+        give(description(loaded), output, form=form_of(output))
+
+
+@app.command
+def analyze(
+    engine: EngineName,
+    /,
+    *,
+    speed: Speed = None,
+    orders: Orders = None,
+    reference: ReferencePoint = None,
+    settings: Settings = None,
+    theta: Theta = None,
+    by: Annotated[
+        str | None,
+        Parameter(help="Also the share of each cylinder, bank, shaft or kind (of part)."),
+    ] = None,
+    json: Json = False,
+    csv: Csv = False,
+    output: Output = None,
+) -> None:
+    """Compute inertia forces, couples, roll and torque of an engine, order by order."""
+    from crankstar.mechanics.balance import balance
+    from crankstar.tables import analysis as tables
+    from crankstar.tables.balance_orders import answer
+
+    form = form_of(output, json=json, csv=csv)
+    if form != "txt" and (theta or by):
+        raise RequestError(_("--theta and --by have no effect with --json or --csv"))
+    loaded = loaded_engine(engine, settings)
+    turning = request.speed(speed)
+    point = request.reference(reference, loaded)
+    if form != "txt":
+        result = balance(
+            loaded, speed=loaded.speed if turning is None else turning, reference=point
+        )
+        wanted = request.orders(orders, result.force.orders.tolist())
+        found = answer(loaded, result, orders=wanted)
+        give(found, output, form=form, beside=("engine", "speed_rpm"))
+        return
+    shown = tables.analysis(loaded, speed=turning, reference=point)
+    shown = shown.of(request.orders(orders, shown.normalised.force.orders.tolist()) or ())
+    angles, grouping = request.angles(theta), request.grouping(by)
+    display(tables.document(shown, angles=angles, by=grouping), output)
+
+
+@app.command
+def compare(
+    first: EngineName,
+    second: EngineName,
+    /,
+    *others: EngineName,
+    speed: Speed = None,
+    orders: Orders = None,
+    output: Output = None,
+) -> None:
+    """Compare engines side by side: peak force, couple, roll and torque of each order."""
+    from crankstar.tables.analysis import analysis
+    from crankstar.tables.comparison import comparison
+
+    at = request.speed(speed)
+    shown = [analysis(loaded_engine(name, None), speed=at) for name in (first, second, *others)]
+    wanted = request.orders(orders, shown[0].normalised.force.orders.tolist()) or ()
+    document = comparison([one.of(wanted) for one in shown])
+    give(document, output, form=form_of(output))
+
+
+@app.command
+def verdict(engine: EngineName, /, *, settings: Settings = None, output: Output = None) -> None:
+    """State in short sentences which orders balance, which remain, and what would cure them."""
+    from crankstar.tables import verdict as tables
+
+    loaded = loaded_engine(engine, settings)
+    display(tables.verdict_document(loaded, tables.verdict(loaded)), output)
+
+
+@app.command
+def strokes(
+    engine: EngineName, /, *, settings: Settings = None, json: Json = False, output: Output = None
+) -> None:
+    """Print strokes, valve events and exhaust intervals of each cylinder; find exhaust overlaps."""
+    from crankstar.language.faults import EngineError
+    from crankstar.tables.strokes import strokes as document
+
+    form = form_of(output, json=json)
+    loaded = loaded_engine(engine, settings)
+    try:
+        give(document(loaded), output, form=form)
+    except EngineError as error:
+        raise RequestError(f"{one_line(engine)}: {error}") from None

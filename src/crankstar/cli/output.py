@@ -1,0 +1,229 @@
+"""Output: a terminal in its width and colours, a pipe, or a file written whole or not at all."""
+
+from __future__ import annotations
+
+import os
+import stat
+import sys
+import tempfile
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager, suppress
+from io import StringIO
+from pathlib import Path
+from typing import Any, NoReturn
+
+from crankstar.language.quoting import one_line
+
+PIPED = 140
+"""Columns where there is no terminal."""
+
+
+STANDARD_OUTPUT = (None, "-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1")
+"""Standard output is written to in place: another program may write to the same file."""
+
+
+class OutputError(ValueError):
+    """A place that cannot be written to, as one sentence that says what would be right."""
+
+
+def terminal_width() -> int:
+    """Columns of the terminal, or of what it is piped into."""
+    from rich.console import Console
+
+    console = Console()
+    return console.width if console.is_terminal else PIPED
+
+
+def display(shown: Any, place: str | None = None) -> None:
+    """Print a Document, or what rich can print, in the width of the terminal; plain into a file."""
+    from rich.console import Console
+
+    from crankstar.tables.table import Document
+    from crankstar.tables.terminal import rendered
+
+    plain = {} if place is None else {"file": StringIO(), "force_terminal": False}
+    width = terminal_width() if place is None else PIPED
+    console = Console(highlight=False, markup=False, width=width, **plain)
+    drawn = rendered(shown, width=width) if isinstance(shown, Document) else shown
+    if place is None:
+        _opened()
+    if console.is_terminal:
+        console.print(drawn, crop=False)
+        return
+    with console.capture() as captured:
+        console.print(drawn, crop=False)
+    write("".join(f"{line.rstrip()}\n" for line in captured.get().splitlines()), place)
+
+
+def write(text: str, place: str | None) -> None:
+    """Write text to standard output, or to a file, whole or not at all; raises OutputError."""
+    if place in STANDARD_OUTPUT:
+        _opened()
+        sys.stdout.write(text)
+        return
+    write_bytes(text.encode("utf-8", errors="replace"), place)
+
+
+def write_bytes(content: bytes, place: str | None) -> None:
+    """Write bytes to standard output, or to a file, whole or not at all; raises OutputError."""
+    if place in STANDARD_OUTPUT:
+        _opened()
+        sys.stdout.flush()
+        sys.stdout.buffer.write(content)
+        return
+    with _told(place):
+        mode = _mode(place)
+        if mode is None or stat.S_ISREG(mode):
+            _replace(Path(place).resolve(), content)
+        else:
+            _pour(place, content)
+
+
+def writable(place: str) -> None:
+    """Refuse, before long work, a place that cannot be written to; raises OutputError."""
+    if place in STANDARD_OUTPUT:
+        return
+    with _told(place):
+        mode = _mode(place)
+        if mode is None and not Path(place).resolve().parent.is_dir():
+            _refuse(place, "there is no such directory")
+        if not os.access(place if mode is not None else Path(place).resolve().parent, os.W_OK):
+            _refuse(place, "is write-protected")
+
+
+@contextmanager
+def _told(place: str) -> Iterator[None]:
+    """Tells what is wrong with a place as an OutputError; that it is a directory first of all."""
+    try:
+        mode = _mode(place)
+        if mode is not None and stat.S_ISDIR(mode):
+            _refuse(place, "is a directory")
+        yield
+    except OSError as error:
+        _refuse(place, error.strerror or str(error))
+    except (ValueError, RuntimeError) as error:
+        if isinstance(error, OutputError):
+            raise
+        _refuse(place, "is not a name a file can have")
+
+
+def is_file(place: str) -> bool:
+    """Whether a file that would be overwritten is there."""
+    with suppress(OSError, ValueError):
+        return stat.S_ISREG(_mode(place) or 0)
+    return False
+
+
+def _opened() -> None:
+    if sys.stdout is None:
+        raise OutputError("standard output is closed; name a file with -o")
+
+
+def _mode(place: str) -> int | None:
+    """What kind of file is there, None if none."""
+    try:
+        return Path(place).stat().st_mode
+    except FileNotFoundError:
+        return None
+
+
+def _replace(target: Path, content: bytes) -> None:
+    """Replace the target by a complete new file; links to it stay links."""
+    there = target.exists()
+    if there and not os.access(target, os.W_OK):
+        _refuse(str(target), "is write-protected")
+    handle, draft = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name[:50]}.")
+    try:
+        with os.fdopen(handle, "wb") as file:
+            file.write(content)
+        mask = os.umask(0)
+        os.umask(mask)
+        Path(draft).chmod(target.stat().st_mode & 0o777 if there else 0o666 & ~mask)
+        Path(draft).replace(target)
+    except BaseException:
+        Path(draft).unlink(missing_ok=True)
+        raise
+
+
+def _pour(place: str, content: bytes) -> None:
+    """Write into a device or a pipe, in place, without waiting for a reader."""
+    handle = os.open(place, os.O_WRONLY | os.O_NONBLOCK)
+    os.set_blocking(handle, True)
+    with os.fdopen(handle, "wb") as file:
+        file.write(content)
+
+
+def kind_of(place: str | None, kinds: Sequence[str], *, what: str) -> str:
+    """The kind of a file by its suffix; for a pipe the first kind. Raises OutputError."""
+    if place in STANDARD_OUTPUT:
+        return kinds[0]
+    found = Path(place or "").suffix.lower().removeprefix(".")
+    if found not in kinds:
+        names = " or ".join(f".{kind}" for kind in kinds)
+        raise OutputError(
+            f"-o {one_line(place or '')}: is not the name of {what}; let it end in {names}"
+        )
+    return found
+
+
+def _refuse(place: str, reason: str) -> NoReturn:
+    told = f"{one_line(place)}: cannot be written ({reason}); nothing was changed"
+    raise OutputError(f"{told}. Name another place with -o, or leave it out")
+
+
+@contextmanager
+def working(text: str) -> Iterator[Callable[[str], None]]:
+    """Show the present step on a terminal's standard error; call the result with the next step."""
+    from rich.console import Console
+    from rich.markup import escape
+
+    console = Console(stderr=True)
+    if not console.is_terminal:
+        yield lambda _: None
+        return
+    with console.status(escape(text)) as status:
+        yield lambda now: status.update(escape(now))
+
+
+@contextmanager
+def progress(text: str) -> Iterator[Callable[[int, int, str], None]]:
+    """A progress bar on a terminal's standard error; call the result with done, total, note."""
+    from rich.console import Console
+
+    console = Console(stderr=True)
+    if not console.is_terminal:
+        yield lambda _done, _of, _note: None
+        return
+    from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn
+
+    columns = (
+        TextColumn("{task.description}", markup=False),
+        BarColumn(),
+        TaskProgressColumn(),
+        TextColumn("{task.fields[note]}"),
+    )
+    with Progress(*columns, console=console, transient=True) as bar:
+        task = bar.add_task(text, total=None, note="")
+        yield lambda done, of, note: bar.update(task, completed=done, total=of, note=note)
+
+
+def complain(text: str) -> None:
+    """Write lines to standard error, if there is one."""
+    with suppress(OSError, ValueError):
+        if sys.stderr is not None:
+            sys.stderr.write(f"{text}\n")
+            sys.stderr.flush()
+
+
+def abandon() -> None:
+    """Discard output that cannot be written, so that the interpreter does not complain.
+
+    A reader has gone, or a disk is full.
+    """
+    for stream in (sys.stdout, sys.stderr):
+        if stream is None:
+            continue
+        try:
+            stream.flush()
+        except OSError:
+            os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())

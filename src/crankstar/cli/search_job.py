@@ -1,0 +1,80 @@
+"""A search as the command line runs it: estimated, shared out, reported, kept in a file."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager, nullcontext
+from pathlib import Path
+
+from crankstar.cli.output import progress, working
+from crankstar.cli.search_options import Work
+from crankstar.language.messages import _
+from crankstar.language.numbers import duration
+from crankstar.options.values import RequestError
+from crankstar.search import equivalence, estimates, executors, halves
+from crankstar.search.answer import Answer, answer_to
+from crankstar.search.checkpoint import opened
+from crankstar.search.interrupts import aside
+from crankstar.search.options import Search
+from crankstar.search.progress import note
+from crankstar.search.question import All
+
+LONG_SECONDS = 3600.0
+"""A search longer than this must be agreed to."""
+ALONE_SECONDS = 4.0
+"""A search shorter than this is done in this process: starting others would take as long."""
+
+
+def answer_of(search: Search, work: Work, *, workers: int | None) -> Answer:
+    """The answer. Raises SearchError, and RequestError where it takes long without consent."""
+    question = search.question
+    halves.check(question)
+    with working(_("Getting ready (the first time, loops are compiled for ten seconds) ...")):
+        seconds = aside(lambda: estimates.estimate(question))
+    count = workers or os.cpu_count() or 1
+    if seconds / count > LONG_SECONDS and not (work.yes or work.scheduler):
+        raise RequestError(
+            _(
+                "This search takes about {duration} on {count} processors. To narrow it, fix "
+                "throws (--fix 1=0,2=3), take symmetric cranks (--symmetric) or let a sum vanish "
+                "(--zero M2). To wait, add --yes; to use a cluster, --scheduler.",
+                duration=duration(seconds / count),
+                count=count,
+            )
+        )
+    kept = opened(Path(work.checkpoint), question) if work.checkpoint else None
+    with ExitStack() as stack:
+        with working(_("Starting workers ...")):
+            alone = workers == 1 or (workers is None and seconds < ALONE_SECONDS)
+            pool = stack.enter_context(_workers(0 if alone else count, work.scheduler))
+        show = stack.enter_context(progress(_("searching")))
+        answer = answer_to(
+            question,
+            workers=pool,
+            checkpoint=kept,
+            watch=lambda now: show(now.done, now.blocks, note(now)),
+        )
+    if isinstance(question.ask, All) and len(answer.rows) >= question.ask.size:
+        raise RequestError(
+            _(
+                "{stars} stars lie within these limits, more than the {most} classes that can be "
+                "listed. Narrow the search, as in --limit M1=2, or ask for --best 100.",
+                stars=f"{answer.stars:,}",
+                most=f"{question.ask.size:,}",
+            )
+        )
+    return equivalence.equivalent(answer, search.equivalence) if search.equivalence else answer
+
+
+@contextmanager
+def _workers(count: int, scheduler: str | None) -> Iterator[executors.Workers | None]:
+    """A cluster, so many processes of this machine, or None for this process alone."""
+    with (
+        executors.cluster(scheduler)
+        if scheduler
+        else executors.processes(count)
+        if count
+        else nullcontext()
+    ) as workers:
+        yield workers

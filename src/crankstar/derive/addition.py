@@ -1,0 +1,232 @@
+"""Cosines of one direction added as by hand.
+
+Equal phases together, opposite ones against each other; the rest is a closed polygon or a
+resultant. Everything is exact; nothing is compared with a tolerance.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from fractions import Fraction
+from typing import NamedTuple
+
+from crankstar.derive.algebra import cyclotomic, wave
+from crankstar.derive.algebra.formula import Formula, angle, cosine, negative, product, summed
+from crankstar.derive.algebra.wave import Form, Wave, form_sum, joined
+from crankstar.language.faults import listed
+from crankstar.language.messages import _, _n
+
+HALF = Fraction(1, 2)
+
+
+class Term(NamedTuple):
+    """A cosine `weight cos(k theta + phase)` of one cylinder; the phase in turns."""
+
+    cylinder: int
+    weight: Form
+    phase: Fraction
+
+
+class Group(NamedTuple):
+    """Terms of equal (+1) or opposite (-1) phase, and what they add up to."""
+
+    phase: Fraction
+    members: list[tuple[int, Term]]
+    weight: Form
+
+    @property
+    def cylinders(self) -> list[int]:
+        """The numbers of the cylinders."""
+        return [term.cylinder for _sign, term in self.members]
+
+
+class Addition(NamedTuple):
+    """A sum as a chain of equal formulas, with notes on its steps, and its amplitude."""
+
+    chain: tuple[Formula, ...]
+    notes: tuple[str, ...]
+    wave: Wave
+
+
+def addition(terms: list[Term], order: Fraction, *, moments: bool) -> Addition:
+    """The sum of cosines, of forces or of moments, step by step to its closed form."""
+    notes: list[str] = []
+    idle = [term.cylinder for term in terms if not term.weight]
+    if idle:
+        notes.append(
+            _n(
+                "Cylinder {numbers} stands in the reference plane.",
+                "Cylinders {numbers} stand in the reference plane.",
+                len(idle),
+                numbers=listed(idle),
+            )
+        )
+    terms = [term for term in terms if term.weight]
+    raw = summed_up([(wave.form(term.weight), term.phase) for term in terms], order)
+    groups = _groups(terms)
+    notes += [_cancelled(group.members, moments=moments) for group in groups if not group.weight]
+    left = [group for group in groups if group.weight]
+    notes += _together([group for group in left if len(group.members) > 1], moments=moments)
+    chain = [raw]
+    sizes = [(wave.form(group.weight), group.phase) for group in left]
+    if len(left) < len(terms) and left:
+        chain.append(summed_up(sizes, order))
+    whole = joined(wave.scaled({(): cyclotomic.root(group.phase)}, group.weight) for group in left)
+    if not whole and left:
+        notes.append(_closed_polygon(left))
+    elif len(left) == 2:
+        chain += _as_product(sizes, order)
+    elif len(left) > 2:
+        notes.append(_("The rest is added as vectors, each with its length and phase."))
+    return Addition(distinct([*chain, wave.signal(whole, order)]), tuple(notes), whole)
+
+
+def summed_up(parts: list[tuple[Formula, Fraction]], order: Fraction) -> Formula:
+    """A sum of cosines with formulas before them."""
+    return summed(
+        *(wave.written(wave.Piece(size, None, angle(lag(phase))), order) for size, phase in parts)
+    )
+
+
+def lag(phase: Fraction) -> Fraction:
+    """The same phase from -1/2 up to 1/2: half a turn is written as a lag, -pi."""
+    return (phase + HALF) % 1 - HALF
+
+
+def _groups(terms: list[Term]) -> list[Group]:
+    """Terms whose phases are equal or opposite, by the phase of the first of them."""
+    members: dict[Fraction, list[tuple[int, Term]]] = {}
+    first: dict[Fraction, Fraction] = {}
+    for term in terms:
+        phase = term.phase % 1
+        key = first.setdefault(phase % HALF, phase)
+        members.setdefault(key, []).append((1 if phase == key else -1, term))
+    return [
+        Group(phase, own, form_sum((Fraction(sign), term.weight) for sign, term in own))
+        for phase, own in members.items()
+    ]
+
+
+def _together(groups: list[Group], *, moments: bool) -> list[str]:
+    """Which cylinders are in phase, and which in phase or opposite."""
+    in_phase = [
+        group for group in groups if not moments and len({sign for sign, _ in group.members}) == 1
+    ]
+    opposed = [group for group in groups if group not in in_phase]
+    notes: list[str] = []
+    if in_phase:
+        notes.append(
+            _n(
+                "Cylinders {groups} are in phase and push together.",
+                "The cylinders of each group are in phase and push together: {groups}.",
+                len(in_phase),
+                groups=_listed(in_phase),
+            )
+        )
+    if opposed:
+        notes.append(
+            _n(
+                "Cylinders {groups} are in phase or opposite, so their cosines make one.",
+                "The cylinders of each group are in phase or opposite, so their cosines make one: "
+                "{groups}.",
+                len(opposed),
+                groups=_listed(opposed),
+            )
+        )
+    return notes
+
+
+def _listed(groups: Iterable[Group]) -> str:
+    return "; ".join(", ".join(map(str, group.cylinders)) for group in groups)
+
+
+def _cancelled(members: list[tuple[int, Term]], *, moments: bool) -> str:
+    """That cylinders cancel, in pairs where they do."""
+    rest = list(members)
+    pairs: list[str] = []
+    while rest:
+        sign, term = rest.pop(0)
+        place = _opposite(sign, term, rest)
+        if place is None:
+            numbers = listed([term.cylinder for _, term in members])
+            return _cancel_each_other(numbers)
+        pairs.append(f"{term.cylinder}, {rest.pop(place)[1].cylinder}")
+    if moments:
+        return _n(
+            "Cylinders {pairs} cancel: their moments are equal and opposite at every crank angle.",
+            "Cylinders cancel in pairs, their moments equal and opposite at every crank angle: "
+            "{pairs}.",
+            len(pairs),
+            pairs="; ".join(pairs),
+        )
+    return _n(
+        "Cylinders {pairs} cancel: their forces are equal and opposite at every crank angle.",
+        "Cylinders cancel in pairs, their forces equal and opposite at every crank angle: {pairs}.",
+        len(pairs),
+        pairs="; ".join(pairs),
+    )
+
+
+def _opposite(sign: int, term: Term, rest: list[tuple[int, Term]]) -> int | None:
+    """The place of a term that takes this one away."""
+    for place, (other, against) in enumerate(rest):
+        if not form_sum([(Fraction(sign), term.weight), (Fraction(other), against.weight)]):
+            return place
+    return None
+
+
+def _cancel_each_other(numbers: str) -> str:
+    return _("Cylinders {numbers} cancel each other.", numbers=numbers)
+
+
+def _closed_polygon(left: list[Group]) -> str:
+    count = len(left)
+    numbers = listed(sorted(number for group in left for number in group.cylinders))
+    up = [next(iter(group.weight.values())) > 0 for group in left]
+    weights = [
+        group.weight if positive else {key: -value for key, value in group.weight.items()}
+        for group, positive in zip(left, up, strict=True)
+    ]
+    phases = [
+        group.phase if positive else group.phase + HALF
+        for group, positive in zip(left, up, strict=True)
+    ]
+    apart = sorted((phase - phases[0]) % 1 for phase in phases)
+    if all(weight == weights[0] for weight in weights) and apart == [
+        Fraction(i, count) for i in range(count)
+    ]:
+        return _(
+            "The vectors of cylinders {numbers} are equally long and {angle} apart: they close a "
+            "polygon, and their sum is exactly 0.",
+            numbers=numbers,
+            angle=f"{360 / count:.6g}°",
+        )
+    return _(
+        "The vectors of cylinders {numbers} close a polygon: their sum is exactly 0.",
+        numbers=numbers,
+    )
+
+
+def _as_product(parts: list[tuple[Formula, Fraction]], order: Fraction) -> list[Formula]:
+    """Cos x + cos y = 2 cos((x - y)/2) cos((x + y)/2), for two cosines of the same size."""
+    (first, p), (second, q) = parts
+    if first == negative(second):
+        second, q = first, q + HALF
+    return [sum_as_product(first, p, q, order)] if first == second else []
+
+
+def sum_as_product(size: Formula, p: Fraction, q: Fraction, order: Fraction) -> Formula:
+    """Size cos(k theta + p) + size cos(k theta + q) as a product."""
+    p, q = lag(p), lag(q)
+    return product(
+        2, size, cosine(angle(abs(p - q) / 2)), cosine(wave.phased(order, angle((p + q) / 2)))
+    )
+
+
+def distinct(chain: Iterable[Formula]) -> tuple[Formula, ...]:
+    """A chain of equal formulas in which none stands right after itself."""
+    out: list[Formula] = []
+    for formula in chain:
+        if not out or formula != out[-1]:
+            out.append(formula)
+    return tuple(out)

@@ -1,0 +1,286 @@
+"""Exact numbers in their shortest form: real ones in radicals, complex ones as length and bearing.
+
+A real number whose degree over the rationals is a power of two is a tower of square roots: with a
+conjugation s of order two, x = u + w with u = (x + s x)/2 and w = (x - s x)/2, where u and w^2 are
+unmoved by s and so of half the degree. Where another prime divides the degree (throws at sevenths,
+ninths or elevenths of a turn) real radicals do not exist, and the number is given by a decimal that
+encloses it, and by its minimal polynomial.
+
+The bearing of a vector z is a rational part of a turn if and only if z/conj(z) is a root of unity;
+else it is the arctangent of an exact number, beside a multiple of 45 degrees where that makes it
+shorter.
+"""
+
+from __future__ import annotations
+
+from cmath import phase
+from fractions import Fraction
+from math import isqrt, lcm, pi
+from typing import NamedTuple
+
+from flint import arb
+
+from crankstar.derive.algebra import cyclotomic
+from crankstar.derive.algebra.cyclotomic import DIGITS, Number, remembered
+from crankstar.derive.algebra.evaluation import value as evaluated
+from crankstar.derive.algebra.formula import (
+    Applied,
+    Decimal,
+    Degrees,
+    Formula,
+    Ratio,
+    Rational,
+    Root,
+    Sum,
+    angle,
+    coefficient,
+    has_long,
+    negative,
+    number,
+    product,
+    square_root,
+    squares,
+    summed,
+)
+from crankstar.derive.algebra.typeset import negative as written_negative
+from crankstar.derive.algebra.typeset import text
+
+LONGEST = 26
+"""Characters of a closed form that still tells a reader more than its decimal."""
+GREATEST_TOWER = 8
+"""Degree of a number above which no tower of roots is sought."""
+GREATEST_HEIGHT = 10**15
+"""Whole numbers in the coefficients of a number above which its form would be long."""
+GREATEST_DEGREE = 200
+"""Degree of the field above which no closed form is sought: there is none that is short."""
+
+
+class Closed(NamedTuple):
+    """A number as a formula, and whether that is a closed form or only an enclosed decimal."""
+
+    formula: Formula
+    exact: bool
+
+
+@remembered
+def closed(value: Number) -> Closed:
+    """A real number in radicals, else as an enclosed decimal.
+
+    >>> from crankstar.derive.algebra.cyclotomic import cosine
+    >>> text(closed(cosine(Fraction(1, 24))).formula), text(closed(cosine(Fraction(1, 7))).formula)
+    ('(√6 + √2)/4', '0.6234898…')
+    """
+    radical = _radical(value)
+    if radical is None or not _short(over_one_denominator(radical)):
+        return Closed(_decimal(value), exact=False)
+    return Closed(over_one_denominator(radical), exact=True)
+
+
+def _short(formula: Formula) -> bool:
+    """Whether a closed form tells a reader more than its decimal: a plain rational always does."""
+    return isinstance(formula, Rational) or (
+        not has_long(formula) and len(text(formula)) <= LONGEST
+    )
+
+
+@remembered
+def length(value: Number) -> Closed:
+    """The magnitude of a complex number."""
+    square = value * value.conjugate
+    candidates = [_root_of(square)]
+    turn = bearing_turn(value)
+    if turn is not None:
+        candidates.append(_radical(value.turned(-turn)))
+    forms = [over_one_denominator(form) for form in candidates if form is not None]
+    forms = [form for form in forms if _short(form)]
+    if forms:
+        return Closed(min(forms, key=lambda form: len(text(form))), exact=True)
+    with cyclotomic.precision(DIGITS):
+        return Closed(Decimal(square.enclosed().real.sqrt()), exact=False)
+
+
+@remembered
+def bearing_turn(value: Number) -> Fraction | None:
+    """The argument of a nonzero number in turns, (-1/2, 1/2]; None if it is irrational."""
+    estimate = _argument(value)
+    # z = conj(z) zeta^k, and the roots of unity of Q(zeta_N) have orders that divide N or 2N.
+    order = value.order if value.order % 2 == 0 else 2 * value.order
+    k = round(2 * estimate * order)
+    if not (value - value.conjugate.turned(Fraction(k, order))).zero:
+        return None
+    half = Fraction(k, 2 * order)
+    nearest = min(
+        (half + step for step in (Fraction(-1, 2), Fraction(0), Fraction(1, 2))),
+        key=lambda turn: abs(float(turn) - estimate),
+    )
+    return Fraction(1, 2) - (Fraction(1, 2) - nearest) % 1
+
+
+@remembered
+def bearing(value: Number) -> Closed:
+    """The argument of a complex number other than zero, in (-180, 180] degrees.
+
+    >>> from crankstar.derive.algebra.cyclotomic import ONE, root
+    >>> text(bearing(root(Fraction(1, 4)).times(3) + ONE).formula)
+    'atan 3'
+    """
+    turn = bearing_turn(value)
+    if turn is not None:
+        return Closed(angle(turn), exact=True)
+    candidates = [
+        form
+        for eighth in (0, 1, -1, 2, -2, 3, -3, 4, -4)
+        if (form := _arctangent(value, Fraction(eighth, 8))) is not None
+    ]
+    if candidates:
+        return Closed(min(candidates, key=lambda form: len(text(form))), exact=True)
+    with cyclotomic.precision(DIGITS):
+        return Closed(Degrees(Decimal(value.enclosed().arg() * 180 / arb.pi())), exact=False)
+
+
+def _argument(value: Number) -> float:
+    """The argument in turns, roughly; of a negative number a half."""
+    point = complex(value)
+    angle = phase(point) / (2 * pi)
+    return abs(angle) if point.imag == 0 else angle
+
+
+def _arctangent(value: Number, base: Fraction) -> Formula | None:
+    """`base` plus the arctangent of something short, where the number lies near `base`.
+
+    Near is within about an eighth of a turn.
+    """
+    turned = value.turned(-base)
+    if value.order > GREATEST_DEGREE or value.height > GREATEST_HEIGHT:
+        return None
+    down = cyclotomic.real(turned)
+    if down.zero or complex(down).real < 0:
+        return None
+    tangent = _radical(cyclotomic.imaginary(turned) / down)
+    if tangent is None or has_long(tangent) or len(text(tangent)) > 8:
+        return None
+    below = written_negative(tangent)
+    part = negative(Applied("atan", negative(tangent))) if below else Applied("atan", tangent)
+    whole = summed(angle(base), part)
+    return (
+        whole if abs(evaluated(whole) / (2 * pi) - _argument(value)) < 1e-9 else None
+    )  # not beyond half a turn
+
+
+def _decimal(value: Number) -> Decimal:
+    with cyclotomic.precision(DIGITS):
+        return Decimal(value.enclosed().real)
+
+
+def _root_of(value: Number) -> Formula | None:
+    """The square root of a positive real number, or sqrt(p + q sqrt(d)) = sqrt(u) + sqrt(v)."""
+    fraction = value.rational
+    if fraction is not None:
+        return square_root(fraction)
+    others = _conjugates(value)
+    if others is None:
+        return None
+    if len(others) == 2:
+        parts = _split(value, others)
+        if parts is not None and parts[0].rational is not None and parts[1].rational is not None:
+            p, squared = parts[0].rational, parts[1].rational
+            s = _exact_root(p * p - squared)
+            if s is not None:
+                sign = 1 if complex(value).real > float(p) else -1
+                return summed(square_root((p + s) / 2), product(sign, square_root((p - s) / 2)))
+    inner = _radical(value)
+    return None if inner is None else Root(inner)
+
+
+@remembered
+def _radical(value: Number) -> Formula | None:
+    """A real number as a tower of square roots, None where there is none or none that is short."""
+    fraction = value.rational
+    if fraction is not None:
+        return number(fraction)
+    others = _conjugates(value)
+    if others is None or len(others) & (len(others) - 1):
+        return None
+    towers: list[Formula] = []
+    for other, power in others:
+        if other == value or other.moved(power) != value:
+            continue
+        even = (value + other).times(Fraction(1, 2))
+        odd = (value - other).times(Fraction(1, 2))
+        first, second = _radical(even), _root_of(odd * odd)
+        if (
+            first is not None
+            and second is not None
+            and not has_long(first)
+            and not has_long(second)
+        ):
+            towers.append(
+                summed(*_ordered(first, second if complex(odd).real > 0 else negative(second)))
+            )
+    return min(towers, key=lambda formula: len(text(formula)), default=None)
+
+
+def _ordered(first: Formula, second: Formula) -> tuple[Formula, Formula]:
+    """A positive term before a negative one."""
+    return (
+        (second, first)
+        if written_negative(first) and not written_negative(second)
+        else (first, second)
+    )
+
+
+def _conjugates(value: Number) -> list[tuple[Number, int]] | None:
+    if (
+        value.poly.length() > GREATEST_DEGREE
+        or value.order > 12 * GREATEST_DEGREE
+        or value.height > GREATEST_HEIGHT
+    ):
+        return None
+    others = cyclotomic.conjugates(value, most=GREATEST_TOWER)
+    return others if len(others) <= GREATEST_TOWER else None
+
+
+def _split(value: Number, others: list[tuple[Number, int]]) -> tuple[Number, Number] | None:
+    """The even part of a number of degree two, and the square of its odd part."""
+    other = next((number for number, _power in others if number != value), None)
+    if other is None:
+        return None
+    odd = (value - other).times(Fraction(1, 2))
+    return (value + other).times(Fraction(1, 2)), odd * odd
+
+
+def over_one_denominator(formula: Formula) -> Formula:
+    """A sum of fractions over one denominator, (1 + sqrt(5))/4; squares are taken out of roots."""
+    size, rest = coefficient(formula)
+    if isinstance(rest, Root) and size != 1:
+        return product(size, over_one_denominator(rest))
+    if isinstance(formula, Root):
+        inner, below = _numerator(formula.radicand)
+        outside, missing = squares(below)
+        above = Root(_over_all(inner, Fraction(missing)))
+        return product(Fraction(1, outside * missing), above)
+    above, below = _numerator(formula)
+    return formula if below == 1 or not isinstance(formula, Sum) else Ratio(above, number(below))
+
+
+def _numerator(formula: Formula) -> tuple[Formula, int]:
+    """A formula times the least common denominator of its terms, and that denominator."""
+    terms = formula.terms if isinstance(formula, Sum) else (formula,)
+    below = lcm(*(coefficient(term)[0].denominator for term in terms))
+    return _over_all(formula, Fraction(below)), below
+
+
+def _over_all(formula: Formula, factor: Fraction) -> Formula:
+    terms = formula.terms if isinstance(formula, Sum) else (formula,)
+    return summed(*(product(factor, term) for term in terms))
+
+
+def _exact_root(value: Fraction) -> Fraction | None:
+    if value < 0:
+        return None
+    above, below = isqrt(value.numerator), isqrt(value.denominator)
+    return (
+        Fraction(above, below)
+        if above * above == value.numerator and below * below == value.denominator
+        else None
+    )

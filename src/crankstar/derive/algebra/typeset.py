@@ -1,0 +1,382 @@
+"""Formulas in print: plain text for a terminal, LaTeX, and MathML for a browser.
+
+The three say the same thing: one set of rules decides on signs and brackets, and a style writes
+what they come to. A part of a formula is printed as its body, how tightly the body binds, and a
+minus sign before it; what stands around it decides where the sign goes and whether the body needs
+brackets, so that no part can be printed without those it needs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from enum import IntEnum
+from fractions import Fraction
+from functools import lru_cache
+from math import floor, log10
+from typing import NamedTuple
+
+from flint import arb, fmpq
+
+from crankstar.derive.algebra.formula import (
+    LONG,
+    UNIT,
+    Applied,
+    Decimal,
+    Degrees,
+    Formula,
+    Pi,
+    Polar,
+    Power,
+    Product,
+    Ratio,
+    Rational,
+    Root,
+    Sum,
+    Symbol,
+    coefficient,
+    letters_of,
+    product,
+)
+from crankstar.derive.algebra.styles import LATEX, MATHML, TEXT, Style
+
+GREATEST_PLACES = 30
+"""Places behind the point at most, however small a decimal is."""
+TINY = 1e-6
+"""Decimals below this are written with a power of ten."""
+
+
+class Binding(IntEnum):
+    """How tightly what is printed holds together, loosest first.
+
+    A product written side by side (`2a`) binds tighter than one with a dot or a slash.
+    """
+
+    SUM = 0
+    VECTOR = 1
+    QUOTIENT = 2
+    PRODUCT = 3
+    FUNCTION = 4
+    FACTOR = 5
+
+
+class Printed(NamedTuple):
+    """A formula in print: its body, how tightly that binds, and a minus sign before it."""
+
+    body: str
+    binding: Binding = Binding.FACTOR
+    negative: bool = False
+
+
+def text(formula: Formula) -> str:
+    """A formula in one line of text.
+
+    >>> text(product(Fraction(3, 2), Symbol("a"), Root(Rational(Fraction(2)))))
+    '(3√2/2) a'
+    >>> text(product(-2, Sum((Symbol("a"), product(-1, Symbol("b"))))))
+    '−2 (a − b)'
+    """
+    return _whole(formula, TEXT)
+
+
+def latex(formula: Formula) -> str:
+    """A formula in LaTeX, for use between dollar signs."""
+    return _whole(formula, LATEX)
+
+
+def mathml(formula: Formula) -> str:
+    """A formula as presentation MathML, without the enclosing `math` element."""
+    return _whole(formula, MATHML)
+
+
+def negative(formula: Formula) -> bool:
+    """Whether a formula, or the first term of a sum, is printed with a minus sign."""
+    if isinstance(formula, Sum):
+        return negative(formula.terms[0])
+    return _printed(formula, TEXT).negative
+
+
+def figures(decimal: Decimal) -> str:
+    """The digits of a decimal that are certain, at most as many as it asks for.
+
+    `-0.8516` is cut, not rounded.
+
+    An enclosure of zero that is not zero is written as 0.
+    """
+    ball = decimal.ball
+    if ball.contains(0):
+        return "0"
+    most = max(0, min(decimal.digits - 1 - floor(log10(float(abs(ball).mid()))), GREATEST_PLACES))
+    for places in range(most, -1, -1):
+        scaled = abs(ball) * 10**places
+        # Cut; or rounded where it is so near to a round number that a cut is undecided.
+        for start in (scaled, scaled + arb(0.5)):
+            low, high = start.lower().floor(), start.upper().floor()
+            if low == high:
+                shown = _pointed(int(low.unique_fmpz()), places)
+                return shown if ball > 0 else f"-{shown}"
+    return str(ball)
+
+
+def _pointed(whole: int, places: int) -> str:
+    """A whole number over 10**places as a decimal."""
+    digits = str(whole).rjust(places + 1, "0")
+    return digits if places == 0 else f"{digits[:-places]}.{digits[-places:]}"
+
+
+def _finite(size: Fraction) -> str | None:
+    """A fraction of at most six decimal places as it is, None where it has more."""
+    places = next((n for n in range(7) if 10**n % size.denominator == 0), None)
+    return None if places is None else _pointed(int(size * 10**places), places)
+
+
+@lru_cache(maxsize=1 << 14)
+def _printed(formula: Formula, style: Style) -> Printed:
+    return _WRITERS[type(formula)](formula, style)
+
+
+def _whole(formula: Formula, style: Style) -> str:
+    """A formula where nothing stands around it."""
+    printed = _printed(formula, style)
+    return (style.sign if printed.negative else "") + printed.body
+
+
+def _held(printed: Printed, least: Binding, style: Style) -> str:
+    """The body of what is printed, in brackets if it does not bind tightly enough."""
+    return printed.body if printed.binding >= least else style.bracket(printed.body)
+
+
+def _signed(printed: Printed, style: Style, *, negative: bool) -> Printed:
+    """What is printed, with or without a minus sign before it; a sum behind one has brackets."""
+    if negative and printed.binding == Binding.SUM:
+        return Printed(style.bracket(printed.body), negative=True)
+    return printed._replace(negative=negative)
+
+
+def _rational(formula: Rational, style: Style) -> Printed:
+    return _number(abs(formula.value), style)._replace(negative=formula.value < 0)
+
+
+def _number(size: Fraction, style: Style) -> Printed:
+    """A positive rational number.
+
+    Whole, as a fraction, or as a decimal where the fraction is long.
+    """
+    if size.denominator == 1:
+        return Printed(style.figures(str(size.numerator)))
+    if size.denominator > LONG:
+        return _decimal(Decimal(arb(fmpq(size.numerator, size.denominator))), style)
+    above, below = style.figures(str(size.numerator)), style.figures(str(size.denominator))
+    return Printed(style.ratio(above, below), _of_ratio(style))
+
+
+def _of_ratio(style: Style) -> Binding:
+    return Binding.FACTOR if style.stacked else Binding.QUOTIENT
+
+
+def _decimal(formula: Decimal, style: Style) -> Printed:
+    ball = formula.ball
+    if not ball.contains(0) and abs(ball) < TINY:
+        power = floor(log10(float(abs(ball).mid())))
+        mantissa = _decimal(Decimal(ball * arb(10) ** -power, formula.digits), style)
+        tens = style.power(style.figures("10"), power)
+        return Printed(mantissa.body + style.dot + tens, Binding.QUOTIENT, mantissa.negative)
+    shown = figures(formula)
+    body = style.figures(shown.removeprefix("-")) + (style.dots if shown != "0" else "")
+    return Printed(body, negative=shown.startswith("-"))
+
+
+def _degrees(formula: Degrees, style: Style) -> Printed:
+    """Degrees as a decimal, cut where it has no end."""
+    inner = formula.value
+    if isinstance(inner, Decimal):
+        number = _decimal(inner, style)
+    else:
+        size = abs(inner.value)
+        finite = _finite(size)
+        number = (
+            _decimal(Decimal(arb(fmpq(size.numerator, size.denominator))), style)
+            if finite is None
+            else Printed(style.figures(finite))
+        )._replace(negative=inner.value < 0)
+    body = style.degrees(_held(number, Binding.FACTOR, style))
+    return Printed(body, Binding.PRODUCT, number.negative)
+
+
+def _sum(formula: Sum, style: Style) -> Printed:
+    """Terms with their signs between them; a sum in brackets only where it is taken away."""
+    terms = [
+        inner
+        for term in formula.terms
+        for inner in (term.terms if isinstance(term, Sum) else (term,))
+    ]
+    if any(isinstance(term, Sum) for term in terms):
+        return _sum(Sum(tuple(terms)), style)
+    printed = [_printed(term, style) for term in terms]
+    if len(printed) == 1:
+        return printed[0]
+    out = ""
+    for place, term in enumerate(printed):
+        sign = style.minus if term.negative else style.plus
+        if place == 0:
+            sign = style.sign if term.negative else ""
+        out += sign + _held(term, Binding.VECTOR, style)
+    return Printed(out, Binding.SUM)
+
+
+def _product(formula: Product, style: Style) -> Printed:
+    """Numbers, then letters: 4√2 a cos 2θ, 0.5 · 0.8516… a."""
+    plain = product(*_flat(formula))
+    if not isinstance(plain, Product):
+        return _printed(plain, style)
+    size, _ = coefficient(plain)
+    factors = [factor for factor in plain.factors if not isinstance(factor, Rational)]
+    simple = [factor for factor in factors if isinstance(factor, (Root, Pi))]
+    longer = [
+        factor
+        for factor in factors
+        if isinstance(factor, (Decimal, Ratio)) and not letters_of(factor)
+    ]
+    letters = [factor for factor in factors if factor not in simple and factor not in longer]
+    front = _front(abs(size), simple, style, alone=not letters and not longer)
+    numbers = [*([front] if front.body else []), *(_printed(factor, style) for factor in longer)]
+    rest = _side_by_side(letters, style)
+    down = (size < 0) ^ (sum(one.negative for one in (*numbers, *rest)) % 2 == 1)
+    if len(numbers) + len(rest) == 1:
+        return _signed((*numbers, *rest)[0], style, negative=down)
+    body = style.dot.join(_held(one, Binding.QUOTIENT, style) for one in numbers)
+    dotted = len(numbers) > 1
+    if numbers and rest:
+        loose = numbers[-1].binding < Binding.PRODUCT
+        close = not longer and _close(front.body, letters[0], style)
+        body += style.dot if loose else "" if close else style.space
+        dotted |= loose
+    body += style.space.join(_held(one, Binding.FUNCTION, style) for one in rest)
+    return Printed(body, Binding.QUOTIENT if dotted else Binding.PRODUCT, down)
+
+
+def _flat(formula: Formula) -> list[Formula]:
+    """The factors of a product and of the products in it."""
+    if isinstance(formula, Sum) and len(formula.terms) == 1:
+        return _flat(formula.terms[0])
+    if isinstance(formula, Product):
+        return [inner for factor in formula.factors for inner in _flat(factor)]
+    return [formula]
+
+
+def _side_by_side(factors: Sequence[Formula], style: Style) -> list[Printed]:
+    """Factors one after the other; a function that others than functions follow has brackets."""
+    last = len(factors) - 1
+    return [
+        _applied(
+            *_function(factor), style, simple=place == last or _is_function(factors[place + 1])
+        )
+        if _is_function(factor)
+        else _printed(factor, style)
+        for place, factor in enumerate(factors)
+    ]
+
+
+def _is_function(formula: Formula) -> bool:
+    """Whether a formula is a function, or a positive power of one: cos 2θ, cos² α."""
+    return isinstance(formula, Applied) or (
+        isinstance(formula, Power) and isinstance(formula.base, Applied) and formula.exponent > 0
+    )
+
+
+def _close(front: str, letter: Formula, style: Style) -> bool:
+    """Whether a number stands right before a letter, as in 2θ."""
+    plain = letter.base if isinstance(letter, Power) else letter
+    return (front.isdigit() and isinstance(plain, Symbol)) or (
+        style is MATHML and front.startswith("<mn>")
+    )
+
+
+def _front(size: Fraction, constants: Sequence[Formula], style: Style, *, alone: bool) -> Printed:
+    """The numbers in front of a product: 4√2, 3√2/2, 3π/4, 1.5; nothing for 1."""
+    if not constants:
+        if size == 1:
+            return Printed("")
+        short = None if style.stacked or size.denominator > 20 else _finite(size)
+        whole = _number(size, style) if short is None else Printed(short)
+    else:
+        shown = "".join(_printed(factor, style).body for factor in constants)
+        above = shown if size.numerator == 1 else style.figures(str(size.numerator)) + shown
+        if size.denominator == 1:
+            return Printed(above, Binding.PRODUCT)
+        below = style.figures(str(size.denominator))
+        whole = Printed(style.ratio(above, below), _of_ratio(style))
+    return whole if alone else Printed(_held(whole, Binding.PRODUCT, style))
+
+
+def _power(formula: Power, style: Style) -> Printed:
+    """A power; of a cosine with the exponent at its name, cos² α."""
+    base = formula.base
+    if isinstance(base, Applied) and formula.exponent > 0:
+        return _applied(base, formula.exponent, style)
+    plain = isinstance(base, Symbol) and "′" not in base.letter
+    inner = _whole(base, style)
+    return Printed(style.power(inner if plain else style.bracket(inner), formula.exponent))
+
+
+def _root(formula: Root, style: Style) -> Printed:
+    inner = formula.radicand
+    single = isinstance(inner, Symbol) and not inner.below
+    single |= isinstance(inner, Rational) and inner.value >= 0 and inner.value.denominator == 1
+    return Printed(style.root(_whole(inner, style), single))
+
+
+def _ratio(formula: Ratio, style: Style) -> Printed:
+    above, below = _printed(formula.above, style), _printed(formula.below, style)
+    down = above.negative ^ below.negative
+    if style.stacked:
+        return Printed(style.ratio(above.body, below.body), negative=down)
+    simple = above.binding == Binding.FACTOR or (
+        above.binding == Binding.PRODUCT and " " not in above.body
+    )
+    upper = above.body if simple else style.bracket(above.body)
+    ratio = style.ratio(upper, _held(below, Binding.FACTOR, style))
+    return Printed(ratio, Binding.QUOTIENT, down)
+
+
+def _applied(formula: Applied, exponent: int, style: Style, *, simple: bool = True) -> Printed:
+    """A function, its argument without brackets where it is a letter, or a multiple of one."""
+    argument = formula.argument
+    multiple, inner = coefficient(argument)
+    letter = isinstance(inner, Symbol) and formula.function != "atan"
+    simple &= (letter or inner == UNIT) and multiple > 0 and multiple.denominator == 1
+    name = style.name(formula.function)
+    named = name if exponent == 1 else style.power(name, exponent)
+    body = style.function(named, _whole(argument, style), simple)
+    return Printed(body, Binding.FUNCTION if simple else Binding.FACTOR)
+
+
+def _function(formula: Formula) -> tuple[Applied, int]:
+    """A function and the power to which it is taken."""
+    if isinstance(formula, Power) and isinstance(formula.base, Applied):
+        return formula.base, formula.exponent
+    if isinstance(formula, Applied):
+        return formula, 1
+    raise TypeError(f"not a function: {type(formula).__name__}")
+
+
+def _polar(formula: Polar, style: Style) -> Printed:
+    length, angle = _printed(formula.length, style), _printed(formula.angle, style)
+    bearing = (style.sign if angle.negative else "") + _held(angle, Binding.QUOTIENT, style)
+    body = style.polar(_held(length, Binding.QUOTIENT, style), bearing)
+    return Printed(body, Binding.VECTOR, length.negative)
+
+
+_WRITERS: dict[type, Callable[..., Printed]] = {
+    Rational: _rational,
+    Decimal: _decimal,
+    Symbol: lambda formula, style: Printed(style.symbol(formula.letter, formula.below)),
+    Pi: lambda _, style: Printed(style.pi),
+    Root: _root,
+    Power: _power,
+    Sum: _sum,
+    Product: _product,
+    Ratio: _ratio,
+    Degrees: _degrees,
+    Applied: lambda formula, style: _applied(formula, 1, style),
+    Polar: _polar,
+}

@@ -1,0 +1,152 @@
+"""The free response of a rigid engine: shift, tilt and turn, order by order.
+
+With M the mass of the whole engine (moving parts included), G its centre of mass, F_k, C_k the
+force and the couple of order k about the plane through G (clock plane), R_k the rolling moment on
+the block about the axis through G, w the crank speed, I_up, I_right, I_z the moments of inertia of
+the engine about axes through G:
+
+    shift_k = -F_k / (M (k w)^2)                                    m, the place of G
+    tilt_k  = -(C_k.up / I_right + i C_k.right / I_up) / (k w)^2    the place of the crank axis per
+                                                                    unit of z from G
+    turn_k  = -R_k / (I_z (k w)^2)                                  rad, clockwise from the front
+
+F_k, C_k and R_k grow with w^2, so none of these depends on the speed. `tilt` is a vector of the
+clock plane like `shift`: a point of the axis at z moves by shift + (z - z_G) tilt (and by i * turn
+* its place from G, for an axis beside G). An upward force in front of G turns the engine about its
+axis to the right, hence C.up with I_right. The theory is linear: small motions, and moments of
+inertia that do not change while the parts move; products of inertia and the gyroscopic moment of
+the crankshaft are left out. Crankshaft and flywheel take the torque and run on evenly
+(`excitation.rolling_moment`); I_z is that of the engine without them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from crankstar import spectra
+from crankstar.engine.engine import Engine
+from crankstar.language.messages import _
+from crankstar.mechanics.balance import default_reference
+from crankstar.mechanics.excitation import Reference, part_spectra, rolling_moment, total
+from crankstar.mechanics.mechanism import mechanism
+from crankstar.spectra import Complex, Spectrum
+
+MASS_TO_PISTONS = 40.0
+"""Mass of an engine over that of its reciprocating parts.
+
+A V8 of 5 l: 210 kg over 8 times 0.65 kg. It sets the size of the whirl only, which is shown
+magnified, not the shape of its path.
+"""
+RADIUS_TO_REACH = 0.5
+"""Radius of the estimated round bar over the greatest distance of a piston pin from its shaft."""
+
+
+@dataclass(frozen=True)
+class Body:
+    """A rigid engine: mass, centre and moments of inertia about it [up, right, z], assumptions."""
+
+    mass: float
+    centre: tuple[float, float, float]
+    inertia: tuple[float, float, float]
+    assumed: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Response:
+    """The response by order: `shift` (lengths), `tilt` (per length along z), `turn` (rad, real)."""
+
+    body: Body
+    shift: Spectrum
+    tilt: Spectrum
+    turn: Spectrum
+
+
+def body(engine: Engine, *, along: float = 1.0) -> Body:
+    """The engine as a rigid body, from `[block]` of its file, else a homogeneous round bar.
+
+    The bar is homogeneous and lies along the crankshaft about the centre of mass. Its mass is
+    `MASS_TO_PISTONS` reciprocating masses (a third of a rigid rod included), its length the span of
+    the cylinders plus a stroke, its radius `RADIUS_TO_REACH` of the reach of the pistons. A couple
+    that turns in a circle makes it whirl in a circle. `along` is the unit along the crankshaft in
+    units across it (1 unless bore pitch or stroke is unknown); the body is in units across.
+    """
+    block, middle = engine.block, default_reference(engine).z
+    pistons = sum(
+        c.reciprocating_mass + (c.rod.mass / 3 if c.rod else 0.0) for c in engine.cylinders
+    )
+    mass = MASS_TO_PISTONS * pistons if block is None else block.mass
+    centre = (0.0, 0.0, middle * along)
+    if block is not None:
+        centre = (block.up, block.right, (middle if block.z is None else block.z) * along)
+    inertia = None if block is None else block.inertia
+    if inertia is not None:
+        return Body(mass, centre, inertia)
+    assumed = _(
+        "The engine file gives no moments of inertia in [block]; a homogeneous round bar about the "
+        "crankshaft is assumed."
+    )
+    if block is None:
+        assumed = _(
+            "The engine file has no [block]; a homogeneous round bar about the crankshaft is "
+            "assumed, {factor} times as heavy as the reciprocating parts.",
+            factor=f"{MASS_TO_PISTONS:g}",
+        )
+    return Body(mass, centre, _bar(engine, mass, along), (assumed,))
+
+
+def _bar(engine: Engine, mass: float, along: float) -> tuple[float, float, float]:
+    """The moments of inertia of the estimated bar: m (3 R^2 + L^2)/12 across, m R^2/2 along."""
+    places = [cylinder.z * along for cylinder in engine.cylinders]
+    strokes = [engine.throw(cylinder).radius for cylinder in engine.cylinders]
+    reach = max(
+        radius + cylinder.rod_length
+        for radius, cylinder in zip(strokes, engine.cylinders, strict=True)
+    )
+    length, radius = max(places) - min(places) + 2 * max(strokes), RADIUS_TO_REACH * reach
+    across = mass * (3 * radius**2 + length**2) / 12
+    return across, across, mass * radius**2 / 2
+
+
+def response(
+    engine: Engine, *, of: Body, along: float = 1.0, orders: tuple[float, ...] | None = None
+) -> Response:
+    """The free response of an engine as a rigid body.
+
+    `along` as in `body`, `of` the body that answers, in units across.
+
+    >>> from crankstar.files.catalog import load
+    >>> engine = load("v8-cross-plane")
+    >>> free = response(engine, of=body(engine), orders=(1.0,))
+
+    The V8 whirls in a circle:
+
+    >>> float(abs(free.tilt.forward[0])) > 1e12 * float(abs(free.tilt.backward[0]))
+    True
+    """
+    up, right, z = of.centre
+    sums = total(
+        part_spectra(mechanism(engine), reference=Reference(z / along, up, right), orders=orders)
+    )
+    force, couple, roll = sums.force, spectra.scaled(sums.couple, along), rolling_moment(sums)
+    squared = -(force.orders**2)
+    about_up, about_right, about_z = of.inertia
+    tilt = _stretched(couple, up=1 / about_right, right=1 / about_up)
+    return Response(
+        of,
+        shift=spectra.scaled(force, 1 / (of.mass * squared)),
+        tilt=spectra.scaled(tilt, 1 / squared),
+        turn=spectra.scaled(roll, 1 / (about_z * squared)),
+    )
+
+
+def _stretched(spectrum: Spectrum, *, up: float, right: float) -> Spectrum:
+    """A vector of the clock plane with its upward and its rightward part each scaled."""
+    mean, rest = (up + right) / 2, (up - right) / 2
+
+    def mixed(own: Complex, other: Complex) -> Complex:
+        return mean * own + rest * np.conj(other)
+
+    forward, backward = spectrum.forward, spectrum.backward
+    return replace(spectrum, forward=mixed(forward, backward), backward=mixed(backward, forward))

@@ -1,0 +1,19 @@
+"""The engine: records and their checks, quantities, kinematics, layouts, changed copies.
+
+| module, bottom to top | one line |
+|---|---|
+| `quantities` | types of values: physical quantities with their units, printable text |
+| `records` | the frozen records: shafts, throws, weights, cylinders, rods, valves, block |
+| `assembly` | shafts and cylinders put together, and what follows without motion |
+| `basis` | what a layout needs besides angles: name, cycle, firing order, sizes |
+| `valves` | valve and port timing, given or assumed |
+| `checks` | sizes, numbers and references that must fit each other |
+| `copies` | changed copies of records, each checked again |
+| `motion` | exact motion of pins, rods and pistons, and its harmonics |
+| `dead_centres` | top and bottom dead centres of each chamber |
+| `firing_angles` | the crank angles at which a firing order fires |
+| `engine` | the Engine: an assembly that passed every check |
+| `arrangement` | cylinder places to an Engine: sizes, pins, counterweights |
+| `banks` | banks of cylinders and cranks as an engine file gives them |
+| `layouts` | in-line, vee, boxer, radial, tandem, opposed pistons |
+"""

@@ -1,0 +1,342 @@
+"""From cylinder places to an Engine: common sizes filled in, cylinders put on pins.
+
+A layout (module `layouts`) only says where each cylinder stands and on which pin its rod works;
+here sizes and their overrides are looked up, the crankshafts are turned so that the first cylinder
+is at top dead centre at theta = 0, z is counted from the middle of the cylinders' span, and what is
+not known is named.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from math import pi, radians
+from typing import Any
+
+from crankstar.engine import motion
+from crankstar.engine.basis import ASSUMED_ROD_RATIO, Basis, Sizes
+from crankstar.engine.copies import checked, turned_on, with_values, wrapped
+from crankstar.engine.dead_centres import dead_centres
+from crankstar.engine.engine import Engine
+from crankstar.engine.quantities import Unknown
+from crankstar.engine.records import (
+    Articulation,
+    Cylinder,
+    Identity,
+    Provenance,
+    Rod,
+    Shaft,
+    Throw,
+    Weight,
+)
+from crankstar.language.faults import EngineError, Fault
+
+
+@dataclass(frozen=True)
+class Place:
+    """A cylinder's place: shaft, pin (a key and an angle from the shaft's pin 1), bearing, z."""
+
+    number: int
+    shaft: int
+    pin: int
+    pin_angle: float
+    bearing: float
+    z: float
+    bank: str | None = None
+    offset: float | None = None
+    chamber: int | None = None
+    articulated: Articulation | None = None
+    slave_rod_length: float | None = None
+
+
+@dataclass(frozen=True)
+class ShaftPlace:
+    """A crankshaft's place (m or crank radii), speed ratio, lag of its first cylinder (radians)."""
+
+    name: str = "crank"
+    up: float = 0.0
+    right: float = 0.0
+    speed_ratio: Fraction = Fraction(1)
+    lag: float = 0.0
+
+
+@dataclass(frozen=True)
+class _Known:
+    """The sizes of one cylinder, complete.
+
+    The masses of a rigid rod are divided between `reciprocating` and `rotating`.
+    """
+
+    bore: float | None
+    radius: float
+    rod_length: float
+    offset: float
+    mass: float
+    rotating_mass: float
+    rod: Rod | None
+
+    @property
+    def reciprocating(self) -> float:
+        return self.mass + (self.rod.mass * self.rod.centre / self.rod_length if self.rod else 0.0)
+
+    @property
+    def rotating(self) -> float:
+        return self.rotating_mass + (
+            self.rod.mass * (1 - self.rod.centre / self.rod_length) if self.rod else 0.0
+        )
+
+
+def assembled(
+    basis: Basis,
+    places: list[Place],
+    shafts: list[ShaftPlace],
+    *,
+    pitch: float | None,
+    pitch_needed: bool = True,
+) -> Engine:
+    """Cylinders and throws from their places.
+
+    Sizes, dead centres, z about the middle, counterweights.
+
+    `pitch` is the bore pitch; without one, where it was needed, z is counted in it. Raises
+    EngineError.
+    """
+    faults = list(_misplaced(basis, places))
+    if faults:
+        raise EngineError(faults)
+    middle = (min(place.z for place in places) + max(place.z for place in places)) / 2
+    sizes = {place.number: _sizes(basis, place) for place in places}
+    unknown = _relative(
+        basis,
+        pitch_unknown=pitch is None and (pitch_needed or basis.cylinder.stroke is None),
+        places=places,
+    )
+    cylinders: list[Cylinder] = []
+    turning: list[Shaft] = []
+    for index, shaft in enumerate(shafts):
+        pins = _pins(
+            [replace(place, z=place.z - middle) for place in places if place.shaft == index]
+        )
+        throws = _throws(basis, pins, sizes, shaft)
+        turning.append(
+            Shaft(
+                name=shaft.name,
+                speed_ratio=shaft.speed_ratio,
+                up=shaft.up,
+                right=shaft.right,
+                throws=throws,
+                weights=_weights(basis, pins, sizes, throws),
+            )
+        )
+        cylinders += [
+            _cylinder(p, sizes[p.number], shaft.name, slot)
+            for slot, pin in enumerate(pins, 1)
+            for p in pin
+        ]
+    identity: dict[str, Any] = {key: getattr(basis, key) for key in Identity.model_fields}
+    identity["provenance"] = _assumed(basis) | basis.provenance
+    engine = checked(
+        Engine,
+        {
+            **identity,
+            "relative": unknown,
+            "bore_pitch": 1.0 if "pitch" in unknown and pitch is None else pitch,
+            "shafts": tuple(turning),
+            "cylinders": _overridden(basis, sorted(cylinders, key=lambda c: c.number)),
+        },
+    )
+    return _timed(engine) if engine.first.articulated else engine
+
+
+def _timed(engine: Engine) -> Engine:
+    """The engine turned to the first cylinder's true dead centre, which a slave rod shifts."""
+    ahead = engine.sense * radians(
+        dead_centres(engine)[engine.first.chamber or engine.first.number].angle_deg
+    )
+
+    return turned_on(engine, ahead)
+
+
+def _misplaced(basis: Basis, places: list[Place]) -> Iterator[Fault]:
+    tables: list[tuple[tuple[str | int, ...], Sizes]] = [(("cylinder",), basis.cylinder)]
+    tables += [(("cylinders", index), other) for index, other in enumerate(basis.cylinders)]
+    for path, sizes in tables:
+        if sizes.rod_length is not None and sizes.rod_ratio is not None:
+            yield Fault((*path, "rod_ratio"), "rod_ratio.beside-length")
+    counts = Counter(place.number for place in places)
+    for number, times in sorted(counts.items()):
+        if times > 1:
+            values: dict[str, Any] = {"number": number, "times": times}
+            yield Fault(("layout",), "layout.number-repeated", values)
+    overridden = Counter(other.number for other in basis.cylinders)
+    for index, other in enumerate(basis.cylinders):
+        here = ("cylinders", index, "number")
+        if other.number not in counts:
+            values = {"value": other.number, "numbers": sorted(counts)}
+            yield Fault(here, "override.no-such-cylinder", values)
+        elif overridden[other.number] > 1:
+            yield Fault(here, "override.repeated", {"value": other.number})
+
+
+def _assumed(basis: Basis) -> dict[str, Provenance]:
+    """What the layout had to assume, said where a reader looks for provenance."""
+    if basis.cylinder.rod_length is not None or basis.cylinder.rod_ratio is not None:
+        return {}
+    return {
+        "cylinder.rod_length": Provenance(
+            status="placeholder",
+            source=f"neither rod_length nor rod_ratio given: rod ratio l/r = {ASSUMED_ROD_RATIO:g} assumed",
+        )
+    }
+
+
+def _sizes(basis: Basis, place: Place) -> _Known:
+    given = {key: getattr(basis.cylinder, key) for key in Sizes.model_fields}
+    if place.offset is not None:
+        given["offset"] = place.offset
+    own = next((other for other in basis.cylinders if other.number == place.number), None)
+    different = (
+        {}
+        if own is None
+        else {k: getattr(own, k) for k in Sizes.model_fields if getattr(own, k) is not None}
+    )
+    if "rod_ratio" in different and "rod_length" not in different:
+        given["rod_length"] = None
+    given |= different
+    radius = 1.0 if given["stroke"] is None else given["stroke"] / 2
+    ratio = ASSUMED_ROD_RATIO if given["rod_ratio"] is None else given["rod_ratio"]
+    length = ratio * radius if given["rod_length"] is None else given["rod_length"]
+    if place.articulated is not None and (own is None or own.rod_length is None):
+        length = (
+            length - place.articulated.radius
+            if place.slave_rod_length is None
+            else place.slave_rod_length
+        )
+        if length <= 0:
+            raise EngineError([Fault(("layout", "knuckle_radius"), "layout.knuckle-too-far")])
+    return _Known(
+        bore=given["bore"],
+        radius=radius,
+        rod_length=length,
+        offset=given["offset"],
+        mass=1.0 if given["reciprocating_mass"] is None else given["reciprocating_mass"],
+        rotating_mass=given["rotating_mass"],
+        rod=given["rod"],
+    )
+
+
+def _relative(basis: Basis, *, pitch_unknown: bool, places: list[Place]) -> tuple[Unknown, ...]:
+    spread = len({place.z for place in places}) > 1
+    unknown: list[tuple[Unknown, bool]] = [
+        ("mass", basis.cylinder.reciprocating_mass is None or "mass" in basis.relative),
+        ("radius", basis.cylinder.stroke is None or "radius" in basis.relative),
+        ("pitch", spread and (pitch_unknown or "pitch" in basis.relative)),
+    ]
+    return tuple(name for name, missing in unknown if missing)
+
+
+def _pins(places: list[Place]) -> list[list[Place]]:
+    """The cylinders of each crank pin, pins from front to rear."""
+    pins: dict[int, list[Place]] = {}
+    for place in places:
+        pins.setdefault(place.pin, []).append(place)
+    return sorted(pins.values(), key=lambda sharing: -_middle(sharing))
+
+
+def _middle(sharing: list[Place]) -> float:
+    return sum(place.z for place in sharing) / len(sharing)
+
+
+def _throws(
+    basis: Basis, pins: list[list[Place]], sizes: dict[int, _Known], shaft: ShaftPlace
+) -> tuple[Throw, ...]:
+    """The shaft's throws, turned so that its first cylinder is at top dead centre after `lag`."""
+    first = min((place for pin in pins for place in pin), key=lambda place: place.number)
+    size = sizes[first.number]
+    sense = 1 if basis.rotation == "clockwise" else -1
+    reaches = abs(size.offset) < size.radius + size.rod_length
+    advance = (
+        motion.dead_centre(crank_radius=size.radius, rod_length=size.rod_length, offset=size.offset)
+        if reaches
+        else 0.0
+    )
+    base = first.bearing + advance - first.pin_angle - sense * float(shaft.speed_ratio) * shaft.lag
+    throws: list[Throw] = []
+    for sharing in pins:
+        radii = {sizes[place.number].radius for place in sharing}
+        if len(radii) > 1:
+            values = {"numbers": [place.number for place in sharing]}
+            raise EngineError([Fault(("cylinders",), "layout.strokes-on-a-pin", values)])
+        throws.append(
+            Throw(
+                angle=wrapped(base + sharing[0].pin_angle),
+                radius=radii.pop(),
+                z=_middle(sharing),
+                rotating_mass=sum(
+                    sizes[place.number].rotating_mass
+                    for place in sharing
+                    if place.articulated is None
+                ),
+            )
+        )
+    return tuple(throws)
+
+
+def _weights(
+    basis: Basis, pins: list[list[Place]], sizes: dict[int, _Known], throws: tuple[Throw, ...]
+) -> tuple[Weight, ...]:
+    """A counterweight opposite each pin, at crank radius.
+
+    It balances the rotating mass and the share `balance_factor` of the reciprocating mass.
+    """
+    if basis.balance_factor is None:
+        return ()
+    weights: list[Weight] = []
+    for number, (sharing, throw) in enumerate(zip(pins, throws, strict=True), 1):
+        on_pin = [sizes[place.number] for place in sharing]
+        mass = sum(size.rotating + basis.balance_factor * size.reciprocating for size in on_pin)
+        if mass > 0:
+            weights.append(
+                Weight(
+                    unbalance=mass * throw.radius,
+                    angle=wrapped(throw.angle + pi),
+                    z=throw.z,
+                    throw=number,
+                )
+            )
+    return tuple(weights)
+
+
+def _cylinder(place: Place, size: _Known, shaft: str, throw: int) -> Cylinder:
+    return Cylinder(
+        number=place.number,
+        shaft=shaft,
+        throw=throw,
+        bearing=wrapped(place.bearing),
+        z=place.z,
+        offset=size.offset,
+        bore=size.bore,
+        rod_length=size.rod_length,
+        reciprocating_mass=size.mass,
+        big_end_mass=size.rotating_mass if place.articulated else 0.0,
+        rod=size.rod,
+        articulated=place.articulated,
+        chamber=place.chamber,
+        bank=place.bank,
+    )
+
+
+def _overridden(basis: Basis, cylinders: list[Cylinder]) -> tuple[Cylinder, ...]:
+    """The cylinders with what their overrides say of bearing, place, bank and articulation."""
+    own = {other.number: other for other in basis.cylinders}
+    changed: list[Cylinder] = []
+    for cylinder in cylinders:
+        other = own.get(cylinder.number)
+        keys = ("bearing", "z", "bank", "articulated")
+        update = {
+            key: getattr(other, key) for key in keys if other and getattr(other, key) is not None
+        }
+        changed.append(with_values(cylinder, **update))
+    return tuple(changed)

@@ -1,0 +1,150 @@
+"""Top and bottom dead centres of each combustion chamber, from the geometry.
+
+A chamber is at top dead centre where its volume is least: for one piston where the piston is
+farthest out, for two that share a chamber where the sum of bore area times outward travel is
+greatest.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from math import asin, degrees, pi
+from typing import NamedTuple
+
+import numpy as np
+
+from crankstar.engine import motion
+from crankstar.engine.assembly import Assembly
+
+SAME_ANGLE = 1e-6
+"""Degrees: dead centres closer than this are simultaneous."""
+
+
+class DeadCentre(NamedTuple):
+    """The top dead centre of a chamber in degrees of the reference shaft, and its period."""
+
+    angle_deg: float
+    period_deg: float
+
+
+def dead_centres(engine: Assembly) -> dict[int, DeadCentre]:
+    """Top dead centre of each chamber, degrees of the reference crankshaft, from 0 up."""
+    return _dead_centres(engine, outward=1.0)
+
+
+def bottom_dead_centres(engine: Assembly) -> dict[int, DeadCentre]:
+    """Bottom dead centre of each chamber, its greatest volume, degrees of the reference shaft.
+
+    Half a turn after the top only where the axis of a plain rod's cylinder meets the shaft's: for
+    an offset e it is at sin psi = -e/(l - r), and the top at e/(l + r).
+
+    >>> from crankstar.engine.basis import Basis, Sizes
+    >>> from crankstar.engine.layouts import inline
+    >>> one = inline(Basis(name="desaxe", cylinder=Sizes(stroke=0.08, rod_length=0.12, offset=0.01)), throws=(0.0,))
+    >>> round(bottom_dead_centres(one)[1].angle_deg, 6)  # 180 + asin(1/8) - asin(1/16) deg
+    183.597434
+    """
+    return _dead_centres(engine, outward=-1.0)
+
+
+def _dead_centres(engine: Assembly, *, outward: float) -> dict[int, DeadCentre]:
+    """Where a chamber's pistons are farthest out (outward = 1) or in (-1)."""
+    links = motion.linkage(engine)
+    place = {cylinder.number: index for index, cylinder in enumerate(engine.cylinders)}
+    root = motion.roots(links.master)
+    lag = np.array(
+        [
+            engine.throw(c).angle - engine.cylinders[root[i]].bearing
+            for i, c in enumerate(engine.cylinders)
+        ]
+    )
+    ratio = np.array(
+        [float(engine.shaft(c.shaft).speed_ratio) * engine.sense for c in engine.cylinders]
+    )
+    area = outward * np.array([1.0 if c.bore is None else c.bore**2 for c in engine.cylinders])
+    chambers = tuple(
+        (number, tuple(place[c.number] for c in pistons))
+        for number, pistons in engine.chambers.items()
+    )
+    arrays = (*(getattr(links, name) for name in motion.ARRAYS), lag, ratio, area)
+    return dict(
+        _kept(links.master, tuple(tuple(map(float, values)) for values in arrays), chambers)
+    )
+
+
+@lru_cache(maxsize=256)
+def _kept(
+    master: tuple[int, ...],
+    arrays: tuple[tuple[float, ...], ...],
+    chambers: tuple[tuple[int, tuple[int, ...]], ...],
+) -> tuple[tuple[int, DeadCentre], ...]:
+    """Dead centres by chamber, cached: firing, strokes, verdict and drawing all need them."""
+    *linked, lag, ratio, area = (np.array(values) for values in arrays)
+    links = motion.Linkage(master=master, **dict(zip(motion.ARRAYS, linked, strict=True)))
+    return tuple(
+        (number, _dead_centre(links, list(pistons), lag, ratio, area))
+        for number, pistons in chambers
+    )
+
+
+def _dead_centre(
+    links: motion.Linkage, pistons: list[int], lag: np.ndarray, ratio: np.ndarray, area: np.ndarray
+) -> DeadCentre:
+    """The dead centre of one piston on a crank pin in closed form, of others by search.
+
+    Rod and crank are in line: for an offset e at sin psi = e/(l + r) at the top, at psi = 180 deg +
+    asin(e/(l - r)) at the bottom.
+    """
+    first = pistons[0]
+    crank, rod, offset = (
+        float(values[first]) for values in (links.crank_radius, links.rod_length, links.offset)
+    )
+    if len(pistons) > 1 or links.master[first] >= 0 or rod - crank <= abs(offset):
+        return _searched(links, pistons, lag, ratio, area)
+    psi = asin(offset / (rod + crank)) if area[first] > 0 else pi + asin(offset / (rod - crank))
+    return _centre((psi - float(lag[first])) / float(ratio[first]), abs(float(ratio[first])))
+
+
+def _centre(theta: float, speed: float) -> DeadCentre:
+    """The dead centre at theta (radians) of a shaft that turns so many times as fast as the first."""
+    turn = 360.0 / speed
+    angle = degrees(theta) % turn
+    return DeadCentre(0.0 if min(angle, turn - angle) < SAME_ANGLE / 100 else angle, turn)
+
+
+def _searched(
+    links: motion.Linkage, pistons: list[int], lag: np.ndarray, ratio: np.ndarray, area: np.ndarray
+) -> DeadCentre:
+    """Search a grid over one turn of the pistons' own shaft, then refine by Newton's method."""
+    speed = abs(float(ratio[pistons[0]]))
+    grid = np.arange(360) * (2 * np.pi / 360)
+    travel, _, _ = _outward(links, pistons, grid / speed, lag, ratio, area)
+    theta = float(grid[np.argmax(travel)]) / speed
+    for _ in range(20):
+        _, slope, bend = (
+            float(part[0]) for part in _outward(links, pistons, np.array([theta]), lag, ratio, area)
+        )
+        step = -slope / bend if bend < 0 else 0.0
+        theta += float(np.clip(step, -0.02 / speed, 0.02 / speed))
+        if abs(step) < 1e-15:
+            break
+    return _centre(theta, speed)
+
+
+def _outward(
+    links: motion.Linkage,
+    pistons: list[int],
+    theta: np.ndarray,
+    lag: np.ndarray,
+    ratio: np.ndarray,
+    area: np.ndarray,
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Bore area times outward travel of a chamber's pistons over theta, and two derivatives."""
+    total = [np.zeros_like(theta) for _ in range(3)]
+    for index in pistons:
+        chain = motion.chain(links, index)
+        moved = motion.rods(motion.parted(links, chain), ratio[index] * theta + lag[index])
+        axis = np.exp(1j * links.bearing[index])
+        for power, (target, path) in enumerate(zip(total, moved.piston, strict=True)):
+            np.add(target, area[index] * ratio[index] ** power * (path[-1] / axis).real, out=target)
+    return total[0], total[1], total[2]

@@ -1,0 +1,29 @@
+"""The Engine: an assembly of shafts and cylinders that is always valid."""
+
+from __future__ import annotations
+
+from pydantic import model_validator
+
+from crankstar.engine import checks
+from crankstar.engine.assembly import Assembly
+from crankstar.engine.firing_angles import unfit
+from crankstar.engine.motion import unreachable
+from crankstar.language.faults import EngineError
+
+
+class Engine(Assembly):
+    """A piston engine: shafts with throws and weights, cylinders on them.
+
+    Always valid: an impossible one raises, also where only the motion shows it.
+
+    `relative` names what is not known and therefore counted in its own unit: masses in the first
+    cylinder's reciprocating mass, lengths across the crankshaft in its crank radius, lengths along
+    it in bore pitches.
+    """
+
+    @model_validator(mode="after")
+    def _possible(self) -> Engine:
+        faults = list(checks.faults(self)) or unreachable(self) or unfit(self)
+        if faults:
+            raise EngineError(faults)
+        return self

@@ -1,0 +1,284 @@
+"""The frozen records of an engine, in SI units.
+
+Shafts, throws, weights, cylinders, rods, valves, the block, the provenance.
+
+Bearings and positions are those of the clock plane: `up` and `right` seen from the front, angles
+clockwise from up, z positive to the front. What they must be together is checked by `engine`.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
+from pydantic_core import PydanticKnownError
+
+from crankstar.engine.quantities import (
+    Angle,
+    BodyInertia,
+    Cycle,
+    Inertia,
+    Length,
+    Line,
+    Mass,
+    MovingMass,
+    Ordinal,
+    Position,
+    Rotation,
+    Size,
+    Speed,
+    SpeedRatio,
+    Status,
+    Text,
+    Unbalance,
+)
+
+GREATEST_CYLINDERS = 256
+GREATEST_THROWS = 256
+"""Throws of one shaft; weights as well."""
+
+
+class Record(BaseModel):
+    """What all records share: frozen, no unknown keys, names or file keys accepted."""
+
+    model_config = ConfigDict(
+        frozen=True, extra="forbid", validate_by_name=True, validate_by_alias=True, defer_build=True
+    )
+
+
+class Rod(Record):
+    """A connecting rod as a rigid body.
+
+    Its mass, the distance of its centre of mass from the big end, its inertia about that centre.
+    """
+
+    mass: MovingMass = Field(description="mass of the whole rod")
+    centre: Length = Field(description="from the big end to the centre of mass, along the rod")
+    inertia: Inertia = Field(default=0.0, description="moment of inertia about the centre of mass")
+
+
+class Articulation(Record):
+    """A knuckle pin on another cylinder's rod; an articulated (slave) rod's big end sits on it."""
+
+    master: Ordinal = Field(description="number of the cylinder whose rod carries the knuckle pin")
+    radius: Size = Field(description="from the crank pin to the knuckle pin")
+    angle: Angle = Field(
+        description="from the master rod to the knuckle pin, about the crank pin, clockwise"
+    )
+
+
+class Throw(Record):
+    """A crank throw: pin bearing at theta = 0, crank radius, z, rotating mass at the radius."""
+
+    angle: Angle = Field(description="bearing of the pin at theta = 0, clockwise from up")
+    radius: Size = Field(description="crank radius, half the stroke")
+    z: Position = Field(default=0.0, description="middle of the pin, positive to the front")
+    rotating_mass: Mass = Field(
+        default=0.0, description="unbalanced crank pin and rod big ends, at crank radius"
+    )
+
+
+class Weight(Record):
+    """A counterweight, eccentric or balance weight on a shaft; unbalance is mass times radius."""
+
+    unbalance: Unbalance = Field(description="mass times radius of its centre")
+    angle: Angle = Field(description="bearing at theta = 0, clockwise from up")
+    z: Position = Field(default=0.0, description="place along the shaft, positive to the front")
+    throw: Ordinal | None = Field(
+        default=None,
+        description="number of the throw it turns with; the nearest along the shaft if left out",
+    )
+
+
+class Shaft(Record):
+    """A shaft parallel to the reference crankshaft, the first of all, and geared to it."""
+
+    name: Line = Field(description="by which cylinders refer to it")
+    speed_ratio: SpeedRatio = Field(
+        default=Fraction(1),
+        description="turns per turn of the reference shaft; negative turns the other way",
+    )
+    up: Length = Field(default=0.0, description="height of its axis over the reference shaft")
+    right: Length = Field(
+        default=0.0, description="its axis to the right of the reference shaft, seen from the front"
+    )
+    throws: tuple[Throw, ...] = Field(
+        default=(),
+        validation_alias="throw",
+        serialization_alias="throw",
+        max_length=GREATEST_THROWS,
+        description="its crank throws",
+    )
+    weights: tuple[Weight, ...] = Field(
+        default=(),
+        validation_alias="weight",
+        serialization_alias="weight",
+        max_length=GREATEST_THROWS,
+        description="its counterweights and balance weights",
+    )
+
+
+class Cylinder(Record):
+    """A cylinder with its piston and rod; `throw` counts from one on `shaft`."""
+
+    number: Ordinal = Field(description="unique; cylinder 1 is the frontmost")
+    shaft: Line = Field(description="name of the shaft its rod works on")
+    throw: Ordinal = Field(description="which throw of that shaft, counted from 1")
+    bearing: Angle = Field(default=0.0, description="where the cylinder points, clockwise from up")
+    z: Position = Field(default=0.0, description="middle of the cylinder, positive to the front")
+    offset: Length = Field(
+        default=0.0, description="its axis passes this far clockwise of the shaft axis"
+    )
+    bore: Size | None = Field(default=None, description="cylinder diameter")
+    rod_length: Size = Field(description="connecting rod between centres")
+    reciprocating_mass: Mass = Field(
+        description="piston, pin, rings; and the rod's small end unless `rod` is given"
+    )
+    big_end_mass: Mass = Field(
+        default=0.0,
+        description="rod mass carried by the pin of its big end, where it is not in the throw's (slave rods)",
+    )
+    rod: Rod | None = Field(
+        default=None, description="the rod as a rigid body, instead of shares in the two masses"
+    )
+    articulated: Articulation | None = Field(
+        default=None, description="the rod sits on a knuckle pin of another rod"
+    )
+    chamber: Ordinal | None = Field(
+        default=None,
+        description="combustion chamber; pistons with the same one share it; the cylinder's own number if left out",
+    )
+    bank: Line | None = Field(default=None, description="name of the bank it belongs to")
+
+
+class Valves(Record):
+    """Opening and closing of valves or ports, degrees about dead centres; exhaust manifolds.
+
+    Four-stroke: about the dead centre at which each of them opens or closes. Two-stroke: all four
+    about bottom dead centre, the intake being the transfer or scavenge ports. A negative angle is
+    on the other side of the dead centre.
+    """
+
+    intake_opens: Angle | None = Field(
+        default=None,
+        examples=["15 deg"],
+        description="before top dead centre; in a two-stroke engine before bottom dead centre",
+    )
+    intake_closes: Angle | None = Field(
+        default=None, examples=["50 deg"], description="after bottom dead centre"
+    )
+    exhaust_opens: Angle | None = Field(
+        default=None, examples=["50 deg"], description="before bottom dead centre"
+    )
+    exhaust_closes: Angle | None = Field(
+        default=None,
+        examples=["15 deg"],
+        description="after top dead centre; in a two-stroke engine after bottom dead centre",
+    )
+    manifolds: tuple[tuple[Ordinal, ...], ...] = Field(
+        default=(),
+        max_length=GREATEST_CYLINDERS,
+        examples=[[[1, 4], [2, 3]]],
+        description="the cylinders whose exhausts meet, manifold by manifold; each bank has its own if left out",
+    )
+
+
+class Block(Record):
+    """The whole engine as one rigid body: mass, centre of mass, moments of inertia.
+
+    All of it, as it hangs on its mounts, moving parts included; about z without crankshaft and
+    flywheel, which turn on whatever the block does. What is left out is estimated where it is
+    needed, and marked so.
+    """
+
+    mass: MovingMass = Field(
+        description="of the whole engine, moving parts included", examples=["165 kg"]
+    )
+    up: Length = Field(
+        default=0.0, description="height of its centre of mass over the reference shaft"
+    )
+    right: Length = Field(
+        default=0.0,
+        description="its centre of mass to the right of the reference shaft, seen from the front",
+    )
+    z: Position | None = Field(
+        default=None,
+        description="its centre of mass, positive to the front; the middle of the cylinders if left out",
+    )
+    inertia_up: BodyInertia | None = Field(
+        default=None,
+        description="about the axis upward through its centre of mass (yaw); give all three or none",
+    )
+    inertia_right: BodyInertia | None = Field(
+        default=None, description="about the axis to the right through its centre of mass (pitch)"
+    )
+    inertia_z: BodyInertia | None = Field(
+        default=None,
+        description="about the axis along z through its centre of mass (roll), without crankshaft and flywheel",
+    )
+
+    @property
+    def inertia(self) -> tuple[float, float, float] | None:
+        """The three moments of inertia: up, right, z; None where they are not given."""
+        if self.inertia_up is None or self.inertia_right is None or self.inertia_z is None:
+            return None
+        return self.inertia_up, self.inertia_right, self.inertia_z
+
+
+class Provenance(Record):
+    """Where a value of an engine file comes from."""
+
+    status: Status = Field(
+        description="published: read in a source; computed; unverified: from memory; placeholder: a guess"
+    )
+    source: Text = Field(default="", description="where it was read, or how it was computed")
+
+
+def _no_switch(value: Any) -> Any:
+    """A value that is not true, which Python holds equal to 1. Raises PydanticKnownError."""
+    if value is True:
+        raise PydanticKnownError("literal_error", {"expected": "1"})
+    return value
+
+
+class Identity(Record):
+    """What an engine file says of the engine as a whole, in both forms."""
+
+    format: Annotated[Literal[1], BeforeValidator(_no_switch)] = Field(
+        default=1, description="version of the file format"
+    )
+    name: Line = Field(
+        examples=["V8, cross-plane, 90 deg"], description="of the engine, on one line"
+    )
+    cycle: Cycle = Field(
+        default="four-stroke",
+        description="two-stroke: one turn of the crankshaft; four-stroke: two",
+    )
+    rotation: Rotation = Field(
+        default="clockwise", description="of the reference crankshaft, seen from the front"
+    )
+    firing_order: tuple[Ordinal, ...] = Field(
+        default=(),
+        max_length=GREATEST_CYLINDERS,
+        examples=[[1, 3, 4, 2]],
+        description="combustion chambers in the order in which they fire",
+    )
+    firing_angles: tuple[Angle, ...] | None = Field(
+        default=None,
+        max_length=GREATEST_CYLINDERS,
+        description="crank angle of each firing, as listed; only where the order leaves a choice",
+    )
+    speed: Speed | None = Field(default=None, description="the speed at which to quote forces")
+    valves: Valves | None = Field(
+        default=None,
+        description="when valves or ports are open; typical angles are assumed for what is left out",
+    )
+    block: Block | None = Field(
+        default=None, description="mass, centre of mass and moments of inertia of the whole engine"
+    )
+    source: Text = Field(default="", description="where the numbers come from")
+    notes: Text = Field(default="", description="anything a reader should know")
+    provenance: dict[Line, Provenance] = Field(
+        default={}, max_length=1000, description="by key path: where each value comes from"
+    )

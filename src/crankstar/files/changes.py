@@ -1,0 +1,118 @@
+"""Values of an engine file set by key path, in the notation of the messages.
+
+A throw whose angle is set takes its weights along.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from typing import Any
+
+from crankstar.engine.copies import throws_of_weights, with_values, wrapped
+from crankstar.engine.engine import Engine
+from crankstar.engine.records import Shaft
+from crankstar.files.errors import EngineFileError, refused
+from crankstar.files.mistakes import Tree, copied
+from crankstar.files.source import GREATEST_DEPTH
+from crankstar.language.faults import Fault, where
+from crankstar.language.quoting import one_line, seen
+
+GREATEST_VALUES = 20_000
+
+
+def bounded(tree: Any, name: str) -> Tree:
+    """The tree itself, once it is found to be a table, and no larger than an engine can need."""
+    if not isinstance(tree, dict):
+        raise refused(name, "not-a-table", value=seen(tree))
+    level: list[tuple[tuple[str | int, ...], Any]] = [((), tree)]
+    count = 0
+    for _ in range(GREATEST_DEPTH):
+        level = [(path, value) for path, value in level if isinstance(value, dict | list)]
+        count += sum(len(value) for _, value in level)
+        if count > GREATEST_VALUES:
+            path, widest = max(level, key=lambda item: len(item[1]))
+            values = {"size": len(widest), "greatest": GREATEST_VALUES}
+            raise EngineFileError(name, [Fault(path, "file.too-many-values", values)])
+        if not level:
+            return tree
+        level = [
+            ((*path, key), item)
+            for path, value in level
+            for key, item in (value.items() if isinstance(value, dict) else enumerate(value))
+        ]
+    raise refused(name, "too-deep", greatest=GREATEST_DEPTH)
+
+
+def changed(tree: Tree, changes: Mapping[str, Any], *, name: str = "the engine") -> Tree:
+    """A tree with values set by key path: `layout.banks[1].bearing`, counted from one.
+
+    Raises EngineFileError where a path leads nowhere, or where there is more than an engine can
+    need.
+    """
+    out = copied(bounded(tree, name))
+    for path, value in changes.items():
+        keys = keys_of(path)
+        table: Any = out
+        for place, key in enumerate(keys):
+            if not _can_hold(table, key):
+                raise EngineFileError(name, [_unsettable(keys, place, table)])
+            if place == len(keys) - 1:
+                table[key] = value
+            else:
+                table = table[key] if isinstance(key, int) else table.setdefault(key, {})
+    return bounded(out, name)
+
+
+def keys_of(path: str) -> list[str | int]:
+    """The keys of a path: names, and places in lists counted from nought."""
+    if not re.fullmatch(r"[^.\[\]]+(\.[^.\[\]]+|\[\d{1,6}\])*", path):
+        return [path]
+    return [
+        int(index) - 1 if index else key
+        for index, key in re.findall(r"\[(\d+)\]|([^.\[\]]+)", path)
+    ]
+
+
+def _can_hold(table: Any, key: str | int) -> bool:
+    return (
+        isinstance(table, dict)
+        if isinstance(key, str)
+        else isinstance(table, list) and 0 <= key < len(table)
+    )
+
+
+def _unsettable(keys: list[str | int], place: int, table: Any) -> Fault:
+    values: dict[str, Any] = {"whole": one_line(where(tuple(keys[:place])), longest=60)}
+    if isinstance(table, list):
+        return Fault(tuple(keys), "set.in-list", values | {"size": len(table)})
+    code = "set.not-a-list" if isinstance(table, dict) else "set.not-a-table"
+    return Fault(tuple(keys), code, values)
+
+
+_THROW_ANGLE = re.compile(r"shaft\[\d+\]\.throw\[\d+\]\.angle")
+
+
+def throw_angles(changes: Mapping[str, Any]) -> list[str]:
+    """The paths among the changes that turn a throw."""
+    return [path for path in changes if _THROW_ANGLE.fullmatch(path)]
+
+
+def with_weights_along(before: Engine, after: Engine, changes: Mapping[str, Any]) -> Engine:
+    """The engine after the changes, its weights turned as far as their throws were.
+
+    Weights whose own angle is among the changes stay as these say.
+    """
+    shafts: list[Shaft] = []
+    for place, (old, new) in enumerate(zip(before.shafts, after.shafts, strict=True), 1):
+        turned = [b.angle - a.angle for a, b in zip(old.throws, new.throws, strict=True)]
+        weights = [
+            weight
+            if home is None or f"shaft[{place}].weight[{number}].angle" in changes
+            else with_values(weight, angle=wrapped(weight.angle + turned[home - 1]))
+            for number, (weight, home) in enumerate(
+                zip(new.weights, throws_of_weights(new), strict=True), 1
+            )
+        ]
+        shafts.append(with_values(new, weights=tuple(weights)))
+    return with_values(after, shafts=tuple(shafts))

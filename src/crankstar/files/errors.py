@@ -1,0 +1,36 @@
+"""An engine file that cannot be used, with every fault found in it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from crankstar.language.faults import Fault
+from crankstar.language.messages import _, _n
+
+GREATEST_SHOWN = 100
+"""Faults of one file that are written out one by one."""
+
+
+class EngineFileError(ValueError):
+    """An engine file that cannot be used; `faults` have the key paths of the file."""
+
+    def __init__(self, name: str, faults: Sequence[Fault]) -> None:
+        self.name, self.faults = name, list(faults)
+        count = len(self.faults)
+        lines = [fault.sentence for fault in self.faults[:GREATEST_SHOWN]]
+        if count > GREATEST_SHOWN:
+            lines.append(_("... and {count} more", count=count - GREATEST_SHOWN))
+        head = _n(
+            "{name}: {count} mistake", "{name}: {count} mistakes", count, name=name, count=count
+        )
+        super().__init__("\n".join([head, *(f"  {line}" for line in lines)]))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """It goes from process to process."""
+        return EngineFileError, (self.name, self.faults)
+
+
+def refused(name: str, code: str, **values: Any) -> EngineFileError:
+    """The error of a file as a whole."""
+    return EngineFileError(name, [Fault((), f"file.{code}", values)])

@@ -1,0 +1,118 @@
+"""The text of an engine file, and the tree of keys in it: TOML or JSON, not checked as an engine."""
+
+from __future__ import annotations
+
+import json
+import re
+import stat
+import sys
+import tomllib
+from collections import Counter
+from pathlib import Path
+from typing import Any
+
+from crankstar.files.errors import EngineFileError, refused
+from crankstar.files.mistakes import Tree
+from crankstar.language.quoting import one_line, seen
+
+GREATEST_FILE = 1_000_000
+"""Bytes: a hundred times the longest real engine file."""
+GREATEST_DEPTH = 16
+STANDARD_INPUT = "/dev/stdin"
+_STANDARD_INPUTS = ("-", STANDARD_INPUT)
+
+
+def read_tree(path: str | Path, *, name: str | None = None) -> tuple[str, Tree]:
+    """The name by which messages call a file, and its tree of keys, not checked.
+
+    Raises EngineFileError.
+    """
+    name = name or ("standard input" if str(path) in _STANDARD_INPUTS else _shown_name(path))
+    return name, tree_of(_text(path, name), name=name)
+
+
+def _shown_name(path: str | Path) -> str:
+    name = str(path)
+    return one_line(name if len(name) <= 200 else "..." + name[-197:])
+
+
+def _text(path: str | Path, name: str) -> str:
+    try:
+        raw = _standard_input(name) if str(path) in _STANDARD_INPUTS else _bytes(Path(path), name)
+    except FileNotFoundError:
+        raise refused(name, "missing") from None
+    except OSError as error:
+        raise refused(name, "unreadable", reason=str(error.strerror or error)) from None
+    if len(raw) > GREATEST_FILE:
+        raise refused(name, "too-large", greatest=GREATEST_FILE // 1_000_000)
+    if not raw.strip():
+        raise refused(name, "empty")
+    try:
+        text = raw.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        text = "\0"
+    if "\0" in text:
+        raise refused(name, "not-text")
+    return text
+
+
+def _standard_input(name: str) -> bytes:
+    if sys.stdin is None:
+        raise refused(name, "input-closed")
+    return sys.stdin.buffer.read(GREATEST_FILE + 1)
+
+
+def _bytes(path: Path, name: str) -> bytes:
+    try:
+        mode = path.stat().st_mode
+    except ValueError:
+        raise refused(name, "name-impossible") from None
+    if stat.S_ISDIR(mode):
+        raise refused(name, "directory")
+    if not stat.S_ISREG(mode):
+        raise refused(name, "not-regular")
+    with path.open("rb") as file:
+        return file.read(GREATEST_FILE + 1)
+
+
+def tree_of(text: str, *, name: str = "the engine") -> Tree:
+    """The tree of keys in TOML or JSON text (JSON starts with a brace).
+
+    Raises EngineFileError with line and column.
+    """
+
+    def once(pairs: list[tuple[str, Any]]) -> Tree:
+        tree = dict(pairs)
+        if len(tree) < len(pairs):
+            counts = Counter(key for key, _ in pairs)
+            twice = next(key for key, count in counts.items() if count > 1)
+            raise refused(name, "key-twice", key=seen(twice))
+        return tree
+
+    try:
+        return (
+            json.loads(text, object_pairs_hook=once)
+            if text.lstrip().startswith("{")
+            else tomllib.loads(text)
+        )
+    except tomllib.TOMLDecodeError as error:
+        raise _not_toml(name, text, str(error)) from None
+    except json.JSONDecodeError as error:
+        raise refused(name, "not-json", reason=str(error)) from None
+    except RecursionError:
+        raise refused(name, "too-deep", greatest=GREATEST_DEPTH) from None
+    except EngineFileError:
+        raise
+    except ValueError:
+        raise refused(name, "long-number") from None
+
+
+def _not_toml(name: str, text: str, reason: str) -> EngineFileError:
+    """The line of a file at which TOML stops making sense, and what is often meant."""
+    at = re.search(r"at line (\d+)", reason)
+    line = text.split("\n")[int(at.group(1)) - 1].strip() if at else ""
+    bare = re.search(r"[=,\[]\s*([-+]?[\d.]+ *[A-Za-z\u00b0][A-Za-z]*)", line)
+    values = {"reason": reason, "line": f": {one_line(line, longest=80)}" if line else ""}
+    if bare:
+        return refused(name, "not-toml-unit", example=seen(bare.group(1)), **values)
+    return refused(name, f"not-toml{'-twice' if reason.startswith('Cannot') else ''}", **values)

@@ -1,0 +1,12 @@
+"""Firing orders and intervals, strokes, exhaust; V engines that fire evenly.
+
+| module, bottom to top | one line |
+|---|---|
+| `intervals` | the firing order with its angles and intervals |
+| `numbering` | an engine with another firing order, or other cylinder numbers |
+| `succession` | successive firings in a group; neighbours and pin partners |
+| `timetable` | all ways to give each chamber one of its dead centres |
+| `orders` | firing orders that a crank can fire: even, given, all possible |
+| `strokes` | strokes, valve or port events, common exhausts |
+| `vees` | V engines that fire evenly: throws, bank angle, pin split |
+"""

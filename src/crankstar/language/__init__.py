@@ -1,0 +1,11 @@
+"""Words: numbers, units and sentences as text, message catalogs, the sentences of faults.
+
+| module, bottom to top | one line |
+|---|---|
+| `messages` | sentences in the reader's language, from gettext catalogs |
+| `numbers` | numbers, amplitudes, units and durations as text |
+| `quoting` | text from outside, quoted on one printable line |
+| `engine_faults` | the sentence of each fault of an engine |
+| `file_faults` | the sentence of each fault of an engine file |
+| `faults` | faults as records: path, code, values; their sentences |
+"""

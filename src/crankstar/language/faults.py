@@ -1,0 +1,117 @@
+"""Faults: what is wrong with an engine, a file or a question, as a record; and its sentence.
+
+Rooms above name a code and the values that belong to it; the sentences stand in the tables of
+`engine_faults` and `file_faults`, marked for translation. Each host says where a fault is in its
+own words: `where(path)` in an engine file, an option on the command line, a field in a dialog.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from functools import partial
+from typing import Any, NamedTuple
+
+from crankstar.language import engine_faults, file_faults
+from crankstar.language.messages import Plural, _, _n
+from crankstar.language.quoting import one_line, seen
+
+SENTENCES: dict[str, str | Plural] = {**engine_faults.SENTENCES, **file_faults.SENTENCES}
+"""By code; `{where}` stands for the place, a plural goes by the value `count`."""
+GREATEST_LISTED = 12
+"""Values of a list up to which a sentence has all of them."""
+
+
+class Fault(NamedTuple):
+    """One thing wrong: where (keys and indices from nought), which, and the values of its sentence.
+
+    Values are numbers, texts, lists and tables of them. `cylinder` is the number of the one
+    cylinder it is about, since a short file lists its cylinders in another way.
+    """
+
+    path: tuple[str | int, ...]
+    code: str
+    values: Mapping[str, Any] = {}
+    cylinder: int | None = None
+
+    @property
+    def sentence(self) -> str:
+        """What is wrong and what would be right, the place named as in an engine file."""
+        return sentence(self.code, self.values, place=where(self.path))
+
+
+class EngineError(ValueError):
+    """An engine that cannot be; carries every fault found, not only the first."""
+
+    def __init__(self, faults: Sequence[Fault]) -> None:
+        self.faults = list(faults)
+        super().__init__("\n".join(fault.sentence for fault in self.faults))
+
+
+class ValueFaultError(ValueError):
+    """A value that cannot be, found where its place is not known."""
+
+    def __init__(self, code: str, **values: Any) -> None:
+        self.code, self.values = code, values
+        super().__init__(sentence(code, values, place=_("the value")))
+
+    def at(self, place: str) -> str:
+        """The sentence with the place where the value stands."""
+        return sentence(self.code, self.values, place=place)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """It goes from process to process."""
+        return partial(type(self), self.code, **self.values), ()
+
+
+def sentence(code: str, values: Mapping[str, Any], *, place: str) -> str:
+    """The sentence of a fault in the language of the context.
+
+    >>> sentence("shaft.reference-ratio", {"value": 2}, place="shaft[1].speed_ratio").split(";")[0]
+    'shaft[1].speed_ratio is 2'
+    """
+    template = SENTENCES[code]
+    shown = {name: _shown(name, value) for name, value in values.items()}
+    if isinstance(template, Plural):
+        return _n(template.one, template.several, values["count"], where=place, **shown)
+    return _(template, where=place, **shown)
+
+
+def _shown(name: str, value: Any) -> str:
+    if name in file_faults.NAMED:
+        return _(file_faults.NAMED[name][value])
+    if isinstance(value, float):
+        return f"{value:.6g}"
+    if isinstance(value, Mapping):
+        return ", ".join(f"{key}: {_shown('', item)}" for key, item in value.items())
+    return listed(value) if isinstance(value, list | tuple) else str(value)
+
+
+def where(path: tuple[str | int, ...]) -> str:
+    """A key path as text, indices counting from one.
+
+    >>> where(("shaft", 0, "throw", 2, "radius")), where(("provenance", "cylinder.bore"))
+    ('shaft[1].throw[3].radius', 'provenance."cylinder.bore"')
+    """
+    text = ""
+    for key in path:
+        text += f"[{key + 1}]" if isinstance(key, int) else f"{'.' if text else ''}{_key(key)}"
+    return text or _("the file")
+
+
+def _key(key: str) -> str:
+    """A key as TOML writes it: quoted where it holds anything but letters, digits, - and _."""
+    return one_line(key, longest=60) if re.fullmatch(r"[A-Za-z0-9_-]+", key) else seen(key)
+
+
+def listed(values: Sequence[Any]) -> str:
+    """Values with commas, the middle of a long row left out.
+
+    >>> listed([1, 2, 4]), listed(range(100, 200))[-16:]
+    ('1, 2, 4', '... (100 in all)')
+    """
+    texts = [_shown("", value) for value in values]
+    if len(texts) > GREATEST_LISTED:
+        shown = ", ".join(texts[: GREATEST_LISTED - 2])
+        return _("{values}, ... ({count} in all)", values=shown, count=len(texts))
+    return ", ".join(texts)

@@ -1,0 +1,200 @@
+"""What can be wrong with an engine file and its values: a sentence for each code."""
+
+from __future__ import annotations
+
+from crankstar.language.messages import N_, Plural
+
+_DIMENSIONS = {
+    "angle": N_("an angle"),
+    "length": N_("a length"),
+    "length along the crankshaft": N_("a length"),
+    "mass": N_("a mass"),
+    "moment of inertia": N_("a moment of inertia"),
+    "unbalance": N_("an unbalance"),
+    "rotational speed": N_("a rotational speed"),
+    "force": N_("a force"),
+    "couple": N_("a couple"),
+    "area": N_("an area"),
+    "volume": N_("a volume"),
+    "time": N_("a time"),
+    "speed along a line": N_("a speed along a line"),
+    "acceleration": N_("an acceleration"),
+    "density": N_("a density"),
+    "mass per length": N_("a mass per length"),
+    "other": N_("another kind of quantity"),
+}
+NAMED: dict[str, dict[str, str]] = {
+    "dimension": _DIMENSIONS,
+    "measured": _DIMENSIONS,
+    "side": {"intake": N_("intake"), "exhaust": N_("exhaust")},
+    "cycle_name": {"two-stroke": N_("two-stroke"), "four-stroke": N_("four-stroke")},
+    "kind": {
+        "whole-number": N_("a whole number"),
+        "number": N_("a number"),
+        "finite-number": N_("a finite number"),
+        "text": N_("text"),
+        "whole-text": N_("text of whole characters"),
+        "list": N_("a list"),
+        "table": N_("a table"),
+    },
+}
+"""Values that are names of things, with the words for them."""
+
+SENTENCES: dict[str, str | Plural] = {
+    "text": N_("{text}"),
+    "unit.needed": N_("{where} is {value}; {dimension} is needed, such as {example}"),
+    "unit.missing": N_(
+        "{where} is {value}, a number without a unit; {dimension} is needed, such as {example}"
+    ),
+    "unit.implausible": N_(
+        "{where} is {number} {unit}; the largest plausible value is {greatest} {unit}. Did you mean "
+        "{number} {meant}?"
+    ),
+    "unit.too-large": N_(
+        "{where} is {value}, too large for an engine; {dimension} is needed, such as {example}"
+    ),
+    "unit.too-small": N_(
+        "{where} is {value}, too small for an engine; {dimension} is needed, such as {example}"
+    ),
+    "unit.not-a-number": N_(
+        "{where} is {value}, not a number with a unit; {dimension} is needed, such as {example}"
+    ),
+    "unit.decimal-comma": N_(
+        "{where} is {value}; write numbers with a decimal point and no other commas, as in {example}"
+    ),
+    "unit.unknown": N_(
+        "{where} is {value}, whose unit {unit} is not known; {dimension} is needed, such as "
+        "{example}"
+    ),
+    "unit.misspelt": N_(
+        "{where} is {value}, whose unit {unit} is not known (did you mean {meant}?); {dimension} is "
+        "needed, such as {example}"
+    ),
+    "unit.other-dimension": N_(
+        "{where} is {value}, {measured}; {dimension} is needed, such as {example}"
+    ),
+    "unit.bare-out-of-range": N_(
+        "{where} is {value}, too large or too small; give a bare number near 1"
+    ),
+    "unit.unknown-radius": N_(
+        "{where} is {value}, but the file gives no stroke, so lengths across the crankshaft are in "
+        "crank radii; give a bare number, or the stroke"
+    ),
+    "unit.unknown-pitch": N_(
+        "{where} is {value}, but the file gives no bore pitch, so lengths along the crankshaft are "
+        "in bore pitches; give a bare number, or the bore pitch"
+    ),
+    "unit.unknown-mass": N_(
+        "{where} is {value}, but the file gives no reciprocating mass, so masses are in units of "
+        "it; give a bare number, or the reciprocating mass"
+    ),
+    "unit.relative-radius": N_(
+        "{where} is {value}, but lengths across the crankshaft are in crank radii; give a bare "
+        "number, or take radius out of relative"
+    ),
+    "unit.relative-pitch": N_(
+        "{where} is {value}, but lengths along the crankshaft are in bore pitches; give a bare "
+        "number, or take pitch out of relative"
+    ),
+    "unit.relative-mass": N_(
+        "{where} is {value}, but masses are in units of the reciprocating mass; give a bare number, "
+        "or take mass out of relative"
+    ),
+    "key.misspelt": N_("{where} is not a key of an engine file; did you mean {meant}?"),
+    "key.belongs-at-top": N_(
+        "{where} is not a key of this table; it belongs at the top of the file, above the first "
+        "[table]"
+    ),
+    "key.belongs-in": N_("{where} is not a key of this table; it belongs in {table}"),
+    "key.unknown": N_("{where} is not a key of an engine file; there are: {keys}"),
+    "key.no-text": N_("{where} has the key {value}; keys are text of whole characters"),
+    "type.list-of-tables": N_(
+        "{where} is {value}; a list of tables is needed, each of them headed [[{key}]]"
+    ),
+    "type": N_("{where} is {value}; {kind} is needed"),
+    "type.example": N_("{where} is {value}; {kind} is needed, such as {example}"),
+    "missing": N_("{where} is missing; give it"),
+    "missing.example": N_("{where} is missing; give it, as in {key} = {example}"),
+    "greater-than": N_("{where} is {value}; it must be greater than {bound}"),
+    "greater-than.example": N_(
+        "{where} is {value}; it must be greater than {bound}, such as {example}"
+    ),
+    "at-least": N_("{where} is {value}; it must be at least {bound}"),
+    "at-least.example": N_("{where} is {value}; it must be at least {bound}, such as {example}"),
+    "at-most": N_("{where} is {value}; it must be at most {bound}"),
+    "at-most.example": N_("{where} is {value}; it must be at most {bound}, such as {example}"),
+    "choice": N_("{where} is {value}; it can be {choices}"),
+    "too-many": N_("{where} has {size} entries; at most {bound} are allowed"),
+    "too-few": Plural(
+        "{where} has {size} entries; at least {count} is needed",
+        "{where} has {size} entries; at least {count} are needed",
+    ),
+    "too-long": N_("{where} has {size} letters; at most {bound} are allowed"),
+    "invalid": N_("{where} is {value}; {message}"),
+    "file.missing": N_("there is no such file; `crankstar list` names the engines of the catalog"),
+    "file.not-in-catalog": N_(
+        "there is no such engine in the catalog, and no such file; `crankstar list` names the "
+        "engines of the catalog"
+    ),
+    "file.not-in-catalog-near": N_(
+        "there is no such engine in the catalog, and no such file; did you mean {near}?"
+    ),
+    "catalog.unknown": N_(
+        "there is no such engine in the catalog; `crankstar list` names those it has"
+    ),
+    "catalog.unknown-near": N_("there is no such engine in the catalog; did you mean {near}?"),
+    "file.unreadable": N_("{where} cannot be read ({reason}); name another file"),
+    "file.too-large": N_("{where} is larger than {greatest} MB; an engine file has a few kB"),
+    "file.empty": N_("{where} is empty; `crankstar new vee` writes one to start from"),
+    "file.not-text": N_("{where} is not a text file in UTF-8; an engine file is TOML or JSON"),
+    "file.input-closed": N_("standard input is closed; pipe an engine file into it, or name one"),
+    "file.name-impossible": N_(
+        "this is not a name a file can have; name an engine of the catalog or a file"
+    ),
+    "file.directory": N_("this is a directory; name a file in it"),
+    "file.not-regular": N_("this is not a regular file; use - to read standard input"),
+    "file.key-twice": N_("{where} has the key {key} twice in one table; give it once"),
+    "file.not-toml": N_(
+        "{where} is not TOML: {reason}{line}; `crankstar new vee` writes a file to compare with"
+    ),
+    "file.not-toml-unit": N_(
+        "{where} is not TOML: {reason}{line}; a number with a unit stands in quotation marks, as in "
+        "{example}"
+    ),
+    "file.not-toml-twice": N_(
+        "{where} is not TOML: {reason}{line}; the same key or table stands twice, give it once"
+    ),
+    "file.not-json": N_(
+        "{where} is not JSON: {reason}; `crankstar new vee` writes a file in TOML to compare with"
+    ),
+    "file.too-deep": N_(
+        "{where} is nested too deeply; an engine file has at most {greatest} levels"
+    ),
+    "file.long-number": N_(
+        "{where} holds a number of thousands of digits; write it shorter, as in 0.0825"
+    ),
+    "file.not-a-table": N_("{where} is {value}; a table of keys is needed"),
+    "file.too-many-values": N_(
+        "{where} has {size} entries, and the file more than {greatest} values; no engine needs so "
+        "many"
+    ),
+    "set.in-list": N_(
+        "{where} cannot be set; {whole} is a list of {size}; name one of them by its place, as in "
+        "[1], or give all of it"
+    ),
+    "set.not-a-list": N_("{where} cannot be set; {whole} is not a list"),
+    "set.not-a-table": N_("{where} cannot be set; {whole} is not a table; give all of it"),
+    "form.mixed": N_(
+        "{where} belongs to the explicit form, layout and cylinder belong to the short one; leave "
+        "one out (`crankstar show --explicit`)"
+    ),
+    "layout.missing": N_(
+        "{where} is missing; say how the cylinders are arranged in a table [layout] with type = "
+        '"vee" (`crankstar new vee` writes one), or give [[shaft]] and [[cylinders]]'
+    ),
+    "layout.not-a-table": N_('{where} is {value}; a table is needed, [layout] with type = "vee"'),
+    "layout.type-missing": N_("{where} is missing; it can be {choices}"),
+    "layout.type-unknown": N_("{where} is {value}; it can be {choices}"),
+    "layout.type-misspelt": N_("{where} is {value}; did you mean {meant}?"),
+}
+"""By code, `{where}` the place; what is wrong first, then what would be right."""

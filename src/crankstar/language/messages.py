@@ -1,0 +1,70 @@
+"""Sentences in the reader's language, from gettext catalogs.
+
+English stands where it is used and is the key: `_("The primary force is {size} N.", size="4.2")`.
+Only whole sentences are passed, numbers and units are placed by name, already formatted.
+"""
+
+from __future__ import annotations
+
+import gettext
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+from functools import cache
+from pathlib import Path
+from typing import NamedTuple
+
+CATALOGS = Path(__file__).with_name("catalogs")
+DOMAIN = "crankstar"
+LANGUAGES = ("en", "ja", "ru")
+"""Languages with a catalog, English, the language of the keys, first."""
+
+_language: ContextVar[str] = ContextVar("language", default="en")
+
+
+@contextmanager
+def spoken(language: str) -> Iterator[None]:
+    """Have sentences in this language, one of LANGUAGES, while the context lasts."""
+    token = _language.set(language)
+    try:
+        yield
+    finally:
+        _language.reset(token)
+
+
+@cache
+def _catalog(language: str) -> gettext.NullTranslations:
+    """The catalog of a language; English, and what a catalog lacks, is the key itself."""
+    if language == "en":
+        return gettext.NullTranslations()
+    return gettext.translation(DOMAIN, CATALOGS, [language], fallback=True)
+
+
+def _(message: str, /, **values: object) -> str:
+    """A sentence in the language of the context, its placeholders filled.
+
+    >>> _("The shaft turns at {speed} rpm.", speed=3000)
+    'The shaft turns at 3000 rpm.'
+    """
+    return _catalog(_language.get()).gettext(message).format(**values)
+
+
+def _n(one: str, several: str, count: int, /, **values: object) -> str:
+    """The form of a sentence that fits a count, its placeholders filled.
+
+    >>> _n("{count} cylinder", "{count} cylinders", 8, count=8)
+    '8 cylinders'
+    """
+    return _catalog(_language.get()).ngettext(one, several, count).format(**values)
+
+
+class Plural(NamedTuple):
+    """A sentence that is kept now, in its two English forms, and translated with `_n`."""
+
+    one: str
+    several: str
+
+
+def N_(message: str) -> str:  # noqa: N802 - the name that gettext's tools look for
+    """Mark a sentence that is kept now and translated with `_` where it is shown."""
+    return message

@@ -1,0 +1,63 @@
+"""Numbers, amplitudes, units and durations as an engineer writes them."""
+
+from __future__ import annotations
+
+import re
+from math import degrees
+
+import numpy as np
+
+NEGLIGIBLE = 1e-9
+"""A number smaller than this share of the largest beside it is written as 0."""
+
+
+def number(value: float, largest: float = 0.0, *, digits: int = 5) -> str:
+    """A number to five figures, if possible without an exponent; 0 if negligible to `largest`."""
+    value = float(value)
+    if abs(value) <= NEGLIGIBLE * largest or value == 0:
+        return "0"
+    if 1e5 <= abs(value) < 1e9:
+        return f"{value:.0f}"
+    return f"{value:.{digits}g}"
+
+
+def duration(seconds: float) -> str:
+    """A time in rounded words: `3 s`, `4 min`, `2.5 h`, `12 days`.
+
+    >>> duration(0.2), duration(200), duration(9000), duration(1e6), duration(1e10)
+    ('1 s', '3 min', '2.5 h', '12 days', '317 years')
+    """
+    if seconds < 100:
+        return f"{max(1, round(seconds))} s"
+    for unit, size, most, decimals in (
+        ("min", 60, 100, 0),
+        ("h", 3600, 48, 1),
+        ("days", 86400, 1000, 0),
+    ):
+        if seconds < most * size:
+            return f"{seconds / size:.{decimals}f} {unit}"
+    return f"{seconds / 31_557_600:,.0f} years"
+
+
+def wave(value: complex, largest: float = 0.0) -> str:
+    """A complex amplitude as `a ∠ p°`."""
+    size = abs(complex(value))
+    if size <= NEGLIGIBLE * largest or size == 0:
+        return "0"
+    phase = round(degrees(np.angle(value)), 2)
+    return f"{number(size)} ∠ {0.0 if phase == 0 else 180.0 if phase == -180 else phase:g}°"
+
+
+def bearing_text(vector: complex) -> str:
+    """The bearing of a vector in degrees, in (-180, 180]."""
+    bearing = round(degrees(np.angle(vector)), 3)
+    return number(180.0 if bearing == -180 else bearing, 180.0)
+
+
+def unit_text(unit: str) -> str:
+    """A unit of a Balance in print.
+
+    M r² ω² for m*r^2*w^2, with A2 for A_2 (fonts of figures lack small digits).
+    """
+    plain = unit.replace("w^2", "ω²").replace("^2", "²").replace("A_k", "Aₖ").replace("*", " ")
+    return re.sub(r"_(\d+)", r"\1", plain)

@@ -1,0 +1,45 @@
+"""Text from outside as a message can quote it: on one line, cut where long, printable."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+CONTROL = re.compile(
+    r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200b\u200e\u200f\u2028-\u202e\u2060-\u2069\ud800-\udfff\ufeff\ufff9-\ufffb\U000e0000-\U000e007f]"
+)
+"""Characters not allowed in an engine file: controls, changes of direction, invisible ones."""
+
+
+def one_line(text: str, *, longest: int = 200) -> str:
+    r"""Text from outside for a message: printable, on one line, cut where it is long.
+
+    Where there is nothing to be seen in it, it stands in quotation marks.
+
+    >>> one_line("red \x1b[31m\n"), one_line(""), one_line(" ")
+    ('red ?[31m?', '""', '" "')
+    """
+    return _flat(text, longest) if text.strip() else f'"{_flat(text, longest)}"'
+
+
+def _flat(text: str, longest: int) -> str:
+    cut = text if len(text) <= longest else text[: longest - 3] + "..."
+    return "".join(letter if letter.isprintable() else "?" for letter in cut)
+
+
+def seen(value: Any) -> str:
+    """A value of a file as quoted in a message: text in quotation marks, `a table` or `a list`.
+
+    >>> seen("82.5 mm"), seen([1, 2]), seen(True), seen(7)
+    ('"82.5 mm"', 'a list', 'true', '7')
+    """
+    named = {dict: "a table", list: "a list", tuple: "a list", type(None): "null"}.get(type(value))
+    if named is not None:
+        return named
+    if isinstance(value, str):
+        return f'"{_flat(value, 60)}"'
+    try:
+        text = str(value)
+    except ValueError:  # Python does not write whole numbers of thousands of digits
+        return "a number of thousands of digits"
+    return one_line(text.lower() if isinstance(value, bool) else text, longest=60)

@@ -1,0 +1,167 @@
+"""Engine -> Balance: force, couple, moment and torque of every part of an engine, with its labels.
+
+Laws and signs are those of `excitation`. Numbers are in N and N m at a speed, or, without one, in
+units of m r w^2 with m and r of the first cylinder.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal, NamedTuple
+
+from crankstar import spectra
+from crankstar.engine.engine import Engine
+from crankstar.mechanics.excitation import Reference, Totals, part_spectra
+from crankstar.mechanics.mechanism import mechanism
+from crankstar.spectra import Spectrum
+
+Kind = Literal["piston", "rod", "big end", "throw", "weight"]
+Grouping = Literal["kind", "cylinder", "bank", "shaft"]
+
+
+class Units(NamedTuple):
+    """The units of the numbers in a Balance."""
+
+    force: str
+    couple: str
+    moment: str
+
+
+class Part(NamedTuple):
+    """The part in a row of a Balance; `cylinder` and `bank` are None for parts of a shaft."""
+
+    kind: Kind
+    shaft: str
+    cylinder: int | None = None
+    bank: str | None = None
+
+
+@dataclass(frozen=True)
+class Balance:
+    """Spectra [..., part, order] of the excitation of the block by the moving parts.
+
+    `force` (units.force) and `couple` (units.couple) in the clock plane, `axis_moment` (about the
+    crank axis) and `torque` (units.moment) as real signals.
+    """
+
+    parts: tuple[Part, ...]
+    force: Spectrum
+    couple: Spectrum
+    axis_moment: Spectrum
+    torque: Spectrum
+    reference: Reference
+    units: Units
+    speed: float | None
+
+
+def default_reference(engine: Engine) -> Reference:
+    """The middle of the cylinders' span, on the reference crank axis."""
+    places = [cylinder.z for cylinder in engine.cylinders]
+    return Reference((min(places) + max(places)) / 2)
+
+
+def balance(
+    engine: Engine,
+    *,
+    speed: float | None = None,
+    reference: Reference | None = None,
+    orders: Sequence[float] | None = None,
+) -> Balance:
+    """The Balance of an engine: at `speed` (rad/s) in N and N m, without one in units of m r w^2.
+
+    `orders` keeps only those.
+
+    An engine whose masses or sizes are not known is always counted in these units.
+
+    >>> from crankstar.files.catalog import load
+    >>> second = spectra.selected(total(balance(load("v8-flat-plane"))).force, 2)
+
+    The force moves along a horizontal line of amplitude 4 sqrt(2) A_2:
+
+    >>> print(abs(spectra.vertical(second)), abs(spectra.horizontal(second)).round(6))
+    [0.] [1.436983]
+    """
+    reference = reference or default_reference(engine)
+    raw = part_spectra(mechanism(engine), reference=reference, orders=orders)
+    scale, units = scales(engine, speed)
+    return Balance(
+        parts=parts(engine),
+        force=spectra.scaled(raw.force, scale.force),
+        couple=spectra.scaled(raw.couple, scale.couple),
+        axis_moment=spectra.scaled(raw.axis_moment, scale.moment),
+        torque=spectra.scaled(raw.torque, scale.moment),
+        reference=reference,
+        units=units,
+        speed=speed if units.force == "N" else None,
+    )
+
+
+class Scale(NamedTuple):
+    """Factors from SI units at 1 rad/s to the units of a Balance."""
+
+    force: float
+    couple: float
+    moment: float
+
+
+def scales(engine: Engine, speed: float | None) -> tuple[Scale, Units]:
+    """Factors to N and N m at a speed (rad/s), else to m r w^2 and its like; with their names."""
+    known = {"mass", "radius"}.isdisjoint(engine.relative)
+    if speed is not None and known:
+        squared = speed**2
+        if "pitch" in engine.relative:
+            return Scale(squared, squared / engine.pitch, squared), Units("N", "N*a", "N*m")
+        return Scale(squared, squared, squared), Units("N", "N*m", "N*m")
+    radius = engine.throw(engine.first).radius
+    force = 1 / unit_unbalance(engine)
+    return Scale(force, force / engine.pitch, force / radius), Units(
+        "m*r*w^2", "m*r*w^2*a", "m*r^2*w^2"
+    )
+
+
+def unit_unbalance(engine: Engine) -> float:
+    """The unit of unbalance, m r of the first cylinder, kg m.
+
+    m is its reciprocating mass, or the mass of its rod where the piston is given none.
+    """
+    first = engine.first
+    mass = first.reciprocating_mass or (first.rod.mass if first.rod else 1.0)
+    return mass * engine.throw(first).radius
+
+
+def parts(engine: Engine) -> tuple[Part, ...]:
+    """The part in each row of a Balance, in order."""
+    bank = {number: name for name, numbers in engine.banks.items() for number in numbers}
+    moving: list[Part] = []
+    kinds: list[Kind] = ["piston"]
+    if any(cylinder.rod for cylinder in engine.cylinders):
+        kinds.append("rod")
+    if any(cylinder.big_end_mass for cylinder in engine.cylinders):
+        kinds.append("big end")
+    for kind in kinds:
+        moving += [Part(kind, c.shaft, c.number, bank[c.number]) for c in engine.cylinders]
+    turning = [Part("throw", shaft.name) for shaft in engine.shafts for _ in shaft.throws]
+    weights = [Part("weight", shaft.name) for shaft in engine.shafts for _ in shaft.weights]
+    return (*moving, *turning, *weights)
+
+
+def total(result: Balance) -> Totals:
+    """The sum over the whole engine, rounding errors set to zero."""
+    return of_parts(result)
+
+
+def of_parts(result: Balance, **wanted: object) -> Totals:
+    """The sum over the parts with these labels: `kind=`, `cylinder=`, `bank=`, `shaft=`."""
+    rows = [
+        row
+        for row, part in enumerate(result.parts)
+        if all(getattr(part, key) == value for key, value in wanted.items())
+    ]
+    return Totals(*(spectra.total(getattr(result, name)[rows, :]) for name in Totals._fields))
+
+
+def grouped(result: Balance, by: Grouping) -> dict[object, Totals]:
+    """The sums by one label, in order of first appearance; None collects parts without it."""
+    labels = dict.fromkeys(getattr(part, by) for part in result.parts)
+    return {label: of_parts(result, **{by: label}) for label in labels}

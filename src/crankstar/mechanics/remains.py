@@ -1,0 +1,159 @@
+"""What remains of a balance: what counts as zero, as negligible, as minor, which orders are shown.
+
+Tables, verdict, page, charts and report decide by these functions and numbers alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from crankstar import spectra
+from crankstar.language.numbers import NEGLIGIBLE
+from crankstar.mechanics.balance import Balance, total
+from crankstar.mechanics.excitation import Totals, rolling_moment
+from crankstar.spectra import Real, Spectrum
+
+OPTIMISED = 1e-6
+"""Share of what the parts push below which a sum is zero where an optimiser chose the weights."""
+SOLVED = 1e-5
+"""The same for throw angles that a solver found."""
+MINOR = 0.02
+"""Share of the greatest order below which an order is named by its size alone, and not drawn."""
+EQUAL = 0.01
+"""Vectors that differ by no more than this share are equal, as those of a Lanchester pair."""
+USUAL_ORDERS = 6.0
+"""The orders up to this one are shown wherever a part pushes at them."""
+HIGH_ORDER = 1e-3
+"""Share of the greatest order from which an order above the usual ones is shown as well."""
+ROUNDED_ARM = 1e-12
+"""Lever arm (m or bore pitches) that is rounding error: no couple of a force."""
+
+
+class Sums(NamedTuple):
+    """The sums of an engine; what is zero beside the parts it was added up from is exactly zero."""
+
+    force: Spectrum
+    couple: Spectrum
+    roll: Spectrum
+    axis_moment: Spectrum
+    torque: Spectrum
+
+
+def summed(result: Balance) -> Sums:
+    """The sums of a Balance, `roll` being the rolling moment on the block.
+
+    >>> from crankstar.files.catalog import load
+    >>> from crankstar.mechanics.balance import balance
+    >>> sums = summed(balance(load("v8-cross-plane")))
+    >>> float(abs(spectra.selected(sums.force, [2.0]).forward[0]))
+    0.0
+    """
+    parts = Totals(result.force, result.couple, result.axis_moment, result.torque)
+    sums = total(result)
+    force = pushed(result.force)
+    turning = pushed(result.axis_moment) + pushed(result.torque)
+    arm = ROUNDED_ARM / NEGLIGIBLE * force
+    return Sums(
+        force=_cleared(sums.force, force),
+        couple=_cleared(sums.couple, np.maximum(pushed(result.couple), arm)),
+        roll=_cleared(rolling_moment(sums), turning),
+        axis_moment=_cleared(sums.axis_moment, pushed(parts.axis_moment)),
+        torque=_cleared(sums.torque, pushed(result.torque)),
+    )
+
+
+def _cleared(whole: Spectrum, beside: Real) -> Spectrum:
+    """Zero where it is zero beside the parts of its order, or negligible beside every order."""
+    kept = sizes(whole) > NEGLIGIBLE * np.maximum(beside, NEGLIGIBLE * beside.max(initial=0.0))
+    return replace(whole, forward=whole.forward * kept, backward=whole.backward * kept)
+
+
+def sizes(spectrum: Spectrum) -> Real:
+    """The greatest value over a turn of each order, |forward| + |backward| [..., order]."""
+    return np.abs(spectrum.forward) + np.abs(spectrum.backward)
+
+
+def size(spectrum: Spectrum, order: float) -> float:
+    """The greatest value of one order over a turn."""
+    return float(sizes(spectra.selected(spectrum, [order]))[0])
+
+
+def pushed(parts: Spectrum) -> Real:
+    """What all parts push together at each order, without regard to direction."""
+    return sizes(parts).sum(axis=0)
+
+
+def remains(whole: Spectrum, parts: Spectrum) -> bool:
+    """Whether anything of a quantity remains beside what its parts push."""
+    return float(sizes(whole).max(initial=0.0)) > NEGLIGIBLE * float(pushed(parts).max(initial=0.0))
+
+
+def ranked(spectrum: Spectrum, orders: Sequence[float]) -> tuple[list[float], list[float]]:
+    """Of these orders those that remain, the greatest first, and those that do not.
+
+    >>> from crankstar.files.catalog import load
+    >>> from crankstar.mechanics.balance import balance
+    >>> ranked(summed(balance(load("i4"))).force, (1.0, 2.0, 4.0))
+    ([2.0, 4.0], [1.0])
+    """
+    found = dict(zip(orders, sizes(spectra.selected(spectrum, orders)).tolist(), strict=True))
+    least = NEGLIGIBLE * float(sizes(spectrum).max(initial=0.0))
+    left = sorted(
+        (order for order in orders if found[order] > least), key=lambda order: -found[order]
+    )
+    return left, [order for order in orders if found[order] <= least]
+
+
+def orders_pushed(result: Balance, *, highest: float = USUAL_ORDERS) -> tuple[float, ...]:
+    """The orders up to `highest` excited by any part, even if the sum is zero; at least order 1."""
+    parts = (result.force, result.couple, result.axis_moment)
+    greatest = [sizes(spectrum).max(axis=0, initial=0.0) for spectrum in parts]
+    there = np.any([one > NEGLIGIBLE * one.max(initial=0.0) for one in greatest], axis=0)
+    return tuple(result.force.orders[there & (result.force.orders <= highest)].tolist()) or (1.0,)
+
+
+def orders_turning(result: Balance, sums: Sums) -> tuple[float, ...]:
+    """Those at which a part pushes, and the usual ones at which the block rolls.
+
+    A centred piston has no moment about the axis; the block rolls because a flywheel takes the
+    torque.
+    """
+    rolls = np.maximum(sizes(sums.torque), sizes(sums.roll))
+    left = (rolls > NEGLIGIBLE * rolls.max(initial=0.0)) & (sums.roll.orders <= USUAL_ORDERS)
+    return tuple(sorted({*orders_pushed(result), *sums.roll.orders[left].tolist()}))
+
+
+def orders_shown(result: Balance, sums: Sums) -> tuple[float, ...]:
+    """The orders of a page: those at which a part pushes or the block rolls, and strong high ones.
+
+    High ones are the only orders left of an engine with many cylinders.
+    """
+    high = sums.force.orders > USUAL_ORDERS
+    strong = np.zeros(high.size, bool)
+    for spectrum in (sums.force, sums.couple, sums.roll, result.force):
+        each = sizes(spectrum).reshape(-1, high.size).max(axis=0, initial=0.0)
+        strong |= (each > HIGH_ORDER * each.max(initial=0.0)) & high
+    return tuple(sorted({*orders_turning(result, sums), *sums.force.orders[strong].tolist()}))
+
+
+def orders_drawn(
+    result: Balance, sums: Sums, quantity: str, orders: Sequence[float], *, minor: float = MINOR
+) -> tuple[float, ...]:
+    """Of these orders of force or couple those worth a drawing.
+
+    The first two if a part pushes at them, and what remains of the others unless it is minor (a
+    share of the greatest); with a negative `minor` all at which a part pushes.
+    """
+    parts = spectra.selected(getattr(result, quantity), orders)
+    floor = ROUNDED_ARM * float(pushed(result.force).max(initial=0.0))
+    found = sizes(spectra.selected(getattr(sums, quantity), orders))
+    least = minor * float(found.max(initial=0.0))
+    return tuple(
+        order
+        for order, size_, share in zip(orders, found, pushed(parts), strict=True)
+        if share > floor and (minor < 0 or order in (1.0, 2.0) or size_ > least)
+    )

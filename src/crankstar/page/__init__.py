@@ -1,0 +1,22 @@
+"""What the page shows of an engine, as records that are sent to it.
+
+| module, bottom to top | one line |
+|---|---|
+| `proportions` | bores, lengths and radii that a drawing needs, given or assumed |
+| `records` | Exhibition, Exhibit and their parts |
+| `crankshafts` | pins, webs, rods side by side, weights on webs |
+| `gears` | gear wheels between shafts |
+| `scene` | Engine -> Scene: the place of every part |
+| `orders` | vectors of every order, the table of orders, the free response |
+| `printed` | documents as tables of printed cells |
+| `keys` | the figures and derivations that an engine has, by key |
+| `figures` | a figure as Vega-Lite, a derivation as HTML, by key |
+| `exhibits` | Engine -> Exhibit, Exhibition; the engine with the recommended remedy |
+| `library` | the whole contents of a file or a notebook, packed |
+| `standalone` | the page as one file without a network |
+| `widget` | the page as a notebook widget |
+"""
+
+from crankstar.page.exhibits import exhibit, exhibition, fitted
+
+__all__ = ["exhibit", "exhibition", "fitted"]

@@ -1,0 +1,105 @@
+"""The figures of an exhibit by key as Vega-Lite, its derivations as HTML."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+from crankstar.engine.copies import with_values
+from crankstar.engine.engine import Engine
+from crankstar.language.messages import _
+from crankstar.language.quoting import one_line
+from crankstar.page.keys import BEFORE_AND_AFTER
+from crankstar.remedy import fitting
+
+
+class NoSuchKeyError(ValueError):
+    """A key that no figure or derivation of an engine has."""
+
+
+CHOSEN_BY = {"order", "quantity"}
+"""The options of keys."""
+
+
+def chart(engine: Engine, key: str) -> dict[str, Any]:
+    """The figure as Vega-Lite, with the parameter `theta` (degrees) but without its slider.
+
+    Raises NoSuchKeyError, or ChartError where the figure cannot be drawn.
+    """
+    made = _before_and_after(engine) if key == BEFORE_AND_AFTER else _single(engine, key)
+    drawn = made.to_dict()
+    if "params" in drawn:
+        drawn["params"] = [{"name": one["name"], "value": one["value"]} for one in drawn["params"]]
+    return drawn
+
+
+def _before_and_after(engine: Engine) -> Any:
+    from crankstar.charts import side_by_side
+
+    fitted = fitting.recommended(engine)
+    if fitted is None:
+        raise NoSuchKeyError(
+            _("{key}: this engine needs no counterweights or balance shafts", key=BEFORE_AND_AFTER)
+        )
+    before = with_values(engine, name=_("as it is"))
+    after = with_values(fitted.after, name=_("with weights and shafts"))
+    return side_by_side([before, after], "spectrum", speed=engine.speed)
+
+
+def _single(engine: Engine, key: str) -> Any:
+    from crankstar.charts import CHARTS
+
+    figure, *options = key.split(":")
+    pairs = (part.partition("=") for part in options)
+    asked: dict[str, Any] = {name: value for name, _equals, value in pairs}
+    known = CHARTS.get(figure)
+    if (
+        known is None
+        or not asked.keys() <= set(known.options) & CHOSEN_BY
+        or asked.get("quantity", "force") not in (*known.quantities, "force")
+    ):
+        raise NoSuchKeyError(
+            _(
+                "{key}: there is no such figure; there are: {figures}",
+                key=one_line(key, longest=60),
+                figures=", ".join(CHARTS),
+            )
+        )
+    if "order" in asked:
+        asked["order"] = _order(key, asked["order"])
+    if "speed" in known.options:
+        asked["speed"] = engine.speed
+    return known.draw(engine, **asked)
+
+
+def _order(key: str, text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        shown = one_line(key, longest=60)
+        raise NoSuchKeyError(_("{key}: the order is not a number", key=shown)) from None
+
+
+def derivation(engine: Engine, key: str) -> str:
+    """The derivation of that key (`force:2`) as HTML with MathML.
+
+    Every text in it is escaped, and no style is inline.
+
+    Raises NoSuchKeyError, or DerivationError where it cannot be derived.
+    """
+    from crankstar import derive
+    from crankstar.derive.documents import html_part
+
+    quantity, _colon, order = key.partition(":")
+    try:
+        wanted = Fraction(order) if len(order) < 20 and "e" not in order.lower() else Fraction(0)
+    except (ValueError, ZeroDivisionError):
+        wanted = Fraction(0)
+    if quantity not in ("force", "couple") or wanted <= 0:
+        raise NoSuchKeyError(
+            _(
+                "{key}: there is no such derivation; a key is like force:2",
+                key=one_line(key, longest=60),
+            )
+        )
+    return html_part(derive.derivation(engine, wanted, quantity=quantity).chapter)

@@ -1,0 +1,135 @@
+"""The keys of figures and derivations: `polygon:order=2:quantity=couple`, `force:2`."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Literal
+
+from crankstar.engine.engine import Engine
+from crankstar.language.messages import N_, _
+from crankstar.language.numbers import number
+from crankstar.page.records import ChartKey, DerivationKey
+
+FIGURES = {
+    "crank-star": N_("Crank star"),
+    "vector-star": N_("Vector star"),
+    "polygon": N_("Polygon"),
+    "hodograph": N_("Hodograph"),
+    "over-turn": N_("Over the crank angle"),
+    "spectrum": N_("Spectrum"),
+    "shaft": N_("Shafts from the side"),
+    "stroke-chart": N_("Strokes"),
+    "firing-ring": N_("Firing ring"),
+}
+"""Figures of a page in order; `forces` are shown on the stage."""
+QUANTITIES = {
+    "force": N_("force"),
+    "couple": N_("couple"),
+    "roll": N_("roll"),
+    "torque": N_("torque"),
+}
+DERIVATIONS = {"force": N_("Force of order {order}"), "couple": N_("Couple of order {order}")}
+OF_ORDER = ("vector-star", "polygon", "hodograph")
+WITHOUT_ANGLE = ("spectrum",)
+VECTORS: tuple[Literal["force", "couple"], ...] = ("force", "couple")
+OVER_TURN = ("force", "couple", "roll", "torque")
+NEED_FIRING = ("stroke-chart", "firing-ring")
+BEFORE_AND_AFTER = "spectrum:fitted"
+"""The spectra of an engine before and after `fitting.recommended`, if it recommends something.
+
+Not among `chart_keys`, because the recommendation takes time.
+"""
+HIGHEST = 4.0
+MOST_ORDERS = 4
+
+
+def chart_keys(engine: Engine, orders: Sequence[float]) -> tuple[ChartKey, ...]:
+    """Every figure of an engine, those of single orders for the lowest orders."""
+    out: list[ChartKey] = []
+    for figure, label in FIGURES.items():
+        if figure in NEED_FIRING and not engine.firing_order:
+            continue
+        turning = figure not in WITHOUT_ANGLE
+        if figure in OF_ORDER:
+            for quantity in VECTORS:
+                for order in _drawn(orders):
+                    key = chart_key(figure, order=order, quantity=quantity)
+                    out.append(
+                        ChartKey(
+                            key=key,
+                            figure=figure,
+                            label=_(
+                                "{figure}, {quantity}, order {order}",
+                                figure=_(label),
+                                quantity=_(QUANTITIES[quantity]),
+                                order=number(order),
+                            ),
+                            quantity=quantity,
+                            order=order,
+                            turning=turning,
+                        )
+                    )
+            if figure == "hodograph":
+                for quantity in VECTORS:
+                    key = chart_key(figure, quantity=quantity)
+                    out.append(
+                        ChartKey(
+                            key=key,
+                            figure=figure,
+                            label=_(
+                                "{figure}, {quantity}, all orders",
+                                figure=_(label),
+                                quantity=_(QUANTITIES[quantity]),
+                            ),
+                            quantity=quantity,
+                            turning=turning,
+                        )
+                    )
+        elif figure == "over-turn":
+            out += [
+                ChartKey(
+                    key=chart_key(figure, quantity=q),
+                    figure=figure,
+                    label=_("{figure}, {quantity}", figure=_(label), quantity=_(QUANTITIES[q])),
+                    quantity=q,
+                    turning=turning,
+                )
+                for q in OVER_TURN
+            ]
+        else:
+            out.append(ChartKey(key=figure, figure=figure, label=_(label), turning=turning))
+    return tuple(out)
+
+
+def _drawn(orders: Sequence[float]) -> list[float]:
+    low = [order for order in orders if order <= HIGHEST] or list(orders[:1])
+    return low[:MOST_ORDERS]
+
+
+def chart_key(figure: str, *, order: float | None = None, quantity: str | None = None) -> str:
+    """The key of a figure with its options, sorted by name.
+
+    >>> chart_key("polygon", order=2.0, quantity="couple")
+    'polygon:order=2:quantity=couple'
+    """
+    options = {"order": None if order is None else f"{order:.12g}", "quantity": quantity}
+    return ":".join(
+        [
+            figure,
+            *(f"{name}={value}" for name, value in sorted(options.items()) if value is not None),
+        ]
+    )
+
+
+def derivation_keys(orders: Sequence[float]) -> tuple[DerivationKey, ...]:
+    """The derivations of an engine: force and couple of the lowest orders."""
+    return tuple(
+        DerivationKey(
+            key=f"{name}:{order:.12g}",
+            label=_(DERIVATIONS[name], order=number(order)),
+            quantity=name,
+            order=order,
+        )
+        for name in VECTORS
+        for order in _drawn(orders)
+    )

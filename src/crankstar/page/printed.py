@@ -1,0 +1,35 @@
+"""Documents as records of the page: tables with their cells as they are printed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from crankstar.page.records import Table
+from crankstar.tables.cells import cells, head
+from crankstar.tables.html import MINUS
+from crankstar.tables.table import Remarks
+from crankstar.tables.table import Table as Values
+
+
+def printed(parts: Iterable[Values | Remarks]) -> tuple[Table, ...]:
+    """The parts of a document as tables; remarks have notes only.
+
+    >>> from crankstar.tables.table import Column
+    >>> (table,) = printed([Values("Throws", (Column("z", "mm"),), ((-40.0,),))])
+    >>> table.heads, table.rows, table.numeric
+    (('z [mm]',), (('−40',),), (True,))
+    """
+    return tuple(_table(part) for part in parts)
+
+
+def _table(part: Values | Remarks) -> Table:
+    if isinstance(part, Remarks):
+        return Table(title=part.title, heads=(), rows=(), notes=part.lines)
+    table = part.readable
+    return Table(
+        title=table.title,
+        heads=tuple(head(column) for column in table.columns) if table.rows else (),
+        rows=tuple(tuple(MINUS.sub("−", cell) for cell in row) for row in cells(table)),
+        notes=table.notes,
+        numeric=tuple(not column.left for column in table.columns),
+    )

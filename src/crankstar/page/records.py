@@ -1,0 +1,354 @@
+"""The records that the page is sent; the types of the front end are generated from them.
+
+Lengths, masses and speeds are in the engine's own units (SI, or relative to the first cylinder
+where it has no sizes), angles in radians unless a name says degrees. A vector of the clock plane is
+a pair `[up, right]` seen from the front; a point is `[up, right, z]`. Vectors of order k are
+`forward exp(i k theta) + backward exp(-i k theta)` with the exponents' sign reversed for an engine
+that turns counter-clockwise (`sense` -1); signals are `Re((real + i imaginary) exp(i k theta))`.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Field
+
+Pair = tuple[float, float]
+Point = tuple[float, float, float]
+
+
+class Shown(BaseModel):
+    """The base of these records: frozen, without unknown keys."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", defer_build=True)
+
+
+class Web(Shown):
+    """A crank web (cheek): a plate square to the shaft between a journal and a pin."""
+
+    z_from: float
+    z_to: float
+    throw: int = Field(description="index of the throw whose pin it carries")
+
+
+class ThrowShown(Shown):
+    """A crank throw: its pin at bearing `angle` at theta = 0."""
+
+    angle: float
+    radius: float
+    z: float
+    pin_radius: float
+    pin_from: float
+    pin_to: float
+    cylinders: tuple[int, ...] = Field(
+        description="numbers of the cylinders whose rods work on this pin, masters and plain rods"
+    )
+
+
+class WeightShown(Shown):
+    """A counterweight, drawn as a segment of a disc.
+
+    Opposite a pin on a web, or an eccentric on a balance shaft.
+    """
+
+    angle: float
+    z: float
+    unbalance: float
+    inner_radius: float
+    outer_radius: float
+    half_angle: float = Field(description="half the sector it covers, radians")
+    thickness: float
+
+
+class ShaftShown(Shown):
+    """A shaft along z at `up`, `right`.
+
+    It turns `speed_ratio` times for each turn of the first shaft, negative the other way.
+    """
+
+    name: str
+    kind: Literal["crankshaft", "balance shaft"]
+    speed_ratio: float
+    up: float
+    right: float
+    z_from: float
+    z_to: float
+    journal_radius: float
+    throws: tuple[ThrowShown, ...]
+    webs: tuple[Web, ...]
+    weights: tuple[WeightShown, ...]
+
+
+class GearShown(Shown):
+    """A gear wheel on a shaft, so that one sees which shafts turn together and how."""
+
+    shaft: int = Field(description="index of its shaft")
+    radius: float
+    z: float
+    thickness: float
+    teeth: int
+
+
+class CylinderShown(Shown):
+    """A cylinder, its piston and its rod, with the dimensions that their motion depends on.
+
+    The crank pin of shaft `shaft` stands at bearing `throw_angle` at theta = 0; `master` is the
+    index in the list of cylinders of the one whose rod carries this rod's knuckle pin, -1 for a rod
+    on the crank pin.
+    """
+
+    number: int
+    shaft: int
+    throw: int
+    throw_angle: float
+    crank_radius: float
+    bearing: float
+    z: float
+    offset: float
+    rod_length: float
+    master: int
+    knuckle_radius: float
+    knuckle_angle: float
+    rod: Literal["plain", "fork", "blade", "master", "slave"]
+    rod_z: float = Field(description="where its rod runs along z: beside others on the same pin")
+    rod_width: float
+    bore: float
+    pin_height: float = Field(description="from the piston pin to the crown, along the axis")
+    skirt: float = Field(description="from the piston pin to the lower edge of the piston")
+    bore_from: float = Field(
+        description="lower end of the cylinder bore, from the shaft axis along the cylinder axis"
+    )
+    bore_to: float = Field(description="upper end of the bore, where the head begins")
+    bank: str
+    chamber: int
+    fires_deg: float | None = Field(
+        description="crank angle of its ignition, degrees; null without a firing order"
+    )
+
+
+class Scene(Shown):
+    """The engine as things that can be drawn."""
+
+    length_unit: str = Field(description='"m", or "crank radii" where the engine has no sizes')
+    low: Point = Field(description="lower corner [up, right, z] of the box that all parts stay in")
+    high: Point
+    shafts: tuple[ShaftShown, ...]
+    gears: tuple[GearShown, ...]
+    cylinders: tuple[CylinderShown, ...]
+    assumed: tuple[str, ...] = Field(
+        description="proportions that are not in the engine file, as sentences"
+    )
+
+
+class Vectors(Shown):
+    """A vector of the clock plane over the crank angle.
+
+    A pair [up, right] for each order of the exhibit.
+    """
+
+    forward: tuple[Pair, ...]
+    backward: tuple[Pair, ...]
+
+
+class Sum(Shown):
+    """Force, couple, roll of the block and torque on the crankshaft for each order.
+
+    Pairs of signals are [real, imaginary].
+    """
+
+    force: Vectors
+    couple: Vectors
+    roll: tuple[Pair, ...]
+    torque: tuple[Pair, ...]
+
+
+class PartForce(Shown):
+    """The force of one cylinder (its piston and rod) on the block, at its place along z."""
+
+    number: int
+    z: float
+    force: Vectors
+
+
+class Whirl(Shown):
+    """The free response of the rigid engine: how the block moves, order by order.
+
+    `shift` is the displacement of the centre of mass, `tilt` the displacement of the crank axis for
+    each unit of z away from the centre of mass, `turn` the roll angle of the block (a signal,
+    clockwise, radians). Multiply as for forces. Lengths are in the scene's unit. Independent of
+    speed.
+    """
+
+    centre: Point
+    mass: float
+    inertia: tuple[float, float, float] = Field(
+        description="of the block about axes through its centre of mass: up, right, z"
+    )
+    shift: Vectors
+    tilt: Vectors
+    turn: tuple[Pair, ...]
+    assumed: tuple[str, ...] = Field(
+        description="sentences on estimates of mass, centre and inertia; empty if all are given"
+    )
+
+
+class Row(Shown):
+    """A row of the table of orders: numbers as they are printed, and the ellipse of the vector."""
+
+    order: float
+    label: str
+    quantity: Literal["force", "couple", "roll", "torque"]
+    up: str
+    right: str
+    path: str = Field(
+        description="shape of the path as a phrase: none, circle with the crank, horizontal line"
+    )
+    greatest: str
+    remains: bool = Field(description="whether anything remains of the order")
+    semi_axes: Pair | None = Field(
+        description="of the ellipse (vectors only), in the unit of the quantity"
+    )
+    direction: float | None = Field(description="bearing of its long axis, radians")
+    turning: Literal[-1, 0, 1] | None = Field(
+        description="1 if the vector turns clockwise seen from the front, 0 on a line"
+    )
+
+
+class Fact(Shown):
+    """A sentence of the verdict and what it is about."""
+
+    about: str
+    sentence: str
+
+
+class Table(Shown):
+    """A table as it is printed: heads with units, rows, notes under it."""
+
+    title: str
+    heads: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+    notes: tuple[str, ...] = ()
+    numeric: tuple[bool, ...] = Field(
+        default=(), description="which columns hold numbers, which are aligned to the right"
+    )
+
+
+class ChartKey(Shown):
+    """A figure of an engine: the `key` that it is requested by, and the properties to choose by."""
+
+    key: str
+    figure: str = Field(description="name of the figure, as in crankstar plot")
+    label: str
+    quantity: str | None = None
+    order: float | None = None
+    turning: bool = Field(description="whether it has the parameter theta (degrees)")
+
+
+class DerivationKey(Shown):
+    """A derivation of an engine, requested by its `key`."""
+
+    key: str
+    label: str
+    quantity: Literal["force", "couple"]
+    order: float
+
+
+class Units(Shown):
+    """The units of the numbers, as they are printed."""
+
+    force: str
+    couple: str
+    roll: str
+    length: str
+
+
+class Scale(Shown):
+    """Sizes of the first cylinder in the engine's own units.
+
+    Lengths, forces and couples of two engines that differ in units are compared after division by
+    these: in crank radii, m r ω², and m r ω² times the bore pitch.
+    """
+
+    length: float = Field(description="crank radius, in units.length")
+    force: float = Field(description="m r ω², in units.force")
+    couple: float = Field(description="m r ω² times the bore pitch, in units.couple")
+
+
+class Exhibit(Shown):
+    """One engine on the page; its figures and derivations are requested by their keys."""
+
+    format: Literal[1] = 1
+    name: str
+    file: dict[str, Any] = Field(description="the engine file as a tree, as it was given")
+    cycle_deg: float
+    turns: int = Field(
+        description="turns of the first shaft after which all shafts and the firing repeat"
+    )
+    sense: Literal[-1, 1] = Field(
+        description="1 if the first shaft turns clockwise seen from the front"
+    )
+    speed_rpm: float | None = Field(description="of the engine file; null where it gives none")
+    units: Units
+    scale: Scale
+    heading: tuple[str, ...] = Field(description="lines under the name: layout, firing, units")
+    unverified: tuple[str, ...] = Field(description="key paths of values that no source confirms")
+    reference_z: float
+    couple_length: float = Field(
+        description="the length that couples are counted in along z, in the unit of the scene"
+    )
+    orders: tuple[float, ...]
+    total: Sum
+    cylinders: tuple[PartForce, ...]
+    whirl: Whirl
+    scene: Scene
+    table: tuple[Row, ...]
+    verdict: tuple[Fact, ...]
+    strokes: tuple[Table, ...]
+    stroke_windows: tuple[StrokeWindow, ...]
+    charts: tuple[ChartKey, ...]
+    derivations: tuple[DerivationKey, ...]
+    remedies: tuple[Table, ...] = Field(
+        description="weights, shafts and remaining unbalance of a fitted engine; else empty"
+    )
+
+
+class StrokeWindow(Shown):
+    """A stroke of a chamber between two crank angles (degrees; it may end in the next cycle)."""
+
+    chamber: int
+    stroke: Literal["power", "exhaust", "intake", "compression"]
+    from_deg: float
+    to_deg: float
+
+
+class StrokeColours(Shown):
+    """The colours of the strokes on the stage and in the stroke chart, `#rrggbb`."""
+
+    intake: str
+    compression: str
+    power: str
+    exhaust: str
+
+
+class Problem(Shown):
+    """One fault of an engine file: its key path, and what would be right."""
+
+    path: str
+    code: str = Field(default="", description="which fault")
+    values: dict[str, Any] = Field(default={}, description="the values of its sentence")
+    message: str
+
+
+class Exhibition(Shown):
+    """The contents of a page: one engine or two, each also with weights and shafts."""
+
+    engines: tuple[Exhibit, ...] = Field(min_length=1, max_length=2)
+    fitted: tuple[Exhibit | None, ...] = Field(
+        description="each engine with weights and balance shafts, where they help"
+    )
+    stroke_colours: StrokeColours
+    sources: tuple[str, ...] = Field(
+        default=(), description="names or files of the engines on the command line"
+    )
+    command: str = ""
+    version: str

@@ -1,0 +1,314 @@
+"""An engine fitted with weights and balance shafts, counterweights first."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import reduce
+from math import cos
+from typing import Literal, NamedTuple
+
+from crankstar.engine.assembly import GREATEST_SHAFTS
+from crankstar.engine.engine import Engine
+from crankstar.language.messages import N_, _, _n
+from crankstar.mechanics.balance import default_reference
+from crankstar.remedy import (
+    GREATEST_RATIO,
+    Aim,
+    Best,
+    Limit,
+    Plane,
+    RemedyError,
+    best_weights,
+    end_planes,
+    end_webs,
+    needs,
+    webs,
+    with_balance_shaft,
+    with_counterweights,
+    with_roll_cancelled,
+    with_turning_cancelled,
+    with_web_weights,
+    without_counterweights,
+    without_weights,
+)
+
+Places = Literal["pins", "webs", "ends"]
+"""Places of weights other than given planes."""
+Wanted = Literal["needed", "all"]
+"""Which balance shafts: those of the lowest order that remains, or of the first and second."""
+FACTORS = (0.5, 0.0, 1.0)
+"""Balance factors that can cancel everything that turns with a crankshaft.
+
+One half for one crankshaft; for two counter-rotating ones 0 where their pistons move in opposition,
+1 where they move together.
+"""
+BELOW, BESIDE, HALF_BORE = 1.25, 0.8, 0.45
+"""Assumed depth of balance shafts below the crankshaft, and spacing of a pair, in crank sweeps.
+
+A crank sweeps its greatest throw and, for webs and big ends, `HALF_BORE` bores more.
+"""
+
+
+class Fitted(NamedTuple):
+    """An engine with the cure that its verdict recommends, and what was changed.
+
+    `weights` are the new counterweights: on all webs by a balance `factor`, on the end webs by none
+    (None), or removed; None where they stay. `ratios` are the speed ratios of new balance shafts.
+    """
+
+    after: Engine
+    weights: Literal["webs", "ends", "removed"] | None
+    factor: float | None
+    ratios: tuple[Fraction, ...]
+
+    @property
+    def description(self) -> str:
+        """The change in sentences, with the assumption behind it."""
+        sentences: list[str] = []
+        if self.weights == "webs":
+            factor = f"{self.factor:g}"
+            sentences.append(
+                _(
+                    "Fitted with counterweights on all webs (balance factor {factor}).",
+                    factor=factor,
+                )
+            )
+        elif self.weights is not None:
+            sentences.append(_(_WEIGHTS[self.weights]))
+        if self.ratios:
+            ratios = ", ".join(map(str, self.ratios))
+            sentences += [
+                _n(
+                    "Fitted with a balance shaft of speed ratio {ratios}.",
+                    "Fitted with balance shafts of speed ratios {ratios}.",
+                    len(self.ratios),
+                    ratios=ratios,
+                ),
+                _(
+                    "The engine file gives no place for balance shafts: they are assumed clear of "
+                    "the crank, and the roll of the block depends on their place."
+                ),
+            ]
+        return " ".join(sentences)
+
+
+_WEIGHTS = {
+    "ends": N_("Fitted with counterweights on the end webs; no balance factor is enough."),
+    "removed": N_("Counterweights removed (balance factor 0)."),
+}
+
+
+@dataclass(frozen=True)
+class ShaftPlaces:
+    """The place of balance shafts (m or crank radii from the crankshaft) and of their weights.
+
+    `apart` is the spacing of a pair. Without `planes` the weights are in the middle of a shaft that
+    cancels a force there, else beyond both ends.
+    """
+
+    planes: tuple[float, ...] | None = None
+    up: float = 0.0
+    right: float = 0.0
+    apart: float = 0.0
+
+
+def by_factor(engine: Engine, *, factor: float, weights: Places | Sequence[Plane]) -> Engine:
+    """The engine with counterweights of a balance factor at its pins, on its webs, or in planes.
+
+    Raises RemedyError.
+    """
+    if weights == "pins":
+        return with_counterweights(engine, factor=factor)
+    if weights in ("webs", "ends"):
+        return with_web_weights(engine, factor=factor, ends_only=weights == "ends")
+    return with_counterweights(
+        engine,
+        factor=factor,
+        planes=sorted({plane.z for plane in _planes(engine, weights)}, reverse=True),
+    )
+
+
+def recommended(engine: Engine) -> Fitted | None:
+    """The engine with the cure that its verdict proposes; None where order 1 and 2 are balanced.
+
+    Counterweights (`quiet_cranks`) cancel what turns with a crankshaft in order 1 and 2. The rest
+    needs balance shafts, of which those of the lowest remaining order are added, clear of the crank
+    (`clear_places`).
+
+    >>> from crankstar.files.catalog import load
+    >>> recommended(load("v8-cross-plane")).description
+    'Fitted with counterweights on all webs (balance factor 0.5).'
+    >>> [str(ratio) for ratio in recommended(load("i4")).ratios]
+    ['2', '-2']
+    """
+    after, weights, factor = engine, None, None
+    cranks = {shaft.speed_ratio for shaft in engine.shafts if shaft.throws}
+    if any(need.ratio in cranks for need in needs(engine)):
+        after, factor = quiet_cranks(engine)
+        weighted = any(shaft.weights for shaft in after.shafts if shaft.throws)
+        weights = "removed" if not weighted else "webs" if factor is not None else "ends"
+    ratios = _ratios_of(after, lowest=True) if needs(after) else []
+    if len(after.shafts) + len(ratios) > GREATEST_SHAFTS:
+        ratios = []
+    if ratios:
+        paired = any(-ratio in ratios for ratio in ratios)
+        places = clear_places(engine, paired=paired)
+        after = with_shafts(after, ratios="needed", places=places)
+    return Fitted(after, weights, factor, tuple(ratios)) if weights or ratios else None
+
+
+def clear_places(engine: Engine, *, paired: bool) -> ShaftPlaces:
+    """The place of balance shafts clear of the first crankshaft, away from its cylinders.
+
+    They lie below it where cylinders point both ways; a pair lies side by side. Lengths to two
+    figures.
+
+    >>> from crankstar.files.catalog import load
+    >>> clear_places(load("i4"), paired=True)
+    ShaftPlaces(planes=None, up=-2.4, right=0.0, apart=1.5)
+    """
+    crank = engine.shafts[0]
+    own = [cylinder for cylinder in engine.cylinders if cylinder.shaft == crank.name]
+    bore = max(cylinder.bore or 2 * engine.throw(cylinder).radius for cylinder in engine.cylinders)
+    reach = (
+        max(throw.radius for shaft in engine.shafts for throw in shaft.throws) + HALF_BORE * bore
+    )
+    downward = sum(cos(cylinder.bearing) for cylinder in own) < -0.5 * len(own)
+    away = 1 if downward else -1
+    return ShaftPlaces(
+        up=_rounded(away * BELOW * reach), apart=_rounded(BESIDE * reach) if paired else 0.0
+    )
+
+
+def _rounded(length: float) -> float:
+    return float(f"{length:.2g}")
+
+
+def quiet_cranks(engine: Engine) -> tuple[Engine, float | None]:
+    """The engine with counterweights that cancel what turns with a crankshaft, and their factor.
+
+    This holds for force and couple up to order 2. They are on all webs if a balance factor is
+    enough, else on the end webs (factor None): where cylinder axes miss the crank axis (VR
+    engines), or counter-rotating crankshafts share unevenly (Deltic).
+    """
+    cranks = {shaft.speed_ratio for shaft in engine.shafts if shaft.throws}
+    for factor in FACTORS:
+        weighted = with_web_weights(engine, factor=factor)
+        if not any(need.ratio in cranks for need in needs(weighted)):
+            return weighted, factor
+    bare = without_counterweights(engine)
+    return reduce(
+        lambda weighted, ratio: with_turning_cancelled(weighted, ratio=ratio), sorted(cranks), bare
+    ), None
+
+
+def best(
+    engine: Engine,
+    *,
+    weights: Places | Sequence[Plane],
+    aim: Aim,
+    limits: Sequence[Limit] = (),
+    greatest_unbalance: float | None = None,
+) -> Best:
+    """The best weights in these places.
+
+    A smaller couple must not cost a greater force, nor the reverse: unless a limit or the aim names
+    the other quantity, its rms stays at most that of bare crankshafts.
+    """
+    named = {limit.aim.quantity for limit in limits} | {aim.quantity}
+    others = [Aim(other, rms=True) for other in ("force", "couple") if other not in named]
+    implied = [
+        Limit(other, without_weights(engine, other) * (1 + 1e-9), implied=True) for other in others
+    ]
+    return best_weights(
+        engine,
+        planes=_planes(engine, weights),
+        aim=aim,
+        limits=[*limits, *implied],
+        greatest_unbalance=greatest_unbalance,
+    )
+
+
+def _planes(engine: Engine, weights: Places | Sequence[Plane]) -> list[Plane]:
+    places = {
+        "pins": lambda shaft: tuple(dict.fromkeys(throw.z for throw in shaft.throws)),
+        "webs": lambda shaft: webs(engine, shaft),
+        "ends": lambda shaft: end_webs(engine, shaft),
+    }
+    if isinstance(weights, str):
+        return [
+            Plane(shaft.name, z)
+            for shaft in engine.shafts
+            if shaft.throws
+            for z in places[weights](shaft)
+        ]
+    return list(weights)
+
+
+def with_shafts(
+    engine: Engine, *, ratios: Sequence[Fraction] | Wanted, places: ShaftPlaces, level: bool = False
+) -> Engine:
+    """The engine with balance shafts of these speed ratios, or with those that it needs.
+
+    `needed` are those of the lowest order that remains, as engines are built; `all` those of the
+    first and the second. With `level` the two shafts of a pair are moved to the
+    heights at which the block does not roll. Raises RemedyError.
+    """
+    wanted = (
+        list(ratios)
+        if not isinstance(ratios, str)
+        else _ratios_of(engine, lowest=ratios == "needed")
+    )
+    twice = next((ratio for ratio in wanted if wanted.count(ratio) > 1), None)
+    if twice is not None:
+        raise RemedyError(
+            _(
+                "the speed ratio {ratio} is given twice; one shaft cancels all that turns at "
+                "its speed",
+                ratio=twice,
+            )
+        )
+    if places.apart and not any(-ratio in wanted for ratio in wanted):
+        raise RemedyError(
+            _("there is no pair of balance shafts to space; --shaft-place places a single shaft")
+        )
+    for ratio in wanted:
+        if isinstance(ratios, str) and ratio not in {need.ratio for need in needs(engine)}:
+            continue  # the shafts before it have cancelled it
+        planes = _along(engine, ratio) if places.planes is None else places.planes
+        aside = (places.apart / 2 if ratio > 0 else -places.apart / 2) if -ratio in wanted else 0.0
+        engine = with_balance_shaft(
+            engine, ratio=ratio, planes=planes, up=places.up, right=places.right + aside
+        )
+    if level:
+        pairs = sorted({abs(ratio) for ratio in wanted if -ratio in wanted})
+        if not pairs:
+            raise RemedyError(
+                _(
+                    "there is no pair of balance shafts to move; give two speed ratios, such "
+                    "as 2, -2"
+                )
+            )
+        for order in pairs:
+            engine = with_roll_cancelled(engine, order=order)
+    return engine
+
+
+def _along(engine: Engine, ratio: Fraction) -> tuple[float, ...]:
+    """The planes of its weights: the middle if it cancels a force there, else beyond both ends."""
+    couple = next(
+        (need.couple for need in needs(engine, highest=GREATEST_RATIO) if need.ratio == ratio), 1.0
+    )
+    return end_planes(engine) if couple else (default_reference(engine).z,)
+
+
+def _ratios_of(engine: Engine, *, lowest: bool) -> list[Fraction]:
+    """Speed ratios of the shafts that the engine needs, of the lowest order or of both."""
+    ratios = [need.ratio for need in needs(engine) if need.ratio != 1]
+    if not ratios:
+        raise RemedyError(
+            _("the engine needs no balance shafts: no first or second order remains for them")
+        )
+    return [ratio for ratio in ratios if abs(ratio) == abs(ratios[0])] if lowest else ratios

@@ -1,0 +1,92 @@
+"""The last pages of a report: sources, conventions, and the command that writes it again."""
+
+from __future__ import annotations
+
+import re
+from importlib.resources import files
+
+from crankstar import __version__
+from crankstar.files.write import tree_text
+from crankstar.language.messages import N_, _
+from crankstar.report.gallery import Gallery
+from crankstar.report.markup import figure, parts_html, section
+from crankstar.report.subject import Subject
+from crankstar.tables import engines
+from crankstar.tables.html import paragraph, text
+from crankstar.tables.machine import json_text
+
+CONVENTIONS = (
+    N_(
+        "The engine is seen from the front; z points to the front along the crankshaft. Bearings "
+        "are clockwise from up. The crank angle θ is measured from top dead centre of cylinder 1 "
+        "in the direction of rotation of the first shaft."
+    ),
+    N_(
+        "Forces and couples act on the block. A couple is Σ (z − z₀) · force in the plane in which "
+        "it acts: a couple up lifts the front. An amplitude a ∠ p means a cos(kθ + p)."
+    ),
+    N_(
+        "Each order is the sum of two rotating vectors: forward, with the crankshaft, and "
+        "backward, against it. Counterweights on the crankshaft balance only the forward vector "
+        "of the first order."
+    ),
+)
+STYLE = re.compile(r"\s*<style>(.*?)</style>", re.DOTALL)
+
+
+def sources(subject: Subject, gallery: Gallery) -> str:  # noqa: ARG001 - one signature for all
+    """Sources and notes of the engine file, and the provenance of each value."""
+    engine = subject.engine
+    source = paragraph(engine.source or _("The engine file names no source."))
+    notes = f"<h3>{text(_('Notes'))}</h3>{paragraph(engine.notes)}" if engine.notes else ""
+    origins = (
+        parts_html([engines.origins(engine)])
+        if engine.provenance
+        else paragraph(_("The engine file gives no source for single values."))
+    )
+    return section(_("Sources"), source + notes + origins, name="sources")
+
+
+def conventions(subject: Subject, gallery: Gallery) -> str:  # noqa: ARG001
+    """The signs in three paragraphs and a drawing."""
+    lines = "".join(paragraph(_(line)) for line in CONVENTIONS)
+    drawing = figure(STYLE.sub("", _frame()), _("Frame and signs."), "wide")
+    return section(_("Conventions"), lines + drawing, name="conventions")
+
+
+def again(subject: Subject, gallery: Gallery) -> str:  # noqa: ARG001
+    """The command that writes this report again, and the engine file as it was read."""
+    made = paragraph(
+        _(
+            "Written by crankstar {version} with this command. The same engine file gives the same "
+            "report, byte for byte.",
+            version=__version__,
+        )
+    )
+    command = f"<pre><code>{text(subject.command)}</code></pre>"
+    file = f'<pre class="file"><code>{_shown(_file(subject))}</code></pre>'
+    heading = f"<h3>{text(_('The engine file'))}</h3>"
+    return section(_("Reproduction"), made + command + heading + file, name="again")
+
+
+def _file(subject: Subject) -> str:
+    """The engine file as TOML, or as JSON where TOML cannot hold it."""
+    try:
+        return tree_text(dict(subject.tree))
+    except (TypeError, ValueError):
+        return json_text(dict(subject.tree))
+
+
+def _shown(file: str) -> str:
+    return "\n".join(text(line) for line in file.splitlines())
+
+
+def frame_style() -> str:
+    """The style of the drawing of the frame, for the style sheet of the report."""
+    found = STYLE.search(_frame())
+    return found.group(1) if found else ""
+
+
+def _frame() -> str:
+    drawing = files("crankstar.report").joinpath("frame.svg").read_text(encoding="utf-8")
+    return drawing[drawing.index("<svg") :].strip()

@@ -1,0 +1,194 @@
+"""Who does the work: processes of this machine, a cluster, or any other Executor."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import signal
+import threading
+import time
+from collections.abc import Iterator
+from concurrent.futures import (
+    BrokenExecutor,
+    CancelledError,
+    Executor,
+    Future,
+    ProcessPoolExecutor,
+    ThreadPoolExecutor,
+)
+from contextlib import contextmanager, suppress
+from multiprocessing.connection import Connection
+from multiprocessing.resource_tracker import ensure_running
+from typing import Any
+
+from crankstar.search.faults import error
+from crankstar.search.interrupts import held_back, terminated_in_order
+from crankstar.search.work import BlockRange, results_of
+
+SCHEDULER_SECONDS = 10.0
+"""How long a scheduler may take to answer, and a cluster to have workers."""
+LOOK_SECONDS = 2.0
+"""How often a cluster is checked, and how long it may take to answer."""
+
+
+class Workers:
+    """An Executor and its assumed number of workers; its owner replaces it and shuts it down."""
+
+    def __init__(self, executor: Executor, *, count: int = 8) -> None:
+        self.executor = executor
+        self.count = count
+
+    def submit(self, part: BlockRange) -> Future[Any]:
+        """The results of a block range, later. Raises SearchError if the executor is broken."""
+        try:
+            return self.executor.submit(results_of, part)
+        except BrokenExecutor as broken:
+            raise error("", "executor", error=str(broken)) from broken
+
+    def look(self) -> None:
+        """Check, when nothing came for a while, that workers exist. Raises SearchError if not."""
+
+    def drop(self) -> None:
+        """End the work under way, where possible: its result is no longer needed."""
+
+
+class Processes(Workers):
+    """Processes of this machine; if one is lost, all start anew; they end with this process."""
+
+    def __init__(self, count: int) -> None:
+        ensure_running()
+        super().__init__(self._pool(count), count=count)
+
+    def _pool(self, count: int) -> ProcessPoolExecutor:
+        context = multiprocessing.get_context("spawn")
+        end, self.lifeline = context.Pipe(duplex=False)
+        return ProcessPoolExecutor(count, mp_context=context, initializer=_tied, initargs=(end,))
+
+    def submit(self, part: BlockRange) -> Future[Any]:
+        """The results of a block range, later; a broken or dropped pool is replaced."""
+        with held_back():
+            try:
+                return self.executor.submit(results_of, part)
+            except RuntimeError:
+                self.drop()
+                self.executor = self._pool(self.count)
+                return super().submit(part)
+
+    def drop(self) -> None:
+        """End the processes."""
+        self.lifeline.close()
+        self.executor.shutdown(wait=True, cancel_futures=True)
+
+
+def _tied(end: Connection) -> None:
+    """Have a worker ignore interrupts, and end when the parent's end of the pipe is closed."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    threading.Thread(target=_ended_with, args=(end,), daemon=True).start()
+
+
+def _ended_with(end: Connection) -> None:
+    with suppress(OSError, EOFError):
+        end.recv_bytes()
+    os._exit(1)
+
+
+@contextmanager
+def processes(count: int | None = None) -> Iterator[Processes]:
+    """Processes of this machine, as many as it has processors, for a while."""
+    with terminated_in_order():
+        pool = Processes(count or os.cpu_count() or 1)
+        try:
+            yield pool
+        finally:
+            pool.drop()
+
+
+class _Cluster(Workers):
+    """The workers of a dask.distributed scheduler, however many there are at a time."""
+
+    def __init__(self, client: Any, address: str) -> None:
+        super().__init__(client.get_executor(pure=False), count=1)
+        self.client, self.address = client, address
+        self.seen, self.looked = time.monotonic(), -LOOK_SECONDS
+
+    def submit(self, part: BlockRange) -> Future[Any]:
+        """The results of a block range, later. Raises SearchError if the scheduler is gone."""
+        if self.client.status in ("closing", "closed"):
+            raise error("scheduler", "scheduler-gone", address=self.address)
+        return super().submit(part)
+
+    def look(self) -> None:
+        """Raises SearchError if the scheduler had no workers or did not answer for ten seconds."""
+        if time.monotonic() - self.looked < LOOK_SECONDS:
+            return
+        if self._count():
+            self.seen = time.monotonic()
+        self.looked = time.monotonic()
+        if self.looked - self.seen > SCHEDULER_SECONDS:
+            seconds = f"{SCHEDULER_SECONDS:.0f}"
+            raise error("scheduler", "scheduler-silent", address=self.address, seconds=seconds)
+
+    def _count(self) -> int:
+        """Number of worker processes; 0 where the scheduler does not answer."""
+        with suppress(Exception):  # of whatever kind: the scheduler does not answer
+            threads = self.client.nthreads(callback_timeout=LOOK_SECONDS)
+            self.count = max(1, sum(threads.values()))
+            return len(threads)
+        return 0
+
+
+@contextmanager
+def cluster(address: str) -> Iterator[Workers]:
+    """The workers of a dask.distributed scheduler, for a while.
+
+    Raises SearchError where distributed is not installed, the address is none, or no scheduler with
+    a worker answers in time.
+    """
+    import asyncio
+
+    try:
+        from distributed import Client
+    except ImportError:
+        raise error("scheduler", "no-distributed") from None
+    try:
+        with ThreadPoolExecutor(1) as aside:  # a notebook has a loop of its own in this thread
+            aside.submit(asyncio.run, _answer(address)).result()
+        client = Client(address, timeout=SCHEDULER_SECONDS, set_as_default=False)
+    # whatever a foreign server makes of it
+    except (Exception, MemoryError):  # noqa: BLE001
+        seconds = f"{SCHEDULER_SECONDS:.0f}"
+        raise error("scheduler", "no-scheduler", address=address, seconds=seconds) from None
+    try:
+        try:
+            client.wait_for_workers(1, timeout=SCHEDULER_SECONDS)
+        except TimeoutError:
+            raise error("scheduler", "no-workers", address=address) from None
+        workers = _Cluster(client, address)
+        workers.look()
+        yield workers
+    finally:
+        with suppress(Exception):
+            client.close(timeout=2)
+
+
+async def _answer(address: str) -> None:
+    """Wait until a scheduler has answered; a Client would wait for ever for a silent one."""
+    import asyncio
+
+    from distributed import Security
+    from distributed.comm.core import connect
+
+    arguments = Security().get_connection_args("client")
+    comm = await asyncio.wait_for(
+        connect(address, timeout=SCHEDULER_SECONDS, **arguments), SCHEDULER_SECONDS
+    )
+    await comm.close()
+
+
+def of_workers(fault: BaseException) -> bool:
+    """Whether a fault is one of workers or of the way to them, not of the work."""
+    names = {kind.__name__ for kind in type(fault).__mro__}
+    known = BrokenExecutor, CancelledError, ConnectionError, TimeoutError, EOFError
+    return isinstance(fault, known) or bool(
+        names & {"KilledWorker", "CommClosedError", "FutureCancelledError", "FutureLost"}
+    )

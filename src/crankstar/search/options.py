@@ -1,0 +1,375 @@
+"""Options of a search as values, and the question that they ask about an engine or a number.
+
+The command line, the API and the page's dialog fill the same record; a fault names its field.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from math import inf
+from typing import Literal, NamedTuple
+
+from crankstar.engine.engine import Engine
+from crankstar.engine.quantities import Cycle
+from crankstar.search import engine_stars, equivalence
+from crankstar.search.equivalence import Equivalence
+from crankstar.search.faults import SearchError, SearchFault, error, fault
+from crankstar.search.question import All, Best, Front, Question
+from crankstar.search.stars import Star, Stars
+from crankstar.search.sums import (
+    Limit,
+    Objective,
+    VectorSum,
+    check_torsion,
+    couple,
+    force,
+    neighbours,
+    of,
+    torsion,
+)
+
+GREATEST_ORDER = 100
+GREATEST_OBJECTIVES = 6
+GREATEST_BEST, USUAL_BEST = 10_000, 20
+
+
+class Measure(NamedTuple):
+    """A quantity of a star: a couple (M), force (F) or torsion (T) of an order, or one without."""
+
+    kind: Literal["F", "M", "T", "couple", "neighbours"]
+    order: Fraction = Fraction(0)
+
+    @property
+    def name(self) -> str:
+        """As it is written: `M1`, `T1.5`, `neighbours`."""
+        return f"{self.kind}{float(self.order):g}" if self.order else self.kind
+
+
+NEIGHBOURS = Measure("neighbours")
+USUAL = (Measure("M", Fraction(1)), Measure("M", Fraction(2)))
+"""Minimised where nothing else is named, as far as they differ between stars."""
+
+
+class NearValue(NamedTuple):
+    """A length that a sum is to have, and by how much it may differ."""
+
+    measure: Measure
+    length: float
+    off: float
+
+
+@dataclass(frozen=True)
+class SearchOptions:
+    """What a search is to find, and among which stars.
+
+    cycle: that of the engine, else four-stroke. pitch: gaps between cylinders from the front, in
+    pitches. fix: cylinders with the directions of their throws. minimise: quantities with weights;
+    by default the couples M1 and M2. zero, limit: quantities that must vanish, or be at most so
+    great. mode_shape: amplitude of a torsional mode at each cylinder. ask: by default a front of
+    several objectives, or the best by one. all_with: all stars with the moments of this firing
+    order, or with these values.
+    """
+
+    cycle: Cycle | None = None
+    pitch: tuple[Fraction, ...] | None = None
+    fix: tuple[tuple[int, int], ...] = ()
+    symmetric: bool = False
+    minimise: tuple[tuple[float, Measure], ...] | None = None
+    zero: tuple[Measure, ...] = ()
+    limit: tuple[tuple[Measure, float], ...] = ()
+    mode_shape: tuple[Fraction, ...] | None = None
+    avoid_adjacent: bool = False
+    ask: Front | Best | All | None = None
+    all_with: tuple[int, ...] | tuple[NearValue, ...] | None = None
+
+
+@dataclass(frozen=True)
+class Search:
+    """A question, the engine if it is about one, and which stars of the answer are wanted."""
+
+    question: Question
+    engine: Engine | None = None
+    equivalence: Equivalence | None = None
+
+
+def search_for(
+    about: int | Engine,
+    options: SearchOptions,
+    *,
+    speed: float | None = None,
+    faults: Iterable[SearchFault] = (),
+) -> Search:
+    """The search that options ask for, of an in-line engine or of a number of cylinders.
+
+    faults: what is wrong already with how the options were written. Raises SearchError with every
+    fault.
+
+    >>> search_for(7, SearchOptions()).question.objectives[1].name
+    'M2'
+    """
+    gathered = _Gathered(list(faults))
+    stars = _stars(about, options, gathered)
+    if stars is None:
+        raise SearchError(gathered.faults)
+    engine = about if isinstance(about, Engine) else None
+    return _Questioner(stars, engine, speed, options, gathered).search()
+
+
+class _Gathered:
+    """Faults, collected so that all of them are reported at once."""
+
+    def __init__(self, faults: list[SearchFault]) -> None:
+        self.faults = faults
+
+    def add(self, path: str, code: str, **values: object) -> None:
+        """Note a fault."""
+        self.faults.append(fault(path, code, **values))
+
+    def take(self, raised: SearchError, path: str = "") -> None:
+        """Note what was raised, at an option where it names none."""
+        self.faults += [each._replace(path=each.path or path) for each in raised.faults]
+
+    @property
+    def paths(self) -> set[str]:
+        """Options that have a fault."""
+        return {each.path for each in self.faults}
+
+
+def _stars(about: int | Engine, options: SearchOptions, gathered: _Gathered) -> Stars | None:
+    """The stars among which to search, options at fault left out; None where there are none."""
+    try:
+        if isinstance(about, Engine):
+            if options.cycle not in (None, about.cycle):
+                gathered.add("cycle", "engine-cycle", engine=about.name, cycle=about.cycle)
+            if options.pitch is not None:
+                gathered.add("pitch", "engine-gaps")
+            stars = engine_stars.stars_of(about)
+        else:
+            places = _positions(about, options.pitch, gathered)
+            stars = Stars(about, options.cycle or "four-stroke", places)
+    except SearchError as raised:
+        gathered.take(raised)
+        return None
+    for change in ({"symmetric": options.symmetric}, {"fixed": tuple(sorted(set(options.fix)))}):
+        try:
+            stars = replace(stars, **change)
+        except SearchError as raised:
+            gathered.take(raised)
+    return stars
+
+
+def _positions(
+    cylinders: int, gaps: tuple[Fraction, ...] | None, gathered: _Gathered
+) -> tuple[Fraction, ...]:
+    """Positions in pitches, measured from the middle."""
+    if gaps is not None and len(gaps) != cylinders - 1:
+        wrong = {"given": len(gaps), "cylinders": cylinders, "wanted": cylinders - 1}
+        gathered.add("pitch", "gap-count", **wrong)
+        gaps = None
+    places = [Fraction(0)]
+    for gap in gaps or (Fraction(1),) * (cylinders - 1):
+        places.append(places[-1] - gap)
+    middle = (places[0] + places[-1]) / 2
+    return tuple(place - middle for place in places)
+
+
+class _Questioner:
+    """Makes the question of some options about some stars."""
+
+    def __init__(
+        self,
+        stars: Stars,
+        engine: Engine | None,
+        speed: float | None,
+        options: SearchOptions,
+        gathered: _Gathered,
+    ) -> None:
+        self.stars, self.engine, self.speed = stars, engine, speed
+        self.options, self.gathered = options, gathered
+        self.shape = self._shape()
+
+    def search(self) -> Search:
+        """The search. Raises SearchError with every fault."""
+        options, gathered = self.options, self.gathered
+        objectives = list(self._objectives())
+        zeros = self._made("zero", map(self.vector, options.zero))
+        limits = [Limit(vector, 0.0) for vector in zeros]
+        at_most = 0.0 if options.avoid_adjacent else inf
+        for measure, length in options.limit:
+            if measure == NEIGHBOURS:
+                at_most = min(at_most, length)
+            else:
+                limits += [
+                    Limit(vector, length) for vector in self._made("limit", [self.vector(measure)])
+                ]
+        wanted = self._equivalence([objective for _weight, objective in objectives])
+        ask = self._ask(objectives)
+        if gathered.faults:
+            raise SearchError(gathered.faults)
+        plain = tuple(objective for _weight, objective in objectives)
+        if wanted is not None:
+            alike = equivalence.question(self.stars, wanted, plain)
+            limits = [*alike.limits, *limits]
+        elif isinstance(ask, Best):
+            plain = (_combined(objectives),)
+        question = Question(self.stars, plain, tuple(limits), at_most, ask)
+        return Search(question, self.engine, wanted)
+
+    def vector(self, measure: Measure) -> Iterator[VectorSum]:
+        """The vector sum of a quantity. Raises SearchError."""
+        name, order = measure.name, measure.order
+        if not 0 < order <= GREATEST_ORDER:
+            raise error("", "order", name=name, most=GREATEST_ORDER)
+        if measure.kind == "T":
+            check_torsion(self.stars, order)
+            if self.shape is not None:
+                yield torsion(self.stars, order=order, shape=self.shape)
+            elif "mode_shape" not in self.gathered.paths:
+                raise error("", "needs-shape", name=name)
+        elif order.denominator != 1:
+            raise error("", "half-order", name=name)
+        elif self.engine is None:
+            yield (force if measure.kind == "F" else couple)(self.stars, int(order))
+        else:
+            of_engine = engine_stars.force_of if measure.kind == "F" else engine_stars.couple_of
+            vector = of_engine(self.engine, self.stars, int(order), speed=self.speed)
+            if vector.scale == 0:
+                raise error("", "no-force", name=name, engine=self.engine.name)
+            yield vector
+
+    def _objective(self, measure: Measure) -> Iterator[Objective]:
+        """The objective of a quantity. Raises SearchError where it is the same for every star."""
+        if measure == NEIGHBOURS:
+            yield neighbours()
+        elif measure.kind == "couple":
+            if self.engine is None:
+                raise error("", "needs-engine")
+            yield engine_stars.rms_couple(self.engine, self.stars, speed=self.speed)
+        else:
+            for vector in self.vector(measure):
+                if not _differs(vector):
+                    order = len(set(vector.turns)) == 1
+                    code = "alike-order" if order else "alike-throws"
+                    raise error("", code, name=measure.name)
+                yield of(vector)
+
+    def _made(self, path: str, makers: Iterable[Iterator[VectorSum]]) -> list[VectorSum]:
+        """Vector sums; faults are gathered at an option."""
+        out: list[VectorSum] = []
+        for maker in makers:
+            try:
+                out += maker
+            except SearchError as raised:
+                self.gathered.take(raised, path)
+        return out
+
+    def _objectives(self) -> Iterator[tuple[float, Objective]]:
+        """Objectives with their weights, by default the first couples that differ."""
+        if self.options.minimise is None:
+            usual: list[Objective] = []
+            for measure in USUAL:
+                with suppress(SearchError):
+                    usual += self._objective(measure)
+            yield from ((1.0, objective) for objective in usual or [neighbours()])
+            return
+        for weight, measure in self.options.minimise:
+            try:
+                yield from ((weight, objective) for objective in self._objective(measure))
+            except SearchError as raised:
+                self.gathered.take(raised, "minimise")
+        names = [measure.name for _weight, measure in self.options.minimise]
+        for name in dict.fromkeys(names):
+            if names.count(name) > 1:
+                self.gathered.add("minimise", "named-twice", name=name, count=names.count(name))
+        if len(names) > GREATEST_OBJECTIVES:
+            self.gathered.add("minimise", "too-many", count=len(names), most=GREATEST_OBJECTIVES)
+
+    def _shape(self) -> tuple[Fraction, ...] | None:
+        shape, options = self.options.mode_shape, self.options
+        if shape is None:
+            return None
+        measures = [measure for _weight, measure in options.minimise or ()]
+        measures += [*options.zero, *(measure for measure, _length in options.limit)]
+        measures += [
+            value.measure for value in options.all_with or () if not isinstance(value, int)
+        ]
+        if not any(measure.kind == "T" for measure in measures):
+            self.gathered.add("mode_shape", "shape-unused")
+        if len(shape) != self.stars.cylinders:
+            wrong = {"given": len(shape), "cylinders": self.stars.cylinders}
+            self.gathered.add("mode_shape", "shape-count", **wrong)
+            return None
+        if len(set(shape)) == 1:
+            self.gathered.add("mode_shape", "shape-uniform")
+            return None
+        return shape
+
+    def _ask(self, objectives: list[tuple[float, Objective]]) -> Front | Best | All:
+        ask = self.options.ask
+        if self.options.all_with is not None:
+            return All()
+        if isinstance(ask, Best) and not 1 <= ask.count <= GREATEST_BEST:
+            self.gathered.add("best", "best", given=ask.count, most=GREATEST_BEST)
+        if ask is None:
+            ask = Best(USUAL_BEST) if len(objectives) == 1 else Front()
+        if isinstance(ask, Front) and any(weight != 1 for weight, _objective in objectives):
+            self.gathered.add("minimise", "weights-unused")
+        return ask
+
+    def _equivalence(self, objectives: list[Objective]) -> Equivalence | None:
+        """Which sums are to be as long as those of a firing order, or how long."""
+        wanted = self.options.all_with
+        if wanted is None:
+            return None
+        values = [value for value in wanted if not isinstance(value, int)]
+        if values:
+            sums = self._made("all_with", (self.vector(value.measure) for value in values))
+            return Equivalence(tuple(sums), None, tuple((at, off) for _, at, off in values))
+        sums = [vector for objective in objectives for _weight, vector in objective.terms]
+        if not sums:
+            self.gathered.add("all_with", "all-with-sums")
+            return None
+        star = star_of_order([number for number in wanted if isinstance(number, int)], self.stars)
+        if star is None:
+            order, most = "-".join(map(str, wanted)), self.stars.cylinders
+            self.gathered.add("all_with", "all-with-form", given=order, cylinders=most)
+            return None
+        return Equivalence(tuple(sums), star)
+
+
+def star_of_order(firing_order: list[int], stars: Stars) -> Star | None:
+    """The star of a firing order; None if it is not an order of these cylinders."""
+    if sorted(firing_order) != list(range(1, stars.cylinders + 1)):
+        return None
+    step = stars.step or 1
+    at = {number: place * step % stars.directions for place, number in enumerate(firing_order)}
+    return tuple(at[number] for number in range(1, stars.cylinders + 1))
+
+
+def _differs(vector: VectorSum) -> bool:
+    """Whether a sum is not equally long for all stars."""
+    return len(set(vector.turns)) > 1 and len(set(vector.weights)) > 1
+
+
+def _combined(objectives: list[tuple[float, Objective]]) -> Objective:
+    """One objective of several: the root of the sum of squares of the weighted sums.
+
+    The weight of each pair of neighbours in succession is added.
+    """
+    if len(objectives) == 1 and objectives[0][0] == 1:
+        return objectives[0][1]
+    terms = tuple(
+        (weight * own, vector)
+        for weight, objective in objectives
+        for own, vector in objective.terms
+    )
+    names = [
+        objective.name if weight == 1 else f"{weight:g}*{objective.name}"
+        for weight, objective in objectives
+    ]
+    units = {objective.unit for _weight, objective in objectives if objective.terms}
+    cost = sum(weight * objective.neighbours for weight, objective in objectives)
+    return Objective(" & ".join(names), terms, cost, units.pop() if len(units) == 1 else "")

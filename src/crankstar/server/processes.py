@@ -1,0 +1,55 @@
+"""A process of the server: spawned, spoken to over a pipe, gone when its parent is.
+
+pebble's pool is not used: it shares named semaphores, of which the resource tracker complains when
+a server is killed, and hands a task to any process, not to the one that has the engine at hand.
+"""
+
+from __future__ import annotations
+
+import multiprocessing
+from collections.abc import Callable
+from contextlib import suppress
+from multiprocessing.connection import Connection
+from typing import Any
+
+from crankstar.search.interrupts import held_back
+
+END_SECONDS = 2.0
+"""How long a killed process may take to disappear."""
+
+
+class Child:
+    """A process and the pipe to it. It ends itself when it reads the end of the pipe."""
+
+    def __init__(self, target: Callable[..., None], *arguments: Any) -> None:
+        context = multiprocessing.get_context("spawn")
+        self.pipe, far = context.Pipe()
+        self._process = context.Process(target=target, args=(far, *arguments), daemon=True)
+        with held_back():
+            self._process.start()
+        far.close()
+
+    @property
+    def alive(self) -> bool:
+        """Whether the process runs."""
+        return self._process.is_alive()
+
+    def receive(self, seconds: float) -> Any:
+        """The next message. Raises TimeoutError, and EOFError or OSError if the process is lost."""
+        if not self.pipe.poll(seconds):
+            raise TimeoutError
+        return self.pipe.recv()
+
+    def kill(self, *, wait: bool = True) -> None:
+        """End the process whatever it is doing."""
+        with suppress(OSError):
+            self._process.kill()
+        if wait:
+            self._process.join(END_SECONDS)
+
+
+def messages(pipe: Connection) -> Any:
+    """Messages of the parent, until it closes its end."""
+    with suppress(EOFError, OSError):
+        while True:
+            yield pipe.recv()

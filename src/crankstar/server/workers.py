@@ -1,0 +1,214 @@
+"""Worker processes: each keeps one task at a time, and is killed when the task takes too long.
+
+The process that talks to browsers must not compute, or all would wait for one. A task that is still
+waiting when its asker leaves is dropped; one that is under way is finished for nobody. A process
+that takes too long, or is lost, is replaced when the next task comes.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import os
+import signal
+import threading
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
+from functools import partial
+from importlib import import_module
+from multiprocessing.connection import Connection
+from typing import Any, Protocol
+
+from crankstar.language.messages import N_, _
+from crankstar.server.processes import Child, messages
+from crankstar.server.refusal import Refused, refused
+
+GREATEST_WAITING = 500
+"""Tasks that may wait for a process."""
+WAITING_SECONDS = 30.0
+"""How long a task may wait for a process, which may have to be started."""
+STARTING_SECONDS = 60.0
+"""How long a process may take to be ready."""
+READY = "ready"
+TOO_LONG = N_(
+    "This takes longer than {seconds} s and was stopped. Ask for less, or use the command line, "
+    "which has no limit."
+)
+BUSY = N_("Too many questions are waiting. Ask again in a moment.")
+LOST = N_("The process that computed this was lost, perhaps for lack of memory. Ask for less.")
+FAILED = N_(
+    "crankstar failed at this, which is a bug. The details are in the terminal of the server."
+)
+
+Task = Callable[..., bytes]
+log = logging.getLogger("crankstar.server")
+
+
+class Workers(Protocol):
+    """Whatever does the tasks."""
+
+    async def do(self, task: Task, *arguments: Any) -> bytes:
+        """The result of a task. Raises Refused."""
+        ...
+
+    def begin(self) -> None:
+        """Get ready, without waiting for it."""
+        ...
+
+    def end(self) -> None:
+        """End all that was begun."""
+        ...
+
+
+class InThread:
+    """Does every task in a thread of this process, for tests and for a single asker."""
+
+    async def do(self, task: Task, *arguments: Any) -> bytes:
+        """The result of a task. Raises Refused."""
+        return _opened(await asyncio.to_thread(_done, task, arguments))
+
+    def begin(self) -> None:
+        """Nothing has to be made ready."""
+
+    def end(self) -> None:
+        """Nothing has to be ended."""
+
+
+class InProcesses:
+    """Processes of this machine; the one that worked last, with the engine at hand, goes first."""
+
+    def __init__(self, count: int, *, seconds: float) -> None:
+        self.seconds = seconds
+        self.workers = [_Worker() for _ in range(count)]
+        self.threads = ThreadPoolExecutor(count, thread_name_prefix="worker")
+        self.idle: asyncio.LifoQueue[_Worker] = asyncio.LifoQueue()
+        self.waiting = 0
+
+    def begin(self) -> None:
+        """Start the processes, without waiting; called in the loop in which tasks will be given."""
+        loop = asyncio.get_running_loop()
+        for worker in self.workers:
+            loop.run_in_executor(self.threads, worker.ready).add_done_callback(
+                partial(self._free, worker)
+            )
+
+    def end(self) -> None:
+        """End the processes, whatever they are doing."""
+        for worker in self.workers:
+            worker.end()
+        self.threads.shutdown(wait=False, cancel_futures=True)
+
+    async def do(self, task: Task, *arguments: Any) -> bytes:
+        """The result of a task. Raises Refused, also where it takes too long or too many wait."""
+        if self.waiting >= GREATEST_WAITING:
+            raise refused(503, _(BUSY))
+        self.waiting += 1
+        try:
+            async with asyncio.timeout(WAITING_SECONDS):
+                worker = await self.idle.get()
+        except TimeoutError:
+            raise refused(503, _(BUSY)) from None
+        finally:
+            self.waiting -= 1
+        work = asyncio.get_running_loop().run_in_executor(
+            self.threads, worker.do, task, arguments, self.seconds
+        )
+        work.add_done_callback(partial(self._free, worker))
+        try:
+            return _opened(await asyncio.shield(work))
+        except TimeoutError:
+            raise refused(503, _(TOO_LONG, seconds=f"{self.seconds:g}")) from None
+        except (EOFError, OSError):
+            raise refused(503, _(LOST)) from None
+
+    def _free(self, worker: _Worker, work: asyncio.Future[Any]) -> None:
+        if not work.cancelled():
+            work.exception()  # retrieved, even if nobody waits for it any more
+        self.idle.put_nowait(worker)
+
+
+def _opened(answer: bytes | Refused) -> bytes:
+    """The result that a worker sent. Raises the refusal that it sent."""
+    if isinstance(answer, Refused):
+        raise answer
+    return answer
+
+
+def _done(task: Task, arguments: tuple[Any, ...]) -> bytes | Refused:
+    """The result of a task, or its refusal; any other failure is logged, and not shown."""
+    try:
+        return task(*arguments)
+    except Refused as refusal:
+        return refusal
+    except MemoryError:
+        return refused(503, _(LOST))
+    except Exception:
+        log.exception("a task failed")
+        return refused(500, _(FAILED))
+
+
+class _Worker:
+    """A process, started when there is something to do and it is not there."""
+
+    def __init__(self) -> None:
+        self.child: Child | None = None
+        self.ended = False
+        self.changing = threading.Lock()
+        """Held while the process is started or ended, each of which another thread may do."""
+
+    def ready(self) -> None:
+        """Start the process if it is not there, and wait until it can work."""
+        with self.changing:
+            if self.ended or (self.child is not None and self.child.alive):
+                return
+            self.child = Child(_work)
+        with suppress(EOFError, OSError, TimeoutError):  # lost: the next task will notice
+            self.child.receive(STARTING_SECONDS)
+
+    def do(self, task: Task, arguments: tuple[Any, ...], seconds: float) -> bytes | Refused:
+        """The process's answer; one that is lost, perhaps for earlier work, is replaced once.
+
+        Raises TimeoutError and ends the process where it takes too long, EOFError or OSError if it
+        is lost again.
+        """
+        try:
+            return self._answer(task, arguments, seconds)
+        except TimeoutError:
+            raise
+        except (EOFError, OSError):
+            return self._answer(task, arguments, seconds)
+
+    def _answer(self, task: Task, arguments: tuple[Any, ...], seconds: float) -> bytes | Refused:
+        self.ready()
+        if self.child is None or self.ended:
+            raise EOFError
+        try:
+            self.child.pipe.send((task, arguments))
+            return self.child.receive(seconds)
+        except (EOFError, OSError, TimeoutError):
+            self._drop()
+            raise
+
+    def end(self) -> None:
+        """End the process for good."""
+        self.ended = True
+        self._drop()
+
+    def _drop(self) -> None:
+        with self.changing:
+            child, self.child = self.child, None
+            if child is not None:
+                child.kill()
+
+
+def _work(pipe: Connection) -> None:
+    """A process at work: task after task, until its parent closes the pipe."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    # a process whose stack is used up, which Python does not always restore, cannot even answer
+    with suppress(EOFError, OSError, ImportError, RecursionError):
+        import_module("crankstar.server.tasks")  # the first asker need not wait for it
+        pipe.send(READY)
+        for task, arguments in messages(pipe):
+            pipe.send(_done(task, arguments))
+    os._exit(0)

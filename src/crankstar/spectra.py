@@ -1,0 +1,369 @@
+"""Spectra over crank order: a periodic vector in the clock plane as pairs of turning vectors.
+
+A vector in the clock plane (seen from the front of the engine) is the complex number
+`up + i*right`. A periodic one is a sum over orders k of
+
+    forward_k * exp(+i s k theta)  +  backward_k * exp(-i s k theta)
+
+with theta the angle of the reference crankshaft in its own direction of rotation and s = +1 for
+a crankshaft that turns clockwise, -1 for one that turns the other way. So *forward* always turns
+with the crankshaft. A real signal (a roll, a torque) is the same thing with s = 1 and
+backward = conj(forward); its amplitude c in `Re(c exp(i k theta))` is forward + conj(backward).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from math import lcm
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+# Arrays of complex and of real numbers; numpy's own types do not follow broadcasting and mixed
+# arithmetic.
+Complex = NDArray[Any]
+Real = NDArray[Any]
+
+ROUNDING = 1e-13
+"""A sum smaller than this share of the magnitudes it was added up from is rounding error."""
+
+
+@dataclass(frozen=True)
+class Spectrum:
+    """Turning vectors by order: `orders` [n] ascending; `forward`, `backward` [..., n]; `sense`."""
+
+    orders: Real
+    forward: Complex
+    backward: Complex
+    sense: int = 1
+
+    def __getitem__(self, index: object) -> Spectrum:
+        """The same spectrum for some of the leading axis: one part, or several."""
+        return replace(self, forward=self.forward[index], backward=self.backward[index])  # pyright: ignore[reportArgumentType, reportCallIssue]
+
+
+class Ellipse(NamedTuple):
+    """The path of one order's vector over a turn.
+
+    `bearing` of the long axis in radians in (-pi/2, pi/2]. `sense` is +1 where the vector turns
+    with the crankshaft, -1 against it, 0 on a straight line or a point.
+    """
+
+    semi_major: float
+    semi_minor: float
+    bearing: float
+    sense: int
+
+
+class Peak(NamedTuple):
+    """The greatest length of a vector over its period, its crank angle, the vector there."""
+
+    value: float
+    theta: float
+    vector: complex
+
+
+def real_signal(orders: Real, amplitude: Complex) -> Spectrum:
+    """The spectrum of the real signal `Re(sum amplitude_k exp(i k theta))`."""
+    return Spectrum(orders, amplitude / 2, np.conj(amplitude) / 2)
+
+
+def amplitude(spectrum: Spectrum) -> Complex:
+    """The complex amplitude c of a real signal `Re(c exp(i k theta))`, [..., n]."""
+    return spectrum.forward + np.conj(spectrum.backward)
+
+
+def total(spectrum: Spectrum) -> Spectrum:
+    """The sum over the last leading axis (the parts), with what is only rounding error set to zero.
+
+    >>> forward = np.array([[1.0 + 0j], [-1.0 + 1e-17j]])
+    >>> two = Spectrum(np.array([1.0]), forward, np.zeros((2, 1), complex))
+    >>> total(two).forward
+    array([0.+0.j])
+    """
+    size = np.maximum(np.abs(spectrum.forward), np.abs(spectrum.backward))
+    noise = ROUNDING * np.einsum("...pn->...n", size)
+
+    def added(values: Complex) -> Complex:
+        out = np.einsum("...pn->...n", values)
+        return np.where(np.abs(out.real) <= noise, 0.0, out.real) + 1j * np.where(
+            np.abs(out.imag) <= noise, 0.0, out.imag
+        )
+
+    return replace(spectrum, forward=added(spectrum.forward), backward=added(spectrum.backward))
+
+
+def scaled(spectrum: Spectrum, factor: ArrayLike) -> Spectrum:
+    """The spectrum with every vector times `factor`, a number or an array that fits [..., n]."""
+    factors = np.asarray(factor)
+    return replace(
+        spectrum, forward=spectrum.forward * factors, backward=spectrum.backward * factors
+    )
+
+
+def turned(spectrum: Spectrum, bearing: float) -> Spectrum:
+    """The spectrum with every vector turned clockwise by `bearing` radians."""
+    return scaled(spectrum, np.exp(1j * bearing))
+
+
+def shifted(spectrum: Spectrum, theta: float) -> Spectrum:
+    """The spectrum of the signal delayed by `theta` radians: value(x) becomes value(x - theta)."""
+    phase = np.exp(-1j * spectrum.sense * spectrum.orders * theta)
+    return replace(spectrum, forward=spectrum.forward * phase, backward=spectrum.backward / phase)
+
+
+def selected(spectrum: Spectrum, orders: ArrayLike) -> Spectrum:
+    """The spectrum at the given orders, in the order given; one that is not there is zero."""
+    wanted = np.atleast_1d(np.asarray(orders, float))
+    hits = np.isclose(spectrum.orders[None, :], wanted[:, None], rtol=0, atol=1e-9)
+
+    def picked(values: Complex) -> Complex:
+        return np.einsum("...n,mn->...m", values, hits.astype(float)) + 0j
+
+    return replace(
+        spectrum,
+        orders=wanted,
+        forward=picked(spectrum.forward),
+        backward=picked(spectrum.backward),
+    )
+
+
+def value(spectrum: Spectrum, theta: ArrayLike) -> Complex:
+    """The vector `up + i*right` at the crank angles `theta` (radians), [..., *theta.shape].
+
+    >>> circle = Spectrum(np.array([1.0]), np.array([2.0 + 0j]), np.array([0j]))
+    >>> complex(np.round(value(circle, np.pi / 2), 12))  # a quarter turn on, it points right
+    2j
+    """
+    angles = np.asarray(theta, float)
+    phase = np.exp(1j * spectrum.sense * spectrum.orders[:, None] * angles.reshape(1, -1))
+    flat = spectrum.forward @ phase + spectrum.backward @ np.conj(phase)
+    return flat.reshape(flat.shape[:-1] + angles.shape)
+
+
+def vertical(spectrum: Spectrum) -> Complex:
+    """Complex amplitude c, `Re(c exp(i k theta))`, of the upward component, [..., n]."""
+    forward, backward = _by_exponent(spectrum)
+    return forward + np.conj(backward)
+
+
+def horizontal(spectrum: Spectrum) -> Complex:
+    """Complex amplitude c, `Re(c exp(i k theta))`, of the rightward component, [..., n]."""
+    forward, backward = _by_exponent(spectrum)
+    return -1j * (forward - np.conj(backward))
+
+
+def _by_exponent(spectrum: Spectrum) -> tuple[Complex, Complex]:
+    if spectrum.sense > 0:
+        return spectrum.forward, spectrum.backward
+    return spectrum.backward, spectrum.forward
+
+
+def ellipse(forward: complex, backward: complex) -> Ellipse:
+    """The ellipse two counter-rotating vectors draw: semi-axes |f|+|b| and ||f|-|b||.
+
+    >>> ellipse(1.0, 1.0)
+    Ellipse(semi_major=2.0, semi_minor=0.0, bearing=0.0, sense=0)
+    >>> ellipse(1.5j, 0.5j).bearing == np.pi / 2  # both point right at once: that is the long axis
+    True
+    """
+    with_crank, against = abs(forward), abs(backward)
+    line = abs(with_crank - against) <= ROUNDING * (with_crank + against)
+    sense = 0 if line else int(np.sign(with_crank - against))
+    bearing = 0.0
+    if min(with_crank, against) > ROUNDING * max(with_crank, against):
+        bearing = float(np.angle(forward) + np.angle(backward)) / 2
+        bearing = (
+            np.pi / 2 - (np.pi / 2 - bearing) % np.pi
+        )  # an axis has no head: keep (-pi/2, pi/2]
+        bearing = 0.0 if abs(bearing) < ROUNDING else float(bearing)
+    return Ellipse(
+        float(with_crank + against),
+        0.0 if line else float(abs(with_crank - against)),
+        bearing,
+        sense,
+    )
+
+
+def period(spectrum: Spectrum) -> int:
+    """Turns of the crankshaft after which the signal repeats: the orders' common denominator."""
+    return lcm(
+        *(
+            Fraction(order).limit_denominator(10_000).denominator
+            for order in spectrum.orders.tolist()
+        ),
+        1,
+    )
+
+
+def peak(spectrum: Spectrum) -> Peak:
+    """The greatest length of the vector over its period, to machine precision; the first of equals.
+
+    Samples over the period show where it can be; Newton's method on |v|^2 goes from each of these
+    to the maximum beside it.
+    """
+    if spectrum.orders.size == 0 or not (np.any(spectrum.forward) or np.any(spectrum.backward)):
+        return Peak(0.0, 0.0, 0j)
+    period_angle = 2 * np.pi * period(spectrum)
+    lengths = np.abs(_over_period(spectrum))
+    step = period_angle / lengths.size
+    starts = _candidates(lengths) * step
+    # Between two maxima close together lies a minimum: go from it to either side.
+    rows = spectrum[None][np.zeros(starts.size, int)]
+    maxima = [_maxima(rows, starts, step, side=side).theta for side in (1, -1)]
+    theta = np.concatenate([starts, *maxima]) % period_angle
+    theta = np.where(period_angle - theta < 1e-9, 0.0, theta)
+    lengths = np.abs(value(spectrum, theta))
+    # Equal peaks differ by rounding, and by how near Newton's method came: take the first.
+    first = float(np.min(theta[lengths >= lengths.max() * (1 - 1e-9)]))
+    here = complex(value(spectrum, first))
+    return Peak(abs(here), 0.0 if first < 1e-9 else first, here)
+
+
+POINTS, POINTS_AT_MOST = 16, 1 << 22
+"""Samples to one turn of the highest order, and in all; beyond that, a quarter as many."""
+CANDIDATES = 256
+SAMPLES_AT_ONCE = 1 << 18
+FLAT = 1e-13
+"""A sample above its neighbours by less than this share of it needs no search beside it."""
+
+
+def _over_period(spectrum: Spectrum) -> Complex:
+    """The vector at equal steps over the period [..., step], fine enough for its highest order."""
+    places = np.round(spectrum.orders * period(spectrum)).astype(int)
+    coefficients = np.zeros((*spectrum.forward.shape[:-1], _steps(int(places.max()))), complex)
+    np.add.at(coefficients.T, spectrum.sense * places, spectrum.forward.T)
+    np.add.at(coefficients.T, -spectrum.sense * places, spectrum.backward.T)
+    return np.fft.ifft(coefficients) * coefficients.shape[-1]
+
+
+def _steps(highest: int) -> int:
+    """The number of samples over the period for its highest harmonic."""
+    return (POINTS if (highest + 4) * POINTS < POINTS_AT_MOST else POINTS // 4) * (highest + 4)
+
+
+def distinct(values: Real) -> Real:
+    """The values in order, each once; np.unique would load numpy.ma, a fifth of all of NumPy."""
+    return np.array(sorted(set(values.tolist())), values.dtype)
+
+
+def _candidates(lengths: Real) -> NDArray[np.int_]:
+    """The samples beside which the peak can be: local maxima near the highest, and the first."""
+    local = (
+        (lengths >= np.roll(lengths, 1))
+        & (lengths >= np.roll(lengths, -1))
+        & (lengths >= 0.85 * lengths.max())
+    )
+    strongest = np.flatnonzero(local)
+    strongest = strongest[np.argsort(-lengths[strongest], kind="stable")][:CANDIDATES]
+    return distinct(np.append(strongest, np.argmax(lengths >= lengths.max() * (1 - 1e-9))))
+
+
+def peaks(spectrum: Spectrum) -> Real:
+    """The greatest length over the period of every vector of a batch [...], as `peak` finds it.
+
+    Never more than the true value, and less by 1e-9 of it at most.
+
+    >>> forward, backward = np.array([[1.0 + 0j], [2j]]), np.array([[1.0 + 0j], [1.0 + 0j]])
+    >>> lines = Spectrum(np.array([1.0]), forward, backward)
+    >>> peaks(lines).round(12).tolist()
+    [2.0, 3.0]
+    """
+    lead = spectrum.forward.shape[:-1]
+    if spectrum.orders.size == 0 or 0 in lead:
+        return np.zeros(lead)
+    forward, backward = (
+        values.reshape(-1, spectrum.orders.size) for values in (spectrum.forward, spectrum.backward)
+    )
+    block = max(
+        1, SAMPLES_AT_ONCE // _steps(round(float(spectrum.orders.max()) * period(spectrum)))
+    )
+    blocks = [slice(start, start + block) for start in range(0, len(forward), block)]
+    values = [
+        _peaks(replace(spectrum, forward=forward[rows], backward=backward[rows])) for rows in blocks
+    ]
+    return np.concatenate(values).reshape(lead)
+
+
+def _peaks(spectrum: Spectrum) -> Real:
+    """The peaks of a few vectors [row]: the highest sample, and the maxima near all high ones."""
+    squared = np.abs(_over_period(spectrum)) ** 2
+    before, after = np.roll(squared, 1, axis=-1), np.roll(squared, -1, axis=-1)
+    highest = squared.max(axis=-1)
+    local = (
+        (squared >= before) & (squared >= after) & (2 * squared - before - after > FLAT * squared)
+    )
+    rows, places = np.nonzero(local & (squared >= 0.85**2 * highest[:, None]))
+    step = 2 * np.pi * period(spectrum) / squared.shape[-1]
+    greatest = np.sqrt(highest)
+    right = _maxima(spectrum[rows], places * step, step, side=1)
+    np.maximum.at(greatest, rows, right.length)
+    rows, places = rows[right.hollow], places[right.hollow]
+    left = _maxima(spectrum[rows], places * step, step, side=-1)
+    np.maximum.at(greatest, rows, left.length)
+    return greatest
+
+
+class _Maxima(NamedTuple):
+    """Maxima of length found from starting angles, one per row.
+
+    `theta` where the search ended (radians), `length` the greatest on the way, `hollow` whether it
+    began beside a minimum.
+    """
+
+    theta: Real
+    length: Real
+    hollow: NDArray[np.bool_]
+
+
+def _maxima(spectrum: Spectrum, starts: Real, step: float, *, side: int) -> _Maxima:
+    """Newton's method on the derivative of |v|^2 of each row [row, n], within a step of its start.
+
+    Between two maxima it goes to the one on the given `side`.
+    """
+    theta, length = starts.astype(float), np.zeros(starts.size)
+    hollow = np.zeros(starts.size, bool)
+    going = np.arange(starts.size)
+    orders = spectrum.orders
+    for _ in range(40):
+        if not going.size:
+            break
+        phase = np.exp(1j * spectrum.sense * orders * theta[going, None])
+        with_theta, against = (
+            spectrum.forward[going] * phase,
+            spectrum.backward[going] * np.conj(phase),
+        )
+        here, bend = (
+            (with_theta + against) @ powers for powers in (np.ones(orders.size), -(orders**2))
+        )
+        slope = 1j * spectrum.sense * ((with_theta - against) @ orders)
+        length[going] = np.maximum(length[going], np.abs(here))
+        gradient = np.real(np.conj(here) * slope)
+        curvature = np.abs(slope) ** 2 + np.real(np.conj(here) * bend)
+        hollow[going] |= curvature >= 0
+        move = np.where(
+            curvature < 0, -gradient / np.where(curvature < 0, curvature, 1.0), side * step / 4
+        )
+        ahead = np.clip(theta[going] + move, starts[going] - step, starts[going] + step)
+        far = np.abs(ahead - theta[going]) > 1e-6 * step
+        theta[going] = ahead
+        going = going[far]
+    return _Maxima(theta, length, hollow)
+
+
+def from_samples(samples: Complex, *, sense: int = 1) -> Spectrum:
+    """The spectrum, orders 0 to N/2 - 1, of a signal at N equal steps over one turn, [..., N]."""
+    count = samples.shape[-1]
+    coefficients = np.fft.fft(samples, axis=-1) / count
+    orders = np.arange(count // 2)
+    with_theta, against_theta = coefficients[..., orders], coefficients[..., -orders]
+    against_theta = np.where(orders == 0, 0.0, against_theta)
+    forward, backward = (with_theta, against_theta) if sense > 0 else (against_theta, with_theta)
+    if sense < 0:
+        forward, backward = (
+            forward + np.where(orders == 0, backward, 0),
+            np.where(orders == 0, 0, backward),
+        )
+    return Spectrum(orders.astype(float), forward, backward, sense)

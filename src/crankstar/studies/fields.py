@@ -1,0 +1,189 @@
+"""Numbers of an engine file by key path, and the engine as a function of one of them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from difflib import get_close_matches
+from fractions import Fraction
+from typing import Annotated, Any, NamedTuple, get_args, get_origin
+
+from crankstar import files
+from crankstar.engine.copies import with_values
+from crankstar.engine.engine import Engine
+from crankstar.engine.quantities import Quantity
+from crankstar.engine.records import Record
+from crankstar.files import EngineFileError
+from crankstar.files.catalog import tree_of
+from crankstar.files.forms import by_key, field_at, form_of, quantity_of, record_in
+from crankstar.language.quoting import one_line, seen
+from crankstar.remedy import RemedyError, with_counterweights
+from crankstar.studies.variants import Make, SweepError
+
+_UNMOVED = ("firing_order", "firing_angles", "valves", "speed", "format")
+
+
+class Subject(NamedTuple):
+    """A varied engine: as its file has it, as a function of the value, and the quantity."""
+
+    base: Engine | None
+    make: Make
+    quantity: Quantity | None
+
+
+def subject(
+    name: str, *, over: str, unit: str | None, changes: Mapping[str, Any] | None = None
+) -> Subject:
+    """The engine `name` (catalog, file or "-") as a function of the number at key path `over`.
+
+    The path is one of the short form or of the explicit form, or `balance_factor`; the number is in
+    `unit`, a text, or SI without one. `changes` sets other values first. Raises SweepError where
+    there is no such number, EngineFileError.
+
+    >>> twin = subject("harley-45", over="layout.banks[1].bearing", unit="deg")
+    >>> round(twin.make(45).cylinders[0].bearing, 6), twin.quantity.dimension
+    (0.785398, 'angle')
+    """
+    shown, tree = tree_of(name)
+    tree = files.changed(tree, changes or {}, name=shown)
+    _check_order(shown, tree)
+    base = _base(shown, tree)
+    forms = (
+        [tree]
+        if base is None
+        else [tree, files.explicit(with_values(base, firing_order=(), firing_angles=None))]
+    )
+    keys = files.keys_of(over)
+    chosen = next((form for form in forms if _is_number(form, keys)), None)
+    info = field_at(form_of(chosen), keys) if chosen else None
+    quantity = quantity_of(info) if info else None
+    if unit and quantity is None and (info or over == "balance_factor"):
+        raise SweepError(f"{one_line(over)} is a plain number; leave out the unit {seen(unit)}")
+    if chosen is None and over == "balance_factor" and base is not None:
+        return Subject(base, _with_factor(base), None)
+    if chosen is None or keys[0] in _UNMOVED:
+        raise SweepError(f"{shown}: {_told_of(over, keys, forms)}")
+
+    def make(number: float) -> Engine:
+        value = f"{number!r} {unit}" if unit else number
+        name = f"{shown} with {one_line(over)} = {number:.9g}{' ' + one_line(unit, longest=20) if unit else ''}"
+        return files.engine_of(chosen, name=name, changes={over: value})
+
+    return Subject(base, make, quantity)
+
+
+def _check_order(shown: str, tree: dict[str, Any]) -> None:
+    """Refuse a file whose firing order or valves cannot be; what is swept has no part in them."""
+    try:
+        files.engine_of(tree, name=shown)
+    except EngineFileError as error:
+        faults = [fault for fault in error.faults if fault.path[:1] and fault.path[0] in _UNMOVED]
+        if faults:
+            raise EngineFileError(shown, faults) from None
+
+
+def _base(shown: str, tree: dict[str, Any]) -> Engine | None:
+    """The engine as its file has it, if valid.
+
+    The firing order is taken out of the tree unless throws follow from it.
+    """
+    layout = tree.get("layout")
+    if not (isinstance(layout, dict) and layout.get("type") == "inline" and "throws" not in layout):
+        for key in ("firing_order", "firing_angles"):
+            tree.pop(key, None)
+    try:
+        return files.engine_of(tree, name=shown)
+    except EngineFileError:
+        return None
+
+
+def _with_factor(base: Engine) -> Make:
+    def make(number: float) -> Engine:
+        try:
+            return with_counterweights(base, factor=number)
+        except RemedyError as error:
+            raise SweepError(str(error)) from None
+
+    return make
+
+
+def _leaf(annotation: Any) -> Any:
+    """The bare type of a field: float for Annotated[float, ...] | None, tuple for a list."""
+    origin, parts = get_origin(annotation), get_args(annotation)
+    if origin is tuple or not parts:
+        return tuple if origin is tuple else annotation
+    return _leaf(
+        parts[0] if origin is Annotated else next(part for part in parts if part is not type(None))
+    )
+
+
+def _is_number(tree: dict[str, Any], keys: Sequence[str | int]) -> bool:
+    """Whether the path leads to a number that the tree has, or could have."""
+    info = field_at(form_of(tree), keys)
+    table: Any = tree
+    for key in keys:
+        if isinstance(key, str) and isinstance(table, dict):
+            table = table.get(key, {})
+        elif isinstance(key, int) and isinstance(table, list) and 0 <= key < len(table):
+            table = table[key]
+        else:
+            return False
+    if info is None:
+        return False
+    kind = _leaf(info.annotation)
+    if kind is tuple and isinstance(keys[-1], int):
+        kind = _leaf(_tuple_of(info.annotation)[0])
+    return kind in (float, Fraction)
+
+
+def _tuple_of(annotation: Any) -> tuple[Any, ...]:
+    """The type of the entries of a list."""
+    if get_origin(annotation) is tuple:
+        return get_args(annotation)
+    return next((found for part in get_args(annotation) if (found := _tuple_of(part))), ())
+
+
+def _numeric(record: type[Record], tree: Any, path: str = "") -> Iterator[str]:
+    """The paths of all numbers that a tree has or could have."""
+    for key, info in by_key(record).items():
+        here, kind, inner = f"{path}{key}", _leaf(info.annotation), record_in(info.annotation)
+        value = tree.get(key) if isinstance(tree, dict) else None
+        if key in _UNMOVED and not path:
+            continue
+        if kind is tuple:
+            for place, entry in enumerate(value if isinstance(value, list) else [], 1):
+                if inner is not None:
+                    yield from _numeric(inner, entry, f"{here}[{place}].")
+                elif _leaf(_tuple_of(info.annotation)[0]) in (float, Fraction):
+                    yield f"{here}[{place}]"
+        elif (
+            inner is not None
+            and kind is not dict
+            and (value is not None or info.is_required() or info.default is not None)
+        ):
+            yield from _numeric(inner, value, f"{here}.")
+        elif kind in (float, Fraction):
+            yield here
+
+
+def _told_of(over: str, keys: Sequence[str | int], forms: Sequence[dict[str, Any]]) -> str:
+    """Why a path cannot be swept, and what can."""
+    quoted = one_line(over, longest=80)
+    if keys[0] in _UNMOVED:
+        return f"{quoted} has no part in the forces counted here, so there is nothing to sweep; give the path of another number"
+    paths = list(
+        dict.fromkeys(
+            path for form in forms for path in ("balance_factor", *_numeric(form_of(form), form))
+        )
+    )
+    near = get_close_matches(over[:100], paths, 3, 0.5)
+    own = [
+        path
+        for path in paths
+        if not re.search(r"\[(?!1\])", path) and not path.startswith("provenance")
+    ]
+    can = f"numbers it has are {', '.join(own[:24])}{', ...' if len(own) > 24 else ''}"
+    meant = f"did you mean {' or '.join(near)}? " if near else ""
+    there = any(field_at(form_of(form), keys) for form in forms)
+    what = "is not the path of a single number" if there else "is not a field of the engine"
+    return f"{quoted} {what}, so it cannot be swept; {meant}{can}"

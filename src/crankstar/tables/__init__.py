@@ -1,0 +1,33 @@
+"""Each analysis as a `Document` of tables, rendered once for every reader; the verdict.
+
+| module, bottom to top | one line |
+|---|---|
+| `table` | the records: Column, Table, Remarks, Document |
+| `cells` | values and headings as text |
+| `terminal` | a Document in a terminal of a given width |
+| `html` | a Document as HTML |
+| `machine` | a Document as JSON, a Table as CSV |
+| `spreadsheet` | a Document as a spreadsheet (.xlsx) |
+| `arrow` | a Table as an Apache Arrow table |
+| `headings` | an engine's lines: cycle, cylinders, rotation, firing order |
+| `paths` | the path of a vector, named |
+| `peaks` | peaks over a turn, and what counterweights can remove |
+| `analysis` | force, couple and moments by order, as `analyze` shows them |
+| `balance_orders` | the orders of a Balance for machines |
+| `comparison` | several engines side by side |
+| `engines` | an engine's parts, the sources of its values, the catalog |
+| `strokes` | strokes, valve events and exhaust intervals |
+| `firing_orders` | firing orders of a crank |
+| `vee_engines` | V engines that fire evenly |
+| `search_stars` | the stars of a search |
+| `uneven_angles` | uneven angles of a star |
+| `sweeps` | a sweep and its best value |
+| `certificate` | the best weights and their lower bound |
+| `cures` | what removes the remaining forces and couples |
+| `remedies` | the balancing sheet |
+| `firing_facts` | layout, firing and exhaust pulses as sentences of the verdict |
+| `relatives` | engines of the catalog with the same balance |
+| `verdict` | the verdict |
+| `errata` | errors in the sources |
+| `notebook` | how a notebook shows an Engine and a Balance |
+"""

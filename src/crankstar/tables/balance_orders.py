@@ -1,0 +1,98 @@
+"""The orders of a Balance for machines: one table, the same in JSON, CSV and data frames."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import pi
+
+from crankstar import spectra
+from crankstar.engine.engine import Engine
+from crankstar.engine.motion import first_harmonic
+from crankstar.language.messages import _
+from crankstar.language.numbers import number
+from crankstar.mechanics.balance import Balance, Units, total
+from crankstar.mechanics.excitation import rolling_moment
+from crankstar.mechanics.remains import orders_pushed, sizes
+from crankstar.tables.paths import shape
+from crankstar.tables.table import Column, Document, Table, Value
+
+
+def answer(engine: Engine, result: Balance, *, orders: Sequence[float] | None = None) -> Document:
+    """The public answer of `analyze`: force, couple and moments of each order, nothing divided out.
+
+    Without a speed, or for an engine without masses or sizes, `speed_rpm` is null and the units are
+    those of m r w^2. `orders`, else those up to 6 at which a part pushes.
+    """
+    point = result.reference
+    facts = {
+        "engine": engine.name,
+        "rotation": engine.rotation,
+        "speed_rpm": None if result.speed is None else float(f"{result.speed * 30 / pi:.12g}"),
+        "reference": {"z": point.z, "up": point.up, "right": point.right},
+        "units": result.units._asdict(),
+    }
+    wanted = tuple(orders) if orders else orders_pushed(result)
+    table = Table("", columns(result.units), _rows(engine, result, wanted), key="orders")
+    return Document(engine.name, (table,), facts)
+
+
+def columns(units: Units) -> tuple[Column, ...]:
+    """Order, the first cylinder's A_k, then each quantity."""
+    out = [Column("order", key="order"), Column("Aₖ", kind="signal", key="harmonic")]
+    for name in ("force", "couple"):
+        unit = getattr(units, name)
+        out += [
+            Column(way, unit, kind="vector", key=f"{name}/{way}") for way in ("forward", "backward")
+        ]
+        out += [
+            Column(way, unit, kind="wave", key=f"{name}/{way}")
+            for way in ("vertical", "horizontal")
+        ]
+        out.append(Column("greatest", unit, key=f"{name}/greatest"))
+    out += [
+        Column(name, units.moment, kind="signal", key=name)
+        for name in ("roll", "torque", "axis_moment")
+    ]
+    return tuple(out)
+
+
+def _rows(
+    engine: Engine, result: Balance, orders: Sequence[float]
+) -> tuple[tuple[Value, ...], ...]:
+    sums = total(result)
+    vectors = [spectra.selected(spectrum, orders) for spectrum in (sums.force, sums.couple)]
+    signals = [
+        spectra.amplitude(spectra.selected(signal, orders))
+        for signal in (rolling_moment(sums), sums.torque, sums.axis_moment)
+    ]
+    rows: list[tuple[Value, ...]] = []
+    for row, order in enumerate(orders):
+        cells: list[Value] = [float(order), first_harmonic(engine, order)]
+        for vector in vectors:
+            parts = (vector.forward, vector.backward)
+            waves = (spectra.vertical(vector), spectra.horizontal(vector))
+            cells += [complex(part[row]) for part in (*parts, *waves)]
+            cells.append(float(sizes(vector)[row]))
+        rows.append((*cells, *(complex(signal[row]) for signal in signals)))
+    return tuple(rows)
+
+
+def notebook_table(result: Balance) -> Document:
+    """The orders of a Balance as a notebook shows them: paths and greatest values."""
+    wanted = orders_pushed(result)
+    sums = total(result)
+    vectors = [spectra.selected(spectrum, wanted) for spectrum in (sums.force, sums.couple)]
+    roll = spectra.amplitude(spectra.selected(rolling_moment(sums), wanted))
+    heads = [Column(_("order"), label=True)]
+    for name, unit in ((_("force"), result.units.force), (_("couple"), result.units.couple)):
+        heads += [Column(name, unit), Column(_("path"), kind="text")]
+    heads.append(Column(_("rolling moment"), result.units.moment, kind="wave"))
+    rows: list[tuple[Value, ...]] = []
+    for row, order in enumerate(wanted):
+        cells: list[Value] = [float(order)]
+        for vector in vectors:
+            path = spectra.ellipse(complex(vector.forward[row]), complex(vector.backward[row]))
+            cells += [path.semi_major, shape(path)]
+        rows.append((*cells, complex(roll[row])))
+    speed = "" if result.speed is None else _("At {rpm} rpm", rpm=number(result.speed * 30 / pi))
+    return Document("", (Table(speed, tuple(heads), tuple(rows)),))

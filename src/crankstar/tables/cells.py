@@ -1,0 +1,64 @@
+"""Values as readers see them: the one way in which a cell and a heading are written."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from crankstar.language.messages import _
+from crankstar.language.numbers import number, unit_text, wave
+from crankstar.tables.table import Column, Table, Value
+
+
+def cell(column: Column, value: Value) -> str:
+    """A value as its column writes it.
+
+    >>> cell(Column("force", kind="wave"), 2j), cell(Column("stars"), 12000), cell(Column("z"), None)
+    ('2 ∠ 90°', '12,000', '')
+    >>> cell(Column("order", kind="order"), (1, 3, 4, 2)), cell(Column("", kind="span"), (720, 180))
+    ('1-3-4-2', '720–180')
+    """
+    if value is None:
+        return ""
+    if isinstance(value, str):
+        return value
+    if isinstance(value, tuple):
+        return _row(column, value)
+    if isinstance(value, complex):
+        return wave(value)
+    return f"{value:,}" if isinstance(value, int) else number(value, digits=column.digits)
+
+
+def _row(column: Column, values: Sequence[Any]) -> str:
+    if column.kind == "span":
+        return "–".join(number(value) for value in values) or _("none")
+    written = [_one(column, value) for value in values]
+    return ("-" if column.kind == "order" else ", ").join(written) or "-"
+
+
+def _one(column: Column, value: Any) -> str:
+    if isinstance(value, tuple):
+        return "-".join(map(str, value))
+    return str(value) if isinstance(value, int | str) else number(value, digits=column.digits)
+
+
+def heading(column: Column) -> tuple[str, str]:
+    """Heading and unit of a column, the unit in brackets.
+
+    >>> heading(Column("couple", "m*r*w^2*a"))
+    ('couple', '[m r ω² a]')
+    """
+    return column.heading, f"[{unit_text(column.unit)}]" if column.unit else ""
+
+
+def head(column: Column) -> str:
+    """Heading and unit in one line."""
+    return " ".join(filter(None, heading(column)))
+
+
+def cells(table: Table) -> list[list[str]]:
+    """The rows of a table as text."""
+    return [
+        [cell(column, value) for column, value in zip(table.columns, row, strict=True)]
+        for row in table.rows
+    ]

@@ -1,0 +1,69 @@
+"""What the best weights reach, and what no weights in their planes can beat."""
+
+from __future__ import annotations
+
+from math import degrees
+
+from crankstar.language.messages import _
+from crankstar.language.numbers import number
+from crankstar.remedy import Aim, Best, Limit, aim_name
+
+ANGLES = 8
+"""Crank angles of a peak that are named."""
+
+
+def certificate(best: Best) -> list[str]:
+    """The value reached, its lower bound, the angles of the peak, and a sentence for each limit.
+
+    A limit is given beside its value, with whether it binds.
+    """
+    aim = aim_name(best.aim)
+    unit = _unit(best.aim)
+    values = {
+        "aim": f"{aim[:1].upper()}{aim[1:]}",
+        "value": number(best.value, best.bare),
+        "bare": number(best.bare),
+        "bound": number(best.bound, best.bare, digits=7),
+        "unit": unit,
+    }
+    lines = [_("{aim}: {value} {unit}; {bare} {unit} with bare crankshafts.", **values)]
+    if best.limits:
+        lines.append(
+            _(
+                "Lower bound for weights in these planes, within the limits: {bound} {unit}.",
+                **values,
+            )
+        )
+    else:
+        lines.append(_("Lower bound for weights in these planes: {bound} {unit}.", **values))
+    lines.append(
+        _("Bearing loads are those of the shaft cut at its main bearings.")
+        if best.aim.quantity == "bearing"
+        else _("The bound is that of the dual convex problem.")
+    )
+    if best.angles:
+        shown = ", ".join(f"{degrees(angle):.4g}" for angle in best.angles[:ANGLES])
+        more = " ..." if len(best.angles) > ANGLES else ""
+        lines.append(_("Crank angles of the peak: {angles} deg.", angles=shown + more))
+    return lines + [_limit(best, limit, found) for limit, found in best.limits]
+
+
+def _limit(best: Best, limit: Limit, found: float) -> str:
+    if limit.implied:
+        return _(
+            "The {aim} is kept at or below that of bare crankshafts; --limit allows more.",
+            aim=aim_name(limit.aim),
+        )
+    values = {
+        "aim": aim_name(limit.aim),
+        "found": number(found, best.bare),
+        "limit": number(limit.at_most, best.bare),
+        "unit": _unit(limit.aim),
+    }
+    if found > limit.at_most * (1 - 1e-5) - 1e-9:
+        return _("Limit of {aim}: {found} of {limit} {unit}, reached.", **values)
+    return _("Limit of {aim}: {found} of {limit} {unit}, not reached.", **values)
+
+
+def _unit(aim: Aim) -> str:
+    return "m r ω² a" if aim.quantity == "couple" else "m r ω²"

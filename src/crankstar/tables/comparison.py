@@ -1,0 +1,76 @@
+"""Several engines side by side: the greatest value of each order, and the peaks over a turn."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import pi
+
+from crankstar import spectra
+from crankstar.firing.intervals import firing
+from crankstar.language.messages import _
+from crankstar.language.numbers import NEGLIGIBLE, number, unit_text
+from crankstar.mechanics.remains import Sums, size, summed
+from crankstar.tables.analysis import QUANTITIES, Analysis, none_line, sums_size, unverified
+from crankstar.tables.headings import firing_text
+from crankstar.tables.table import Column, Document, Table, Value
+
+
+def comparison(shown: Sequence[Analysis]) -> Document:
+    """The orders of every quantity, a column for each engine, and what the engines are."""
+    real = all(one.real is not None for one in shown)
+    results = [one.best if real else one.normalised for one in shown]
+    sums = [summed(result) for result in results]
+    parts = [_quantity(name, shown, sums, results) for name in Sums._fields]
+    title = (
+        _("Greatest value of each order")
+        if real
+        else _("Greatest value of each order, each engine in its own m r ω²")
+    )
+    return Document(title, (*parts, _engines(shown, real=real)))
+
+
+def _quantity(
+    name: str, shown: Sequence[Analysis], sums: Sequence[Sums], results: Sequence
+) -> Table:
+    plane = name in ("force", "couple")
+    units = dict.fromkeys(
+        unit_text(getattr(result.units, name if plane else "moment")) for result in results
+    )
+    wanted = sorted({order for one in shown for order in (one.orders if plane else one.turning)})
+    signals = [getattr(one, name) for one in sums]
+    least = [NEGLIGIBLE * sums_size(signal) for signal in signals]
+    rows: list[tuple[Value, ...]] = []
+    zero: list[float] = []
+    for order in wanted:
+        found = [size(signal, order) for signal in signals]
+        cells = [one if one > floor else 0.0 for one, floor in zip(found, least, strict=True)]
+        if any(cells):
+            rows.append((number(order), *cells))
+        else:
+            zero.append(order)
+    if rows:
+        rows.append((_("peak"), *(spectra.peak(signal).value for signal in signals)))
+    heads = (
+        Column(_("order"), kind="text", key="order", label=True),
+        *(Column(one.engine.name, key=one.engine.name) for one in shown),
+    )
+    title = f"{_(QUANTITIES[name]).capitalize()} [{_(' or ').join(units)}]"
+    return Table(title, heads, tuple(rows), notes=none_line(zero), key=name)
+
+
+def _engines(shown: Sequence[Analysis], *, real: bool) -> Table:
+    heads = [
+        Column(_("engine"), kind="text", wraps=True),
+        Column(_("firing"), kind="text", wraps=True),
+    ]
+    if real:
+        heads.append(Column(_("speed"), "rpm"))
+    heads.append(Column(_("unverified values")))
+    rows: list[tuple[Value, ...]] = []
+    for one in shown:
+        fires = firing_text(firing(one.engine)) if one.engine.firing_order else _("no order given")
+        speed = (one.best.speed or 0) * 30 / pi
+        rows.append(
+            (one.engine.name, fires, *((speed,) if real else ()), len(unverified(one.engine)))
+        )
+    return Table(_("Engines"), tuple(heads), tuple(rows))

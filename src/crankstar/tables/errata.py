@@ -1,0 +1,46 @@
+"""The errata of the sources: each printed formula beside the true one."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from crankstar.derive.algebra.typeset import text
+from crankstar.derive.errata import Erratum, sources
+from crankstar.language.messages import N_, _
+from crankstar.tables.table import Column, Document, Table
+
+TITLES = {
+    N_("{source}: results"): ("result", "series", "angle"),
+    N_("{source}: steps"): ("step",),
+    N_("{source}: lines that do not follow"): ("line",),
+}
+"""Titles of the tables, and the kinds of errata under each."""
+
+
+def errata_document(found: Sequence[Erratum]) -> Document:
+    """The printed and the true formula, source by source: results, steps, lines."""
+    parts: list[Table] = []
+    for source in dict.fromkeys(one.source for one in found):
+        name = f"{sources()[source]} ({source})"
+        for title, kinds in TITLES.items():
+            rows = tuple(
+                (
+                    f"{one.title}, {one.component}"
+                    if one.component in ("up", "right")
+                    else one.title,
+                    one.text,
+                    text(one.ours),
+                )
+                for one in found
+                if one.source == source and one.kind in kinds
+            )
+            if rows:
+                parts.append(
+                    Table(_(title, source=name), _columns(), rows, key=f"{source} {kinds[0]}")
+                )
+    return Document("", tuple(parts))
+
+
+def _columns() -> tuple[Column, ...]:
+    heads = {"of": _("formula"), "printed": _("printed"), "true": _("true")}
+    return tuple(Column(head, kind="text", key=key, wraps=True) for key, head in heads.items())

@@ -1,0 +1,172 @@
+"""Firing orders that a crank can fire."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from crankstar.engine.engine import Engine
+from crankstar.firing.orders import Order, place_of
+from crankstar.firing.succession import Follower
+from crankstar.language.messages import _, _n
+from crankstar.language.numbers import number
+from crankstar.tables.headings import heading
+from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
+
+EQUAL_INTERVALS = 1e-3
+"""Degrees by which intervals may differ and are written as one."""
+
+
+class Listing(NamedTuple):
+    """Firing orders of an engine, and what was asked for.
+
+    `why_uneven`: why there are no even ones; `asked_deg`: the intervals that were asked for, none
+    where any would do; `tolerance_deg`: how far a firing may be from its place.
+    """
+
+    engine: Engine
+    orders: tuple[Order, ...]
+    why_uneven: str = ""
+    asked_deg: tuple[float, ...] = ()
+    tolerance_deg: float | None = None
+
+
+def firing_orders(listing: Listing, *, limit: int | None = None) -> Document:
+    """The orders, best first, with exhaust intervals, neighbours and partners in succession.
+
+    A `limit` keeps the first ones and that of the file.
+    """
+    own = place_of(listing.engine, listing.orders)
+    count = len(listing.orders)
+    shown = list(range(count if limit is None else min(limit, count)))
+    shown += [own] if own is not None and own not in shown else []
+    rows = tuple(_row(listing, place, own) for place in shown)
+    table = Table("", _columns(listing), rows, key="orders")
+    facts = {
+        "engine": listing.engine.name,
+        "cycle_deg": listing.engine.cycle_angle,
+        "why_uneven": listing.why_uneven or None,
+        "row_of_file": None if own is None else own + 1,
+    }
+    parts = (
+        heading(listing.engine),
+        *remarks(
+            listing.why_uneven,
+            _("The most even orders:") if listing.why_uneven and listing.orders else "",
+        ),
+        *([table] if listing.orders else []),
+        Remarks(tuple(_notes(listing, len(shown), own))),
+    )
+    return Document(listing.engine.name, parts, facts)
+
+
+def _columns(listing: Listing) -> tuple[Column, ...]:
+    banks = tuple(listing.orders[0].banks) if listing.orders else ()
+    even = all(one.firing.even for one in listing.orders)
+    out = [
+        Column(_("row"), key="row", label=True),
+        Column("", kind="text"),
+        Column(_("order"), kind="order", key="order"),
+        Column("", "deg", kind="list", key="angles_deg", machine=True),
+        Column(_("intervals"), "deg", kind="text", wraps=True, machine=even),
+        Column("", "deg", kind="list", key="intervals_deg", machine=True),
+    ]
+    for bank in banks:
+        head = _("exhaust {bank}", bank=bank)
+        out.append(Column(head, "deg", kind="text", wraps=True))
+        out.append(Column("", "deg", kind="list", key=f"exhausts/{bank}", machine=True))
+    out.append(Column(_("neighbours in succession"), kind="list", key="neighbours", wraps=True))
+    out.append(Column(_("same pin in succession"), kind="list", key="partners", wraps=True))
+    return tuple(out)
+
+
+def _row(listing: Listing, place: int, own: int | None) -> tuple[Value, ...]:
+    one = listing.orders[place]
+    angles = tuple(round(float(angle), 9) for angle in one.firing.angles_deg)
+    cells: list[Value] = [place + 1, "*" if place == own else "", tuple(one.firing.order), angles]
+    for intervals in (one.firing.intervals_deg, *one.banks.values()):
+        cells += [_spaced(intervals), tuple(intervals)]
+    pairs = (_pairs(steps) for steps in (one.neighbours, one.partners))
+    return (*cells, *pairs)
+
+
+def _spaced(intervals: Sequence[float]) -> str:
+    """Intervals in one cell; one number where they are equal."""
+    if max(intervals) - min(intervals) < EQUAL_INTERVALS:
+        return _("every {interval}", interval=number(intervals[0], digits=4))
+    return "-".join(number(interval, digits=4) for interval in intervals)
+
+
+def _pairs(steps: Sequence[Follower]) -> tuple[tuple[int, int], ...]:
+    return tuple((step.first, step.then) for step in steps)
+
+
+def _notes(listing: Listing, shown: int, own: int | None) -> list[str]:
+    count = len(listing.orders)
+    if not count:
+        return [
+            _(
+                "No firing order meets this; --any --together also lists those in which cylinders fire at once."
+            )
+        ]
+    out = [_count_sentence(listing)]
+    if shown < count:
+        out.append(
+            _(
+                "{shown} of {count} are shown; --top shows more, --csv all.",
+                shown=shown,
+                count=count,
+            )
+        )
+    if count == 1 and listing.engine.cycle == "two-stroke":
+        out.append(
+            _("A two-stroke cylinder fires at every top dead centre, so there is no other order.")
+        )
+    if own is not None:
+        out.append(_("* the order of the file."))
+    out.append(_("--row N -o FILE writes the engine with that order."))
+    return out
+
+
+def _count_sentence(listing: Listing) -> str:
+    """How many orders there are, and whether they are even."""
+    count = len(listing.orders)
+    even = [one for one in listing.orders if one.firing.even]
+    if len(even) == count:
+        interval = number(even[0].firing.intervals_deg[0])
+        return _n(
+            "{count} order, firing evenly every {interval} deg.",
+            "{count} orders, firing evenly every {interval} deg.",
+            count,
+            count=count,
+            interval=interval,
+        )
+    if listing.asked_deg and listing.tolerance_deg:
+        return _n(
+            "{count} order with each firing within {tolerance} deg of its place.",
+            "{count} orders with each firing within {tolerance} deg of its place.",
+            count,
+            count=count,
+            tolerance=number(listing.tolerance_deg),
+        )
+    if listing.asked_deg:
+        return _n(
+            "{count} order at these intervals.",
+            "{count} orders at these intervals.",
+            count,
+            count=count,
+        )
+    if not even:
+        return _n(
+            "{count} order, none of them even.",
+            "{count} orders, none of them even.",
+            count,
+            count=count,
+        )
+    return _n(
+        "{count} order, {even} of them even.",
+        "{count} orders, {even} of them even.",
+        count,
+        count=count,
+        even=len(even),
+    )

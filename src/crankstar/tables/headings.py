@@ -1,0 +1,123 @@
+"""The lines under an engine's name: cycle, cylinders, rotation, firing order, valve timing."""
+
+from __future__ import annotations
+
+from math import degrees
+
+from crankstar.engine.engine import Engine
+from crankstar.engine.valves import EVENTS, Timing, timing
+from crankstar.firing.intervals import Firing, firing
+from crankstar.language.messages import _, _n
+from crankstar.language.numbers import number
+from crankstar.tables.table import Remarks
+
+
+def heading(engine: Engine) -> Remarks:
+    """Cycle, cylinders, rotation; firing order with its intervals."""
+    return Remarks(tuple(heading_lines(engine)))
+
+
+def heading_lines(engine: Engine) -> list[str]:
+    """The same as lines.
+
+    >>> from crankstar.files.catalog import load
+    >>> heading_lines(load("i4"))
+    ['Four-stroke, 4 cylinders, clockwise seen from the front.', 'Fires 1-3-4-2 every 180 deg.']
+    """
+    count = len(engine.chambers)
+    lines = [
+        _(
+            "{cycle}, {cylinders}, {rotation}.",
+            cycle=cycle_text(engine),
+            cylinders=cylinders_text(engine, count),
+            rotation=rotation_text(engine),
+        )
+    ]
+    if engine.firing_order:
+        lines.append(_("Fires {firing}.", firing=firing_text(firing(engine))))
+    return lines
+
+
+def cycle_text(engine: Engine) -> str:
+    """Four-stroke or two-stroke, as a sentence begins."""
+    return _("Two-stroke") if engine.cycle == "two-stroke" else _("Four-stroke")
+
+
+def cylinders_text(engine: Engine, count: int) -> str:
+    """How many cylinders, and pistons where each cylinder has two."""
+    pistons = len(engine.cylinders)
+    cylinders = _n("{count} cylinder", "{count} cylinders", count, count=count)
+    if pistons == count:
+        return cylinders
+    return _("{cylinders}, {pistons} pistons", cylinders=cylinders, pistons=pistons)
+
+
+def rotation_text(engine: Engine) -> str:
+    """The sense of rotation; of geared shafts that turn both ways, of the first.
+
+    >>> from crankstar.files.catalog import load
+    >>> rotation_text(load("v8-cross-plane"))
+    'clockwise seen from the front'
+    """
+    contra = any(shaft.throws and shaft.speed_ratio < 0 for shaft in engine.shafts)
+    if contra and engine.sense > 0:
+        return _("contra-rotating crankshafts, the first clockwise seen from the front")
+    if contra:
+        return _("contra-rotating crankshafts, the first counter-clockwise seen from the front")
+    if engine.sense > 0:
+        return _("clockwise seen from the front")
+    return _("counter-clockwise seen from the front")
+
+
+def firing_text(fired: Firing) -> str:
+    """The firing order and its intervals: `1-3-4-2 every 180 deg`."""
+    order = "-".join(map(str, fired.order))
+    if fired.even:
+        every = number(fired.intervals_deg[0])
+        return _("{order} every {interval} deg", order=order, interval=every)
+    intervals = "-".join(number(x, digits=4) for x in fired.intervals_deg)
+    return _("{order} at intervals of {intervals} deg", order=order, intervals=intervals)
+
+
+def timing_lines(engine: Engine) -> list[str]:
+    """When valves or ports open and close, and which exhausts the engine file joins.
+
+    >>> from crankstar.files.catalog import load
+    >>> timing_lines(load("kr250-racer"))[1]
+    'Exhaust opens 85 deg (assumed) before and closes 85 deg (assumed) after bottom dead centre.'
+    """
+    found = timing(engine.valves, cycle=engine.cycle)
+    angles = {name: _angle(found, name) for name in EVENTS}
+    if engine.cycle == "two-stroke":
+        intake = _(
+            "Intake opens {intake_opens} before and closes {intake_closes} after bottom dead centre.",
+            **angles,
+        )
+        exhaust = _(
+            "Exhaust opens {exhaust_opens} before and closes {exhaust_closes} after bottom dead "
+            "centre.",
+            **angles,
+        )
+    else:
+        intake = _(
+            "Intake opens {intake_opens} before top and closes {intake_closes} after bottom dead "
+            "centre.",
+            **angles,
+        )
+        exhaust = _(
+            "Exhaust opens {exhaust_opens} before bottom and closes {exhaust_closes} after top dead "
+            "centre.",
+            **angles,
+        )
+    lines = [intake, exhaust]
+    if engine.valves is not None and engine.valves.manifolds:
+        groups = "; ".join(", ".join(map(str, group)) for group in engine.valves.manifolds)
+        lines.append(_("Exhaust manifolds join cylinders {groups}.", groups=groups))
+    return lines
+
+
+def _angle(found: Timing, name: str) -> str:
+    angle = number(round(degrees(getattr(found, name)), 9))
+    if name in found.assumed:
+        return _("{angle} deg (assumed)", angle=angle)
+    return _("{angle} deg", angle=angle)

@@ -1,0 +1,135 @@
+"""Tables for machines: one JSON object for a Document, CSV for a Table.
+
+Columns without a key are for readers only. Keys with slashes nest. All digits are given.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import re
+from cmath import phase
+from collections.abc import Iterator, Mapping
+from math import degrees
+from typing import Any
+
+from crankstar.tables.table import Column, Document, Table, Value
+
+FORMAT = 2
+"""Version of the JSON objects."""
+
+
+def tree(document: Document) -> dict[str, Any]:
+    """A document as one object: its facts, and each table with a key as a list of rows.
+
+    >>> column = Column("force", "N", kind="vector", key="force/forward")
+    >>> tree(Document("", (Table("", (column,), ((1 + 2j,),), key="orders"),), {"engine": "V8"}))
+    {'format': 2, 'engine': 'V8', 'orders': [{'force': {'forward': [1.0, 2.0]}}]}
+    """
+    lists = {table.key: _objects(table) for table in document.tables if table.key}
+    return {"format": FORMAT, **document.facts, **lists}
+
+
+def _objects(table: Table) -> list[dict[str, Any]]:
+    out: list[dict[str, Any]] = []
+    for row in table.rows:
+        nested: dict[str, Any] = {}
+        for column, value in zip(table.columns, row, strict=True):
+            if not column.key:
+                continue
+            *outer, last = column.key.split("/")
+            place = nested
+            for key in outer:
+                place = place.setdefault(key, {})
+            place[last] = _plain(column, value)
+        out.append(nested)
+    return out
+
+
+def _plain(column: Column, value: Value) -> Any:
+    if isinstance(value, tuple):
+        return [_plain(column, one) for one in value]
+    if isinstance(value, complex):
+        return (
+            {"amplitude": abs(value), "phase_deg": _phase(value)}
+            if column.kind == "wave"
+            else ([value.real + 0.0, value.imag + 0.0])
+        )
+    return value + 0.0 if isinstance(value, float) else value
+
+
+def _phase(value: complex) -> float:
+    return degrees(phase(value)) + 0.0 if value else 0.0
+
+
+def json_text(tree: Mapping[str, Any]) -> str:
+    """A tree as JSON, a row of numbers on one line."""
+    text = json.dumps(tree, indent=1, ensure_ascii=False, allow_nan=False)
+    # A raw line break cannot stand inside a string, so no name is touched.
+    return re.sub(r"\[\n\s+([-+.\de]+(?:,\n\s+[-+.\de]+)*)\n\s+\]", _joined, text) + "\n"
+
+
+def _joined(found: re.Match[str]) -> str:
+    return "[" + " ".join(found.group(1).split()) + "]"
+
+
+def columns(table: Table) -> tuple[list[str], list[list[Any]]]:
+    """Heads with units and rows of plain values, for CSV, spreadsheets and data frames.
+
+    A vector takes two columns, up and right; a wave its amplitude and phase; a signal its real and
+    imaginary part; a row of numbers stands in one cell.
+    """
+    wanted = [place for place, column in enumerate(table.columns) if column.key]
+    heads = [head for place in wanted for head in _heads(table.columns[place])]
+    rows = [
+        [one for place in wanted for one in _values(table.columns[place], row[place])]
+        for row in table.rows
+    ]
+    return heads, rows
+
+
+PARTS = {"vector": ("up", "right"), "wave": ("amplitude", "phase"), "signal": ("real", "imaginary")}
+
+
+def _heads(column: Column) -> Iterator[str]:
+    name = column.key.replace("/", "_")
+    unit = f" [{column.unit}]" if column.unit else ""
+    for part in PARTS.get(column.kind, ("",)):
+        yield f"{name}_{part} [deg]" if part == "phase" else f"{name}{part and '_'}{part}{unit}"
+
+
+def _values(column: Column, value: Value) -> list[Any]:
+    if column.kind in PARTS:
+        if value is None or isinstance(value, str | tuple):
+            return [None, None]
+        number = complex(value)
+        if column.kind == "wave":
+            return [abs(number), _phase(number)]
+        return [number.real + 0.0, number.imag + 0.0]
+    if isinstance(value, tuple):
+        return [("-" if column.kind == "order" else " ").join(_short(one) for one in value)]
+    return [_safe(value) if isinstance(value, str) else value]
+
+
+def _short(value: Any) -> str:
+    if isinstance(value, tuple):
+        return "-".join(map(_short, value))
+    return f"{value + 0.0:.10g}" if isinstance(value, float) else str(value)
+
+
+def _safe(text: str) -> str:
+    """Text that a spreadsheet does not take for a formula."""
+    return "'" + text if text[:1] in ("=", "+", "-", "@") else text
+
+
+def csv_text(table: Table, beside: Mapping[str, Any] | None = None) -> str:
+    """A table as CSV, units in the header; the values `beside` it come first in each row."""
+    heads, rows = columns(table)
+    first = [_safe(value) if isinstance(value, str) else value for value in (beside or {}).values()]
+    heads, rows = [*(beside or {}), *heads], [[*first, *row] for row in rows]
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\n")
+    writer.writerow(heads)
+    writer.writerows(rows)
+    return out.getvalue()

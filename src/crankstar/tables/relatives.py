@@ -1,0 +1,136 @@
+"""Engines of the catalog with as many cylinders: which have the same balance, how others differ."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+from math import isclose
+from typing import NamedTuple
+
+import numpy as np
+
+from crankstar import spectra
+from crankstar.engine.engine import Engine
+from crankstar.files.catalog import load, summaries
+from crankstar.language.messages import _, _n
+from crankstar.language.numbers import number
+from crankstar.mechanics.balance import balance
+from crankstar.mechanics.remains import size
+
+COMPARED = 4
+"""Engines that are compared one by one."""
+LISTED = 5
+"""Names in a list."""
+
+
+class PistonBalance(NamedTuple):
+    """Greatest force and couple of the pistons, in m r w^2 and in m r w^2 times the `spacing`."""
+
+    force_1: float
+    couple_1: float
+    force_2: float
+    couple_2: float
+
+
+def piston_balance(engine: Engine) -> PistonBalance:
+    """Of the pistons (and rods as bodies) without rotating masses and weights."""
+    orders = (1.0, 2.0)
+    result = balance(engine, orders=orders)
+    rows = [row for row, part in enumerate(result.parts) if part.kind in ("piston", "rod")]
+    found: list[float] = []
+    for order in orders:
+        for name in ("force", "couple"):
+            whole = spectra.total(getattr(result, name)[rows, :])
+            arm = spacing(engine) / engine.pitch if name == "couple" else 1.0
+            found.append(size(whole, order) / arm)
+    return PistonBalance(*(0.0 if one < 1e-6 else one for one in found))
+
+
+def spacing(engine: Engine) -> float:
+    """The length in which couples of different engines are compared.
+
+    The distance of the nearest cylinders of a bank. Where no bank has two, that between the first
+    and the last of all: a bore pitch says nothing of arms there. A lone cylinder has its pitch.
+    """
+    place = {cylinder.number: cylinder.z for cylinder in engine.cylinders}
+    rows = [sorted(place[number] for number in numbers) for numbers in engine.banks.values()]
+    near = [behind - before for row in rows for before, behind in pairwise(row) if behind > before]
+    return min(near, default=max(place.values()) - min(place.values()) or engine.pitch)
+
+
+def relative_lines(engine: Engine) -> list[str]:
+    """Engines with the same number of cylinders and cycle: equal ones, then the nearest others."""
+    own = piston_balance(engine)
+    count = len(engine.chambers)
+    rows = [row for row in summaries() if row.cylinders == count and row.cycle == engine.cycle]
+    others = [
+        (row.name, piston_balance(other))
+        for row in rows
+        if (other := load(row.name)).name != engine.name
+    ]
+    if not others:
+        return [
+            _n(
+                "The catalog has no other {cycle} engine with {count} cylinder.",
+                "The catalog has no other {cycle} engine with {count} cylinders.",
+                count,
+                cycle=engine.cycle,
+                count=count,
+            )
+        ]
+    equal = [name for name, other in others if np.allclose(own, other, rtol=0.05, atol=0.01)]
+    lines = (
+        [_("Same balance of the pistons, each in its own m r ω²: {names}.", names=_names(equal))]
+        if equal
+        else []
+    )
+    different: dict[PistonBalance, list[str]] = {}
+    for name, other in others:
+        if name not in equal:
+            key = next(
+                (one for one in different if np.allclose(one, other, rtol=0.05, atol=0.01)), other
+            )
+            different.setdefault(key, []).append(name)
+    arm = "a" if isclose(spacing(engine), engine.pitch) else "d"
+    nearest = sorted(different, key=lambda other: float(np.abs(np.subtract(own, other)).sum()))
+    return lines + [
+        _(
+            "Compared with {names}, pistons only: {differences}.",
+            names=_names(different[other]),
+            differences=_differences(own, other, arm),
+        )
+        for other in nearest[:COMPARED]
+    ]
+
+
+def _names(names: Sequence[str]) -> str:
+    shown, more = ", ".join(names[:LISTED]), len(names) - LISTED
+    return _("{names} and {count} more", names=shown, count=more) if more > 0 else shown
+
+
+def _differences(own: PistonBalance, other: PistonBalance, arm: str) -> str:
+    """The numbers that differ, the largest difference first."""
+    pairs = [
+        (name, mine, theirs)
+        for name, mine, theirs in zip(PistonBalance._fields, own, other, strict=True)
+        if abs(mine - theirs) > 0.01
+    ]
+    pairs.sort(key=lambda pair: -abs(pair[1] - pair[2]))
+    out: list[str] = []
+    for name, mine, theirs in pairs:
+        values = {
+            "mine": number(mine, digits=4),
+            "theirs": number(theirs, digits=4),
+            "unit": "m r ω²" if name.startswith("force") else f"m r ω² {arm}",
+        }
+        sentences = {
+            "force_1": _("primary force {mine} instead of {theirs} {unit}", **values),
+            "couple_1": _("primary couple {mine} instead of {theirs} {unit}", **values),
+            "force_2": _("secondary force {mine} instead of {theirs} {unit}", **values),
+            "couple_2": _("secondary couple {mine} instead of {theirs} {unit}", **values),
+        }
+        out.append(sentences[name])
+    text = ", ".join(out)
+    if arm == "d" and any(name.startswith("couple") for name, *_values in pairs):
+        return _("{differences} (d: distance of the cylinders)", differences=text)
+    return text

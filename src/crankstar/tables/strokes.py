@@ -1,0 +1,185 @@
+"""Strokes, valve events, exhaust intervals, and cylinders that disturb each other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from math import degrees
+from typing import Any
+
+from crankstar.engine.engine import Engine
+from crankstar.engine.valves import EVENTS
+from crankstar.firing.intervals import Firing
+from crankstar.firing.strokes import (
+    EVEN,
+    ChamberStrokes,
+    ExhaustGroup,
+    Window,
+    WorkingCycle,
+    are_even,
+    disturbances,
+    exhaust_groups,
+    exhaust_intervals,
+    working_cycle,
+)
+from crankstar.firing.succession import Follower, in_succession, neighbours, partners
+from crankstar.language.messages import _
+from crankstar.language.numbers import number
+from crankstar.tables.headings import heading, timing_lines
+from crankstar.tables.table import Column, Document, Remarks, Table, remarks
+
+
+def strokes(engine: Engine) -> Document:
+    """The working cycle of an engine. Raises EngineError as `strokes.working_cycle`."""
+    found = working_cycle(engine)
+    return Document(
+        engine.name, (heading(engine), *tables(engine, found)), facts=_facts(engine, found)
+    )
+
+
+def tables(engine: Engine, found: WorkingCycle) -> Iterator[Table | Remarks]:
+    """The tables of a working cycle, without the heading of the engine."""
+    groups = exhaust_groups(engine)
+    assumed = _(
+        "Assumed angles are typical of {cycle} engines; the table [valves] of the file gives others.",
+        cycle=engine.cycle,
+    )
+    yield Remarks(
+        (*_ring(found.firing), *timing_lines(engine), *([assumed] if found.timing.assumed else []))
+    )
+    yield _cylinders(found, groups)
+    yield _exhausts(found, groups)
+    yield _disturbances(found, groups)
+    sides, pins = (in_succession(found.firing, of(engine)) for of in (neighbours, partners))
+    yield from remarks(
+        _("Neighbours that fire in succession: {pairs}.", pairs=succession_text(sides)),
+        _("Cylinders on one pin that fire in succession: {pairs}.", pairs=succession_text(pins)),
+    )
+
+
+def _facts(engine: Engine, found: WorkingCycle) -> dict[str, Any]:
+    fired = found.firing
+    pairs = {"neighbours": neighbours, "partners": partners}
+    return {
+        "engine": engine.name,
+        "cycle_deg": found.cycle_deg,
+        "firing_order": list(fired.order),
+        "firing_angles_deg": [round(angle, 9) for angle in fired.angles_deg],
+        "firing_intervals_deg": list(fired.intervals_deg),
+        "timing_deg": {
+            name: float(f"{degrees(getattr(found.timing, name)):.12g}") for name in EVENTS
+        },
+        "assumed": list(found.timing.assumed),
+        **{
+            f"{name}_in_succession": [
+                [step.first, step.then] for step in in_succession(fired, of(engine))
+            ]
+            for name, of in pairs.items()
+        },
+    }
+
+
+def succession_text(steps: Sequence[Follower]) -> str:
+    """Firings and the next ones with the angle between them: `5-7 (90 deg)`."""
+    return ", ".join(
+        f"{step.first}-{step.then} ({number(round(step.interval_deg, 9))} deg)" for step in steps
+    ) or _("none")
+
+
+def _ring(fired: Firing) -> list[str]:
+    """Whether the firing is even, and the crank angle at which each cylinder fires."""
+    places = ", ".join(
+        f"{n} at {number(round(a % fired.cycle_deg, 9))}"
+        for n, a in zip(fired.order, fired.angles_deg, strict=True)
+    )
+    where = _(
+        "Firing angles in {cycle} deg: {places}.", cycle=f"{fired.cycle_deg:g}", places=places
+    )
+    if len(fired.order) > 1 and max(fired.intervals_deg) > fired.cycle_deg - EVEN:
+        return [_("All cylinders fire together."), where]
+    if fired.even:
+        return [_("Even firing."), where]
+    interval = number(fired.cycle_deg / len(fired.order))
+    return [_("Odd firing; even intervals would be {interval} deg.", interval=interval), where]
+
+
+def _cylinders(found: WorkingCycle, groups: Sequence[ExhaustGroup]) -> Table:
+    """Every stroke and every event, as spans of crank angle."""
+    names = {
+        "power": _("power"),
+        "exhaust": _("exhaust"),
+        "intake": _("intake"),
+        "compression": _("compression"),
+    }
+    strokes = [stroke.name for stroke in found.chambers[0].strokes]
+    columns = (
+        Column(_("cylinder"), key="number", label=True),
+        Column(_("exhaust group"), kind="text", key="exhaust", wraps=True),
+        Column(_("fires"), "deg", key="fires_deg", optional=1),
+        *(Column(names[name], "deg", kind="span", key=f"strokes/{name}") for name in strokes),
+        Column(_("exhaust open"), "deg", kind="span", key="exhaust_open"),
+        Column(_("blow-down"), "deg", kind="span", key="blow_down"),
+        Column(_("intake open"), "deg", kind="span", key="intake_open"),
+    )
+    home = {number: group.name for group in groups for number in group.chambers}
+    rows = [
+        (
+            one.number,
+            home[one.number],
+            one.fires_deg,
+            *(_span(window, found.cycle_deg) for window in _windows(one)),
+        )
+        for one in sorted(found.chambers, key=lambda one: one.number)
+    ]
+    return Table(_("Strokes and valve events"), columns, tuple(rows), key="cylinders")
+
+
+def _windows(one: ChamberStrokes) -> list[Window]:
+    return [*(stroke.window for stroke in one.strokes), one.exhaust, one.blow_down, one.intake]
+
+
+def _span(window: Window, cycle: float) -> tuple[float, ...]:
+    """A span of crank angle, its end counted within the cycle; empty where there is none."""
+    if window.length_deg <= 0:
+        return ()
+    end = window.end_deg if window.end_deg <= cycle else window.end_deg - cycle
+    return (round(window.start_deg, 9) + 0.0, round(end, 9) + 0.0)
+
+
+def _exhausts(found: WorkingCycle, groups: Sequence[ExhaustGroup]) -> Table:
+    """The order in which the exhausts of a group open, and the intervals between them."""
+    columns = (
+        Column(_("exhaust group"), kind="text", key="name", wraps=True),
+        Column(_("cylinders"), kind="order", key="cylinders"),
+        Column(_("intervals"), "deg", kind="order", key="intervals_deg", digits=4, wraps=True),
+        Column("", kind="text"),
+    )
+    rows = []
+    for group in groups:
+        steps = exhaust_intervals(found, group.chambers)
+        even = "" if len(steps) == 1 else _("even") if are_even(steps) else _("uneven")
+        order = tuple(step.first for step in steps)
+        rows.append((group.name, order, tuple(step.interval_deg for step in steps), even))
+    alone = _(
+        "Every cylinder has its own exhaust; valves.manifolds = [[1, 2], ...] in the engine file "
+        "joins them."
+    )
+    notes = (alone,) if all(len(group.chambers) == 1 for group in groups) else ()
+    return Table(_("Exhaust pulses"), columns, tuple(rows), notes=notes, key="exhausts")
+
+
+def _disturbances(found: WorkingCycle, groups: Sequence[ExhaustGroup]) -> Table:
+    """Blow-downs that meet an open exhaust."""
+    columns = (
+        Column(_("cylinder"), key="blowing"),
+        Column(_("blows down into"), key="disturbed"),
+        Column(_("exhaust of that open for"), "deg", key="exhaust_open_deg"),
+        Column(_("and its intake for"), "deg", key="both_open_deg"),
+    )
+    rows = tuple(
+        (one.blowing, one.disturbed, one.exhaust_open_deg, one.both_open_deg)
+        for group in groups
+        for one in disturbances(found, group.chambers)
+    )
+    notes = () if rows else (_("No cylinder blows down into the open exhaust of another."),)
+    title = _("Blow-down into an open exhaust")
+    return Table(title, columns, rows, notes=notes, key="disturbances")

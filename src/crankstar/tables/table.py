@@ -1,0 +1,109 @@
+"""An analysis as a record: tables of values and the remarks around them.
+
+Every analysis gives a `Document`; `terminal`, `html`, `machine` (JSON and CSV), `spreadsheet` and
+`arrow` render it. Values stay values: no module reads a number back out of rendered text.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any, Literal
+
+Value = str | int | float | complex | tuple[Any, ...] | None
+"""What a cell holds. None is a value that does not exist, and an empty cell."""
+
+Kind = Literal["text", "number", "wave", "vector", "signal", "order", "list", "span"]
+"""How the values of a column are written.
+
+text, number; wave: a complex amplitude, `a ∠ p°`; vector: up + i right; signal: the c of
+Re(c exp(i k theta)); order: numbers joined by hyphens, as firing orders and intervals are; list:
+numbers with commas; span: two crank angles.
+"""
+
+
+@dataclass(frozen=True)
+class Column:
+    """A column: its heading, its unit as in a Balance (`m*r*w^2`), how its values are written.
+
+    `key` is its name in JSON and CSV, slashes nest (`force/forward`); without one it is for readers
+    only. `optional`
+    columns are left out where a table is too wide, 1 before 2; `wraps`: text that may
+    take several lines; `label`: repeated where a table is split; `machine`: not for
+    readers.
+    """
+
+    heading: str
+    unit: str = ""
+    kind: Kind = "number"
+    key: str = ""
+    digits: int = 5
+    optional: int = 0
+    wraps: bool = False
+    label: bool = False
+    machine: bool = False
+
+    @property
+    def left(self) -> bool:
+        """Whether it is aligned to the left: words, and rows of numbers."""
+        return self.kind in ("text", "order", "list")
+
+
+@dataclass(frozen=True)
+class Table:
+    """Rows of values under headings, with the sentences that belong to them.
+
+    `key` is its name in JSON; `doubtful` are the rows that rest on unverified values.
+    """
+
+    title: str
+    columns: tuple[Column, ...]
+    rows: tuple[tuple[Value, ...], ...]
+    notes: tuple[str, ...] = ()
+    key: str = ""
+    doubtful: frozenset[int] = frozenset()
+
+    def __post_init__(self) -> None:
+        """Refuse rows that do not fit the columns."""
+        if any(len(row) != len(self.columns) for row in self.rows):
+            raise ValueError(f"a row of the table {self.title!r} does not fit its columns")
+
+    @property
+    def readable(self) -> Table:
+        """The table without the columns that are for machines."""
+        kept = [place for place, column in enumerate(self.columns) if not column.machine]
+        columns = tuple(self.columns[place] for place in kept)
+        rows = tuple(tuple(row[place] for place in kept) for row in self.rows)
+        return replace(self, columns=columns, rows=rows)
+
+
+@dataclass(frozen=True)
+class Remarks:
+    """Sentences outside tables: text, a faint note, a doubt, or a list of points."""
+
+    lines: tuple[str, ...]
+    title: str = ""
+    kind: Literal["text", "note", "doubt", "list"] = "text"
+
+
+@dataclass(frozen=True)
+class Document:
+    """An analysis: what it is of, its tables and remarks in reading order.
+
+    `facts` are the values for machines that stand in no table: engine, speed, units.
+    """
+
+    title: str
+    parts: tuple[Table | Remarks, ...]
+    facts: Mapping[str, Any] = field(default_factory=dict)
+
+    @property
+    def tables(self) -> Iterator[Table]:
+        """Its tables in reading order."""
+        return (part for part in self.parts if isinstance(part, Table))
+
+
+def remarks(*lines: str, **how: Any) -> tuple[Remarks, ...]:
+    """The lines that say something as one part, none where none does."""
+    said = tuple(line for line in lines if line)
+    return (Remarks(said, **how),) if said else ()

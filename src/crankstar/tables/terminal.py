@@ -1,0 +1,157 @@
+"""A Document in a terminal of a given width: columns wrap, are left out, or tables are split.
+
+Numbers are never cut.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+from crankstar.language.quoting import CONTROL
+from crankstar.tables.cells import cells, heading
+from crankstar.tables.table import Column, Document, Remarks, Table
+
+if TYPE_CHECKING:
+    from rich.console import RenderableType
+
+GAP = 2
+"""Spaces between columns."""
+NARROWEST = 16
+"""Letters of a wrapped column of text, at least, where its words allow."""
+BROADEST = 18
+"""Letters of a heading of more than one word, at most, above numbers that need less."""
+
+
+class Drawn(NamedTuple):
+    """A column as text: its lines of heading, its cells, the least and the best width."""
+
+    column: Column
+    heading: tuple[str, str]
+    cells: Sequence[str]
+    least: int
+    best: int
+
+
+def rendered(document: Document, *, width: int) -> RenderableType:
+    """A document for rich's console, no line of its tables longer than `width`."""
+    from rich.console import Group
+    from rich.text import Text
+
+    parts: list[RenderableType] = []
+    if document.title:
+        parts.append(Text(CONTROL.sub("?", document.title), style="bold"))
+    before: Table | Remarks | None = None
+    for part in document.parts:
+        if isinstance(part, Remarks):
+            parts += [Text()] if isinstance(before, Table) and not part.title else []
+            parts += _remarks(part)
+        else:
+            parts += _table(part, width)
+        before = part
+    return Group(*parts)
+
+
+def _remarks(part: Remarks) -> list[RenderableType]:
+    from rich.padding import Padding
+    from rich.text import Text
+
+    style = {"note": "dim", "doubt": "yellow"}.get(part.kind, "")
+    lines: list[RenderableType] = [Text(), Text(part.title, style="bold")] if part.title else []
+    for line in part.lines:
+        plain = Text(CONTROL.sub("?", line), style=style)
+        lines.append(Padding(plain, (0, 0, 0, 2)) if part.kind == "list" else plain)
+    return lines
+
+
+def _table(table: Table, width: int) -> list[RenderableType]:
+    from rich.text import Text
+
+    table = table.readable
+    parts: list[RenderableType] = [Text()]
+    if table.title:
+        parts.append(Text(CONTROL.sub("?", table.title), style="bold"))
+    if table.rows:
+        for place, columns in enumerate(_pieces(_drawn(table), width)):
+            parts += [Text()] if place else []
+            parts.append(_piece(table, columns, width))
+    return [*parts, *map(Text, table.notes)]
+
+
+def _drawn(table: Table) -> list[Drawn]:
+    from rich.cells import cell_len
+
+    texts = [[CONTROL.sub("?", text) for text in row] for row in cells(table)]
+    out: list[Drawn] = []
+    for place, column in enumerate(table.columns):
+        own = [row[place] for row in texts]
+        words, unit = heading(column)
+        longest = max(map(cell_len, own), default=0)
+        broken = max((cell_len(word) for text in own for word in text.split()), default=0)
+        above = max((cell_len(word) for word in [*words.split(), unit]), default=0)
+        inner = (
+            max(min(longest, NARROWEST), min(broken, 2 * NARROWEST)) if column.wraps else longest
+        )
+        whole = max(cell_len(unit), min(cell_len(words), max(BROADEST, longest)))
+        least = max(inner, above, 1)
+        out.append(Drawn(column, (words, unit), own, least, max(least, longest, whole)))
+    return out
+
+
+def _pieces(columns: list[Drawn], width: int) -> list[list[Drawn]]:
+    """The columns, without optional ones if that suffices, else in pieces, each with labels."""
+    for step in sorted({drawn.column.optional for drawn in columns} - {0}):
+        if _least(columns) > width:
+            columns = [drawn for drawn in columns if drawn.column.optional != step]
+    if _least(columns) <= width:
+        return [columns]
+    labels = [drawn for drawn in columns if drawn.column.label] or columns[:1]
+    pieces, piece = [], list(labels)
+    for drawn in columns:
+        if drawn in labels:
+            continue
+        if len(piece) > len(labels) and _least([*piece, drawn]) > width:
+            pieces.append(piece)
+            piece = list(labels)
+        piece.append(drawn)
+    return [*pieces, piece]
+
+
+def _least(columns: Sequence[Drawn]) -> int:
+    return sum(drawn.least for drawn in columns) + GAP * (len(columns) - 1)
+
+
+def _widths(columns: Sequence[Drawn], width: int) -> list[int]:
+    """The width of each column: at least the least, the rest for those that want more."""
+    widths = [drawn.least for drawn in columns]
+    free = width - _least(columns)
+    for place, drawn in sorted(enumerate(columns), key=lambda pair: pair[1].best - pair[1].least):
+        more = min(free, drawn.best - drawn.least)
+        widths[place] += max(more, 0)
+        free -= max(more, 0)
+    return widths
+
+
+def _piece(table: Table, columns: Sequence[Drawn], width: int) -> RenderableType:
+    from rich import box
+    from rich.table import Table as Grid
+    from rich.text import Text
+
+    out = Grid(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False, header_style="")
+    out.show_header = any(any(drawn.heading) for drawn in columns)
+    out.padding = (0, 1)
+    out.collapse_padding = True
+    for drawn, wide in zip(columns, _widths(columns, width), strict=True):
+        head = Text("\n".join(filter(None, drawn.heading)))
+        out.add_column(
+            head,
+            justify="left" if drawn.column.left else "right",
+            vertical="top",
+            overflow="fold",
+            min_width=wide,
+            max_width=wide,
+        )
+    for place in range(len(table.rows)):
+        style = "yellow" if place in table.doubtful else None
+        out.add_row(*(Text(drawn.cells[place]) for drawn in columns), style=style)
+    return out

@@ -1,0 +1,100 @@
+"""Uneven angles of a star as a table: the gain in couples, the cost in free forces."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from crankstar.engine.engine import Engine
+from crankstar.language.messages import _
+from crankstar.mechanics.remains import SOLVED
+from crankstar.search import engine_stars
+from crankstar.search.angles import Term, Uneven, curve, sentence
+from crankstar.search.engines import firing_order
+from crankstar.search.faults import error
+from crankstar.search.question import Question
+from crankstar.search.stars import Star, Stars
+from crankstar.search.sums import VectorSum, force
+from crankstar.tables.table import Column, Document, Table, Value
+
+FREE_FORCE = 1e-3
+"""The weight of a free force beside a couple.
+
+Of angles with equal couples those with the least free force are taken.
+"""
+
+
+def curve_of(
+    question: Question,
+    star: Star,
+    *,
+    deviations_deg: Sequence[float],
+    engine: Engine | None,
+    speed: float | None,
+) -> tuple[Uneven, ...]:
+    """The best angles by the sums of a question, for each deviation of the firing intervals.
+
+    Raises SearchError where the question has no couple, force or torsion.
+    """
+    named = [
+        (weight, vector) for objective in question.objectives for weight, vector in objective.terms
+    ]
+    if not named:
+        raise error("uneven", "needs-sum")
+    terms = [Term(vector, _order(vector), weight) for weight, vector in named]
+    for order in sorted(
+        {_order(vector) for _weight, vector in named if vector.name.startswith("M")}
+    ):
+        told = _force(question.stars, int(order), engine, speed)
+        if all(term.sum.name != told.name for term in terms):
+            terms.append(Term(told, order, FREE_FORCE))
+    return curve(question.stars, star, terms, deviations_deg=[0.0, *deviations_deg])
+
+
+def _order(vector: VectorSum) -> Fraction:
+    return Fraction(vector.name[1:])
+
+
+def _force(stars: Stars, order: int, engine: Engine | None, speed: float | None) -> VectorSum:
+    return (
+        force(stars, order)
+        if engine is None
+        else engine_stars.force_of(engine, stars, order, speed=speed)
+    )
+
+
+def uneven_angles(curve_: Sequence[Uneven]) -> Document:
+    """A row for each deviation: sums, firing intervals, throw angles."""
+    first = curve_[0]
+    heads = [
+        Column(_("intervals within"), "deg", key="deviation_deg", digits=4, label=True),
+        *(
+            Column(term.sum.name, term.sum.unit, key=term.sum.name, digits=4)
+            for term in first.terms
+        ),
+        Column(_("firing intervals"), "deg", kind="list", key="intervals_deg", wraps=True),
+        Column(_("top dead centre later by"), "deg", kind="list", key="later_deg", wraps=True),
+    ]
+    # Beside the greatest length a sum can have, less than the solver's accuracy is zero.
+    reach = [float(sum(map(abs, term.sum.weights))) * term.sum.scale for term in first.terms]
+    rows: list[tuple[Value, ...]] = []
+    for found in curve_:
+        lengths = (
+            float(length) if length > SOLVED * most else 0.0
+            for length, most in zip(found.after, reach, strict=True)
+        )
+        angles = (
+            tuple(round(float(angle), 2) + 0.0 for angle in row)
+            for row in (found.intervals_deg, found.later_deg)
+        )
+        rows.append((float(found.deviation_deg), *lengths, *angles))
+    notes = (
+        sentence(curve_[-1]),
+        _(
+            "Intervals in firing order; top dead centres of cylinders 1, 2, 3 ... beside the even star."
+        ),
+        _("Of angles with equal couples, those with the least free force."),
+    )
+    order = "-".join(map(str, firing_order(first.stars, first.star)))
+    table = Table("", tuple(heads), tuple(rows), notes=notes, key="angles")
+    return Document(_("Uneven throw angles, firing order {order}", order=order), (table,))

@@ -1,0 +1,129 @@
+"""V engines that fire evenly, crank and bank together."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from crankstar.firing.vees import ORDERS, Vee, interval_deg
+from crankstar.language.messages import _, _n
+from crankstar.language.numbers import number
+from crankstar.tables.table import Column, Document, Remarks, Table, Value
+
+FORCE, COUPLE = "m*r*w^2*A_k", "m*r*w^2*A_k*a"
+SPLIT_EXAMPLES = (60.0, 90.0, 72.0)
+"""Bank angles (degrees) of which two that need split pins are given as examples."""
+
+
+def vee_engines(
+    found: Sequence[Vee], *, limit: int | None = None, only_multiples: bool = False
+) -> Document:
+    """The solutions, best first: bank angle, pin split, throws, and their balance.
+
+    `only_multiples`: no bank angles were tried but multiples of the firing interval.
+    """
+    if not found:
+        return Document("", (Remarks((_("No V engine of this kind fires evenly."),)),))
+    one = found[0]
+    step = interval_deg(cylinders=one.cylinders, cycle=one.cycle)
+    rows = [_row(place, vee) for place, vee in enumerate(found[:limit], 1)]
+    table = Table("", _columns(), tuple(rows), key="solutions")
+    title = _(
+        "V{cylinders}, {cycle}, firing every {interval} deg",
+        cylinders=one.cylinders,
+        cycle=one.cycle,
+        interval=number(step),
+    )
+    facts = {"cylinders": one.cylinders, "cycle": one.cycle}
+    return Document(title, (table, Remarks(tuple(_notes(found, limit, only_multiples)))), facts)
+
+
+def _columns() -> tuple[Column, ...]:
+    out = [
+        Column(_("row"), key="row", label=True),
+        Column(_("bank angle"), "deg", key="bank_angle_deg"),
+        Column(_("pin split"), "deg", key="pin_split_deg"),
+        Column(_("throws"), "deg", kind="list", wraps=True, digits=4),
+        Column("", key="stars_deg", machine=True),
+        Column(_("stars"), key="stars"),
+        Column(_("cranks"), key="cranks"),
+    ]
+    for name, unit in (("force", FORCE), ("couple", COUPLE)):
+        for order in ORDERS:
+            key = f"{name}/order_{order}"
+            out += [
+                Column("", unit, key=f"{key}/forward", machine=True),
+                Column("", unit, key=f"{key}/backward", machine=True),
+            ]
+            if (name, order) == ("couple", 1):
+                out += [Column(_("couple 1 with crank")), Column(_("couple 1 against"))]
+            elif name == "force":
+                out.append(Column(_("force {order}", order=order)))
+            else:
+                out.append(Column(_("couple {order}", order=order)))
+    out.append(Column("", key="counterweights_suffice", machine=True))
+    out.append(Column(_("left"), key="left"))
+    return tuple(out)
+
+
+def _row(place: int, one: Vee) -> tuple[Value, ...]:
+    stars = tuple(tuple(float(angle) for angle in star) for star in one.stars)
+    angles = (one.bank_angle_deg, one.pin_split_deg)
+    cells: list[Value] = [place, *angles, stars[0], stars, len(stars), one.count]
+    for name, vectors in (("force", one.force), ("couple", one.couple)):
+        for order, vector in zip(ORDERS, vectors, strict=True):
+            ways = (float(vector.forward), float(vector.backward))
+            cells += ways
+            cells += ways if (name, order) == ("couple", 1) else (float(vector.greatest),)
+    return (*cells, one.counterweights_suffice, float(one.left))
+
+
+def _notes(found: Sequence[Vee], limit: int | None, only_multiples: bool) -> list[str]:
+    cranks, stars = sum(one.count for one in found), sum(len(one.stars) for one in found)
+    out = [
+        _n(
+            "{cranks} cranks, {stars} without mirror images and reversals, {count} balance.",
+            "{cranks} cranks, {stars} without mirror images and reversals, {count} balances.",
+            len(found),
+            cranks=cranks,
+            stars=stars,
+            count=len(found),
+        )
+    ]
+    if limit is not None and limit < len(found):
+        out.append(
+            _(
+                "{shown} of {count} are shown; --top shows more, --csv all.",
+                shown=limit,
+                count=len(found),
+            )
+        )
+    if only_multiples:
+        out.append(_split_pins(found[0]))
+    return [
+        *out,
+        _(
+            "Throws: those of the first bank of one crank with this balance, from pin 1, clockwise. The pins of the second "
+            "bank are turned clockwise by the split."
+        ),
+        _(
+            "Greatest values over a turn: forces in m r ω² Aₖ, couples in m r ω² Aₖ a about the "
+            "middle, the rods of a pin in one plane."
+        ),
+        _(
+            "Left: all that counterweights cannot remove, in m r ω² at a rod ratio of "
+            "4, a couple divided by a."
+        ),
+        _("--row N -o FILE writes an engine file; --star N chooses among the stars of a row."),
+    ]
+
+
+def _split_pins(one: Vee) -> str:
+    """How other bank angles are asked for than the multiples of the firing interval."""
+    step = interval_deg(cylinders=one.cylinders, cycle=one.cycle)
+    others = [angle for angle in SPLIT_EXAMPLES if abs(angle / step - round(angle / step)) > 1e-9]
+    return _(
+        "Only bank angles that are multiples of {interval} deg were tried; others fire evenly with "
+        'split pins: --bank "{example}".',
+        interval=number(step),
+        example=", ".join(f"{angle:g} deg" for angle in others[:2]),
+    )

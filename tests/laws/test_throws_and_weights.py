@@ -1,0 +1,141 @@
+"""Weights turn with their throws: a file that a command writes does what the command promised."""
+
+from cmath import exp, phase
+from math import pi
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from tests.strategies import ANGLES, engines, of_layout
+
+from crankstar import balance, files, spectra, total
+from crankstar.engine.copies import (
+    throws_of_weights,
+    turned_on,
+    with_banks_mirrored,
+    with_rotation_reversed,
+    with_throws_turned,
+    with_values,
+)
+from crankstar.engine.engine import Engine
+from crankstar.engine.records import Shaft, Throw, Weight
+from crankstar.files.catalog import load
+from crankstar.language.faults import EngineError
+from crankstar.remedy.counterweights import with_counterweights, with_web_weights
+
+WEBS = [Weight(unbalance=1, angle=0, z=z) for z in (1.4, 0.2, -0.2, -9.0)]
+
+
+def crank(*, weights, places=(1.0, -1.0)):
+    throws = tuple(Throw(radius=1, angle=0, z=z) for z in places)
+    return Shaft(name="crank", throws=throws, weights=weights)
+
+
+def test_a_weight_belongs_to_the_nearest_throw():
+    assert throws_of_weights(crank(weights=WEBS)) == (1, 1, 2, 2)
+
+
+def test_a_weight_between_two_throws_belongs_to_the_first_listed():
+    middle = [Weight(unbalance=1, angle=0, z=1e-15)]
+    assert throws_of_weights(crank(weights=middle)) == (1,)
+    assert throws_of_weights(crank(weights=middle, places=(-1.0, 1.0))) == (1,)
+
+
+def test_a_weight_belongs_to_the_throw_that_it_names():
+    named = [with_values(weight, throw=2) for weight in WEBS]
+    assert throws_of_weights(crank(weights=named)) == (2, 2, 2, 2)
+
+
+def test_a_weight_on_a_balance_shaft_has_no_throw():
+    assert throws_of_weights(crank(weights=WEBS, places=())) == (None,) * 4
+
+
+def test_a_weight_cannot_name_a_throw_that_is_not_there():
+    engine = load("i4")
+    shaft = with_values(engine.shafts[0], weights=[Weight(unbalance=1, angle=0, throw=5)])
+    with pytest.raises(EngineError) as error:
+        with_values(engine, shafts=(shaft,))
+    assert [fault.path for fault in error.value.faults] == [("shaft", 0, "weight", 0, "throw")]
+
+
+@pytest.mark.parametrize("ends_only", [False, True])
+@pytest.mark.parametrize("name", ["i4", "v8-cross-plane", "v6-60-six-throws"])
+def test_counterweights_name_the_throw_they_are_for(name, ends_only):
+    opposite = with_counterweights(load(name), factor=0.5).shafts[0]
+    assert [weight.throw for weight in opposite.weights] == [
+        number for number, _ in enumerate(opposite.throws, 1)
+    ]
+    webs = with_web_weights(load(name), factor=0.5, ends_only=ends_only).shafts[0]
+    assert {weight.throw for weight in webs.weights} <= {None, *range(1, len(webs.throws) + 1)}
+
+
+@settings(max_examples=30)
+@given(st.data())
+def test_throws_turned_carry_their_own_unbalance(data):
+    """The unbalance vector of each throw with its weights turns as a whole, the others stay."""
+    engine = data.draw(engines(known=True))
+    named = [(s.name, n) for s in engine.shafts for n, _ in enumerate(s.throws, 1)]
+    turns = {key: data.draw(ANGLES) for key in data.draw(st.sets(st.sampled_from(named)))}
+    # an order that a turned crank cannot fire is no matter here
+    turned = with_throws_turned(engine, turns, firing_order=(), firing_angles=None)
+    for before, after in zip(engine.shafts, turned.shafts, strict=True):
+        homes = throws_of_weights(before)
+        for number, throw in enumerate(before.throws, 1):
+            by = turns.get((before.name, number), 0.0)
+            assert unbalance(after, number, homes) == pytest.approx(
+                unbalance(before, number, homes) * exp(1j * by), abs=1e-12
+            )
+            assert after.throws[number - 1].radius == throw.radius
+
+
+def unbalance(shaft, number, homes):
+    throw = shaft.throws[number - 1]
+    own = [w for w, home in zip(shaft.weights, homes, strict=True) if home == number]
+    return throw.rotating_mass * throw.radius * exp(1j * throw.angle) + sum(
+        weight.unbalance * exp(1j * weight.angle) for weight in own
+    )
+
+
+@settings(max_examples=30)
+@given(st.sampled_from(["inline", "vee", "boxer"]).flatmap(of_layout), ANGLES)
+def test_an_engine_turned_on_has_the_same_forces_later(engine, by):
+    """Turned clockwise by phi, a spectrum of order k is delayed by phi: the size is the same."""
+    later = turned_on(engine, engine.sense * by)
+    for name in ("force", "couple", "axis_moment", "torque"):
+        one, other = (getattr(total(balance(e)), name) for e in (engine, later))
+        assert spectra.peaks(other) == pytest.approx(spectra.peaks(one), rel=1e-6, abs=1e-9)
+
+
+def test_the_first_cylinder_of_a_mirrored_engine_keeps_its_dead_centre():
+    for name in ("v8-cross-plane", "v2-90", "kr250-racer"):
+        engine = with_values(load(name), firing_order=())
+        mirrored = with_banks_mirrored(engine)
+        lag = [
+            phase(exp(1j * (e.throw(e.first).angle - e.first.bearing))) for e in (engine, mirrored)
+        ]
+        assert lag[1] == pytest.approx(lag[0])
+        assert [c.bearing for c in mirrored.cylinders] == [-c.bearing for c in engine.cylinders]
+
+
+def test_a_mirrored_counterweight_stays_opposite_its_pin():
+    engine = with_counterweights(with_values(load("v2-90"), firing_order=()), factor=0.5)
+    (shaft,) = with_banks_mirrored(engine).shafts
+    apart = shaft.weights[0].angle - shaft.throws[0].angle
+    assert exp(1j * apart) == pytest.approx(exp(1j * pi))
+
+
+def test_every_changed_copy_is_checked():
+    engine = load("i4")
+    with pytest.raises(EngineError):
+        with_values(engine, firing_order=(1, 2, 3))
+    with pytest.raises(EngineError):
+        with_rotation_reversed(engine, cylinders=engine.cylinders[:3])
+
+
+def test_a_throw_swept_or_set_takes_its_weights_along():
+    engine = with_counterweights(load("i4"), factor=0.5)
+    tree = files.explicit(with_values(engine, firing_order=()))
+    turned = files.engine_of(tree, changes={"shaft[1].throw[2].angle": "30 deg"})
+    assert isinstance(turned, Engine)
+    throw, weight = turned.shafts[0].throws[1], turned.shafts[0].weights[1]
+    assert exp(1j * (weight.angle - throw.angle)) == pytest.approx(-1)

@@ -1,0 +1,431 @@
+"""An independent parser reads every printed derivation; each equation must be true as printed.
+
+In text, LaTeX and MathML, for any formula, and for every line of the derivations of every engine of
+the catalog and of random engines: each member of a chain of equations is the Balance.
+"""
+
+from __future__ import annotations
+
+import re
+import xml.etree.ElementTree as ET
+from collections.abc import Iterable, Mapping
+from fractions import Fraction
+from typing import Any
+
+import pytest
+from flint import acb, arb
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+from tests import printed
+from tests.exactly import MP, evaluated, orders_of, short_engines, snapped
+from tests.judged import Judged, lines
+from tests.strategies import OF_ANY_KIND
+
+from crankstar.derive import (
+    Chapter,
+    Derivation,
+    DerivationError,
+    Line,
+    derivation,
+    documents,
+    family,
+    signs_chapter,
+)
+from crankstar.derive.algebra import cyclotomic, enclosure, evaluation, formula, typeset
+from crankstar.derive.algebra.formula import Decimal, Formula, Symbol
+from crankstar.derive.cure import cure
+from crankstar.derive.errata import errata
+from crankstar.derive.notations import CRANKSTAR, SINITSYN, STROKE, Notation, notated
+from crankstar.derive.records import Quantity
+from crankstar.engine.engine import Engine
+from crankstar.files import catalog
+from crankstar.files.read import engine_of
+from crankstar.remedy import end_webs
+
+# -- any formula
+
+NAMES = ("a", "b", "b_1", "A_2", "A′_4", "theta", "lambda", "psi")
+RATIONALS = st.builds(
+    lambda above, below: formula.number(Fraction(above, below)),
+    st.integers(-60, 60),
+    st.sampled_from([1, 1, 2, 3, 8, 1001]),
+)
+DECIMALS = st.builds(
+    lambda n, scale, digits: Decimal(arb(n) * arb(2) ** scale, digits),
+    st.integers(-5000, 5000).filter(bool),
+    st.sampled_from([-10, -10, -20, -40]),
+    st.integers(3, 12),
+)
+SYMBOLS = st.sampled_from(NAMES).map(lambda name: Symbol(*name.split("_")))
+LEAVES = st.one_of(
+    RATIONALS,
+    DECIMALS,
+    SYMBOLS,
+    st.just(formula.Pi()),
+    st.builds(formula.Degrees, RATIONALS | DECIMALS),
+)
+
+
+def grown(parts: st.SearchStrategy[Any]) -> st.SearchStrategy[Any]:
+    """Formulas made of formulas, as they are written and as the algebra makes them."""
+    several = st.lists(parts, min_size=1, max_size=4).map(tuple)
+    return st.one_of(
+        st.builds(formula.Sum, several),
+        st.builds(formula.Product, several),
+        several.map(lambda made: formula.summed(*made)),
+        several.map(lambda made: formula.product(*made)),
+        st.builds(formula.Root, parts),
+        st.builds(formula.Power, parts, st.integers(-2, 4)),
+        st.builds(formula.Ratio, parts, parts),
+        st.builds(formula.Applied, st.sampled_from(["cos", "sin", "atan"]), parts),
+        st.builds(formula.Polar, parts, parts),
+        parts.map(formula.negative),
+        parts.map(lambda part: formula.Product((formula.number(-1), part))),
+    )
+
+
+TREES = st.recursive(LEAVES, grown, max_leaves=16)
+VALUES = {name: (37 + 11 * place) / 64 for place, name in enumerate(NAMES)}
+
+
+def readings(tree: Formula) -> dict[str, list[printed.Token]]:
+    """The tokens of a formula in each kind of print."""
+    mathml = ET.fromstring(f"<math>{typeset.mathml(tree)}</math>")  # noqa: S314
+    return {
+        typeset.text(tree): printed.from_text(typeset.text(tree)),
+        typeset.latex(tree): printed.from_latex(typeset.latex(tree)),
+        typeset.mathml(tree): printed.from_mathml(mathml),
+    }
+
+
+def ball(value: Any, digits: int = 14) -> acb:
+    """A number in sixty digits as a ball some digits wide."""
+    number = MP.mpc(value)
+    real, imaginary = (arb(MP.nstr(part, 60)) for part in (number.real, number.imag))
+    wide = arb(0, max(1.0, float(abs(number)))) * arb(10) ** -digits
+    return acb(real + wide, imaginary + wide)
+
+
+@settings(max_examples=500)
+@given(TREES)
+def test_any_formula_read_back_from_its_print_is_the_formula(tree: Formula) -> None:
+    try:
+        truth = evaluated(tree, {name: MP.mpf(value) for name, value in VALUES.items()})
+    except (ValueError, ZeroDivisionError):
+        assume(False)
+    assume(MP.isfinite(truth) and abs(truth) < 1e100)
+    with cyclotomic.precision(50):
+        values = {name: acb(value) for name, value in VALUES.items()}
+        for shown, tokens in readings(tree).items():
+            assert printed.value(tokens, values).overlaps(ball(truth)), shown
+
+
+@pytest.mark.parametrize(
+    ("shown", "tree"),
+    [
+        ("−(a + b)", formula.product(-1, formula.Sum((Symbol("a"), Symbol("b"))))),
+        (
+            "a − (b − a)",
+            formula.Sum(
+                (
+                    Symbol("a"),
+                    formula.product(
+                        -1, formula.Sum((Symbol("b"), formula.product(-1, Symbol("a"))))
+                    ),
+                )
+            ),
+        ),
+        ("√(2a)", formula.Root(formula.product(2, Symbol("a")))),
+        ("cos(θ) a", formula.product(formula.cosine(formula.THETA), Symbol("a"))),
+        (
+            "(1 + √2)/4 · a",
+            formula.product(
+                formula.Ratio(
+                    formula.Sum((formula.number(1), formula.Root(formula.number(2)))),
+                    formula.number(4),
+                ),
+                Symbol("a"),
+            ),
+        ),
+    ],
+)
+def test_brackets_stand_where_a_reader_needs_them(shown: str, tree: Formula) -> None:
+    assert typeset.text(tree) == shown
+
+
+@pytest.mark.parametrize(
+    ("text", "truth"),
+    [("2a/3b", 2 / 9), ("−a²", -1), ("cos 2θ b", 1.0), ("√2 b", 4.242640687), ("6/2 · 3", 9)],
+)
+def test_the_reader_reads_as_people_do(text: str, truth: float) -> None:
+    values = {"a": acb(1), "b": acb(3), "theta": acb(0)}
+    assert abs(complex(printed.value(printed.from_text(text), values)) - truth) < 1e-9
+
+
+@pytest.mark.parametrize("text", ["2 3", "(a", "a −", "cos (", "cos⁻¹ a", "a + − b"])
+def test_the_reader_refuses_what_cannot_be_read(text: str) -> None:
+    with pytest.raises(printed.UnreadableError):
+        printed.value(printed.from_text(text), {"a": acb(1), "b": acb(3)})
+
+
+# -- every line of a derivation
+
+THETA = 0.7
+
+
+class Letters(dict[str, Any]):
+    """Values of letters; one that has none gets a number of its own."""
+
+    def __missing__(self, name: str) -> Any:
+        self[name] = arb(0 if "left" in name or name == "…" else 100 + hash_of(name)) / 128
+        return self[name]
+
+
+def hash_of(name: str) -> int:
+    return sum(ord(char) * (place + 1) for place, char in enumerate(name)) % 97
+
+
+def in_text(line: Line) -> list[list[printed.Token]]:
+    members = re.split(r"\s+=\s", documents.equations(line))
+    return [printed.from_text(shown) for shown in members[line.name is not None :]]
+
+
+def in_latex(line: Line) -> list[list[printed.Token]]:
+    inner = documents.aligned(line).removeprefix("\\begin{aligned}\n")
+    rows = inner.removesuffix("\n\\end{aligned}").split(" \\\\\n")
+    members: list[str] = []
+    for row in rows:
+        _, _, right = row.partition("&")
+        if right.startswith("="):
+            members.append(right[1:])
+        else:
+            members[-1] += right
+    return [printed.from_latex(shown) for shown in members]
+
+
+def in_mathml(line: Line) -> list[list[printed.Token]]:
+    members: list[list[printed.Token]] = []
+    for row in ET.fromstring(documents.chain(line)).iter("mtr"):  # noqa: S314
+        _, equals, right = row
+        if equals.find("mo") is not None:
+            members.append([])
+        members[-1] += printed.from_mathml(right)
+    return members
+
+
+def untrue(lines: Iterable[Line], letters: Mapping[str, arb]) -> list[str]:
+    """Lines of which a member, as it is printed, is not its formula, or not the first member."""
+    out: list[str] = []
+    for line in lines:
+        trees = [near(evaluation.enclosed(tree, letters)) for tree in line.chain]
+        for read in (in_text, in_latex, in_mathml):
+            members = [printed.value(tokens, letters) for tokens in read(line)]
+            assert len(members) == len(trees)
+            for place, member in enumerate(members):
+                if not (member.overlaps(trees[place]) and member.overlaps(trees[0])):
+                    out.append(
+                        f"{read.__name__}, {line.label}, {place}: {documents.equations(line)}"
+                    )
+    return out
+
+
+def near(value: Any) -> acb:
+    """A ball around a value that rounding in the letters cannot leave."""
+    wide = arb(0, 1e-9 * max(1.0, float(abs(acb(value)).mid())))
+    return acb(value) + acb(wide, wide)
+
+
+def unlike_the_balance(judged: Judged, letters: Mapping[str, arb]) -> list[str]:
+    """Lines of which a member, as it is printed, is not what the Balance has for these parts."""
+    out: list[str] = []
+    for _, line in lines(judged.told):
+        if line.kind not in ("signal", "forward", "backward") or not line.rows:
+            continue
+        truth = (
+            judged.signal(line.bearing_deg, line.rows, THETA)
+            if line.kind == "signal"
+            else judged.vector(line.kind, line.rows)
+        )
+        for read in (in_text, in_latex, in_mathml):
+            for tokens in read(line):
+                member = printed.value(tokens, letters) * judged.told.scale
+                if not (member - acb(complex(truth))).overlaps(around(judged.allowed)):
+                    out.append(f"{read.__name__}, {line.label}: {documents.equations(line)}")
+    return out
+
+
+def around(radius: float) -> acb:
+    return acb(arb(0, radius), arb(0, radius))
+
+
+def checked(engine: Engine, order: Fraction | float, quantity: Any) -> Derivation:
+    told = derivation(engine, order, quantity)
+    with cyclotomic.precision(50):
+        letters = Letters({name: arb(value) for name, value in told.symbols.items()})
+        letters["theta"] = arb(THETA)
+        assert unlike_the_balance(Judged.of(engine, told), letters) == []
+        assert untrue((line for _, line in lines(told)), letters) == []
+    return told
+
+
+def flat_six(**layout: Any) -> Engine:
+    """A flat six whose left bank is written at -90 deg, its banks a part of the pitch apart."""
+    banks = [
+        {"name": "right", "bearing": "-90 deg", "cylinders": [1, 3, 5]},
+        {"name": "left", "bearing": "90 deg", "cylinders": [2, 4, 6]},
+    ]
+    described = {"type": "vee", "banks": banks, "throws": ["0 deg", "120 deg", "60 deg"]}
+    tree = {
+        "format": 1,
+        "name": "flat six",
+        "cylinder": {"rod_ratio": 4},
+        "layout": described | {"bank_offset": 0.3} | layout,
+    }
+    return engine_of(tree)
+
+
+@pytest.mark.parametrize("order", [1, 2, 4])
+@pytest.mark.parametrize("quantity", ["force", "couple"])
+def test_a_bank_that_lies_at_minus_90_degrees_keeps_its_brackets(order: int, quantity: Any) -> None:
+    checked(flat_six(), order, quantity)
+
+
+def test_the_share_of_a_whole_bank_to_the_right_is_printed_in_brackets() -> None:
+    told = checked(flat_six(), 1, "couple")
+    right = [line for _, line in lines(told) if line.label == "right"]
+    assert "= −(" in documents.equations(right[0]).replace("\n", " ")
+
+
+@pytest.mark.parametrize("name", ["boxer-6", "v8-cross-plane", "audi-25-tfsi", "napier-lion"])
+def test_derivations_of_a_few_engines_are_true_as_they_are_printed(name: str) -> None:
+    for order in (1, 2):
+        for quantity in ("force", "couple"):
+            checked(catalog.load(name), order, quantity)
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("name", sorted(catalog.names()))
+def test_derivations_of_the_catalog_are_true_as_they_are_printed(name: str) -> None:
+    for order in (1, 2, 4, 6, 8):
+        for quantity in ("force", "couple"):
+            checked(catalog.load(name), order, quantity)
+
+
+@settings(max_examples=15)
+@given(st.data(), short_engines(), st.sampled_from(["force", "couple"]))
+def test_derivations_of_engines_with_short_numbers_are_true_as_they_are_printed(
+    data: Any, engine: Engine, quantity: Any
+) -> None:
+    checked(engine, data.draw(orders_of(engine)), quantity)
+
+
+@pytest.mark.long
+@settings(max_examples=200)
+@given(st.data(), st.sampled_from(sorted(OF_ANY_KIND)), st.sampled_from(["force", "couple"]))
+def test_derivations_of_any_engine_are_true_as_they_are_printed(
+    data: Any, kind: str, quantity: Any
+) -> None:
+    engine = data.draw(OF_ANY_KIND[kind])
+    if data.draw(st.booleans()):
+        engine = snapped(engine, data.draw(st.sampled_from([4, 8, 12, 24, 14, 360])))
+    try:
+        checked(engine, data.draw(orders_of(engine)), quantity)
+    except DerivationError as error:
+        assume("too near to locking" not in str(error))
+        raise
+
+
+# -- families, the six signs, cures, errata, notations
+
+
+def letters_for(chapter: Chapter, **values: float) -> Letters:
+    letters = Letters({name: arb(value) for name, value in chapter.symbols.items()})
+    letters |= {name: arb(value) for name, value in values.items()}
+    letters["theta"] = arb(THETA)
+    return letters
+
+
+def lines_of(chapter: Chapter) -> list[Line]:
+    return [line for step in chapter.steps for line in step.lines]
+
+
+@pytest.mark.parametrize(
+    ("name", "symbol"),
+    [
+        ("v8-cross-plane", "alpha"),
+        ("v2-90", "alpha"),
+        ("v12-60", "alpha"),
+        ("parallel-twin-180", "phi"),
+        ("triple-120", "n"),
+        ("sinitsyn-7-first", "n"),
+    ],
+)
+@pytest.mark.parametrize("order", [1, 2, 4])
+@pytest.mark.parametrize("quantity", ["force", "couple"])
+def test_families_are_true_as_they_are_printed(
+    name: str, symbol: str, order: int, quantity: Any
+) -> None:
+    if (symbol, quantity) == ("n", "couple"):
+        return
+    engine = catalog.load(name)
+    chapter = family(engine, order, quantity, symbol=symbol)
+    with cyclotomic.precision(50):
+        letters = letters_for(chapter, alpha=0.6, phi=1.1, n=len(engine.cylinders))
+        assert untrue(lines_of(chapter), letters) == []
+
+
+@pytest.mark.parametrize(
+    "name", ["sinitsyn-6-valve", "sinitsyn-7-first", "v8-cross-plane", "gm-3800", "vw-vr6"]
+)
+@pytest.mark.parametrize("notation", [CRANKSTAR, SINITSYN], ids=lambda own: own.name)
+def test_the_six_signs_are_true_as_they_are_printed(name: str, notation: Notation) -> None:
+    chapter = notated(signs_chapter(catalog.load(name)), notation)
+    with cyclotomic.precision(50):
+        assert untrue(lines_of(chapter), letters_for(chapter)) == []
+
+
+@pytest.mark.parametrize("notation", [STROKE, SINITSYN], ids=lambda own: own.name)
+@pytest.mark.parametrize("name", ["v8-flat-plane", "audi-25-tfsi", "boxer-6", "v2-90"])
+def test_other_notations_are_true_as_they_are_printed(name: str, notation: Notation) -> None:
+    lines: tuple[tuple[int, Quantity], ...] = ((2, "force"), (1, "couple"), (4, "force"))
+    for order, quantity in lines:
+        chapter = notated(derivation(catalog.load(name), order, quantity).chapter, notation)
+        with cyclotomic.precision(50):
+            assert untrue(lines_of(chapter), letters_for(chapter)) == []
+
+
+@pytest.mark.parametrize("name", ["v8-cross-plane", "sinitsyn-7-first", "vw-vr6", "triple-120"])
+def test_cures_are_true_as_they_are_printed(name: str) -> None:
+    engine = catalog.load(name)
+    planes = end_webs(engine, engine.shafts[0])
+    for ratio in (1, -1):
+        try:
+            chapter = cure(engine, ratio=ratio, planes=planes).chapter
+        except DerivationError:
+            continue
+        with cyclotomic.precision(50):
+            assert untrue(lines_of(chapter), letters_for(chapter)) == []
+
+
+def test_errata_are_printed_as_they_are() -> None:
+    letters = Letters({"theta": arb(THETA)})
+    with cyclotomic.precision(50):
+        for erratum in errata():
+            trees = [erratum.ours, *([erratum.printed] if erratum.printed is not None else [])]
+            trees += [erratum.unit] if erratum.unit is not None else []
+            assert untrue([Line(None, (tree,)) for tree in trees], letters) == [], erratum.id
+            for tree in trees:
+                for shown, tokens in readings(tree).items():
+                    truth = near(evaluation.enclosed(tree, letters))
+                    assert printed.value(tokens, letters).overlaps(truth), shown
+
+
+@pytest.mark.parametrize("ratio", [2, 4, 10, 40])
+@pytest.mark.parametrize("order", [2, 4, 8, 12, 24])
+def test_every_printed_digit_of_a_harmonic_is_true(ratio: int, order: int) -> None:
+    ball = enclosure.coefficient(Fraction(ratio), order)
+    with cyclotomic.precision(50):
+        for tokens in readings(Decimal(ball, 12)).values():
+            read = printed.value(tokens, {}).real
+            assert read.overlaps(ball)
+            assert read.rad() < abs(ball) * arb("1e-11")

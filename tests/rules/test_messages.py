@@ -1,0 +1,110 @@
+"""The message catalogs fit the sources, and the translations fit the sentences they translate."""
+
+from __future__ import annotations
+
+import re
+import runpy
+import string
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from crankstar import cli
+from crankstar.language.messages import LANGUAGES, _n, spoken
+
+TOOL = runpy.run_path(str(Path(__file__).resolve().parents[2] / "messages.py"))
+DOMAINS = {"python": TOOL["PYTHON"], "page": TOOL["PAGE"]}
+TRANSLATIONS = [
+    pytest.param(domain, language, path, id=f"{name} {language}")
+    for name, domain in DOMAINS.items()
+    for language, path in domain.translations().items()
+]
+CALL = re.compile(r"(?<![.\w])(?:t|message|plural)\(\s*['\"`]")
+"""A call with a message in TypeScript, seen without any knowledge of the language."""
+
+
+def forms(text: str | tuple[str, ...] | list[str]) -> list[str]:
+    return [text] if isinstance(text, str) else list(text)
+
+
+def placeholders(text: str) -> set[str]:
+    return {name for _, name, _, _ in string.Formatter().parse(text) if name is not None}
+
+
+def entries(path: Path, language: str | None = None) -> dict[Any, Any]:
+    return {message.id: message.string for message in TOOL["read"](path, language) if message.id}
+
+
+@pytest.mark.parametrize("domain", DOMAINS.values(), ids=DOMAINS)
+def test_the_template_has_every_sentence_of_the_sources_and_no_other(domain: Any) -> None:
+    assert domain.template.read_text(encoding="utf-8") == TOOL["text"](domain.collected()), (
+        "run `make messages`"
+    )
+
+
+def test_the_extractor_sees_every_call_in_typescript() -> None:
+    page = DOMAINS["page"]
+    sources = [path for path in page.sources.rglob("*.ts*") if path.name != "messages.ts"]
+    calls = sum(len(CALL.findall(path.read_text(encoding="utf-8"))) for path in sources)
+    assert len(page.extracted()) == calls > 200
+
+
+@pytest.mark.parametrize("domain", DOMAINS.values(), ids=DOMAINS)
+def test_there_is_a_catalog_for_every_language_but_english(domain: Any) -> None:
+    assert ("en", *domain.translations()) == LANGUAGES
+
+
+@pytest.mark.parametrize(("domain", "language", "path"), TRANSLATIONS)
+def test_a_translation_has_the_sentences_of_the_template(
+    domain: Any, language: str, path: Path
+) -> None:
+    assert list(entries(path, language)) == list(entries(domain.template)), "run `make messages`"
+
+
+@pytest.mark.parametrize(("domain", "language", "path"), TRANSLATIONS)
+def test_a_translation_has_the_placeholders_of_its_sentence(
+    domain: Any, language: str, path: Path
+) -> None:
+    del domain
+    for sentence, translation in entries(path, language).items():
+        wanted = placeholders(forms(sentence)[-1])
+        for form in filter(None, forms(translation)):
+            assert placeholders(form) == wanted, form
+
+
+@pytest.mark.parametrize("domain", DOMAINS.values(), ids=DOMAINS)
+def test_sentences_name_their_placeholders(domain: Any) -> None:
+    for sentence in entries(domain.template):
+        for form in forms(sentence):
+            assert all(name.isidentifier() for name in placeholders(form)), form
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("en", ["V8, 1 piston", "V8, 2 pistons", "V8, 5 pistons", "V8, 21 pistons"]),
+        ("ru", ["V8, 1 поршень", "V8, 2 поршня", "V8, 5 поршней", "V8, 21 поршень"]),
+        ("ja", [f"V8、ピストン {count} 個" for count in (1, 2, 5, 21)]),
+    ],
+)
+def test_numbers_of_pistons_take_their_plural(language: str, said: list[str]) -> None:
+    TOOL["compile_all"]()
+    with spoken(language):
+        assert [
+            _n("{name}, {count} piston", "{name}, {count} pistons", count, name="V8", count=count)
+            for count in (1, 2, 5, 21)
+        ] == said
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [("en", "No primary force."), ("ja", "一次慣性力なし。"), ("ru", "Силы 1-го порядка нет.")],
+)
+def test_a_verdict_is_in_the_language_asked_for(
+    language: str, said: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    TOOL["compile_all"]()
+    with pytest.raises(SystemExit):
+        cli.main(["--lang", language, "verdict", "i4"])
+    assert said in capsys.readouterr().out

@@ -1,0 +1,37 @@
+// The licences of the packages in the bundle, in a file beside it and, for the page, in it.
+
+const FILE = 'third-party-licences.txt'
+/** The text in ui/notices.ts that the licences take the place of. */
+const PLACE = /(["'`])THIRD_PARTY_NOTICES\1/g
+
+/** Each licence once, below the names of its packages. */
+function notices(packages) {
+  const users = Map.groupBy(packages, ({ name, text }) => {
+    if (!text) throw new Error(`The package ${name} has no licence file.`)
+    return text.replaceAll('\r', '')
+  })
+  return [...users]
+    .map(([text, by]) => {
+      const names = by.map(({ name, version, identifier }) => `${name} ${version} (${identifier})`)
+      return `${names.join('\n')}\n\n${text}\n`
+    })
+    .join(`\n${'-'.repeat(72)}\n\n`)
+}
+
+/** Follows `build.license` of vite, which lists the packages that are in the bundle. */
+export const licences = (list) => ({
+  name: 'licences',
+  generateBundle: {
+    order: 'post',
+    handler(_, bundle) {
+      const text = notices(JSON.parse(bundle[list].source))
+      delete bundle[list]
+      this.emitFile({ type: 'asset', fileName: FILE, source: text })
+      for (const chunk of Object.values(bundle)) {
+        if (chunk.type !== 'chunk') continue
+        if (chunk.code.match(PLACE)?.length !== 1) throw new Error('no place for the licences')
+        chunk.code = chunk.code.replace(PLACE, () => `String.raw\`${text.replaceAll('`', "'")}\``)
+      }
+    },
+  },
+})

@@ -1,0 +1,30 @@
+// The types of the records that Python sends, from their JSON Schema on standard input (make types)
+import { readFileSync } from 'node:fs'
+import { compile } from 'json-schema-to-typescript'
+
+const banner =
+  '// Generated from src/crankstar/page/records.py by `make types`; not edited by hand.'
+const style = { semi: false, singleQuote: true, printWidth: 100 }
+/** Tuples as the converter understands them: `prefixItems` by its older name `items`. */
+function olderTuples(schema) {
+  if (Array.isArray(schema)) return schema.map(olderTuples)
+  if (schema === null || typeof schema !== 'object') return schema
+  const { prefixItems, ...rest } = Object.fromEntries(
+    Object.entries(schema).map(([key, value]) => [key, olderTuples(value)]),
+  )
+  return prefixItems ? { ...rest, items: prefixItems } : rest
+}
+
+const made = await compile(olderTuples(JSON.parse(readFileSync(0, 'utf8'))), 'Exchange', {
+  bannerComment: banner,
+  additionalProperties: false,
+  unreachableDefinitions: true,
+  maxItems: 2,
+  style,
+})
+// The lines that say which schema a type comes from are noise: there is one.
+process.stdout.write(
+  made
+    .replace(/^( \*\n)? \* This interface was referenced by .*\n \* via the .*\n/gm, '')
+    .replace(/\/\*\*\n \*\/\n/g, ''),
+)

@@ -1,0 +1,48 @@
+import type { Problem } from '../exhibit'
+import { t } from '../language/messages'
+import type { Answer } from './host'
+
+interface Request {
+  readonly method?: 'GET' | 'POST' | 'DELETE'
+  readonly body?: unknown
+  readonly signal?: AbortSignal | undefined
+}
+
+/** The value, or every fault of the request. Rejects only if the server cannot be reached. */
+export async function requested<T>(
+  path: string,
+  { body, method = body === undefined ? 'GET' : 'POST', signal }: Request = {},
+): Promise<Answer<T>> {
+  const response = await fetch(`/api/${path}`, {
+    method,
+    keepalive: method === 'DELETE', // also as the page is left
+    headers: body === undefined ? {} : { 'Content-Type': 'application/json' },
+    ...(body === undefined ? {} : { body: JSON.stringify(body) }),
+    ...(signal ? { signal } : {}),
+  }).catch((error: unknown) => {
+    if (signal?.aborted) throw error
+    throw new Error(t('The server does not answer. Is crankstar serve still running?'))
+  })
+  const answer: unknown = await response.json().catch(() => null)
+  if (response.ok && answer !== null) return { ok: true, value: answer as T }
+  const problems = (answer as { problems?: unknown } | null)?.problems
+  if (Array.isArray(problems) && problems.length)
+    return { ok: false, problems: problems as Problem[] }
+  const { status } = response
+  const message = t('The server answered with HTTP status {status}. Try again, or restart it.', {
+    status,
+  })
+  return { ok: false, problems: [{ path: '', message }] }
+}
+
+/** The value of an answer; rejects with the sentences of its faults. */
+export async function required<T>(answer: Promise<Answer<T>>): Promise<T> {
+  const settled = await answer
+  if (settled.ok) return settled.value
+  throw new Error(settled.problems.map(({ message }) => message).join(' '))
+}
+
+/** A part of the value of an answer. */
+export function part<T, U>(answer: Answer<T>, taken: (value: T) => U): Answer<U> {
+  return answer.ok ? { ok: true, value: taken(answer.value) } : answer
+}

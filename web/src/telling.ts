@@ -1,9 +1,0 @@
-import type { Exhibit } from './exhibit'
-import { type Coefficients, coefficientsOf, greatest } from './phasor'
-
-/** What of an engine is worth looking at first: force or couple, the couple as a pair of forces at the ends of the engine. */
-export function telling({ orders, turns, total, scene, couple_length }: Exhibit): 'force' | 'couple' {
-  const most = (of: Coefficients) => greatest(of, orders, null, turns)
-  const length = (scene.high[2] - scene.low[2]) / couple_length
-  return most(coefficientsOf(total.couple)) > length * most(coefficientsOf(total.force)) ? 'couple' : 'force'
-}

@@ -1,0 +1,14 @@
+import type { Row } from '../exhibit'
+import { message, t } from '../language/messages'
+
+type Quantity = Row['quantity']
+
+const QUANTITY = {
+  force: message('Force'),
+  couple: message('Couple'),
+  roll: message('Roll of the block'),
+  torque: message('Inertia torque'),
+} as const satisfies Record<Quantity, string>
+
+/** A quantity as headings and choices name it. */
+export const quantityName = (quantity: Quantity): string => t(QUANTITY[quantity])
