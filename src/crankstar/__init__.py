@@ -41,20 +41,34 @@ import sys
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from crankstar.engine.engine import Engine
-from crankstar.engine.records import Cylinder, Rod, Shaft, Throw, Weight
-from crankstar.language.faults import EngineError
-from crankstar.mechanics.balance import Balance, balance, grouped, of_parts, total
-from crankstar.mechanics.excitation import Reference, Totals
-from crankstar.mechanics.mechanism import Mechanism
-
 if TYPE_CHECKING:
     from crankstar.derive import derivation, family, signs
+    from crankstar.engine.engine import Engine
+    from crankstar.engine.records import Cylinder, Rod, Shaft, Throw, Weight
     from crankstar.files import EngineFileError
     from crankstar.files.catalog import load, names
+    from crankstar.language.faults import EngineError
+    from crankstar.mechanics.balance import Balance, balance, grouped, of_parts, total
+    from crankstar.mechanics.excitation import Reference, Totals
+    from crankstar.mechanics.mechanism import Mechanism
     from crankstar.page.widget import widget
 
 __version__ = "0.1.0"
+
+_HOMES = {
+    "derive": ("derivation", "family", "signs"),
+    "engine.engine": ("Engine",),
+    "engine.records": ("Cylinder", "Rod", "Shaft", "Throw", "Weight"),
+    "files": ("EngineFileError",),
+    "files.catalog": ("load", "names"),
+    "language.faults": ("EngineError",),
+    "mechanics.balance": ("Balance", "balance", "grouped", "of_parts", "total"),
+    "mechanics.excitation": ("Reference", "Totals"),
+    "mechanics.mechanism": ("Mechanism",),
+    "page.widget": ("widget",),
+}
+"""The module of each public name. All are loaded on first use: a command line that is interrupted
+while numpy is being loaded ends quietly, since it is running before."""
 
 __all__ = [
     "Balance",
@@ -82,27 +96,19 @@ __all__ = [
 ]
 
 
-_LATE = {
-    "load": "crankstar.files.catalog",
-    "names": "crankstar.files.catalog",
-    "EngineFileError": "crankstar.files",
-    "derivation": "crankstar.derive",
-    "family": "crankstar.derive",
-    "signs": "crankstar.derive",
-    "widget": "crankstar.page.widget",
-}
-
-
 def __getattr__(name: str) -> Any:
-    """Load file-reading modules on first use; `import crankstar` needs numpy and pydantic only."""
-    if name not in _LATE:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(import_module(_LATE[name]), name)
+    """Load a public name on first use."""
+    for module, public in _HOMES.items():
+        if name in public:
+            value = getattr(import_module(f"crankstar.{module}"), name)
+            globals()[name] = value
+            return value
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
 def __dir__() -> list[str]:
-    """Names for completion, those loaded late included."""
-    return sorted({*globals(), *_LATE})
+    """Names for completion, those not yet loaded included."""
+    return sorted({*globals(), *__all__})
 
 
 def _registered_in_notebook() -> None:

@@ -11,9 +11,10 @@ def main() -> None:
     gc.set_threshold(OBJECTS)
     try:
         from crankstar.cli import main as run
+
+        run()
     except KeyboardInterrupt:
         raise SystemExit(130) from None
-    run()
 
 
 if __name__ == "__main__":

@@ -130,16 +130,51 @@ def test_a_running_notebook_shows_engines_and_balances_as_tables(tmp_path: Path)
     assert printed.split() == ["True", "True"]
 
 
-def test_importing_the_package_loads_numpy_and_pydantic_only() -> None:
+@pytest.mark.parametrize(
+    ("statement", "loaded"),
+    [
+        ("import crankstar", ""),
+        ("import crankstar; dir(crankstar)", ""),
+        ("from crankstar import Engine, balance", "numpy pydantic"),
+    ],
+)
+def test_the_package_loads_numpy_and_pydantic_when_they_are_used(
+    statement: str, loaded: str
+) -> None:
     code = (
-        "import sys, crankstar; import importlib.metadata as m; "
-        "print(sorted({name.partition('.')[0] for name in sys.modules} & "
-        "{'pint', 'rich', 'cyclopts', 'scipy', 'sympy', 'tomli_w', 'altair', 'numba', 'numpy', 'pydantic'}))"
+        f"{statement}; import sys; print(*sorted({{name.partition('.')[0] for name in sys.modules}} "
+        "& {'pint', 'rich', 'cyclopts', 'scipy', 'tomli_w', 'altair', 'numba', 'numpy', 'pydantic'}))"
     )
     printed = subprocess.run(
         [sys.executable, "-c", code], check=True, capture_output=True, text=True
     ).stdout
-    assert printed.strip() == "['numpy', 'pydantic']"
+    assert printed.strip() == loaded
+
+
+def test_every_exported_name_comes_with_a_star_import() -> None:
+    names: dict[str, object] = {}
+    exec("from crankstar import *", names)  # noqa: S102
+    assert all(names[name] is getattr(crankstar, name) for name in crankstar.__all__)
+
+
+@pytest.mark.parametrize(
+    "how", [["-m", "crankstar"], ["-c", "from crankstar.__main__ import *; main()"]]
+)
+@pytest.mark.parametrize("library", ["numpy", "pydantic", "cyclopts"])
+def test_an_interrupt_while_a_library_is_loaded_ends_it_with_130_without_a_word(
+    tmp_path: Path, how: list[str], library: str
+) -> None:
+    interrupted = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler); "
+    (tmp_path / f"{library}.py").write_text(f"{interrupted}signal.raise_signal(signal.SIGINT)")
+    path = os.pathsep.join([str(tmp_path), str(PACKAGE.parent)])
+    ran = subprocess.run(
+        [sys.executable, *how, "list"],
+        check=False,
+        capture_output=True,
+        text=True,
+        env={**os.environ, "PYTHONPATH": path},
+    )
+    assert (ran.returncode, ran.stdout, ran.stderr) == (130, "", "")
 
 
 def test_lock_files_and_sources_name_no_address_to_install_from() -> None:
