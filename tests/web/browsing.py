@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from typing import Any
 
+import pytest
 from playwright.sync_api import (
     Browser,
     ConsoleMessage,
+    Locator,
     Page,
     Route,
     ViewportSize,
@@ -49,7 +52,31 @@ NEWS = frozenset({"error", "warning", "assert"})
 """The kinds of console messages that are complaints."""
 DRIVER = re.compile(r"^\[\.WebGL-0x[0-9a-f]+\]GL Driver Message \(OpenGL, Performance, ")
 """How Chromium says that drawing without a graphics card is slow, which it is."""
-SETTLED = "() => new Promise(done => requestAnimationFrame(() => setTimeout(done)))"
+SETTLED = """async () => {
+    await new Promise(done => requestAnimationFrame(() => setTimeout(done)))
+    const pages = [...document.querySelectorAll('*')].map(element => element.crankstar)
+    await Promise.allSettled(pages.map(page => page?.settled()))
+}"""
+"""The next frame is there, and our pages have drawn all that was begun."""
+READINGS = {
+    Locator: (
+        "all",
+        "all_inner_texts",
+        "all_text_contents",
+        "bounding_box",
+        "count",
+        "evaluate",
+        "evaluate_all",
+        "get_attribute",
+        "inner_text",
+        "input_value",
+        "is_visible",
+        "screenshot",
+        "text_content",
+    ),
+    Page: ("evaluate",),
+}
+"""What tells of a page as it is at that moment, where `expect` and `wait_for` ask again."""
 
 AXE = WEB / "node_modules" / "axe-core" / "axe.min.js"
 BARRIERS = """async only => {
@@ -79,6 +106,25 @@ TOO_WIDE = """() => {
     const found = [...document.body.querySelectorAll('*')].filter(wrong).map(told)
     return across > edge ? [`the page is ${across} wide, the window ${edge}`, ...found] : found
 }"""
+
+
+@contextmanager
+def settled() -> Iterator[None]:
+    """Every reading of a page waits until the page has settled: none falls between two frames."""
+    evaluate = Page.evaluate
+
+    def patient(reading: Callable[..., Any]) -> Callable[..., Any]:
+        def read(place: Page | Locator, *arguments: Any, **options: Any) -> Any:
+            evaluate(place.page if isinstance(place, Locator) else place, SETTLED)
+            return reading(place, *arguments, **options)
+
+        return read
+
+    with pytest.MonkeyPatch.context() as patch:
+        for kind, names in READINGS.items():
+            for name in names:
+                patch.setattr(kind, name, patient(getattr(kind, name)))
+        yield
 
 
 def root() -> bool:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 from playwright.sync_api import Browser, Page
-from tests.web.browsing import chromium, watched
+from tests.web.browsing import chromium, settled, watched
 from tests.web.engine_page import written
 from tests.web.serving import server
 
@@ -20,7 +20,7 @@ def browser() -> Iterator[Browser]:
     """Chromium without a window."""
     if os.environ.get("CRANKSTAR_NO_BROWSER") == "1":
         pytest.skip("CRANKSTAR_NO_BROWSER=1")
-    with chromium() as started:
+    with settled(), chromium() as started:
         yield started
 
 

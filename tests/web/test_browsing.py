@@ -86,3 +86,13 @@ def test_what_is_too_wide_is_seen_unless_it_scrolls_by_itself(
     page.set_viewport_size({"width": 400, "height": 300})
     page.set_content(f"<!doctype html><body style='margin: 0'><main>{body}</main>")
     assert too_wide(page) == complaints
+
+
+def test_a_page_is_read_only_once_it_has_settled(page: Page) -> None:
+    page.set_content("<p>before</p>")
+    page.evaluate("""() => {
+        const [text] = document.querySelectorAll('p')
+        const settled = () => new Promise(done => setTimeout(() => done(text.textContent = 'after'), 50))
+        text.crankstar = { settled }
+    }""")
+    assert page.locator("p").inner_text() == "after"

@@ -12,7 +12,8 @@ from typing import Any, Literal
 
 import pytest
 from playwright.sync_api import Browser, Locator, Page, expect
-from tests.web.browsing import SETTLED, barriers, too_wide, watched
+from tests.web.browsing import barriers, too_wide, watched
+from tests.web.engine_page import CARD, COUNTED
 from tests.web.serving import Server
 
 from crankstar import files
@@ -118,29 +119,15 @@ def test_a_change_is_on_the_stage_at_once(editing: Page) -> None:
 
 
 def test_a_change_is_drawn_once(editing: Page) -> None:
-    drawings = editing.evaluate(
-        """async changes => {
-            const clear = WebGL2RenderingContext.prototype.clear
-            let drawings = 0
-            WebGL2RenderingContext.prototype.clear = function (...what) { drawings++; clear.apply(this, what) }
-            const page = document.querySelector('[data-crankstar]').crankstar
-            const found = []
-            for (const [id, text] of changes) {
-                const before = page.exhibits[0]
-                drawings = 0
-                const box = document.getElementById(id)
-                box.value = text
-                box.dispatchEvent(new Event('input', { bubbles: true }))
-                const there = () => page.exhibits[0] !== before || performance.now() > 60_000
-                while (!there()) await new Promise(done => setTimeout(done, 1))
-                await new Promise(done => setTimeout(done, 200))  // before it is drawn finely, as what rests
-                found.push(drawings)
-            }
-            return found
-        }""",
-        [[BEARING, "40 deg"], ["edit:name", "the same, but for its name"]],
-    )
-    assert drawings == [1, 1]
+    editing.add_init_script(CARD)
+    editing.add_init_script(COUNTED)
+    editing.reload()
+    for path, key, text in ((BEARING, "layout", "40 deg"), ("edit:name", "name", "another name")):
+        field(editing, path).scroll_into_view_if_needed()
+        tree, drawings = on_stage(editing)["file"][key], editing.evaluate("drawings")
+        field(editing, path).fill(text)
+        eventually(lambda key=key, tree=tree: on_stage(editing)["file"][key] != tree, wanted=True)
+        assert editing.evaluate("drawings") == drawings + 1, text
 
 
 def test_what_is_wrong_stands_beside_its_field_and_the_engine_stays(editing: Page) -> None:
@@ -479,5 +466,4 @@ def beyond(page: Page) -> list[str]:
 
 def beyond_at(page: Page, width: int) -> list[str]:
     page.set_viewport_size({"width": width, "height": 700})
-    page.evaluate(SETTLED)
     return [line for line in too_wide(page) if not re.match(r"\w+\.(unseen|aside|chooser)\b", line)]

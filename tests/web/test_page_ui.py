@@ -38,12 +38,8 @@ def numbers(page: Page) -> dict[str, float]:
 
 
 def turned(page: Page, degrees: float) -> None:
-    """Turns the engine and waits until everything has followed."""
-    page.evaluate(
-        "degrees => { document.querySelector('[data-crankstar]').crankstar.theta = degrees }",
-        degrees,
-    )
-    page.evaluate("() => new Promise(done => requestAnimationFrame(() => setTimeout(done, 20)))")
+    """Turns the engine."""
+    handle(page, f"theta = {degrees}")
 
 
 def tab(page: Page, name: str) -> Locator:
@@ -121,7 +117,7 @@ def test_figures_follow_the_crank_angle(built_page: Build, page: Page) -> None:
         over = page.locator(
             "[data-chart='over-turn:quantity=couple'] .mark-rule line[stroke='#d55e00']"
         )
-        shifts = [str(line.get_attribute("transform")) for line in over.all()]
+        shifts = over.evaluate_all("lines => lines.map(line => line.getAttribute('transform'))")
         places.append(max(float(re.findall(r"translate\(([-\d.]+)", shift)[0]) for shift in shifts))
     assert places[2] - places[1] == pytest.approx(places[1] - places[0], rel=0.01)
     assert places[1] - places[0] > 20
@@ -133,20 +129,13 @@ def test_a_figure_keeps_its_size_while_it_turns(built_page: Build, page: Page) -
     sizes: set[tuple[str, ...]] = set()
     for angle in range(0, 720, 45):
         turned(page, angle)
-        titles = page.locator(".figure .role-title-text text").all()
-        places = [
-            title.evaluate("text => text.getBoundingClientRect().left.toFixed(0)")
-            for title in titles
-        ]
-        sizes.add(
-            (
-                *places,
-                *(
-                    str(svg.get_attribute("viewBox"))
-                    for svg in page.locator(".figure svg.marks").all()
-                ),
-            )
+        places = page.locator(".figure .role-title-text text").evaluate_all(
+            "texts => texts.map(text => text.getBoundingClientRect().left.toFixed(0))"
         )
+        boxes = page.locator(".figure svg.marks").evaluate_all(
+            "all => all.map(svg => svg.getAttribute('viewBox'))"
+        )
+        sizes.add((*places, *boxes))
     assert len(sizes) == 1
 
 
@@ -214,7 +203,6 @@ def test_weights_take_the_couple_from_a_cross_plane_crank_in_all_parts(
     page.wait_for_function(
         "() => document.querySelector('[data-crankstar]').crankstar.exhibits[0].remedies.length > 0"
     )
-    page.evaluate("() => new Promise(done => requestAnimationFrame(() => setTimeout(done)))")
     after = numbers(page)
     assert math.hypot(after["Couple up"], after["Couple right"]) < 1e-3
     expect(panel.get_by_role("heading", name="Bobweights")).to_be_visible()

@@ -8,27 +8,17 @@ from pathlib import Path
 
 import pytest
 from playwright.sync_api import Locator, Page
-from tests.web.browsing import SETTLED
-from tests.web.engine_page import drawn, farthest_off, handle, opened
+from tests.web.engine_page import CARD, COUNTED, drawn, farthest_off, handle, opened
 
 from crankstar.files.catalog import load
 
 Build = Callable[..., Path]
 ENGINE = "audi-25-tfsi"
 QUIET = "a=40&force=0&couple=0"
-CARD = """const told = WebGL2RenderingContext.prototype.getParameter
-WebGL2RenderingContext.prototype.getParameter = function (name) { return name === 0x9246 ? 'a card' : told.call(this, name) }"""
-"""Chromium as with a graphics card: a still image is not redrawn more finely later."""
 FINELY = """() => {
     const canvas = document.querySelector('canvas[role=img]')
     return canvas.width === 2 * canvas.clientWidth
 }"""
-
-
-COUNTED = """const clear = WebGL2RenderingContext.prototype.clear
-window.drawings = 0
-WebGL2RenderingContext.prototype.clear = function (...what) { window.drawings++; clear.apply(this, what) }"""
-"""Each drawing begins with an empty canvas."""
 CHANGES = (
     "camera=plan",
     "glass=0",
@@ -49,8 +39,7 @@ def stage(page: Page) -> Locator:
 
 
 def seen(page: Page) -> bytes:
-    """The picture of the stage as it is now, once all that was asked for is drawn."""
-    page.evaluate(SETTLED)
+    """The picture of the stage as it is now."""
     return stage(page).screenshot()
 
 
@@ -71,13 +60,6 @@ def test_every_camera_draws_something_else_and_comes_back_to_the_same(
     assert len(set(pictures.values())) == len(descriptions) == 5
 
 
-def drawings(page: Page) -> int:
-    """How often the stage has been drawn until now."""
-    for _ in range(3):
-        page.evaluate(SETTLED)
-    return page.evaluate("window.drawings")
-
-
 def test_what_changes_is_drawn_and_what_does_not_is_not_drawn_again(
     built_page: Build, page: Page
 ) -> None:
@@ -85,16 +67,16 @@ def test_what_changes_is_drawn_and_what_does_not_is_not_drawn_again(
     page.add_init_script(COUNTED)
     opened(page, built_page(ENGINE), "a=40&force=0&couple=0")
     for change in CHANGES:
-        before = drawings(page)
+        before = page.evaluate("drawings")
         page.evaluate(f"location.hash = 'a=40&{change}'")
-        after = drawings(page)
+        after = page.evaluate("drawings")
         assert after > before, change
         page.get_by_role("tab", name="Strokes").click()
         page.get_by_role("tab", name="Orders").click()
-        assert drawings(page) == after, change
-    before = drawings(page)
+        assert page.evaluate("drawings") == after, change
+    before = page.evaluate("drawings")
     page.locator(".stage .canvas").evaluate("place => { place.style.width = 'calc(100% - 0.3px)' }")
-    assert drawings(page) > before, (
+    assert page.evaluate("drawings") > before, (
         "what has another size, though the same in whole pixels, is empty until it is drawn"
     )
 
@@ -133,7 +115,6 @@ def test_on_the_fixed_cameras_the_wheel_scrolls_the_page_and_turns_nothing(
     )
     assert stage(page).evaluate(prevented) is False
     opened(page, built_page(ENGINE), f"{QUIET}&camera=orbit")
-    page.evaluate(SETTLED)
     assert stage(page).evaluate(prevented) is True
 
 
@@ -191,7 +172,6 @@ def test_without_a_graphics_card_what_moves_is_drawn_coarsely_and_finely_once_it
     page.wait_for_function(FINELY)
     fine, pistons = seen(page), handle(page, "read().pistons")
     handle(page, "theta = 41")
-    page.evaluate(SETTLED)
     assert stage(page).evaluate("canvas => canvas.width === canvas.clientWidth")
     handle(page, "theta = 40")
     page.wait_for_function(FINELY)

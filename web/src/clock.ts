@@ -20,6 +20,8 @@ export interface Clock {
   refresh(): void
   /** Shows everything now, not with the next frame. */
   flush(): Promise<void>
+  /** Whether something that was asked for is not shown yet. */
+  waiting(): boolean
   /** Milliseconds of script of the last frames, at most 600. */
   frameTimes(): number[]
   dispose(): void
@@ -41,16 +43,18 @@ export function createClock(
   let angle = 0
   let before: number | null = null
   let asked = 0
+  let showing = 0
 
   async function show(): Promise<void> {
     const began = performance.now()
+    showing += 1
     const theta = (angle * Math.PI) / 180
-    const waiting: unknown[] = []
-    for (const follower of followers) {
-      const done = follower(theta)
-      if (done instanceof Promise) waiting.push(done)
+    try {
+      const waiting = [...followers].map((follower) => follower(theta))
+      if (waiting.some((done) => done instanceof Promise)) await Promise.all(waiting)
+    } finally {
+      showing -= 1
     }
-    if (waiting.length) await Promise.all(waiting)
     times.push(performance.now() - began)
     if (times.length > KEPT) times.shift()
   }
@@ -107,6 +111,7 @@ export function createClock(
     },
     refresh: ask,
     flush: show,
+    waiting: () => asked + showing > 0,
     frameTimes: () => [...times],
     dispose() {
       document.removeEventListener('visibilitychange', seen)

@@ -27,6 +27,8 @@ export interface Handle {
   readonly exhibits: readonly Exhibit[]
   /** Where the parts of an engine stand, after everything has been drawn at the present angle. */
   read(index?: number): Reading
+  /** Resolves when all that was begun is drawn; while the engine turns, after two frames. */
+  settled(): Promise<void>
   /** Milliseconds of script that each of the last frames took, figures included; at most 600. */
   frameTimes(): number[]
   /** How the stage draws. */
@@ -38,6 +40,7 @@ export interface Holder extends HTMLElement {
 }
 
 function handleOf(
+  el: Holder,
   ready: Promise<void>,
   app: () => App | null,
   stages: ReadonlyMap<number, Stage>,
@@ -72,6 +75,16 @@ function handleOf(
       const stage = stages.get(index)
       if (!stage) throw new RangeError(`There is no engine ${index} on the stage.`)
       return stage.read()
+    },
+    async settled() {
+      await ready
+      const { clock } = there()
+      // twice: what a component begins is asked for in the effects that follow its frame
+      for (let quiet = 0; quiet < 2; quiet++) {
+        await new Promise((done) => requestAnimationFrame(() => setTimeout(done)))
+        const busy = el.querySelector('figure[aria-busy=true]') || clock.waiting()
+        if (busy && !clock.playing.peek()) quiet = -1
+      }
     },
     frameTimes: () => there().clock.frameTimes(),
     get means() {
@@ -119,7 +132,7 @@ export function show(
   ready.catch((error: unknown) => {
     draw(<p class="crankstar failed">{reasonOf(error)}</p>, el)
   })
-  el.crankstar = handleOf(ready, () => app, stages)
+  el.crankstar = handleOf(el, ready, () => app, stages)
   return () => {
     ended = true
     begun()

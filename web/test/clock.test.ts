@@ -117,3 +117,20 @@ test('a follower that left is not called, and all are waited for', async () => {
   expect(seen).toEqual([0])
   expect(clock.frameTimes()).toHaveLength(1)
 })
+
+test('what was asked for is waited for until it is shown', async () => {
+  const { clock } = clockOf()
+  let shown = (): void => {}
+  clock.follow(
+    () =>
+      new Promise<void>((done) => {
+        shown = done
+      }),
+  )
+  expect(clock.waiting()).toBe(true)
+  frame(0)
+  expect(clock.waiting()).toBe(true)
+  shown()
+  await new Promise((done) => setTimeout(done))
+  expect(clock.waiting()).toBe(false)
+})

@@ -35,8 +35,8 @@ const LOOK = {
 /** Room round the engine and its arrows. */
 const MARGIN = 1.06
 
-export const createStage: CreateStage = (element, exhibit, colours, onOrbit) =>
-  new EngineStage(element, exhibit, colours, onOrbit, webglPicture() ?? flatPicture())
+export const createStage: CreateStage = (element, exhibit, colours, refresh) =>
+  new EngineStage(element, exhibit, colours, refresh, webglPicture() ?? flatPicture())
 
 /** An engine ready to be moved. */
 interface Machine {
@@ -75,17 +75,18 @@ class EngineStage implements Stage {
   #traced: readonly unknown[] = []
   readonly #front: Plane = [0, 0]
   readonly #rear: Plane = [0, 0]
-  #awaited = 0
+  readonly #refresh: () => void
 
   constructor(
     element: HTMLElement,
     exhibit: Exhibit,
     colours: StrokeColours,
-    onOrbit: () => void,
+    refresh: () => void,
     picture: Picture,
   ) {
     this.#element = element
     this.#colours = colours
+    this.#refresh = refresh
     this.#picture = picture
     Object.assign(this.#root.style, {
       position: 'relative',
@@ -109,10 +110,7 @@ class EngineStage implements Stage {
       picture.canvas,
       this.#viewpoint.orbit,
       () => this.#view?.camera === 'orbit',
-      () => {
-        onOrbit()
-        this.#again()
-      },
+      refresh,
     )
     picture.canvas.addEventListener('webglcontextlost', this.#lost)
     picture.canvas.addEventListener('webglcontextrestored', this.#restored)
@@ -175,8 +173,7 @@ class EngineStage implements Stage {
     if (this.#anew(instant)) this.#picture.draw(instant)
     this.#write(instant)
     this.#trace(instant)
-    if (this.#viewpoint.moving && this.#awaited === 0)
-      this.#awaited = requestAnimationFrame(this.#again)
+    if (this.#viewpoint.moving) this.#refresh()
   }
 
   /** Whether an instant differs from the last drawn one; drawing without a card is slow. */
@@ -224,19 +221,13 @@ class EngineStage implements Stage {
     return this.#instant
   }
 
-  readonly #again = (): void => {
-    cancelAnimationFrame(this.#awaited)
-    this.#awaited = 0
-    if (this.#view) this.draw(this.#view)
-  }
-
   /** The graphics card is gone, as after sleep; at once, so that nothing is freed twice. */
   readonly #lost = (): void => this.#picture.lose()
 
   readonly #restored = (): void => {
     this.#picture.show(this.#exhibit, this.#colours)
     this.#drawn = []
-    this.#again()
+    this.#refresh()
   }
 
   /** Light and finely drawn, until it is on paper. */
@@ -347,7 +338,6 @@ class EngineStage implements Stage {
   }
 
   dispose(): void {
-    cancelAnimationFrame(this.#awaited)
     this.#unprint()
     this.#unlisten()
     this.#picture.canvas.removeEventListener('webglcontextlost', this.#lost)

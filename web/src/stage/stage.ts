@@ -51,10 +51,10 @@ export interface Stage {
   readonly means: 'webgl' | 'flat'
 }
 
-/** Makes a stage that fills an element; flat where there is no WebGL. */
+/** Makes a stage that fills an element, flat where there is no WebGL; `refresh` asks for a frame. */
 export type CreateStage = (
   element: HTMLElement,
   exhibit: Exhibit,
   colours: StrokeColours,
-  onOrbit: () => void,
+  refresh: () => void,
 ) => Stage
