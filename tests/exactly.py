@@ -70,7 +70,10 @@ def is_nothing(number: Any) -> bool:
 
 @lru_cache(maxsize=512)
 def piston_harmonic(rod_ratio: Fraction, order: int, offset: Fraction = Fraction(0)) -> Any:
-    """A_k of a plain rod: k^2 times the Fourier coefficient of the travel cos psi + sqrt(L^2 - (sin psi - e)^2)."""
+    """A_k of a plain rod: k^2 times the Fourier coefficient of the travel.
+
+    The travel is cos psi + sqrt(L^2 - (sin psi - e)^2).
+    """
     whole = MP.mpf(0)
     for place in range(SAMPLES):
         turn = unit(Fraction(place, SAMPLES))

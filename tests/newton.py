@@ -1,4 +1,4 @@
-"""The second road: what the engine does to its block is minus the rate of change of its bodies' momentum.
+"""The second road: the excitation is minus the rate of change of the bodies' momentum.
 
 The bodies are placed by plane geometry in a right-handed frame (x right, y up, z to the viewer in
 front of the engine), each by itself, in long doubles, and differentiated spectrally over the common
@@ -24,7 +24,7 @@ FINEST = 8192
 PI = np.arctan2(np.longdouble(0), np.longdouble(-1))
 """pi as a long double: second derivatives of doubles would be too noisy."""
 RESOLVED = max(1e-12, 1e6 * float(np.finfo(np.longdouble).eps))
-"""A grid is fine enough when the end of every spectrum is below this share of its greatest coefficient."""
+"""A grid is fine enough when every spectrum ends below this share of its greatest."""
 
 NOISE = 64 * float(np.finfo(np.longdouble).eps)
 """What is below this share of the greatest coefficient is rounding of the samples."""

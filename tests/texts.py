@@ -22,7 +22,10 @@ reciprocating_mass = "650 g"
 rotating_mass = "700 g"
 [layout]
 type = "vee"
-banks = [{ bearing = "45 deg", cylinders = [1, 3, 5, 7] }, { bearing = "-45 deg", cylinders = [2, 4, 6, 8] }]
+banks = [
+  { bearing = "45 deg", cylinders = [1, 3, 5, 7] },
+  { bearing = "-45 deg", cylinders = [2, 4, 6, 8] },
+]
 throws = ["0 deg", "90 deg", "-90 deg", "180 deg"]
 bore_pitch = "105.5 mm"
 bank_offset = "21 mm"

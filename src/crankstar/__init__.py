@@ -16,18 +16,18 @@ Rooms, top to bottom; a room imports only from rooms below it, and lists its mod
 | `page/` | the page on which the engine turns: its data, the page as a file, the widget |
 | `options/` | options of a command line or a dialog, read as values |
 | `charts/` | figures, one function each |
-| `tables/` | every analysis as a table, for terminal, HTML, CSV and JSON; the verdict |
+| `tables/` | every analysis as a table: terminal, HTML, CSV, JSON, spreadsheet; the verdict |
 | `studies/` | one value varied, two values varied, many variants at once |
 | `search/` | crank stars searched completely, with proof; executors, checkpoints |
-| `derive/` | exact closed forms step by step; `algebra/`; `errata/` of published sources |
-| `remedy/` | counterweights, bobweights, balance shafts, best weights; each returns an Engine |
-| `files/` | engine files in TOML and JSON, units, schema, starter files, the catalog |
-| `dynamics/` | the response to the excitation: shift, tilt and turn of the free engine |
-| `mechanics/` | the excitation: force, couple, moment and torque by order; what remains of them |
+| `derive/` | exact closed forms of inertia forces and couples step by step; `algebra/`; `errata/` |
+| `remedy/` | what can be added so that it shakes less: weights, balance shafts; gives an Engine |
+| `files/` | engine files in TOML and JSON, text with a unit to SI, schema, starters, the catalog |
+| `dynamics/` | what the excitation does to block and crankshaft; so far: the free block |
+| `mechanics/` | excitation by cause, so far: inertia; what counts as zero, which orders are shown |
 | `firing/` | firing orders and intervals, strokes, exhaust; V engines that fire evenly |
-| `engine/` | records and their checks, quantities, layouts, kinematics, changed copies |
+| `engine/` | records, quantities (numbers with a dimension), layouts, motion, changed copies |
 | `spectra` | sums over crank order: add, shift, scale, evaluate, ellipse, peak |
-| `language/` | numbers and sentences as text, messages and translations, faults in words |
+| `language/` | numbers as text, messages, translations, the sentence for every fault |
 
 >>> import crankstar
 >>> engine = crankstar.load("v8-flat-plane")

@@ -145,7 +145,8 @@ def test_tables_of_a_list_are_called_by_one_name_only() -> None:
 def test_a_key_like_no_other_is_told_with_all_that_there_are() -> None:
     message = told("xyzzy = 1\n" + SHORT)["xyzzy"]
     assert message.startswith(
-        "is not a key of an engine file; there are: balance_factor, block, cycle, cylinder, cylinders,"
+        "is not a key of an engine file; there are: balance_factor, block, cycle, "
+        "cylinder, cylinders,"
     )
 
 

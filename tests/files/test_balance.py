@@ -112,7 +112,10 @@ def test_best_weights_come_with_their_certificate(run: Run, known: str, tmp_path
         ).out.split()
     )
     found = re.search(
-        r"Rms couple: (\S+) m r ω² a; (\S+) m r ω² a with bare crankshafts\..* bound .*: (\S+) m r ω² a",
+        (
+            r"Rms couple: (\S+) m r ω² a; (\S+) m r ω² a with bare crankshafts\..* bound .*: "
+            r"(\S+) m r ω² a"
+        ),
         out,
     )
     assert found

@@ -94,7 +94,8 @@ def test_show_prints_the_explicit_form_as_a_file_that_reads_back(run: Run, file:
     out = run("show", file, "--explicit").out
     assert tomllib.loads(out) == explicit(engine_of(tree_of(SHORT)))
     assert run("check", "-", stdin=out.encode()).out == (
-        "standard input: good (V8, cross-plane, 90 deg, 8 pistons; fires 1-8-4-3-6-5-7-2 every 90 deg)\n"
+        "standard input: good (V8, cross-plane, 90 deg, 8 pistons; fires 1-8-4-3-6-5-7-2 "
+        "every 90 deg)\n"
     )
 
 
@@ -347,41 +348,56 @@ BAD_LINES = [
     (["analyze", "X", "--json=maybe"], 'unable to convert "maybe" into yes or no'),
     (["analyze", "X", "--speed"], "--speed requires an argument"),
     (["analyze", "X", "--speed", "1 rpm", "--speed", "2 rpm"], "--speed specified multiple times"),
-    (["analyze", "X", "--speed", "0 rpm"], '--speed is "0 rpm"; it must be greater than 0, such as "6000 rpm"'),
-    (["analyze", "X", "--speed", "-5 rpm"], '--speed is "-5 rpm"; it must be greater than 0, such as "6000 rpm"'),
+    (["analyze", "X", "--speed", "0 rpm"],
+        '--speed is "0 rpm"; it must be greater than 0, such as "6000 rpm"'),
+    (["analyze", "X", "--speed", "-5 rpm"],
+        '--speed is "-5 rpm"; it must be greater than 0, such as "6000 rpm"'),
     (["analyze", "X", "--speed", "6000"], '--speed is "6000", a number without a unit'),
-    (["analyze", "X", "--speed", "6000 mm"], '--speed is "6000 mm", a length; a rotational speed is needed'),
+    (["analyze", "X", "--speed", "6000 mm"],
+        '--speed is "6000 mm", a length; a rotational speed is needed'),
     (["analyze", "X", "--speed", "1e400 rpm"], "too large for an engine"),
     (["analyze", "X", "--speed", "1e-9 rpm"], "too small for an engine"),
     (["analyze", "X", "--speed", "nan rpm"], "not a number with a unit"),
     (["analyze", "X", "--speed", ""], 'is "", not a number with a unit'),
     (["analyze", "X", "--speed", "9" * 5000], "not a number with a unit"),
     (["analyze", "X", "--speed", "6\x1b[31m rpm"], 'whose unit "?[31m rpm" is not known'),
-    *((["analyze", "X", "--orders", orders], "give numbers from above 0 up to 1000 with commas") for orders in (
-        "garbage", "nan", "inf", "1e999", "0", "-1", "", ",", "1;2", "1/2", "1001", "1,x", "\x1b[31m", "ALL",
+    *((["analyze", "X", "--orders", orders],
+        "give numbers from above 0 up to 1000 with commas") for orders in (
+        "garbage", "nan", "inf", "1e999", "0", "-1", "", ",", "1;2", "1/2", "1001", "1,x",
+        "\x1b[31m", "ALL",
         ",".join(["1"] * 5000) + "x", ",".join(map(str, range(1, 500))),
     )),
     *((["analyze", "X", "--reference", point], "--reference") for point in (
-        "garbage", "1,2", "1,2,3,4", "", "nan", "inf mm", "3 kg", "1e400 mm", "\x1b[31m", "0 mm, 5 kg, 0 mm", "200",
+        "garbage", "1,2", "1,2,3,4", "", "nan", "inf mm", "3 kg", "1e400 mm", "\x1b[31m",
+        "0 mm, 5 kg, 0 mm", "200",
     )),
     (["analyze", "v8-flat-plane", "--reference", "1 mm"], "the file gives no bore pitch"),
-    (["analyze", "X", "--theta", "frog"], '--theta is "frog", not a number with a unit; an angle is needed'),
+    (["analyze", "X", "--theta", "frog"],
+        '--theta is "frog", not a number with a unit; an angle is needed'),
     (["analyze", "X", "--by", "frog"], "--by frog: it can be"),
-    *((["analyze", "X", "--set", setting], "--set") for setting in ("garbage", "=1", "", " =1", "\x1b[31m")),
+    *((["analyze", "X", "--set", setting], "--set") for setting in ("garbage", "=1", "", " =1",
+        "\x1b[31m")),
     (["analyze", "X", "--set"], "--set requires an argument"),
     (["analyze", "X", "--set", "a.b.c=1"], "a is not a key of an engine file; there are: "),
-    (["analyze", "X", "--set", "layout.throws.0=1"], "layout.throws.0 cannot be set; layout.throws is a list of 4"),
-    (["analyze", "X", "--set", "layout.throws[9]=1"], "layout.throws[9] cannot be set; layout.throws is a list of 4"),
+    (["analyze", "X", "--set", "layout.throws.0=1"],
+        "layout.throws.0 cannot be set; layout.throws is a list of 4"),
+    (["analyze", "X", "--set", "layout.throws[9]=1"],
+        "layout.throws[9] cannot be set; layout.throws is a list of 4"),
     (["analyze", "X", "--set", "layout.throws=[0, 0]"], "layout.throws has 2 angles; give 4"),
-    (["analyze", "X", "--set", "cylinder.stroke=inf"], "cylinder.stroke is inf; a length is needed"),
-    (["analyze", "X", "--set", "cylinder.stroke=[1]"], "cylinder.stroke is a list; a length is needed"),
+    (["analyze", "X", "--set", "cylinder.stroke=inf"],
+        "cylinder.stroke is inf; a length is needed"),
+    (["analyze", "X", "--set", "cylinder.stroke=[1]"],
+        "cylinder.stroke is a list; a length is needed"),
     (["analyze", "X", "--set", "name="], "name is empty"),
-    (["analyze", "X", "--set", "balance_factor=50 %"], 'balance_factor is "50 %"; a number is needed'),
+    (["analyze", "X", "--set", "balance_factor=50 %"],
+        'balance_factor is "50 %"; a number is needed'),
     (["analyze", "X", "--set", "cylinder.rod_ratio=" + "9" * 5000], "cylinder.rod_ratio is "),
     (["analyze", "X", "--set", "name=" + "[" * 300 + "]" * 300], "nested too deeply"),
     (["analyze", "X", "--set", "\x1b[31m=1"], '"?[31m" is not a key'),
-    (["strokes", "X", "--set", "valves.exhaust_opens=60"], "valves.exhaust_opens is 60 rad; the largest plausible value"),
-    (["strokes", "X", "--set", "valves.manifolds=[[1]]"], "valves.manifolds misses cylinders 2, 3, 4"),
+    (["strokes", "X", "--set", "valves.exhaust_opens=60"],
+        "valves.exhaust_opens is 60 rad; the largest plausible value"),
+    (["strokes", "X", "--set", "valves.manifolds=[[1]]"],
+        "valves.manifolds misses cylinders 2, 3, 4"),
     (["strokes", "X", "--set", "firing_order=[]"], "firing_order is missing, and the stroke"),
     (["compare", "X"], "SECOND requires an argument"),
     (["compare", "X", "none"], "none: 1 mistake"),
@@ -409,7 +425,8 @@ BAD_LINES = [
     (["analyze", "\x1b[31m"], "?[31m: 1 mistake\n  there is no such engine"),
     (["analyze", "n" * 100_000], "there is no such engine"),
     (["analyze", "v8-flatplane"], "did you mean v8-flat-plane"),
-    (["page", "kr250", "-o", "x.html"], "did you mean kr250-production, kr250-racer, kr250-racer-simultaneous?"),
+    (["page", "kr250", "-o", "x.html"],
+        "did you mean kr250-production, kr250-racer, kr250-racer-simultaneous?"),
     (["analyze", "Plane"], "did you mean v8-cross-plane, v8-flat-plane, yamaha-r1-crossplane?"),
     (["analyze", "."], "is a directory; name a file in it"),
     (["analyze", "/dev/zero"], "is not a regular file; use - to read standard input"),
@@ -623,12 +640,18 @@ def shell(script: str, folder: Path, **environment: str) -> Ran:
         (
             "C analyze mine.toml > /dev/full",
             2,
-            "standard output or a temporary file (TMPDIR) cannot be written (No space left on device)",
+            (
+                "standard output or a temporary file (TMPDIR) cannot be written (No space "
+                "left on device)"
+            ),
         ),
         (
             "C analyze mine.toml --json > /dev/full",
             2,
-            "standard output or a temporary file (TMPDIR) cannot be written (No space left on device)",
+            (
+                "standard output or a temporary file (TMPDIR) cannot be written (No space "
+                "left on device)"
+            ),
         ),
         ("C analyze mine.toml >&-", 2, "standard output is closed; name a file with -o"),
         ("C analyze none 2> /dev/full", 2, ""),

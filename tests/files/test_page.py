@@ -65,9 +65,9 @@ def test_two_engines_and_changed_values(run: Run, tmp_path: Path) -> None:
     assert "balance_factor" not in other["file"]
     assert data["exhibition"]["fitted"][1] is None
     assert data["fitted"][1] is None
-    assert (
-        data["exhibition"]["command"]
-        == "crankstar page i4 --beside i6 --set balance_factor=0.5 --set 'name=mine & yours' -o i4.html"
+    assert data["exhibition"]["command"] == (
+        "crankstar page i4 --beside i6 --set balance_factor=0.5 --set 'name=mine & yours' "
+        "-o i4.html"
     )
     assert "<title>mine &amp; yours and " in place.read_text(encoding="utf-8")
 

@@ -223,7 +223,10 @@ def test_numbers_and_blanks_of_other_scripts_are_read(value: str) -> None:
         (
             "6000 RPM",
             SPEED,
-            'is "6000 RPM", whose unit "RPM" is not known (did you mean "rpm"?); a rotational speed is needed, such as "6000 rpm"',
+            (
+                'is "6000 RPM", whose unit "RPM" is not known (did you mean "rpm"?); a '
+                'rotational speed is needed, such as "6000 rpm"'
+            ),
         ),
         (
             "82,5 mm",
@@ -233,7 +236,10 @@ def test_numbers_and_blanks_of_other_scripts_are_read(value: str) -> None:
         (
             "6,000 rpm",
             SPEED,
-            'is "6,000 rpm"; write numbers with a decimal point and no other commas, as in "6000 rpm"',
+            (
+                'is "6,000 rpm"; write numbers with a decimal point and no other commas, as '
+                'in "6000 rpm"'
+            ),
         ),
         ("mm", LENGTH, 'is "mm", not a number with a unit; a length is needed, such as "82.5 mm"'),
         (82.5, LENGTH, "is 82.5 m; the largest plausible value is 5 m. Did you mean 82.5 mm?"),

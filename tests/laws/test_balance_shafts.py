@@ -158,7 +158,7 @@ def test_all_the_shafts_an_engine_needs_leave_nothing_up_to_the_second_order(nam
             )
             if (
                 name != "vw-vr6"
-                # its axes miss the crankshaft, so that counterweights by factor leave a little forward
+                # its axes miss the crankshaft: counterweights by factor leave a little forward
             ):
                 assert np.abs(vectors(cured, quantity, order)).max() <= 1e-12 * before
             assert np.abs(vectors(cured, quantity, order))[1] <= 1e-12 * before

@@ -64,9 +64,7 @@ def of_weights(result: Balance) -> Totals:
     return of_parts(result, kind="weight")
 
 
-def test_a_single_vertical_cylinder_pushes_up_at_top_dead_centre_and_down_at_bottom_dead_centre() -> (
-    None
-):
+def test_a_single_vertical_cylinder_pushes_up_at_top_and_down_at_bottom_dead_centre() -> None:
     force = total(balance(engine(), speed=SPEED)).force
     ratio = RADIUS / ROD
     assert at(force, 0) == pytest.approx(

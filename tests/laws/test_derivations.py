@@ -81,7 +81,8 @@ def faults(judged: Judged) -> list[str]:
                 continue
             if wrong > judged.allowed:
                 out.append(
-                    f"{title}: {line.label}, {place}: {wrong:.3g} wrong, {judged.allowed:.3g} allowed"
+                    f"{title}: {line.label}, {place}: {wrong:.3g} wrong, "
+                    f"{judged.allowed:.3g} allowed"
                 )
     return out
 
@@ -152,7 +153,7 @@ def changed(engine: Engine, **cylinder: Any) -> Engine:
 def test_what_the_crank_end_of_a_rod_does_belongs_to_its_cylinder_and_its_place(
     carried: dict[str, Any], order: int, quantity: Any
 ) -> None:
-    """In a vee whose banks stand one behind the other the big ends are not in the middle of their pin."""
+    """In a vee with a bank offset the big ends are not in the middle of their pin."""
     engine = changed(
         row([Fraction(0), Fraction(1, 4), Fraction(3, 4), Fraction(1, 2)], (-EIGHTH, EIGHTH)),
         **carried,
@@ -169,7 +170,6 @@ def test_a_bank_offset_that_is_no_short_decimal_of_the_pitch_is_not_rounded() ->
 
 
 # -- in fifty digits
-# ---------------------------------------------------------------------------------------------------
 
 CLOSE = MP.mpf(10) ** -46
 
@@ -250,7 +250,6 @@ def test_engines_of_the_catalog_have_the_closed_forms_of_their_definition(
 
 
 # -- zero, and nearly zero
-# ---------------------------------------------------------------------------------------------
 
 
 def row(
@@ -411,7 +410,10 @@ from fractions import Fraction
 from tests.laws.test_derivations import checked, row
 engine = row([Fraction(n, 24) for n in (0, 5, 11, 16)])
 masses = (0.5123457, 0.6234571, 0.7345679, 0.8234567)
-cylinders = tuple(c.model_copy(update={"reciprocating_mass": m}) for c, m in zip(engine.cylinders, masses, strict=True))
+cylinders = tuple(
+    cylinder.model_copy(update={"reciprocating_mass": mass})
+    for cylinder, mass in zip(engine.cylinders, masses, strict=True)
+)
 for quantity in ("force", "couple"):
     checked(engine.model_copy(update={"cylinders": cylinders}), 1, quantity)
 """

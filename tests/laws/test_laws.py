@@ -32,7 +32,7 @@ from crankstar.mechanics.balance import (
 from crankstar.spectra import Spectrum
 
 TOLERANCE = 1e-11
-"""Of the largest part; a moment counts at least as much as the largest force at the longest arm from the reference."""
+"""Of the largest part; a moment counts at least as the largest force at the longest arm."""
 
 KNOWN = engines(known=True)
 ONE_SHAFT = engines(known=True, max_shafts=1)
@@ -89,7 +89,7 @@ class Sizes(NamedTuple):
 
 
 def sizes(engine: Engine, reference: Reference = ORIGIN, speed: float = 1.0) -> Sizes:
-    """The sizes of an engine; moments count at least as much as the largest force at the longest arm."""
+    """The sizes of an engine; moments count at least as the largest force at the longest arm."""
     result = balance(engine, speed=speed, reference=reference)
 
     def most(spectrum: Spectrum) -> float:

@@ -1,4 +1,4 @@
-"""Newton's second law: what the engine does to its block is minus the rate of change of its bodies' momentum."""
+"""Newton's second law: the excitation is minus the rate of change of the bodies' momentum."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from crankstar.engine.records import Cylinder, Shaft
 from crankstar.mechanics.balance import Reference, Totals, balance, grouped, total
 
 TOLERANCE = 1e-9
-"""Of the largest part; a moment counts at least as much as the largest force at the largest crank radius."""
+"""Of the largest part; a moment counts at least as the largest force at the crank radius."""
 
 REFERENCES = st.builds(Reference, PLACES, PLACES, PLACES)
 

@@ -203,9 +203,7 @@ def test_v8_printed_rotating_forces_are_wrong_in_every_frame(name: str, key: str
         assert np.abs(printed.conj() - turned * true).max() > 1.5
 
 
-def test_flat_plane_couple_of_the_bank_offset_is_vertical_and_the_printed_rotating_one_is_wrong() -> (
-    None
-):
+def test_flat_plane_couple_of_the_bank_offset_is_vertical_and_does_not_rotate() -> None:
     engine, claim = crankstar.load("v8-flat-plane"), CLAIMS["v8_flat_plane"]
     odd, even = (next(c.z for c in engine.cylinders if c.number == number) for number in (1, 2))
     offset = (odd - even) / engine.pitch
@@ -396,9 +394,7 @@ def test_one_cylinder_of_the_essay() -> None:
         assert complex(spectra.value(force, radians(float(angle)))) == pytest.approx(up, abs=1e-9)
 
 
-def test_parallel_twin_of_the_essay_has_a_turning_first_order_couple_of_half_p_times_the_pitch() -> (
-    None
-):
+def test_parallel_twin_of_the_essay_has_a_turning_primary_couple_of_half_p_a() -> None:
     engine = crankstar.load("parallel-twin-180")
     force, couple = sums(engine, 1)
     assert np.abs(spectra.value(force, ANGLES)).max() < 1e-12
@@ -522,9 +518,7 @@ def test_all_stars_by_the_package_and_by_the_bare_sum(count: int, name: str) -> 
         assert np.allclose(packaged, bare, rtol=0, atol=1e-9)
 
 
-def test_loop_scavenged_six_has_the_smallest_second_moment_without_a_first_one_but_for_its_mirror() -> (
-    None
-):
+def test_loop_scavenged_six_has_the_least_second_moment_without_a_first_one() -> None:
     orders, bearings = stars(6)
     first, second = bare_moments(bearings)
     free = np.nonzero(first < 1e-9)[0]

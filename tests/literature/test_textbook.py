@@ -30,7 +30,7 @@ EXACT = 1e-9
 def sums(
     name: str, order: int, *, changes: Mapping[str, Any] | None = None
 ) -> tuple[Spectrum, Spectrum]:
-    """Force and couple of one order of a catalog engine in units of m r w^2 A_k and m r w^2 A_k a."""
+    """Force and couple of one order of a catalog engine, in m r w^2 A_k and m r w^2 A_k a."""
     engine = crankstar.load(name, changes=changes)
     whole, factor = total(balance(engine)), 1 / harmonic(engine, order)
     force, couple = (

@@ -90,7 +90,10 @@ def sound(picture: bytes) -> None:
 
 def huge() -> Engine:
     """A row of 256 cylinders."""
-    name = "Two hundred and fifty-six cylinders in one row, which nobody would build, with a name that goes on and on"
+    name = (
+        "Two hundred and fifty-six cylinders in one row, which nobody would build, with a "
+        "name that goes on and on"
+    )
     return inline(Basis(name=name), throws=tuple(0.1 * place for place in range(256)))
 
 
@@ -339,7 +342,10 @@ def test_every_figure_keeps_to_the_schema_of_vega_lite(name: str) -> None:
 
 
 def test_the_figures_load_their_makers_only_when_they_are_drawn() -> None:
-    code = "import sys, crankstar.charts; print([m for m in ('altair', 'vl_convert', 'pandas') if m in sys.modules])"
+    code = (
+        "import sys, crankstar.charts; print([m for m in ('altair', 'vl_convert', 'pandas') "
+        "if m in sys.modules])"
+    )
     assert (
         subprocess.run(
             [sys.executable, "-c", code], capture_output=True, text=True, check=True

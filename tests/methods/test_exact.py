@@ -32,7 +32,6 @@ POINT = 10**70
 """Fixed-point sums of whole numbers: no rounding but that of the roots of unity themselves."""
 
 # -- zeros of whole batches
-# --------------------------------------------------------------------------------------------
 
 
 def crank_stars(count: int) -> np.ndarray:
@@ -187,7 +186,6 @@ def test_zeros_of_numbers_with_a_fraction_are_not_decided() -> None:
 
 
 # -- the fields
-# --------------------------------------------------------------------------------------------------------
 
 
 class Both:
@@ -341,7 +339,6 @@ def test_a_number_is_rational_where_all_its_conjugates_are_one(a: Both) -> None:
 
 
 # -- closed forms
-# ------------------------------------------------------------------------------------------------------
 
 
 def shown(found: radical.Closed) -> str:
@@ -414,8 +411,10 @@ def test_what_is_called_exact_holds_no_decimal(a: Both) -> None:
 @pytest.mark.parametrize(
     ("degrees", "printed"),
     [
-        ("45", "√2/2"), ("30", "√3/2"), ("15", "(√6 + √2)/4"), ("75", "(√6 − √2)/4"), ("36", "(√5 + 1)/4"), ("72", "(√5 − 1)/4"),
-        ("22.5", "√(2 + √2)/2"), ("67.5", "√(2 − √2)/2"), ("60", "1/2"), ("90", "0"), ("180", "−1"), ("135", "−√2/2"),
+        ("45", "√2/2"), ("30", "√3/2"), ("15", "(√6 + √2)/4"), ("75", "(√6 − √2)/4"),
+        ("36", "(√5 + 1)/4"), ("72", "(√5 − 1)/4"),
+        ("22.5", "√(2 + √2)/2"), ("67.5", "√(2 − √2)/2"), ("60", "1/2"), ("90", "0"), ("180", "−1"),
+        ("135", "−√2/2"),
         ("54", "√(10 − 2√5)/4"),
     ],
 )  # fmt: skip
@@ -583,7 +582,6 @@ def test_the_figures_of_any_ball_are_those_of_all_numbers_in_it(
 
 
 # -- enclosures
-# --------------------------------------------------------------------------------------------------------
 
 
 def link(
@@ -756,7 +754,6 @@ def test_rods_that_nearly_lock_are_enclosed_or_refused_in_time(clearance: str, o
 
 
 # -- print
-# -------------------------------------------------------------------------------------------------------------
 
 HOSTILE = [
     *(

@@ -505,7 +505,10 @@ def read(text: str) -> Reader:
 @pytest.fixture
 def small_bundle(monkeypatch: pytest.MonkeyPatch, tmp_path: Any) -> str:
     """A front-end of a few words that says all that could end a script."""
-    script = "const x = '</script>', y = '<!-- <script>', z = `</SCRIPT >`, r = /<\\/script/; export default {}\n"
+    script = (
+        "const x = '</script>', y = '<!-- <script>', z = `</SCRIPT >`, r = /<\\/script/; "
+        "export default {}\n"
+    )
     path = tmp_path / "crankstar.js"
     path.write_text(script, encoding="utf-8")
     monkeypatch.setattr(page, "BUNDLE", path)

@@ -1,4 +1,4 @@
-"""Families of engines: their formulas against the Balance of engines that have the dimension left open."""
+"""Families of engines: their formulas against the Balance of engines of the family."""
 
 from __future__ import annotations
 

@@ -114,9 +114,7 @@ def test_the_known_orders_of_cross_plane_v8_engines_are_found_in_their_numbering
     assert {(1, 5, 4, 8, 6, 3, 7, 2), (1, 3, 7, 2, 6, 5, 4, 8)} <= ford
 
 
-def test_of_the_eight_orders_of_a_cross_plane_v8_four_have_one_pair_of_neighbours_and_four_have_three() -> (
-    None
-):
+def test_of_the_eight_cross_plane_orders_four_have_one_pair_of_neighbours_four_three() -> None:
     orders = even_orders(crankstar.load("v8-cross-plane"))
     assert [len(one.neighbours) for one in orders] == [1] * 4 + [3] * 4
     assert all(
@@ -369,9 +367,7 @@ def test_where_the_slowest_shaft_is_not_the_first_its_cylinder_counts_the_cycle(
     assert sorted(one.firing.intervals_deg for one in found) == [(90.0, 630.0), (450.0, 270.0)]
 
 
-def test_a_shaft_that_turns_three_times_while_the_crank_turns_twice_leaves_the_crank_two_turns_to_choose_from() -> (
-    None
-):
+def test_a_shaft_at_three_halves_of_the_crank_speed_leaves_two_turns_to_choose_from() -> None:
     basis = Basis(name="geared", cycle="four-stroke", cylinder=Sizes(stroke=0.08, rod_length=0.14))
     cranks = (
         Crank(banks=(Bank(cylinders=(1,)),)),
@@ -544,9 +540,7 @@ def test_a_number_given_twice_or_to_nobody_is_refused() -> None:
         renumbered(crankstar.load("i4"), numbers={9: 2})
 
 
-def test_counting_from_the_flywheel_turns_the_order_of_an_in_line_four_into_the_other_way_of_writing_it() -> (
-    None
-):
+def test_counting_from_the_flywheel_writes_the_order_of_an_in_line_four_the_other_way() -> None:
     from_behind = renumbered(crankstar.load("i4"), numbers={1: 4, 2: 3, 3: 2, 4: 1})
     assert from_behind.firing_order == (1, 3, 4, 2)
 

@@ -302,7 +302,7 @@ def test_any_engine_at_all_can_be_drawn(engine: Engine) -> None:
 
 
 def test_weights_that_are_drawn_beside_their_places_are_told() -> None:
-    """The webs of a boxer of two are nearer to each other than an engine with a bearing between its pins would have them."""
+    """The webs of a boxer of two are nearer than a bearing between its pins would allow."""
     note = "Counterweights are drawn on the nearest webs; the numbers use their true places."
     for name, expected in {"boxer-2": True, "v8-cross-plane": False, "triple-120": False}.items():
         found = fitting.recommended(load(name))

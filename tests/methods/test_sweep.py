@@ -409,9 +409,7 @@ def test_gear_ratios_are_swept_in_groups() -> None:
 # What sweeps must find
 
 
-def test_a_single_is_best_with_half_of_its_mass_balanced_and_then_it_is_a_pure_backward_circle() -> (
-    None
-):
+def test_a_single_is_best_with_half_balance_and_then_it_is_a_pure_backward_circle() -> None:
     found = best_of("single", "balance_factor=0..1", "force", 1)
     assert (found.value, found.result) == (
         pytest.approx(0.5, abs=1e-6),
@@ -591,7 +589,8 @@ def test_a_number_that_makes_lengths_known_is_counted_in_them() -> None:
 
 @pytest.mark.parametrize(("what", "quantity", "part"), [
     ("force.up", "force", "vertical"), ("force.right", "force", "horizontal"),
-    ("couple.up", "couple", "vertical"), ("couple.pitch", "couple", "vertical"), ("couple.yaw", "couple", "horizontal"),
+    ("couple.up", "couple", "vertical"), ("couple.pitch", "couple", "vertical"),
+    ("couple.yaw", "couple", "horizontal"),
 ])  # fmt: skip
 def test_a_component_is_the_amplitude_of_that_component(
     what: str, quantity: str, part: str
@@ -668,7 +667,7 @@ def test_a_tip_beside_a_value_that_is_not_the_least_is_found_as_well() -> None:
 
 
 def test_of_values_in_a_row_that_are_equally_good_both_ends_are_told() -> None:
-    """A second crank at two, three or four times the speed leaves the first order to the first one."""
+    """A second crank at two, three or four times the speed leaves order 1 to the first."""
     sweep = swept("kr250-racer", over="layout.cranks[2].speed_ratio", values=[-1, 4, 3, 2])
     found = best(sweep, watched(sweep, "force", order=1))
     assert (found.value, found.stretch, found.at_edge, found.flat) == (3.0, (2.0, 4.0), True, False)
@@ -733,14 +732,20 @@ def test_what_a_request_may_look_like() -> None:
 
 
 @pytest.mark.parametrize(("text", "told"), [
-    ("", "give a field"), ("balance_factor", "give a field"), ("=0..1", "give a field"), ("x=", "give a field"),
-    ("x=a..b", '"a" is not a number'), ("x=nan..1", '"nan" is not a number'), ("x=0..inf", '"inf"'), ("x=0..1e999", '"1e999"'),
-    ("x=0..", '"" is not a number'), ("x=..1", '"" is not a number'), ("x=0..1..2", "is not a number"), ("x=0,5..1", '"0,5"'),
+    ("", "give a field"), ("balance_factor", "give a field"), ("=0..1", "give a field"),
+    ("x=", "give a field"),
+    ("x=a..b", '"a" is not a number'), ("x=nan..1", '"nan" is not a number'), ("x=0..inf", '"inf"'),
+    ("x=0..1e999", '"1e999"'),
+    ("x=0..", '"" is not a number'), ("x=..1", '"" is not a number'),
+    ("x=0..1..2", "is not a number"), ("x=0,5..1", '"0,5"'),
     ("x=1 2, 3", '"1 2"'), ("x=" + "9" * 5000, "is not a number"),
     ("x=1", "is one value"), ("x=1,1", "is one value"), ("x=,", "is one value"),
-    ("x=0..0", "empty range"), ("x=0..1/1", "1 is no number of values"), ("x=0..1/0", "give from 2 to 20000"),
-    ("x=0..1/20001", "give from 2 to 20000"), ("x=0..1/" + "9" * 5000, "give from 2 to 20000"), ("x=0..1/3/4", "give from 2"),
-    ("x=0 deg..1 rad", "has the units deg and rad"), ("x=0 \x1b[31m..1 \x1b[32m", "has the units ?[31m"),
+    ("x=0..0", "empty range"), ("x=0..1/1", "1 is no number of values"),
+    ("x=0..1/0", "give from 2 to 20000"),
+    ("x=0..1/20001", "give from 2 to 20000"), ("x=0..1/" + "9" * 5000, "give from 2 to 20000"),
+    ("x=0..1/3/4", "give from 2"),
+    ("x=0 deg..1 rad", "has the units deg and rad"),
+    ("x=0 \x1b[31m..1 \x1b[32m", "has the units ?[31m"),
 ], ids=lambda text: str(text)[:20])  # fmt: skip
 def test_a_request_that_cannot_be_read_is_refused_with_a_sentence(text: str, told: str) -> None:
     with pytest.raises(SweepError, match=re.escape(told)) as error:
@@ -753,7 +758,8 @@ def test_a_request_that_cannot_be_read_is_refused_with_a_sentence(text: str, tol
     ("v8-cross-plane", "layout.bank[1].bearing=0..90 deg", "did you mean layout.banks[1].bearing"),
     ("v8-cross-plane", "layout.banks[9].bearing=0..90 deg", "did you mean layout.banks["),
     ("v8-cross-plane", "layout.banks[0].bearing=0..90 deg", "is not the path of a single number"),
-    ("v8-cross-plane", "layout.banks[1].bearing=0..1", "has no unit; write its values with one, as in 90 deg"),
+    ("v8-cross-plane", "layout.banks[1].bearing=0..1",
+        "has no unit; write its values with one, as in 90 deg"),
     ("v8-cross-plane", "layout.banks[1].bearing=0..90 kg", "a mass; an angle is needed"),
     ("v8-cross-plane", "layout.throws=0..90 deg", "did you mean layout.throws["),
     ("v8-cross-plane", "layout=0..90 deg", "is not the path of a single number"),

@@ -272,7 +272,7 @@ def test_the_best_come_first() -> None:
 
 
 def test_what_is_left_is_what_counterweights_leave() -> None:
-    """Half of all reciprocating mass opposite each pin takes away what turns with the crank of the first order, and no more."""
+    """Half the reciprocating mass opposite each pin removes the forward primary, and no more."""
     for one in vees(cylinders=6, bank_angles_deg=(60, 90)) + vees(cylinders=4):
         sums = total(balance(with_counterweights(engine_of(one), factor=0.5)))
         found = [spectra.selected(spectrum, ORDERS) for spectrum in (sums.force, sums.couple)]
@@ -293,7 +293,10 @@ def test_what_is_left_is_what_counterweights_leave() -> None:
         ({"cylinders": 18}, "give an even number from 2 to 16"),
         (
             {"cylinders": 2},
-            "no bank angle up to 180 deg is a multiple of the firing interval, 360 deg; give bank angles",
+            (
+                "no bank angle up to 180 deg is a multiple of the firing interval, 360 deg; "
+                "give bank angles"
+            ),
         ),
         (
             {"cylinders": 8, "bank_angles_deg": (0,)},

@@ -86,7 +86,10 @@ def test_every_need_has_its_cure(name: str) -> None:
         )
         if crank is None:
             assert re.search(
-                rf"(shaft at|and) {need.ratio} times|at {abs(need.ratio)} and -{abs(need.ratio)} times",
+                (
+                    rf"(shaft at|and) {need.ratio} times|at {abs(need.ratio)} and "
+                    rf"-{abs(need.ratio)} times"
+                ),
                 cures,
             )
 
@@ -138,7 +141,8 @@ def test_an_engine_alone_in_the_catalog_says_so() -> None:
 
 
 BURBLE = (
-    "Uneven exhaust pulses, the burble of a cross-plane V8: bank odd, cylinders 5 and 7, 90 deg apart "
+    "Uneven exhaust pulses, the burble of a cross-plane V8: bank odd, cylinders 5 and 7, "
+    "90 deg apart "
     "(270-180-90-180); bank even, cylinders 8 and 4, 90 deg apart (90-180-270-180)."
 )
 

@@ -86,7 +86,10 @@ def test_a_browser_is_found_by_any_of_its_names(monkeypatch: pytest.MonkeyPatch)
         ("exit 3", "exit code 3"),
         ("exit 0", "wrote no PDF"),
         (
-            'for a; do case "$a" in --print-to-pdf=*) echo "%PDF-1.4 half" > "${a#*=}";; esac; done',
+            (
+                'for a; do case "$a" in --print-to-pdf=*) echo "%PDF-1.4 half" > "${a#*=}";; '
+                "esac; done"
+            ),
             "wrote no PDF",
         ),
     ],

@@ -142,8 +142,10 @@ def test_the_package_loads_numpy_and_pydantic_when_they_are_used(
     statement: str, loaded: str
 ) -> None:
     code = (
-        f"{statement}; import sys; print(*sorted({{name.partition('.')[0] for name in sys.modules}} "
-        "& {'pint', 'rich', 'cyclopts', 'scipy', 'tomli_w', 'altair', 'numba', 'numpy', 'pydantic'}))"
+        f"{statement}; import sys; "
+        f"print(*sorted({{name.partition('.')[0] for name in sys.modules}} "
+        "& {'pint', 'rich', 'cyclopts', 'scipy', 'tomli_w', 'altair', 'numba', 'numpy', "
+        "'pydantic'}))"
     )
     printed = subprocess.run(
         [sys.executable, "-c", code], check=True, capture_output=True, text=True

@@ -1,4 +1,4 @@
-"""Zeros and equal lengths of many stars in whole numbers are those of one exact number at a time."""
+"""Zeros and equal lengths of many stars in whole numbers are those of exact numbers."""
 
 from fractions import Fraction
 from itertools import combinations

@@ -56,7 +56,10 @@ def words(answer: Answer, status: int) -> list[str]:
         (b"{}", "engine: is missing"),
         (
             b'{"engine": 3}',
-            "engine: is 3; give the name of an engine of the catalog, or the keys of an engine file",
+            (
+                "engine: is 3; give the name of an engine of the catalog, or the keys of an "
+                "engine file"
+            ),
         ),
         (b'{"engine": null}', "engine: is null; give the name"),
         (b'{"engine": []}', "engine: is a list; give the name"),
@@ -219,7 +222,10 @@ def test_a_page_of_another_site_may_not_ask(server: Server) -> None:
     assert "access-control-allow-origin" not in own.heads
 
 
-SELF = "script-src 'self'; style-src 'self'; img-src 'self' data: blob:; connect-src 'self'; base-uri 'none'; form-action 'none'; "
+SELF = (
+    "script-src 'self'; style-src 'self'; img-src 'self' data: blob:; connect-src 'self'; "
+    "base-uri 'none'; form-action 'none'; "
+)
 
 
 @pytest.mark.parametrize(
@@ -270,7 +276,8 @@ def test_an_asker_who_leaves_is_forgotten(server: Server) -> None:
 def test_a_question_that_comes_too_slowly_is_given_up(server: Server) -> None:
     with socket.create_connection(_place(server)) as line:
         line.sendall(
-            b"POST /api/exhibit HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: 100\r\n\r\n{"
+            b"POST /api/exhibit HTTP/1.1\r\nHost: localhost\r\nContent-Type: "
+            b"application/json\r\nContent-Length: 100\r\n\r\n{"
         )
         began = time.monotonic()
         line.settimeout(3 * guard.QUESTION_SECONDS)

@@ -189,7 +189,10 @@ def test_no_file_is_ever_opened_by_a_name_from_outside(name: str, server: Server
 
 
 def test_a_part_of_a_name_is_met_with_the_names_that_have_it(server: Server) -> None:
-    told = "there is no such engine in the catalog; did you mean v8-cross-plane, v8-flat-plane, yamaha-r1-crossplane?"
+    told = (
+        "there is no such engine in the catalog; did you mean v8-cross-plane, v8-flat-plane, "
+        "yamaha-r1-crossplane?"
+    )
     near = ["v8-cross-plane", "v8-flat-plane", "yamaha-r1-crossplane"]
     fault = {"code": "catalog.unknown-near", "values": {"near": near}, "message": told}
     asked = server.ask("api/exhibit", {"engine": "plane"})

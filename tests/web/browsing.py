@@ -81,27 +81,35 @@ READINGS = {
 AXE = WEB / "node_modules" / "axe-core" / "axe.min.js"
 BARRIERS = """async only => {
     const why = node => node.any.concat(node.all, node.none)[0]?.message
-    const { violations } = await axe.run(document, { resultTypes: ['violations'], ...(only && { runOnly: only }) })
-    return violations.flatMap(rule => rule.nodes.map(node => `${rule.id}: ${node.target.join(' ')}: ${why(node) ?? rule.help}`))
+    const { violations } = await axe.run(
+        document, { resultTypes: ['violations'], ...(only && { runOnly: only }) })
+    return violations.flatMap(rule => rule.nodes.map(
+        node => `${rule.id}: ${node.target.join(' ')}: ${why(node) ?? rule.help}`))
 }"""
 TOO_WIDE = """() => {
     const edge = document.documentElement.clientWidth
     const style = element => getComputedStyle(element)
     const whole = element => element === document.body || element === document.documentElement
-    const lineage = element => element && !whole(element) ? [element, ...lineage(element.parentElement)] : []
+    const lineage = element =>
+        element && !whole(element) ? [element, ...lineage(element.parentElement)] : []
     const scrolls = element => ['auto', 'scroll'].includes(style(element).overflowX)
-    const hides = element => ['hidden', 'clip'].includes(style(element).overflowX) && element.matches('main *:not(input)')
-    const free = ([element, ...above]) => [element, ...above].every(one => style(one).position !== 'fixed') && !above.some(scrolls)
+    const hides = element =>
+        ['hidden', 'clip'].includes(style(element).overflowX)
+        && element.matches('main *:not(input)')
+    const free = ([element, ...above]) =>
+        [element, ...above].every(one => style(one).position !== 'fixed') && !above.some(scrolls)
     const wrong = element => {
         const { left, right, width, height } = element.getBoundingClientRect()
         const over = right > edge + 1 || left < -1
-        if (width <= 1 || height <= 1 || !(over || element.scrollWidth > element.clientWidth + 1)) return ''
+        const wide = over || element.scrollWidth > element.clientWidth + 1
+        if (width <= 1 || height <= 1 || !wide) return ''
         if (!element.checkVisibility() || !free(lineage(element))) return ''
         if (over) return `reaches from ${Math.round(left)} to ${Math.round(right)} of ${edge}`
         return hides(element) ? 'hides a part of what it holds' : ''
     }
     const name = element => [element.tagName.toLowerCase(), ...element.classList].join('.')
-    const told = element => `${name(element)} ${wrong(element)}: ${element.textContent.trim().slice(0, 60)}`
+    const told = element =>
+        `${name(element)} ${wrong(element)}: ${element.textContent.trim().slice(0, 60)}`
     const across = document.documentElement.scrollWidth
     const found = [...document.body.querySelectorAll('*')].filter(wrong).map(told)
     return across > edge ? [`the page is ${across} wide, the window ${edge}`, ...found] : found

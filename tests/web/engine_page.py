@@ -18,7 +18,10 @@ from crankstar.page.library import held
 from crankstar.page.standalone import document
 
 READY = "async () => await document.querySelector('[data-crankstar]').crankstar.ready"
-AT = "([index, angles]) => angles.map(a => { const page = HANDLE; page.theta = a; return page.read(index).pistons })"
+AT = (
+    "([index, angles]) => angles.map(a => { const page = HANDLE; page.theta = a; return "
+    "page.read(index).pistons })"
+)
 HANDLE = "document.querySelector('[data-crankstar]').crankstar"
 EIGHT = [0.0, 12.5, 77.0, 90.0, 181.25, 333.0, 450.0, 700.125]
 """Crank angles, degrees, at which places are compared: no symmetry hides a sign."""

@@ -50,7 +50,8 @@ def test_what_goes_wrong_on_a_page_is_seen(
 
 def test_a_page_that_keeps_to_itself_has_no_complaints(page: Page, tmp_path: Path) -> None:
     (tmp_path / "page.js").write_text(
-        "console.log('all well'); fetch('data:text/plain,1'); fetch(URL.createObjectURL(new Blob(['1'])))"
+        "console.log('all well'); fetch('data:text/plain,1'); "
+        "fetch(URL.createObjectURL(new Blob(['1'])))"
     )
     file = tmp_path / "page.html"
     file.write_text(

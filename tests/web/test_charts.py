@@ -68,7 +68,10 @@ def test_one_slider_moves_all_engines_side_by_side(page: Page, tmp_path: Path) -
     engines = [crankstar.load("v8-flat-plane"), crankstar.load("i4")]
     opened(page, charts.side_by_side(engines, "hodograph", order=2), tmp_path)
     assert page.locator("input[type=range]").count() == 1
-    dots = "() => [...document.querySelectorAll('path[fill=\"#d55e00\"]')].map(dot => dot.getAttribute('transform'))"
+    dots = (
+        "() => [...document.querySelectorAll('path[fill=\"#d55e00\"]')].map(dot => "
+        "dot.getAttribute('transform'))"
+    )
     before = page.evaluate(dots)
     page.evaluate(TURN, 30)
     page.wait_for_function(f"before => JSON.stringify(({dots})()) !== before", arg=None)

@@ -24,8 +24,9 @@ FOCUSED = """() => {
     const { outlineStyle, outlineWidth, boxShadow } = getComputedStyle(element)
     const { width, height } = element.getBoundingClientRect()
     const seen = (outlineStyle !== 'none' && parseFloat(outlineWidth) >= 1) || boxShadow !== 'none'
-    const name = element.ariaLabel || element.labels?.[0]?.innerText || element.innerText || element.title || ''
-    return { element: element.outerHTML.slice(0, 80), name: name.trim(), seen, there: width * height > 0 }
+    const label = element.ariaLabel || element.labels?.[0]?.innerText
+    const name = (label || element.innerText || element.title || '').trim()
+    return { element: element.outerHTML.slice(0, 80), name, seen, there: width * height > 0 }
 }"""
 
 

@@ -45,7 +45,7 @@ def test_without_scripts_it_says_what_it_needs(browser: Browser, built_page: Bui
 def test_no_other_script_runs_in_it_and_nothing_is_loaded(
     browser: Browser, built_page: Build, tmp_path: Path
 ) -> None:
-    """Scripts, handlers, styles and pictures that are written into the file are refused by its policy."""
+    """Scripts, handlers, styles and pictures written into the file are refused by its policy."""
     worse = tmp_path / "worse.html"
     injected = (
         "<script>window.broken = 1</script><img src=x onerror='window.broken = 2'><script src='https://example.org/x.js'></script>"

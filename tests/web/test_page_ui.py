@@ -172,7 +172,8 @@ def test_a_page_that_plays_does_not_write_its_angle_all_the_time(
     page.emulate_media(reduced_motion="no-preference")
     opened(page, built_page(CROSS), "")
     page.evaluate(
-        "() => { window.written = 0; const old = history.replaceState; history.replaceState = function(...all)"
+        "() => { window.written = 0; const old = history.replaceState; "
+        "history.replaceState = function(...all)"
         " { window.written += 1; return old.apply(this, all) } }"
     )
     page.wait_for_timeout(900)

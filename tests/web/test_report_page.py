@@ -40,15 +40,18 @@ def test_a_report_fits_the_window_and_takes_its_colours(
     ground = page.evaluate("getComputedStyle(document.body).backgroundColor")
     assert ground == {"light": "rgb(255, 255, 255)", "dark": "rgb(20, 25, 31)"}[scheme]
     assert page.evaluate(
-        "[...document.querySelectorAll('main > section svg')].every(svg => svg.getBoundingClientRect().width > 60)"
+        "[...document.querySelectorAll('main > section svg')].every(svg => "
+        "svg.getBoundingClientRect().width > 60)"
     )
     assert page.evaluate(
-        "[...document.querySelectorAll('math')].every(math => math.getBoundingClientRect().height > 5)"
+        "[...document.querySelectorAll('math')].every(math => "
+        "math.getBoundingClientRect().height > 5)"
     )
 
 
 MEETING = """() => [...document.querySelectorAll('figure svg')].flatMap(svg => {
-  const texts = [...svg.querySelectorAll('text')].filter(text => text.textContent.trim() && text.getAttribute('opacity') !== '0')
+  const texts = [...svg.querySelectorAll('text')].filter(
+    text => text.textContent.trim() && text.getAttribute('opacity') !== '0')
     .map(text => ({ words: text.textContent, box: text.getBoundingClientRect() }));
   const meet = (a, b) => Math.min(a.right, b.right) - Math.max(a.left, b.left) > 2
     && Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 5;
@@ -63,7 +66,8 @@ ON_AN_AXIS = """() => [...document.querySelectorAll('figure svg')].flatMap(svg =
   const angles = [...svg.querySelectorAll('text')].filter(text => text.textContent.includes('°'));
   return angles.filter(text => upright.some(axis => {
     const box = text.getBoundingClientRect(), middle = (axis.left + axis.right) / 2;
-    return box.left < middle - 1 && box.right > middle + 1 && box.bottom > axis.top && box.top < axis.bottom;
+    return box.left < middle - 1 && box.right > middle + 1
+      && box.bottom > axis.top && box.top < axis.bottom;
   })).map(text => svg.querySelector('title').textContent + ': ' + text.textContent);
 })"""
 
@@ -96,10 +100,12 @@ def test_a_reader_who_does_not_see_it_finds_headings_and_names(page: Page, place
     assert levels.count(1) == 1
     assert all(after - before <= 1 for before, after in pairwise(levels))
     assert page.evaluate(
-        "[...document.querySelectorAll('svg')].every(svg => svg.querySelector('title')?.textContent)"
+        "[...document.querySelectorAll('svg')].every(svg => "
+        "svg.querySelector('title')?.textContent)"
     )
     assert page.evaluate(
-        "[...document.querySelectorAll('[tabindex]')].every(part => part.getAttribute('aria-label'))"
+        "[...document.querySelectorAll('[tabindex]')].every(part => "
+        "part.getAttribute('aria-label'))"
     )
 
 

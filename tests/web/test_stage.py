@@ -154,7 +154,8 @@ def test_a_graphics_card_that_goes_away_and_comes_back_leaves_the_same_picture(
     before = seen(page)
     taken = """async canvas => {
         const card = canvas.getContext('webgl2').getExtension('WEBGL_lose_context')
-        const happened = name => new Promise(done => canvas.addEventListener(name, done, { once: true }))
+        const happened = name => new Promise(
+            done => canvas.addEventListener(name, done, { once: true }))
         const [lost, found] = [happened('webglcontextlost'), happened('webglcontextrestored')]
         card.loseContext()
         await lost

@@ -31,8 +31,12 @@ HARNESS = """async source => {
         }
         save_changes() { this.saved = { ...this.values } }
         on(event, told) { this.heard.push([event, told]) }
-        off(event, told) { this.heard = this.heard.filter(pair => pair[0] !== event || pair[1] !== told) }
-        tell(event, content) { for (const [name, told] of [...this.heard]) if (name === event) told(content) }
+        off(event, told) {
+            this.heard = this.heard.filter(pair => pair[0] !== event || pair[1] !== told)
+        }
+        tell(event, content) {
+            for (const [name, told] of [...this.heard]) if (name === event) told(content)
+        }
         async send(content) { this.tell('msg:custom', await kernel(content)) }
     }
     window.cells = []
@@ -76,7 +80,11 @@ def show(page: Page, tmp_path: Path) -> Iterator[Show]:
 def cell(page: Page, expression: str, index: int = 0) -> Any:
     """What JavaScript says of a cell: `el`, `model`, `page` (the handle)."""
     return page.evaluate(
-        f"([index]) => {{ const {{ el, model, end }} = cells[index]; const page = el.crankstar; return {expression} }}",
+        (
+            "([index]) => "
+            f"{{ const {{ el, model, end }} = cells[index]; const page = el.crankstar; "
+            f"return {expression} }}"
+        ),
         [index],
     )
 

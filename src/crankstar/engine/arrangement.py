@@ -187,7 +187,10 @@ def _assumed(basis: Basis) -> dict[str, Provenance]:
     return {
         "cylinder.rod_length": Provenance(
             status="placeholder",
-            source=f"neither rod_length nor rod_ratio given: rod ratio l/r = {ASSUMED_ROD_RATIO:g} assumed",
+            source=(
+                "neither rod_length nor rod_ratio given: rod ratio l/r = "
+                f"{ASSUMED_ROD_RATIO:g} assumed"
+            ),
         )
     }
 

@@ -54,7 +54,10 @@ class Crank(Record):
     )
     lag: Angle = Field(
         default=0.0,
-        description="turn of the first crankshaft after which this one's first cylinder is at top dead centre",
+        description=(
+            "turn of the first crankshaft after which this one's first cylinder is at top "
+            "dead centre"
+        ),
     )
     banks: tuple[Bank, ...] = Field(
         min_length=1, max_length=32, description="its rows of cylinders"
@@ -68,13 +71,18 @@ Throws = Annotated[tuple[Angle, ...], Field(max_length=GREATEST_CYLINDERS)]
 Positions = Annotated[
     Annotated[tuple[Position, ...], Field(max_length=GREATEST_CYLINDERS)] | None,
     Field(
-        description="distances of the cylinders of a bank behind its first, where the pitch is not even"
+        description=(
+            "distances of the cylinders of a bank behind its first, where the pitch is not even"
+        )
     ),
 ]
 BorePitch = Annotated[
     Pitch | None,
     Field(
-        description="distance of neighbouring cylinders of a bank along the crankshaft; the unit a of normalised couples"
+        description=(
+            "distance of neighbouring cylinders of a bank along the crankshaft; the unit a of "
+            "normalised couples"
+        )
     ),
 ]
 BankOffset = Annotated[

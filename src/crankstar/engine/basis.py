@@ -31,7 +31,7 @@ class Sizes(Record):
     rod_length: Size | None = Field(default=None, description="connecting rod between centres")
     rod_ratio: Annotated[Number, Field(gt=1)] | None = Field(
         default=None,
-        description="rod length over crank radius, l/r, instead of rod_length; 4 if neither is given",
+        description="rod length over crank radius, l/r, instead of rod_length; 4 without either",
     )
     offset: Length = Field(
         default=0.0, description="the cylinder axis passes this far clockwise of the shaft axis"
@@ -41,7 +41,10 @@ class Sizes(Record):
     )
     rotating_mass: Mass = Field(
         default=0.0,
-        description="rod big end and unbalanced crank pin, at crank radius, per cylinder (at the knuckle pin of a slave rod)",
+        description=(
+            "rod big end and unbalanced crank pin, at crank radius, per cylinder (at the "
+            "knuckle pin of a slave rod)"
+        ),
     )
     rod: Rod | None = Field(
         default=None, description="the rod as a rigid body, instead of shares in the two masses"
@@ -75,9 +78,15 @@ class Basis(Identity):
     )
     relative: tuple[Unknown, ...] = Field(
         default=(),
-        description="what is not known, and so given as bare numbers in units of itself; added to what is left out",
+        description=(
+            "what is not known, and so given as bare numbers in units of itself; added to "
+            "what is left out"
+        ),
     )
     balance_factor: Annotated[Number, Field(ge=0, le=2)] | None = Field(
         default=None,
-        description="a counterweight opposite each pin: all of its rotating mass and this share of its reciprocating mass",
+        description=(
+            "a counterweight opposite each pin: all of its rotating mass and this share of "
+            "its reciprocating mass"
+        ),
     )

@@ -40,7 +40,8 @@ def bottom_dead_centres(engine: Assembly) -> dict[int, DeadCentre]:
 
     >>> from crankstar.engine.basis import Basis, Sizes
     >>> from crankstar.engine.layouts import inline
-    >>> one = inline(Basis(name="desaxe", cylinder=Sizes(stroke=0.08, rod_length=0.12, offset=0.01)), throws=(0.0,))
+    >>> sizes = Sizes(stroke=0.08, rod_length=0.12, offset=0.01)
+    >>> one = inline(Basis(name="desaxe", cylinder=sizes), throws=(0.0,))
     >>> round(bottom_dead_centres(one)[1].angle_deg, 6)  # 180 + asin(1/8) - asin(1/16) deg
     183.597434
     """
@@ -106,7 +107,7 @@ def _dead_centre(
 
 
 def _centre(theta: float, speed: float) -> DeadCentre:
-    """The dead centre at theta (radians) of a shaft that turns so many times as fast as the first."""
+    """The dead centre at theta (radians) of a shaft with a speed relative to the first."""
     turn = 360.0 / speed
     angle = degrees(theta) % turn
     return DeadCentre(0.0 if min(angle, turn - angle) < SAME_ANGLE / 100 else angle, turn)

@@ -62,7 +62,10 @@ def inline(
     throws: Annotated[
         Throws | None,
         Field(
-            description="from pin 1, clockwise, front to rear; left out, evenly spaced ones as the firing order needs"
+            description=(
+                "from pin 1, clockwise, front to rear; left out, evenly spaced ones as the "
+                "firing order needs"
+            )
         ),
     ] = None,
     bearing: Annotated[
@@ -113,7 +116,10 @@ def vee(
     throws: Annotated[
         Throws,
         Field(
-            description="from pin 1, clockwise: one for each pin of a bank, or one for each cylinder by its number"
+            description=(
+                "from pin 1, clockwise: one for each pin of a bank, or one for each cylinder "
+                "by its number"
+            )
         ),
     ],
     bore_pitch: BorePitch = None,
@@ -121,7 +127,10 @@ def vee(
     pin_split: Annotated[
         Angle,
         Field(
-            description="split pins: how far the pins of each bank are turned clockwise from those of the bank before"
+            description=(
+                "split pins: how far the pins of each bank are turned clockwise from those of "
+                "the bank before"
+            )
         ),
     ] = 0.0,
     positions: Positions = None,
@@ -265,13 +274,19 @@ def radial(
     row_pitch: Annotated[
         Pitch | None,
         Field(
-            description="distance of neighbouring rows along the crankshaft; the unit a of normalised couples"
+            description=(
+                "distance of neighbouring rows along the crankshaft; the unit a of normalised "
+                "couples"
+            )
         ),
     ] = None,
     knuckle_radius: Annotated[
         Size | None,
         Field(
-            description="from crank pin to the knuckle pins of slave rods; left out, all rods sit on the crank pin"
+            description=(
+                "from crank pin to the knuckle pins of slave rods; left out, all rods sit on "
+                "the crank pin"
+            )
         ),
     ] = None,
     slave_rod_length: Annotated[

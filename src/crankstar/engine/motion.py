@@ -337,7 +337,7 @@ def series_coefficient(order: int, power: int) -> Fraction:
 
 
 def series(order: int, *, ratio: ArrayLike, highest_power: int = 7) -> Real:
-    """A_k of a centred crank from its series in `ratio` = lambda = r/l up to lambda**highest_power: a way of looking.
+    """A_k of a centred crank from its series in `ratio`, lambda = r/l, to lambda**highest_power.
 
     >>> float(series(2, ratio=0.25, highest_power=1))
     0.25

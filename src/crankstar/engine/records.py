@@ -137,7 +137,10 @@ class Cylinder(Record):
     )
     big_end_mass: Mass = Field(
         default=0.0,
-        description="rod mass carried by the pin of its big end, where it is not in the throw's (slave rods)",
+        description=(
+            "rod mass carried by the pin of its big end, where it is not in the throw's "
+            "(slave rods)"
+        ),
     )
     rod: Rod | None = Field(
         default=None, description="the rod as a rigid body, instead of shares in the two masses"
@@ -147,7 +150,10 @@ class Cylinder(Record):
     )
     chamber: Ordinal | None = Field(
         default=None,
-        description="combustion chamber; pistons with the same one share it; the cylinder's own number if left out",
+        description=(
+            "combustion chamber; pistons with the same one share it; the cylinder's own "
+            "number if left out"
+        ),
     )
     bank: Line | None = Field(default=None, description="name of the bank it belongs to")
 
@@ -180,7 +186,10 @@ class Valves(Record):
         default=(),
         max_length=GREATEST_CYLINDERS,
         examples=[[[1, 4], [2, 3]]],
-        description="the cylinders whose exhausts meet, manifold by manifold; each bank has its own if left out",
+        description=(
+            "the cylinders whose exhausts meet, manifold by manifold; each bank has its own "
+            "if left out"
+        ),
     )
 
 
@@ -204,18 +213,23 @@ class Block(Record):
     )
     z: Position | None = Field(
         default=None,
-        description="its centre of mass, positive to the front; the middle of the cylinders if left out",
+        description=(
+            "its centre of mass, positive to the front; the middle of the cylinders if left out"
+        ),
     )
     inertia_up: BodyInertia | None = Field(
         default=None,
-        description="about the axis upward through its centre of mass (yaw); give all three or none",
+        description="about the upward axis through its centre of mass (yaw); all three or none",
     )
     inertia_right: BodyInertia | None = Field(
         default=None, description="about the axis to the right through its centre of mass (pitch)"
     )
     inertia_z: BodyInertia | None = Field(
         default=None,
-        description="about the axis along z through its centre of mass (roll), without crankshaft and flywheel",
+        description=(
+            "about the axis along z through its centre of mass (roll), without crankshaft and "
+            "flywheel"
+        ),
     )
 
     @property
@@ -230,7 +244,9 @@ class Provenance(Record):
     """Where a value of an engine file comes from."""
 
     status: Status = Field(
-        description="published: read in a source; computed; unverified: from memory; placeholder: a guess"
+        description=(
+            "published: read in a source; computed; unverified: from memory; placeholder: a guess"
+        )
     )
     source: Text = Field(default="", description="where it was read, or how it was computed")
 
@@ -272,7 +288,7 @@ class Identity(Record):
     speed: Speed | None = Field(default=None, description="the speed at which to quote forces")
     valves: Valves | None = Field(
         default=None,
-        description="when valves or ports are open; typical angles are assumed for what is left out",
+        description="when valves or ports are open; typical angles stand for what is left out",
     )
     block: Block | None = Field(
         default=None, description="mass, centre of mass and moments of inertia of the whole engine"

@@ -57,7 +57,7 @@ def faults_of(
 
 
 def _mistakes(error: ValidationError) -> Iterator[Any]:
-    """What a validation found, but for lists that are too short only because entries in them are mistaken."""
+    """What a validation found, except lists too short only because entries in them are wrong."""
     for mistake in error.errors(include_url=False):
         if (
             mistake["type"] != "too_short"
@@ -158,10 +158,7 @@ def _near(key: str, keys: list[str]) -> str | None:
 def mended(tree: Tree, error: ValidationError, model: type[Record], *, number: int) -> Tree:
     """A copy of the tree with slips corrected and other mistakes left out or replaced.
 
-    Replacements come from `number`, so faults common to two copies do not depend on them.
-
-    What replaces it comes from `number`, so that the faults two mendings have in common do not hang
-    on it.
+    Replacements come from `number`, so that faults common to two copies do not depend on them.
     """
     out: Tree = copied(tree)
     for place, mistake in enumerate(_mistakes(error)):

@@ -1,4 +1,4 @@
-"""The text of an engine file, and the tree of keys in it: TOML or JSON, not checked as an engine."""
+"""The text of an engine file, and the tree of keys in it, TOML or JSON, not yet checked."""
 
 from __future__ import annotations
 

@@ -5,28 +5,32 @@ from __future__ import annotations
 _HEAD = """\
 # An engine file of crankstar. Check it with:   crankstar check FILE
 # See what it does with:                        crankstar analyze FILE
-# A value is text with a unit ("82.5 mm", "3.25 in", "650 g", "90 deg", "6000 rpm") or a bare SI number.
-# Angles are bearings: 0 is up, clockwise seen from the front of the engine. Leave out what you do not know:
-# without masses or sizes the results are in units of m r w^2.
+# A value is text with a unit ("82.5 mm", "3.25 in", "650 g", "90 deg", "6000 rpm") or a bare
+# number in SI units. Angles are bearings: 0 is up, clockwise seen from the front of the engine.
+# Leave out what you do not know: without masses or sizes the results are in units of m r w^2.
 format = 1
 name = "{name}"
 cycle = "{cycle}"            # or "{other}"
 rotation = "clockwise"            # of the crankshaft, seen from the front; or "counter-clockwise"
 firing_order = {order}
 speed = "{speed}"                # the speed at which to quote forces
-# balance_factor = 0.5            # a counterweight on each throw: its rotating mass and this share of its reciprocating mass
+# a counterweight on each throw, for its rotating mass and this share of its reciprocating mass:
+# balance_factor = 0.5
 # {valves}; what is left out is assumed (crankstar strokes):
-# valves = {{ intake_opens = "{io}", intake_closes = "{ic}", exhaust_opens = "{eo}", exhaust_closes = "{ec}" }}
+# valves.intake_opens = "{io}"
+# valves.intake_closes = "{ic}"
+# valves.exhaust_opens = "{eo}"
+# valves.exhaust_closes = "{ec}"
 source = ""                       # where the numbers come from
 
 [cylinder]                        # all cylinders alike
 bore = "{bore}"
 stroke = "{stroke}"
-rod_length = "{rod}"              # between centres; or rod_ratio = 3.5 (rod length over crank radius)
+rod_length = "{rod}"              # between centres; or rod_ratio = 3.5 (over the crank radius)
 reciprocating_mass = "{mass}"     # piston, pin, rings and the rod's small end
-rotating_mass = "{rotating}"      # the rod's big end and unbalanced crank pin, at crank radius, per cylinder
+rotating_mass = "{rotating}"      # big end and unbalanced crank pin, at crank radius, per cylinder
 # offset = "0 mm"                 # the cylinder axis passes this far clockwise of the crankshaft's
-# rod = {{ mass = "0.6 kg", centre = "40 mm", inertia = "0.002 kg*m^2" }}   # instead: the rod as a rigid body
+# rod = {{ mass = "0.6 kg", centre = "40 mm", inertia = "0.002 kg*m^2" }}   # instead of shares
 """
 
 _TAIL = """
@@ -34,7 +38,7 @@ _TAIL = """
 # number = 1
 # reciprocating_mass = "655 g"
 
-# [provenance]                    # where each value comes from: published, computed, unverified or placeholder
+# [provenance]                    # published, computed, unverified (from memory) or placeholder
 # "cylinder.bore" = { status = "published", source = "workshop manual, page 12" }
 """
 
@@ -83,8 +87,9 @@ _BODIES: dict[str, tuple[dict[str, str], str]] = {
         """
 [layout]
 type = "inline"
-throws = ["0 deg", "180 deg", "180 deg", "0 deg"]   # from pin 1, clockwise; left out: evenly spaced from the firing order
-bore_pitch = "91 mm"              # or positions = ["0 mm", "91 mm", ...], distances behind cylinder 1
+# from pin 1, clockwise; left out: evenly spaced, as the firing order needs
+throws = ["0 deg", "180 deg", "180 deg", "0 deg"]
+bore_pitch = "91 mm"              # or positions = ["0 mm", "91 mm", ...] behind cylinder 1
 # bearing = "0 deg"               # a slanted engine
 """,
     ),
@@ -93,13 +98,14 @@ bore_pitch = "91 mm"              # or positions = ["0 mm", "91 mm", ...], dista
         """
 [layout]
 type = "vee"
-banks = [                         # as many as there are: a W has three or four; cylinders from front to rear
+banks = [                         # a W has three or four; cylinders from front to rear
   { bearing = "45 deg", cylinders = [1, 3, 5, 7] },
   { bearing = "-45 deg", cylinders = [2, 4, 6, 8] },
 ]
-throws = ["0 deg", "90 deg", "-90 deg", "180 deg"]   # one for each pin, or one for each cylinder; from pin 1, clockwise
+# one for each pin, or one for each cylinder; from pin 1, clockwise
+throws = ["0 deg", "90 deg", "-90 deg", "180 deg"]
 bore_pitch = "105.5 mm"
-bank_offset = "21 mm"             # how far the first bank stands in front of the second; 0 for fork-and-blade rods
+bank_offset = "21 mm"             # the first bank in front of the second; 0: fork-and-blade rods
 # pin_split = "30 deg"            # split pins: the second bank's are turned clockwise by this
 """,
     ),
@@ -107,7 +113,7 @@ bank_offset = "21 mm"             # how far the first bank stands in front of th
         {**_FOUR, "name": "my boxer four", "order": "[1, 3, 2, 4]"},
         """
 [layout]
-type = "boxer"                    # each pair on two pins 180 deg apart; a 180 deg V with shared pins is a vee
+type = "boxer"                    # pairs on pins 180 deg apart; a 180 deg V is a vee
 banks = [
   { bearing = "90 deg", cylinders = [1, 3] },
   { bearing = "-90 deg", cylinders = [2, 4] },
@@ -128,8 +134,8 @@ banks = [{ bearing = "0 deg", cylinders = [1] }]
 throws = ["0 deg"]                # from this crankshaft's own pin 1, clockwise
 [[layout.cranks]]
 name = "rear"
-right = "90 mm"                   # its axis to the right of the first, seen from the front; up = "..." for height
-speed_ratio = -1                  # turns per turn of the first; negative turns the other way; "29/31" for teeth
+right = "90 mm"                   # of the first, seen from the front; up = "..." for height
+speed_ratio = -1                  # turns per turn of the first, negative the other way; or "29/31"
 lag = "180 deg"                   # its first cylinder reaches top dead centre this much later
 banks = [{ bearing = "0 deg", cylinders = [2] }]
 throws = ["0 deg"]
@@ -152,7 +158,7 @@ bore_pitch = "150 mm"
         """
 [layout]
 type = "radial"
-knuckle_radius = "60 mm"          # slave rods on knuckle pins of a master rod; leave out for rods all on the crank pin
+knuckle_radius = "60 mm"          # of slave rods; left out: all rods on the crank pin
 # slave_rod_length = "240 mm"     # the master's rod_length less the knuckle radius if left out
 rows = [{ cylinders = [1, 2, 3, 4, 5, 6, 7, 8, 9], bearing = "0 deg", throw = "0 deg", master = 1 }]
 # row_pitch = "150 mm"            # for more than one row
@@ -161,9 +167,10 @@ rows = [{ cylinders = [1, 2, 3, 4, 5, 6, 7, 8, 9], bearing = "0 deg", throw = "0
 }
 
 _EXPLICIT = """\
-# An engine file of crankstar in the explicit form: every shaft, throw, weight and cylinder. Any other file can be
-# printed in it with:   crankstar show FILE --explicit
-# Angles are bearings at theta = 0: 0 is up, clockwise seen from the front. z is positive to the front.
+# An engine file of crankstar in the explicit form: every shaft, throw, weight and cylinder. Any
+# other file can be printed in it with:   crankstar show FILE --explicit
+# Angles are bearings at theta = 0: 0 is up, clockwise seen from the front. z is positive to the
+# front.
 format = 1
 name = "my in-line three with a balance shaft"
 cycle = "four-stroke"
@@ -186,7 +193,7 @@ weight = [                        # counterweights: unbalance is mass times radi
 
 [[shaft]]
 name = "balance shaft"
-speed_ratio = -1                  # turns per turn of the crankshaft, negative the other way; "29/31" for teeth
+speed_ratio = -1                  # turns per turn of the crankshaft; or teeth, "29/31"
 right = "100 mm"                  # seen from the front; up = "..." for height
 weight = [
   { angle = "150 deg", unbalance = "0.01161 kg*m", z = "91 mm" },
@@ -221,8 +228,9 @@ bore = "87.5 mm"
 rod_length = "146 mm"
 reciprocating_mass = "650 g"
 # offset = "0 mm"                 # the cylinder axis passes this far clockwise of the shaft's
-# rod = { mass = "0.6 kg", centre = "40 mm", inertia = "0.002 kg*m^2" }       # the rod as a rigid body
-# articulated = { master = 1, radius = "50 mm", angle = "40 deg" }            # on a knuckle pin of another rod
+# the rod as a rigid body; on a knuckle pin of another rod:
+# rod = { mass = "0.6 kg", centre = "40 mm", inertia = "0.002 kg*m^2" }
+# articulated = { master = 1, radius = "50 mm", angle = "40 deg" }
 """
 
 STARTERS: dict[str, str] = {

@@ -114,9 +114,9 @@ def si(value: Any, quantity: Quantity) -> float:
 
     >>> round(si("3.25 in", Quantity("length", "82.5 mm")), 6)
     0.08255
-    >>> si("82 kg", Quantity("length", "82.5 mm"))
+    >>> si("82 kg", Quantity("length", "82.5 mm"))  # doctest: +ELLIPSIS
     Traceback (most recent call last):
-    crankstar.language.faults.ValueFaultError: the value is "82 kg", a mass; a length is needed, such as "82.5 mm"
+    crankstar...ValueFaultError: the value is "82 kg", a mass; a length is needed, such as "82.5 mm"
     """
     number, has_unit = _read(value, quantity)
     kind = _KINDS[quantity.dimension]

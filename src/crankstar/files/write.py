@@ -16,7 +16,10 @@ from crankstar.files import units
 from crankstar.files.changes import keys_of
 from crankstar.files.forms import field_at, quantity_of, short_form
 
-DESCRIPTION = "An engine file of crankstar: the short form, by layout, or the explicit form with shafts and cylinders."
+DESCRIPTION = (
+    "An engine file of crankstar: the short form, by layout, or the explicit form with shafts "
+    "and cylinders."
+)
 SCHEMA_DIALECT = "https://json-schema.org/draft/2020-12/schema"
 
 

@@ -43,7 +43,10 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} is {value}, and there is no such shaft; there are: {shafts}"
     ),
     "cylinder.no-such-throw": Plural(
-        "{where} is {value}, but shaft {shaft} has {count} throw; name it, or add a [[shaft.throw]]",
+        (
+            "{where} is {value}, but shaft {shaft} has {count} throw; name it, or add a "
+            "[[shaft.throw]]"
+        ),
         "{where} is {value}, but shaft {shaft} has throws 1 to {count}; name one of them, or add a "
         "[[shaft.throw]]",
     ),
@@ -66,7 +69,8 @@ SENTENCES: dict[str, str | Plural] = {
         "{offset} {unit}; at least {least} {unit} is needed"
     ),
     "rod.slave-too-short": N_(
-        "{where} is {value} {unit}, and the articulated rod is too short to reach its cylinder over "
+        "{where} is {value} {unit}, and the articulated rod is too short to reach its "
+        "cylinder over "
         "the whole turn; at least {least} {unit} is needed"
     ),
     "rod.too-long": N_(
@@ -76,11 +80,13 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} is {value}, and there is no such cylinder; there are: {numbers}"
     ),
     "rod.articulated-on-itself": N_(
-        "{where} is {value}: cylinder {value} is articulated on itself; one rod of a group must sit "
+        "{where} is {value}: cylinder {value} is articulated on itself; one rod of a "
+        "group must sit "
         "on the crank pin"
     ),
     "rod.articulated-in-loop": N_(
-        "{where} is {value}: cylinders {numbers} are articulated in a loop; one rod of a group must "
+        "{where} is {value}: cylinders {numbers} are articulated in a loop; one rod of a "
+        "group must "
         "sit on the crank pin"
     ),
     "rod.chain-too-long": N_(
@@ -149,14 +155,16 @@ SENTENCES: dict[str, str | Plural] = {
     ),
     "strokes.different-periods": N_(
         "{where}: cylinders {numbers} are at top dead centre every {period} deg of the reference "
-        "crankshaft, the strokes of a {cycle_name} engine need it every {turn} deg; all crankshafts must "
+        "crankshaft, the strokes of a {cycle_name} engine need it every {turn} deg; all "
+        "crankshafts must "
         "turn equally fast"
     ),
     "valves.angle": N_(
         "{where} is {value} deg; it must lie between -180 and 180 deg, such as {example} deg"
     ),
     "valves.open-too-long": N_(
-        "{where} keeps the {side} open for {length} deg, from 10 to 360 deg are possible; usual are "
+        "{where} keeps the {side} open for {length} deg, from 10 to 360 deg are possible; "
+        "usual are "
         "{opens} = {usual_opens} deg, {closes} = {usual_closes} deg"
     ),
     "valves.open-too-long-assumed": N_(
@@ -210,14 +218,20 @@ SENTENCES: dict[str, str | Plural] = {
     ),
     "layout.throws-firings": Plural(
         "{where} has {count} angle, but {firings} cylinders fire; give one angle for each cylinder",
-        "{where} has {count} angles, but {firings} cylinders fire; give one angle for each cylinder",
+        (
+            "{where} has {count} angles, but {firings} cylinders fire; give one angle for "
+            "each cylinder"
+        ),
     ),
     "layout.throws-of-cylinders": Plural(
         "{where} has {count} angle; give {each} (one for each cylinder)",
         "{where} has {count} angles; give {each} (one for each cylinder)",
     ),
     "layout.throws-of-pins": Plural(
-        "{where} has {count} angle; give {pins} (one for each pin) or {each} (one for each cylinder)",
+        (
+            "{where} has {count} angle; give {pins} (one for each pin) or {each} (one for "
+            "each cylinder)"
+        ),
         "{where} has {count} angles; give {pins} (one for each pin) or {each} (one for each "
         "cylinder)",
     ),
@@ -264,11 +278,13 @@ SENTENCES: dict[str, str | Plural] = {
     ),
     "ratio.zero": N_("{where} is 0; leave out a shaft that does not turn"),
     "ratio.teeth": N_(
-        "{where} is {value}, not a ratio of two numbers of teeth up to {greatest}; write it as one, "
+        "{where} is {value}, not a ratio of two numbers of teeth up to {greatest}; write "
+        "it as one, "
         'such as "1/3"'
     ),
     "ratio.range": N_(
-        "{where} is {value}; the shafts of an engine turn at most {greatest} times faster or slower "
+        "{where} is {value}; the shafts of an engine turn at most {greatest} times faster "
+        "or slower "
         "than each other"
     ),
     "orders.odd-period": N_(
@@ -292,10 +308,12 @@ SENTENCES: dict[str, str | Plural] = {
         "{numbers} can fire only at {angles} deg."
     ),
     "vees.cylinders": N_(
-        "a V engine of {value} cylinders cannot be searched; give an even number from 2 to {greatest}"
+        "a V engine of {value} cylinders cannot be searched; give an even number from 2 "
+        "to {greatest}"
     ),
     "vees.no-bank-angle": N_(
-        "no bank angle up to 180 deg is a multiple of the firing interval, {interval} deg; give bank "
+        "no bank angle up to 180 deg is a multiple of the firing interval, {interval} "
+        "deg; give bank "
         "angles"
     ),
     "vees.bank-angle": N_("a bank angle must be above 0 and at most 180 deg"),

@@ -47,7 +47,8 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} is {value}, a number without a unit; {dimension} is needed, such as {example}"
     ),
     "unit.implausible": N_(
-        "{where} is {number} {unit}; the largest plausible value is {greatest} {unit}. Did you mean "
+        "{where} is {number} {unit}; the largest plausible value is {greatest} {unit}. "
+        "Did you mean "
         "{number} {meant}?"
     ),
     "unit.too-large": N_(
@@ -60,14 +61,16 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} is {value}, not a number with a unit; {dimension} is needed, such as {example}"
     ),
     "unit.decimal-comma": N_(
-        "{where} is {value}; write numbers with a decimal point and no other commas, as in {example}"
+        "{where} is {value}; write numbers with a decimal point and no other commas, as "
+        "in {example}"
     ),
     "unit.unknown": N_(
         "{where} is {value}, whose unit {unit} is not known; {dimension} is needed, such as "
         "{example}"
     ),
     "unit.misspelt": N_(
-        "{where} is {value}, whose unit {unit} is not known (did you mean {meant}?); {dimension} is "
+        "{where} is {value}, whose unit {unit} is not known (did you mean {meant}?); "
+        "{dimension} is "
         "needed, such as {example}"
     ),
     "unit.other-dimension": N_(
@@ -97,7 +100,8 @@ SENTENCES: dict[str, str | Plural] = {
         "number, or take pitch out of relative"
     ),
     "unit.relative-mass": N_(
-        "{where} is {value}, but masses are in units of the reciprocating mass; give a bare number, "
+        "{where} is {value}, but masses are in units of the reciprocating mass; give a "
+        "bare number, "
         "or take mass out of relative"
     ),
     "key.misspelt": N_("{where} is not a key of an engine file; did you mean {meant}?"),
@@ -158,7 +162,8 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} is not TOML: {reason}{line}; `crankstar new vee` writes a file to compare with"
     ),
     "file.not-toml-unit": N_(
-        "{where} is not TOML: {reason}{line}; a number with a unit stands in quotation marks, as in "
+        "{where} is not TOML: {reason}{line}; a number with a unit stands in quotation "
+        "marks, as in "
         "{example}"
     ),
     "file.not-toml-twice": N_(
