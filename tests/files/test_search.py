@@ -145,6 +145,48 @@ def test_a_row_of_a_real_engine_keeps_its_pistons(run: Run, tmp_path: Path) -> N
     assert [c.z for c in after.cylinders] == pytest.approx([c.z for c in before.cylinders])
 
 
+BALANCED_SEVEN = """
+format = 1
+name = "seven"
+cycle = "two-stroke"
+firing_order = [1, 7, 2, 5, 4, 3, 6]
+balance_factor = 0.5
+speed = "105 rpm"
+
+[cylinder]
+stroke = "2400 mm"
+rod_length = "2460 mm"
+reciprocating_mass = "5500 kg"
+rotating_mass = "6800 kg"
+
+[layout]
+type = "inline"
+positions = ["0 mm", "1020 mm", "2040 mm", "3060 mm", "4080 mm", "5600 mm", "6620 mm"]
+"""
+
+
+def test_counterweights_turn_with_the_throws_of_a_row(run: Run, tmp_path: Path) -> None:
+    (tmp_path / "seven.toml").write_text(BALANCED_SEVEN)
+    third = json.loads(run("search", "seven.toml", "--json").out)["rows"][2]
+    run("search", "seven.toml", "--row", "3", "-o", "new.toml")
+    orders = json.loads(run("analyze", "new.toml", "--json").out)["orders"]
+    greatest = [order["couple"]["greatest"] for order in orders[:2]]
+    assert [third["M1"], third["M2"]] == pytest.approx(greatest, rel=1e-9)
+    assert third["M1"] == pytest.approx(914e3, rel=1e-3)
+
+
+def test_the_pistons_alone_are_named_and_all_parts_stand_beside(run: Run, tmp_path: Path) -> None:
+    text = BALANCED_SEVEN + '[[cylinders]]\nnumber = 1\nreciprocating_mass = "6000 kg"\n'
+    (tmp_path / "seven.toml").write_text(text.replace("balance_factor", "# balance_factor"))
+    out = run("search", "seven.toml").out
+    assert "M1 (pistons): the search leaves out" in " ".join(out.split())
+    (first, *_rest) = json.loads(run("search", "seven.toml", "--json").out)["rows"]
+    run("search", "seven.toml", "--row", "1", "-o", "new.toml")
+    orders = json.loads(run("analyze", "new.toml", "--json").out)["orders"]
+    assert first["M1"] == pytest.approx(orders[0]["couple"]["greatest"], rel=1e-9)
+    assert first["M1 (pistons)"] < first["M1"]
+
+
 @pytest.mark.parametrize("chart", ["front", "stars"])
 def test_pictures_of_the_front_and_of_the_winners(run: Run, tmp_path: Path, chart: str) -> None:
     place = tmp_path / "picture.svg"

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from math import pi
 from typing import Any
 
 from tests import exhaustive
 
+from crankstar.engine.basis import Basis, Sizes
+from crankstar.engine.engine import Engine
+from crankstar.engine.layouts import inline
 from crankstar.search.question import All, Best, FunctionObjective, Question
 from crankstar.search.stars import Stars
 from crankstar.search.sums import Limit, couple, neighbours, of
@@ -38,3 +42,17 @@ def every_kind() -> dict[str, Question]:
         ),
         "four-stroke": Question(four, (of(couple(four, 2)), neighbours())),
     }
+
+
+def seven(factor: float | None) -> Engine:
+    """An in-line seven, two-stroke, counterweights by a balance factor, 105 rpm."""
+    sizes = Sizes(stroke=2.4, rod_length=2.46, reciprocating_mass=5500.0, rotating_mass=6800.0)
+    basis = Basis(
+        name="seven",
+        cycle="two-stroke",
+        firing_order=(1, 7, 2, 5, 4, 3, 6),
+        speed=105 * pi / 30,
+        balance_factor=factor,
+        cylinder=sizes,
+    )
+    return inline(basis, positions=(0.0, 1.02, 2.04, 3.06, 4.08, 5.6, 6.62))

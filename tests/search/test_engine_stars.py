@@ -2,15 +2,11 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 from tests import exhaustive
-from tests.strategies import ANGLES, CYCLES, MASSES, ROTATIONS, maybe, number, rigid_rods
+from tests.search.asked import seven
 
 from crankstar import spectra
-from crankstar.engine.basis import Basis, Sizes
 from crankstar.engine.copies import with_values
-from crankstar.engine.layouts import inline
 from crankstar.files.catalog import load
 from crankstar.firing.intervals import firing
 from crankstar.mechanics.balance import balance, total
@@ -83,26 +79,19 @@ def test_the_rms_couple_is_that_over_a_turn(factor):
         assert row.values[0] == pytest.approx(np.sqrt(squares), rel=1e-9)
 
 
+def test_a_crankshaft_geared_to_another_shaft_is_refused():
+    engine = with_values(load("i4"), firing_order=())
+    (shaft,) = engine.shafts
+    output = with_values(shaft, name="output", throws=(), weights=())
+    geared = with_values(engine, shafts=(output, with_values(shaft, speed_ratio=-2, up=-0.2)))
+    with pytest.raises(SearchError, match="geared"):
+        stars_of(geared)
+
+
 def test_an_engine_that_is_not_in_line_is_refused():
     for name in ("v8-cross-plane", "kr250-racer"):
         with pytest.raises(SearchError):
             stars_of(load(name))
-
-
-def seven(factor):
-    """An in-line seven, two-stroke, with counterweights by a balance factor."""
-    behind = (0.0, 1.02, 2.04, 3.06, 4.08, 5.6, 6.62)
-    basis = Basis(
-        name="seven",
-        cycle="two-stroke",
-        firing_order=(1, 7, 2, 5, 4, 3, 6),
-        speed=105 * np.pi / 30,
-        balance_factor=factor,
-        cylinder=Sizes(
-            stroke=2.4, rod_length=2.46, reciprocating_mass=5500.0, rotating_mass=6800.0
-        ),
-    )
-    return inline(basis, positions=behind)
 
 
 def test_counterweights_turn_with_the_throws_of_a_star():
@@ -116,42 +105,6 @@ def test_counterweights_turn_with_the_throws_of_a_star():
     couple = spectra.selected(total(balance(turned, speed=engine.speed)).couple, 1)
     assert abs(couple.forward[0]) < 1e-6
     assert abs(couple.backward[0]) == pytest.approx(914004, abs=1)
-
-
-@settings(max_examples=25, deadline=None)
-@given(st.data())
-def test_search_promises_what_analyze_finds_in_the_engine_it_writes(data):
-    """Equal throws with rotating masses and counterweights, uneven pitches, both senses."""
-    count = data.draw(st.integers(2, 7))
-    gaps = data.draw(st.lists(number(0.05, 0.5), min_size=count, max_size=count))
-    rod = data.draw(maybe(rigid_rods(0.2)))
-    basis = Basis(
-        name="random",
-        cycle=data.draw(CYCLES),
-        rotation=data.draw(ROTATIONS),
-        balance_factor=data.draw(maybe(number(0.0, 1.5))),
-        cylinder=Sizes(
-            stroke=0.1,
-            rod_length=0.2,
-            offset=data.draw(maybe(number(-0.02, 0.02), 0.0)),
-            reciprocating_mass=data.draw(MASSES),
-            rotating_mass=data.draw(maybe(MASSES, 0.0)),
-            rod=rod,
-        ),
-    )
-    places = tuple(sum(gaps[:slot]) for slot in range(count))
-    engine = inline(basis, throws=(0.0,) * count, bearing=data.draw(ANGLES), positions=places)
-    stars = stars_of(engine)
-    listed = exhaustive.stars(stars.directions, stars.sharing)
-    star = tuple(listed[data.draw(st.integers(0, len(listed) - 1))].tolist())
-    result = total(balance(with_star(engine, stars, star)))
-    for order in (1, 2, 4):
-        for promise, spectrum in ((force_of, result.force), (couple_of, result.couple)):
-            promised = promise(engine, stars, order)
-            assert "pistons" not in promised.name
-            assert promised.length(star) == pytest.approx(
-                amplitude(spectrum, order), rel=1e-9, abs=1e-9 * count * promised.scale
-            )
 
 
 def test_where_throws_differ_only_the_pistons_are_counted_and_the_name_says_so():

@@ -1,14 +1,17 @@
 """The stars of a real engine: its cylinders' places, and vector sums in newtons and newton metres.
 
-The inertia force of a cylinder of an in-line engine is, of each order, a wave along its axis, of
-amplitude a_k (newtons at a speed, else in m r w^2): it holds reciprocating mass, crank radius,
-speed and the harmonic A_k of its rod ratio. The same waves on other throws make the sums
+A cylinder of an in-line engine, with its throw and its counterweights, adds to each order k of
+force or couple a vector f_j that turns with the crankshaft and one, b_j, that turns against it.
+Throws that come to top dead centre later by phi_j turn these vectors, and the largest value over a
+turn is
 
-    F_k = a_k |sum of q_j exp(i k phi_j)|,  M_k = a_k |sum of q_j z_j exp(i k phi_j)|,
+    |sum of f_j exp(-i k phi_j)| + |sum of b_j exp(i k phi_j)|.
 
-the amplitudes of force and couple in the plane of the cylinders; q_j is the force of cylinder j
-over that of the first. What turns with the crank (pins, big ends) is left out: counterweights take
-it away.
+Where cylinders differ by weights q_j only, f_j = q_j f and b_j = q_j b, it is
+
+    (|f| + |b|) |sum of q_j exp(i k phi_j)|;
+
+for couples the weights are q_j z_j. N and N m at a speed, else units of m r w^2.
 """
 
 from __future__ import annotations
@@ -16,24 +19,29 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
-from math import pi, radians, sqrt
-from typing import NamedTuple
+from math import hypot, pi, radians, sqrt
+from typing import Literal
 
 import numpy as np
 
 from crankstar import spectra
-from crankstar.derive.algebra import rational as meant
+from crankstar.derive.algebra import rational
 from crankstar.engine.copies import throws_of_weights, with_throws_turned
 from crankstar.engine.engine import Engine
-from crankstar.mechanics.balance import Balance, Units, balance, of_parts
+from crankstar.mechanics.balance import Balance, balance
 from crankstar.search.engines import firing_order
 from crankstar.search.faults import SearchError, fault
 from crankstar.search.stars import Star, Stars
 from crankstar.search.sums import Objective, VectorSum, couple, force
+from crankstar.spectra import Spectrum
 
 ORDERS = (1, 2, 4, 6)
 """Of the couple of all orders together: those that a piston makes, but for the small."""
-ALIKE = 1e-9
+ALIKE = 1e-11
+"""Share of the greatest by which vectors and ratios may differ and be equal, or be zero."""
+PISTONS = "{name} (pistons)"
+IN_PHASE = "{name} (pistons in phase)"
+"""Names of sums that leave out the rotating parts, or also what offsets shift the pistons by."""
 
 
 def stars_of(
@@ -48,6 +56,8 @@ def stars_of(
     throws = {cylinder.throw for cylinder in cylinders}
     name = engine.name
     faults = [fault("", "one-cylinder", engine=name)] if len(cylinders) < 2 else []
+    if engine.shaft(engine.first.shaft).speed_ratio != 1:
+        faults.append(fault("", "geared", engine=name))
     in_line = len({cylinder.shaft for cylinder in cylinders}) == len(bearings) == 1
     if not in_line or len(throws) < len(cylinders):
         faults.append(fault("", "not-in-line", engine=name))
@@ -57,7 +67,7 @@ def stars_of(
         faults.append(fault("", "numbering", engine=name))
     if faults:
         raise SearchError(faults)
-    places = [meant.ratio(cylinder.z) for cylinder in cylinders]
+    places = [rational.ratio(cylinder.z) for cylinder in cylinders]
     middle = (places[0] + places[-1]) / 2
     return Stars(
         len(cylinders), engine.cycle, tuple(place - middle for place in places), symmetric, fixed
@@ -83,63 +93,37 @@ def star_of(engine: Engine, stars: Stars) -> Star | None:
     return None if stars.misfit(star) else star
 
 
-PISTONS_ONLY = "{name} (pistons)"
-"""Name of a sum in which the rotating parts are left out."""
-
-
 def force_of(engine: Engine, stars: Stars, order: int, *, speed: float | None = None) -> VectorSum:
     """F_k of an engine: the largest value over a turn of its force of an order, for a star.
 
-    N at a speed or m r w^2. See `_waves` for what is counted.
+    N at a speed or m r w^2. See `_sum_of` for what is counted.
     """
-    waves = _waves(engine, order, speed)
-    plain = force(stars, order)
-    return replace(
-        plain,
-        name=plain.name if waves.force else PISTONS_ONLY.format(name=plain.name),
-        weights=waves.shares,
-        scale=waves.size * (waves.force or 1.0),
-        unit=waves.units.force,
-    )
+    return _sum_of(engine, force(stars, order), "force", speed)[0]
 
 
 def couple_of(engine: Engine, stars: Stars, order: int, *, speed: float | None = None) -> VectorSum:
     """M_k of an engine: the largest value over a turn of its couple of an order, for a star.
 
-    About the middle, N m at a speed or m r w^2 a. See `_waves` for what is counted.
+    About the middle, N m at a speed or m r w^2 a. See `_sum_of` for what is counted.
 
     >>> from crankstar.files.catalog import load
     >>> engine = load("sinitsyn-7-first")
     >>> round(couple_of(engine, stars_of(engine), 1).length((0, 4, 2, 5, 1, 3, 6)), 4)
     0.8516
     """
-    waves = _waves(engine, order, speed)
-    plain = couple(stars, order)
-    places = zip(waves.shares, plain.weights, strict=True)
-    per = engine.pitch if waves.units.couple.endswith("*a") else 1.0
-    return replace(
-        plain,
-        name=plain.name if waves.couple else PISTONS_ONLY.format(name=plain.name),
-        weights=tuple(share * place for share, place in places),
-        scale=waves.size * (waves.couple or 1.0) / per,
-        unit=waves.units.couple,
-    )
+    return _sum_of(engine, couple(stars, order), "couple", speed)[0]
 
 
 def rms_couple(engine: Engine, stars: Stars, *, speed: float | None = None) -> Objective:
     """The root mean square, over a turn, of the couple of orders 1, 2, 4 and 6.
 
-    A vector f with and b against the crank has the root of |f|^2 + |b|^2; with |f| = q |b| that is
-    the root of 1 + q^2 over 1 + q of the largest value.
+    A vector f with and b against the crank has the root of |f|^2 + |b|^2.
     """
-    terms: list[tuple[float, VectorSum]] = []
-    for order in ORDERS:
-        q = 2 * (_waves(engine, order, speed).couple or 1.0) - 1
-        term = couple_of(engine, stars, order, speed=speed)
-        terms.append((sqrt(1 + q * q) / (1 + q), term))
-    return Objective(
-        "couple", tuple(term for term in terms if term[1].scale > 0), unit=terms[0][1].unit
-    )
+    sums = [_sum_of(engine, couple(stars, order), "couple", speed) for order in ORDERS]
+    terms = tuple((mean, vector) for vector, mean in sums if vector.scale > 0)
+    of_engine = not any(vector.parts for _mean, vector in terms)
+    name = "couple" if of_engine else PISTONS.format(name="couple")
+    return Objective(name, terms, unit=sums[0][0].unit)
 
 
 def with_star(
@@ -171,71 +155,73 @@ def with_star(
     )
 
 
-class _Waves(NamedTuple):
-    """The pistons' waves of one order, and by how much all parts together are larger.
+def _sum_of(
+    engine: Engine, plain: VectorSum, quantity: Literal["force", "couple"], speed: float | None
+) -> tuple[VectorSum, float]:
+    """A sum of an engine, and its root mean square over a turn where its largest value is 1.
 
-    `size`: amplitude of the first piston's force; `shares`: of each over it; `force`, `couple`: the
-    largest value of all parts over that of the pistons, the same for every star, or None.
+    Pistons push along the cylinders; throws and weights turn with the crankshaft. Where each
+    cylinder and its throw add the same two vectors, with and against the crankshaft, times a
+    weight, the largest value over a turn is the length of one sum for every star. Where throws
+    differ in more, or parts that stay push in this order, that sum is of the pistons only and
+    named so; what all parts add is kept beside it.
     """
+    order = int(plain.order)
+    result = balance(engine, speed=speed, orders=sorted({1, order}))
+    homes = _cylinders(engine, result)
+    moving = np.array([part.cylinder is not None for part in result.parts])
+    spectrum = getattr(result, quantity)
+    unit = getattr(result.units, quantity)
+    sizes = np.abs(_vectors(engine, result.force[moving], homes[moving], order)[1:, 0])
+    if sizes.max() <= ALIKE * np.abs([result.force.forward, result.force.backward]).max():
+        return replace(plain, scale=0.0, unit=unit), 0.0
+    shares = [rational.ratio(float(size), rounding=ALIKE) for size in sizes / sizes.max()]
+    weights = tuple(share * own for share, own in zip(shares, plain.weights, strict=True))
+    vectors = _vectors(engine, spectrum, homes, order)
+    common = _common(vectors, weights)
+    if common is not None and common.any():
+        against, along = np.abs(common).tolist()
+        rms = hypot(against, along) / (against + along)
+        return replace(plain, weights=weights, scale=against + along, unit=unit), rms
+    of_pistons = _vectors(engine, spectrum[moving], homes[moving], order)
+    in_phase = _common(of_pistons[:, :1], weights) is not None
+    reach = sum(abs(weight) for weight in weights)
+    size = 2 * float(np.abs(of_pistons[1:, 0]).sum() / reach) if reach else 0.0
+    name = (PISTONS if in_phase else IN_PHASE).format(name=plain.name)
+    parts = tuple((complex(a), complex(b)) for a, b in vectors[:, :: engine.sense])
+    return replace(plain, name=name, weights=weights, scale=size, unit=unit, parts=parts), sqrt(0.5)
 
-    size: float
-    shares: tuple[Fraction, ...]
-    force: float | None
-    couple: float | None
-    units: Units
+
+def _cylinders(engine: Engine, result: Balance) -> np.ndarray:
+    """The cylinder with which each part turns to a star, 0 for those that stay [part]."""
+    own = {(cylinder.shaft, cylinder.throw): cylinder.number for cylinder in engine.cylinders}
+    out = [part.cylinder for part in result.parts if part.cylinder is not None]
+    for homes in (lambda shaft: range(1, len(shaft.throws) + 1), throws_of_weights):
+        out += [
+            own.get((shaft.name, home or 0), 0) for shaft in engine.shafts for home in homes(shaft)
+        ]
+    return np.array(out)
 
 
-def _waves(engine: Engine, order: int, speed: float | None) -> _Waves:
-    """The pistons push along the cylinders; throws and weights turn with the crankshaft.
+def _vectors(engine: Engine, spectrum: Spectrum, homes: np.ndarray, order: int) -> np.ndarray:
+    """Vectors of an order against and with the crankshaft [cylinders + 1, 2].
 
-    A throw with its weights adds to the vector that turns with the crank. Where it does so in the
-    same ratio q for every throw, a sum of all parts is (1 + |q|)/2 times that of the pistons, for
-    every star. Where the throws differ, or other shafts push in this order, there is no such number
-    and only the pistons are counted.
+    The first row is of what stays, then one of each cylinder as if on the throw of the first.
     """
-    result = balance(engine, speed=speed)
-    numbers = [
-        cylinder.number for cylinder in sorted(engine.cylinders, key=lambda cylinder: -cylinder.z)
-    ]
-    parts = [of_parts(result, cylinder=number) for number in numbers]
-    waves = [spectra.selected(part.force, order) for part in parts]
-    sizes = [2 * abs(complex(wave.backward[0])) for wave in waves]
-    if sizes[0] <= ALIKE * max(abs(complex(wave.forward[0])) for wave in waves) or sizes[0] == 0:
-        return _Waves(0.0, (Fraction(1),) * len(sizes), 1.0, 1.0, result.units)
-    shares = tuple(meant.ratio(size / sizes[0], rounding=ALIKE) for size in sizes)
-    of_force = _ratio(engine, result, numbers, order, "force")
-    of_couple = _ratio(engine, result, numbers, order, "couple")
-    return _Waves(sizes[0], shares, of_force, of_couple, result.units)
+    of_order = spectra.selected(spectrum, order)
+    columns = np.stack([of_order.backward[:, 0], of_order.forward[:, 0]], axis=1)
+    first = engine.throw(engine.first).angle
+    ahead = [0.0] * (len(engine.cylinders) + 1)
+    for cylinder in engine.cylinders:
+        ahead[cylinder.number] = order * (engine.throw(cylinder).angle - first)
+    out = np.array([columns[homes == number].sum(axis=0) for number in range(len(ahead))])
+    out *= np.exp(np.outer(ahead, [1j, -1j]))
+    return out
 
 
-def _ratio(
-    engine: Engine, result: Balance, numbers: Sequence[int], order: int, quantity: str
-) -> float | None:
-    """The largest value of all parts over that of the pistons; None where it hangs on the star."""
-    vectors = spectra.selected(getattr(result, quantity), order)
-    forward, backward = vectors.forward[:, 0], vectors.backward[:, 0]
-    cylinder_of = {(c.shaft, c.throw): c.number for c in engine.cylinders}
-    homes: list[int | None] = [part.cylinder for part in result.parts if part.cylinder]
-    homes += [
-        cylinder_of.get((shaft.name, throw))
-        for shaft in engine.shafts
-        for throw in range(1, len(shaft.throws) + 1)
-    ]
-    homes += [
-        None if throw is None else cylinder_of.get((shaft.name, throw))
-        for shaft in engine.shafts
-        for throw in throws_of_weights(shaft)
-    ]
-    home = np.array([number or 0 for number in homes])
-    with_crank = np.array([forward[home == number].sum() for number in numbers])
-    against = np.array([backward[home == number].sum() for number in numbers])
-    negligible = ALIKE * float(np.abs([with_crank, against]).max())
-    if np.abs([forward[home == 0], backward[home == 0]]).max(initial=0.0) > negligible:
-        return None
-    there = np.abs(against) > negligible
-    if np.any(np.abs(with_crank[~there]) > negligible):
-        return None
-    ratios = with_crank[there] / np.conj(against[there])
-    if ratios.size and np.abs(ratios - ratios[0]).max() > ALIKE * max(1.0, abs(ratios[0])):
-        return None
-    return (1 + abs(complex(ratios[0]))) / 2 if ratios.size else 1.0
+def _common(vectors: np.ndarray, weights: Sequence[Fraction]) -> np.ndarray | None:
+    """The vectors that all cylinders add, each times its weight, if there are such [columns]."""
+    own = np.array([0.0, *map(float, weights)])
+    common = own @ vectors / max(own @ own, ALIKE)
+    apart = np.abs(vectors - np.outer(own, common)).max()
+    return common if apart <= ALIKE * np.abs(vectors).max() else None

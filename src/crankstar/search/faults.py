@@ -50,6 +50,10 @@ SENTENCES = {
         "The cylinders of {engine} do not stand in line, each on a throw of its own; give the "
         "number of throws instead."
     ),
+    "geared": N_(
+        "The crankshaft of {engine} is geared to the reference shaft; give the number of throws "
+        "instead."
+    ),
     "slave-rods": N_(
         "{engine} has slave rods or shared chambers; give the number of throws instead."
     ),

@@ -22,6 +22,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
+import numpy as np
+
 from crankstar.derive.algebra import cyclotomic
 from crankstar.search.faults import error
 from crankstar.search.stars import Star, Stars
@@ -35,13 +37,25 @@ Zeros are proved separately.
 
 @dataclass(frozen=True)
 class VectorSum:
-    """scale * sum of w_j exp(i 2 pi t(d_j)): weights by cylinder, parts of a turn by direction."""
+    """scale * sum of w_j exp(i 2 pi t(d_j)): weights by cylinder, parts of a turn by direction.
+
+    parts: of an engine whose sum of all parts is not of this form, the two vectors of the parts
+    that stay, then of each cylinder; the first turns by +t(d_j) - t(d_1), the second by its
+    negative. Their sum is `of_engine`.
+    """
 
     name: str
+    order: Fraction
     weights: tuple[Fraction, ...]
     turns: tuple[Fraction, ...]
     scale: float = 1.0
     unit: str = ""
+    parts: tuple[tuple[complex, complex], ...] = ()
+
+    @property
+    def short(self) -> str:
+        """The name without what is left out: F, M or T with its order."""
+        return self.name.partition(" ")[0]
 
     def exact(self, star: Star) -> cyclotomic.Number:
         """The sum for a star without its scale, exactly."""
@@ -54,6 +68,23 @@ class VectorSum:
         """How long the sum is for a star, exact zeros as zero."""
         exact = self.exact(star)
         return 0.0 if exact.zero else self.scale * abs(complex(exact))
+
+    def of_engine(self, star: Star, later_deg: Sequence[float] | None = None) -> float:
+        """The largest value over a turn of all parts of an engine; see `engine_stars`.
+
+        `later_deg`: by how many degrees each cylinder comes later than the star says.
+        """
+        if not self.parts:
+            return self.length(star)
+        later = later_deg or (0.0,) * len(star)
+        turns = [
+            float(self.turns[direction]) + float(self.order) * angle / 360
+            for direction, angle in zip(star, later, strict=True)
+        ]
+        vectors = np.array(self.parts)
+        angles = 2 * np.pi * np.array([0.0, *(turn - turns[0] for turn in turns)])
+        sums = (vectors * np.exp(np.outer(angles, [1j, -1j]))).sum(axis=0)
+        return float(np.abs(sums).sum())
 
 
 @dataclass(frozen=True)
@@ -81,9 +112,8 @@ class Limit:
 
 def force(stars: Stars, order: int) -> VectorSum:
     """F_k, the sum of the unit forces of an order."""
-    return VectorSum(
-        f"F{order}", (Fraction(1),) * stars.cylinders, _turns(stars, order), unit=_unit(order)
-    )
+    alike = (Fraction(1),) * stars.cylinders
+    return VectorSum(f"F{order}", Fraction(order), alike, _turns(stars, order), unit=_unit(order))
 
 
 def couple(stars: Stars, order: int) -> VectorSum:
@@ -93,7 +123,8 @@ def couple(stars: Stars, order: int) -> VectorSum:
     >>> round(couple(seven, 1).length((0, 1, 2, 3, 4, 5, 6)), 4)
     8.0667
     """
-    return VectorSum(f"M{order}", stars.positions, _turns(stars, order), unit=f"{_unit(order)}*a")
+    unit = f"{_unit(order)}*a"
+    return VectorSum(f"M{order}", Fraction(order), stars.positions, _turns(stars, order), unit=unit)
 
 
 def torsion(stars: Stars, *, order: Fraction, shape: Sequence[Fraction]) -> VectorSum:
@@ -108,7 +139,7 @@ def torsion(stars: Stars, *, order: Fraction, shape: Sequence[Fraction]) -> Vect
     check_torsion(stars, order)
     angles = stars.firing_deg() or stars.angles_deg
     turns = tuple(order * angle / 360 % 1 for angle in angles)
-    return VectorSum(f"T{float(order):g}", tuple(shape), turns)
+    return VectorSum(f"T{float(order):g}", order, tuple(shape), turns)
 
 
 def check_torsion(stars: Stars, order: Fraction) -> None:

@@ -48,7 +48,11 @@ def search_stars(
         tuple(_row(found, place, row) for place, row in enumerate(shown, 1)),
         key="rows",
     )
-    lines = [*as_it_is(found, engine), *sentences(found, shown=len(shown), hints=hints)]
+    lines = [
+        *left_out(question),
+        *as_it_is(found, engine),
+        *sentences(found, shown=len(shown), hints=hints),
+    ]
     parts = (*remarks(census(question.stars)), table, Remarks(tuple(lines)))
     return Document(heading(question), parts, _facts(found))
 
@@ -67,6 +71,7 @@ def _columns(question: Question) -> list[Column]:
         out.append(Column("", objective.unit, key=objective.name, machine=True))
     out += [Column(function.name, key=function.name) for function in question.functions]
     out += [Column(part.name, part.unit, key=part.name) for part in _parts(question)]
+    out += [Column(each.short, each.unit, key=each.short) for each in of_pistons(question)]
     out += [Column("", key=f"|sum z exp(i {order} phi)|", machine=True) for order in (1, 2)]
     beside = all(objective.name != "neighbours" for objective in question.objectives)
     out += [
@@ -91,6 +96,7 @@ def _row(found: Answer, place: int, row: AnswerRow) -> tuple[Value, ...]:
         cells += [f"{form} = {written}" if form and form != written else value, value]
     cells += [float(value) for value in row.values[len(question.objectives) :]]
     cells += [float(part.length(row.star)) for part in _parts(question)]
+    cells += [vector.of_engine(row.star) for vector in of_pistons(question)]
     cells += [float(couple(stars, order).length(row.star)) for order in (1, 2)]
     like = tuple(tuple(star) for star in row.like)
     counts = (row.neighbours, row.stars, row.classes, like)
@@ -140,6 +146,30 @@ def _parts(question: Question) -> list[VectorSum]:
     ]
 
 
+def of_pistons(question: Question) -> list[VectorSum]:
+    """The sums that are searched for the pistons only, and differ from those of all parts."""
+    return [vector for vector in question.sums if vector.parts]
+
+
+def left_out(question: Question) -> list[str]:
+    """What the sums of the pistons leave out."""
+    sums = of_pistons(question)
+    if not sums:
+        return []
+    values = {
+        "pistons": ", ".join(vector.name for vector in sums),
+        "sums": ", ".join(vector.short for vector in sums),
+    }
+    return [
+        _(
+            "{pistons}: the search leaves out rotating masses, counterweights and other shafts, whose "
+            "effect is not the same at every throw, and offsets that shift the pistons. {sums}: the "
+            "greatest value with all parts, as `analyze` finds it.",
+            **values,
+        )
+    ]
+
+
 def as_it_is(found: Answer, engine: Engine | None) -> list[str]:
     """The sums of the engine with the throws that it has, and the row with that star."""
     star = None if engine is None else engine_stars.star_of(engine, found.question.stars)
@@ -151,7 +181,7 @@ def as_it_is(found: Answer, engine: Engine | None) -> list[str]:
         place for place, row in enumerate(found.rows, 1) if row.star in own or own & set(row.like)
     ]
     sums = ", ".join(
-        f"{vector.name} {number(vector.length(star))} {unit_text(vector.unit)}"
+        f"{vector.short} {number(vector.of_engine(star))} {unit_text(vector.unit)}"
         for vector in question.sums
         if vector.unit
     )

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from fractions import Fraction
 
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
@@ -41,18 +40,12 @@ def curve_of(
     ]
     if not named:
         raise error("uneven", "needs-sum")
-    terms = [Term(vector, _order(vector), weight) for weight, vector in named]
-    for order in sorted(
-        {_order(vector) for _weight, vector in named if vector.name.startswith("M")}
-    ):
+    terms = [Term(vector, vector.order, weight) for weight, vector in named]
+    for order in sorted({vector.order for _weight, vector in named if vector.short[0] == "M"}):
         told = _force(question.stars, int(order), engine, speed)
         if all(term.sum.name != told.name for term in terms):
             terms.append(Term(told, order, FREE_FORCE))
     return curve(question.stars, star, terms, deviations_deg=[0.0, *deviations_deg])
-
-
-def _order(vector: VectorSum) -> Fraction:
-    return Fraction(vector.name[1:])
 
 
 def _force(stars: Stars, order: int, engine: Engine | None, speed: float | None) -> VectorSum:
@@ -66,12 +59,14 @@ def _force(stars: Stars, order: int, engine: Engine | None, speed: float | None)
 def uneven_angles(curve_: Sequence[Uneven]) -> Document:
     """A row for each deviation: sums, firing intervals, throw angles."""
     first = curve_[0]
+    of_pistons = [term.sum for term in first.terms if term.sum.parts]
     heads = [
         Column(_("intervals within"), "deg", key="deviation_deg", digits=4, label=True),
         *(
             Column(term.sum.name, term.sum.unit, key=term.sum.name, digits=4)
             for term in first.terms
         ),
+        *(Column(each.short, each.unit, key=each.short, digits=4) for each in of_pistons),
         Column(_("firing intervals"), "deg", kind="list", key="intervals_deg", wraps=True),
         Column(_("top dead centre later by"), "deg", kind="list", key="later_deg", wraps=True),
     ]
@@ -87,7 +82,8 @@ def uneven_angles(curve_: Sequence[Uneven]) -> Document:
             tuple(round(float(angle), 2) + 0.0 for angle in row)
             for row in (found.intervals_deg, found.later_deg)
         )
-        rows.append((float(found.deviation_deg), *lengths, *angles))
+        of_engine = (vector.of_engine(found.star, found.later_deg) for vector in of_pistons)
+        rows.append((float(found.deviation_deg), *lengths, *of_engine, *angles))
     notes = (
         sentence(curve_[-1]),
         _(
