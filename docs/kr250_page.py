@@ -33,10 +33,10 @@ class Layout(NamedTuple):
 
 LAYOUTS = (
     Layout("parallel twin, one shaft, 180°", "parallel-twin-180", 0.5),
-    Layout("racer, contra-rotating, 180°", "kr250-racer", 0.5),
-    Layout("racer, contra-rotating, simultaneous", "kr250-racer-simultaneous", 0.5),
-    Layout("racer, contra-rotating, 180°", "kr250-racer", 0.75),
-    Layout("racer, contra-rotating, simultaneous", "kr250-racer-simultaneous", 0.75),
+    Layout("racer, counter-rotating, 180°", "kr250-racer", 0.5),
+    Layout("racer, counter-rotating, simultaneous", "kr250-racer-simultaneous", 0.5),
+    Layout("racer, counter-rotating, 180°", "kr250-racer", 0.75),
+    Layout("racer, counter-rotating, simultaneous", "kr250-racer-simultaneous", 0.75),
     Layout("production, same sense, 180°", "kr250-production", 0.5),
 )
 

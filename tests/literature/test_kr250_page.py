@@ -78,8 +78,8 @@ def test_the_factors_on_the_page_are_those_of_the_arrangements() -> None:
         if row.startswith("| r") or "| p" in row[:4]
     ]
     found = {row[0]: (row[2], row[4]) for row in rows}
-    assert found["racer, contra-rotating, 180°"] == ("0", "1")
-    assert found["racer, contra-rotating, simultaneous"] == ("1", "any")
+    assert found["racer, counter-rotating, 180°"] == ("0", "1")
+    assert found["racer, counter-rotating, simultaneous"] == ("1", "any")
     assert found["production, same sense, 180°"] == ("any", "1")
     assert found["parallel twin, one shaft, 180°"] == ("any", "0.5")
 

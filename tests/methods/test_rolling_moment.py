@@ -1,4 +1,4 @@
-"""The roll of the block when a flywheel takes the torque, by statics: side thrust times height."""
+"""The rolling moment when a flywheel takes the torque, by statics: side thrust times height."""
 
 from __future__ import annotations
 

@@ -308,7 +308,7 @@ def test_a_file_is_opened_by_a_drop_wherever_one_looks(editing: Page, server: Se
     expect(editing.locator(".edit-dropzone")).to_be_visible()
     dropped(editing, text)
     expect(editing.locator(".edit-dropzone")).to_have_count(0)
-    expect(editing.locator("h1")).to_have_text("Kawasaki KR250 racer, contra-rotating, 180 deg")
+    expect(editing.locator("h1")).to_have_text("Kawasaki KR250 racer, counter-rotating, 180 deg")
     expect(
         editing.get_by_role("status").filter(has_text="engine.toml is now in the form")
     ).to_be_visible()

@@ -33,7 +33,7 @@ def number(text: str | None) -> float:
 def numbers(page: Page) -> dict[str, float]:
     """The numbers below the stage."""
     fields = page.get_by_label("At this crank angle").locator("output").all_text_contents()
-    names = ("Force up", "Force right", "Couple up", "Couple right", "Roll of the block")
+    names = ("Force up", "Force right", "Couple up", "Couple right", "Rolling moment")
     return dict(zip(names, map(number, fields), strict=True))
 
 
@@ -81,7 +81,7 @@ def test_the_roll_of_an_engine_whose_cylinders_do_not_roll_by_themselves_is_told
     for angle in (10.0, 25.0):
         turned(page, angle)
         rolls = -(fifth * cmath.exp(5j * math.radians(angle))).real
-        assert numbers(page)["Roll of the block"] == pytest.approx(rolls, abs=0.02 * abs(fifth))
+        assert numbers(page)["Rolling moment"] == pytest.approx(rolls, abs=0.02 * abs(fifth))
 
 
 def test_only_the_chosen_order_is_counted(built_page: Build, page: Page) -> None:

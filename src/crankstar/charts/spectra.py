@@ -84,7 +84,7 @@ class Bars(NamedTuple):
 def bars(
     engine: Engine, *, speed: float | None = None, reference: Reference | None = None
 ) -> tuple[Bars, ...]:
-    """Force, couple and roll of the block by order, without those that are rounding errors."""
+    """Force, couple and rolling moment by order, without those that are rounding errors."""
     return side_bars([engine], speed=speed, reference=reference)[0]
 
 

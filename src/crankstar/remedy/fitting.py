@@ -88,7 +88,7 @@ class Fitted(NamedTuple):
                 ),
                 _(
                     "The engine file gives no place for balance shafts: they are assumed clear of "
-                    "the crank, and the roll of the block depends on their place."
+                    "the crank, and the rolling moment depends on their place."
                 ),
             ]
         return " ".join(sentences)

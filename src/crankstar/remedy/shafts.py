@@ -12,7 +12,7 @@ couple of one sense needs one shaft with two opposite weights (the first order o
 
 Where a shaft lies changes force and couple not at all, but its push has an arm P about the
 crankshaft, and so a rolling moment Im(conj(P) F). A pair at different heights rolls with its order,
-and can take away the roll of the block of that order: shafts of unequal height, as Mitsubishi built
+and can take away the rolling moment of that order: shafts of unequal height, as Mitsubishi built
 them from 1974.
 """
 
@@ -289,7 +289,7 @@ def with_balance_shafts(
 def with_roll_cancelled(engine: Engine, *, order: Fraction | int) -> Engine:
     """The engine with its balance shafts of ratio +-`order` moved just enough to stop the roll.
 
-    The roll of the block is what it feels when flywheel and driveline take the torque
+    The rolling moment is what the block feels when flywheel and driveline take the torque
     (`excitation.rolling_moment`). Raises RemedyError where there is no such pair, or it has no
     force to do it with.
 

@@ -61,9 +61,9 @@ def rotation_text(engine: Engine) -> str:
     """
     contra = any(shaft.throws and shaft.speed_ratio < 0 for shaft in engine.shafts)
     if contra and engine.sense > 0:
-        return _("contra-rotating crankshafts, the first clockwise seen from the front")
+        return _("counter-rotating crankshafts, the first clockwise seen from the front")
     if contra:
-        return _("contra-rotating crankshafts, the first counter-clockwise seen from the front")
+        return _("counter-rotating crankshafts, the first counter-clockwise seen from the front")
     if engine.sense > 0:
         return _("clockwise seen from the front")
     return _("counter-clockwise seen from the front")

@@ -14,7 +14,7 @@ import {
 import { useApp, useFollower } from './context'
 import { quantityName } from './names'
 
-/** Force, couple and roll of the block at the present crank angle, of the chosen orders. */
+/** Force, couple and rolling moment at the present crank angle, of the chosen orders. */
 export function Now() {
   const { shown } = useApp()
   return (
@@ -99,7 +99,7 @@ function Vector({ label, unit, up, right }: VectorProps) {
 
 type Texts = (theta: number, orders: readonly number[] | null) => readonly string[]
 
-/** The numbers of an engine as texts: force up and right, couple up and right, roll of the block. */
+/** The numbers of an engine as texts: force up and right, couple up and right, rolling moment. */
 function numbersOf({ orders, sense, total }: Exhibit): Texts {
   const phase = phaseOf(orders.length, sense)
   const force = coefficientsOf(total.force)

@@ -6,7 +6,7 @@ type Quantity = Row['quantity']
 const QUANTITY = {
   force: message('Force'),
   couple: message('Couple'),
-  roll: message('Roll of the block'),
+  roll: message('Rolling moment'),
   torque: message('Inertia torque'),
 } as const satisfies Record<Quantity, string>
 
