@@ -22,9 +22,12 @@ const made = await compile(olderTuples(JSON.parse(readFileSync(0, 'utf8'))), 'Ex
   maxItems: 2,
   style,
 })
-// The lines that say which schema a type comes from are noise: there is one.
+// Which schema a type comes from is noise, as there is one; so are the lengths of tuples. What fits
+// stands in one line, as in the other sources.
 process.stdout.write(
   made
     .replace(/^( \*\n)? \* This interface was referenced by .*\n \* via the .*\n/gm, '')
-    .replace(/\/\*\*\n \*\/\n/g, ''),
+    .replace(/^( *\*\n)?( *\* @(min|max)Items \d+\n)+/gm, '')
+    .replace(/^ *\/\*\*\n *\*\/\n/gm, '')
+    .replace(/^( *\/\*\*)\n *\*( .{1,90})\n *\*\//gm, '$1$2 */'),
 )

@@ -12,66 +12,42 @@ export interface Exchange {
   FittedQuestion: FittedQuestion
   SearchQuestion: SearchQuestion
 }
-/**
- * The contents of a page: one engine or two, each also with weights and shafts.
- */
+/** The contents of a page: one engine or two, each also with weights and shafts. */
 export interface Exhibition {
-  /**
-   * @minItems 1
-   * @maxItems 2
-   */
   engines: [Exhibit] | [Exhibit, Exhibit]
-  /**
-   * each engine with weights and balance shafts, where they help
-   */
+  /** each engine with weights and balance shafts, where they help */
   fitted: (Exhibit | null)[]
   stroke_colours: StrokeColours
-  /**
-   * names or files of the engines on the command line
-   */
+  /** names or files of the engines on the command line */
   sources?: string[]
   command?: string
   version: string
 }
-/**
- * One engine on the page; its figures and derivations are requested by their keys.
- */
+/** One engine on the page; its figures and derivations are requested by their keys. */
 export interface Exhibit {
   format?: 1
   name: string
-  /**
-   * the engine file as a tree, as it was given
-   */
+  /** the engine file as a tree, as it was given */
   file: {
     [k: string]: unknown
   }
   cycle_deg: number
-  /**
-   * turns of the first shaft after which all shafts and the firing repeat
-   */
+  /** turns of the first shaft after which all shafts and the firing repeat */
   turns: number
-  /**
-   * 1 if the first shaft turns clockwise seen from the front
-   */
+  /** what is not known, and so counted in its own unit */
+  relative: ('mass' | 'radius' | 'pitch')[]
+  /** 1 if the first shaft turns clockwise seen from the front */
   sense: -1 | 1
-  /**
-   * of the engine file; null where it gives none
-   */
+  /** of the engine file; null where it gives none */
   speed_rpm: number | null
   units: Units
   scale: Scale
-  /**
-   * lines under the name: layout, firing, units
-   */
+  /** lines under the name: layout, firing, units */
   heading: string[]
-  /**
-   * key paths of values that no source confirms
-   */
+  /** key paths of values that no source confirms */
   unverified: string[]
   reference_z: number
-  /**
-   * the length that couples are counted in along z, in the unit of the scene
-   */
+  /** the length that couples are counted in along z, in the unit of the scene */
   couple_length: number
   orders: number[]
   total: Sum
@@ -84,14 +60,10 @@ export interface Exhibit {
   stroke_windows: StrokeWindow[]
   charts: ChartKey[]
   derivations: DerivationKey[]
-  /**
-   * weights, shafts and remaining unbalance of a fitted engine; else empty
-   */
+  /** weights, shafts and remaining unbalance of a fitted engine; else empty */
   remedies: Table[]
 }
-/**
- * The units of the numbers, as they are printed.
- */
+/** The units of the numbers, as they are printed. */
 export interface Units {
   force: string
   couple: string
@@ -105,21 +77,15 @@ export interface Units {
  * these: in crank radii, m r ω², and m r ω² times the bore pitch.
  */
 export interface Scale {
-  /**
-   * crank radius, in units.length
-   */
+  /** crank radius, in units.length */
   length: number
-  /**
-   * m r ω², in units.force
-   */
+  /** m r ω², in units.force */
   force: number
-  /**
-   * m r ω² times the bore pitch, in units.couple
-   */
+  /** m r ω² times the bore pitch, in units.couple */
   couple: number
 }
 /**
- * Force, couple, roll of the block and torque on the crankshaft for each order.
+ * Force, couple, rolling moment and torque on the crankshaft for each order.
  *
  * Pairs of signals are [real, imaginary].
  */
@@ -138,9 +104,7 @@ export interface Vectors {
   forward: [number, number][]
   backward: [number, number][]
 }
-/**
- * The force of one cylinder (its piston and rod) on the block, at its place along z.
- */
+/** The force of one cylinder (its piston and rod) on the block, at its place along z. */
 export interface PartForce {
   number: number
   z: number
@@ -155,53 +119,27 @@ export interface PartForce {
  * speed.
  */
 export interface Whirl {
-  /**
-   * @minItems 3
-   * @maxItems 3
-   */
   centre: [number, number, number]
   mass: number
-  /**
-   * of the block about axes through its centre of mass: up, right, z
-   *
-   * @minItems 3
-   * @maxItems 3
-   */
+  /** of the block about axes through its centre of mass: up, right, z */
   inertia: [number, number, number]
   shift: Vectors
   tilt: Vectors
   turn: [number, number][]
-  /**
-   * sentences on estimates of mass, centre and inertia; empty if all are given
-   */
+  /** sentences on estimates of mass, centre and inertia; empty if all are given */
   assumed: string[]
 }
-/**
- * The engine as things that can be drawn.
- */
+/** The engine as things that can be drawn. */
 export interface Scene {
-  /**
-   * "m", or "crank radii" where the engine has no sizes
-   */
+  /** "m", or "crank radii" where the engine has no sizes */
   length_unit: string
-  /**
-   * lower corner [up, right, z] of the box that all parts stay in
-   *
-   * @minItems 3
-   * @maxItems 3
-   */
+  /** lower corner [up, right, z] of the box that all parts stay in */
   low: [number, number, number]
-  /**
-   * @minItems 3
-   * @maxItems 3
-   */
   high: [number, number, number]
   shafts: ShaftShown[]
   gears: GearShown[]
   cylinders: CylinderShown[]
-  /**
-   * proportions that are not in the engine file, as sentences
-   */
+  /** proportions that are not in the engine file, as sentences */
   assumed: string[]
 }
 /**
@@ -222,9 +160,7 @@ export interface ShaftShown {
   webs: Web[]
   weights: WeightShown[]
 }
-/**
- * A crank throw: its pin at bearing `angle` at theta = 0.
- */
+/** A crank throw: its pin at bearing `angle` at theta = 0. */
 export interface ThrowShown {
   angle: number
   radius: number
@@ -232,20 +168,14 @@ export interface ThrowShown {
   pin_radius: number
   pin_from: number
   pin_to: number
-  /**
-   * numbers of the cylinders whose rods work on this pin, masters and plain rods
-   */
+  /** numbers of the cylinders whose rods work on this pin, masters and plain rods */
   cylinders: number[]
 }
-/**
- * A crank web (cheek): a plate square to the shaft between a journal and a pin.
- */
+/** A crank web (cheek): a plate square to the shaft between a journal and a pin. */
 export interface Web {
   z_from: number
   z_to: number
-  /**
-   * index of the throw whose pin it carries
-   */
+  /** index of the throw whose pin it carries */
   throw: number
 }
 /**
@@ -259,19 +189,13 @@ export interface WeightShown {
   unbalance: number
   inner_radius: number
   outer_radius: number
-  /**
-   * half the sector it covers, radians
-   */
+  /** half the sector it covers, radians */
   half_angle: number
   thickness: number
 }
-/**
- * A gear wheel on a shaft, so that one sees which shafts turn together and how.
- */
+/** A gear wheel on a shaft, so that one sees which shafts turn together and how. */
 export interface GearShown {
-  /**
-   * index of its shaft
-   */
+  /** index of its shaft */
   shaft: number
   radius: number
   z: number
@@ -299,305 +223,186 @@ export interface CylinderShown {
   knuckle_radius: number
   knuckle_angle: number
   rod: 'plain' | 'fork' | 'blade' | 'master' | 'slave'
-  /**
-   * where its rod runs along z: beside others on the same pin
-   */
+  /** where its rod runs along z: beside others on the same pin */
   rod_z: number
   rod_width: number
   bore: number
-  /**
-   * from the piston pin to the crown, along the axis
-   */
+  /** from the piston pin to the crown, along the axis */
   pin_height: number
-  /**
-   * from the piston pin to the lower edge of the piston
-   */
+  /** from the piston pin to the lower edge of the piston */
   skirt: number
-  /**
-   * lower end of the cylinder bore, from the shaft axis along the cylinder axis
-   */
+  /** lower end of the cylinder bore, from the shaft axis along the cylinder axis */
   bore_from: number
-  /**
-   * upper end of the bore, where the head begins
-   */
+  /** upper end of the bore, where the head begins */
   bore_to: number
-  bank: string
   chamber: number
-  /**
-   * crank angle of its ignition, degrees; null without a firing order
-   */
-  fires_deg: number | null
 }
-/**
- * A row of the table of orders: numbers as they are printed, and the ellipse of the vector.
- */
+/** A row of the table of orders: numbers as they are printed, and the ellipse of the vector. */
 export interface Row {
   order: number
   label: string
   quantity: 'force' | 'couple' | 'roll' | 'torque'
   up: string
   right: string
-  /**
-   * shape of the path as a phrase: none, circle with the crank, horizontal line
-   */
+  /** shape of the path as a phrase: none, circle with the crank, horizontal line */
   path: string
   greatest: string
-  /**
-   * whether anything remains of the order
-   */
+  /** whether anything remains of the order */
   remains: boolean
-  /**
-   * of the ellipse (vectors only), in the unit of the quantity
-   */
+  /** of the ellipse (vectors only), in the unit of the quantity */
   semi_axes: [number, number] | null
-  /**
-   * bearing of its long axis, radians
-   */
+  /** bearing of its long axis, radians */
   direction: number | null
-  /**
-   * 1 if the vector turns clockwise seen from the front, 0 on a line
-   */
-  turning: (-1 | 0 | 1) | null
 }
-/**
- * A sentence of the verdict and what it is about.
- */
+/** A sentence of the verdict and what it is about. */
 export interface Fact {
   about: string
   sentence: string
 }
-/**
- * A table as it is printed: heads with units, rows, notes under it.
- */
+/** A table as it is printed: heads with units, rows, notes under it. */
 export interface Table {
   title: string
   heads: string[]
   rows: string[][]
   notes?: string[]
-  /**
-   * which columns hold numbers, which are aligned to the right
-   */
+  /** which columns hold numbers, which are aligned to the right */
   numeric?: boolean[]
 }
-/**
- * A stroke of a chamber between two crank angles (degrees; it may end in the next cycle).
- */
+/** A stroke of a chamber between two crank angles (degrees; it may end in the next cycle). */
 export interface StrokeWindow {
   chamber: number
   stroke: 'power' | 'exhaust' | 'intake' | 'compression'
   from_deg: number
   to_deg: number
 }
-/**
- * A figure of an engine: the `key` that it is requested by, and the properties to choose by.
- */
+/** A figure of an engine: the `key` that it is requested by, and the properties to choose by. */
 export interface ChartKey {
   key: string
-  /**
-   * name of the figure, as in crankstar plot
-   */
+  /** name of the figure, as in crankstar plot */
   figure: string
   label: string
   quantity?: string | null
   order?: number | null
-  /**
-   * whether it has the parameter theta (degrees)
-   */
-  turning: boolean
 }
-/**
- * A derivation of an engine, requested by its `key`.
- */
+/** A derivation of an engine, requested by its `key`. */
 export interface DerivationKey {
   key: string
   label: string
   quantity: 'force' | 'couple'
   order: number
 }
-/**
- * The colours of the strokes on the stage and in the stroke chart, `#rrggbb`.
- */
+/** The colours of the strokes on the stage and in the stroke chart, `#rrggbb`. */
 export interface StrokeColours {
   intake: string
   compression: string
   power: string
   exhaust: string
 }
-/**
- * One fault of an engine file: its key path, and what would be right.
- */
+/** One fault of an engine file: its key path, and what would be right. */
 export interface Problem {
   path: string
-  /**
-   * which fault
-   */
+  /** which fault */
   code?: string
-  /**
-   * the values of its sentence
-   */
+  /** the values of its sentence */
   values?: {
     [k: string]: unknown
   }
   message: string
 }
-/**
- * An engine of the catalog.
- */
+/** An engine of the catalog. */
 export interface CatalogEntry {
-  /**
-   * what to ask for it by
-   */
+  /** what to ask for it by */
   name: string
   title: string
   layout: string
   cylinders: number
   cycle: string
 }
-/**
- * A derivation: HTML with MathML, every name in it escaped.
- */
+/** A derivation: HTML with MathML, every name in it escaped. */
 export interface DerivationShown {
   html: string
 }
-/**
- * An engine with weights and balance shafts as an exhibit, or null where nothing is needed.
- */
+/** An engine with weights and balance shafts as an exhibit, or null where nothing is needed. */
 export interface FittedShown {
   exhibit: Exhibit | null
 }
-/**
- * How far a search has come, and what it found.
- */
+/** How far a search has come, and what it found. */
 export interface SearchShown {
   id: string
   state: 'running' | 'done' | 'cancelled' | 'failed'
-  /**
-   * blocks that were searched
-   */
+  /** blocks that were searched */
   done: number
-  /**
-   * of so many; 0 until that is known
-   */
+  /** of so many; 0 until that is known */
   blocks: number
-  /**
-   * how fast it is and how long it will take yet, or why it failed
-   */
+  /** how fast it is and how long it will take yet, or why it failed */
   note: string
   heads: string[]
   rows: Found[]
-  /**
-   * what was asked, and what proves that the answer is complete
-   */
+  /** what was asked, and what proves that the answer is complete */
   sentences: string[]
 }
-/**
- * A row of what a search found.
- */
+/** A row of what a search found. */
 export interface Found {
   cells: string[]
-  /**
-   * the engine file that it makes
-   */
+  /** the engine file that it makes */
   tree: {
     [k: string]: unknown
   }
 }
-/**
- * An engine file.
- */
+/** An engine file. */
 export interface TomlShown {
   toml: string
 }
-/**
- * An engine file as a tree of keys.
- */
+/** An engine file as a tree of keys. */
 export interface TreeShown {
   tree: {
     [k: string]: unknown
   }
 }
-/**
- * The weights and balance shafts to fit an engine with; by default the verdict's advice.
- */
+/** The weights and balance shafts to fit an engine with; by default the verdict's advice. */
 export interface FittedQuestion {
   engine: string | {}
-  /**
-   * balance factor of the counterweights
-   */
+  /** balance factor of the counterweights */
   factor?: number | null
-  /**
-   * where the counterweights go
-   */
+  /** where the counterweights go */
   weights?: ('pins' | 'webs' | 'ends') | null
-  /**
-   * which balance shafts
-   */
+  /** which balance shafts */
   shafts?: ('none' | 'needed' | 'all') | null
 }
-/**
- * The options of a search, of an in-line engine or of a number of cylinders.
- */
+/** The options of a search, of an in-line engine or of a number of cylinders. */
 export interface SearchQuestion {
-  /**
-   * Of the engine; else four-stroke, or that of the engine file.
-   */
+  /** Of the engine; else four-stroke, or that of the engine file. */
   cycle?: ('two-stroke' | 'four-stroke') | null
   /**
    * Quantities to minimise: couples M1, M2, ..., forces F1, ..., torsion T1.5, ..., neighbours (cylinders side by side that fire in succession), couple (rms over all orders of an engine); else M1,M2. In a list of the best with weights, as in M1,2*M2.
    */
   minimise?: string | null
-  /**
-   * Quantities that must vanish, as in M2.
-   */
+  /** Quantities that must vanish, as in M2. */
   zero?: string | null
-  /**
-   * Greatest value of a quantity, as in M2=1.5 or neighbours=1.
-   *
-   * @maxItems 20
-   */
+  /** Greatest value of a quantity, as in M2=1.5 or neighbours=1. */
   limit?: string[]
-  /**
-   * Gaps between cylinders from the front, in pitches, as in 1,1,1.4,1; else equal.
-   */
+  /** Gaps between cylinders from the front, in pitches, as in 1,1,1.4,1; else equal. */
   pitch?: string | null
-  /**
-   * Fixed throws, as in 1=0,4=3: direction d is 360 d/n deg behind direction 0.
-   */
+  /** Fixed throws, as in 1=0,4=3: direction d is 360 d/n deg behind direction 0. */
   fix?: string | null
-  /**
-   * Only cranks whose rear half mirrors the front half.
-   */
+  /** Only cranks whose rear half mirrors the front half. */
   symmetric?: boolean
-  /**
-   * For torsion: amplitude of the mode at each cylinder.
-   */
+  /** For torsion: amplitude of the mode at each cylinder. */
   mode_shape?: string | null
-  /**
-   * No cylinders side by side fire in succession.
-   */
+  /** No cylinders side by side fire in succession. */
   avoid_adjacent?: boolean
-  /**
-   * The Pareto front: all values that cannot improve without another getting worse.
-   */
+  /** The Pareto front: all values that cannot improve without another getting worse. */
   front?: boolean
-  /**
-   * A list of so many of the best.
-   */
+  /** A list of so many of the best. */
   best?: number | null
-  /**
-   * All stars within the limits.
-   */
+  /** All stars within the limits. */
   all?: boolean
   /**
    * All stars with the same moments as a firing order, as in 1-6-3-4-5-2-7, or with values, as in M1=0.2673,M2=1.0056.
    */
   all_with?: string | null
-  /**
-   * an in-line engine whose cylinders they are
-   */
+  /** an in-line engine whose cylinders they are */
   engine?: (string | {}) | null
-  /**
-   * the number of cylinders, where there is no engine
-   */
+  /** the number of cylinders, where there is no engine */
   cylinders?: number | null
 }

@@ -61,6 +61,7 @@ class Quantity:
             "description": f"a number with a unit of {self.dimension}",
             "examples": [self.example],
             "x-dimension": self.dimension,
+            "x-relative-to": sorted(self.relative_to),
         }
         return {"anyOf": [text, number]}
 

@@ -100,6 +100,7 @@ def exhibit(
         file=dict(file) if file is not None else files.explicit(engine),
         cycle_deg=engine.cycle_angle,
         turns=_turns(engine),
+        relative=engine.relative,
         sense=1 if engine.sense > 0 else -1,
         speed_rpm=None if engine.speed is None else float(f"{engine.speed * 30 / pi:.12g}"),
         units=Units(

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import product
 from typing import Literal
 
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
 from crankstar.page.records import ChartKey, DerivationKey
+from crankstar.tables.analysis import QUANTITIES
 
 FIGURES = {
     "crank-star": N_("Crank star"),
@@ -22,17 +24,10 @@ FIGURES = {
     "firing-ring": N_("Firing ring"),
 }
 """Figures of a page in order; `forces` are shown on the stage."""
-QUANTITIES = {
-    "force": N_("force"),
-    "couple": N_("couple"),
-    "roll": N_("roll"),
-    "torque": N_("torque"),
-}
 DERIVATIONS = {"force": N_("Force of order {order}"), "couple": N_("Couple of order {order}")}
-OF_ORDER = ("vector-star", "polygon", "hodograph")
-WITHOUT_ANGLE = ("spectrum",)
 VECTORS: tuple[Literal["force", "couple"], ...] = ("force", "couple")
-OVER_TURN = ("force", "couple", "roll", "torque")
+OF_ORDER = {"vector-star": VECTORS, "polygon": VECTORS, "hodograph": VECTORS}
+OF_ALL_ORDERS = {"hodograph": VECTORS, "over-turn": ("force", "couple", "roll", "torque")}
 NEED_FIRING = ("stroke-chart", "firing-ring")
 BEFORE_AND_AFTER = "spectrum:fitted"
 """The spectra of an engine before and after `fitting.recommended`, if it recommends something.
@@ -45,60 +40,32 @@ MOST_ORDERS = 4
 
 def chart_keys(engine: Engine, orders: Sequence[float]) -> tuple[ChartKey, ...]:
     """Every figure of an engine, those of single orders for the lowest orders."""
-    out: list[ChartKey] = []
-    for figure, label in FIGURES.items():
-        if figure in NEED_FIRING and not engine.firing_order:
-            continue
-        turning = figure not in WITHOUT_ANGLE
-        if figure in OF_ORDER:
-            for quantity in VECTORS:
-                for order in _drawn(orders):
-                    key = chart_key(figure, order=order, quantity=quantity)
-                    out.append(
-                        ChartKey(
-                            key=key,
-                            figure=figure,
-                            label=_(
-                                "{figure}, {quantity}, order {order}",
-                                figure=_(label),
-                                quantity=_(QUANTITIES[quantity]),
-                                order=number(order),
-                            ),
-                            quantity=quantity,
-                            order=order,
-                            turning=turning,
-                        )
-                    )
-            if figure == "hodograph":
-                for quantity in VECTORS:
-                    key = chart_key(figure, quantity=quantity)
-                    out.append(
-                        ChartKey(
-                            key=key,
-                            figure=figure,
-                            label=_(
-                                "{figure}, {quantity}, all orders",
-                                figure=_(label),
-                                quantity=_(QUANTITIES[quantity]),
-                            ),
-                            quantity=quantity,
-                            turning=turning,
-                        )
-                    )
-        elif figure == "over-turn":
-            out += [
-                ChartKey(
-                    key=chart_key(figure, quantity=q),
-                    figure=figure,
-                    label=_("{figure}, {quantity}", figure=_(label), quantity=_(QUANTITIES[q])),
-                    quantity=q,
-                    turning=turning,
-                )
-                for q in OVER_TURN
-            ]
-        else:
-            out.append(ChartKey(key=figure, figure=figure, label=_(label), turning=turning))
-    return tuple(out)
+    return tuple(
+        ChartKey(
+            key=chart_key(figure, order=order, quantity=quantity),
+            figure=figure,
+            label=_label(figure, quantity, order),
+            quantity=quantity,
+            order=order,
+        )
+        for figure in FIGURES
+        if engine.firing_order or figure not in NEED_FIRING
+        for quantity, order in (
+            *product(OF_ORDER.get(figure, ()), _drawn(orders)),
+            *product(OF_ALL_ORDERS.get(figure, () if figure in OF_ORDER else (None,)), (None,)),
+        )
+    )
+
+
+def _label(figure: str, quantity: str | None, order: float | None) -> str:
+    if quantity is None:
+        return _(FIGURES[figure])
+    words = {"figure": _(FIGURES[figure]), "quantity": _(QUANTITIES[quantity])}
+    if order is not None:
+        return _("{figure}, {quantity}, order {order}", order=number(order), **words)
+    if figure in OF_ORDER:
+        return _("{figure}, {quantity}, all orders", **words)
+    return _("{figure}, {quantity}", **words)
 
 
 def _drawn(orders: Sequence[float]) -> list[float]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import chain
 from typing import Literal
 
 import numpy as np
@@ -12,7 +13,7 @@ from crankstar.dynamics import whirl
 from crankstar.engine.engine import Engine
 from crankstar.language.numbers import NEGLIGIBLE, number, wave
 from crankstar.mechanics.balance import Balance, of_parts
-from crankstar.mechanics.remains import Sums
+from crankstar.mechanics.remains import Sums, ranked
 from crankstar.page.records import Pair, PartForce, Row, Sum, Vectors, Whirl
 from crankstar.spectra import Complex, Spectrum
 from crankstar.tables.paths import shape
@@ -76,20 +77,20 @@ def free_response(engine: Engine, orders: Sequence[float], *, along: float) -> W
 
 
 def rows(sums: Sums, orders: Sequence[float]) -> tuple[Row, ...]:
-    """The table of orders: what is printed, and the ellipse."""
-    vectors = [
-        row for quantity in ("force", "couple") for row in _vector_rows(sums, quantity, orders)
-    ]
-    moments = [
-        row for quantity in ("roll", "torque") for row in _signal_rows(sums, quantity, orders)
-    ]
-    return (*vectors, *moments)
+    """The table of orders: of each quantity those that remain, the greatest first, then the rest."""
+    return (
+        *_vector_rows(sums, "force", orders),
+        *_vector_rows(sums, "couple", orders),
+        *_signal_rows(sums, "roll", orders),
+        *_signal_rows(sums, "torque", orders),
+    )
 
 
 def _vector_rows(
     sums: Sums, quantity: Literal["force", "couple"], orders: Sequence[float]
 ) -> Iterator[Row]:
     spectrum = getattr(sums, quantity)
+    orders = list(chain(*ranked(spectrum, orders)))
     largest = _largest(spectrum)
     chosen = spectra.selected(spectrum, orders)
     up, right = spectra.vertical(chosen), spectra.horizontal(chosen)
@@ -106,7 +107,6 @@ def _vector_rows(
             remains=path.semi_major > NEGLIGIBLE * largest,
             semi_axes=(path.semi_major, path.semi_minor),
             direction=path.bearing,
-            turning=_turning(path, chosen.sense),
         )
 
 
@@ -114,7 +114,9 @@ def _signal_rows(
     sums: Sums, quantity: Literal["roll", "torque"], orders: Sequence[float]
 ) -> Iterator[Row]:
     largest = max(_largest(sums.roll), _largest(sums.torque))
-    signal = spectra.amplitude(spectra.selected(getattr(sums, quantity), orders))
+    spectrum = getattr(sums, quantity)
+    orders = list(chain(*ranked(spectrum, orders)))
+    signal = spectra.amplitude(spectra.selected(spectrum, orders))
     for order, amplitude in zip(orders, signal, strict=True):
         yield Row(
             order=order,
@@ -127,19 +129,12 @@ def _signal_rows(
             remains=bool(abs(amplitude) > NEGLIGIBLE * largest),
             semi_axes=None,
             direction=None,
-            turning=None,
         )
 
 
 def _seen(text: str) -> str:
     """A number with a true minus: on a page it is looked at, not copied into a program."""
     return text.replace("-", MINUS)
-
-
-def _turning(path: spectra.Ellipse, sense: int) -> Literal[-1, 0, 1]:
-    """The sense of an ellipse from the front: 1 clockwise, -1 counter-clockwise, 0 a line."""
-    turning = path.sense * sense
-    return 0 if turning == 0 else 1 if turning > 0 else -1
 
 
 def _largest(spectrum: Spectrum) -> float:

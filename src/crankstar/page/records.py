@@ -13,6 +13,8 @@ from typing import Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
+from crankstar.engine.quantities import Unknown
+
 Pair = tuple[float, float]
 Point = tuple[float, float, float]
 
@@ -119,11 +121,7 @@ class CylinderShown(Shown):
         description="lower end of the cylinder bore, from the shaft axis along the cylinder axis"
     )
     bore_to: float = Field(description="upper end of the bore, where the head begins")
-    bank: str
     chamber: int
-    fires_deg: float | None = Field(
-        description="crank angle of its ignition, degrees; null without a firing order"
-    )
 
 
 class Scene(Shown):
@@ -151,7 +149,7 @@ class Vectors(Shown):
 
 
 class Sum(Shown):
-    """Force, couple, roll of the block and torque on the crankshaft for each order.
+    """Force, couple, rolling moment and torque on the crankshaft for each order.
 
     Pairs of signals are [real, imaginary].
     """
@@ -209,9 +207,6 @@ class Row(Shown):
         description="of the ellipse (vectors only), in the unit of the quantity"
     )
     direction: float | None = Field(description="bearing of its long axis, radians")
-    turning: Literal[-1, 0, 1] | None = Field(
-        description="1 if the vector turns clockwise seen from the front, 0 on a line"
-    )
 
 
 class Fact(Shown):
@@ -241,7 +236,6 @@ class ChartKey(Shown):
     label: str
     quantity: str | None = None
     order: float | None = None
-    turning: bool = Field(description="whether it has the parameter theta (degrees)")
 
 
 class DerivationKey(Shown):
@@ -283,6 +277,9 @@ class Exhibit(Shown):
     cycle_deg: float
     turns: int = Field(
         description="turns of the first shaft after which all shafts and the firing repeat"
+    )
+    relative: tuple[Unknown, ...] = Field(
+        description="what is not known, and so counted in its own unit"
     )
     sense: Literal[-1, 1] = Field(
         description="1 if the first shaft turns clockwise seen from the front"

@@ -10,8 +10,6 @@ import numpy as np
 
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Shaft
-from crankstar.firing.intervals import firing
-from crankstar.language.faults import EngineError
 from crankstar.language.messages import _, _n
 from crankstar.page.crankshafts import HALF_ANGLE, Crank, Lump, crank, lumps, moved
 from crankstar.page.gears import Place, gears
@@ -243,8 +241,6 @@ def _cylinders(
 ) -> tuple[CylinderShown, ...]:
     index_of = {shaft.name: index for index, shaft in enumerate(engine.shafts)}
     row_of = {cylinder.number: row for row, cylinder in enumerate(engine.cylinders)}
-    banks = {number: name for name, numbers in engine.banks.items() for number in numbers}
-    fires = _fires(engine)
     out = []
     for row, cylinder in enumerate(engine.cylinders):
         shaft, link = index_of[cylinder.shaft], cylinder.articulated
@@ -276,26 +272,10 @@ def _cylinders(
                 skirt=skirt,
                 bore_from=float(sizes.travel[row, 0]) - skirt,
                 bore_to=float(sizes.travel[row, 1]) + crown + min(HEAD * bore, 0.1 * crown),
-                bank=banks[cylinder.number],
                 chamber=cylinder.chamber or cylinder.number,
-                fires_deg=fires.get(cylinder.chamber or cylinder.number),
             )
         )
     return tuple(out)
-
-
-def _fires(engine: Engine) -> dict[int, float]:
-    """The crank angle at which each chamber fires, degrees; nothing without a firing order."""
-    if not engine.firing_order:
-        return {}
-    try:
-        found = firing(engine)
-    except EngineError:
-        return {}
-    return {
-        number: angle % found.cycle_deg
-        for number, angle in zip(found.order, found.angles_deg, strict=True)
-    }
 
 
 def _box(

@@ -3,7 +3,6 @@ import { useRef, useState } from 'preact/hooks'
 import { t } from '../language/messages'
 import { idOf, useSentences, useSession, useValue } from './context'
 import { Dial } from './dial'
-import { measured } from './measured'
 import {
   angle,
   type Dimension,
@@ -16,7 +15,7 @@ import {
   typed,
   wrapped,
 } from './quantity'
-import type { Field, Kind } from './schema'
+import { type Field, type Kind, measured, type Of } from './schema'
 import { TYPING } from './session'
 import { at, type Path, same } from './tree'
 
@@ -27,12 +26,9 @@ export interface FieldProps {
   readonly quiet?: boolean
 }
 
-type Of<T extends Kind['is']> = Extract<Kind, { is: T }>
-
 const USUAL: Record<Dimension, string> = {
   angle: 'deg',
   length: 'mm',
-  place: 'mm',
   mass: 'g',
   speed: 'rpm',
   other: '',
@@ -301,13 +297,14 @@ function defaulted(field: Field): string {
 }
 
 /** Text as a value: a bare number takes the unit that was there, or the usual one. */
-function useTake(path: Path, dimension: Dimension): (text: string) => unknown {
-  const tree = useSession().tree.peek()
-  const value = at(tree, path)
+function useTake(path: Path, kind: Kind): (text: string) => unknown {
+  const { tree, relative } = useSession()
+  const value = at(tree.peek(), path)
   const unit = useRef('')
   const now = parsed(value)
   if (now) unit.current = now.unit
-  else if (value === undefined && measured(tree, path, dimension)) unit.current ||= USUAL[dimension]
+  else if (value === undefined && kind.is === 'quantity' && measured(kind, relative))
+    unit.current ||= USUAL[kind.dimension]
   return (text) => {
     const meant = typed(text)
     return typeof meant === 'number' && unit.current ? `${text.trim()} ${unit.current}` : meant
@@ -318,7 +315,7 @@ export function QuantityField(props: FieldProps & { kind: Of<'quantity'> }) {
   const { field, path, kind } = props
   const session = useSession()
   const value = useValue(path)
-  const take = useTake(path, kind.dimension)
+  const take = useTake(path, kind)
   const given = parsed(value) ?? (value === undefined ? parsed(field.initial) : null)
   const whole =
     given && kind.dimension === 'angle'
@@ -359,12 +356,12 @@ export function QuantityField(props: FieldProps & { kind: Of<'quantity'> }) {
 /** One angle or place of a list: a box and, for an angle, a wheel to turn. */
 export function Item({ field, path, label }: { field: Field; path: Path; label: string }) {
   const session = useSession()
-  const dimension = field.kind.is === 'quantity' ? field.kind.dimension : 'other'
+  const angular = field.kind.is === 'quantity' && field.kind.dimension === 'angle'
   const value = useValue(path)
-  const take = useTake(path, dimension)
+  const take = useTake(path, field.kind)
   return (
     <>
-      {dimension === 'angle' && (
+      {angular && (
         <Dial
           degrees={degrees(value)}
           label={t('{name}, wheel', { name: label })}

@@ -1,6 +1,5 @@
 import { useEffect, useMemo, useRef } from 'preact/hooks'
-import type { Exhibit } from '../exhibit'
-import type { Service, Tree } from '../host/host'
+import type { Service } from '../host/host'
 import { plural, t } from '../language/messages'
 import { CatalogPicker } from './catalog'
 import { Provider } from './context'
@@ -8,26 +7,25 @@ import css from './edit.css?inline'
 import { DropZone, FileButtons } from './files'
 import { EngineForm, jump } from './form'
 import { SearchButton } from './search'
-import { type Session, sessionOf } from './session'
+import { type OnStage, type Session, type Shown, sessionOf } from './session'
 
 /** The style of the editor, to be adopted by the page beside its own. */
 export const editStyle: string = css
 
 interface Props {
   readonly service: Service
-  /** Engine file of the engine on the stage. */
-  readonly tree: Tree
+  readonly engine: OnStage
   /** Puts a new engine on the stage. */
-  readonly shown: (exhibit: Exhibit, tree: Tree) => void
+  readonly shown: Shown
 }
 
 /** Live editing: catalog, form of the engine file, undo, files, and the crank search. */
-export function Editor({ service, tree, shown }: Props) {
-  const session = sessionOf(service, tree, shown)
+export function Editor({ service, engine, shown }: Props) {
+  const session = sessionOf(service, engine, shown)
   const root = useRef<HTMLElement>(null)
   // drawn once: its fields follow the engine by themselves
   const form = useMemo(() => <EngineForm />, [])
-  useEffect(() => session.adopt(tree), [session, tree])
+  useEffect(() => session.adopt(engine), [session, engine])
   useEffect(session.load, [session])
   return (
     <Provider value={session}>
@@ -69,9 +67,9 @@ export function Editor({ service, tree, shown }: Props) {
 }
 
 /** Undo keys and dropped files on every tab; `opens` is called when a file is dropped. */
-export function EditAnywhere({ service, tree, shown, opens }: Props & { opens: () => void }) {
-  const session = sessionOf(service, tree, shown)
-  useEffect(() => session.adopt(tree), [session, tree])
+export function EditAnywhere({ service, engine, shown, opens }: Props & { opens: () => void }) {
+  const session = sessionOf(service, engine, shown)
+  useEffect(() => session.adopt(engine), [session, engine])
   useEffect(() => undoKeys(session), [session])
   return (
     <Provider value={session}>

@@ -1,15 +1,19 @@
-import { measured } from './measured'
 import { parsed } from './quantity'
-import type { Field } from './schema'
+import { type Field, measured } from './schema'
 
-/** A new table: its required keys, with examples or least values, in the units of `tree`. */
-export function recordOf(fields: readonly Field[], tree: unknown = {}): Record<string, unknown> {
+/** A new table: its required keys, with examples or least values, bare beside what is not known. */
+export function recordOf(
+  fields: readonly Field[],
+  relative: readonly string[],
+): Record<string, unknown> {
   return Object.fromEntries(
-    fields.filter((field) => field.required).map((field) => [field.key, beginningOf(field, tree)]),
+    fields
+      .filter((field) => field.required)
+      .map((field) => [field.key, beginningOf(field, relative)]),
   )
 }
 
-function beginningOf(field: Field, tree: unknown): unknown {
+function beginningOf(field: Field, relative: readonly string[]): unknown {
   const { kind } = field
   switch (kind.is) {
     case 'fixed':
@@ -17,7 +21,7 @@ function beginningOf(field: Field, tree: unknown): unknown {
     case 'choice':
       return kind.among[0]
     case 'quantity':
-      if (measured(tree, [field.key], kind.dimension)) return field.example
+      if (measured(kind, relative)) return field.example
       return kind.dimension === 'mass'
         ? (parsed(field.example)?.number ?? 1)
         : kind.positive
@@ -27,9 +31,9 @@ function beginningOf(field: Field, tree: unknown): unknown {
       return Number.isFinite(kind.low) ? kind.low : 1
     case 'record':
     case 'table':
-      return recordOf(kind.fields, tree)
+      return recordOf(kind.fields, relative)
     case 'records':
-      return [recordOf(kind.fields, tree)]
+      return [recordOf(kind.fields, relative)]
     case 'quantities':
       return [kind.item.example]
     case 'numbers':
@@ -50,13 +54,13 @@ const greatest = (numbers: unknown[]) => Math.max(0, ...numbers.map(Number).filt
 export function another(
   records: readonly unknown[],
   fields: readonly Field[],
-  tree: unknown = {},
+  relative: readonly string[],
 ): Record<string, unknown> {
   const last = records.at(-1)
   const next =
     typeof last === 'object' && last !== null
       ? { ...(last as Record<string, unknown>) }
-      : recordOf(fields, tree)
+      : recordOf(fields, relative)
   const all = records as Record<string, unknown>[]
   if (typeof next.number === 'number')
     next.number = greatest(all.map((record) => record.number)) + 1

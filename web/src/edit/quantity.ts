@@ -4,7 +4,7 @@ export interface Quantity {
   readonly unit: string
 }
 
-export type Dimension = 'angle' | 'length' | 'place' | 'mass' | 'speed' | 'other'
+export type Dimension = 'angle' | 'length' | 'mass' | 'speed' | 'other'
 
 /** The ends of a slider, and its step. */
 export interface Scale {

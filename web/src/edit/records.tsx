@@ -232,7 +232,7 @@ function RecordField({ field, path, kind }: FieldProps & { kind: Of<'record'> })
         </button>
       )}
       {!always && !there && (
-        <Add name={name} does={() => put(recordOf(kind.fields, session.tree.value))} />
+        <Add name={name} does={() => put(recordOf(kind.fields, session.relative))} />
       )}
     </Frame>
   )
@@ -274,7 +274,7 @@ function RecordsField({ field, path, kind }: FieldProps & { kind: Of<'records'> 
       <Add
         name={singular(field)}
         does={() =>
-          session.set(path, [...records, another(records, kind.fields, session.tree.value)])
+          session.set(path, [...records, another(records, kind.fields, session.relative)])
         }
       />
     </Frame>
@@ -312,7 +312,7 @@ function TableField({ field, path, kind }: FieldProps & { kind: Of<'table'> }) {
   const keys = Object.keys((useValue(path) ?? {}) as object)
   const add = () => {
     if (!key.trim() || keys.includes(key)) return
-    session.set([...path, key.trim()], recordOf(kind.fields, session.tree.value))
+    session.set([...path, key.trim()], recordOf(kind.fields, session.relative))
     setKey('')
   }
   return (

@@ -9,7 +9,12 @@ export type Kind =
   | { readonly is: 'text'; readonly long: boolean }
   | { readonly is: 'number'; readonly whole: boolean; readonly low: number; readonly high: number }
   | { readonly is: 'ratio' }
-  | { readonly is: 'quantity'; readonly dimension: Dimension; readonly positive: boolean }
+  | {
+      readonly is: 'quantity'
+      readonly dimension: Dimension
+      readonly relativeTo: readonly string[]
+      readonly positive: boolean
+    }
   | { readonly is: 'numbers' }
   | { readonly is: 'lists' }
   | { readonly is: 'marks'; readonly among: readonly string[] }
@@ -17,6 +22,12 @@ export type Kind =
   | { readonly is: 'record'; readonly fields: readonly Field[] }
   | { readonly is: 'records'; readonly fields: readonly Field[] }
   | { readonly is: 'table'; readonly fields: readonly Field[] }
+
+export type Of<T extends Kind['is']> = Extract<Kind, { is: T }>
+
+/** Whether a value has a unit in an engine, else it is a bare number beside what is not known. */
+export const measured = ({ relativeTo }: Of<'quantity'>, relative: readonly string[]): boolean =>
+  !relativeTo.some((unit) => relative.includes(unit))
 
 /** A key of a table: what it is called, what it means, an example, and what it takes. */
 export interface Field {
@@ -35,7 +46,7 @@ type Node = Record<string, unknown>
 const DIMENSIONS: Readonly<Record<string, Dimension>> = {
   angle: 'angle',
   length: 'length',
-  'length along the crankshaft': 'place',
+  'length along the crankshaft': 'length',
   mass: 'mass',
   'rotational speed': 'speed',
 }
@@ -61,11 +72,6 @@ function ways(schema: Tree, node: Node): Node[] {
   return given.filter((way) => way.type !== 'null')
 }
 
-function dimensionOf(given: readonly Node[]): Dimension | null {
-  const name = text(given.find((way) => 'x-dimension' in way)?.['x-dimension'])
-  return name ? (DIMENSIONS[name] ?? 'other') : null
-}
-
 function listKind(schema: Tree, way: Node): Kind {
   const item = (way.items ?? {}) as Node
   const inner = fieldOf(schema, '', item, true)
@@ -82,10 +88,12 @@ function kindOf(schema: Tree, node: Node): Kind {
   const first = given[0] ?? {}
   if ('const' in first) return { is: 'fixed', value: first.const }
   if (first.enum) return { is: 'choice', among: strings(first.enum) }
-  const dimension = dimensionOf(given)
-  if (dimension && first.type !== 'array') {
+  const measured = given.find((way) => 'x-dimension' in way)
+  if (measured && first.type !== 'array') {
+    const dimension = DIMENSIONS[text(measured['x-dimension'])] ?? 'other'
+    const relativeTo = strings(measured['x-relative-to'])
     const positive = given.some((way) => 'exclusiveMinimum' in way || way.minimum === 0)
-    return { is: 'quantity', dimension, positive }
+    return { is: 'quantity', dimension, relativeTo, positive }
   }
   if (first.type === 'array') return listKind(schema, first)
   if (first.properties) return { is: 'record', fields: fieldsOf(schema, first) }

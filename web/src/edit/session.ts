@@ -12,6 +12,9 @@ import { type Path, put, read, same, within } from './tree'
 /** Puts a valid engine on the stage. */
 export type Shown = (exhibit: Exhibit, tree: Tree) => void
 
+/** What the form knows of the engine on the stage. */
+export type OnStage = Pick<Exhibit, 'file' | 'relative'>
+
 /** A mistake and the place in the engine file that it is about. */
 export interface Placed extends Problem {
   readonly at: Path
@@ -37,6 +40,8 @@ export interface Session {
   /** A request that was refused, and why; the form itself has no mistake. */
   readonly refused: Signal<Refused | null>
   readonly busy: Signal<boolean>
+  /** What is not known of the engine on the stage, and so counted in its own unit. */
+  readonly relative: Exhibit['relative']
   /** What was done or went wrong last, for everyone to see and hear. */
   readonly note: Signal<string>
   readonly canUndo: ReadonlySignal<boolean>
@@ -51,7 +56,7 @@ export interface Session {
   /** Asks for what the form is made of, if that was not done. */
   load(): void
   /** Takes over the engine that was put on the stage by others. */
-  adopt(tree: Tree): void
+  adopt(engine: OnStage): void
   /** Edits the engine to that of an answer, or shows its faults. Returns whether it was one. */
   open(answer: Promise<Answer<Tree>>, what: string): Promise<boolean>
   /** What may change from one drawing of the shell to the next. */
@@ -62,13 +67,9 @@ export interface Session {
 export const TYPING = 'type '
 const PAUSE = 1000
 
-function historyOf(tree: Tree): Signal<History<Tree>> {
-  return signal(begun(tree))
-}
-
 /** A session that begins with an engine. */
-export function session(service: Service, tree: Tree, shown: Shown): Session {
-  const history = historyOf(tree)
+export function session(service: Service, engine: OnStage, shown: Shown): Session {
+  const history = signal<History<Tree>>(begun(engine.file))
   const present = computed(() => history.value.present)
   const allForms = signal<readonly Form[]>([])
   const catalog = signal<readonly CatalogEntry[]>([])
@@ -76,7 +77,7 @@ export function session(service: Service, tree: Tree, shown: Shown): Session {
   const refused = signal<Refused | null>(null)
   const busy = signal(false)
   const note = signal('')
-  let onStage = tree
+  let onStage = engine
   let lastEdit = 0
   let loading = false
 
@@ -84,7 +85,7 @@ export function session(service: Service, tree: Tree, shown: Shown): Session {
     send: (subject, abort) => service.exhibit(subject, abort),
     answered: (answer, subject, newest) => {
       if (answer.ok) {
-        onStage = answer.value.file
+        onStage = answer.value
         self.shown(answer.value, subject)
       }
       const wrong = answer.ok ? [] : placed(answer.problems)
@@ -113,6 +114,9 @@ export function session(service: Service, tree: Tree, shown: Shown): Session {
     problems,
     refused,
     busy,
+    get relative() {
+      return onStage.relative
+    },
     note,
     shown,
     canUndo: computed(() => history.value.past.length > 0),
@@ -129,11 +133,12 @@ export function session(service: Service, tree: Tree, shown: Shown): Session {
     undo: () => move({ kind: 'undo' }),
     redo: () => move({ kind: 'redo' }),
     adopt(given) {
-      if (same(given, onStage) || same(given, present.peek())) return
+      const known = same(given.file, onStage.file) || same(given.file, present.peek())
       onStage = given
+      if (known) return
       live.stop()
       batch(() => {
-        history.value = after(history.value, { kind: 'edit', to: given })
+        history.value = after(history.value, { kind: 'edit', to: given.file })
         problems.value = []
         busy.value = false
       })
@@ -195,8 +200,8 @@ export function sentencesAt(problems: readonly Placed[], path: Path, below: bool
 const sessions = new WeakMap<Service, Session>()
 
 /** The session of a service, begun with an engine if there is none. */
-export function sessionOf(service: Service, tree: Tree, shown: Shown): Session {
-  const its = sessions.get(service) ?? session(service, tree, shown)
+export function sessionOf(service: Service, engine: OnStage, shown: Shown): Session {
+  const its = sessions.get(service) ?? session(service, engine, shown)
   sessions.set(service, its)
   its.shown = shown
   return its

@@ -15,7 +15,7 @@ export function Editing() {
   if (!host.service || !exhibit) return null
   return (
     <div ref={place}>
-      <EditAnywhere service={host.service} tree={exhibit.file} shown={put} opens={opens} />
+      <EditAnywhere service={host.service} engine={exhibit} shown={put} opens={opens} />
     </div>
   )
 }

@@ -2,7 +2,7 @@ import { expect, test } from 'vitest'
 import { matching } from '../../src/edit/catalog'
 import { fileName } from '../../src/edit/files'
 import { numbersOf, TYPES, withLayout } from '../../src/edit/layouts'
-import { measured } from '../../src/edit/measured'
+import { measured } from '../../src/edit/schema'
 import { EMPTY, optionsOf, otherSentences, sentencesOf } from '../../src/edit/searchForm'
 import { sentencesAt } from '../../src/edit/session'
 import { withoutSources } from '../../src/edit/sources'
@@ -138,13 +138,11 @@ test('a value that was changed loses the source of the old one, and nothing else
 })
 
 test('what an engine counts in its own units has none', () => {
-  const real = { cylinder: { stroke: '80 mm', reciprocating_mass: '500 g' } }
-  expect(measured(real, ['cylinder', 'bore'], 'length')).toBe(true)
-  expect(measured({}, ['cylinder', 'bore'], 'length')).toBe(false)
-  expect(measured({}, ['speed'], 'speed')).toBe(true)
-  expect(measured(real, ['layout', 'bore_pitch'], 'place')).toBe(true)
-  expect(measured(real, ['layout', 'bank_offset'], 'place')).toBe(false)
-  expect(measured({ cylinder: { stroke: '80 mm' } }, ['block', 'inertia_z'], 'other')).toBe(false)
+  const inertia = { is: 'quantity', dimension: 'other', positive: true } as const
+  const beside = (...relativeTo: string[]) => ({ ...inertia, relativeTo })
+  expect(measured(beside('radius'), ['pitch'])).toBe(true)
+  expect(measured(beside('mass', 'radius'), ['radius'])).toBe(false)
+  expect(measured(beside(), ['mass', 'radius', 'pitch'])).toBe(true)
 })
 
 test('a fault of a search stands beside the field that it is about', () => {

@@ -86,7 +86,7 @@ test('a slider has its value between its ends', () => {
     high: 200,
     step: 1,
   })
-  expect(scale({ number: 0, unit: 'mm' }, 'place', false)).toEqual({
+  expect(scale({ number: 0, unit: 'mm' }, 'length', false)).toEqual({
     low: -50,
     high: 50,
     step: 0.25,

@@ -4,7 +4,12 @@ import { EXPLICIT, type Field, formOf, forms, worded } from '../../src/edit/sche
 
 const quantity = (words: string, example: string, more: object = {}) => ({
   anyOf: [
-    { type: 'string', 'x-dimension': words, examples: [example] },
+    {
+      type: 'string',
+      'x-dimension': words,
+      'x-relative-to': words === 'angle' ? [] : ['pitch'],
+      examples: [example],
+    },
     { type: 'number', ...more },
   ],
 })
@@ -122,13 +127,19 @@ test.each([
 test('a length has its dimension, and whether it may be negative', () => {
   expect(field(inner(layout), 'bore_pitch').kind).toEqual({
     is: 'quantity',
-    dimension: 'place',
+    dimension: 'length',
+    relativeTo: ['pitch'],
     positive: true,
   })
   expect(field(inner(layout), 'bore_pitch').example).toBe('105.5 mm')
   const bearing = field(inner(field(inner(layout), 'banks')), 'bearing')
   expect(bearing).toMatchObject({ help: 'where the cylinders point', initial: 0, required: false })
-  expect(bearing.kind).toEqual({ is: 'quantity', dimension: 'angle', positive: false })
+  expect(bearing.kind).toEqual({
+    is: 'quantity',
+    dimension: 'angle',
+    relativeTo: [],
+    positive: false,
+  })
 })
 
 test('words beside a reference stand over those of what it refers to', () => {
@@ -138,17 +149,16 @@ test('words beside a reference stand over those of what it refers to', () => {
 })
 
 test('a new record has what it must have', () => {
-  expect(recordOf(inner(layout))).toEqual({
+  expect(recordOf(inner(layout), [])).toEqual({
     type: 'vee',
     banks: [{ cylinders: [1] }],
     throws: ['90 deg'],
   })
   const mass = { ...field(inner(layout), 'bore_pitch'), required: true, example: '165 kg' } as const
-  const heavy = { ...mass, kind: { is: 'quantity', dimension: 'mass', positive: true } } as const
-  expect(recordOf([heavy])).toEqual({ bore_pitch: 165 })
-  expect(recordOf([heavy], { cylinder: { reciprocating_mass: '1 kg' } })).toEqual({
-    bore_pitch: '165 kg',
-  })
+  const kind = { is: 'quantity', dimension: 'mass', relativeTo: ['mass'], positive: true } as const
+  const heavy = { ...mass, kind }
+  expect(recordOf([heavy], ['mass'])).toEqual({ bore_pitch: 165 })
+  expect(recordOf([heavy], ['pitch'])).toEqual({ bore_pitch: '165 kg' })
 })
 
 test('another record is like the last, with the numbers that come next', () => {
@@ -157,7 +167,11 @@ test('another record is like the last, with the numbers that come next', () => {
     { cylinders: [2, 4], bearing: '-45 deg', name: 'left' },
   ]
   const fields = inner(field(inner(layout), 'banks'))
-  expect(another(banks, fields)).toEqual({ cylinders: [5, 6], bearing: '-45 deg', name: 'left 3' })
-  expect(another([{ number: 7 }, { number: 3 }], fields)).toEqual({ number: 8 })
-  expect(another([], fields)).toEqual({ cylinders: [1] })
+  expect(another(banks, fields, [])).toEqual({
+    cylinders: [5, 6],
+    bearing: '-45 deg',
+    name: 'left 3',
+  })
+  expect(another([{ number: 7 }, { number: 3 }], fields, [])).toEqual({ number: 8 })
+  expect(another([], fields, [])).toEqual({ cylinders: [1] })
 })

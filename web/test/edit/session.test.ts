@@ -7,6 +7,7 @@ beforeEach(() => void vi.useFakeTimers())
 afterEach(() => void vi.useRealTimers())
 
 const settle = () => vi.advanceTimersByTimeAsync(1000)
+const placed = (file: Tree) => ({ file, relative: [] })
 const wrong = { path: 'layout.banks[1].bearing', message: 'is "xx"' }
 
 /** A session with a server that finds `xx` wrong, and what it put on the stage. */
@@ -22,7 +23,11 @@ function begun(more: Partial<Service> = {}) {
     ...more,
   } as Service
   const tree = { name: 'V2', layout: { type: 'vee', banks: [{ bearing: '45 deg' }] } }
-  return { onStage, tree, now: session(service, tree, (exhibit) => onStage.push(exhibit.file)) }
+  return {
+    onStage,
+    tree,
+    now: session(service, placed(tree), (exhibit) => onStage.push(exhibit.file)),
+  }
 }
 
 const bearing = ['layout', 'banks', 0, 'bearing']
@@ -42,7 +47,7 @@ test('what is valid comes on the stage, what is not does not and is told where i
 test('an engine that others put on the stage is taken over as a step that can be undone', async () => {
   const { now, onStage, tree } = begun()
   const other = { name: 'I4' }
-  now.adopt(other)
+  now.adopt(placed(other))
   await settle()
   expect(now.tree.value).toEqual(other)
   expect(onStage).toEqual([])
@@ -55,11 +60,11 @@ test('the engine that the form itself put on the stage is not taken over, and a 
   const { now, onStage } = begun()
   now.set(['name'], 'V2 b')
   await settle()
-  now.adopt({ ...onStage[0] })
+  now.adopt(placed({ ...onStage[0] }))
   expect(now.canRedo.value).toBe(false)
   now.set(bearing, 'xx')
   await settle()
-  now.adopt({ ...onStage[0] })
+  now.adopt(placed({ ...onStage[0] }))
   expect(now.tree.value).toMatchObject({ layout: { banks: [{ bearing: 'xx' }] } })
   now.undo()
   now.undo()

@@ -40,9 +40,7 @@ export function cylinder(changes: Partial<CylinderShown> = {}): CylinderShown {
     skirt: 1,
     bore_from: 2,
     bore_to: 6.2,
-    bank: '',
     chamber: 1,
-    fires_deg: 0,
     ...changes,
   }
 }
@@ -63,6 +61,7 @@ export function exhibit(changes: Partial<Exhibit> = {}): Exhibit {
     file: {},
     cycle_deg: 720,
     turns: 2,
+    relative: [],
     sense: 1,
     speed_rpm: null,
     units: { force: 'N', couple: 'N*m', roll: 'N*m', length: 'm' },

@@ -12,7 +12,7 @@ export function Edit() {
       {engines.value.length > 1 && (
         <p class="soft">{t('This form edits {engine}.', { engine: exhibit.name })}</p>
       )}
-      <Editor service={host.service} tree={exhibit.file} shown={put} />
+      <Editor service={host.service} engine={exhibit} shown={put} />
     </>
   )
 }

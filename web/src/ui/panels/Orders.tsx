@@ -1,6 +1,6 @@
 import { useMemo, useRef } from 'preact/hooks'
 import type { Exhibit, Row } from '../../exhibit'
-import { t } from '../../language/messages'
+import { plural, t } from '../../language/messages'
 import { QUANTITIES } from '../../state'
 import { useApp, useExhibit, useFollower } from '../context'
 import { dotOf, moveDots } from '../dots'
@@ -12,11 +12,10 @@ import { Path } from '../Path'
 export function Orders() {
   const exhibit = useExhibit()
   const body = useRef<HTMLTableElement>(null)
-  const rows = useMemo(
-    () => QUANTITIES.flatMap((each) => exhibit.table.filter((row) => row.quantity === each)),
+  const dots = useMemo(
+    () => exhibit.table.filter(({ remains }) => remains).map((row) => dotOf(exhibit, row)),
     [exhibit],
   )
-  const dots = useMemo(() => rows.map((row) => dotOf(exhibit, row)), [exhibit, rows])
   useFollower((theta) => moveDots(body.current, dots, theta), [dots])
   return (
     <>
@@ -39,7 +38,7 @@ export function Orders() {
               key={quantity}
               exhibit={exhibit}
               quantity={quantity}
-              rows={rows.filter((row) => row.quantity === quantity)}
+              rows={exhibit.table.filter((row) => row.quantity === quantity)}
             />
           ))}
         </table>
@@ -63,6 +62,10 @@ function Group({
   rows: readonly Row[]
 }) {
   if (!rows.length) return null
+  const zero = rows
+    .filter(({ remains }) => !remains)
+    .sort((one, other) => one.order - other.order)
+    .map(({ label }) => label)
   const unit = quantity === 'torque' ? exhibit.units.roll : exhibit.units[quantity]
   return (
     <tbody>
@@ -71,9 +74,20 @@ function Group({
           {quantityName(quantity)} <span class="unit">{unit}</span>
         </th>
       </tr>
-      {rows.map((row) => (
-        <Line key={row.order} row={row} />
-      ))}
+      {rows
+        .filter(({ remains }) => remains)
+        .map((row) => (
+          <Line key={row.order} row={row} />
+        ))}
+      {zero.length > 0 && (
+        <tr>
+          <td colSpan={5} class="soft">
+            {plural('None of order {orders}.', 'None of orders {orders}.', zero.length, {
+              orders: zero.join(', '),
+            })}
+          </td>
+        </tr>
+      )}
     </tbody>
   )
 }
@@ -88,7 +102,7 @@ function Line({ row }: { row: Row }) {
   }
   return (
     // a click anywhere in the row is the same as on its button
-    <tr class={`${row.remains ? '' : 'nothing'} ${chosen ? 'chosen' : ''}`} onClick={choose}>
+    <tr class={chosen ? 'chosen' : ''} onClick={choose}>
       <th scope="row">
         <button
           type="button"
