@@ -211,8 +211,7 @@ def peak(spectrum: Spectrum) -> Peak:
     step = period_angle / lengths.size
     starts = _candidates(lengths) * step
     # Between two maxima close together lies a minimum: go from it to either side.
-    rows = spectrum[None][np.zeros(starts.size, int)]
-    maxima = [_maxima(rows, starts, step, side=side).theta for side in (1, -1)]
+    maxima = [_maxima(spectrum, starts, step, side=side).theta for side in (1, -1)]
     theta = np.concatenate([starts, *maxima]) % period_angle
     theta = np.where(period_angle - theta < 1e-9, 0.0, theta)
     lengths = np.abs(value(spectrum, theta))
@@ -319,38 +318,44 @@ class _Maxima(NamedTuple):
 
 
 def _maxima(spectrum: Spectrum, starts: Real, step: float, *, side: int) -> _Maxima:
-    """Newton's method on the derivative of |v|^2 of each row [row, n], within a step of its start.
+    """Newton's method on the derivative of |v|^2 from each start, kept within a step of it.
 
-    Between two maxima it goes to the one on the given `side`.
+    The spectrum is one, or one per start [start, n]. Between two maxima the search goes to the one
+    on the given `side`; where the length is constant it stays.
     """
     theta, length = starts.astype(float), np.zeros(starts.size)
     hollow = np.zeros(starts.size, bool)
-    going = np.arange(starts.size)
-    orders = spectrum.orders
-    for _ in range(40):
-        if not going.size:
-            break
-        phase = np.exp(1j * spectrum.sense * orders * theta[going, None])
-        with_theta, against = (
-            spectrum.forward[going] * phase,
-            spectrum.backward[going] * np.conj(phase),
-        )
-        here, bend = (
-            (with_theta + against) @ powers for powers in (np.ones(orders.size), -(orders**2))
-        )
-        slope = 1j * spectrum.sense * ((with_theta - against) @ orders)
+    going, each = np.arange(starts.size), spectrum.forward.ndim > 1
+    for _ in range(16):
+        own = spectrum[going] if each else spectrum
+        here, slope, bend = _derivatives(own, theta[going])
         length[going] = np.maximum(length[going], np.abs(here))
         gradient = np.real(np.conj(here) * slope)
         curvature = np.abs(slope) ** 2 + np.real(np.conj(here) * bend)
-        hollow[going] |= curvature >= 0
-        move = np.where(
-            curvature < 0, -gradient / np.where(curvature < 0, curvature, 1.0), side * step / 4
-        )
+        between = curvature > FLAT * np.abs(here) * np.abs(bend)
+        hollow[going] |= between
+        steep = (curvature < 0) & (np.abs(gradient) > 1e-15 * np.abs(here) ** 2)
+        to_maximum = -gradient / np.where(steep, curvature, 1.0)
+        move = np.where(steep, to_maximum, np.where(between, side * step / 4, 0.0))
         ahead = np.clip(theta[going] + move, starts[going] - step, starts[going] + step)
         far = np.abs(ahead - theta[going]) > 1e-6 * step
         theta[going] = ahead
-        going = going[far]
+        going = going[far] if each else going
+        if not going.size:
+            break
     return _Maxima(theta, length, hollow)
+
+
+def _derivatives(spectrum: Spectrum, theta: Real) -> list[Complex]:
+    """The vector and its two derivatives by theta, of one spectrum at each angle or row by row."""
+    rate = 1j * spectrum.sense * spectrum.orders
+    forward, backward = spectrum.forward * rate, spectrum.backward * -rate
+    velocity = replace(spectrum, forward=forward, backward=backward)
+    parts = spectrum, velocity, scaled(spectrum, -(spectrum.orders**2))
+    if spectrum.forward.ndim == 1:
+        return [value(part, theta) for part in parts]
+    phase = np.exp(1j * spectrum.sense * spectrum.orders * theta[:, None])
+    return [(part.forward * phase + part.backward * np.conj(phase)).sum(axis=-1) for part in parts]
 
 
 def from_samples(samples: Complex, *, sense: int = 1) -> Spectrum:
