@@ -17,6 +17,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 ROOT = Path(__file__).parent.parent
+WIDTH = "80"
+"""Columns of a screen, which must fit the column of its page."""
 CONSOLE = re.compile(r"^```console\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 FILE = re.compile(r'^```toml title="([\w.-]+)"\n(.*?)^```$', re.MULTILINE | re.DOTALL)
 
@@ -56,7 +58,8 @@ def _screen(block: str, folder: Path, printed: Printed) -> str:
 def shown(command: str, folder: Path) -> str:
     """What a shell shows of a command."""
     here = os.pathsep.join((str(Path(sys.executable).parent), os.environ.get("PATH", "")))
-    environment = {"PATH": here, "HOME": str(folder), "PYTHONUTF8": "1"}
+    environment = {"PATH": here, "HOME": str(folder), "PYTHONUTF8": "1", "COLUMNS": WIDTH}
+    environment["PYTHONPATH"] = str(ROOT / "src")
     done = subprocess.run(  # noqa: S602 - our own documents
         command,
         shell=True,

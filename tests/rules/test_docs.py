@@ -84,6 +84,7 @@ def printed(command: str, folder: Path) -> str:
     ):
         patch.chdir(folder)
         patch.setenv("HOME", str(folder))
+        patch.setenv("COLUMNS", screens.WIDTH)
         cli.main(words)
     return screens.trimmed(out.getvalue())
 
@@ -93,6 +94,17 @@ def test_every_screen_is_what_the_command_prints(page: Path) -> None:
     """If this fails: is the program or the page wrong? `python docs/screens.py` updates pages."""
     written = page.read_text(encoding="utf-8")
     assert screens.alike(screens.up_to_date(written, printed)) == screens.alike(written)
+
+
+@EVERY_PAGE
+def test_screens_fit_the_column_of_their_page(page: Path) -> None:
+    """Data are written as they are: CSV, JSON, engine files."""
+    for screen in fences(page, "console"):
+        command = ""
+        for line in screen.splitlines():
+            command = line if line.startswith("$ ") else command
+            if not re.search(r"--csv|--json|schema|--explicit|crankstar new", command):
+                assert line.startswith("$ ") or len(line) <= int(screens.WIDTH), command
 
 
 @EVERY_PAGE

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import os
+import shutil
 import stat
 import sys
 import tempfile
+import textwrap
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from io import StringIO
@@ -27,11 +29,11 @@ class OutputError(ValueError):
 
 
 def terminal_width() -> int:
-    """Columns of the terminal, or of what it is piped into."""
+    """Columns of the terminal; of a pipe those that COLUMNS names, else PIPED."""
     from rich.console import Console
 
     console = Console()
-    return console.width if console.is_terminal else PIPED
+    return console.width if console.is_terminal or os.environ.get("COLUMNS") else PIPED
 
 
 def display(shown: Any, place: str | None = None) -> None:
@@ -208,11 +210,28 @@ def progress(text: str) -> Iterator[Callable[[int, int, str], None]]:
 
 
 def complain(text: str) -> None:
-    """Write lines to standard error, if there is one."""
+    """Write lines to standard error, if there is one, in the width of the terminal."""
     with suppress(OSError, ValueError):
         if sys.stderr is not None:
-            sys.stderr.write(f"{text}\n")
+            sys.stderr.write(f"{_in_width(text)}\n")
             sys.stderr.flush()
+
+
+def _in_width(text: str) -> str:
+    """Lines broken between words where a terminal, or COLUMNS, is narrower; indented alike."""
+    width = shutil.get_terminal_size((0, 0)).columns
+    return "\n".join(
+        textwrap.fill(
+            line,
+            max(width, 20),
+            subsequent_indent=" " * (len(line) - len(line.lstrip())),
+            break_long_words=False,
+            break_on_hyphens=False,
+        )
+        if 0 < width < len(line)
+        else line
+        for line in text.split("\n")
+    )
 
 
 def abandon() -> None:

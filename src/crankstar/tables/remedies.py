@@ -241,7 +241,7 @@ def _remaining(job: Job) -> Table:
         lines.append(Line(order, _("rolling moment"), after.units.moment, pairs[0], pairs[1]))
     columns = (
         Column(_("order"), key="order", label=True),
-        Column(_("quantity"), kind="text", key="quantity"),
+        Column(_("quantity"), kind="text", key="quantity", wraps=True),
         Column(_("unit"), kind="text", key="unit"),
         Column(_("before"), key="before"),
         Column(_("now"), key="now"),
