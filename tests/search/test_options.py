@@ -8,9 +8,10 @@ import pytest
 
 import crankstar
 from crankstar import load
+from crankstar.language.search_faults import SENTENCES
 from crankstar.options.search import search_of, whole_number
 from crankstar.options.words import SearchWords
-from crankstar.search.faults import SENTENCES, SearchError, fault
+from crankstar.search.faults import SearchError, fault, said
 from crankstar.search.options import Measure, SearchOptions, search_for
 from crankstar.search.question import All, Best, Front
 
@@ -19,8 +20,8 @@ def faults(about: Any, **words: Any) -> list[tuple[str, str]]:
     """Paths and codes of all faults; an engine is given by its name."""
     with pytest.raises(SearchError) as raised:
         search_of(load(about) if isinstance(about, str) else about, SearchWords(**words))
-    assert all(each.sentence() for each in raised.value.faults)
-    return [(each.path, each.code) for each in raised.value.faults]
+    assert all(said(each) for each in raised.value.faults)
+    return [(".".join(map(str, each.path)), each.code) for each in raised.value.faults]
 
 
 @pytest.mark.parametrize(
@@ -34,7 +35,7 @@ def faults(about: Any, **words: Any) -> list[tuple[str, str]]:
         (7, {"minimise": "M\u0663"}, "minimise", "no-quantity"),
         (7, {"minimise": "M0"}, "minimise", "order"),
         (7, {"minimise": "M1,M1"}, "minimise", "named-twice"),
-        (7, {"minimise": "M1,M2,M3,M4,M5,M6,neighbours"}, "minimise", "too-many"),
+        (7, {"minimise": "M1,M2,M3,M4,M5,M6,neighbours"}, "minimise", "too-many-objectives"),
         (7, {"minimise": "T2"}, "minimise", "needs-shape"),
         (8, {"minimise": "T2.5", "mode_shape": "8,7,6,5,4,3,2,1"}, "minimise", "half-torsion"),
         (7, {"minimise": "F1"}, "minimise", "alike-throws"),
@@ -93,14 +94,15 @@ def test_a_number_of_cylinders_without_stars_is_refused(text):
 
 def test_a_host_writes_options_in_its_own_words():
     unused = fault("mode_shape", "shape-unused")
-    assert "--minimise M1" in unused.sentence(lambda option: f"--{option}")
-    several = SearchError([fault("", "several-answers")._replace(values={"options": ("a", "b")})])
-    assert "`a`, `b`" in several.text(lambda option: f"`{option}`")
+    assert "--minimise M1" in said(unused, lambda option: f"--{option}")
+    assert "`best`, `all`" in said(fault("", "several-answers"), lambda option: f"`{option}`")
+    text = SearchError([unused]).text(lambda option: f"--{option.replace('_', '-')}")
+    assert text.startswith("--mode-shape: ")
 
 
 def test_what_is_quoted_stays_as_it_was_written():
     raised = fault("minimise", "no-quantity", given='"M1--fix {best}"')
-    assert '"M1--fix {best}"' in raised.sentence(lambda option: f"`{option}`")
+    assert '"M1--fix {best}"' in said(raised, lambda option: f"`{option}`")
 
 
 def test_defaults_are_values():

@@ -37,7 +37,7 @@ def test_equal_lengths_of_many_stars_are_those_of_one_at_a_time(cylinders):
 
 def test_weights_beyond_64_bits_are_added_up_exactly():
     weights = tuple(Fraction(10**12 + number, 7) for number in range(6))
-    vector = VectorSum("big", weights, tuple(Fraction(d, 6) for d in range(6)))
+    vector = VectorSum("big", Fraction(1), weights, tuple(Fraction(d, 6) for d in range(6)))
     rows = [tuple(row) for row in exhaustive.stars(6, 1).tolist()]
     assert proof.vanishing(vector, rows).tolist() == [vector.exact(row).zero for row in rows]
     assert len(set(proof.alike([vector], rows).tolist())) == len(

@@ -7,5 +7,6 @@
 | `quoting` | text from outside, quoted on one printable line |
 | `engine_faults` | the sentence of each fault of an engine |
 | `file_faults` | the sentence of each fault of an engine file |
+| `search_faults` | the sentence of each fault of a search |
 | `faults` | faults as records: path, code, values; their sentences |
 """

@@ -1,22 +1,27 @@
 """Faults: what is wrong with an engine, a file or a question, as a record; and its sentence.
 
 Rooms above name a code and the values that belong to it; the sentences stand in the tables of
-`engine_faults` and `file_faults`, marked for translation. Each host says where a fault is in its
+`engine_faults`, `file_faults` and `search_faults`, marked for translation. Each host says where a fault is in its
 own words: `where(path)` in an engine file, an option on the command line, a field in a dialog.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
+from string import Formatter
 from typing import Any, NamedTuple
 
-from crankstar.language import engine_faults, file_faults
+from crankstar.language import engine_faults, file_faults, search_faults
 from crankstar.language.messages import Plural, _, _n
 from crankstar.language.quoting import one_line, seen
 
-SENTENCES: dict[str, str | Plural] = {**engine_faults.SENTENCES, **file_faults.SENTENCES}
+SENTENCES: dict[str, str | Plural] = {
+    **engine_faults.SENTENCES,
+    **file_faults.SENTENCES,
+    **search_faults.SENTENCES,
+}
 """By code; `{where}` stands for the place, a plural goes by the value `count`."""
 GREATEST_LISTED = 12
 """Values of a list up to which a sentence has all of them."""
@@ -64,8 +69,12 @@ class ValueFaultError(ValueError):
         return partial(type(self), self.code, **self.values), ()
 
 
-def sentence(code: str, values: Mapping[str, Any], *, place: str) -> str:
+def sentence(
+    code: str, values: Mapping[str, Any], *, place: str, named: Callable[[str], str] = str
+) -> str:
     """The sentence of a fault in the language of the context.
+
+    named: how the host writes the name of an option.
 
     >>> sentence("shaft.reference-ratio", {"value": 2}, place="shaft[1].speed_ratio").split(";")[0]
     'shaft[1].speed_ratio is 2'
@@ -74,7 +83,9 @@ def sentence(code: str, values: Mapping[str, Any], *, place: str) -> str:
     shown = {name: _shown(name, value) for name, value in values.items()}
     if isinstance(template, Plural):
         return _n(template.one, template.several, values["count"], where=place, **shown)
-    return _(template, where=place, **shown)
+    shown["where"] = place
+    names = {name for _text, name, *_rest in Formatter().parse(template) if name} - set(shown)
+    return _(template, **shown, **{name: named(name) for name in names})
 
 
 def _shown(name: str, value: Any) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from fractions import Fraction
 from typing import TypeVar
 
@@ -12,7 +12,7 @@ from crankstar.language.messages import _
 from crankstar.language.quoting import one_line, seen
 from crankstar.options.values import RequestError
 from crankstar.options.words import SearchWords
-from crankstar.search.faults import SearchError, SearchFault, error, fault
+from crankstar.search.faults import Faults, error
 from crankstar.search.options import (
     GREATEST_BEST,
     NEIGHBOURS,
@@ -34,75 +34,67 @@ GREATEST_DEVIATION, GREATEST_DEVIATIONS = 60, 20
 
 def search_of(about: int | Engine, words: SearchWords, *, speed: float | None = None) -> Search:
     """The search that the words ask for. Raises SearchError with every fault in them."""
-    reader = _Reader()
-    options = reader.options(words)
-    return search_for(about, options, speed=speed, faults=reader.faults)
+    faults = Faults()
+    return search_for(about, _options(words, faults), speed=speed, faults=faults)
 
 
-class _Reader:
-    """Reads words; faults are gathered, and a word at fault is left out."""
+def _options(words: SearchWords, faults: Faults) -> SearchOptions:
+    """The values of all words; one at fault is left out."""
 
-    def __init__(self) -> None:
-        self.faults: list[SearchFault] = []
-
-    def options(self, words: SearchWords) -> SearchOptions:
-        """The values of all words."""
-        minimise = self._each("minimise", words.minimise, weighted)
-        if minimise is not None and not _parts(words.minimise):
-            self.faults.append(fault("minimise", "none-named"))
-        if words.zero is not None and not _parts(words.zero):
-            self.faults.append(fault("zero", "none-named"))
-        return SearchOptions(
-            cycle=words.cycle,
-            pitch=self._each("pitch", words.pitch, gap, every=True),
-            fix=self._each("fix", words.fix, fixed_throw, every=True) or (),
-            symmetric=words.symmetric,
-            minimise=minimise or None,
-            zero=self._each("zero", words.zero, vanishing) or (),
-            limit=tuple(
-                bound for text in words.limit for bound in self._tried("limit", limit, text)
-            ),
-            mode_shape=self._each("mode_shape", words.mode_shape, amplitude, every=True),
-            avoid_adjacent=words.avoid_adjacent,
-            ask=self._ask(words),
-            all_with=self._all_with(words.all_with),
-        )
-
-    def _tried(self, path: str, read: Callable[[str], T], text: str) -> Iterator[T]:
-        try:
-            yield read(text)
-        except SearchError as raised:
-            self.faults += [each._replace(path=path) for each in raised.faults]
-
-    def _each(
-        self, path: str, text: str | None, read: Callable[[str], T], *, every: bool = False
+    def each(
+        path: str, text: str | None, read: Callable[[str], T], *, every: bool = False
     ) -> tuple[T, ...] | None:
         """What stands between commas; `every`: also where there is nothing."""
         if text is None:
             return None
         parts = [part.strip() for part in text.split(",")] if every else _parts(text)
-        values = tuple(value for part in parts for value in self._tried(path, read, part))
-        return values if len(values) == len(parts) or not every else None
+        if not parts:
+            faults.add(path, "none-named")
+        values: list[T] = []
+        for part in parts:
+            with faults.at(path):
+                values.append(read(part))
+        return tuple(values) if len(values) == len(parts) or not every else None
 
-    def _ask(self, words: SearchWords) -> Front | Best | All | None:
-        names = ("front", "best", "all", "all_with")
-        named = tuple(name for name in names if getattr(words, name) not in (None, False))
-        if len(named) > 1:
-            self.faults.append(SearchFault("", "several-answers", {"options": named}))
-        if words.best is not None:
-            return next(self._tried("best", best, str(words.best)), None)
-        return All() if words.all else Front() if words.front else None
+    limits: list[tuple[Measure, float]] = []
+    for text in words.limit:
+        with faults.at("limit"):
+            limits.append(limit(text))
+    names = (words.front, words.best is not None, words.all, words.all_with is not None)
+    if sum(names) > 1:
+        faults.add("", "several-answers")
+    ask = All() if words.all else Front() if words.front else None
+    if words.best is not None:
+        with faults.at("best"):
+            ask = best(str(words.best))
+    all_with = None
+    if words.all_with is not None:
+        if "=" in words.all_with:
+            all_with = each("all_with", words.all_with, near_value) or None
+        else:
+            with faults.at("all_with"):
+                all_with = order(words.all_with)
+    return SearchOptions(
+        cycle=words.cycle,
+        pitch=each("pitch", words.pitch, gap, every=True),
+        fix=each("fix", words.fix, fixed_throw, every=True) or (),
+        symmetric=words.symmetric,
+        minimise=each("minimise", words.minimise, weighted) or None,
+        zero=each("zero", words.zero, vanishing) or (),
+        limit=tuple(limits),
+        mode_shape=each("mode_shape", words.mode_shape, amplitude, every=True),
+        avoid_adjacent=words.avoid_adjacent,
+        ask=ask,
+        all_with=all_with,
+    )
 
-    def _all_with(self, text: str | None) -> tuple[int, ...] | tuple[NearValue, ...] | None:
-        if text is None:
-            return None
-        if "=" in text:
-            return self._each("all_with", text, near_value) or None
-        words = re.split(r"[-,\s]+", text.strip())
-        if all(re.fullmatch(r"\d{1,3}", word, re.ASCII) for word in words):
-            return tuple(map(int, words))
-        self.faults.append(fault("all_with", "all-with-text", given=text))
-        return None
+
+def order(text: str) -> tuple[int, ...]:
+    """The cylinders of a firing order. Raises SearchError."""
+    words = re.split(r"[-,\s]+", text.strip())
+    if not all(re.fullmatch(r"\d{1,3}", word, re.ASCII) for word in words):
+        raise error("", "all-with-text", given=text)
+    return tuple(map(int, words))
 
 
 def weighted(text: str) -> tuple[float, Measure]:

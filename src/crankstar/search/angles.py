@@ -33,11 +33,12 @@ from math import inf, isfinite
 
 import numpy as np
 
+from crankstar.language.faults import Fault
 from crankstar.language.messages import _
 from crankstar.search import descent
 from crankstar.search.descent import NOTHING, Task, Term, succession
 from crankstar.search.engines import dead_centres_deg, firing_order
-from crankstar.search.faults import SearchError, SearchFault, fault
+from crankstar.search.faults import SearchError, fault
 from crankstar.search.stars import Star, Stars
 from crankstar.search.sums import couple, force
 from crankstar.spectra import Real
@@ -192,7 +193,7 @@ def sentence(result: Uneven) -> str:
 
 def _faults(
     stars: Stars, wanted: Sequence[Term], deviations_deg: Sequence[float], starts: int
-) -> Iterator[SearchFault]:
+) -> Iterator[Fault]:
     even = (360 if stars.cycle == "two-stroke" else 720) / stars.cylinders
     if not deviations_deg:
         yield fault("uneven", "no-deviation")

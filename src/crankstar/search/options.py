@@ -16,7 +16,7 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import Cycle
 from crankstar.search import engine_stars, equivalence
 from crankstar.search.equivalence import Equivalence
-from crankstar.search.faults import SearchError, SearchFault, error, fault
+from crankstar.search.faults import Faults, SearchError, error
 from crankstar.search.question import All, Best, Front, Question
 from crankstar.search.stars import Star, Stars
 from crankstar.search.sums import (
@@ -100,7 +100,7 @@ def search_for(
     options: SearchOptions,
     *,
     speed: float | None = None,
-    faults: Iterable[SearchFault] = (),
+    faults: Faults | None = None,
 ) -> Search:
     """The search that options ask for, of an in-line engine or of a number of cylinders.
 
@@ -110,64 +110,43 @@ def search_for(
     >>> search_for(7, SearchOptions()).question.objectives[1].name
     'M2'
     """
-    gathered = _Gathered(list(faults))
-    stars = _stars(about, options, gathered)
+    faults = Faults() if faults is None else faults
+    stars = _stars(about, options, faults)
     if stars is None:
-        raise SearchError(gathered.faults)
+        raise SearchError(faults)
     engine = about if isinstance(about, Engine) else None
-    return _Questioner(stars, engine, speed, options, gathered).search()
+    return _Questioner(stars, engine, speed, options, faults).search()
 
 
-class _Gathered:
-    """Faults, collected so that all of them are reported at once."""
-
-    def __init__(self, faults: list[SearchFault]) -> None:
-        self.faults = faults
-
-    def add(self, path: str, code: str, **values: object) -> None:
-        """Note a fault."""
-        self.faults.append(fault(path, code, **values))
-
-    def take(self, raised: SearchError, path: str = "") -> None:
-        """Note what was raised, at an option where it names none."""
-        self.faults += [each._replace(path=each.path or path) for each in raised.faults]
-
-    @property
-    def paths(self) -> set[str]:
-        """Options that have a fault."""
-        return {each.path for each in self.faults}
-
-
-def _stars(about: int | Engine, options: SearchOptions, gathered: _Gathered) -> Stars | None:
+def _stars(about: int | Engine, options: SearchOptions, faults: Faults) -> Stars | None:
     """The stars among which to search, options at fault left out; None where there are none."""
-    try:
+    stars = None
+    with faults.at():
         if isinstance(about, Engine):
             if options.cycle not in (None, about.cycle):
-                gathered.add("cycle", "engine-cycle", engine=about.name, cycle=about.cycle)
+                faults.add("cycle", "engine-cycle", engine=about.name, own=about.cycle)
             if options.pitch is not None:
-                gathered.add("pitch", "engine-gaps")
+                faults.add("pitch", "engine-gaps")
             stars = engine_stars.stars_of(about)
         else:
-            places = _positions(about, options.pitch, gathered)
+            places = _positions(about, options.pitch, faults)
             stars = Stars(about, options.cycle or "four-stroke", places)
-    except SearchError as raised:
-        gathered.take(raised)
-        return None
-    for change in ({"symmetric": options.symmetric}, {"fixed": tuple(sorted(set(options.fix)))}):
-        try:
-            stars = replace(stars, **change)
-        except SearchError as raised:
-            gathered.take(raised)
+        for change in (
+            {"symmetric": options.symmetric},
+            {"fixed": tuple(sorted(set(options.fix)))},
+        ):
+            with faults.at():
+                stars = replace(stars, **change)
     return stars
 
 
 def _positions(
-    cylinders: int, gaps: tuple[Fraction, ...] | None, gathered: _Gathered
+    cylinders: int, gaps: tuple[Fraction, ...] | None, faults: Faults
 ) -> tuple[Fraction, ...]:
     """Positions in pitches, measured from the middle."""
     if gaps is not None and len(gaps) != cylinders - 1:
         wrong = {"given": len(gaps), "cylinders": cylinders, "wanted": cylinders - 1}
-        gathered.add("pitch", "gap-count", **wrong)
+        faults.add("pitch", "gap-count", **wrong)
         gaps = None
     places = [Fraction(0)]
     for gap in gaps or (Fraction(1),) * (cylinders - 1):
@@ -185,86 +164,74 @@ class _Questioner:
         engine: Engine | None,
         speed: float | None,
         options: SearchOptions,
-        gathered: _Gathered,
+        faults: Faults,
     ) -> None:
         self.stars, self.engine, self.speed = stars, engine, speed
-        self.options, self.gathered = options, gathered
+        self.options, self.faults = options, faults
         self.shape = self._shape()
 
     def search(self) -> Search:
         """The search. Raises SearchError with every fault."""
-        options, gathered = self.options, self.gathered
-        objectives = list(self._objectives())
-        zeros = self._made("zero", map(self.vector, options.zero))
-        limits = [Limit(vector, 0.0) for vector in zeros]
-        at_most = 0.0 if options.avoid_adjacent else inf
-        for measure, length in options.limit:
-            if measure == NEIGHBOURS:
-                at_most = min(at_most, length)
-            else:
-                limits += [
-                    Limit(vector, length) for vector in self._made("limit", [self.vector(measure)])
-                ]
-        wanted = self._equivalence([objective for _weight, objective in objectives])
-        ask = self._ask(objectives)
-        if gathered.faults:
-            raise SearchError(gathered.faults)
-        plain = tuple(objective for _weight, objective in objectives)
+        options, faults = self.options, self.faults
+        weighted = list(self._objectives())
+        objectives = tuple(objective for _weight, objective in weighted)
+        limits: list[Limit] = []
+        for path, bounds in (
+            ("zero", [(name, 0.0) for name in options.zero]),
+            ("limit", options.limit),
+        ):
+            for measure, length in bounds:
+                with faults.at(path):
+                    if measure != NEIGHBOURS:
+                        limits.append(Limit(self.vector(measure), length))
+        at_most = [length for measure, length in options.limit if measure == NEIGHBOURS]
+        at_most += [0.0] if options.avoid_adjacent else []
+        wanted = self._equivalence(objectives)
+        ask = self._ask(weighted)
+        if faults:
+            raise SearchError(faults)
         if wanted is not None:
-            alike = equivalence.question(self.stars, wanted, plain)
-            limits = [*alike.limits, *limits]
+            limits = [*equivalence.question(self.stars, wanted, objectives).limits, *limits]
         elif isinstance(ask, Best):
-            plain = (_combined(objectives),)
-        question = Question(self.stars, plain, tuple(limits), at_most, ask)
+            objectives = (_combined(weighted),)
+        least = min(at_most, default=inf)
+        question = Question(self.stars, objectives, tuple(limits), least, ask)
         return Search(question, self.engine, wanted)
 
-    def vector(self, measure: Measure) -> Iterator[VectorSum]:
+    def vector(self, measure: Measure) -> VectorSum:
         """The vector sum of a quantity. Raises SearchError."""
         name, order = measure.name, measure.order
         if not 0 < order <= GREATEST_ORDER:
             raise error("", "order", name=name, most=GREATEST_ORDER)
         if measure.kind == "T":
             check_torsion(self.stars, order)
-            if self.shape is not None:
-                yield torsion(self.stars, order=order, shape=self.shape)
-            elif "mode_shape" not in self.gathered.paths:
-                raise error("", "needs-shape", name=name)
-        elif order.denominator != 1:
+            if self.shape is None:
+                known = [fault for fault in self.faults if "mode_shape" in fault.path]
+                raise SearchError(known) if known else error("", "needs-shape", name=name)
+            return torsion(self.stars, order=order, shape=self.shape)
+        if order.denominator != 1:
             raise error("", "half-order", name=name)
-        elif self.engine is None:
-            yield (force if measure.kind == "F" else couple)(self.stars, int(order))
-        else:
-            of_engine = engine_stars.force_of if measure.kind == "F" else engine_stars.couple_of
-            vector = of_engine(self.engine, self.stars, int(order), speed=self.speed)
-            if vector.scale == 0:
-                raise error("", "no-force", name=name, engine=self.engine.name)
-            yield vector
+        if self.engine is None:
+            return (force if measure.kind == "F" else couple)(self.stars, int(order))
+        of_engine = engine_stars.force_of if measure.kind == "F" else engine_stars.couple_of
+        vector = of_engine(self.engine, self.stars, int(order), speed=self.speed)
+        if vector.scale == 0:
+            raise error("", "no-force", name=name, engine=self.engine.name)
+        return vector
 
-    def _objective(self, measure: Measure) -> Iterator[Objective]:
+    def _objective(self, measure: Measure) -> Objective:
         """The objective of a quantity. Raises SearchError where it is the same for every star."""
         if measure == NEIGHBOURS:
-            yield neighbours()
-        elif measure.kind == "couple":
+            return neighbours()
+        if measure.kind == "couple":
             if self.engine is None:
                 raise error("", "needs-engine")
-            yield engine_stars.rms_couple(self.engine, self.stars, speed=self.speed)
-        else:
-            for vector in self.vector(measure):
-                if not _differs(vector):
-                    order = len(set(vector.turns)) == 1
-                    code = "alike-order" if order else "alike-throws"
-                    raise error("", code, name=measure.name)
-                yield of(vector)
-
-    def _made(self, path: str, makers: Iterable[Iterator[VectorSum]]) -> list[VectorSum]:
-        """Vector sums; faults are gathered at an option."""
-        out: list[VectorSum] = []
-        for maker in makers:
-            try:
-                out += maker
-            except SearchError as raised:
-                self.gathered.take(raised, path)
-        return out
+            return engine_stars.rms_couple(self.engine, self.stars, speed=self.speed)
+        vector = self.vector(measure)
+        for alike, code in ((vector.turns, "alike-order"), (vector.weights, "alike-throws")):
+            if len(set(alike)) == 1:
+                raise error("", code, name=measure.name)
+        return of(vector)
 
     def _objectives(self) -> Iterator[tuple[float, Objective]]:
         """Objectives with their weights, by default the first couples that differ."""
@@ -272,20 +239,19 @@ class _Questioner:
             usual: list[Objective] = []
             for measure in USUAL:
                 with suppress(SearchError):
-                    usual += self._objective(measure)
+                    usual.append(self._objective(measure))
             yield from ((1.0, objective) for objective in usual or [neighbours()])
             return
         for weight, measure in self.options.minimise:
-            try:
-                yield from ((weight, objective) for objective in self._objective(measure))
-            except SearchError as raised:
-                self.gathered.take(raised, "minimise")
+            with self.faults.at("minimise"):
+                yield weight, self._objective(measure)
         names = [measure.name for _weight, measure in self.options.minimise]
         for name in dict.fromkeys(names):
             if names.count(name) > 1:
-                self.gathered.add("minimise", "named-twice", name=name, count=names.count(name))
+                self.faults.add("minimise", "named-twice", name=name, count=names.count(name))
         if len(names) > GREATEST_OBJECTIVES:
-            self.gathered.add("minimise", "too-many", count=len(names), most=GREATEST_OBJECTIVES)
+            wrong = {"count": len(names), "most": GREATEST_OBJECTIVES}
+            self.faults.add("minimise", "too-many-objectives", **wrong)
 
     def _shape(self) -> tuple[Fraction, ...] | None:
         shape, options = self.options.mode_shape, self.options
@@ -297,47 +263,46 @@ class _Questioner:
             value.measure for value in options.all_with or () if not isinstance(value, int)
         ]
         if not any(measure.kind == "T" for measure in measures):
-            self.gathered.add("mode_shape", "shape-unused")
+            self.faults.add("mode_shape", "shape-unused")
         if len(shape) != self.stars.cylinders:
             wrong = {"given": len(shape), "cylinders": self.stars.cylinders}
-            self.gathered.add("mode_shape", "shape-count", **wrong)
+            self.faults.add("mode_shape", "shape-count", **wrong)
             return None
         if len(set(shape)) == 1:
-            self.gathered.add("mode_shape", "shape-uniform")
+            self.faults.add("mode_shape", "shape-uniform")
             return None
         return shape
 
-    def _ask(self, objectives: list[tuple[float, Objective]]) -> Front | Best | All:
+    def _ask(self, weighted: list[tuple[float, Objective]]) -> Front | Best | All:
         ask = self.options.ask
         if self.options.all_with is not None:
             return All()
         if isinstance(ask, Best) and not 1 <= ask.count <= GREATEST_BEST:
-            self.gathered.add("best", "best", given=ask.count, most=GREATEST_BEST)
+            self.faults.add("best", "best", given=ask.count, most=GREATEST_BEST)
         if ask is None:
-            ask = Best(USUAL_BEST) if len(objectives) == 1 else Front()
-        if isinstance(ask, Front) and any(weight != 1 for weight, _objective in objectives):
-            self.gathered.add("minimise", "weights-unused")
+            ask = Best(USUAL_BEST) if len(weighted) == 1 else Front()
+        if isinstance(ask, Front) and any(weight != 1 for weight, _objective in weighted):
+            self.faults.add("minimise", "weights-unused")
         return ask
 
-    def _equivalence(self, objectives: list[Objective]) -> Equivalence | None:
+    def _equivalence(self, objectives: Iterable[Objective]) -> Equivalence | None:
         """Which sums are to be as long as those of a firing order, or how long."""
         wanted = self.options.all_with
         if wanted is None:
             return None
-        values = [value for value in wanted if not isinstance(value, int)]
-        if values:
-            sums = self._made("all_with", (self.vector(value.measure) for value in values))
-            return Equivalence(tuple(sums), None, tuple((at, off) for _, at, off in values))
-        sums = [vector for objective in objectives for _weight, vector in objective.terms]
-        if not sums:
-            self.gathered.add("all_with", "all-with-sums")
-            return None
-        star = star_of_order([number for number in wanted if isinstance(number, int)], self.stars)
-        if star is None:
-            order, most = "-".join(map(str, wanted)), self.stars.cylinders
-            self.gathered.add("all_with", "all-with-form", given=order, cylinders=most)
-            return None
-        return Equivalence(tuple(sums), star)
+        with self.faults.at("all_with"):
+            values = [value for value in wanted if not isinstance(value, int)]
+            if values:
+                sums = tuple(self.vector(value.measure) for value in values)
+                return Equivalence(sums, None, tuple((at, off) for _, at, off in values))
+            sums = tuple(vector for objective in objectives for _, vector in objective.terms)
+            if not sums:
+                raise error("", "all-with-sums")
+            star = star_of_order([n for n in wanted if isinstance(n, int)], self.stars)
+            if star is None:
+                order, most = "-".join(map(str, wanted)), self.stars.cylinders
+                raise error("", "all-with-form", given=order, cylinders=most)
+            return Equivalence(sums, star)
 
 
 def star_of_order(firing_order: list[int], stars: Stars) -> Star | None:
@@ -347,11 +312,6 @@ def star_of_order(firing_order: list[int], stars: Stars) -> Star | None:
     step = stars.step or 1
     at = {number: place * step % stars.directions for place, number in enumerate(firing_order)}
     return tuple(at[number] for number in range(1, stars.cylinders + 1))
-
-
-def _differs(vector: VectorSum) -> bool:
-    """Whether a sum is not equally long for all stars."""
-    return len(set(vector.turns)) > 1 and len(set(vector.weights)) > 1
 
 
 def _combined(objectives: list[tuple[float, Objective]]) -> Objective:

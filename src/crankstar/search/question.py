@@ -8,7 +8,8 @@ from functools import cached_property
 from hashlib import sha256
 from math import inf, isnan
 
-from crankstar.search.faults import SearchError, SearchFault, fault
+from crankstar.language.faults import Fault
+from crankstar.search.faults import SearchError, fault
 from crankstar.search.stars import Star, Stars
 from crankstar.search.sums import Limit, Objective, VectorSum
 
@@ -88,7 +89,7 @@ class Question:
         if faults:
             raise SearchError(faults)
 
-    def _faults(self) -> Iterator[SearchFault]:
+    def _faults(self) -> Iterator[Fault]:
         stars = self.stars
         for vector in self.sums:
             if (len(vector.weights), len(vector.turns)) != (stars.cylinders, stars.directions):

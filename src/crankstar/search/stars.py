@@ -20,7 +20,8 @@ from math import factorial, isfinite
 from typing import get_args
 
 from crankstar.engine.quantities import Cycle
-from crankstar.search.faults import SearchError, SearchFault, fault
+from crankstar.language.faults import Fault
+from crankstar.search.faults import SearchError, fault
 
 GREATEST_CYLINDERS = 24
 """Cylinders a star can have: a half of more than 12 places is beyond any memory."""
@@ -51,7 +52,7 @@ class Stars:
         if faults:
             raise SearchError(faults)
 
-    def _faults(self) -> Iterator[SearchFault]:
+    def _faults(self) -> Iterator[Fault]:
         if self.cycle not in get_args(Cycle):
             yield fault("cycle", "cycle", given=self.cycle, choices=", ".join(get_args(Cycle)))
         if not 1 <= self.cylinders <= GREATEST_CYLINDERS:
@@ -68,7 +69,7 @@ class Stars:
             return
         yield from self._fixed_faults()
 
-    def _fixed_faults(self) -> Iterator[SearchFault]:
+    def _fixed_faults(self) -> Iterator[Fault]:
         """Faults of the fixed throws."""
         given: dict[int, int] = {}
         last, step = self.directions - 1, f"{360 / self.directions:.4g}"
@@ -94,7 +95,7 @@ class Stars:
                 wrong = {"direction": direction, "cylinders": numbers, "room": self.sharing}
                 yield fault("fix", "fixed-crowded", **wrong)
 
-    def misfit(self, star: Sequence[int]) -> SearchFault | None:
+    def misfit(self, star: Sequence[int]) -> Fault | None:
         """Why a row of directions is not one of these stars; None if it is."""
         if len(star) != self.cylinders:
             return fault("", "star-throws", given=len(star), cylinders=self.cylinders)

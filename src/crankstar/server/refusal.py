@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from math import isfinite
 from typing import Any, NamedTuple
 
-from crankstar.language.faults import Fault, where
+from crankstar.language.faults import Fault, sentence, where
 from crankstar.language.quoting import one_line
 
 
@@ -61,7 +61,15 @@ def of_faults(status: int, faults: Iterable[Fault]) -> Refused:
     """A refusal with a line for each fault."""
     return Refused(
         status,
-        [Told(where(f.path) if f.path else "", f.sentence, f.code, f.values) for f in faults],
+        [
+            Told(
+                where(f.path) if f.path else "",
+                sentence(f.code, f.values, place=where(f.path), named=lambda key: f"`{key}`"),
+                f.code,
+                f.values,
+            )
+            for f in faults
+        ],
     )
 
 

@@ -26,7 +26,7 @@ from crankstar.page.figures import NoSuchKeyError
 from crankstar.page.records import Exhibit, Exhibition, StrokeColours
 from crankstar.remedy import RemedyError, fitting
 from crankstar.search.faults import SearchError
-from crankstar.server.refusal import Refused, Told, of_faults
+from crankstar.server.refusal import Refused, of_faults
 
 Tree = dict[str, Any]
 ENGINE = "the engine"
@@ -39,23 +39,8 @@ def mistakes_refused(at: str = "") -> Iterator[None]:
     """Turn the mistakes of a question into a refusal; `at` is the path of those without one."""
     try:
         yield
-    except EngineFileError as error:
+    except (EngineFileError, EngineError, SearchError) as error:
         raise of_faults(422, error.faults) from None
-    except EngineError as error:
-        raise of_faults(422, error.faults) from None
-    except SearchError as error:
-        raise Refused(
-            422,
-            [
-                Told(
-                    fault.path,
-                    fault.sentence(lambda option: f"`{option}`"),
-                    fault.code,
-                    fault.values,
-                )
-                for fault in error.faults
-            ],
-        ) from None
     except (RequestError, RemedyError, DerivationError, ChartError, NoSuchKeyError) as error:
         raise Refused(422, [(at, line) for line in str(error).split("\n")]) from None
 

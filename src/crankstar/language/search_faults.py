@@ -1,0 +1,182 @@
+"""What can be wrong with a search: a sentence for each code.
+
+Placeholders without a value name options; each host writes them in its own way: `--fix`, `fix`.
+"""
+
+from __future__ import annotations
+
+from crankstar.language.messages import N_, Plural
+
+SENTENCES: dict[str, str | Plural] = {
+    # stars
+    "cycle": N_("The cycle is {given}; it can be {choices}."),
+    "cylinders": N_("{given} cylinders have no crank star; there can be {least} to {most}."),
+    "positions": N_("{given} positions are given for {cylinders} cylinders; give one for each."),
+    "position": N_("A position along the shaft is not a finite number."),
+    "symmetric": N_(
+        "Only a four-stroke engine with an even number of evenly spaced cylinders has symmetric "
+        "cranks."
+    ),
+    "fixed-cylinder": N_("There is no cylinder {cylinder}; there are 1 to {cylinders}."),
+    "fixed-direction": N_(
+        "Cylinder {cylinder} cannot have direction {direction}; there are directions 0 to {last}, "
+        "and direction d is {step} d deg behind direction 0."
+    ),
+    "fixed-twice": N_(
+        "Cylinder {cylinder} cannot have directions {first} and {second}; give it one."
+    ),
+    "fixed-mirror": N_(
+        "Cylinders {first} and {second} of a symmetric crank have the same direction."
+    ),
+    "fixed-crowded": N_(
+        "Direction {direction} is given to cylinders {cylinders}, more than its {room}."
+    ),
+    "fixed-form": N_("{given}: give cylinder = direction, as in 1=0,4=3."),
+    "star-throws": N_(
+        "The star has {given} throws for {cylinders} cylinders; give a direction for each."
+    ),
+    "star-directions": N_("Each direction from 0 to {last} occurs {times} times in a star."),
+    "gaps": N_("{given}: give the gaps from the front, in pitches, above 0, as in 1,1,1.5,1."),
+    "gap-count": N_("{given} gaps are given; {cylinders} cylinders have {wanted}."),
+    # stars of an engine
+    "one-cylinder": N_("{engine} has one cylinder; a star needs two."),
+    "not-in-line": N_(
+        "The cylinders of {engine} do not stand in line, each on a throw of its own; give the "
+        "number of throws instead."
+    ),
+    "geared": N_(
+        "The crankshaft of {engine} is geared to the reference shaft; give the number of throws "
+        "instead."
+    ),
+    "slave-rods": N_(
+        "{engine} has slave rods or shared chambers; give the number of throws instead."
+    ),
+    "numbering": N_("Number the cylinders of {engine} 1, 2, 3 ... from the front."),
+    "engine-cycle": N_("{engine} is a {own} engine; leave {cycle} out, or change its file."),
+    "engine-gaps": N_("The positions of the cylinders are in the engine file; leave {pitch} out."),
+    "later": N_("{given} angles are given for {cylinders} cylinders; give one for each."),
+    # objectives and limits
+    "no-quantity": N_(
+        "There is no {given}; choose from couples (M1, M2), forces (F1), torsion (T3, with "
+        "{mode_shape}) and neighbours."
+    ),
+    "order": N_("{name}: the order can be above 0, up to {most}."),
+    "half-order": N_("{name}: inertia forces have whole orders only."),
+    "no-force": N_("{name}: the pistons of {engine} make no inertia force of this order."),
+    "needs-shape": N_("{name} needs a torsional mode, as in {mode_shape} 1,0.5,-0.5,-1."),
+    "two-stroke-torsion": N_("{name}: a two-stroke engine has whole orders of torsion only."),
+    "half-torsion": N_(
+        "{name}: where two cylinders share a direction, half orders depend on the firing order; "
+        "search for whole orders."
+    ),
+    "needs-engine": N_(
+        "couple, the total over all orders, needs an engine, for its rod ratio; name orders, as in "
+        "M1,M2."
+    ),
+    "alike-order": N_(
+        "{name} is the same for every star, because all throws stand alike to this order; leave it "
+        "out."
+    ),
+    "alike-throws": N_(
+        "{name} is the same for every star, because the throws are evenly spaced; leave it out."
+    ),
+    "weight": N_("{given}: the weight must be a number above 0, as in 2*M2."),
+    "named-twice": N_("{name} is named {count} times; once is enough."),
+    "none-named": N_("Name at least one quantity, as in M1,M2."),
+    "too-many-objectives": N_("{count} objectives are named; there can be up to {most}."),
+    "zero-neighbours": N_("Use {avoid_adjacent} to exclude neighbours in succession."),
+    "limit-form": N_("{given}: give a quantity and its greatest value, as in M2=1.5."),
+    "limit-whole": N_("{given}: the number of neighbours must be whole."),
+    "shape-form": N_("{given}: give an amplitude for each cylinder, as in 1,0.5,-0.5,-1."),
+    "shape-count": N_("{given} amplitudes are given for {cylinders} cylinders; give one for each."),
+    "shape-uniform": N_("The amplitudes are all equal, which is not a vibration."),
+    "shape-unused": N_("No torsion is searched for; name an order, as in {minimise} M1,M2,T3."),
+    "several-answers": N_("Ask for only one of {front}, {best}, {all} and {all_with}."),
+    "best": N_("{given}: give a whole number from 1 to {most}."),
+    "weights-unused": N_("Weights apply only to a list of the best; add {best} 20, or omit them."),
+    "all-with-sums": N_("Name a force, couple or torsion in {minimise} that is to be equal."),
+    "all-with-form": N_(
+        "{given}: give a firing order of cylinders 1 to {cylinders}, or values, as in "
+        "M1=0.2673,M2=1.0056."
+    ),
+    "all-with-text": N_(
+        "{given}: give a firing order, as in 1-3-4-2, or values, as in M1=0.2673,M2=1.0056."
+    ),
+    "all-with-neighbours": N_("Equal moments are compared; add {limit} neighbours=1 instead."),
+    "all-with-value": N_("{given}: give a value from 0 up, as in M1=0.2673."),
+    # questions
+    "other-stars": N_("{sum} is a sum over other stars: {cylinders} cylinders."),
+    "limit-range": N_("{sum} cannot have a length from {least} to {greatest}."),
+    "neighbours": N_("{given} neighbours in succession are not possible; give 0 or more."),
+    "no-objective": N_("A list of the best needs an objective."),
+    "several-objectives": N_("A list of the best has one objective; combine several into one."),
+    "list-size": N_("A list of {given} stars is not possible; ask for at least 1."),
+    "function-limit": N_("{name}: the limit is not a number."),
+    "function-failed": N_("{name} fails for the star {star}: {error}"),
+    "function-value": N_("{name} is {given} for the star {star}; it must be a finite number."),
+    "function-stars": N_(
+        "More than {most} stars are left for a Python function to evaluate; narrow the search with "
+        "limits."
+    ),
+    "too-large": N_(
+        "The two halves of a shaft with {free} free throws have {rows} arrangements; {most} can be "
+        "held at once. Fix at least {fixed} throws."
+    ),
+    "too-large-symmetric": N_(
+        "The two halves of a shaft with {free} free throws have {rows} arrangements; {most} can be "
+        "held at once. Fix at least {fixed} throws, or ask for symmetric cranks."
+    ),
+    "near-zero": N_(
+        "A sum is closer to zero than rounding shows, and is not zero; ask for all stars ({all}) "
+        "instead."
+    ),
+    # uneven angles
+    "no-deviation": N_("Give at least one deviation of the firing intervals, in degrees."),
+    "deviation": N_(
+        "A deviation of {given} deg is not possible; give 0 or more, below the even interval of "
+        "{even} deg."
+    ),
+    "term-weight": N_("{sum}: the weight is {given}; give 0 or more."),
+    "term-limit": N_("{sum}: the greatest length is {given}; give 0 or more."),
+    "no-term": N_("Give at least one vector sum a weight above 0."),
+    "starts": N_("{given} starting points are not possible; give at least 1."),
+    "no-angles": N_(
+        "With intervals within {deviation} deg of even ones no angles keep {limits}; allow more."
+    ),
+    "needs-sum": N_("Name a couple, force or torsion in {minimise} for other angles to reduce."),
+    # running
+    "range-size": N_("A block range has at least 1 block, not {given}."),
+    "worker-import": N_(
+        "A worker cannot load crankstar ({error}); install the same version wherever workers run."
+    ),
+    "worker-lost": N_(
+        "A part of the search lost its worker {times} times ({error}). Too little memory ends "
+        'processes, and so does a script without: if __name__ == "__main__"'
+    ),
+    "executor": N_("The executor is broken and accepts no more work: {error}"),
+    "scheduler-gone": N_("The scheduler at {address} is gone; a checkpoint keeps what was done."),
+    "scheduler-silent": N_(
+        "The scheduler at {address} has not answered, or has had no workers, for {seconds} s; a "
+        "checkpoint keeps what was done."
+    ),
+    "no-distributed": N_(
+        'A cluster needs dask.distributed; install it with: pip install "crankstar[cluster]"'
+    ),
+    "no-scheduler": N_(
+        "No dask scheduler answers at {address} within {seconds} s; start one with: dask "
+        "scheduler, and give its address, as in tcp://host:8786"
+    ),
+    "no-workers": N_(
+        "The scheduler at {address} has no workers; start one with: dask worker {address}"
+    ),
+    "checkpoint-version": N_(
+        "The checkpoint {file} was written by another version of crankstar; name another file."
+    ),
+    "checkpoint-directory": N_("The checkpoint {file} is not a file; name one, or a new one."),
+    "checkpoint-foreign": N_("{file} is not a checkpoint of a search; name another file."),
+    "checkpoint-other": N_(
+        "{file} is the checkpoint of another search; name another file, or repeat that search."
+    ),
+    "checkpoint-unreadable": N_("The checkpoint {file} cannot be read ({error})."),
+    "checkpoint-unwritable": N_("The checkpoint {file} cannot be written ({error})."),
+}
