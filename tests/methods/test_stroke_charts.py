@@ -143,7 +143,7 @@ def test_the_dots_of_a_firing_ring_stand_at_the_firing_angles(name: str) -> None
     ]
     fires = sorted(angle % found.cycle_deg for angle in found.firing.angles_deg)
     shown = sorted(
-        (angle_of(dot.up, dot.right, found.cycle_deg) + 1e-6) % found.cycle_deg for dot in dots
+        (angle_of(dot.atUp, dot.atRight, found.cycle_deg) + 1e-6) % found.cycle_deg for dot in dots
     )
     assert shown == pytest.approx(fires, abs=1e-4)
     groups = exhaust_groups(engine)
@@ -196,7 +196,7 @@ def test_the_dots_of_a_bank_stand_off_the_lines_of_the_others(name: str) -> None
     assert len(polygons) == len(exhaust_groups(engine))
     for colour, points in polygons:
         along = np.concatenate([np.linspace(a, b, 200) for a, b in pairwise(points)])
-        others = [complex(dot.up, dot.right) for dot in dots if dot.colour != colour]
+        others = [complex(dot.atUp, dot.atRight) for dot in dots if dot.colour != colour]
         assert min(abs(along - other).min() for other in others) > 0.08
     radii = [{round(abs(point), 6) for point in points} for _, points in polygons]
     assert all(len(one) == 1 for one in radii)
@@ -222,7 +222,9 @@ def test_crank_angles_stand_beside_the_numbers_of_a_ring(name: str) -> None:
 
 
 def close(dot: Row, fires: float, cycle: float) -> bool:
-    return abs((angle_of(dot.up, dot.right, cycle) - fires + cycle / 2) % cycle - cycle / 2) < 1e-4
+    return (
+        abs((angle_of(dot.atUp, dot.atRight, cycle) - fires + cycle / 2) % cycle - cycle / 2) < 1e-4
+    )
 
 
 @pytest.mark.parametrize("theta", [0.0, 1.0, 9.0])

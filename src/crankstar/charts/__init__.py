@@ -9,20 +9,21 @@ Engines in, a chart out, and a chart as an SVG that needs no browser.
 | `grammar` | Vega-Lite as plain data |
 | `drawing` | colours, text, the crank angle as a parameter |
 | `crank_angle` | the axis of the crank angle, and the rule at `theta` |
+| `sums` | what remains of force, couple, rolling moment and torque |
+| `comparison` | one engine, or several side by side on common axes |
 | `labels` | where labels stand |
 | `plane` | the clock plane as a picture with equal scales |
 | `saving` | a chart as SVG, PNG, PDF, HTML or JSON |
 | `vectors` | the vectors of one order, as numbers |
-| `stars` | the crank star, and the star of the vectors of an order |
-| `polygons` | force and moment polygons |
+| `crank_stars` | the throws of the crankshafts from the front |
+| `vector_stars` | the vectors of one order as a star and as a polygon |
 | `hodographs` | the path of force or couple |
-| `curves` | force, couple, roll and torque over the crank angle |
+| `curves` | force, couple, rolling moment and torque over the crank angle |
 | `spectra` | the size of each order |
 | `strokes` | when valves are open, and when each cylinder fires |
 | `firing_rings` | the cylinders round a circle at their firing angles |
 | `elevations` | the crankshaft from the side |
 | `cylinder_forces` | the forces on each cylinder at chosen crank angles |
-| `comparison` | several engines side by side on common axes |
 | `sweeps` | a result over a number of the engine |
 | `errata` | a printed formula beside the true one |
 | `front_axes` | the axes of a front, straight or logarithmic |
@@ -43,7 +44,7 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from crankstar.charts.comparison import side_by_side
+from crankstar.charts.crank_stars import crank_star
 from crankstar.charts.curves import over_turn
 from crankstar.charts.cylinder_forces import force_arrows
 from crankstar.charts.drawing import GREY, ChartError, svg
@@ -51,13 +52,12 @@ from crankstar.charts.elevations import shaft_elevation
 from crankstar.charts.errata import judged, over_rods
 from crankstar.charts.firing_rings import firing_ring
 from crankstar.charts.hodographs import hodograph
-from crankstar.charts.polygons import polygon
-from crankstar.charts.registry import CHARTS, Figure
+from crankstar.charts.registry import CHARTS, Figure, side_by_side
 from crankstar.charts.saving import SUFFIXES, saved
 from crankstar.charts.spectra import spectrum
-from crankstar.charts.stars import crank_star, vector_star
 from crankstar.charts.strokes import stroke_chart
 from crankstar.charts.sweeps import swept
+from crankstar.charts.vector_stars import polygon, vector_star
 
 if TYPE_CHECKING:
     from crankstar.charts.fronts import pareto_front

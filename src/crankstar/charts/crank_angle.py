@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from crankstar.charts.grammar import Channel, Layer, field, of_rows
+from crankstar.charts.grammar import Channel, Layer, field, of_rows, span
 from crankstar.language.messages import _
 from crankstar.spectra import Complex, Real
 
@@ -13,7 +13,7 @@ def across(turns: int, *, ticks: int, foot: bool, **axis: Any) -> Channel:
     """The crank angle over some turns to the right; numbers and title only at the `foot`."""
     return field(
         "x:Q",
-        scale={"domain": [0, 360 * turns], "nice": False},
+        scale=span(0, 360 * turns),
         axis={"values": list(range(0, 360 * turns + 1, ticks)), "labels": foot, **axis},
         title=_("crank angle θ (degrees)") if foot else None,
     )

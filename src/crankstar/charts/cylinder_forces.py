@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import pairwise
+from dataclasses import replace
+from itertools import cycle, pairwise
 from math import degrees, pi
 from typing import NamedTuple
 
@@ -29,14 +30,14 @@ from crankstar.charts.drawing import (
     layered,
     named,
 )
-from crankstar.charts.grammar import Chart, field, of_rows
+from crankstar.charts.grammar import COLOUR, Chart, field, of_rows, span
 from crankstar.charts.labels import Label
 from crankstar.charts.plane import Arrow, Dot, Frame, Plane, picture
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
 from crankstar.language.numbers import number
 from crankstar.mechanics.balance import Balance, balance
-from crankstar.spectra import Complex
+from crankstar.spectra import Complex, Real
 
 NAMED = 3
 """Greatest number of cylinders with room for the word `cylinder`."""
@@ -46,6 +47,8 @@ LONGEST = 62.0
 """px: the longest arrow."""
 STEP, GREATEST_STEP = 13.0, 32.0
 """px between the feet of the arrows of a cylinder."""
+LONGEST_OBLIQUE = 44.0
+"""px: the same where cylinders are not upright, so that it ends before their neighbours."""
 ROW, ROW_OBLIQUE = 6, 4
 """Places in a row of cylinders, where all are upright and where they are not."""
 
@@ -71,68 +74,38 @@ def cylinder_forces(
     The rotating mass of a throw and the weights next to it are shared by its cylinders; a shaft
     without cylinders has an entry of its own. Of these orders only. Raises ChartError.
     """
-    wanted = [checked_order(order) for order in orders]
+    wanted = sorted({checked_order(order) for order in orders})
     if not wanted or not len(angles):
         raise ChartError(_("give at least one order and one crank angle"))
     result = balance(engine)
     theta = np.array([checked_angle(angle) for angle in angles])
-    force = spectra.selected(result.force, sorted(set(wanted)))
-    single = [
-        spectra.Spectrum(
-            force.orders[i : i + 1],
-            force.forward[:, i : i + 1],
-            force.backward[:, i : i + 1],
-            force.sense,
-        )
-        for i in range(force.orders.size)
-    ]
-    values = np.stack([spectra.value(one, theta) for one in single])  # [order, part, angle]
+    values = np.stack([spectra.value(spectra.selected(result.force, one), theta) for one in wanted])
+    shares = _shares(engine, result)
     out = []
-    shared = _shares(engine, result)
-    for cylinder in engine.cylinders:
-        own = [row for row, part in enumerate(result.parts) if part.cylinder == cylinder.number]
-        rotating = sum(
-            (values[:, row].sum(axis=0) * share for row, share in shared[cylinder.number]),
-            np.zeros(theta.size, complex),
-        )
-        out.append(Forces(str(cylinder.number), values[:, own].sum(axis=1), rotating))
-    with_cylinders = {cylinder.shaft for cylinder in engine.cylinders}
-    for shaft in engine.shafts:
-        rows = [
-            row
-            for row, part in enumerate(result.parts)
-            if part.shaft == shaft.name and part.cylinder is None
-        ]
-        if shaft.name not in with_cylinders and rows:
-            out.append(
-                Forces(
-                    shaft.name,
-                    np.zeros((len(single), theta.size), complex),
-                    values[:, rows].sum(axis=(0, 1)),
-                )
-            )
+    for name, share in shares.items():
+        own = [row for row, part in enumerate(result.parts) if str(part.cylinder) == name]
+        rotating = share @ values.sum(axis=0)
+        out.append(Forces(name, values[:, own].sum(axis=1), rotating))
     return tuple(out)
 
 
-def _shares(engine: Engine, result: Balance) -> dict[int, list[tuple[int, float]]]:
-    """For each cylinder the rows of its rotating masses with its share of each."""
-    out: dict[int, list[tuple[int, float]]] = {cylinder.number: [] for cylinder in engine.cylinders}
+def _shares(engine: Engine, result: Balance) -> dict[str, Real]:
+    """The share [part] of each cylinder, and of each shaft without one, in the rotating masses."""
+    out = {str(cylinder.number): np.zeros(len(result.parts)) for cylinder in engine.cylinders}
     rows = [row for row, part in enumerate(result.parts) if part.cylinder is None]
-    places = [(s, t.z) for s in engine.shafts for t in s.throws] + [
-        (s, w.z) for s in engine.shafts for w in s.weights
-    ]
-    for row, (shaft, z) in zip(rows, places, strict=True):
-        own = [cylinder for cylinder in engine.cylinders if cylinder.shaft == shaft.name]
-        if not own:
-            continue
-        gap = min(abs(engine.throw(cylinder).z - z) for cylinder in own)
-        near = [
-            cylinder
-            for cylinder in own
-            if abs(engine.throw(cylinder).z - z) <= gap * (1 + 1e-9) + 1e-12
-        ]
-        for cylinder in near:
-            out[cylinder.number].append((row, 1 / len(near)))
+    places = [throw.z for shaft in engine.shafts for throw in shaft.throws]
+    places += [weight.z for shaft in engine.shafts for weight in shaft.weights]
+    for row, z in zip(rows, places, strict=True):
+        shaft = result.parts[row].shaft
+        gaps = {
+            str(cylinder.number): abs(engine.throw(cylinder).z - z)
+            for cylinder in engine.cylinders
+            if cylinder.shaft == shaft
+        } or {shaft: 0.0}
+        least = min(gaps.values()) * (1 + 1e-9) + 1e-12
+        near = [name for name, gap in gaps.items() if gap <= least]
+        for name in near:
+            out.setdefault(name, np.zeros(len(result.parts)))[row] = 1 / len(near)
     return out
 
 
@@ -146,20 +119,40 @@ def force_arrows(
     cylinders in rows.
     """
     forces = cylinder_forces(engine, angles=angles, orders=orders)
-    places = _places(engine, forces)
-    greatest = (
-        max(
-            float(max(np.abs(one.net).max(), np.abs(one.rotating).max(), np.abs(one.orders).max()))
-            for one in forces
-        )
-        or 1.0
-    )
-    frame = _frame(places, greatest)
+    name = _rotating(engine) if any(np.any(one.rotating) for one in forces) else ""
     names = [_("order {order}", order=f"{order:g}") for order in sorted(set(orders))]
-    panels = [[_panel(forces, places, i, frame, degrees(angle))] for i, angle in enumerate(angles)]
-    key = [*zip(names, COLOURS, strict=False), (_rotating(engine), GREY), (_("net"), GREEN)]
+    key = [*zip(names, cycle(COLOURS), strict=False), (name, GREY), (_("net"), GREEN)]
+    places, longest = _places(engine, len(forces))
+    vectors = [np.array([*one.orders, one.rotating, one.net]) for one in forces]
+    scale = longest / (max(float(np.abs(each).max()) for each in vectors) or 1.0)
+    lowest = min(place.real for place in places)
+    frame = Frame(
+        0.0, WIDTH / scale, (lowest - longest - 24) / scale, (longest + 40) / scale, scale
+    )
+    panels = []
+    for at, angle in enumerate(angles):
+        feet = [[*zip(each[:, at].tolist(), key, strict=True)] for each in vectors]
+        plane = _plane(places, feet, frame)
+        labels = [one.name for one in forces]
+        notes = [
+            Label(
+                _("cylinder {number}", number=label)
+                if label.isdigit() and len(labels) <= NAMED
+                else label,
+                (place - longest - 14) / frame.scale,
+                0j,
+            )
+            for label, place in zip(labels, places, strict=True)
+        ]
+        title = _(
+            "crank at {angle}°, total {force}",
+            angle=number(round(degrees(angle), 6)),
+            force=components_text(sum(complex(one.net[at]) for one in forces)),
+        )
+        panels.append([picture(replace(plane, notes=tuple(notes)), frame, title=title)])
     title = _("Forces of each cylinder, in m r ω²")
-    return figure([[_key(key)], *panels], title=title, subtitle=[named(engine)])
+    shown = [entry for entry in key if entry[0]]
+    return figure([[_key(shown)], *panels], title=title, subtitle=[named(engine)])
 
 
 def _rotating(engine: Engine) -> str:
@@ -171,90 +164,51 @@ def _rotating(engine: Engine) -> str:
     return _("rotating mass") if masses else _("counterweight")
 
 
-def _places(engine: Engine, forces: Sequence[Forces]) -> list[complex]:
-    """The origins of the arrows of the cylinders, px: as the shafts are placed, or in rows."""
-    shafts = [engine.shaft(c.shaft) for c in engine.cylinders]
-    count = len(forces)
-    side = [complex(shaft.up, shaft.right) for shaft in shafts]
-    own = (
-        len(set(side)) == len(side) == count
-        and count > 1
-        and len({place.real for place in side}) == 1
-    )
-    if own:
-        rights = [place.imag for place in side]
-        span = max(rights) - min(rights)
-        gap = min(b - a for a, b in zip(sorted(rights), sorted(rights)[1:], strict=False))
-        if gap / span * (WIDTH - 140) >= 50:
-            return [1j * ((right - min(rights)) / span * (WIDTH - 140) + 70) for right in rights]
-    row = ROW if all(abs(cylinder.bearing) < 1e-9 for cylinder in engine.cylinders) else ROW_OBLIQUE
-    across = min(count, row)
-    step = WIDTH / across
-    return [complex(-(i // row) * 2.7 * LONGEST, (i % row + 0.5) * step) for i in range(count)]
+def _places(engine: Engine, count: int) -> tuple[list[complex], float]:
+    """The middle of the feet of each group, as the shafts are placed or in rows; the longest arrow.
+
+    All in px.
+    """
+    rights = [engine.shaft(cylinder.shaft).right for cylinder in engine.cylinders]
+    heights = {engine.shaft(cylinder.shaft).up for cylinder in engine.cylinders}
+    left, room = min(rights), WIDTH - 140
+    if len(set(rights)) == count > 1 and len(heights) == 1:
+        span = max(rights) - left
+        if min(b - a for a, b in pairwise(sorted(rights))) / span * room >= 50:
+            return [1j * ((right - left) / span * room + 70) for right in rights], LONGEST
+    upright = all(abs(cylinder.bearing) < 1e-9 for cylinder in engine.cylinders)
+    row, longest = (ROW, LONGEST) if upright else (ROW_OBLIQUE, LONGEST_OBLIQUE)
+    step = WIDTH / min(count, row)
+    return [
+        complex(-(i // row) * 2.7 * longest, (i % row + 0.5) * step) for i in range(count)
+    ], longest
 
 
-def _frame(places: Sequence[complex], greatest: float) -> Frame:
-    scale = LONGEST / greatest
-    lowest = min(place.real for place in places)
-    return Frame(0.0, WIDTH / scale, (lowest - LONGEST - 24) / scale, (LONGEST + 40) / scale, scale)
-
-
-def _step(places: Sequence[complex], arrows: int) -> float:
-    """Px between the arrows of a cylinder: room for their numbers where neighbours leave it."""
-    rights = sorted({round(place.imag, 6) for place in places})
-    room = min([b - a for a, b in pairwise(rights)], default=WIDTH)
-    return min(GREATEST_STEP, max(STEP, room / (arrows + 1)))
-
-
-def _panel(
-    forces: Sequence[Forces], places: Sequence[complex], at: int, frame: Frame, angle: float
-) -> Panel:
+def _plane(
+    places: Sequence[complex],
+    feet: Sequence[Sequence[tuple[complex, tuple[str, str]]]],
+    frame: Frame,
+) -> Plane:
+    """The arrows of each place beside each other, with their lengths, where they have a name."""
     arrows: list[Arrow] = []
     labels: list[Label] = []
     dots: list[Dot] = []
-    notes: list[Label] = []
-    for one, place in zip(forces, places, strict=True):
-        own = [(row[at], COLOURS[i % len(COLOURS)], 2.0) for i, row in enumerate(one.orders)]
-        own.insert(1, (one.rotating[at], GREY, 2.0))
-        own.append((one.net[at], GREEN, 4.0))
-        feet = (np.arange(len(own)) - (len(own) - 1) / 2) * _step(places, len(own))
-        for (vector, colour, width), foot in zip(own, feet.tolist(), strict=True):
-            base = (place + 1j * foot) / frame.scale
+    rights = sorted({round(place.imag, 6) for place in places})
+    room = min([b - a for a, b in pairwise(rights)], default=WIDTH)
+    for place, each in zip(places, feet, strict=True):
+        own = [(vector, colour) for vector, (name, colour) in each if name]
+        # room for the lengths where neighbours leave it
+        step = min(GREATEST_STEP, max(STEP, room / (len(own) + 1)))
+        for at, (vector, colour) in enumerate(own):
+            base = (place + 1j * (at - (len(own) - 1) / 2) * step) / frame.scale
             dots.append(Dot(0j, base, 0.0, GREY, 10))
             size = abs(vector)
-            if size * frame.scale < 1:
-                continue
-            arrows.append(Arrow(complex(vector), place=base, colour=colour, width=width))
-            text = brief(size)
-            labels.append(
-                Label(
-                    text,
-                    base + complex(vector),
-                    complex(vector) / size,
-                    colour=colour,
-                    size=SMALL,
-                    gap=3,
-                )
-            )
-        notes.append(
-            Label(
-                _("cylinder {number}", number=one.name)
-                if one.name.isdigit() and len(forces) <= NAMED
-                else one.name,
-                (place - LONGEST - 14) / frame.scale,
-                0j,
-                colour=GREY,
-                size=TEXT,
-            )
-        )
-    plane = Plane(tuple(arrows), (), tuple(dots), tuple(labels), tuple(notes))
-    together = sum(complex(one.net[at]) for one in forces)
-    title = _(
-        "crank at {angle}°, total {force}",
-        angle=number(round(angle, 6)),
-        force=components_text(together),
-    )
-    return picture(plane, frame, title=title)
+            if size * frame.scale >= 1:
+                width = 4.0 if colour == GREEN else 2.0
+                arrows.append(Arrow(vector, place=base, colour=colour, width=width))
+                end, way = base + vector, vector / size
+                labels.append(Label(brief(size), end, way, colour=colour, size=SMALL, gap=3))
+    return Plane(tuple(arrows), (), tuple(dots), tuple(labels))
 
 
 def components_text(vector: complex) -> str:
@@ -287,13 +241,9 @@ def _key(entries: Sequence[tuple[str, str]]) -> Panel:
         {"x": start, "text": name, "colour": colour}
         for start, (name, colour) in zip(starts, entries, strict=True)
     ]
-    x = field("x:Q", scale={"domain": [0, WIDTH], "nice": False}, axis=None)
-    colour = field("colour:N", scale=None)
-    base = of_rows(rows)
-    marks = base.mark("point", shape="square", filled=True, size=90, opacity=1).encode(
-        x=x, color=colour
-    )
-    words = base.mark("text", align="left", dx=9, fontSize=TEXT, baseline="middle").encode(
-        x=x, text=field("text:N"), color=colour
-    )
-    return layered([marks, words], width=WIDTH, height=14)
+    x, base = field("x:Q", scale=span(0, WIDTH), axis=None), of_rows(rows)
+    marks = base.mark("point", shape="square", filled=True, size=90, opacity=1)
+    words = base.mark("text", align="left", dx=9, fontSize=TEXT, baseline="middle")
+    channels = {"x": x, "color": COLOUR}
+    layers = [marks.encode(**channels), words.encode(**channels, text=field("text:N"))]
+    return layered(layers, width=WIDTH, height=14)

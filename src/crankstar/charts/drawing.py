@@ -18,9 +18,8 @@ if TYPE_CHECKING:
 
 GREY = "#808080"
 """Text and axes: can be read on white and on black."""
-PRINTED, OURS = "#d55e00", "#2b83c6"
-"""Vermilion and blue, which the colour-blind tell apart, and which show on white and on black."""
-VERMILION, BLUE = PRINTED, OURS
+VERMILION, BLUE = "#d55e00", "#2b83c6"
+"""Which the colour-blind tell apart, and which show on white and on black."""
 GREEN, ORANGE, PURPLE, SKY = "#009e73", "#e69f00", "#cc79a7", "#56b4e9"
 YELLOW = "#f0e442"
 PALETTE = (BLUE, GREEN, ORANGE, PURPLE, SKY)
@@ -53,6 +52,14 @@ def styled(*layers: Layer) -> Chart:
     return Chart({**panel, "background": "transparent", "config": STYLE})
 
 
+LINES = {
+    "orient": "top",
+    "title": None,
+    "columnPadding": 22,
+    "symbolType": "stroke",
+    "symbolStrokeWidth": 3,
+}
+"""A legend of lines above a panel."""
 STYLE = {
     "font": "sans-serif",
     "view": {"stroke": None},
@@ -93,17 +100,16 @@ def layered(layers: Sequence[Layer], *, width: float, height: float, title: str 
         "width": round(width, 3),
         "height": round(height, 3),
     }
-    return {**panel, "title": _head(title)} if title else panel
+    return {**panel, "title": _head(title.split("\n"))} if title else panel
 
 
-def stacked(panels: Sequence[Panel], *, title: str = "") -> Panel:
-    """Panels one below the other as one."""
-    block: Panel = {"vconcat": list(panels), "spacing": 8}
-    return {**block, "title": _head(title)} if title else block
+def stacked(panels: Sequence[Panel], *, title: Sequence[str]) -> Panel:
+    """Panels one below the other as one, under a title in lines."""
+    return {"vconcat": panels, "spacing": 8, "title": _head(title)}
 
 
-def _head(title: str) -> dict[str, Any]:
-    return {"text": title.split("\n"), "fontSize": TEXT}
+def _head(lines: Sequence[str]) -> dict[str, Any]:
+    return {"text": lines, "fontSize": TEXT}
 
 
 def figure(
@@ -137,7 +143,8 @@ def figure(
             "step": 1,
             "name": _("crank angle θ (degrees)") + " ",
         }
-        parts["params"] = [{"name": THETA, "value": round(degrees(theta), 9), "bind": slider}]
+        value = round(degrees(checked_angle(theta)), 9)
+        parts["params"] = [{"name": THETA, "value": value, "bind": slider}]
     return Chart(parts)
 
 

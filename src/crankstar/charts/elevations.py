@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from cmath import exp
 from itertools import pairwise
-from math import cos, degrees, pi, radians, sin
+from math import degrees, pi, radians
 from typing import Any, NamedTuple
 
+from crankstar.charts.crank_stars import turns_together
 from crankstar.charts.drawing import (
     BLUE,
     GREY,
@@ -15,32 +16,39 @@ from crankstar.charts.drawing import (
     VERMILION,
     WIDTH,
     Panel,
-    checked_angle,
     figure,
     layered,
     numbers_text,
     text_width,
 )
-from crankstar.charts.grammar import Chart, field, of_rows
-from crankstar.charts.stars import turns_together
+from crankstar.charts.grammar import COLOUR, Chart, field, of_rows, own, span
+from crankstar.charts.plane import turning
 from crankstar.engine.engine import Engine
-from crankstar.engine.records import Shaft
+from crankstar.engine.records import Cylinder, Shaft
 from crankstar.language.messages import _
 from crankstar.language.numbers import number
 from crankstar.mechanics.balance import default_reference
 from crankstar.mechanics.excitation import Reference
 
-ROW = 150.0
+ROW = 160.0
 """Height of the row of one shaft, px."""
 PIN, JOURNAL = 7.0, 7.0
 """Thickness of pins and journals, px."""
 HIGH, DIMENSION, CYLINDER = 42.0, -64.0, 62.0
 """px above the axis: a pin that points up, the line of arms, the cylinder numbers."""
-EXPRESSION = (
-    "datum.up * cos(datum.rate * theta * PI / 180)"
-    " - datum.right * sin(datum.rate * theta * PI / 180)"
-)
-"""The height of a point of a shaft that is `up`, `right` of its axis at theta = 0."""
+
+
+class Bar(NamedTuple):
+    """A bar from `x` to `x2` (px), between two shares of the height of a turning vector (px)."""
+
+    x: float
+    x2: float
+    rate: float
+    colour: str
+    width: float
+    vector: complex = 0j
+    lower: float = 0.0
+    upper: float = 0.0
 
 
 class Along(NamedTuple):
@@ -64,17 +72,15 @@ def shaft_elevation(
     20 degrees past up, where cranks at right angles have different heights. Above are the cylinder
     numbers, below the arms of the throws (or weights) about the reference plane (dashed).
     """
-    theta = _askew(engine) if theta is None else checked_angle(theta)
+    theta = _askew(engine) if theta is None else theta
     reference = reference or default_reference(engine)
-    places = (
-        [c.z for c in engine.cylinders]
-        + [t.z for s in engine.shafts for t in s.throws]
-        + [w.z for s in engine.shafts for w in s.weights]
-    )
-    span = max(places) - min(places)
-    margin = 40.0
+    places = [c.z for c in engine.cylinders]
+    places += [item.z for shaft in engine.shafts for item in (*shaft.throws, *shaft.weights)]
+    length, margin = max(places) - min(places), 40.0
     along = Along(
-        max(places), (WIDTH - 2 * margin) / span if span else 1.0, margin if span else WIDTH / 2
+        max(places),
+        (WIDTH - 2 * margin) / length if length else 1.0,
+        margin if length else WIDTH / 2,
     )
     several = len(engine.shafts) > 1
     rows = [
@@ -85,16 +91,9 @@ def shaft_elevation(
         title = _("Crankshaft from the side, front at the left; arms in bore pitches")
     else:
         title = _("Crankshaft from the side, front at the left; arms in mm")
-    return figure(
-        rows,
-        title=title,
-        subtitle=[
-            engine.name,
-            _("at θ = {theta}°, heights to scale", theta=f"{degrees(theta):.4g}"),
-        ],
-        theta=theta,
-        turns=turns_together(engine),
-    )
+    height = _("at θ = {theta}°, heights to scale", theta=f"{degrees(theta):.4g}")
+    subtitle, turns = [engine.name, height], turns_together(engine)
+    return figure(rows, title=title, subtitle=subtitle, theta=theta, turns=turns)
 
 
 def _askew(engine: Engine) -> float:
@@ -104,168 +103,74 @@ def _askew(engine: Engine) -> float:
 
 
 def _shaft_panel(engine: Engine, shaft: Shaft, along: Along, zero: float, *, name: str) -> Panel:
-    radius = max((throw.radius for throw in shaft.throws), default=1.0)
-    bars = [
-        *_journals(engine, shaft, along),
-        *_throws(engine, shaft, along, radius),
-        *_weights(engine, shaft, along),
-    ]
+    bars = _bars(engine, shaft, along)
     texts = [*_cylinder_numbers(engine, shaft, along), *_arms(engine, shaft, along, zero)]
-    lines = _dimension(shaft, along, zero)
-    x = field("x:Q", scale={"domain": [0, WIDTH], "nice": False, "zero": False}, axis=None)
-    scale = {"domain": [DIMENSION - 24, ROW + DIMENSION - 24], "nice": False, "zero": False}
-    y = field("y1:Q", scale=scale, axis=None)
-    colour = field("colour:N", scale=None)
-    height = field("y:Q", scale=scale, axis=None)
-    ends = {"x2": field("x2"), "y2": field("y2"), "color": colour}
-    dash = field("dash:N", scale=None)
-    still = (
-        of_rows(lines).mark("rule", strokeWidth=1).encode(x=x, y=height, strokeDash=dash, **ends)
-    )
+    x = field("x:Q", scale=span(0, WIDTH) | {"zero": False}, axis=None)
+    upward = {"scale": span(DIMENSION - 24, ROW + DIMENSION - 24) | {"zero": False}, "axis": None}
+    height = field("y:Q", **upward)
+    ends = {"x2": field("x2"), "y2": field("y2"), "color": COLOUR}
+    still = of_rows(_dimension(shaft, along, zero)).mark("rule", strokeWidth=1)
     moving = (
-        of_rows(bars)
-        .calculate(h=EXPRESSION)
+        turning(bars, {"h": "datum.vectorUp * datum.c - datum.vectorRight * datum.s"})
         .calculate(y1="datum.h * datum.lower", y2="datum.h * datum.upper")
         .mark("rule", strokeCap="butt", opacity=1)
-        .encode(x=x, y=y, strokeWidth=field("width:Q", scale=None), **ends)
     )
-    words = of_rows(texts).mark("text", baseline="middle")
-    words = words.encode(
-        x=x, y=height, text=field("text:N"), size=field("size:Q", scale=None), color=colour
+    words = of_rows(texts).mark("text", baseline="middle", color=GREY)
+    return layered(
+        [
+            still.encode(x=x, y=height, strokeDash=own("dash:N"), **ends),
+            moving.encode(x=x, y=field("y1:Q", **upward), strokeWidth=own("width:Q"), **ends),
+            words.encode(x=x, y=height, text=field("text:N"), size=own("size:Q")),
+        ],
+        width=WIDTH,
+        height=ROW,
+        title=name,
     )
-    return layered([still, moving, words], width=WIDTH, height=ROW, title=name)
 
 
-def _bar(
-    x: float,
-    x2: float,
-    *,
-    vector: complex,
-    between: tuple[float, float],
-    rate: float,
-    colour: str,
-    width: float,
-) -> dict[str, Any]:
-    """A bar from x to x2 (px) between two shares of the height of a turning vector (px)."""
-    return {
-        "x": x,
-        "x2": x2,
-        "up": vector.real,
-        "right": vector.imag,
-        "rate": rate,
-        "lower": between[0],
-        "upper": between[1],
-        "colour": colour,
-        "width": width,
-    }
-
-
-def _half_pin(shaft: Shaft, along: Along) -> float:
-    """Half the length of a pin on the screen, limited by its closest neighbours, px."""
-    places = sorted({throw.z for throw in shaft.throws})
-    gaps = [(b - a) * along.scale for a, b in pairwise(places)]
-    return max(1.5, min([13.0, *(0.27 * gap for gap in gaps)]))
-
-
-def _rate(engine: Engine, shaft: Shaft) -> float:
-    return engine.sense * float(shaft.speed_ratio)
-
-
-def _journals(engine: Engine, shaft: Shaft, along: Along) -> list[dict[str, Any]]:
-    """The journals along the axis, interrupted at the pins."""
-    half = _half_pin(shaft, along)
-    points = [along.at(place) for place in sorted({t.z for t in shaft.throws}, reverse=True)]
+def _bars(engine: Engine, shaft: Shaft, along: Along) -> list[Bar]:
+    """The journals along the axis, interrupted at the pins; throws; weights, heavier broader."""
+    gaps = [(b - a) * along.scale for a, b in pairwise(sorted({t.z for t in shaft.throws}))]
+    half = max(1.5, min([13.0, *(0.27 * gap for gap in gaps)]))
+    rate = engine.sense * float(shaft.speed_ratio)
+    pins = [along.at(place) for place in sorted({t.z for t in shaft.throws}, reverse=True)]
     places = [along.at(weight.z) for weight in shaft.weights]
-    if not points and not places:  # a bare shaft, which only turns: as long as the engine
+    if not pins and not places:  # a bare shaft, which only turns: as long as the engine
         places = [along.at(cylinder.z) for cylinder in engine.cylinders]
-    edges = [min([*points, *places]) - half - 16]
-    for point in points:
-        edges += [point - half, point + half]
-    edges.append(max([*points, *places]) + half + 16)
+    edges = [min([*pins, *places]) - half - 16]
+    edges += [edge for pin in pins for edge in (pin - half, pin + half)]
+    edges.append(max([*pins, *places]) + half + 16)
     pairs = zip(edges[::2], edges[1::2], strict=True)
-    return [
-        _bar(a, b, vector=0j, between=(0, 0), rate=_rate(engine, shaft), colour=GREY, width=JOURNAL)
-        for a, b in pairs
-        if b > a
-    ]
-
-
-def _throws(engine: Engine, shaft: Shaft, along: Along, radius: float) -> list[dict[str, Any]]:
-    half, rate = _half_pin(shaft, along), _rate(engine, shaft)
-    out = []
+    out = [Bar(a, b, rate, GREY, JOURNAL) for a, b in pairs if b > a]
+    radius = max((throw.radius for throw in shaft.throws), default=1.0)
     for throw in shaft.throws:
-        vector = HIGH * throw.radius / radius * complex(cos(throw.angle), sin(throw.angle))
-        x = along.at(throw.z)
-        web = {"vector": vector, "rate": rate, "colour": BLUE, "width": min(5.0, 1.2 * half)}
-        out += [_bar(side, side, between=(0, 1), **web) for side in (x - half, x + half)]
-        out.append(
-            _bar(
-                x - half - 2,
-                x + half + 2,
-                vector=vector,
-                between=(1, 1),
-                rate=rate,
-                colour=BLUE,
-                width=PIN,
-            )
-        )
-    return out
-
-
-def _weights(engine: Engine, shaft: Shaft, along: Along) -> list[dict[str, Any]]:
-    """Weights as bars in their direction; the heavier, the broader."""
+        vector, x = HIGH * throw.radius / radius * exp(1j * throw.angle), along.at(throw.z)
+        web = Bar(x - half, x - half, rate, BLUE, min(5.0, 1.2 * half), vector, 0.0, 1.0)
+        pin = web._replace(x=x - half - 2, x2=x + half + 2, width=PIN, lower=1.0)
+        out += [web, web._replace(x=x + half, x2=x + half), pin]
     greatest = max((weight.unbalance for weight in shaft.weights), default=0.0)
-    out = []
     for weight in shaft.weights:
         if weight.unbalance > 0:
-            vector = 0.7 * HIGH * complex(cos(weight.angle), sin(weight.angle))
-            x, width = along.at(weight.z), 4 + 8 * weight.unbalance / greatest
-            out.append(
-                {
-                    **_bar(
-                        x,
-                        x,
-                        vector=vector,
-                        between=(0, 1),
-                        rate=_rate(engine, shaft),
-                        colour=GREY,
-                        width=width,
-                    ),
-                    "of": "weight",
-                }
-            )
+            vector, x = 0.7 * HIGH * exp(1j * weight.angle), along.at(weight.z)
+            width = 4 + 8 * weight.unbalance / greatest
+            out.append(Bar(x, x, rate, GREY, width, vector, 0.0, 1.0))
     return out
 
 
 def _cylinder_numbers(engine: Engine, shaft: Shaft, along: Along) -> list[dict[str, Any]]:
     """The cylinder numbers at their places; cylinders too close together share a label."""
     own = sorted((c for c in engine.cylinders if c.shaft == shaft.name), key=lambda c: -c.z)
-    groups: list[list[Any]] = []
+    groups: list[tuple[float, str, list[Cylinder]]] = []
     for cylinder in own:
-        x = along.at(cylinder.z)
-        if groups and x - _middle(groups[-1], along) < _room(groups[-1], cylinder):
-            groups[-1].append(cylinder)
-        else:
-            groups.append([cylinder])
-    return [
-        {
-            "x": _middle(g, along),
-            "y": CYLINDER,
-            "text": numbers_text([c.number for c in g]),
-            "size": TEXT,
-            "colour": GREY,
-        }
-        for g in groups
-    ]
-
-
-def _middle(group: Sequence[Any], along: Along) -> float:
-    return sum(along.at(cylinder.z) for cylinder in group) / len(group)
-
-
-def _room(group: Sequence[Any], cylinder: Any) -> float:
-    texts = (numbers_text([c.number for c in group]), str(cylinder.number))
-    return sum(text_width(text) for text in texts) / 2 + 6
+        group, near = [cylinder], groups[-1:]
+        for x, text, cylinders in near:
+            room = (text_width(text) + text_width(str(cylinder.number))) / 2 + 6
+            if along.at(cylinder.z) - x < room:
+                group = [*cylinders, cylinder]
+                groups.pop()
+        middle = sum(along.at(c.z) for c in group) / len(group)
+        groups.append((middle, numbers_text([c.number for c in group]), group))
+    return [{"x": x, "y": CYLINDER, "text": text, "size": TEXT} for x, text, _group in groups]
 
 
 def _stations(shaft: Shaft) -> list[float]:
@@ -274,36 +179,20 @@ def _stations(shaft: Shaft) -> list[float]:
 
 def _dimension(shaft: Shaft, along: Along, zero: float) -> list[dict[str, Any]]:
     """The reference plane, and the line of arms with its ticks."""
-    at = along.at(zero)
-    plane = {
-        "x": at,
-        "x2": at,
-        "y": DIMENSION - 4,
-        "y2": CYLINDER - 10,
-        "colour": VERMILION,
-        "dash": [3, 3],
-    }
-    ends = [along.at(z) for z in _stations(shaft)] + [at]
-    line = {
-        "x": min(ends),
-        "x2": max(ends),
-        "y": DIMENSION,
-        "y2": DIMENSION,
-        "colour": GREY,
-        "dash": [1, 0],
-    }
-    ticks = [
+    at, places = along.at(zero), [along.at(z) for z in _stations(shaft)]
+    ends, solid = [*places, at], {"colour": GREY, "dash": [1, 0]}
+    return [
         {
-            "x": end,
-            "x2": end,
+            "x": at,
+            "x2": at,
             "y": DIMENSION - 4,
-            "y2": DIMENSION + 4,
-            "colour": GREY,
-            "dash": [1, 0],
-        }
-        for end in ends[:-1]
+            "y2": CYLINDER - 10,
+            "colour": VERMILION,
+            "dash": [3, 3],
+        },
+        {"x": min(ends), "x2": max(ends), "y": DIMENSION, "y2": DIMENSION, **solid},
+        *({"x": x, "x2": x, "y": DIMENSION - 4, "y2": DIMENSION + 4, **solid} for x in places),
     ]
-    return [plane, line, *ticks]
 
 
 def _arms(engine: Engine, shaft: Shaft, along: Along, zero: float) -> list[dict[str, Any]]:
@@ -315,6 +204,6 @@ def _arms(engine: Engine, shaft: Shaft, along: Along, zero: float) -> list[dict[
         text = number(round((z - zero) * scale, 9), 1.0, digits=4).replace("-", "−")
         x, half = along.at(z), text_width(text, SMALL) / 2
         if x - half > taken + 3:
-            out.append({"x": x, "y": DIMENSION - 14, "text": text, "size": SMALL, "colour": GREY})
+            out.append({"x": x, "y": DIMENSION - 14, "text": text, "size": SMALL})
             taken = x + half
     return out

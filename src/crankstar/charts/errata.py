@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
+from math import isnan
 from typing import Any
 
 import numpy as np
 
-from crankstar.charts.drawing import GREY, OURS, PRINTED, styled
-from crankstar.charts.grammar import Chart, field, of_rows
+from crankstar.charts.crank_angle import across
+from crankstar.charts.drawing import BLUE, GREY, VERMILION, styled
+from crankstar.charts.grammar import Channel, Chart, Layer, field, of_rows, span
+from crankstar.language.messages import N_, _
 from crankstar.spectra import Real
 
 JUDGED = 48
 """About so many points of momentum in a turn: enough to see each crest of the sixth order."""
 FLAT = 1e-6
 """Share of the greatest value below which a curve is drawn as zero."""
+PRINTED, OURS, MOMENTUM = N_("printed"), N_("true"), N_("momentum")
 
 
 def judged(*, theta: Real, printed: Real, ours: Real, momentum: Real, axis: str) -> Chart:
@@ -22,33 +26,23 @@ def judged(*, theta: Real, printed: Real, ours: Real, momentum: Real, axis: str)
     `theta` [sample] in radians from 0 to a turn; the other three [sample] in the unit that `axis`,
     the title of the upright axis, names; NaN where nothing is printed.
     """
-    degrees = np.degrees(theta)
     scale = max(float(np.nanmax(np.abs(values))) for values in (printed, ours, momentum))
-    reach = 1.1 * scale
-    x = field(
-        "x:Q",
-        title="crank angle θ (degrees)",
-        axis={"values": list(range(0, 361, 90))},
-        scale={"domain": [0, 360]},
-    )
-    y = field(
-        "y:Q", title=axis, axis={"tickCount": 5}, scale={"domain": [-reach, reach], "nice": False}
-    )
-    step = max(1, (theta.size - 1) // JUDGED)
-    single = bool(np.isnan(printed).any())
-    names = ("printed", "true", "momentum")
-    stated, derived, judged = (
+    stated, derived, summed = (
         np.where(np.abs(values) < FLAT * scale, 0.0, values) for values in (printed, ours, momentum)
     )
+    x = across(1, ticks=90, foot=True)
+    y = field("y:Q", title=axis, axis={"tickCount": 5}, scale=span(-1.1 * scale, 1.1 * scale))
+    single = bool(np.isnan(printed).any())
+    names = (PRINTED, OURS, MOMENTUM)
+    shapes = ("diamond" if single else "stroke", "stroke", "circle")
+    at, step = np.degrees(theta), max(1, (theta.size - 1) // JUDGED)
     layers = [
-        _line(_rows(degrees, derived, names[1]), x, y, names),
-        _points(_rows(degrees[::step], judged[::step], names[2]), x, y, names, single=single),
+        _line(_rows(at, derived, OURS), x, y, names),
+        _points(_rows(at[::step], summed[::step], MOMENTUM), x, y, shapes, size=34),
     ]
-    rows = _rows(degrees, stated, names[0])
-    layers.append(
-        _points(rows, x, y, names, single=True, size=130) if single else _line(rows, x, y, names)
-    )
-    return styled(*layers)
+    rows = _rows(at, stated, PRINTED)
+    last = _points(rows, x, y, shapes, size=130) if single else _line(rows, x, y, names)
+    return styled(*layers, last)
 
 
 def over_rods(*, ratio: Real, printed: Real, ours: Real) -> Chart:
@@ -56,71 +50,63 @@ def over_rods(*, ratio: Real, printed: Real, ours: Real) -> Chart:
 
     `printed`, `ours` [sample] are relative errors; their magnitude is drawn, on a logarithmic axis.
     """
-    sizes = [100 * np.maximum(np.abs(values), 1e-8) for values in (printed, ours)]
-    ends = [float(ratio[0]), float(ratio[-1])]
-    powers = {
-        "values": [10.0**power for power in range(-5, 4)],
-        "labelExpr": "toString(datum.value)",
-    }
+    powers = [10.0**power for power in range(-5, 4)]
     x = field(
         "x:Q",
-        title="rod length over stroke, L = l/S",
+        title=_("rod length over stroke, L = l/S"),
         axis={"tickCount": 5},
-        scale={"domain": ends, "nice": False},
+        scale=span(float(ratio[0]), float(ratio[-1])),
     )
-    y = field("y:Q", title="error (per cent)", axis=powers, scale={"type": "log"})
-    names = ("printed", "true")
-    layers = [
-        _line(_rows(ratio, values, name), x, y, names)
-        for values, name in zip(sizes, names, strict=True)
-    ]
-    return styled(*layers)
+    y = field(
+        "y:Q",
+        title=_("error (per cent)"),
+        axis={"values": powers, "labelExpr": "toString(datum.value)"},
+        scale={"type": "log"},
+    )
+    names = (PRINTED, OURS)
+    return styled(
+        *(
+            _line(_rows(ratio, 100 * np.maximum(np.abs(values), 1e-8), name), x, y, names)
+            for values, name in zip((printed, ours), names, strict=True)
+        )
+    )
 
 
 def _rows(x: Real, y: Real, name: str) -> list[dict[str, Any]]:
-    kept = ~np.isnan(y)
-    return [
-        {"x": float(a), "y": float(b), "what": name} for a, b in zip(x[kept], y[kept], strict=True)
-    ]
+    """The values that are numbers."""
+    pairs = zip(x.tolist(), y.tolist(), strict=True)
+    return [{"x": a, "y": b, "what": _(name)} for a, b in pairs if not isnan(b)]
 
 
-def _key() -> Any:
-    return {
-        "orient": "top",
-        "title": None,
-        "symbolSize": 110,
-        "symbolStrokeWidth": 2.4,
-        "symbolFillColor": "transparent",
-    }
+def _named(names: tuple[str, ...], values: list[Any]) -> Channel:
+    """A channel with a value for each of the names, and the legend that all of them share."""
+    legend = {"symbolSize": 110, "symbolStrokeWidth": 2.4, "symbolFillColor": "transparent"}
+    return field(
+        "what:N",
+        scale={"domain": [_(name) for name in names], "range": values[: len(names)]},
+        legend={"orient": "top", "title": None, **legend},
+    )
 
 
-def _colour(names: tuple[str, ...]) -> Any:
-    scale = {"domain": list(names), "range": [PRINTED, OURS, GREY][: len(names)]}
-    return field("what:N", scale=scale, legend=_key())
+COLOURS = [VERMILION, BLUE, GREY]
 
 
-def _line(rows: list[dict[str, Any]], x: Any, y: Any, names: tuple[str, ...]) -> Any:
-    dashes = {"domain": list(names), "range": [[7, 4], [1, 0], [1, 0]][: len(names)]}
-    mark = of_rows(rows).mark("line", strokeWidth=2.4)
-    return mark.encode(
-        x=x, y=y, color=_colour(names), strokeDash=field("what:N", scale=dashes, legend=_key())
+def _line(rows: list[dict[str, Any]], x: Channel, y: Channel, names: tuple[str, ...]) -> Layer:
+    return (
+        of_rows(rows)
+        .mark("line", strokeWidth=2.4)
+        .encode(
+            x=x,
+            y=y,
+            color=_named(names, COLOURS),
+            strokeDash=_named(names, [[7, 4], [1, 0], [1, 0]]),
+        )
     )
 
 
 def _points(
-    rows: list[dict[str, Any]],
-    x: Any,
-    y: Any,
-    names: tuple[str, ...],
-    *,
-    single: bool,
-    size: int = 34,
-) -> Any:
+    rows: list[dict[str, Any]], x: Channel, y: Channel, shapes: tuple[str, ...], *, size: int
+) -> Layer:
+    names = (PRINTED, OURS, MOMENTUM)
     mark = of_rows(rows).mark("point", size=size, filled=False, strokeWidth=1.6, opacity=1)
-    forms = {
-        "domain": list(names),
-        "range": ["diamond" if single else "stroke", "stroke", "circle"],
-    }
-    return mark.encode(
-        x=x, y=y, color=_colour(names), shape=field("what:N", scale=forms, legend=_key())
-    )
+    return mark.encode(x=x, y=y, color=_named(names, COLOURS), shape=_named(names, list(shapes)))

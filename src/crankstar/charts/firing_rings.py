@@ -14,8 +14,6 @@ from crankstar.charts.drawing import (
     TEXT,
     VERMILION,
     WIDTH,
-    Panel,
-    checked_angle,
     figure,
     numbers_text,
     text_width,
@@ -32,7 +30,7 @@ from crankstar.firing.strokes import (
     exhaust_groups,
     exhaust_intervals,
 )
-from crankstar.firing.succession import followers, in_succession, neighbours
+from crankstar.firing.succession import Follower, followers, in_succession, neighbours
 from crankstar.language.messages import _
 from crankstar.language.numbers import number
 
@@ -57,105 +55,88 @@ def firing_ring(engine: Engine, *, theta: float = 0.0) -> Chart:
     each other, thin lines lead to the numbers. The ring is thick where neighbours fire in
     succession. The pointer is at the crank angle `theta` (radians). Raises ChartError.
     """
-    theta = checked_angle(theta)
     cycle = cycle_of(engine)
     turns = round(engine.cycle_angle / 360)
-    title = _("Firing ring over {cycle} deg", cycle=f"{engine.cycle_angle:.0f}")
     if cycle is None:
-        panels = [[_empty(turns, theta)]]
-        return figure(panels, title=title, subtitle=[engine.name], theta=theta, turns=turns)
-    groups = _groups(engine)
-    frame = round_frame(
-        1.0,
-        width=WIDTH,
-        margin=MARGIN,
-        below=LINE * (len(groups) + 0.5) if len(groups) > 1 else 0.0,
+        frame = round_frame(1.0, width=WIDTH, margin=MARGIN)
+        note = empty(frame, _(NO_ORDER))._replace(anchor=-0.2 + 0j)
+        plane, words = Plane((_pointer(1.0, turns),), (_arc(0.0, 360.0),), notes=(note,)), []
+    else:
+        groups = _groups(engine)
+        below = LINE * (len(groups) + 0.5) if len(groups) > 1 else 0.0
+        frame = round_frame(1.0, width=WIDTH, margin=MARGIN, below=below)
+        pairs = in_succession(cycle.firing, neighbours(engine))
+        plane = _ring(cycle, groups, pairs, frame)
+        words = [_evenness(cycle)]
+        words += [_("thick: neighbours that fire in succession")] if pairs else []
+    return figure(
+        [[picture(plane, frame, theta=theta)]],
+        title=_("Firing ring over {cycle} deg", cycle=f"{engine.cycle_angle:.0f}"),
+        subtitle=[engine.name, *words],
+        theta=theta,
+        turns=turns,
     )
-    pairs = in_succession(cycle.firing, neighbours(engine))
+
+
+def _ring(
+    cycle: WorkingCycle, groups: Sequence[ExhaustGroup], pairs: Sequence[Follower], frame: Frame
+) -> Plane:
+    """The ring with a polygon, dots and leaders for each group; thick between `pairs`."""
     share = 360 / cycle.cycle_deg
     fires = {chamber.number: chamber.fires_deg * share for chamber in cycle.chambers}
-    thick = [
+    strokes = [_arc(0.0, 360.0)]
+    strokes += [
         _arc(fires[step.first], fires[step.first] + step.interval_deg * share, width=6.0)
         for step in pairs
     ]
+    strokes += [Stroke((0.9 * way, way)) for way in (1 + 0j, 1j, -1 + 0j, -1j)]
     rings = _rings(
         [
             [fires[step.first] for step in exhaust_intervals(cycle, group.chambers)]
             for group in groups
         ]
     )
-    strokes, dots = [_arc(0.0, 360.0), *thick, *_ticks()], []
+    dots: list[Dot] = []
     for place, points in enumerate(rings):
         colour = _colour(place)
         dots += [Dot(point, colour=colour, size=110) for point in points]
-        leaders = [(point, point / abs(point) * (1 + ASIDE)) for point in points if abs(point) < 1]
-        strokes += [Stroke(ends, colour=colour, width=0.7) for ends in leaders]
+        strokes += [
+            Stroke((point, point / abs(point) * (1 + ASIDE)), colour=colour, width=0.7)
+            for point in points
+            if abs(point) < 1
+        ]
         if len(points) > 1 and len(groups) <= len(PALETTE):
             strokes.append(Stroke((*points, points[0]), colour=colour, width=1.5))
-    pointer = _pointer(min(abs(point) for points in rings for point in points), turns)
-    labels = tuple(_labels(cycle, groups, fires, frame))
-    plane = Plane(
-        (pointer,), tuple(strokes), tuple(dots), labels, tuple(_key(cycle, groups, frame))
-    )
-    subtitle = [engine.name, _evenness(cycle)]
-    if pairs:
-        subtitle.append(_("thick: neighbours that fire in succession"))
-    return figure(
-        [[picture(plane, frame, theta=theta)]],
-        title=title,
-        subtitle=subtitle,
-        theta=theta,
-        turns=turns,
-    )
+    pointer = _pointer(min(abs(dot.at) for dot in dots), cycle.cycle_deg / 360)
+    labels, key = _labels(cycle, groups, fires, frame), _key(cycle, groups, frame)
+    return Plane((pointer,), tuple(strokes), tuple(dots), tuple(labels), tuple(key))
 
 
-def _empty(turns: int, theta: float) -> Panel:
-    """The ring of an engine without a firing order."""
-    frame = round_frame(1.0, width=WIDTH, margin=MARGIN)
-    note = empty(frame, _(NO_ORDER))._replace(anchor=-0.2 + 0j)
-    plane = Plane((_pointer(1.0, turns),), (_arc(0.0, 360.0),), notes=(note,))
-    return picture(plane, frame, theta=theta)
-
-
-def _pointer(within: float, turns: int) -> Arrow:
+def _pointer(within: float, turns: float) -> Arrow:
     """The pointer at the crank angle, which ends short of the innermost dots."""
     return Arrow(complex(max(within - 0.15, 0.3)), rate=1 / turns, colour=VERMILION, width=2)
 
 
 def _rings(bearings: Sequence[Sequence[float]]) -> list[list[complex]]:
     """The dots of each bank at these bearings (degrees), clear of the lines of the others."""
-    if len(bearings) == 1 or len(bearings) > len(PALETTE):
-        radii = [
-            1 + (ASIDE if place % 2 == 0 else -ASIDE) * (len(bearings) > 1)
-            for place in range(len(bearings))
-        ]
+    ways = [[exp(1j * radians(bearing)) for bearing in own] for own in bearings]
+    if len(ways) == 1 or len(ways) > len(PALETTE):
+        aside = ASIDE * (len(ways) > 1)
         return [
-            [radius * exp(1j * radians(bearing)) for bearing in own]
-            for radius, own in zip(radii, bearings, strict=True)
+            [(1 + aside * (-1) ** place) * way for way in own] for place, own in enumerate(ways)
         ]
-    out: list[list[complex]] = []
-    for own in bearings:
-        ways = [exp(1j * radians(bearing)) for bearing in own]
-        free = (
-            [
-                radius
-                for radius in RADII
-                if all(abs(radius - abs(other[0])) >= CLEAR for other in out)
-            ]
-            if out
-            else [1 + ASIDE]
-        )
-        tried = [[radius * way for way in ways] for radius in free]
-        room = [
-            min((min(_room(points, other), _room(other, points)) for other in out), default=CLEAR)
-            for points in tried
+    out: list[list[complex]] = [[(1 + ASIDE) * way for way in ways[0]]]
+
+    def room(points: Sequence[complex]) -> float:
+        return min(min(_room(points, other), _room(other, points)) for other in out)
+
+    for own in ways[1:]:
+        free = [
+            radius for radius in RADII if all(abs(radius - abs(one[0])) >= CLEAR for one in out)
         ]
-        out.append(
-            next(
-                (points for points, gap in zip(tried, room, strict=True) if gap >= CLEAR),
-                tried[int(np.argmax(room))],
-            )
-        )
+        tried = [[radius * way for way in own] for radius in free]
+        clear = (points for points in tried if room(points) >= CLEAR)
+        out.append(next(clear, None) or max(tried, key=room))
     return out
 
 
@@ -195,14 +176,6 @@ def _arc(start: float, end: float, *, width: float = 1.0) -> Stroke:
     """A part of the ring, from and to in degrees of bearing."""
     bearings = np.radians(np.linspace(start, end, max(2, round(abs(end - start) / 3) + 1)))
     return Stroke(tuple(complex(point) for point in np.exp(1j * bearings)), width=width)
-
-
-def _ticks() -> list[Stroke]:
-    """Marks at the quarters of the cycle."""
-    return [
-        Stroke((0.9 * exp(1j * radians(bearing)), exp(1j * radians(bearing))), width=1.0)
-        for bearing in (0, 90, 180, 270)
-    ]
 
 
 def _labels(

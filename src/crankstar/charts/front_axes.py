@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from math import ceil, floor, log10
 from typing import NamedTuple
 
-from crankstar.charts.grammar import Channel, field
+from crankstar.charts.grammar import Channel, field, span
 
 DECADES = 2.0
 """Powers of ten spanned by values whose axis is logarithmic by default."""
@@ -29,22 +29,17 @@ class Axis(NamedTuple):
 
     def place(self, value: float) -> float:
         """Px from the lower end of the axis."""
-        one = self.drawn(value)
-        share = (
-            log10(one / self.low) / log10(self.high / self.low)
-            if self.powers
-            else (one - self.low) / (self.high - self.low)
-        )
-        return share * self.length
+        value = self.drawn(value)
+        if self.powers:
+            return log10(value / self.low) / log10(self.high / self.low) * self.length
+        return (value - self.low) / (self.high - self.low) * self.length
 
     def value(self, place: float) -> float:
         """The value at a place, px."""
         share = place / self.length
-        return (
-            self.low * (self.high / self.low) ** share
-            if self.powers
-            else self.low + share * (self.high - self.low)
-        )
+        if self.powers:
+            return self.low * (self.high / self.low) ** share
+        return self.low + share * (self.high - self.low)
 
     @property
     def ticks(self) -> list[float]:
@@ -60,9 +55,9 @@ class Axis(NamedTuple):
         return among if self.zero is None else [self.zero, *among]
 
 
-def spans_decades(points: Sequence[tuple[float, ...]], place: int) -> bool:
-    """Whether one of the values spans so many decades that its axis is logarithmic by default."""
-    sizes = [one[place] for one in points if one[place] > 0]
+def spans_decades(values: Sequence[float]) -> bool:
+    """Whether values span so many decades that their axis is logarithmic by default."""
+    sizes = [value for value in values if value > 0]
     return bool(sizes) and max(sizes) >= 10**DECADES * min(sizes)
 
 
@@ -79,14 +74,9 @@ def axis_of(values: Sequence[float], length: float, *, powers: bool) -> Axis:
 
 def channel(name: str, axis: Axis, title: str) -> Channel:
     """The axis as a channel of a figure."""
-    domain = [axis.low, axis.high]
-    if not axis.powers:
-        return field(
-            f"{name}:Q", scale={"domain": domain, "nice": False}, title=title, axis={"tickCount": 5}
-        )
-    zero = 0 if axis.zero is None else axis.zero * (axis.high / axis.low) ** (EDGE / 2)
-    label = f"datum.value < {zero!r} ? '0' : format(datum.value, '~g')"
-    marks = {"values": axis.ticks, "labelExpr": label}
-    return field(
-        f"{name}:Q", scale={"type": "log", "domain": domain, "nice": False}, title=title, axis=marks
-    )
+    scale, marks = span(axis.low, axis.high), {"tickCount": 5}
+    if axis.powers:
+        zero = 0 if axis.zero is None else axis.zero * (axis.high / axis.low) ** (EDGE / 2)
+        label = f"datum.value < {zero!r} ? '0' : format(datum.value, '~g')"
+        scale, marks = scale | {"type": "log"}, {"values": axis.ticks, "labelExpr": label}
+    return field(f"{name}:Q", scale=scale, title=title, axis=marks)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from crankstar.charts.drawing import GREY, SMALL, Panel, layered
 from crankstar.charts.front_numbers import MOST_LISTED
-from crankstar.charts.grammar import field, of_rows
+from crankstar.charts.grammar import field, of_rows, span
 from crankstar.charts.search_values import columns, digits_width, order_lines
 from crankstar.language.messages import _
 from crankstar.language.numbers import number
@@ -59,17 +59,16 @@ def front_key(answer: Answer) -> Panel:
         more = len(answer.rows) - MOST_LISTED
         texts.append(_text(_("and {count} more", count=more), 0, line))
         line += 1
-    x = field("x:Q", scale={"domain": [0, ends[-1] - LEFT], "nice": False}, axis=None)
-    y = field("y:Q", scale={"domain": [line, 0], "nice": False}, axis=None)
-    layers = []
-    for side in ("left", "right"):
-        own = [text for text in texts if text["side"] == side]
-        layers.append(
-            of_rows(own)
-            .mark("text", fontSize=SMALL, color=GREY, align=side)
-            .encode(x=x, y=y, text=field("text:N"))
-        )
-    return layered(layers, width=ends[-1] - LEFT, height=line * LINE)
+    width = ends[-1] - LEFT
+    x = field("x:Q", scale=span(0, width), axis=None)
+    y = field("y:Q", scale=span(line, 0), axis=None)
+    layers = [
+        of_rows([text for text in texts if text["side"] == side])
+        .mark("text", fontSize=SMALL, color=GREY, align=side)
+        .encode(x=x, y=y, text=field("text:N"))
+        for side in ("left", "right")
+    ]
+    return layered(layers, width=width, height=line * LINE)
 
 
 def _text(text: str, x: float, line: float, side: str = "left") -> dict[str, Any]:

@@ -21,7 +21,7 @@ from crankstar.charts.drawing import (
 from crankstar.charts.front_axes import Axis, axis_of, channel, spans_decades
 from crankstar.charts.front_keys import front_key
 from crankstar.charts.front_numbers import DOT, HEIGHT, point_numbers
-from crankstar.charts.grammar import Chart, constant, field, of_rows
+from crankstar.charts.grammar import DISC, Chart, constant, field, of_rows
 from crankstar.charts.search_values import Column, columns, engine_text
 from crankstar.language.messages import _
 from crankstar.search.engines import firing_order
@@ -59,14 +59,17 @@ def pareto_front(
         raise ChartError(_("the other stars have other objectives; the first two must be the same"))
     points = [row.values for row in answer.rows]
     pale = [row.values for row in others.rows] if others is not None else []
-    powers = (
-        any(spans_decades(points, place) for place in (0, 1) if not heads[place].counted)
-        if logarithmic is None
-        else logarithmic
+    measured = [place for place in (0, 1) if not heads[place].counted]
+    if logarithmic is None:
+        logarithmic = any(spans_decades([one[place] for one in points]) for place in measured)
+    across, upward = (
+        axis_of(
+            [one[place] for one in (*points, *pale)],
+            length,
+            powers=logarithmic and place in measured,
+        )
+        for place, length in enumerate((WIDTH, HEIGHT))
     )
-    every = [*points, *pale]
-    across = axis_of([one[0] for one in every], WIDTH, powers=powers and not heads[0].counted)
-    upward = axis_of([one[1] for one in every], HEIGHT, powers=powers and not heads[1].counted)
     panel, every_number = _front_panel(answer, heads, across, upward, pale)
     names = {"objectives": ", ".join(head.name for head in heads[:-1]), "last": heads[-1].name}
     if isinstance(answer.question.ask, Front):
@@ -92,11 +95,8 @@ def _front_panel(
     if pale:
         spots = (pale[index] for index in _seen(pale, across, upward))
         dots = of_rows([{"x": across.drawn(one[0]), "y": upward.drawn(one[1])} for one in spots])
-        layers.append(
-            dots.mark(
-                "point", filled=True, shape="circle", size=16, opacity=0.4, color=GREY
-            ).encode(x=x, y=y)
-        )
+        style = {**DISC, "opacity": 0.4, "size": 16, "color": GREY}
+        layers.append(dots.mark("point", **style).encode(x=x, y=y))
     points = [row.values for row in answer.rows]
     steps = _steps(points, across, upward) if len(heads) == 2 else []
     if steps:
@@ -106,7 +106,7 @@ def _front_panel(
     rows = [_row(answer, heads, place, across, upward) for place in shown]
     hints = [field("row:N", title=_("row")), field("order:N", title=_("firing order"))]
     hints += [field(f"value{place}:Q", title=head.title) for place, head in enumerate(heads)]
-    dots = of_rows(rows).mark("point", filled=True, shape="circle", size=DOT, opacity=1)
+    dots = of_rows(rows).mark("point", **DISC, size=DOT)
     layers.append(dots.encode(x=x, y=y, color=_colour(heads, rows), tooltip=hints))
     numbers, leaders = point_numbers(rows, steps, across, upward)
     if leaders:
@@ -137,7 +137,8 @@ def _colour(heads: Sequence[Column], rows: Sequence[dict[str, Any]]) -> Any:
     """One colour, or that of the third objective: a palette for few counts, else a scale."""
     if len(heads) < 3 or len({row["value2"] for row in rows}) < 2:
         return constant(BLUE)
-    title = {
+    legend = {
+        "orient": "top",
         "title": heads[2].title,
         "titleColor": GREY,
         "titleFontSize": TEXT,
@@ -145,12 +146,11 @@ def _colour(heads: Sequence[Column], rows: Sequence[dict[str, Any]]) -> Any:
     }
     kinds = sorted({row["value2"] for row in rows})
     if heads[2].counted and len(kinds) <= len(PALETTE):
-        legend = {"orient": "top", "titleOrient": "left", "format": "d", **title}
+        colours = {"domain": kinds, "range": list(PALETTE[: len(kinds)])}
         return field(
-            "value2:O", scale={"domain": kinds, "range": list(PALETTE[: len(kinds)])}, legend=legend
+            "value2:O", scale=colours, legend=legend | {"titleOrient": "left", "format": "d"}
         )
-    gradient = {"gradientLength": WIDTH, "gradientThickness": 10, "tickCount": 5}
-    legend = {"orient": "top", **gradient, **title}
+    legend |= {"gradientLength": WIDTH, "gradientThickness": 10, "tickCount": 5}
     return field("value2:Q", scale={"scheme": "viridis"}, legend=legend)
 
 

@@ -26,6 +26,16 @@ def field(name: str, **options: Any) -> Channel:
     return {"field": name, **({"type": KINDS[kind]} if kind else {}), **options}
 
 
+def own(name: str) -> Channel:
+    """A channel whose values are in the rows as they are drawn: a colour, px, degrees."""
+    return field(name, scale=None)
+
+
+def span(*ends: float) -> dict[str, Any]:
+    """A scale from its lower to its upper end exactly."""
+    return {"domain": list(ends), "nice": False}
+
+
 def constant(value: Any) -> Channel:
     """A channel that is the same for all rows: a colour, a text, px."""
     return {"value": value}
@@ -54,6 +64,12 @@ class Layer:
 def of_rows(rows: Sequence[Mapping[str, Any]]) -> Layer:
     """A layer of rows of data, without a mark."""
     return Layer({"data": {"values": list(rows)}})
+
+
+COLOUR = own("colour:N")
+"""The colour of each row."""
+DISC = {"shape": "circle", "filled": True, "opacity": 1}
+"""The style of a point that is a dot."""
 
 
 @dataclass(frozen=True)

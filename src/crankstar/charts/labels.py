@@ -106,6 +106,19 @@ def apart(
     return out
 
 
+def gathered(places: Sequence[complex], near: float) -> list[list[int]]:
+    """The indices of points that lie together: within `near` of the first of them.
+
+    >>> gathered([0, 5, 0.1], 1)
+    [[0, 2], [1]]
+    """
+    groups: list[list[int]] = []
+    for index, place in enumerate(places):
+        home = next((group for group in groups if abs(places[group[0]] - place) <= near), None)
+        home.append(index) if home is not None else groups.append([index])
+    return groups
+
+
 def meets(one: Box, other: Box) -> bool:
     """Whether two rectangles overlap."""
     between = one.middle - other.middle

@@ -11,19 +11,21 @@ clockwise per turn of the reference crankshaft; the picture works out where it i
 from __future__ import annotations
 
 from cmath import exp
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from math import floor, log10
 from typing import Any, NamedTuple
 
-from crankstar.charts.drawing import BLUE, GREY, Panel, layered, text_width
-from crankstar.charts.grammar import field, of_rows
+from crankstar.charts.drawing import BLUE, GREY, Panel, checked_angle, layered, text_width
+from crankstar.charts.grammar import COLOUR, DISC, Channel, Layer, field, of_rows, own, span
 from crankstar.charts.labels import GAP, Box, Label, apart, box, extent
 
 HEAD = "M0 0L-0.62 2L0.62 2Z"
 """An arrow head with its tip at the origin, pointing up."""
 HEAD_SIZE = 110.0
 """Area of the square that is the unit of HEAD, px^2; the head is sqrt(HEAD_SIZE) long."""
+HEAD_STYLE = {"shape": HEAD, "filled": True, "opacity": 1, "strokeWidth": 0}
 SHORTEST = 0.5
 """px: shorter arrows are not drawn."""
 
@@ -67,6 +69,11 @@ class Frame(NamedTuple):
     bottom: float
     top: float
     scale: float
+
+    @property
+    def middle(self) -> complex:
+        """Of the shown part."""
+        return complex(self.top + self.bottom, self.right + self.left) / 2
 
     @property
     def width(self) -> float:
@@ -113,11 +120,9 @@ def scale_bar(frame: Frame, unit: str) -> tuple[Stroke, Label]:
     tick = 4 / frame.scale
     ends = (corner, corner + 1j * length)
     points = (ends[0] + tick, ends[0], ends[1], ends[1] + tick)
-    text = f"{length:.6g} {unit}"
-    label = Label(text, anchor=ends[1], direction=1j)
-    across, _ = extent(label)
-    middle = ends[1] + 1j * (across + GAP + 2) / frame.scale
-    return Stroke(points, width=1.5), Label(text, anchor=middle, direction=0j)
+    text = Label(f"{length:.6g} {unit}", ends[1], 0j)
+    middle = ends[1] + 1j * (extent(text)[0] + GAP + 2) / frame.scale
+    return Stroke(points, width=1.5), text._replace(anchor=middle)
 
 
 BAR = 26.0
@@ -126,11 +131,7 @@ BAR = 26.0
 
 def empty(frame: Frame, text: str) -> Label:
     """A text in the middle of a picture that has nothing else to show."""
-    return Label(
-        text,
-        anchor=complex((frame.top + frame.bottom) / 2, (frame.left + frame.right) / 2),
-        direction=0j,
-    )
+    return Label(text, frame.middle, 0j)
 
 
 def picture(
@@ -146,215 +147,154 @@ def picture(
 
     `more` are further layers.
     """
+    checked_angle(theta)
     x, y = coordinates(frame, axes)
-    shown = [
-        arrow for arrow in plane.arrows if abs(arrow.end - arrow.start) * frame.scale > SHORTEST
-    ]
-    segments = [_segment(arrow, theta, frame.scale) for arrow in shown]
-    segments += [
-        (a * frame.scale, b * frame.scale)
-        for s in plane.strokes
-        for a, b in zip(s.points, s.points[1:], strict=False)
-    ]
-    inside = Box(
-        complex((frame.top + frame.bottom) / 2, (frame.left + frame.right) / 2) * frame.scale,
-        frame.width / 2 + (8 if axes is None else 0),
-        frame.height / 2,
-    )
-    around = [box(note, theta=theta, scale=frame.scale) for note in plane.notes]
+    scale = frame.scale
+    shown = [arrow for arrow in plane.arrows if abs(arrow.end - arrow.start) * scale > SHORTEST]
+    segments = [_segment(arrow, theta) for arrow in shown]
+    segments += [ends for stroke in plane.strokes for ends in pairwise(stroke.points)]
+    aside = 8 if axes is None else 0
     moved = apart(
         plane.labels,
         theta=theta,
-        scale=frame.scale,
-        strokes=segments[:400],
-        within=inside,
-        around=around,
+        scale=scale,
+        strokes=[(start * scale, end * scale) for start, end in segments[:400]],
+        within=Box(frame.middle * scale, frame.width / 2 + aside, frame.height / 2),
+        around=[box(note, theta=theta, scale=scale) for note in plane.notes],
     )
     labels = [*plane.notes, *moved]
-    layers: list[Any] = []
-    for dashed in (False, True):
-        rows = [
-            row
-            for i, s in enumerate(plane.strokes)
-            if s.dashed is dashed
-            for row in _stroke_rows(i, s)
-        ]
-        if rows:
-            layers.append(_lines(rows, x, y, dashed=dashed))
-    layers += _arrow_layers(shown, frame, x, y)
+    layers = [*_lines(plane.strokes, x, y), *_arrow_layers(shown, scale, x, y)]
     if plane.dots:
-        layers.append(_dots(plane.dots, x, y))
-    layers += list(more)
+        places = turning(plane.dots, _turned("2", "at"))
+        dots = places.mark("point", **DISC)
+        layers.append(dots.encode(x=x, y=y, color=COLOUR, size=own("size:Q")))
+    layers += more
     if labels or not layers:
-        layers.append(_texts(labels or [Label("", 0j, 0j)], frame, x, y))
+        layers.append(_texts(labels or [Label("", 0j, 0j)], scale, x, y))
     return layered(layers, width=frame.width, height=frame.height, title=title)
 
 
-def coordinates(frame: Frame, axes: Axes | None) -> tuple[Any, Any]:
+def coordinates(frame: Frame, axes: Axes | None) -> tuple[Channel, Channel]:
     """The channels x and y of all layers of a picture."""
-    across = {"domain": [frame.left, frame.right], "nice": False, "zero": False}
-    upward = {"domain": [frame.bottom, frame.top], "nice": False, "zero": False}
-    if axes is None:
-        return field("x2:Q", scale=across, axis=None), field("y2:Q", scale=upward, axis=None)
-    ticks = max(3, int(frame.width / 70))
-    x = field("x2:Q", scale=across, title=axes.right, axis={"tickCount": ticks})
-    return x, field(
-        "y2:Q", scale=upward, title=axes.up, axis={"tickCount": max(3, int(frame.height / 60))}
-    )
+    across = {"scale": span(frame.left, frame.right) | {"zero": False}, "axis": None}
+    upward = {"scale": span(frame.bottom, frame.top) | {"zero": False}, "axis": None}
+    if axes is not None:
+        ticks = [{"tickCount": max(3, int(px))} for px in (frame.width / 70, frame.height / 60)]
+        across |= {"title": axes.right, "axis": ticks[0]}
+        upward |= {"title": axes.up, "axis": ticks[1]}
+    return field("x2:Q", **across), field("y2:Q", **upward)
 
 
-def _segment(arrow: Arrow, theta: float, scale: float) -> tuple[complex, complex]:
+def _segment(arrow: Arrow, theta: float) -> tuple[complex, complex]:
     phase = exp(1j * arrow.rate * theta)
-    return (arrow.place + arrow.start * phase) * scale, (arrow.place + arrow.end * phase) * scale
+    return arrow.place + arrow.start * phase, arrow.place + arrow.end * phase
 
 
-def _stroke_rows(index: int, stroke: Stroke) -> list[dict[str, Any]]:
-    return [
-        {
-            "x2": p.imag,
-            "y2": p.real,
-            "line": index,
-            "at": i,
-            "colour": stroke.colour,
-            "width": stroke.width,
-        }
-        for i, p in enumerate(stroke.points)
-    ]
+def _lines(strokes: Sequence[Stroke], x: Channel, y: Channel) -> list[Layer]:
+    """The lines that are not dashed, then those that are."""
+    layers = []
+    for dashed in (False, True):
+        rows = [
+            {"x2": point.imag, "y2": point.real, "line": line, "at": at, "colour": stroke.colour}
+            | {"width": stroke.width}
+            for line, stroke in enumerate(strokes)
+            if stroke.dashed is dashed
+            for at, point in enumerate(stroke.points)
+        ]
+        mark = of_rows(rows).mark("line", strokeDash=[4, 3] if dashed else [1, 0])
+        order = {"detail": field("line:N"), "order": field("at:Q")}
+        if rows:
+            layers.append(mark.encode(x=x, y=y, **order, color=COLOUR, strokeWidth=own("width:Q")))
+    return layers
 
 
-def _lines(rows: list[dict[str, Any]], x: Any, y: Any, *, dashed: bool) -> Any:
-    mark = of_rows(rows).mark("line", strokeDash=[4, 3] if dashed else [1, 0])
-    return mark.encode(
-        x=x,
-        y=y,
-        detail=field("line:N"),
-        order=field("at:Q"),
-        color=field("colour:N", scale=None),
-        strokeWidth=field("width:Q", scale=None),
-    )
+def turning(
+    items: Sequence[Any],
+    formulas: dict[str, str],
+    more: Callable[[Any], dict[str, Any]] = lambda _: {},
+) -> Layer:
+    """The items and `more` of each as rows; of a complex number `at` two fields, atUp and atRight.
+
+    Then the cosine c and the sine s of the turn of each, and what formulas make of them. A figure
+    without rotation needs no parameter.
+    """
+    rows = []
+    for item in items:
+        row: dict[str, Any] = {}
+        for name, value in (item._asdict() | more(item)).items():
+            if isinstance(value, complex):
+                row |= {f"{name}Up": value.real, f"{name}Right": value.imag}
+            else:
+                row[name] = value
+        rows.append(row)
+    turn = TURN if any(item.rate for item in items) else {"c": "1", "s": "0"}
+    return of_rows(rows).calculate(**turn, **formulas)
 
 
 TURN = {"c": "cos(datum.rate * theta * PI / 180)", "s": "sin(datum.rate * theta * PI / 180)"}
 """A vector (up, right) turned clockwise: up c - right s, up s + right c."""
 
 
-def _turn(rows: Sequence[Arrow] | Sequence[Dot] | Sequence[Label]) -> dict[str, str]:
-    """The cosine and sine of the turn of rows; a figure without rotation needs no parameter."""
-    return TURN if any(row.rate for row in rows) else {"c": "1", "s": "0"}
-
-
-def turned(point: str, *, up: str, right: str) -> dict[str, str]:
-    """Expressions x1, y1 for point 1 of a row that turns about the place of the row."""
+def _turned(point: str, vector: str) -> dict[str, str]:
+    """Expressions x1, y1 for point 1 of a row: a vector that turns about the place of the row."""
+    up, right = f"datum.{vector}Up", f"datum.{vector}Right"
     return {
-        f"x{point}": f"datum.x + datum.{up} * datum.s + datum.{right} * datum.c",
-        f"y{point}": f"datum.y + datum.{up} * datum.c - datum.{right} * datum.s",
+        f"x{point}": f"datum.placeRight + {up} * datum.s + {right} * datum.c",
+        f"y{point}": f"datum.placeUp + {up} * datum.c - {right} * datum.s",
     }
 
 
-def _arrow_layers(arrows: Sequence[Arrow], frame: Frame, x: Any, y: Any) -> list[Any]:
+def _arrow_layers(arrows: Sequence[Arrow], scale: float, x: Channel, y: Channel) -> list[Layer]:
+    """The lines of arrows, each ended within its head, so that the tip stays sharp; the heads."""
+
+    def head(arrow: Arrow) -> dict[str, float]:
+        length = abs(arrow.end - arrow.start) * scale
+        full = HEAD_SIZE**0.5 * (1.0 if arrow.width < 3 else 1.3)
+        px = min(full, 0.7 * length) if arrow.head else 0.0
+        return {"head": px**2, "cut": 0.8 * px / length}
+
     if not arrows:
         return []
-    rows = [_arrow_row(arrow, frame.scale) for arrow in arrows]
-    base = of_rows(rows).calculate(
-        **_turn(arrows),
-        **turned("1", up="startUp", right="startRight"),
-        **turned("2", up="endUp", right="endRight"),
-    )
-    colour = field("colour:N", scale=None)
-    # the line ends within the head, so that the tip stays sharp
+    base = turning(arrows, _turned("1", "start") | _turned("2", "end"), head)
     shaft = base.calculate(
         xe="datum.x2 - (datum.x2 - datum.x1) * datum.cut",
         ye="datum.y2 - (datum.y2 - datum.y1) * datum.cut",
     )
-    channels = {"x2": field("xe"), "y2": field("ye")}
-    begins = {"x": {**x, "field": "x1"}, "y": {**y, "field": "y1"}}
     lines = shaft.mark("rule").encode(
-        **begins, **channels, color=colour, strokeWidth=field("width:Q", scale=None)
+        x={**x, "field": "x1"},
+        y={**y, "field": "y1"},
+        x2=field("xe"),
+        y2=field("ye"),
+        color=COLOUR,
+        strokeWidth=own("width:Q"),
     )
     if not any(arrow.head for arrow in arrows):
         return [lines]
     pointed = base.calculate(bearing="atan2(datum.x2 - datum.x1, datum.y2 - datum.y1) * 180 / PI")
-    heads = pointed.mark("point", shape=HEAD, filled=True, opacity=1, strokeWidth=0).encode(
-        x=x,
-        y=y,
-        color=colour,
-        angle=field("bearing:Q", scale=None),
-        size=field("head:Q", scale=None),
-    )
-    return [lines, heads]
+    heads = pointed.mark("point", **HEAD_STYLE)
+    style = {"color": COLOUR, "angle": own("bearing:Q"), "size": own("head:Q")}
+    return [lines, heads.encode(x=x, y=y, **style)]
 
 
-def _arrow_row(arrow: Arrow, scale: float) -> dict[str, Any]:
-    length = abs(arrow.end - arrow.start) * scale
-    full = HEAD_SIZE**0.5 * (1.0 if arrow.width < 3 else 1.3)
-    head = min(full, 0.7 * length) if arrow.head else 0.0
-    return {
-        "x": arrow.place.imag,
-        "y": arrow.place.real,
-        "rate": arrow.rate,
-        "startUp": arrow.start.real,
-        "startRight": arrow.start.imag,
-        "endUp": arrow.end.real,
-        "endRight": arrow.end.imag,
-        "colour": arrow.colour,
-        "width": arrow.width,
-        "head": head**2,
-        "cut": 0.8 * head / length,
-    }
+def _texts(labels: Sequence[Label], scale: float, x: Channel, y: Channel) -> Layer:
+    """The labels away from their points, farther to the sides than up and down: text is wide."""
 
+    def room(label: Label) -> dict[str, float]:
+        across, upright = ((half + label.gap) * label.away / scale for half in extent(label))
+        return {"across": across, "upright": upright}
 
-def _dots(dots: Sequence[Dot], x: Any, y: Any) -> Any:
-    rows = [
-        {
-            "x": dot.place.imag,
-            "y": dot.place.real,
-            "rate": dot.rate,
-            "up": dot.at.real,
-            "right": dot.at.imag,
-            "colour": dot.colour,
-            "size": dot.size,
-        }
-        for dot in dots
-    ]
-    base = of_rows(rows).calculate(**_turn(dots), **turned("2", up="up", right="right"))
-    return base.mark("point", filled=True, opacity=1, shape="circle").encode(
-        x=x, y=y, color=field("colour:N", scale=None), size=field("size:Q", scale=None)
-    )
-
-
-def _texts(labels: Sequence[Label], frame: Frame, x: Any, y: Any) -> Any:
-    rows = [_label_row(label, frame.scale) for label in labels]
-    base = of_rows(rows).calculate(**_turn(labels), **turned("2", up="up", right="right"))
-    # then away from the point, farther to the sides than up and down, as the text is wide
-    base = base.calculate(
-        x3="datum.x2 + datum.across * (datum.wayUp * datum.s + datum.wayRight * datum.c)",
-        y3="datum.y2 + datum.upright * (datum.wayUp * datum.c - datum.wayRight * datum.s)",
+    up, right = "datum.directionUp", "datum.directionRight"
+    base = turning(labels, _turned("2", "anchor"), room).calculate(
+        x3=f"datum.x2 + datum.across * ({up} * datum.s + {right} * datum.c)",
+        y3=f"datum.y2 + datum.upright * ({up} * datum.c - {right} * datum.s)",
     )
     return base.mark("text", baseline="middle", align="center", lineBreak="\n").encode(
         x={**x, "field": "x3"},
         y={**y, "field": "y3"},
         text=field("text:N"),
-        color=field("colour:N", scale=None),
-        size=field("size:Q", scale=None),
+        color=COLOUR,
+        size=own("size:Q"),
     )
-
-
-def _label_row(label: Label, scale: float) -> dict[str, Any]:
-    across, upright = extent(label)
-    return {
-        "x": label.place.imag,
-        "y": label.place.real,
-        "rate": label.rate,
-        "up": label.anchor.real,
-        "right": label.anchor.imag,
-        "wayUp": label.direction.real,
-        "wayRight": label.direction.imag,
-        "across": (across + label.gap) * label.away / scale,
-        "upright": (upright + label.gap) * label.away / scale,
-        "text": label.text,
-        "colour": label.colour,
-        "size": label.size,
-    }
 
 
 def label_margin(labels: Sequence[str]) -> float:

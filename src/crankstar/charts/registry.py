@@ -2,107 +2,97 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, get_args
 
-from crankstar.charts.comparison import KINDS
+from crankstar.charts.crank_stars import crank_star
 from crankstar.charts.curves import over_turn
 from crankstar.charts.cylinder_forces import force_arrows
+from crankstar.charts.drawing import ChartError
 from crankstar.charts.elevations import shaft_elevation
 from crankstar.charts.firing_rings import firing_ring
+from crankstar.charts.grammar import Chart
 from crankstar.charts.hodographs import hodograph
-from crankstar.charts.polygons import polygon
 from crankstar.charts.spectra import spectrum
-from crankstar.charts.stars import crank_star, vector_star
 from crankstar.charts.strokes import stroke_chart
-from crankstar.language.messages import N_
+from crankstar.charts.sums import Quantity, Signal
+from crankstar.charts.vector_stars import polygon, vector_star
+from crankstar.engine.engine import Engine
+from crankstar.language.messages import N_, _
 
 
 @dataclass(frozen=True)
 class Figure:
-    """A figure: its function, a line about it, its options, and the values of `quantity`."""
+    """A figure: its function, a line about it, and the values of `quantity`."""
 
     name: str
-    draw: Callable[..., Any]
+    draw: Callable[..., Chart]
     about: str
-    options: tuple[str, ...]
     quantities: tuple[str, ...] = ()
+
+    @property
+    def options(self) -> tuple[str, ...]:
+        """The options of its function."""
+        return tuple(self.draw.__kwdefaults__ or ())
 
     @property
     def compares(self) -> bool:
         """Whether several engines can be drawn side by side."""
-        return self.name in KINDS
+        return self.draw.__annotations__["engine"] == "Engines"
 
 
-VECTORS = ("force", "couple")
-CHARTS: dict[str, Figure] = {
-    figure.name: figure
-    for figure in (
-        Figure(
-            "crank-star",
-            crank_star,
-            N_("the throws of the crankshafts, seen from the front"),
-            ("theta",),
-        ),
-        Figure(
-            "vector-star",
-            vector_star,
-            N_("the vectors of one order of every cylinder, throw and weight"),
-            ("order", "quantity", "speed", "reference", "theta"),
-            VECTORS,
-        ),
-        Figure(
-            "polygon",
-            polygon,
-            N_("the vectors of one order head to tail, with their resultant"),
-            ("order", "quantity", "speed", "reference", "theta"),
-            VECTORS,
-        ),
-        Figure(
-            "hodograph",
-            hodograph,
-            N_("the path of force or couple, of one order or of all"),
-            ("order", "quantity", "speed", "reference", "theta"),
-            VECTORS,
-        ),
-        Figure(
-            "over-turn",
-            over_turn,
-            N_("force, couple, roll or torque over the crank angle, by order and in total"),
-            ("orders", "quantity", "speed", "reference", "theta"),
-            (*VECTORS, "roll", "torque"),
-        ),
-        Figure(
-            "spectrum",
-            spectrum,
-            N_("peak force, couple and roll of each order"),
-            ("speed", "reference"),
-        ),
-        Figure(
-            "shaft",
-            shaft_elevation,
-            N_("every shaft from the side, with its weights and arms"),
-            ("reference", "theta"),
-        ),
-        Figure(
-            "stroke-chart",
-            stroke_chart,
-            N_("open valves and ignition of each cylinder over one cycle"),
-            ("theta",),
-        ),
-        Figure(
-            "firing-ring",
-            firing_ring,
-            N_("the cylinders round a circle at their firing angles"),
-            ("theta",),
-        ),
-        Figure(
-            "forces",
-            force_arrows,
-            N_("the forces of each cylinder at chosen crank angles"),
-            ("angles", "orders"),
-        ),
-    )
-}
+_FIGURES = (
+    Figure("crank-star", crank_star, N_("the throws of the crankshafts, seen from the front")),
+    Figure(
+        "vector-star",
+        vector_star,
+        N_("the vectors of one order of every cylinder, throw and weight"),
+        get_args(Quantity),
+    ),
+    Figure(
+        "polygon",
+        polygon,
+        N_("the vectors of one order head to tail, with their resultant"),
+        get_args(Quantity),
+    ),
+    Figure(
+        "hodograph",
+        hodograph,
+        N_("the path of force or couple, of one order or of all"),
+        get_args(Quantity),
+    ),
+    Figure(
+        "over-turn",
+        over_turn,
+        N_("force, couple, rolling moment or torque over the crank angle, by order and in total"),
+        get_args(Signal),
+    ),
+    Figure("spectrum", spectrum, N_("peak force, couple and rolling moment of each order")),
+    Figure("shaft", shaft_elevation, N_("every shaft from the side, with its weights and arms")),
+    Figure(
+        "stroke-chart", stroke_chart, N_("open valves and ignition of each cylinder over one cycle")
+    ),
+    Figure("firing-ring", firing_ring, N_("the cylinders round a circle at their firing angles")),
+    Figure("forces", force_arrows, N_("the forces of each cylinder at chosen crank angles")),
+)
+CHARTS = {figure.name: figure for figure in _FIGURES}
 """All figures of an engine, by name."""
+
+
+def side_by_side(engines: Sequence[Engine], kind: str, **options: Any) -> Chart:
+    """Several engines in one figure on common axes, two in a row, each under its name.
+
+    `kind` is one of hodograph, over-turn, spectrum, vector-star and polygon; `options` are those of
+    this figure. Raises ChartError, also where the engines are not counted in the same unit.
+    """
+    kinds = {name: figure for name, figure in CHARTS.items() if figure.compares}
+    if kind not in kinds:
+        raise ChartError(
+            _(
+                "{chart} cannot be drawn side by side; give one of {charts}",
+                chart=repr(kind),
+                charts=", ".join(kinds),
+            )
+        )
+    return kinds[kind].draw(engines, **options)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from crankstar.charts.crank_stars import crank_panel
 from crankstar.charts.drawing import HALF, ChartError, Panel, checked_angle, figure
 from crankstar.charts.grammar import Chart
 from crankstar.charts.search_values import columns, engine_text, order_lines, units_text
-from crankstar.charts.stars import crank_panel
 from crankstar.language.messages import _
 from crankstar.language.numbers import number
 from crankstar.search.engines import engine

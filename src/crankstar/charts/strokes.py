@@ -10,17 +10,17 @@ from crankstar.charts.crank_angle import across, at_theta
 from crankstar.charts.drawing import (
     BLUE,
     GREY,
+    LINES,
     ORANGE,
     VERMILION,
     WIDTH,
     YELLOW,
     ChartError,
     Panel,
-    checked_angle,
     figure,
     layered,
 )
-from crankstar.charts.grammar import Channel, Chart, constant, field, of_rows
+from crankstar.charts.grammar import Channel, Chart, Layer, constant, field, of_rows, span
 from crankstar.engine.engine import Engine
 from crankstar.engine.valves import EVENTS
 from crankstar.firing.strokes import (
@@ -80,33 +80,23 @@ def stroke_chart(engine: Engine, *, theta: float = 0.0) -> Chart:
     four-stroke or 360 deg of a two-stroke engine; a rule at the crank angle `theta` (radians).
     Assumed timing is marked. Raises ChartError.
     """
-    theta = checked_angle(theta)
     cycle = cycle_of(engine)
     turns = round(engine.cycle_angle / 360)
-    title = _("Stroke chart")
-    if cycle is None:
-        return figure(
-            [[_empty(turns)]], title=title, subtitle=[engine.name], theta=theta, turns=turns
-        )
-    groups = exhaust_groups(engine)
-    if all(len(group.chambers) == 1 for group in groups):  # nothing to keep apart
-        groups = (ExhaustGroup("", tuple(number for group in groups for number in group.chambers)),)
-    height = TALL if len(cycle.chambers) <= MOST_TALL else LOW
-    panels = [
-        _panel(
-            cycle,
-            _title(cycle, group),
-            _front_to_rear(engine, group.chambers),
-            height,
-            turns,
-            foot=group == groups[-1],
-        )
-        for group in groups
-    ]
+    panels, words = [_empty(turns)], []
+    if cycle is not None:
+        groups = exhaust_groups(engine)
+        if all(len(group.chambers) == 1 for group in groups):  # nothing to keep apart
+            groups = (ExhaustGroup("", tuple(engine.chambers)),)
+        height = TALL if len(cycle.chambers) <= MOST_TALL else LOW
+        panels = [
+            _panel(cycle, engine, group, height, turns, foot=group == groups[-1])
+            for group in groups
+        ]
+        words = brief_timing(cycle, engine)
     return figure(
         [[panel] for panel in panels],
-        title=title,
-        subtitle=[engine.name, *brief_timing(cycle, engine)],
+        title=_("Stroke chart"),
+        subtitle=[engine.name, *words],
         theta=theta,
         turns=turns,
     )
@@ -172,27 +162,25 @@ def span_rows(cycle: WorkingCycle, chambers: Sequence[int]) -> list[dict[str, An
             low, high = PLACES[name]
             begins = window.start_deg % cycle.cycle_deg
             within = Window(begins, begins + window.length_deg)
-            for part in pieces(within, cycle_deg=cycle.cycle_deg):
-                span = {
-                    "x": round(part.start_deg, 6),
-                    "end": round(part.end_deg, 6),
-                    "y": row + low,
-                    "foot": row + high,
-                }
-                rows.append({**span, "what": _(name), "cylinder": chamber})
+            edges = {"y": row + low, "foot": row + high, "what": _(name), "cylinder": chamber}
+            rows += [
+                {"x": round(part.start_deg, 6), "end": round(part.end_deg, 6), **edges}
+                for part in pieces(within, cycle_deg=cycle.cycle_deg)
+            ]
     return rows
 
 
 def _panel(
     cycle: WorkingCycle,
-    title: str,
-    chambers: Sequence[int],
+    engine: Engine,
+    group: ExhaustGroup,
     height: float,
     turns: int,
     *,
     foot: bool,
 ) -> Panel:
-    x = _crank_angle(turns, foot=foot)
+    chambers = _front_to_rear(engine, group.chambers)
+    x, rule = _crank_angle(turns, foot=foot)
     names = "[" + ", ".join(f"'{chamber}'" for chamber in chambers) + "]"
     axis = {
         "values": [row + 0.5 for row in range(len(chambers))],
@@ -203,17 +191,11 @@ def _panel(
         "labelPadding": 10,
         "labelOverlap": False,
     }
-    y = field(
-        "y:Q",
-        scale={"domain": [len(chambers), 0], "nice": False, "zero": False},
-        axis=axis,
-        title=_("cylinder"),
-    )
+    scale = span(len(chambers), 0) | {"zero": False}
+    y = field("y:Q", scale=scale, axis=axis, title=_("cylinder"))
     legend = {
-        "orient": "top",
-        "title": None,
+        **LINES,
         "columns": 2,
-        "columnPadding": 22,
         "symbolType": "square",
         "symbolSize": 150,
         "symbolStrokeWidth": 0,
@@ -223,26 +205,25 @@ def _panel(
         "range": [_translucent(*paint) for paint in SPANS.values()],
     }
     spans = of_rows(span_rows(cycle, chambers)).mark("rect", strokeWidth=0, opacity=1)
-    spans = spans.encode(
-        x=x,
-        x2=field("end"),
-        y=y,
-        y2=field("foot"),
-        color=field("what:N", scale=colours, legend=legend),
-    )
-    fires = [(row, cycle.chamber(chamber).fires_deg) for row, chamber in enumerate(chambers)]
-    marks = [{"x": angle, "y": row + 0.5} for row, angle in fires]
-    marks += [{"x": cycle.cycle_deg, "y": row + 0.5} for row, angle in fires if angle == 0]
+    fires = [(row + 0.5, cycle.chamber(chamber).fires_deg) for row, chamber in enumerate(chambers)]
+    marks = [{"x": angle, "y": row} for row, angle in fires]
+    marks += [{"x": cycle.cycle_deg, "y": row} for row, angle in fires if angle == 0]
     bolts = of_rows(marks).mark(
         "point", shape=BOLT, filled=True, opacity=1, size=14 * height, color=GREY, strokeWidth=0
     )
-    rule = at_theta(turns).mark("rule", color=GREY, strokeWidth=1.6, strokeDash=[3, 2])
-    return layered(
-        [spans, bolts.encode(x=x, y=y), rule.encode(x=x)],
-        width=WIDTH,
-        height=height * len(chambers),
-        title=title,
-    )
+    layers = [
+        spans.encode(
+            x=x,
+            x2=field("end"),
+            y=y,
+            y2=field("foot"),
+            color=field("what:N", scale=colours, legend=legend),
+        ),
+        bolts.encode(x=x, y=y),
+        rule,
+    ]
+    size = {"width": WIDTH, "height": height * len(chambers)}
+    return layered(layers, **size, title=_title(cycle, group))
 
 
 def _translucent(colour: str, opacity: float) -> str:
@@ -251,15 +232,15 @@ def _translucent(colour: str, opacity: float) -> str:
     return f"rgba({red}, {green}, {blue}, {opacity:g})"
 
 
-def _crank_angle(turns: int, *, foot: bool) -> Channel:
-    """The crank angle over one cycle, a number at every other tick."""
+def _crank_angle(turns: int, *, foot: bool) -> tuple[Channel, Layer]:
+    """The crank angle over one cycle, a number at every other tick; the rule at `theta`."""
     every_other = f"datum.value % {90 * turns} == 0 ? datum.label : ''"
-    return across(turns, ticks=45 * turns, foot=foot, labelExpr=every_other, labelOverlap=False)
+    x = across(turns, ticks=45 * turns, foot=foot, labelExpr=every_other, labelOverlap=False)
+    rule = at_theta(turns).mark("rule", color=GREY, strokeWidth=1.6, strokeDash=[3, 2])
+    return x, rule.encode(x=x)
 
 
 def _empty(turns: int) -> Panel:
-    x = _crank_angle(turns, foot=True)
+    x, rule = _crank_angle(turns, foot=True)
     words = of_rows([{"x": 180 * turns}]).mark("text", fontSize=13, color=GREY)
-    rule = at_theta(turns).mark("rule", color=GREY, strokeDash=[3, 2])
-    layers = [words.encode(x=x, text=constant(_(NO_ORDER))), rule.encode(x=x)]
-    return layered(layers, width=WIDTH, height=60)
+    return layered([words.encode(x=x, text=constant(_(NO_ORDER))), rule], width=WIDTH, height=60)

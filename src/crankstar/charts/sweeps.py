@@ -1,12 +1,14 @@
-"""Force, couple, roll or torque over a varied value of the engine file, and the best value."""
+"""Force, couple, rolling moment or torque over a varied value of the engine file; the optimum."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import cycle, islice
 from typing import Any
 
 from crankstar.charts.drawing import (
     GREY,
+    LINES,
     PALETTE,
     VERMILION,
     WIDTH,
@@ -16,7 +18,7 @@ from crankstar.charts.drawing import (
     folded,
     layered,
 )
-from crankstar.charts.grammar import Chart, field, of_rows
+from crankstar.charts.grammar import DISC, Chart, field, of_rows, span
 from crankstar.language.messages import _
 from crankstar.language.numbers import number, unit_text
 from crankstar.spectra import Real
@@ -34,28 +36,23 @@ def swept(sweep: Sweep, curves: Sequence[Curve], *, best: Sequence[Best] = ()) -
     """
     if not curves:
         raise ChartError(_("there is no curve to draw; watch a quantity, such as force"))
-    optima = list(best) or [None] * len(curves)
+    pairs = list(zip(curves, best or [None] * len(curves), strict=True))
     units = list(dict.fromkeys(curve.unit for curve in curves))
-    panels = []
-    for place, unit in enumerate(units):
-        own = [
-            (curve, one) for curve, one in zip(curves, optima, strict=True) if curve.unit == unit
-        ]
-        panels.append(_panel(sweep, own, unit, foot=place == len(units) - 1))
+    panels = [
+        _panel(sweep, [pair for pair in pairs if pair[0].unit == unit], foot=unit == units[-1])
+        for unit in units
+    ]
     labels = ", ".join(curve.label for curve in curves)
     title = _("{quantities} over {path}", quantities=labels, path=sweep.path)
     title = title[0].upper() + title[1:]
-    return figure(
-        [[panel] for panel in panels],
-        title=title,
-        subtitle=[sweep.engine.name, *_words(curves, optima, sweep)],
-    )
+    subtitle = [sweep.engine.name, *_words(pairs, sweep)]
+    return figure([[panel] for panel in panels], title=title, subtitle=subtitle)
 
 
-def _words(curves: Sequence[Curve], best: Sequence[Best | None], sweep: Sweep) -> list[str]:
+def _words(pairs: Sequence[tuple[Curve, Best | None]], sweep: Sweep) -> list[str]:
     unit = f" {sweep.unit}" if sweep.unit else ""
     lines = []
-    for curve, optimum in zip(curves, best, strict=True):
+    for curve, optimum in pairs:
         if optimum is None:
             continue
         size = number(optimum.result, 100 * float(curve.values.max()))
@@ -72,61 +69,32 @@ def _words(curves: Sequence[Curve], best: Sequence[Best | None], sweep: Sweep) -
     return lines
 
 
-def _panel(
-    sweep: Sweep, curves: Sequence[tuple[Curve, Best | None]], unit: str, *, foot: bool
-) -> Panel:
-    names = [curve.label for curve, _ in curves]
-    colours = {"domain": names, "range": [PALETTE[i % len(PALETTE)] for i in range(len(names))]}
-    legend = (
-        {
-            "orient": "top",
-            "title": None,
-            "columns": 2,
-            "symbolType": "stroke",
-            "symbolStrokeWidth": 3,
-        }
-        if len(names) > 1
-        else None
-    )
-    ends = [float(sweep.values.min()), float(sweep.values.max())]
+def _panel(sweep: Sweep, pairs: Sequence[tuple[Curve, Best | None]], *, foot: bool) -> Panel:
+    names = [curve.label for curve, _ in pairs]
+    colours = {"domain": names, "range": [*islice(cycle(PALETTE), len(names))]}
+    legend = {**LINES, "columns": 2} if len(names) > 1 else None
     name = f"{sweep.path} ({sweep.unit})" if sweep.unit else sweep.path
     x = field(
         "x:Q",
-        scale={"domain": ends, "nice": False},
+        scale=span(float(sweep.values.min()), float(sweep.values.max())),
         title=folded(name, 44) if foot else None,
         axis={"tickCount": 5},
     )
-    reach = max(float(curve.values.max()) for curve, _ in curves) or 1.0
-    y = field(
-        "y:Q",
-        scale={"domain": [0, 1.08 * reach], "nice": False},
-        title=unit_text(unit),
-        axis={"tickCount": 4},
-    )
-    rows = [row for curve, _ in curves for row in _rows(sweep.values, curve)]
-    lines = (
-        of_rows(rows)
-        .mark("line", strokeWidth=2.4, strokeJoin="round")
-        .encode(x=x, y=y, color=field("what:N", scale=colours, legend=legend))
-    )
-    layers = [lines]
+    reach = max(float(curve.values.max()) for curve, _ in pairs) or 1.0
+    unit = unit_text(pairs[0][0].unit)
+    y = field("y:Q", scale=span(0, 1.08 * reach), title=unit, axis={"tickCount": 4})
+    rows = [row for curve, _ in pairs for row in _rows(sweep.values, curve)]
+    lines = of_rows(rows).mark("line", strokeWidth=2.4, strokeJoin="round")
+    layers = [lines.encode(x=x, y=y, color=field("what:N", scale=colours, legend=legend))]
     marks = [
         {"x": one.value, "y": one.result, "what": curve.label}
-        for curve, one in curves
+        for curve, one in pairs
         if one is not None and not one.flat
     ]
     if marks:
-        dots = of_rows(marks).mark(
-            "point",
-            size=90,
-            filled=False,
-            strokeWidth=2.2,
-            color=VERMILION,
-            opacity=1,
-            shape="circle",
-        )
         drop = of_rows(marks).mark("rule", color=GREY, strokeDash=[3, 3], strokeWidth=1)
-        layers += [drop.encode(x=x), dots.encode(x=x, y=y)]
+        style = {**DISC, "filled": False, "size": 90, "strokeWidth": 2.2, "color": VERMILION}
+        layers += [drop.encode(x=x), of_rows(marks).mark("point", **style).encode(x=x, y=y)]
     return layered(layers, width=WIDTH, height=190)
 
 

@@ -9,27 +9,24 @@ the crank and those that turn against it.
 from __future__ import annotations
 
 from math import degrees
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from crankstar import spectra
-from crankstar.charts.drawing import BLUE, GREY, VERMILION, ChartError, checked_order
+from crankstar.charts.drawing import BLUE, GREY, VERMILION, checked_order
+from crankstar.charts.sums import Quantity, checked_quantity, unit_of
 from crankstar.engine import motion
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import number, unit_text
+from crankstar.language.numbers import number
 from crankstar.mechanics.balance import Balance, balance, total
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.remains import NEGLIGIBLE
 from crankstar.spectra import Spectrum
 
-Quantity = Literal["force", "couple"]
 COLOURS = {"cylinder": BLUE, "throw": VERMILION, "weight": GREY}
-HEADINGS = {
-    "force": N_("Force of order {order}, in {unit}"),
-    "couple": N_("Couple of order {order}, in {unit}"),
-}
+NAMES = {"throw": N_("throw"), "weight": N_("weight")}
 WITH, AGAINST = N_("with the crank"), N_("against the crank")
 
 
@@ -53,7 +50,6 @@ class Star(NamedTuple):
 class Stars(NamedTuple):
     """All vectors of one order: one star along the `axis` of the cylinders, else two stars."""
 
-    name: str
     quantity: Quantity
     order: float
     unit: str
@@ -61,26 +57,6 @@ class Stars(NamedTuple):
     axis: float | None
     sense: int
     from_crank: bool
-
-    @property
-    def reach(self) -> float:
-        """The length of the longest vector."""
-        return max(
-            (abs(vector.value) for star in self.stars for vector in star.vectors), default=0.0
-        )
-
-
-def checked_quantity(quantity: str, among: tuple[str, ...] = ("force", "couple")) -> str:
-    """A quantity that a figure can show; raises ChartError."""
-    if quantity not in among:
-        raise ChartError(
-            _(
-                "{quantity} is not a quantity of this figure; give one of {quantities}",
-                quantity=repr(quantity),
-                quantities=", ".join(among),
-            )
-        )
-    return quantity
 
 
 def stars(
@@ -98,32 +74,30 @@ def stars(
     order = checked_order(order)
     checked_quantity(quantity)
     result = balance(engine, speed=speed, reference=reference)
-    unit, factor = result.units._asdict()[quantity], 1.0
+    unit, factor = unit_of(result, quantity), 1.0
     if result.speed is None:
         factor, subscript = harmonic(engine, order)
-        unit = unit.replace("m*r*w^2", f"m*r*w^2*{subscript}") if subscript else unit
+        unit = unit.replace("m r ω²", f"m r ω² {subscript}") if subscript else unit
     shares = spectra.scaled(spectra.selected(getattr(result, quantity), order), 1 / factor)
     whole = spectra.scaled(spectra.selected(getattr(total(result), quantity), order), 1 / factor)
-    names = _names(engine, result)
-    rows = [(name, kind, _sum(shares, places)) for (name, kind), places in names.items()]
-    axis = _axis(engine, shares)
-    rate = engine.sense * order
-    forward = tuple(Vector(name, kind, one[0]) for name, kind, one in rows)
-    backward = tuple(Vector(name, kind, one[1]) for name, kind, one in rows)
-    ahead, against = complex(whole.forward[0]), complex(whole.backward[0])
-    if axis is not None:
-        forward = tuple(vector._replace(value=2 * vector.value) for vector in forward)
-        found = (Star(_seen(forward), 2 * ahead, rate, ""),)
-    else:
-        found = (
-            Star(_seen(forward), ahead, rate, _(WITH)),
-            Star(_seen(backward), against, -rate, _(AGAINST)),
-        )
+    names, axis = _names(engine, result), _axis(engine, shares)
+    out = []
+    for turning, sense, title in (("forward", 1, WITH), ("backward", -1, AGAINST)):
+        # cylinders along one axis: one star, twice as long
+        times = 1 if axis is None else 2
+        values = times * getattr(shares, turning)[:, 0]
+        vectors = [
+            Vector(name, kind, complex(values[rows].sum())) for (name, kind), rows in names.items()
+        ]
+        greatest = max((abs(vector.value) for vector in vectors), default=0.0)
+        seen = (one for one in vectors if abs(one.value) > NEGLIGIBLE * greatest)
+        resultant = complex(getattr(whole, turning)[0])
+        rate = sense * engine.sense * order
+        out.append(Star(tuple(seen), times * resultant, rate, "" if axis is not None else _(title)))
     first = engine.throw(engine.first)
     from_crank = axis is not None and abs(np.exp(1j * (first.angle - axis)) - 1) < 1e-9
-    return Stars(
-        engine.name, quantity, order, unit_text(unit), found, axis, engine.sense, from_crank
-    )
+    drawn = tuple(out if axis is None else out[:1])
+    return Stars(quantity, order, unit, drawn, axis, engine.sense, from_crank)
 
 
 def harmonic(engine: Engine, order: float) -> tuple[float, str]:
@@ -138,35 +112,21 @@ def harmonic(engine: Engine, order: float) -> tuple[float, str]:
 
 def _names(engine: Engine, result: Balance) -> dict[tuple[str, str], list[int]]:
     """The rows of a Balance of each cylinder, throw and weight, by label and kind."""
-    out: dict[tuple[str, str], list[int]] = {}
-    several = sum(1 for shaft in engine.shafts if shaft.throws) > 1
-    counts: dict[tuple[str, str], int] = {}
-    sizes = {
-        (kind, shaft.name): len(items)
-        for shaft in engine.shafts
-        for kind, items in (("throw", shaft.throws), ("weight", shaft.weights))
-    }
+    alike: dict[tuple[int | None, str, str], list[int]] = {}
     for row, part in enumerate(result.parts):
-        if part.cylinder is not None:
-            out.setdefault((str(part.cylinder), "cylinder"), []).append(row)
+        kind = "cylinder" if part.cylinder is not None else part.kind
+        alike.setdefault((part.cylinder, kind, part.shaft), []).append(row)
+    several = sum(1 for shaft in engine.shafts if shaft.throws) > 1
+    out: dict[tuple[str, str], list[int]] = {}
+    for (cylinder, kind, shaft), rows in alike.items():
+        if cylinder is not None:
+            out[str(cylinder), kind] = rows
             continue
-        key = (part.kind, part.shaft)
-        counts[key] = counts.get(key, 0) + 1
-        label = part.kind if sizes[key] == 1 else f"{part.kind} {counts[key]}"
-        own = several or not engine.shaft(part.shaft).throws
-        out.setdefault((f"{part.shaft} {label}" if own else label, part.kind), []).append(row)
+        own = f"{shaft} " if several or not engine.shaft(shaft).throws else ""
+        for place, row in enumerate(rows, 1):
+            counted = "" if len(rows) == 1 else f" {place}"
+            out[f"{own}{_(NAMES[kind])}{counted}", kind] = [row]
     return out
-
-
-def _sum(shares: Spectrum, rows: list[int]) -> tuple[complex, complex]:
-    return complex(shares.forward[rows, 0].sum()), complex(shares.backward[rows, 0].sum())
-
-
-def _seen(vectors: tuple[Vector, ...]) -> tuple[Vector, ...]:
-    greatest = max((abs(vector.value) for vector in vectors), default=0.0)
-    return tuple(
-        vector for vector in vectors if greatest and abs(vector.value) > NEGLIGIBLE * greatest
-    )
 
 
 def _axis(engine: Engine, shares: Spectrum) -> float | None:
@@ -200,8 +160,3 @@ def angle_text(shown: Stars, value: complex) -> str:
 def _degrees(angle: float) -> str:
     shown = round(degrees(angle), 2)
     return number(180.0 if shown == -180 else shown, 180.0).replace("-", "−")
-
-
-def heading(shown: Stars) -> str:
-    """Quantity, order and unit."""
-    return _(HEADINGS[shown.quantity], order=f"{shown.order:g}", unit=shown.unit)

@@ -1,0 +1,89 @@
+"""What remains of force, couple, rolling moment and torque of an engine, with their units."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Literal, NamedTuple, TypeVar, get_args
+
+from crankstar import spectra
+from crankstar.charts.drawing import ChartError
+from crankstar.engine.engine import Engine
+from crankstar.language.messages import _
+from crankstar.language.numbers import unit_text
+from crankstar.mechanics.balance import Balance, balance
+from crankstar.mechanics.excitation import Reference
+from crankstar.mechanics.remains import NEGLIGIBLE, pushed, sizes, summed
+from crankstar.spectra import Spectrum
+
+Quantity = Literal["force", "couple"]
+Signal = Literal["force", "couple", "roll", "torque"]
+Engines = Engine | Sequence[Engine]
+"""One engine, or several that are drawn side by side."""
+Q = TypeVar("Q", bound=str)
+
+
+MOST_TURNS = 12
+"""Greatest number of turns that are drawn; geared shafts can need very many."""
+
+
+class Sum(NamedTuple):
+    """A quantity of the whole engine: the orders that remain of it, and its unit."""
+
+    quantity: str
+    unit: str
+    spectrum: Spectrum
+
+    @property
+    def turns(self) -> int:
+        """The drawn period, in turns of the crankshaft."""
+        return min(spectra.period(self.spectrum), MOST_TURNS)
+
+
+def sums(
+    engine: Engine, quantities: Iterable[str], *, speed: float | None, reference: Reference | None
+) -> list[Sum]:
+    """These quantities of an engine, in units of m r w^2 or, at a `speed` (rad/s), in N and N m."""
+    result = balance(engine, speed=speed, reference=reference)
+    whole, parts = summed(result)._asdict(), vars(result) | {"roll": result.torque}
+    return [
+        Sum(
+            quantity,
+            unit_of(result, quantity),
+            present(whole[quantity], NEGLIGIBLE * pushed(parts[quantity]).max(initial=0.0)),
+        )
+        for quantity in quantities
+    ]
+
+
+def present(spectrum: Spectrum, least: float = 0.0) -> Spectrum:
+    """A spectrum without the orders that are not greater than `least`."""
+    kept = sizes(spectrum) > least
+    return Spectrum(
+        spectrum.orders[kept], spectrum.forward[kept], spectrum.backward[kept], spectrum.sense
+    )
+
+
+def unit_of(result: Balance, quantity: str) -> str:
+    """The unit of a quantity as it is written."""
+    units = result.units._asdict()
+    return unit_text(units.get(quantity, units["moment"]))
+
+
+def several(engines: Engines) -> Sequence[Engine]:
+    """The engines of a figure. Raises ChartError where there is none."""
+    if not engines:
+        raise ChartError(_("no engine is given; name at least one"))
+    return [engines] if isinstance(engines, Engine) else engines
+
+
+def checked_quantity(quantity: Q, among: object = Quantity) -> Q:
+    """A quantity that a figure can show; raises ChartError."""
+    if quantity not in get_args(among):
+        raise ChartError(
+            _(
+                "{quantity} is not a quantity of this figure; give one of {quantities}",
+                quantity=repr(quantity),
+                quantities=", ".join(get_args(among)),
+            )
+        )
+    return quantity

@@ -1,0 +1,277 @@
+"""The vectors of an order as a star, and head to tail as a polygon with their resultant."""
+
+from __future__ import annotations
+
+from cmath import exp
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from itertools import pairwise
+
+import numpy as np
+
+from crankstar.charts.comparison import compared, same_unit
+from crankstar.charts.drawing import HALF, ORANGE, WIDTH, Panel, numbers_text
+from crankstar.charts.grammar import Chart
+from crankstar.charts.labels import Label, gathered
+from crankstar.charts.plane import (
+    BAR,
+    Arrow,
+    Dot,
+    Frame,
+    Plane,
+    Stroke,
+    empty,
+    label_margin,
+    picture,
+    round_frame,
+    scale_bar,
+)
+from crankstar.charts.sums import Engines, Quantity, several
+from crankstar.charts.vectors import COLOURS, Star, Stars, Vector, angle_text, stars
+from crankstar.engine.engine import Engine
+from crankstar.language.messages import N_, _
+from crankstar.language.numbers import number
+from crankstar.mechanics.excitation import Reference
+from crankstar.mechanics.remains import NEGLIGIBLE
+
+TOGETHER = 3.0
+"""px: tips closer than this share a label."""
+STARS = {
+    "force": N_("Force of order {order}, in {unit}"),
+    "couple": N_("Couple of order {order}, in {unit}"),
+}
+POLYGONS = {
+    "force": N_("Force polygon of order {order}, in {unit}"),
+    "couple": N_("Couple polygon of order {order}, in {unit}"),
+}
+NONE = {"force": N_("no force of order {order}"), "couple": N_("no couple of order {order}")}
+
+
+def vector_star(
+    engine: Engines,
+    *,
+    order: float = 1.0,
+    quantity: Quantity = "force",
+    theta: float = 0.0,
+    reference: Reference | None = None,
+    speed: float | None = None,
+) -> Chart:
+    """The star of the vectors of an order at the crank angle `theta` (radians).
+
+    One vector for each cylinder, throw and weight.
+
+    Cylinders in a row have the textbook's star, whose vectors' parts along the cylinders are the
+    forces; others have one star of the vectors that turn with the crank and one of those against
+    it. In m r w^2 |A_k| (times a for couples), or, at a `speed` (rad/s), in N and N m. Vectors that
+    coincide share a label. Several engines stand side by side on one scale. Raises ChartError.
+    """
+    engines = several(engine)
+    systems = _systems(engines, order, quantity, reference, speed)
+    every = [star for shown in systems for star in shown.stars]
+    labels = [label.text for star in every for label in _tip_labels(star, TOGETHER / 1000)]
+    frame = round_frame(
+        max(abs(vector.value) for star in every for vector in star.vectors) if labels else 0.0,
+        width=_width(systems),
+        margin=max(0.55 * label_margin(labels), 26),
+        below=BAR,
+    )
+    return _figure(engines, systems, _star_panel, frame, STARS, theta=theta, speed=speed)
+
+
+def polygon(
+    engine: Engines,
+    *,
+    order: float = 1.0,
+    quantity: Quantity = "force",
+    theta: float = 0.0,
+    reference: Reference | None = None,
+    speed: float | None = None,
+) -> Chart:
+    """The polygon of the vectors of an order, by cylinder, at the crank angle `theta` (radians).
+
+    Where it does not close, the resultant is drawn with its length and its plane at theta = 0: the
+    angle from the cylinder axis (crank 1) in the direction of rotation for cylinders in a row, else
+    its bearing. Vectors and units are those of `vector_star`; several engines stand side by side on
+    one scale. Raises ChartError.
+    """
+    engines = several(engine)
+    systems = _systems(engines, order, quantity, reference, speed)
+    reach = max(_circle(_corners(star))[1] for shown in systems for star in shown.stars)
+    frame = round_frame(reach, width=_width(systems), margin=24, below=BAR)
+    return _figure(engines, systems, _polygon_panel, frame, POLYGONS, theta=theta, speed=speed)
+
+
+def _systems(
+    engines: Sequence[Engine],
+    order: float,
+    quantity: Quantity,
+    reference: Reference | None,
+    speed: float | None,
+) -> list[Stars]:
+    """The vectors of each engine, all in one unit."""
+    systems = [
+        stars(one, order=order, quantity=quantity, reference=reference, speed=speed)
+        for one in engines
+    ]
+    same_unit(shown.unit for shown in systems)
+    return systems
+
+
+def _width(systems: Sequence[Stars]) -> float:
+    """Px of a panel."""
+    return WIDTH if len(systems) == len(systems[0].stars) == 1 else HALF
+
+
+def _figure(
+    engines: Sequence[Engine],
+    systems: Sequence[Stars],
+    panel: Callable[[Stars, Star, Frame, float], Panel],
+    frame: Frame,
+    titles: dict[str, str],
+    *,
+    theta: float,
+    speed: float | None,
+) -> Chart:
+    """A panel for every star."""
+    blocks = [[[panel(shown, star, frame, theta) for star in shown.stars]] for shown in systems]
+    order, unit = systems[0].order, systems[0].unit
+    return compared(
+        engines,
+        blocks,
+        title=_(titles[systems[0].quantity], order=f"{order:g}", unit=unit),
+        speed=speed,
+        theta=theta,
+        turns=Fraction(order).limit_denominator(10_000).denominator,
+    )
+
+
+def _star_panel(shown: Stars, star: Star, frame: Frame, theta: float) -> Panel:
+    if not star.vectors:
+        return _nothing(shown, star, frame, theta)
+    edge = frame.right * 0.98
+    cross = [Stroke((-edge * way, edge * way), width=0.6) for way in (1 + 0j, 1j)]
+    if shown.axis is not None:
+        way = exp(1j * shown.axis)
+        cross.append(Stroke((-edge * way, edge * way), width=1.2, dashed=True))
+    bar, text = scale_bar(frame, shown.unit)
+    arrows = [
+        Arrow(v.value, rate=star.rate, colour=COLOURS[v.kind])
+        for v in sorted(star.vectors, key=lambda v: -abs(v.value))
+    ]
+    longest = abs(arrows[0].end)
+    labels = _tip_labels(star, min(TOGETHER / frame.scale / longest, 1.0))
+    plane = Plane(tuple(arrows), (*cross, bar), (), tuple(labels), (text,))
+    return picture(plane, frame, theta=theta, title=star.title)
+
+
+def _nothing(shown: Stars, star: Star, frame: Frame, theta: float) -> Panel:
+    """A panel without vectors."""
+    note = _(NONE[shown.quantity], order=f"{shown.order:g}")
+    text = empty(frame, "\n".join(filter(None, (note, star.title))))
+    return picture(Plane(notes=(text,)), frame, theta=theta, title=star.title)
+
+
+def _tip_labels(star: Star, near: float) -> list[Label]:
+    """Labels beyond the heads of the vectors, longest first.
+
+    Vectors share one whose heads are within `near`, a share of the longest vector.
+    """
+    values = [vector.value for vector in star.vectors]
+    groups = gathered(values, near * max(map(abs, values), default=0.0))
+    groups.sort(key=lambda group: -abs(values[group[0]]))
+    out = []
+    for group in groups:
+        value, vectors = values[group[0]], [star.vectors[i] for i in group]
+        out.append(_label(vectors, value, value / abs(value), star.rate, most=2))
+    return out
+
+
+def _label(
+    vectors: Sequence[Vector], anchor: complex, way: complex, rate: float, *, most: int = 99
+) -> Label:
+    """The names of vectors at a place, up to `most` of those that are not cylinders."""
+    cylinders = [int(vector.name) for vector in vectors if vector.kind == "cylinder"]
+    others = [vector.name for vector in vectors if vector.kind != "cylinder"]
+    text = ", ".join([*([numbers_text(cylinders)] if cylinders else []), *others[:most]])
+    text += " …" if len(others) > most else ""
+    return Label(text, anchor, way, rate, colour=COLOURS[vectors[0].kind])
+
+
+def _corners(star: Star) -> list[complex]:
+    corners = [0j]
+    for vector in star.vectors:
+        corners.append(corners[-1] + vector.value)
+    return corners
+
+
+def _circle(points: Sequence[complex]) -> tuple[complex, float]:
+    """Nearly the smallest circle about points, by ever shorter steps to the farthest."""
+    places = np.array(points)
+    ups, rights = np.real(places), np.imag(places)
+    centre = complex(ups.max() + ups.min(), rights.max() + rights.min()) / 2
+    for step in range(2, 300):
+        farthest = places[np.argmax(np.abs(places - centre))]
+        centre += complex(farthest - centre) / step
+    return centre, float(np.abs(places - centre).max())
+
+
+def is_closed(star: Star) -> bool:
+    """Whether the resultant of a star is zero beside its vectors."""
+    longest = max((abs(vector.value) for vector in star.vectors), default=0.0)
+    return abs(star.resultant) <= NEGLIGIBLE * longest
+
+
+def result_text(shown: Stars, star: Star) -> str:
+    """Closed, or the length and the plane of the resultant."""
+    if is_closed(star):
+        return _("closed")
+    return _(
+        "resultant {size} {unit}\n{angle}",
+        size=number(abs(star.resultant)),
+        unit=shown.unit,
+        angle=angle_text(shown, star.resultant),
+    )
+
+
+def _polygon_panel(shown: Stars, star: Star, frame: Frame, theta: float) -> Panel:
+    if not star.vectors:
+        return _nothing(shown, star, frame, theta)
+    corners = np.array(_corners(star))
+    moved = (corners - _circle(corners.tolist())[0]).tolist()
+    arrows = [
+        Arrow(end, start, rate=star.rate, colour=COLOURS[vector.kind])
+        for vector, (start, end) in zip(star.vectors, pairwise(moved), strict=True)
+    ]
+    if not is_closed(star):
+        # under the sides, so that their heads stay visible where they overlap
+        end = moved[0] + star.resultant
+        arrows.insert(0, Arrow(end, moved[0], rate=star.rate, colour=ORANGE, width=4))
+    dots = (Dot(moved[0], rate=star.rate, colour=COLOURS[star.vectors[0].kind], size=36),)
+    bar, length = scale_bar(frame, shown.unit)
+    labels = _side_labels(star, moved, frame.scale)
+    title = "\n".join(filter(None, (star.title, result_text(shown, star))))
+    plane = Plane(tuple(arrows), (bar,), dots, tuple(labels), (length,))
+    return picture(plane, frame, theta=theta, title=title)
+
+
+def _side_labels(star: Star, corners: Sequence[complex], scale: float) -> list[Label]:
+    """A label outside the middle of every side; overlapping sides share one."""
+    area = sum((a * b.conjugate()).imag for a, b in pairwise([*corners, corners[0]]))
+    outward = 1j if area >= 0 else -1j
+    sides: dict[tuple[complex, complex], list[int]] = {}
+    for index, (start, end) in enumerate(pairwise(corners)):
+        key = min(
+            ((a, b) for a, b in sides if abs(a - start) + abs(b - end) < 2 / scale),
+            default=(start, end),
+            key=lambda side: abs(side[0]),
+        )
+        sides.setdefault(key, []).append(index)
+    return [
+        _label(
+            [star.vectors[i] for i in at],
+            (start + end) / 2,
+            outward * (end - start) / abs(end - start),
+            star.rate,
+        )
+        for (start, end), at in sides.items()
+    ]
