@@ -143,6 +143,13 @@ def test_orders_as_json_have_all_that_the_table_has(run: Run) -> None:
     )
 
 
+def test_a_list_without_orders_is_an_empty_list_for_machines(run: Run) -> None:
+    asked = ("orders", "boxer-6", "--intervals", "90, 150")
+    assert json.loads(run(*asked, "--json").out)["orders"] == []
+    assert run(*asked, "--csv").out.splitlines()[0].startswith("row,order,angles_deg [deg]")
+    assert "\n\n" not in run(*asked).out.rstrip()
+
+
 def test_orders_as_csv_have_a_row_for_each(run: Run, tmp_path: Path) -> None:
     rows = list(csv.DictReader(io.StringIO(run("orders", "v8-cross-plane", "--csv").out)))
     assert len(rows) == 8

@@ -54,7 +54,7 @@ def firing_orders(listing: Listing, *, limit: int | None = None) -> Document:
             listing.why_uneven,
             _("The most even orders:") if listing.why_uneven and listing.orders else "",
         ),
-        *([table] if listing.orders else []),
+        table,
         Remarks(tuple(_notes(listing, len(shown), own))),
     )
     return Document(listing.engine.name, parts, facts)

@@ -43,6 +43,8 @@ def rendered(document: Document, *, width: int) -> RenderableType:
         parts.append(Text(CONTROL.sub("?", document.title), style="bold"))
     before: Table | Remarks | None = None
     for part in document.parts:
+        if isinstance(part, Table) and not (part.title or part.rows or part.notes):
+            continue  # for machines only
         if isinstance(part, Remarks):
             parts += [Text()] if isinstance(before, Table) and not part.title else []
             parts += _remarks(part)
