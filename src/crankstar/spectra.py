@@ -356,19 +356,3 @@ def _derivatives(spectrum: Spectrum, theta: Real) -> list[Complex]:
         return [value(part, theta) for part in parts]
     phase = np.exp(1j * spectrum.sense * spectrum.orders * theta[:, None])
     return [(part.forward * phase + part.backward * np.conj(phase)).sum(axis=-1) for part in parts]
-
-
-def from_samples(samples: Complex, *, sense: int = 1) -> Spectrum:
-    """The spectrum, orders 0 to N/2 - 1, of a signal at N equal steps over one turn, [..., N]."""
-    count = samples.shape[-1]
-    coefficients = np.fft.fft(samples, axis=-1) / count
-    orders = np.arange(count // 2)
-    with_theta, against_theta = coefficients[..., orders], coefficients[..., -orders]
-    against_theta = np.where(orders == 0, 0.0, against_theta)
-    forward, backward = (with_theta, against_theta) if sense > 0 else (against_theta, with_theta)
-    if sense < 0:
-        forward, backward = (
-            forward + np.where(orders == 0, backward, 0),
-            np.where(orders == 0, 0, backward),
-        )
-    return Spectrum(orders.astype(float), forward, backward, sense)

@@ -264,6 +264,31 @@ def test_a_negative_mass_is_refused_and_an_engine_without_any_as_well() -> None:
     )
 
 
+def in_line(*positions: str) -> dict[str, Any]:
+    """A file with three cylinders in line at these distances behind the first."""
+    throws = ["0 deg", "120 deg", "240 deg"]
+    return {
+        "name": "three",
+        "cycle": "two-stroke",
+        "layout": {"type": "inline", "throws": throws, "positions": list(positions)},
+        "cylinder": {"stroke": "80 mm", "reciprocating_mass": "500 g"},
+    }
+
+
+def test_cylinder_1_is_the_frontmost_whatever_the_positions() -> None:
+    places = [c.z for c in engine_of(in_line("10 mm", "110 mm", "240 mm")).cylinders]
+    assert places == pytest.approx([0.115, 0.015, -0.115])
+    assert codes(in_line("0 mm", "-100 mm", "-200 mm")) == {
+        "layout.positions[2]": "layout.position-descending"
+    }
+    assert codes(in_line("-10 mm", "100 mm", "200 mm")) == {
+        "layout.positions[1]": "layout.position-negative"
+    }
+    assert codes(in_line("0 mm", "200 mm", "100 mm")) == {
+        "layout.positions[3]": "layout.position-descending"
+    }
+
+
 def needed(message: str) -> float:
     """The length that a sentence says would do, m."""
     found = re.search(r"at least ([\d.]+) m is needed$", message)

@@ -8,6 +8,7 @@ from __future__ import annotations
 import doctest
 import importlib.util
 import io
+import json
 import os
 import re
 import shlex
@@ -235,6 +236,22 @@ def anchors(page: Path) -> set[str]:
         for heading in headings
     }
     return slugs | set(re.findall(r'<a id="([\w-]+)">', prose))
+
+
+def test_the_page_of_json_has_every_key_of_an_answer_and_no_other() -> None:
+    """Of `analyze` and `strokes`, whose tables name the keys of their objects."""
+    page = text_of("docs/json.md")
+    for title, words in (("# Machine", ["analyze", "i4"]), ("## Strokes", ["strokes", "i4"])):
+        section = page.partition(title)[2].partition("\n## ")[0]
+        rows = re.findall(r"^\| (`[^|]+`) \|", section, re.MULTILINE)
+        named = {key for row in rows for key in re.findall(r"`(\w+)`", row)}
+        out = io.StringIO()
+        with redirect_stdout(out), suppress(SystemExit):
+            cli.main([*words, "--json"])
+        answer = json.loads(out.getvalue())
+        keys = answer.keys() | answer.get("orders", [{}])[0].keys()
+        assert keys - {"format", "engine"} <= named, title
+        assert named <= keys | {"format", "engine"}, title
 
 
 @EVERY_PAGE

@@ -17,7 +17,7 @@ from typing import Any
 
 from crankstar.engine import motion
 from crankstar.engine.basis import ASSUMED_ROD_RATIO, Basis, Sizes
-from crankstar.engine.copies import checked, turned_on, with_values, wrapped
+from crankstar.engine.copies import checked, turned_on, wrapped
 from crankstar.engine.dead_centres import dead_centres
 from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import Unknown
@@ -131,9 +131,9 @@ def assembled(
             )
         )
         cylinders += [
-            _cylinder(p, sizes[p.number], shaft.name, slot)
+            _cylinder(basis, place, sizes[place.number], shaft.name, slot)
             for slot, pin in enumerate(pins, 1)
-            for p in pin
+            for place in pin
         ]
     identity: dict[str, Any] = {key: getattr(basis, key) for key in Identity.model_fields}
     identity["provenance"] = _assumed(basis) | basis.provenance
@@ -144,7 +144,7 @@ def assembled(
             "relative": unknown,
             "bore_pitch": 1.0 if "pitch" in unknown and pitch is None else pitch,
             "shafts": tuple(turning),
-            "cylinders": _overridden(basis, sorted(cylinders, key=lambda c: c.number)),
+            "cylinders": tuple(sorted(cylinders, key=lambda cylinder: cylinder.number)),
         },
     )
     return _timed(engine) if engine.first.articulated else engine
@@ -312,34 +312,25 @@ def _weights(
     return tuple(weights)
 
 
-def _cylinder(place: Place, size: _Known, shaft: str, throw: int) -> Cylinder:
-    return Cylinder(
-        number=place.number,
-        shaft=shaft,
-        throw=throw,
-        bearing=wrapped(place.bearing),
-        z=place.z,
-        offset=size.offset,
-        bore=size.bore,
-        rod_length=size.rod_length,
-        reciprocating_mass=size.mass,
-        big_end_mass=size.rotating_mass if place.articulated else 0.0,
-        rod=size.rod,
-        articulated=place.articulated,
-        chamber=place.chamber,
-        bank=place.bank,
-    )
-
-
-def _overridden(basis: Basis, cylinders: list[Cylinder]) -> tuple[Cylinder, ...]:
-    """The cylinders with what their overrides say of bearing, place, bank and articulation."""
-    own = {other.number: other for other in basis.cylinders}
-    changed: list[Cylinder] = []
-    for cylinder in cylinders:
-        other = own.get(cylinder.number)
-        keys = ("bearing", "z", "bank", "articulated")
-        update = {
-            key: getattr(other, key) for key in keys if other and getattr(other, key) is not None
-        }
-        changed.append(with_values(cylinder, **update))
-    return tuple(changed)
+def _cylinder(basis: Basis, place: Place, size: _Known, shaft: str, throw: int) -> Cylinder:
+    """A cylinder in its place, or where its override says that it stands."""
+    own = next((other for other in basis.cylinders if other.number == place.number), None)
+    values: dict[str, Any] = {
+        "number": place.number,
+        "shaft": shaft,
+        "throw": throw,
+        "bearing": wrapped(place.bearing),
+        "z": place.z,
+        "offset": size.offset,
+        "bore": size.bore,
+        "rod_length": size.rod_length,
+        "reciprocating_mass": size.mass,
+        "big_end_mass": size.rotating_mass if place.articulated else 0.0,
+        "rod": size.rod,
+        "articulated": place.articulated,
+        "chamber": place.chamber,
+        "bank": place.bank,
+    }
+    keys = ("bearing", "z", "bank", "articulated")
+    given = {key: getattr(own, key) for key in keys if getattr(own, key, None) is not None}
+    return Cylinder(**(values | given))

@@ -194,14 +194,6 @@ def with_weights(engine: A, weights: Mapping[str, Sequence[Weight]]) -> A:
     return with_values(engine, shafts=shafts)
 
 
-def without_balance_shafts(engine: A) -> A:
-    """The engine with its crankshafts only; a reference shaft without throws stays, bare."""
-    first, *others = engine.shafts
-    if not first.throws:
-        first = with_values(first, weights=())
-    return with_values(engine, shafts=(first, *(shaft for shaft in others if shaft.throws)))
-
-
 def with_shaft(engine: A, shaft: Shaft) -> A:
     """The engine with one more shaft, the last."""
     return with_values(engine, shafts=(*engine.shafts, shaft))

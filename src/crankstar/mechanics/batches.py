@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
+from crankstar.engine.motion import Linkage
 from crankstar.mechanics.excitation import Reference, Totals, part_spectra, total
 from crankstar.mechanics.mechanism import Mechanism
 from crankstar.spectra import Spectrum
@@ -23,45 +25,50 @@ def totals(
 
     Memory stays that of one block of variants, whatever the length of the batch.
     """
-    arrays = {
-        name: values for name, values in vars(machine).items() if isinstance(values, np.ndarray)
-    }
-    links = {
-        name: values
-        for name, values in vars(machine.links).items()
-        if isinstance(values, np.ndarray)
-    }
     length = max(
-        (len(values) for values in (*arrays.values(), *links.values()) if values.ndim > 1),
+        (len(values) for record in (machine, machine.links) for values in _varied(record).values()),
         default=0,
     )
     if length == 0:
         return total(part_spectra(machine, reference=reference, orders=orders))
-    pieces: list[Totals] = []
-    for start in range(0, length, block):
-
-        def part(values: np.ndarray, start: int = start) -> np.ndarray:
-            return values[start : start + block] if values.ndim > 1 and len(values) > 1 else values
-
-        own = replace(machine.links, **{name: part(values) for name, values in links.items()})
-        one = replace(machine, links=own, **{name: part(values) for name, values in arrays.items()})
-        sums = total(part_spectra(one, reference=reference, orders=orders))
-        pieces.append(Totals(*(_spread(spectrum, min(block, length - start)) for spectrum in sums)))
-    return Totals(*(_joined([getattr(piece, name) for piece in pieces]) for name in Totals._fields))
+    blocks = [slice(start, min(start + block, length)) for start in range(0, length, block)]
+    pieces = [
+        total(part_spectra(_rows(machine, rows), reference=reference, orders=orders))
+        for rows in blocks
+    ]
+    return Totals(*(_joined(spectra, blocks) for spectra in zip(*pieces, strict=True)))
 
 
-def _spread(spectrum: Spectrum, count: int) -> Spectrum:
-    """The sums of a block with their leading axis, also where no varied value reaches them."""
-    shape = (count, spectrum.orders.size)
+def _varied(record: Mechanism | Linkage) -> dict[str, np.ndarray]:
+    """The arrays of a record that have a leading axis."""
+    return {
+        name: values
+        for name, values in vars(record).items()
+        if isinstance(values, np.ndarray) and values.ndim > 1
+    }
+
+
+def _rows(machine: Mechanism, rows: slice) -> Mechanism:
+    """Some engines of a batch; an array with one row serves them all."""
+
+    def part(record: Any) -> Any:
+        varied = _varied(record).items()
+        return replace(
+            record, **{name: values[rows] if len(values) > 1 else values for name, values in varied}
+        )
+
+    return replace(part(machine), links=part(machine.links))
+
+
+def _joined(pieces: Sequence[Spectrum], blocks: Sequence[slice]) -> Spectrum:
+    """The sums of all blocks with their leading axis, also where no varied value reaches them."""
     forward, backward = (
-        np.broadcast_to(values, shape) for values in (spectrum.forward, spectrum.backward)
-    )
-    return replace(spectrum, forward=forward, backward=backward)
-
-
-def _joined(pieces: list[Spectrum]) -> Spectrum:
-    forward, backward = (
-        np.concatenate([getattr(piece, name) for piece in pieces])
+        np.concatenate(
+            [
+                np.broadcast_to(getattr(piece, name), (rows.stop - rows.start, piece.orders.size))
+                for piece, rows in zip(pieces, blocks, strict=True)
+            ]
+        )
         for name in ("forward", "backward")
     )
     return replace(pieces[0], forward=forward, backward=backward)

@@ -14,7 +14,7 @@ import numpy as np
 from crankstar import spectra
 from crankstar.language.numbers import NEGLIGIBLE
 from crankstar.mechanics.balance import Balance, total
-from crankstar.mechanics.excitation import Totals, rolling_moment
+from crankstar.mechanics.excitation import rolling_moment
 from crankstar.spectra import Real, Spectrum
 
 OPTIMISED = 1e-6
@@ -52,7 +52,6 @@ def summed(result: Balance) -> Sums:
     >>> float(abs(spectra.selected(sums.force, [2.0]).forward[0]))
     0.0
     """
-    parts = Totals(result.force, result.couple, result.axis_moment, result.torque)
     sums = total(result)
     force = pushed(result.force)
     turning = pushed(result.axis_moment) + pushed(result.torque)
@@ -61,7 +60,7 @@ def summed(result: Balance) -> Sums:
         force=_cleared(sums.force, force),
         couple=_cleared(sums.couple, np.maximum(pushed(result.couple), arm)),
         roll=_cleared(rolling_moment(sums), turning),
-        axis_moment=_cleared(sums.axis_moment, pushed(parts.axis_moment)),
+        axis_moment=_cleared(sums.axis_moment, pushed(result.axis_moment)),
         torque=_cleared(sums.torque, pushed(result.torque)),
     )
 
@@ -108,12 +107,14 @@ def ranked(spectrum: Spectrum, orders: Sequence[float]) -> tuple[list[float], li
     return left, [order for order in orders if found[order] <= least]
 
 
-def orders_pushed(result: Balance, *, highest: float = USUAL_ORDERS) -> tuple[float, ...]:
-    """The orders up to `highest` excited by any part, even if the sum is zero; at least order 1."""
+def orders_pushed(result: Balance) -> tuple[float, ...]:
+    """The usual orders excited by any part, even if the sum is zero; at least order 1."""
     parts = (result.force, result.couple, result.axis_moment)
     greatest = [sizes(spectrum).max(axis=0, initial=0.0) for spectrum in parts]
     there = np.any([one > NEGLIGIBLE * one.max(initial=0.0) for one in greatest], axis=0)
-    return tuple(result.force.orders[there & (result.force.orders <= highest)].tolist()) or (1.0,)
+    return tuple(result.force.orders[there & (result.force.orders <= USUAL_ORDERS)].tolist()) or (
+        1.0,
+    )
 
 
 def orders_turning(result: Balance, sums: Sums) -> tuple[float, ...]:
