@@ -64,10 +64,7 @@ class ShaftPlace:
 
 @dataclass(frozen=True)
 class _Known:
-    """The sizes of one cylinder, complete.
-
-    The masses of a rigid rod are divided between `reciprocating` and `rotating`.
-    """
+    """The sizes of one cylinder, complete."""
 
     bore: float | None
     radius: float
@@ -77,15 +74,10 @@ class _Known:
     rotating_mass: float
     rod: Rod | None
 
-    @property
-    def reciprocating(self) -> float:
-        return self.mass + (self.rod.mass * self.rod.centre / self.rod_length if self.rod else 0.0)
-
-    @property
-    def rotating(self) -> float:
-        return self.rotating_mass + (
-            self.rod.mass * (1 - self.rod.centre / self.rod_length) if self.rod else 0.0
-        )
+    def balanced(self, factor: float) -> float:
+        """The rotating mass, and this share of the reciprocating mass."""
+        turning, moving = self.rod.shares(self.rod_length) if self.rod else (0.0, 0.0)
+        return self.rotating_mass + turning + factor * (self.mass + moving)
 
 
 def assembled(
@@ -298,8 +290,7 @@ def _weights(
         return ()
     weights: list[Weight] = []
     for number, (sharing, throw) in enumerate(zip(pins, throws, strict=True), 1):
-        on_pin = [sizes[place.number] for place in sharing]
-        mass = sum(size.rotating + basis.balance_factor * size.reciprocating for size in on_pin)
+        mass = sum(sizes[place.number].balanced(basis.balance_factor) for place in sharing)
         if mass > 0:
             weights.append(
                 Weight(

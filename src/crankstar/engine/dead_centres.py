@@ -143,7 +143,7 @@ def _outward(
     """Bore area times outward travel of a chamber's pistons over theta, and two derivatives."""
     total = [np.zeros_like(theta) for _ in range(3)]
     for index in pistons:
-        chain = motion.chain(links, index)
+        chain = motion.chain(links.master, index)
         moved = motion.rods(motion.parted(links, chain), ratio[index] * theta + lag[index])
         axis = np.exp(1j * links.bearing[index])
         for power, (target, path) in enumerate(zip(total, moved.piston, strict=True)):

@@ -71,8 +71,9 @@ def _unfit(engine: Assembly, centres: dict[int, DeadCentre]) -> Fault:
         with_banks_mirrored(plain)
     ):
         hints.append("banks")
+        bearings = {cylinder.number: cylinder.bearing for cylinder in engine.cylinders}
         values["banks"] = {
-            ", ".join(map(str, numbers)): f"{-degrees(_bearing(engine, numbers[0])):+.4g}"
+            ", ".join(map(str, numbers)): f"{-degrees(bearings[numbers[0]]):+.4g}"
             for numbers in engine.banks.values()
         }
     reversed_ = with_rotation_reversed(plain, firing_order=engine.firing_order)
@@ -86,10 +87,6 @@ def _unfit(engine: Assembly, centres: dict[int, DeadCentre]) -> Fault:
         values["together"] = together
         return Fault(("firing_order",), "firing_order.unfit-together", values)
     return Fault(("firing_order",), "firing_order.unfit", values)
-
-
-def _bearing(engine: Assembly, number: int) -> float:
-    return next(c.bearing for c in engine.cylinders if c.number == number)
 
 
 def _simultaneous(centres: dict[int, DeadCentre], cycle: float) -> str:

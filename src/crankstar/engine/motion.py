@@ -95,13 +95,17 @@ def linkage(engine: Assembly) -> Linkage:
     )
 
 
+def chain(master: tuple[int, ...], index: int) -> list[int]:
+    """A cylinder's masters, from the one whose rod sits on the crank pin down to itself."""
+    chain = [index]
+    while master[chain[0]] >= 0:
+        chain.insert(0, master[chain[0]])
+    return chain
+
+
 def roots(master: tuple[int, ...]) -> tuple[int, ...]:
     """For each cylinder the index of the one whose rod sits on the crank pin."""
-
-    def root(index: int) -> int:
-        return index if master[index] < 0 else root(master[index])
-
-    return tuple(root(index) for index in range(len(master)))
+    return tuple(chain(master, index)[0] for index in range(len(master)))
 
 
 def rods(links: Linkage, psi: ArrayLike) -> Rods:
@@ -149,11 +153,7 @@ def _picked(values: Real | Complex, shape: tuple[int, ...], at: list[int] | slic
 @lru_cache(maxsize=256)
 def _levels(master: tuple[int, ...]) -> tuple[tuple[int, ...], ...]:
     """Cylinder indices by distance from the crank pin: plain rods and masters first."""
-    depth = [0] * len(master)
-    for index in range(len(master)):
-        link = index
-        while master[link] >= 0:
-            link, depth[index] = master[link], depth[index] + 1
+    depth = [len(chain(master, index)) - 1 for index in range(len(master))]
     return tuple(
         tuple(i for i, d in enumerate(depth) if d == level) for level in range(max(depth) + 1)
     )
@@ -231,7 +231,7 @@ def unreachable(engine: Assembly) -> list[Fault]:
     for index, cylinder in enumerate(engine.cylinders):
         if cylinder.articulated is None:
             continue
-        way = parted(links, chain(links, index))
+        way = parted(links, chain(links.master, index))
         # However long the rod is, its big end goes the same way.
         long_enough = 10 * (
             np.sum(way.crank_radius + way.rod_length + way.knuckle_radius) + abs(cylinder.offset)
@@ -251,14 +251,6 @@ def unreachable(engine: Assembly) -> list[Fault]:
             path = ("cylinders", index, "rod_length")
             faults.append(Fault(path, "rod.slave-too-short", values, cylinder.number))
     return faults
-
-
-def chain(links: Linkage, index: int) -> list[int]:
-    """A cylinder's masters, from the root down to itself."""
-    chain = [index]
-    while links.master[chain[0]] >= 0:
-        chain.insert(0, links.master[chain[0]])
-    return chain
 
 
 def parted(links: Linkage, chain: list[int]) -> Linkage:

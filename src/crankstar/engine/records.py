@@ -57,6 +57,11 @@ class Rod(Record):
     centre: Length = Field(description="from the big end to the centre of mass, along the rod")
     inertia: Inertia = Field(default=0.0, description="moment of inertia about the centre of mass")
 
+    def shares(self, rod_length: float) -> tuple[float, float]:
+        """Its mass divided between crank pin and piston pin as its centre of mass divides it."""
+        share = self.centre / rod_length
+        return self.mass * (1 - share), self.mass * share
+
 
 class Articulation(Record):
     """A knuckle pin on another cylinder's rod; an articulated (slave) rod's big end sits on it."""

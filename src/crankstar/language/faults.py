@@ -89,8 +89,9 @@ def sentence(
 
 
 def _shown(name: str, value: Any) -> str:
-    if name in file_faults.NAMED:
-        return _(file_faults.NAMED[name][value])
+    if isinstance(value, str):
+        words = file_faults.NAMED.get(name, {}).get(value)
+        return value if words is None else _(words)
     if isinstance(value, float):
         return f"{value:.6g}"
     if isinstance(value, Mapping):

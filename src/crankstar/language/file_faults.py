@@ -27,6 +27,7 @@ NAMED: dict[str, dict[str, str]] = {
     "dimension": _DIMENSIONS,
     "measured": _DIMENSIONS,
     "side": {"intake": N_("intake"), "exhaust": N_("exhaust")},
+    "unit": {"crank radii": N_("crank radii")},
     "cycle_name": {"two-stroke": N_("two-stroke"), "four-stroke": N_("four-stroke")},
     "kind": {
         "whole-number": N_("a whole number"),
@@ -38,7 +39,7 @@ NAMED: dict[str, dict[str, str]] = {
         "table": N_("a table"),
     },
 }
-"""Values that are names of things, with the words for them."""
+"""Values that are names of things, with the words for them; others stand as they are."""
 
 SENTENCES: dict[str, str | Plural] = {
     "text": N_("{text}"),

@@ -48,27 +48,19 @@ def loads(engine: Engine) -> tuple[Load, ...]:
                     radius=throw.radius,
                     z=throw.z,
                     cylinders=tuple(cylinder.number for cylinder in on),
-                    rotating=throw.rotating_mass + sum(map(_turning, on)),
-                    reciprocating=sum(map(_moving, on)),
+                    rotating=throw.rotating_mass + sum(_shares(cylinder)[0] for cylinder in on),
+                    reciprocating=sum(_shares(cylinder)[1] for cylinder in on),
                 )
             )
     return tuple(pins)
 
 
-def _moving(cylinder: Cylinder) -> float:
-    """Reciprocating mass: the piston's, and the rod's share at its pin."""
-    rod = cylinder.rod
-    return cylinder.reciprocating_mass + (
-        rod.mass * rod.centre / cylinder.rod_length if rod else 0.0
+def _shares(cylinder: Cylinder) -> tuple[float, float]:
+    """Rotating and reciprocating mass of a cylinder, its rod shared between crank and piston."""
+    turning, moving = (
+        (0.0, 0.0) if cylinder.rod is None else cylinder.rod.shares(cylinder.rod_length)
     )
-
-
-def _turning(cylinder: Cylinder) -> float:
-    """The rod's share at the crank."""
-    rod = cylinder.rod
-    return cylinder.big_end_mass + (
-        rod.mass * (1 - rod.centre / cylinder.rod_length) if rod else 0.0
-    )
+    return cylinder.big_end_mass + turning, cylinder.reciprocating_mass + moving
 
 
 def bobweight(load: Load, factor: float) -> float:

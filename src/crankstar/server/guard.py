@@ -4,7 +4,7 @@ A page of another site may not ask through the browser of the server's user: nei
 name for this machine (the host is checked), nor across sites (the origin is checked, and a question
 must be JSON, for which a browser asks permission), nor in a frame. Nobody may keep a question open
 for long, or send one that fills the memory. Starlette's TrustedHostMiddleware is not used: it
-knows no IPv6 host, no "any address in numbers", and refuses in plain text.
+takes a list of names, not "any address in numbers", and refuses in plain text.
 """
 
 from __future__ import annotations
