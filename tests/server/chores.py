@@ -43,7 +43,7 @@ def fail() -> bytes:
 
 def refuse() -> bytes:
     """Refuses."""
-    raise refused(418, "this is a teapot")
+    raise refused(418, "request", sentence="this is a teapot")
 
 
 def count(path: str) -> bytes:

@@ -15,6 +15,7 @@ import pytest
 from tests.web.serving import Answer, Server
 
 import crankstar
+from crankstar.language.faults import Fault
 from crankstar.server import guard
 from crankstar.server.refusal import Refused
 
@@ -254,9 +255,8 @@ def test_every_answer_tells_the_browser_to_be_careful(
 
 
 def test_of_many_mistakes_the_first_hundred_are_told() -> None:
-    shown = json.loads(Refused(422, [(f"key{place}", "is wrong") for place in range(150)]).body)[
-        "problems"
-    ]
+    faults = [Fault((f"key{place}",), "question.missing") for place in range(150)]
+    shown = json.loads(Refused(422, faults).body)["problems"]
     assert [problem["path"] for problem in shown] == [*(f"key{place}" for place in range(100)), ""]
     assert shown[-1]["message"] == "... and 50 more"
 

@@ -20,7 +20,7 @@ from crankstar.search import estimates
 from crankstar.search.answer import answer_to
 from crankstar.server import search_process, searches
 from crankstar.server.messages import SearchQuestion
-from crankstar.server.refusal import Refused
+from crankstar.server.refusal import Refused, said
 from crankstar.server.searches import Searches
 
 LONG = {"cylinders": 15, "cycle": "two-stroke", "minimise": "M1,M2,M3", "front": True}
@@ -134,7 +134,9 @@ def test_a_search_that_takes_too_long_for_a_page_is_not_begun(
     reporter = search_process._Reporter(near)
     with pytest.raises(Refused) as caught:
         search_process.ended(SearchQuestion(cylinders=9, cycle="two-stroke").model_dump(), reporter)
-    assert "takes about 20 min on one processor, too long for a page" in caught.value.problems[0][1]
+    assert "takes about 20 min on one processor, too long for a page" in said(
+        caught.value.faults[0]
+    )
 
 
 def test_searches_are_stopped_with_what_they_have_and_only_so_many_run_at_once() -> None:

@@ -38,10 +38,11 @@ def with_workers(
         return thread.submit(asyncio.run, whole()).result()
 
 
-async def refusal(answer: Awaitable[bytes]) -> tuple[int, str]:
+async def refusal(answer: Awaitable[bytes]) -> tuple[int, str, Any]:
     with pytest.raises(Refused) as caught:
         await answer
-    return caught.value.status, caught.value.problems[0][1]
+    (fault,) = caught.value.faults
+    return caught.value.status, fault.code, fault.values
 
 
 def test_a_process_that_takes_too_long_or_is_lost_is_replaced_and_the_next_task_is_done() -> None:
@@ -56,8 +57,8 @@ def test_a_process_that_takes_too_long_or_is_lost_is_replaced_and_the_next_task_
         return [late, lost]
 
     late, lost = with_workers(work, seconds=1.0)
-    assert late == (503, workers.TOO_LONG.format(seconds="1"))
-    assert lost == (503, workers.LOST)
+    assert late == (503, "question.too-long", {"seconds": 1.0})
+    assert lost == (503, "question.lost", {})
 
 
 def test_a_process_that_cannot_say_what_it_found_is_replaced_without_a_word(
@@ -110,8 +111,8 @@ def test_refusals_come_through_and_mistakes_of_ours_are_told_without_the_words_o
         ]
 
     refused, failed, number = with_workers(work)
-    assert refused == (418, "this is a teapot")
-    assert failed == (500, workers.FAILED)
+    assert refused == (418, "request", {"sentence": "this is a teapot"})
+    assert failed == (500, "question.failed", {})
     assert number.isdigit()
     assert "secret.py" in capfd.readouterr().err  # for the one who started the server
 
@@ -149,7 +150,7 @@ def test_who_has_waited_too_long_for_a_process_is_sent_away(
 ) -> None:
     monkeypatch.setattr(workers, "WAITING_SECONDS", 0.2)
 
-    async def work(pool: InProcesses) -> tuple[int, str]:
+    async def work(pool: InProcesses) -> tuple[int, str, Any]:
         while pool.idle.empty():
             await asyncio.sleep(0.05)
         slow = asyncio.create_task(pool.do(chores.sleep, 1.0))
@@ -160,7 +161,7 @@ def test_who_has_waited_too_long_for_a_process_is_sent_away(
         assert (await pool.do(chores.number)).isdigit()
         return told
 
-    assert with_workers(work, seconds=20.0) == (503, workers.BUSY)
+    assert with_workers(work, seconds=20.0) == (503, "question.busy", {})
 
 
 def test_a_question_that_many_ask_is_reckoned_once_and_its_answer_kept(tmp_path: Path) -> None:

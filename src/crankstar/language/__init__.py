@@ -8,5 +8,6 @@
 | `engine_faults` | the sentence of each fault of an engine |
 | `file_faults` | the sentence of each fault of an engine file |
 | `search_faults` | the sentence of each fault of a search |
+| `server_faults` | the sentence of each fault of a question to the server |
 | `faults` | faults as records: path, code, values; their sentences |
 """

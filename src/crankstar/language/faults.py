@@ -13,7 +13,7 @@ from functools import partial
 from string import Formatter
 from typing import Any, NamedTuple
 
-from crankstar.language import engine_faults, file_faults, search_faults
+from crankstar.language import engine_faults, file_faults, search_faults, server_faults
 from crankstar.language.messages import Plural, _, _n
 from crankstar.language.quoting import one_line, seen
 
@@ -21,6 +21,7 @@ SENTENCES: dict[str, str | Plural] = {
     **engine_faults.SENTENCES,
     **file_faults.SENTENCES,
     **search_faults.SENTENCES,
+    **server_faults.SENTENCES,
 }
 """By code; `{where}` stands for the place, a plural goes by the value `count`."""
 GREATEST_LISTED = 12

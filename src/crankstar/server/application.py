@@ -12,9 +12,9 @@ from starlette.exceptions import HTTPException
 from starlette.routing import Match, Route
 
 from crankstar import __version__
-from crankstar.language.faults import where
-from crankstar.language.messages import N_, _
+from crankstar.language.faults import Fault, ValueFaultError
 from crankstar.language.quoting import seen
+from crankstar.language.server_faults import QUESTION
 from crankstar.server import pages, routes
 from crankstar.server.answers import Answers
 from crankstar.server.guard import Guard
@@ -76,21 +76,13 @@ async def _refuse(_: Request, error: Exception) -> Response:
     return _shown(error)
 
 
-HTTP = {
-    404: N_("There is no such address; see /docs."),
-    405: N_("This address does not take this method; see /docs."),
-}
-
-
 async def _refuse_http(request: Request, error: Exception) -> Response:
     assert isinstance(error, HTTPException)  # noqa: S101
     if isinstance(error, routes.NotStrictError):
         return _shown(error.refusal)
     heads = {"allow": ", ".join(_methods(request))} if error.status_code == 405 else error.headers
-    return _shown(refused(error.status_code, _(HTTP.get(error.status_code, UNANSWERABLE))), heads)
-
-
-UNANSWERABLE = N_("This question cannot be answered.")
+    code = {404: "address", 405: "method"}.get(error.status_code, "unanswerable")
+    return _shown(refused(error.status_code, f"question.{code}"), heads)
 
 
 def _methods(request: Request) -> list[str]:
@@ -107,42 +99,17 @@ def _methods(request: Request) -> list[str]:
 
 async def _refuse_invalid(_: Request, error: Exception) -> Response:
     assert isinstance(error, RequestValidationError)  # noqa: S101
-    return _shown(
-        Refused(422, [(_path(fault["loc"]), _sentence(fault)) for fault in error.errors()])
-    )
+    return _shown(Refused(422, map(_fault, error.errors())))
 
 
-def _path(loc: tuple[str | int, ...]) -> str:
-    """A place in a question, as in an engine file."""
-    return where(loc[1:]) if len(loc) > 1 else ""
-
-
-NEEDED = {
-    "string_type": "text is needed",
-    "int_type": "a whole number is needed",
-    "float_type": "a number is needed",
-    "bool_type": "true or false is needed",
-    "list_type": "a list is needed",
-    "model_attributes_type": "an object is needed",
-}
-BOUNDS = {
-    "greater_than_equal": "it must be at least {ge}",
-    "less_than_equal": "it must be at most {le}",
-    "literal_error": "it can be {expected}",
-    "string_too_long": "at most {max_length} letters are allowed",
-    "too_long": "at most {max_length} entries are allowed",
-}
-
-
-def _sentence(fault: Any) -> str:
-    """What pydantic finds wrong with a question, said to the one who asks."""
-    kind, context = fault["type"], fault.get("ctx") or {}
-    if kind == "missing":
-        return "is missing; /docs says what is asked here"
-    if kind == "extra_forbidden":
-        return "unknown key; /docs says what is asked here"
-    if kind == "value_error":
-        return str(context["error"])
-    if kind in BOUNDS:
-        return f"is {seen(fault['input'])}; {BOUNDS[kind].format_map(context)}".replace("'", '"')
-    return f"is {seen(fault['input'])}; {NEEDED.get(kind, 'it cannot be used here; /docs says what is asked')}"
+def _fault(wrong: Any) -> Fault:
+    """What pydantic finds wrong with a question."""
+    path, context = tuple(wrong["loc"][1:]), wrong.get("ctx") or {}
+    if isinstance(error := context.get("error"), ValueFaultError):
+        return Fault(path, error.code, error.values)
+    kind = wrong["type"] if wrong["type"] in QUESTION else "other"
+    limits = {
+        key: value.replace("'", '"') if key == "expected" else value
+        for key, value in context.items()
+    }
+    return Fault(path, f"question.{kind}", {"given": seen(wrong["input"]), **limits})

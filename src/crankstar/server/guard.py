@@ -16,10 +16,8 @@ import socket
 from collections.abc import Awaitable, Callable, Iterable, MutableMapping
 from typing import Any
 
-from crankstar.language.messages import _
 from crankstar.language.quoting import one_line
 from crankstar.server.refusal import Refused, refused
-from crankstar.server.workers import FAILED
 
 GREATEST_QUESTION = 1_000_000
 """Bytes."""
@@ -62,9 +60,7 @@ def hosts_of(host: str) -> frozenset[str] | None:
 
 def too_late(seconds: float) -> Refused:
     """The refusal of a question that is not whole after so long."""
-    return refused(
-        408, _("The question did not arrive within {seconds} s.", seconds=f"{seconds:g}")
-    )
+    return refused(408, "question.late", seconds=seconds)
 
 
 class Guard:
@@ -111,37 +107,24 @@ class Guard:
             raise
         except Exception:
             log.exception("a question failed")
-            await answer.refuse(refused(500, _(FAILED)))
+            await answer.refuse(refused(500, "question.failed"))
 
     def _check(self, scope: Message, heads: dict[str, str]) -> None:
         host = heads.get("host", "")
         if not self._known(host):
-            raise refused(
-                421,
-                _(
-                    "{host} is not a name of this server. Use the address that it printed.",
-                    host=one_line(host, longest=100),
-                ),
-            )
+            raise refused(421, "question.host", host=one_line(host, longest=100))
         origin = heads.get("origin")
         if origin is not None and origin.lower() not in (
             f"http://{host.lower()}",
             f"https://{host.lower()}",
         ):
-            raise refused(
-                403, _("A page of another site asks this. Open the page of this server itself.")
-            )
+            raise refused(403, "question.origin")
         if scope["method"] in ("POST", "PUT", "PATCH") and not _is_json(
             heads.get("content-type", "")
         ):
-            raise refused(
-                415, _("The question must be JSON, with the header Content-Type: application/json.")
-            )
+            raise refused(415, "question.not-json")
         if heads.get("content-encoding", "identity").strip().lower() != "identity":
-            raise refused(
-                415,
-                _("The question must not be compressed. Leave out the header Content-Encoding."),
-            )
+            raise refused(415, "question.compressed")
 
     def _known(self, host: str) -> bool:
         name = _name_of(host)
@@ -152,13 +135,7 @@ class Guard:
     async def _body(self, heads: dict[str, str], receive: Receive) -> bytes:
         """The whole question. Raises Refused where it is too long, or too long in coming."""
         length = heads.get("content-length", "0")
-        too_large = refused(
-            413,
-            _(
-                "The question is larger than {size} MB; an engine file has a few kB.",
-                size=GREATEST_QUESTION // 1_000_000,
-            ),
-        )
+        too_large = refused(413, "question.large", size=GREATEST_QUESTION // 1_000_000)
         if not length.isdecimal() or int(length[:20]) > GREATEST_HEARD_OUT:
             raise too_large
         parts: list[bytes] = []
@@ -168,7 +145,7 @@ class Guard:
                 while True:
                     message = await receive()
                     if message["type"] != "http.request":
-                        raise refused(400, _("The question broke off."))
+                        raise refused(400, "question.broken-off")
                     parts.append(message.get("body", b""))
                     size += len(parts[-1])
                     if size > GREATEST_QUESTION:

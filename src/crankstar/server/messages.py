@@ -9,6 +9,7 @@ from typing import Annotated, Any, Literal, cast
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, WithJsonSchema
 
+from crankstar.language.faults import ValueFaultError
 from crankstar.language.quoting import seen
 from crankstar.options.words import SearchWords
 from crankstar.page.records import Exhibit, Problem
@@ -39,13 +40,10 @@ EXAMPLE = {
 
 def _engine(value: Any) -> Any:
     if isinstance(value, str) and len(value) > LONGEST_NAME:
-        raise ValueError(
-            f"has {len(value)} letters; names of the catalog have at most {LONGEST_NAME}"
-        )
+        values = {"count": len(value), "greatest": LONGEST_NAME}
+        raise ValueFaultError("question.long-name", **values)
     if not isinstance(value, str | dict):
-        raise ValueError(
-            f"is {seen(value)}; give the name of an engine of the catalog, or the keys of an engine file"
-        )
+        raise ValueFaultError("question.engine", given=seen(value))
     return value
 
 

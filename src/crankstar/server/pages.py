@@ -103,7 +103,7 @@ def _file(request: Request, name: str, kind: str) -> Response:
     """A file of the bundle, cached for ever if its address has its digest; raises Refused."""
     found = asset(name)
     if found is None:
-        raise refused(404, f"{name} was not built with this installation")
+        raise refused(404, "question.unbuilt", name=name)
     tag = f'"{found.digest}"'
     heads = {
         "etag": tag,

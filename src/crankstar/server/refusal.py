@@ -5,77 +5,53 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Mapping
 from math import isfinite
-from typing import Any, NamedTuple
+from typing import Any
 
 from crankstar.language.faults import Fault, sentence, where
 from crankstar.language.quoting import one_line
 
-
-class Told(NamedTuple):
-    """A fault of a question: where, the sentence, and its code and values where it has them."""
-
-    path: str
-    message: str
-    code: str = ""
-    values: Mapping[str, Any] = {}
-
-
 LONGEST = 1000
 """Letters of a sentence that is sent."""
-GREATEST_TOLD = 100
+GREATEST_LISTED = 100
 """Greatest number of mistakes listed one by one for a question."""
 
 
 class Refused(Exception):  # noqa: N818  # it is no error of ours
     """A question that is not answered, and why."""
 
-    def __init__(self, status: int, problems: Iterable[tuple[Any, ...]]) -> None:
+    def __init__(self, status: int, faults: Iterable[Fault]) -> None:
         self.status = status
-        told = [Told(*problem) for problem in problems]
-        self.problems = [each._replace(values=_plain(each.values)) for each in told]
-        super().__init__(status, self.problems)
-
-    def __reduce__(self) -> tuple[type[Refused], tuple[int, list[Told]]]:
-        """It goes from process to process."""
-        return Refused, (self.status, self.problems)
+        self.faults = [fault._replace(values=_plain(fault.values)) for fault in faults]
+        super().__init__(status, self.faults)
 
     @property
     def body(self) -> bytes:
         """The answer as JSON in ASCII, because a question may hold lone surrogates."""
-        shown = [
+        shown = self.faults[:GREATEST_LISTED]
+        if len(self.faults) > GREATEST_LISTED:
+            more = {"count": len(self.faults) - GREATEST_LISTED}
+            shown = [*shown, Fault((), "question.more", more)]
+        problems = [
             {
-                "path": _short(problem.path),
-                "code": problem.code,
-                "values": dict(problem.values),
-                "message": _short(problem.message),
+                "path": _short(where(fault.path)) if fault.path else "",
+                "code": fault.code,
+                "values": fault.values,
+                "message": _short(said(fault)),
             }
-            for problem in self.problems[:GREATEST_TOLD]
+            for fault in shown
         ]
-        if len(self.problems) > GREATEST_TOLD:
-            more = f"... and {len(self.problems) - GREATEST_TOLD} more"
-            shown.append({"path": "", "code": "", "values": {}, "message": more})
-        return json.dumps({"problems": shown}).encode("ascii")
+        return json.dumps({"problems": problems}).encode("ascii")
 
 
-def of_faults(status: int, faults: Iterable[Fault]) -> Refused:
-    """A refusal with a line for each fault."""
-    return Refused(
-        status,
-        [
-            Told(
-                where(f.path) if f.path else "",
-                sentence(f.code, f.values, place=where(f.path), named=lambda key: f"`{key}`"),
-                f.code,
-                f.values,
-            )
-            for f in faults
-        ],
-    )
+def said(fault: Fault) -> str:
+    """The sentence of a fault; options are fields of a question."""
+    place = where(fault.path)
+    return sentence(fault.code, fault.values, place=place, named=lambda key: f"`{key}`")
 
 
-def refused(status: int, message: str) -> Refused:
-    """A refusal of a question as a whole."""
-    return Refused(status, [("", message)])
+def refused(status: int, code: str, *path: str, **values: Any) -> Refused:
+    """A refusal of a question for one reason."""
+    return Refused(status, [Fault(path, code, values)])
 
 
 def _plain(value: Any) -> Any:

@@ -5,14 +5,14 @@ Each route looks what is asked, has it reckoned, and answers.
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from collections.abc import Callable
+from typing import Annotated, Any, TypeVar
 
 from fastapi import APIRouter, Path, Request, Response
 from fastapi.routing import APIRoute
 from starlette.exceptions import HTTPException
 
 from crankstar import files
-from crankstar.language.messages import _
 from crankstar.page.records import Exhibit, Exhibition
 from crankstar.server import messages, search_process, tasks
 from crankstar.server.answers import Answers
@@ -22,8 +22,9 @@ from crankstar.server.workers import Task
 
 JSON = "application/json"
 ASKED = "the question"
-Told = dict[int | str, dict[str, Any]]
-TOLD: Told = {
+Statuses = dict[int | str, dict[str, Any]]
+Handler = TypeVar("Handler", bound=Callable[..., Any])
+REFUSED: Statuses = {
     status: {"model": messages.Refusal, "description": text}
     for status, text in {
         400: "The question broke off, or cannot be read.",
@@ -37,10 +38,12 @@ TOLD: Told = {
         503: "It takes too long, or too much is asked at once.",
     }.items()
 }
-ANSWERED: Told = {status: TOLD[status] for status in (403, 421, 500, 503)}
+ANSWERED: Statuses = {status: REFUSED[status] for status in (403, 421, 500, 503)}
 """What may happen to any question."""
-MISSING: Told = {404: {"model": messages.Refusal, "description": "There is nothing of that name."}}
-CROWDED: Told = {
+MISSING: Statuses = {
+    404: {"model": messages.Refusal, "description": "There is nothing of that name."}
+}
+CROWDED: Statuses = {
     429: {"model": messages.Refusal, "description": "As many searches as may be are under way."}
 }
 
@@ -87,15 +90,9 @@ def strict(body: bytes) -> Any:
     try:
         text = body.decode("utf-8")
     except UnicodeDecodeError:
-        raise refused(422, _("The question is not text in UTF-8.")) from None
+        raise refused(422, "question.not-text") from None
     if not text.lstrip().startswith("{"):
-        raise refused(
-            422,
-            _(
-                "The question is not a JSON object, as in {example}.",
-                example='{"engine": "v8-cross-plane"}',
-            ),
-        )
+        raise refused(422, "question.not-object", example='{"engine": "v8-cross-plane"}')
     with tasks.mistakes_refused():
         return files.tree_of(text, name=ASKED)
 
@@ -112,7 +109,27 @@ def bounded(engine: Any) -> Any:
 
 
 router = APIRouter(prefix="/api", route_class=StrictRoute, responses=ANSWERED)
-ASK: Told = {status: TOLD[status] for status in (400, 408, 413, 415, 422)}
+ASK: Statuses = {status: REFUSED[status] for status in (400, 408, 413, 415, 422)}
+
+
+def answering(
+    method: str,
+    path: str,
+    model: Any,
+    summary: str,
+    *,
+    tag: str = "engines",
+    responses: Statuses | None = None,
+) -> Callable[[Handler], Handler]:
+    """A route whose answer is a `model`; a question that is posted may be wrong in more ways."""
+    return router.api_route(
+        path,
+        methods=[method],
+        response_model=model,
+        summary=summary,
+        tags=[tag],
+        responses=(ASK if method == "POST" else {}) | (responses or {}),
+    )
 
 
 async def _answer(request: Request, task: Task, *arguments: Any) -> Response:
@@ -120,20 +137,17 @@ async def _answer(request: Request, task: Task, *arguments: Any) -> Response:
     return Response(await answers.to(task, *arguments), media_type=JSON)
 
 
-@router.get(
-    "/health",
-    response_model=messages.Health,
-    summary="Whether the server is there",
-    tags=["server"],
-)
+def _searches(request: Request) -> Searches:
+    return request.app.state.searches
+
+
+@answering("GET", "/health", messages.Health, "Whether the server is there", tag="server")
 async def health(request: Request) -> messages.Health:
     """Its version."""
     return messages.Health(version=request.app.version)
 
 
-@router.get(
-    "/opening", response_model=Exhibition, summary="What the page opens with", tags=["server"]
-)
+@answering("GET", "/opening", Exhibition, "What the page opens with", tag="server")
 async def opening(request: Request) -> Response:
     """The engine that the server was started with, as an exhibition.
 
@@ -142,34 +156,24 @@ async def opening(request: Request) -> Response:
     return await _answer(request, tasks.opening, *request.app.state.opening)
 
 
-@router.get(
-    "/schema",
-    response_model=dict[str, Any],
-    summary="The JSON Schema of engine files",
-    tags=["engines"],
-)
+@answering("GET", "/schema", dict[str, Any], "The JSON Schema of engine files")
 async def schema(request: Request) -> Response:
     """Both forms, with the unit and meaning of every key."""
     return await _answer(request, tasks.schema)
 
 
-@router.get(
-    "/catalog",
-    response_model=list[messages.CatalogEntry],
-    summary="The engines of the catalog",
-    tags=["engines"],
-)
+@answering("GET", "/catalog", list[messages.CatalogEntry], "The engines of the catalog")
 async def catalog(request: Request) -> Response:
     """Their names, in alphabetical order, and what they are."""
     return await _answer(request, tasks.summaries)
 
 
-@router.get(
+@answering(
+    "GET",
     "/catalog/{name}",
-    response_model=dict[str, Any],
+    dict[str, Any],
+    "The file of an engine of the catalog",
     responses=MISSING,
-    summary="The file of an engine of the catalog",
-    tags=["engines"],
 )
 async def catalog_engine(
     request: Request,
@@ -181,13 +185,7 @@ async def catalog_engine(
     return await _answer(request, tasks.catalog_answer, name)
 
 
-@router.post(
-    "/exhibit",
-    response_model=Exhibit,
-    responses=ASK,
-    summary="All that the page shows of an engine",
-    tags=["engines"],
-)
+@answering("POST", "/exhibit", Exhibit, "All that the page shows of an engine")
 async def exhibit(request: Request, question: messages.EngineQuestion) -> Response:
     """An engine's scene, forces and couples by order, free response, tables, verdict and keys.
 
@@ -196,37 +194,19 @@ async def exhibit(request: Request, question: messages.EngineQuestion) -> Respon
     return await _answer(request, tasks.exhibit, bounded(question.engine))
 
 
-@router.post(
-    "/chart",
-    response_model=dict[str, Any],
-    responses=ASK,
-    summary="A figure of an engine",
-    tags=["engines"],
-)
+@answering("POST", "/chart", dict[str, Any], "A figure of an engine")
 async def chart(request: Request, question: messages.ChartQuestion) -> Response:
     """Vega-Lite; where the figure turns it has one parameter, `theta`, in degrees."""
     return await _answer(request, tasks.chart, bounded(question.engine), question.key)
 
 
-@router.post(
-    "/derivation",
-    response_model=messages.DerivationShown,
-    responses=ASK,
-    summary="A derivation for an engine",
-    tags=["engines"],
-)
+@answering("POST", "/derivation", messages.DerivationShown, "A derivation for an engine")
 async def derivation(request: Request, question: messages.DerivationQuestion) -> Response:
     """How force or couple of an order come about, step by step, as HTML with MathML."""
     return await _answer(request, tasks.derivation, bounded(question.engine), question.key)
 
 
-@router.post(
-    "/fitted",
-    response_model=messages.FittedShown,
-    responses=ASK,
-    summary="An engine with weights and shafts",
-    tags=["engines"],
-)
+@answering("POST", "/fitted", messages.FittedShown, "An engine with weights and shafts")
 async def fitted(request: Request, question: messages.FittedQuestion) -> Response:
     """The same engine with counterweights and balance shafts, as an exhibit.
 
@@ -236,84 +216,66 @@ async def fitted(request: Request, question: messages.FittedQuestion) -> Respons
     return await _answer(request, tasks.fitted, bounded(question.engine), options)
 
 
-@router.post(
-    "/toml",
-    response_model=messages.TomlShown,
-    responses=ASK,
-    summary="An engine file in TOML",
-    tags=["files"],
-)
+@answering("POST", "/toml", messages.TomlShown, "An engine file in TOML", tag="files")
 async def toml(request: Request, question: messages.EngineQuestion) -> Response:
     """The tree as it is asked with, short or explicit; it is checked first."""
     return await _answer(request, tasks.toml, bounded(question.engine))
 
 
-@router.post(
-    "/read",
-    response_model=messages.TreeShown,
-    responses=ASK,
-    summary="The text of an engine file",
-    tags=["files"],
-)
+@answering("POST", "/read", messages.TreeShown, "The text of an engine file", tag="files")
 async def read(request: Request, question: messages.TextQuestion) -> Response:
     """TOML or JSON to a tree of keys, once it is found to be an engine."""
     return await _answer(request, tasks.read, question.text)
 
 
-@router.post(
-    "/explicit",
-    response_model=messages.TreeShown,
-    responses=ASK,
-    summary="An engine, part by part",
-    tags=["files"],
-)
+@answering("POST", "/explicit", messages.TreeShown, "An engine, part by part", tag="files")
 async def explicit(request: Request, question: messages.EngineQuestion) -> Response:
     """The same engine in the explicit form: every shaft, throw, weight and cylinder by itself."""
     return await _answer(request, tasks.explicit, bounded(question.engine))
 
 
-@router.post(
+@answering(
+    "POST",
     "/search",
-    response_model=messages.SearchShown,
-    responses=ASK | CROWDED,
-    summary="Search for a better crank",
-    tags=["search"],
+    messages.SearchShown,
+    "Search for a better crank",
+    tag="search",
+    responses=CROWDED,
 )
 async def start_search(request: Request, question: messages.SearchQuestion) -> Response:
     """Starts a search, which goes on by itself; ask for it by its id."""
     asked = question.model_dump() | {"engine": bounded(question.engine)}
-    searches: Searches = request.app.state.searches
     await request.app.state.answers.workers.do(search_process.checked, asked)
-    return Response(searches.begun(asked), media_type=JSON)
+    return Response(_searches(request).begun(asked), media_type=JSON)
 
 
 Identity = Annotated[str, Path(description="the id of the search", max_length=100)]
 
 
-@router.get(
+@answering(
+    "GET",
     "/search/{identity}",
-    response_model=messages.SearchShown,
+    messages.SearchShown,
+    "How far a search is",
+    tag="search",
     responses=MISSING,
-    summary="How far a search is",
-    tags=["search"],
 )
 async def search(request: Request, identity: Identity) -> Response:
     """Its progress, or what it found, which is kept for some minutes."""
-    searches: Searches = request.app.state.searches
-    return Response(searches.shown(identity), media_type=JSON)
+    return Response(_searches(request).shown(identity), media_type=JSON)
 
 
-@router.delete(
+@answering(
+    "DELETE",
     "/search/{identity}",
-    response_model=messages.SearchShown,
+    messages.SearchShown,
+    "Stop a search",
+    tag="search",
     responses=MISSING,
-    summary="Stop a search",
-    tags=["search"],
 )
 async def stop_search(request: Request, identity: Identity) -> Response:
     """Stops a search that is under way.
 
     What it has found so far is shown, and said to be incomplete.
     """
-    searches: Searches = request.app.state.searches
-    return Response(searches.stopped(identity), media_type=JSON)
+    return Response(_searches(request).stopped(identity), media_type=JSON)

@@ -36,12 +36,17 @@ GREATEST_UNHEARD = 500
 def opened(host: str, port: int) -> socket.socket:
     """A listening socket; port 0 is any free port. Raises RequestError with advice."""
     try:
-        family, kind, protocol, _, address = socket.getaddrinfo(
+        family, kind, protocol, _name, address = socket.getaddrinfo(
             host, port, type=socket.SOCK_STREAM, flags=socket.AI_PASSIVE
         )[0]
     except (OSError, UnicodeError, OverflowError):
-        told = "is no address of this machine; leave it out, or give one as in 127.0.0.1"
-        raise RequestError(f"--host {one_line(host)}: {told}") from None
+        raise RequestError(
+            _(
+                "--host {host}: is no address of this machine; leave it out, or give one as in "
+                "127.0.0.1",
+                host=one_line(host),
+            )
+        ) from None
     taken = socket.socket(family, kind, protocol)
     try:
         if os.name == "posix":
@@ -57,29 +62,29 @@ def opened(host: str, port: int) -> socket.socket:
 
 def _refusal(host: str, port: int, error: OSError) -> str:
     if error.errno == errno.EADDRINUSE:
-        other = port + 1 if port < 65535 else 8000
-        why = "is in use, perhaps by another crankstar serve"
-        return (
-            f"--port {port}: {why}; take another, as in --port {other}, or --port 0 for a free one"
+        return _(
+            "--port {port}: is in use, perhaps by another crankstar serve; take another, as in "
+            "--port {other}, or --port 0 for a free one",
+            port=port,
+            other=port + 1 if port < 65535 else 8000,
         )
     if error.errno == errno.EACCES:
-        return f"--port {port}: may not be used by you; take one from 1024 up, as in --port 8000"
-    return f"--host {one_line(host)}: cannot be used ({error.strerror}); leave it out, or give an address of this machine"
+        return _(
+            "--port {port}: may not be used by you; take one from 1024 up, as in --port 8000",
+            port=port,
+        )
+    return _(
+        "--host {host}: cannot be used ({reason}); leave it out, or give an address of this machine",
+        host=one_line(host),
+        reason=error.strerror,
+    )
 
 
 def address_of(taken: socket.socket, host: str) -> str:
     """The address of the page, as one types it."""
     port = taken.getsockname()[1]
-    name = (
-        "127.0.0.1"
-        if host in ("0.0.0.0", "")  # noqa: S104
-        else "[::1]"
-        if host == "::"
-        else f"[{host}]"
-        if ":" in host
-        else host
-    )
-    return f"http://{name}:{port}/"
+    names = {"": "127.0.0.1", "0.0.0.0": "127.0.0.1", "::": "[::1]"}  # noqa: S104
+    return f"http://{names.get(host, f'[{host}]' if ':' in host else host)}:{port}/"
 
 
 def serve(taken: socket.socket, *, host: str, opening: Opening, ready: Callable[[], None]) -> None:
@@ -133,7 +138,7 @@ class _Protocol(H11Protocol):
     def send_400_response(self, msg: str) -> None:
         """Refuses what came, and hangs up."""
         del msg
-        self._hang_up(refused(400, _("This is not a question in HTTP.")))
+        self._hang_up(refused(400, "question.not-http"))
 
     def _wait(self) -> None:
         self._patience = self.loop.call_later(guard.QUESTION_SECONDS, self._too_late)

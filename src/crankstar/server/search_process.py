@@ -20,7 +20,7 @@ from crankstar.search import engine_stars, engines, equivalence, halves
 from crankstar.search.options import Search
 from crankstar.search.progress import Progress, note
 from crankstar.server.processes import messages
-from crankstar.server.refusal import Refused, refused
+from crankstar.server.refusal import Refused, refused, said
 from crankstar.server.tasks import engine_of, mistakes_refused
 
 LONGEST_SECONDS = 600.0
@@ -60,7 +60,7 @@ def search_of(asked: dict[str, Any]) -> Search:
     """The search that a question asks for. Raises Refused with every fault in it."""
     engine, cylinders = asked["engine"], asked["cylinders"]
     if (engine is None) == (cylinders is None):
-        raise refused(422, _("Give either an engine or a number of cylinders."))
+        raise refused(422, "question.subject")
     words = {key: asked[key] for key in SearchWords.model_fields}
     with mistakes_refused():
         about = cylinders if engine is None else engine_of(engine)[0]
@@ -82,7 +82,7 @@ def work(pipe: Connection, asked: dict[str, Any]) -> None:
     try:
         last = ended(asked, reporter)
     except Refused as refusal:
-        last = Failed("; ".join(problem.message for problem in refusal.problems))
+        last = Failed("; ".join(map(said, refusal.faults)))
     except Exception:  # noqa: BLE001  # the asker must hear of any failure
         last = Failed(_("crankstar failed at this search, which is a bug."))
     with suppress(OSError):
@@ -124,15 +124,7 @@ def ended(asked: dict[str, Any], reporter: _Reporter) -> Ended:
         halves.check(search.question)
         seconds = estimates.estimate(search.question)
         if seconds > LONGEST_SECONDS:
-            raise refused(
-                422,
-                _(
-                    "This search takes about {duration} on one processor, too long for a page. Fix "
-                    "throws, take symmetric cranks or let a sum vanish; or use `crankstar search`, "
-                    "which has no limit.",
-                    duration=duration(seconds),
-                ),
-            )
+            raise refused(422, "question.long-search", duration=duration(seconds))
         answer = answer_to(search.question, watch=reporter.progress)
         if search.equivalence:
             answer = equivalence.equivalent(answer, search.equivalence)

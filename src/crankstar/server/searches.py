@@ -22,8 +22,6 @@ GREATEST_KEPT = 50
 """How long, and how many, searches that ended are kept."""
 STOPPED_SECONDS = 3 * search_process.LONGEST_SECONDS
 """A search that takes so much longer than expected is stopped."""
-CROWDED = N_("{count} searches are running, the most allowed. Wait until one ends, or stop it.")
-GONE = N_("There is no such search. Answers are kept for a quarter of an hour.")
 LOST = N_("The process that searched was lost, perhaps for lack of memory. Narrow the search.")
 STARTING = N_("getting ready (the first time, loops are compiled for ten seconds)")
 
@@ -44,7 +42,7 @@ class Searches:
         self._clear()
         running = sum(search.state == "running" for search in self._searches.values())
         if running >= GREATEST_RUNNING:
-            raise refused(429, _(CROWDED, count=running))
+            raise refused(429, "question.crowded", count=running)
         search = _Search(asked)
         self._searches[search.identity] = search
         return search.shown()
@@ -67,7 +65,7 @@ class Searches:
     def _of(self, identity: str) -> _Search:
         self._clear()
         if identity not in self._searches:
-            raise refused(404, _(GONE))
+            raise refused(404, "question.no-search")
         return self._searches[identity]
 
     def _clear(self) -> None:

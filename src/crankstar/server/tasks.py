@@ -19,14 +19,14 @@ from crankstar.charts.strokes import STROKE_COLOURS
 from crankstar.derive import DerivationError
 from crankstar.engine.engine import Engine
 from crankstar.files import EngineFileError, catalog
-from crankstar.language.faults import EngineError
+from crankstar.language.faults import EngineError, Fault
 from crankstar.options.values import RequestError
 from crankstar.page import exhibits
 from crankstar.page.figures import NoSuchKeyError
 from crankstar.page.records import Exhibit, Exhibition, StrokeColours
 from crankstar.remedy import RemedyError, fitting
 from crankstar.search.faults import SearchError
-from crankstar.server.refusal import Refused, of_faults
+from crankstar.server.refusal import Refused, refused
 
 Tree = dict[str, Any]
 ENGINE = "the engine"
@@ -40,9 +40,11 @@ def mistakes_refused(at: str = "") -> Iterator[None]:
     try:
         yield
     except (EngineFileError, EngineError, SearchError) as error:
-        raise of_faults(422, error.faults) from None
+        raise Refused(422, error.faults) from None
     except (RequestError, RemedyError, DerivationError, ChartError, NoSuchKeyError) as error:
-        raise Refused(422, [(at, line) for line in str(error).split("\n")]) from None
+        path = (at,) if at else ()
+        lines = str(error).split("\n")
+        raise Refused(422, [Fault(path, "request", {"sentence": line}) for line in lines]) from None
 
 
 def answered(value: Any) -> bytes:
@@ -53,7 +55,7 @@ def answered(value: Any) -> bytes:
 def catalog_tree(name: str, *, status: int = 404, at: str = "") -> Tree:
     """The tree of an engine of the catalog; no other file is looked for. Raises Refused."""
     if name not in catalog.names():
-        raise of_faults(status, [catalog.unknown_name(name, path=(at,) if at else ())])
+        raise Refused(status, [catalog.unknown_name(name, path=(at,) if at else ())])
     return catalog.tree_of(name)[1]
 
 
@@ -177,7 +179,7 @@ def _without_nothing(value: Any) -> Any:
 def read(text: str) -> bytes:
     """The tree of an engine file's text, TOML or JSON, checked to be an engine; raises Refused."""
     if not text.strip():
-        raise Refused(422, [("text", "is empty; give the text of an engine file")])
+        raise refused(422, "question.no-text", "text")
     with mistakes_refused():
         tree = files.tree_of(text.removeprefix("\ufeff"), name=ENGINE)
         files.engine_of(tree, name=ENGINE)

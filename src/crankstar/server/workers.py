@@ -20,7 +20,6 @@ from importlib import import_module
 from multiprocessing.connection import Connection
 from typing import Any, Protocol
 
-from crankstar.language.messages import N_, _
 from crankstar.server.processes import Child, messages
 from crankstar.server.refusal import Refused, refused
 
@@ -31,15 +30,6 @@ WAITING_SECONDS = 30.0
 STARTING_SECONDS = 60.0
 """How long a process may take to be ready."""
 READY = "ready"
-TOO_LONG = N_(
-    "This takes longer than {seconds} s and was stopped. Ask for less, or use the command line, "
-    "which has no limit."
-)
-BUSY = N_("Too many questions are waiting. Ask again in a moment.")
-LOST = N_("The process that computed this was lost, perhaps for lack of memory. Ask for less.")
-FAILED = N_(
-    "crankstar failed at this, which is a bug. The details are in the terminal of the server."
-)
 
 Task = Callable[..., bytes]
 log = logging.getLogger("crankstar.server")
@@ -102,13 +92,13 @@ class InProcesses:
     async def do(self, task: Task, *arguments: Any) -> bytes:
         """The result of a task. Raises Refused, also where it takes too long or too many wait."""
         if self.waiting >= GREATEST_WAITING:
-            raise refused(503, _(BUSY))
+            raise refused(503, "question.busy")
         self.waiting += 1
         try:
             async with asyncio.timeout(WAITING_SECONDS):
                 worker = await self.idle.get()
         except TimeoutError:
-            raise refused(503, _(BUSY)) from None
+            raise refused(503, "question.busy") from None
         finally:
             self.waiting -= 1
         work = asyncio.get_running_loop().run_in_executor(
@@ -118,9 +108,9 @@ class InProcesses:
         try:
             return _opened(await asyncio.shield(work))
         except TimeoutError:
-            raise refused(503, _(TOO_LONG, seconds=f"{self.seconds:g}")) from None
+            raise refused(503, "question.too-long", seconds=self.seconds) from None
         except (EOFError, OSError):
-            raise refused(503, _(LOST)) from None
+            raise refused(503, "question.lost") from None
 
     def _free(self, worker: _Worker, work: asyncio.Future[Any]) -> None:
         if not work.cancelled():
@@ -142,10 +132,10 @@ def _done(task: Task, arguments: tuple[Any, ...]) -> bytes | Refused:
     except Refused as refusal:
         return refusal
     except MemoryError:
-        return refused(503, _(LOST))
+        return refused(503, "question.lost")
     except Exception:
         log.exception("a task failed")
-        return refused(500, _(FAILED))
+        return refused(500, "question.failed")
 
 
 class _Worker:
