@@ -34,6 +34,15 @@ def held_in(path: Path) -> dict[str, Any]:
     return json.loads(gzip.decompress(b64decode(json.loads(found.group(1))["data"])))
 
 
+@pytest.mark.parametrize("language", ["en", "ru"])
+def test_a_page_names_the_language_that_it_is_written_in(
+    run: Run, tmp_path: Path, language: str
+) -> None:
+    place = tmp_path / "i4.html"
+    run("--lang", language, "page", "i4", "-o", str(place))
+    assert f'<html lang="{language}">' in place.read_text(encoding="utf-8")
+
+
 def test_a_page_holds_the_engine_with_its_figures_and_the_fitted_one(
     run: Run, tmp_path: Path
 ) -> None:

@@ -32,6 +32,11 @@ def spoken(language: str) -> Iterator[None]:
         _language.reset(token)
 
 
+def language() -> str:
+    """The language of the context, as HTML names it."""
+    return _language.get()
+
+
 @cache
 def _catalog(language: str) -> gettext.NullTranslations:
     """The catalog of a language; English, and what a catalog lacks, is the key itself."""

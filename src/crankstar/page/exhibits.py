@@ -134,10 +134,10 @@ def exhibit(
 
 def fitted(engine: Engine) -> Exhibit | None:
     """The engine with the weights and shafts that the verdict recommends, None if it needs none."""
-    found = fitting.recommended(engine)
-    if found is None:
+    remedy = fitting.recommended(engine)
+    if remedy is None:
         return None
-    return fitted_with(engine, found.after, factor=found.factor, description=found.description)
+    return fitted_with(engine, remedy.after, factor=remedy.factor, description=remedy.description)
 
 
 def fitted_with(

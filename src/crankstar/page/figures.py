@@ -29,7 +29,9 @@ def chart(engine: Engine, key: str) -> dict[str, Any]:
     made = _before_and_after(engine) if key == BEFORE_AND_AFTER else _single(engine, key)
     drawn = made.to_dict()
     if "params" in drawn:
-        drawn["params"] = [{"name": one["name"], "value": one["value"]} for one in drawn["params"]]
+        drawn["params"] = [
+            {"name": param["name"], "value": param["value"]} for param in drawn["params"]
+        ]
     return drawn
 
 

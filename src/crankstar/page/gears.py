@@ -65,23 +65,20 @@ def _meshes(engine: Engine, places: Sequence[Place], reach: float) -> tuple[list
     waiting = set(range(1, len(engine.shafts)))
     while waiting:
         pairs = [
-            (places[one].distance(places[other]), one, other)
-            for one in sorted(joined)
-            for other in sorted(waiting)
-            if engine.shafts[one].speed_ratio * engine.shafts[other].speed_ratio < 0
+            (places[driver].distance(places[driven]), driver, driven)
+            for driver in sorted(joined)
+            for driven in sorted(waiting)
+            if engine.shafts[driver].speed_ratio * engine.shafts[driven].speed_ratio < 0
         ]
         pairs = [pair for pair in pairs if 1e-6 * reach < pair[0] < FARTHEST * reach]
         if not pairs:
             break
-        distance, one, other = min(pairs)
-        slow = abs(engine.shafts[other].speed_ratio / engine.shafts[one].speed_ratio)
-        meshes.append(
-            Mesh(
-                one, other, (distance * float(slow / (1 + slow)), distance * float(1 / (1 + slow)))
-            )
-        )
-        joined.add(other)
-        waiting.discard(other)
+        distance, driver, driven = min(pairs)
+        ratio = abs(engine.shafts[driven].speed_ratio / engine.shafts[driver].speed_ratio)
+        radii = distance * float(ratio / (1 + ratio)), distance * float(1 / (1 + ratio))
+        meshes.append(Mesh(driver, driven, radii))
+        joined.add(driven)
+        waiting.discard(driven)
     return meshes, sorted(waiting)
 
 

@@ -6,6 +6,7 @@ import gzip
 import json
 from base64 import b64encode
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from typing import Any
 
 from crankstar.charts.drawing import ChartError
@@ -37,51 +38,30 @@ def held(
     the figure `keys.BEFORE_AND_AFTER` of an engine that is fitted with something.
     """
     shown = exhibition(engines, files_given=files_given, sources=sources, command=command)
-    pairs: list[tuple[Engine, Exhibit] | None] = list(zip(engines, shown.engines, strict=True))
-    for engine, after in zip(engines, shown.fitted, strict=True):
-        found = fitting.recommended(engine)
-        pairs.append((found.after, after) if found and after else None)
-    compared = [after is not None for after in shown.fitted]
-    steps = sum(len(pair[1].charts) + len(pair[1].derivations) for pair in pairs if pair) + sum(
-        compared
-    )
-    done = 0
+    jobs: list[tuple[Tree, Engine, str, str, Callable[[Engine, str], Any]]] = []
 
-    def one_more(note: str) -> None:
-        nonlocal done
-        tell(done, steps, note)
-        done += 1
+    def library(engine: Engine, exhibit: Exhibit) -> Tree:
+        charts, derivations = {}, {}
+        jobs.extend((charts, engine, key.key, key.label, chart) for key in exhibit.charts)
+        jobs.extend(
+            (derivations, engine, key.key, key.label, derivation) for key in exhibit.derivations
+        )
+        return {"charts": charts, "derivations": derivations}
 
-    libraries = [pair and _library(*pair, one_more) for pair in pairs]
-    for engine, library, both in zip(
-        engines, libraries, compared, strict=False
-    ):  # those of the fitted engines come after
-        if both and library:
-            one_more(_("Spectrum, before and after"))
-            library["charts"][BEFORE_AND_AFTER] = chart(engine, BEFORE_AND_AFTER)
-    return {
-        "exhibition": shown.model_dump(mode="json"),
-        "libraries": libraries[: len(engines)],
-        "fitted": libraries[len(engines) :],
-    }
-
-
-def _library(engine: Engine, shown: Exhibit, one_more: Callable[[str], None]) -> Tree:
-    charts: Tree = {}
-    for key in shown.charts:
-        one_more(key.label)
-        try:
-            charts[key.key] = chart(engine, key.key)
-        except ChartError:
-            continue
-    derivations: Tree = {}
-    for key in shown.derivations:
-        one_more(key.label)
-        try:
-            derivations[key.key] = derivation(engine, key.key)
-        except DerivationError:
-            continue
-    return {"charts": charts, "derivations": derivations}
+    libraries = [library(*pair) for pair in zip(engines, shown.engines, strict=True)]
+    fitted: list[Tree | None] = []
+    for engine, after, own in zip(engines, shown.fitted, libraries, strict=True):
+        remedy = fitting.recommended(engine)
+        fitted.append(library(remedy.after, after) if remedy and after else None)
+        if after:
+            label = _("Spectrum, before and after")
+            jobs.append((own["charts"], engine, BEFORE_AND_AFTER, label, chart))
+    for done, (shelf, engine, key, label, made) in enumerate(jobs):
+        tell(done, len(jobs), label)
+        with suppress(ChartError, DerivationError):
+            shelf[key] = made(engine, key)
+    exhibition_tree = shown.model_dump(mode="json")
+    return {"exhibition": exhibition_tree, "libraries": libraries, "fitted": fitted}
 
 
 def packed(tree: Tree) -> str:

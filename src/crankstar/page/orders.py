@@ -23,8 +23,8 @@ MINUS = "\N{MINUS SIGN}"
 
 def vectors(spectrum: Spectrum, orders: Sequence[float]) -> Vectors:
     """A vector of the clock plane at the orders of an exhibit."""
-    one = spectra.selected(spectrum, orders)
-    return Vectors(forward=pairs(one.forward), backward=pairs(one.backward))
+    chosen = spectra.selected(spectrum, orders)
+    return Vectors(forward=pairs(chosen.forward), backward=pairs(chosen.backward))
 
 
 def pairs(values: Complex) -> tuple[Pair, ...]:
@@ -64,14 +64,14 @@ def by_cylinder(
 def free_response(engine: Engine, orders: Sequence[float], *, along: float) -> Whirl:
     """How the engine moves if nothing holds it."""
     body = whirl.body(engine, along=along)
-    found = whirl.response(engine, of=body, along=along, orders=tuple(orders))
+    response = whirl.response(engine, of=body, along=along, orders=tuple(orders))
     return Whirl(
         centre=body.centre,
         mass=body.mass,
         inertia=body.inertia,
-        shift=vectors(found.shift, orders),
-        tilt=vectors(found.tilt, orders),
-        turn=signals(found.turn, orders),
+        shift=vectors(response.shift, orders),
+        tilt=vectors(response.tilt, orders),
+        turn=signals(response.turn, orders),
         assumed=body.assumed,
     )
 

@@ -98,7 +98,7 @@ def _bores(engine: Engine, assumed: list[str]) -> Real:
         if known:
             room = (
                 min(
-                    (_distance(engine, cylinder, other, 1.0) for other in _alike(engine, cylinder)),
+                    (_distance(engine, cylinder, other) for other in _alike(engine, cylinder)),
                     default=inf,
                 )
                 / PITCH
@@ -130,11 +130,10 @@ def _alike(engine: Engine, cylinder: Cylinder) -> Iterator[Cylinder]:
             yield other
 
 
-def _distance(engine: Engine, one: Cylinder, other: Cylinder, along: float) -> float:
+def _distance(engine: Engine, first: Cylinder, second: Cylinder) -> float:
     """Between two parallel axes; infinite where they are the same."""
-    across = _aside(engine, one) - _aside(engine, other)
-    found = hypot(across, (one.z - other.z) * along)
-    return found if found > 1e-9 else inf
+    distance = hypot(_aside(engine, first) - _aside(engine, second), first.z - second.z)
+    return distance if distance > 1e-9 else inf
 
 
 def _aside(engine: Engine, cylinder: Cylinder) -> float:
@@ -149,19 +148,17 @@ def _along(engine: Engine, bores: Real, assumed: list[str]) -> float:
         return 1.0
     bore = float(bores.max())
     needed = [0.0]
-    for one, other in combinations(engine.cylinders, 2):
-        gap = abs(one.z - other.z)
+    for first, second in combinations(engine.cylinders, 2):
+        gap = abs(first.z - second.z)
         if gap < 1e-9:
             continue
         parallel = (
-            any(found is other for found in _alike(engine, one))
-            and abs(_aside(engine, one) - _aside(engine, other)) < bore
+            any(alike is second for alike in _alike(engine, first))
+            and abs(_aside(engine, first) - _aside(engine, second)) < bore
         )
-        same_pin = (one.shaft, one.throw) == (other.shaft, other.throw)
-        share = (
-            PITCH if parallel else ROD if same_pin else PIN_GAP if one.shaft == other.shaft else 0.0
-        )
-        needed.append(share * bore / gap)
+        same_pin = (first.shaft, first.throw) == (second.shaft, second.throw)
+        on_shaft = PIN_GAP if first.shaft == second.shaft else 0.0
+        needed.append((PITCH if parallel else ROD if same_pin else on_shaft) * bore / gap)
     if "pitch" in engine.relative:
         assumed.append(_("The file gives no bore pitch; it is drawn as short as the bores allow."))
     elif "radius" in engine.relative and max(needed):

@@ -13,7 +13,7 @@ from hashlib import sha256
 from html import escape
 from pathlib import Path
 
-from crankstar.language.messages import N_, _
+from crankstar.language.messages import N_, _, language
 from crankstar.page.library import Tree, packed
 
 BUNDLE = Path(__file__).parents[1] / "bundle" / "crankstar.js"
@@ -78,7 +78,7 @@ def document(tree: Tree) -> str:
     return "\n".join(
         (
             "<!DOCTYPE html>",
-            '<html lang="en">',
+            f'<html lang="{language()}">',
             "<head>",
             '<meta charset="utf-8">',
             f'<meta http-equiv="Content-Security-Policy" content="{policy(script)}">',

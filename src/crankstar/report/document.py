@@ -9,7 +9,7 @@ from importlib.resources import files
 
 from crankstar import __version__
 from crankstar.derive.documents import ALIGNED
-from crankstar.language.messages import N_, _
+from crankstar.language.messages import N_, _, language
 from crankstar.report import gallery, pages, remedies, sources, title, whirling
 from crankstar.report.subject import Subject
 from crankstar.tables.html import text
@@ -55,7 +55,7 @@ def _page(name: str, inner: str) -> str:
         "form-action 'none'"
     )
     return (
-        '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
+        f'<!DOCTYPE html>\n<html lang="{language()}">\n<head>\n<meta charset="utf-8">\n'
         f'<meta http-equiv="Content-Security-Policy" content="{policy}">\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
         f"<title>{text(name)}</title>\n"

@@ -96,9 +96,8 @@ class Guard:
             }
             self._check(scope, heads)
             body = await self._body(heads, receive)
-            if (
-                scope["method"] == "HEAD"
-            ):  # asked as if for the whole answer; who sends it leaves its body out
+            if scope["method"] == "HEAD":
+                # asked as if for the whole answer; who sends it leaves its body out
                 scope = {**scope, "method": "GET"}
             await _until_left(self.application(scope, _given(body), answer.send), receive)
         except Refused as refusal:

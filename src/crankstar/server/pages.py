@@ -4,59 +4,52 @@ from __future__ import annotations
 
 import gzip
 import hashlib
+import json
 from functools import lru_cache
+from html import escape
 from importlib.resources import files
 from typing import NamedTuple
 
 from fastapi import APIRouter, Request, Response
 
+from crankstar.language.messages import _, language
 from crankstar.server.guard import PAGE_POLICY
 from crankstar.server.refusal import refused
 
-SHELL = """<!doctype html>
-<html lang="en">
+DOCUMENT = """<!doctype html>
+<html lang="%s">
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
-<title>crankstar</title>
+<title>%s</title>
 <link rel="icon" href="data:,">
-<link rel="stylesheet" href="/page.css">
-<script type="module" src="%s"></script>
+%s
 </head>
 <body>
-<div data-crankstar="server"></div>
-<noscript>This page needs JavaScript: switch it on, or use the command line (crankstar --help).</noscript>
+%s
 </body>
 </html>
 """
+HEAD = """<link rel="stylesheet" href="/page.css">
+<script type="module" src="%s"></script>"""
+BODY = """<div data-crankstar="server"></div>
+<noscript>%s</noscript>"""
 STYLE = """html, body { margin: 0; height: 100% }
 noscript, .failed { display: block; padding: 2em; font: 1rem system-ui, sans-serif }
 """
 UNBUILT = """const el = document.querySelector('[data-crankstar]')
 el.className = 'failed'
-el.textContent = 'The page was not built with this installation. In a checkout: make bundle. The API is there all the same: /docs'
+el.textContent = %s
 """
-DOCS = """<!doctype html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title>crankstar API</title>
-<link rel="icon" href="data:,">
-<link rel="stylesheet" href="/docs/swagger-ui.css">
+DOCS_HEAD = """<link rel="stylesheet" href="/docs/swagger-ui.css">
 <link rel="stylesheet" href="/docs/page.css">
 <script defer src="/docs/swagger-ui-bundle.js"></script>
-<script defer src="/docs/start.js"></script>
-</head>
-<body>
-<main id="crankstar"></main>
-<noscript>This page needs JavaScript; /openapi.json has the same as JSON.</noscript>
-</body>
-</html>
-"""
+<script defer src="/docs/start.js"></script>"""
+DOCS_BODY = """<main id="crankstar"></main>
+<noscript>This page needs JavaScript; /openapi.json has the same as JSON.</noscript>"""
 DOCS_START = """window.SwaggerUIBundle({
-  url: '/openapi.json', dom_id: '#crankstar', deepLinking: true, validatorUrl: null, tryItOutEnabled: true,
-  presets: [window.SwaggerUIBundle.presets.apis],
+  url: '/openapi.json', dom_id: '#crankstar', deepLinking: true, validatorUrl: null,
+  tryItOutEnabled: true, presets: [window.SwaggerUIBundle.presets.apis],
 })
 """
 DOCS_STYLE = "body { margin: 0; background: #fff }\n"
@@ -123,53 +116,43 @@ def _file(request: Request, name: str, kind: str) -> Response:
 @router.get("/")
 async def page() -> Response:
     """The page on which the engine turns."""
-    found = asset("crankstar.js")
-    return _text(SHELL % ("/unbuilt.js" if found is None else f"/app.js?v={found.digest}"), HTML)
-
-
-@router.get("/page.css")
-async def style() -> Response:
-    """What the page looks like until the bundle is there."""
-    return _text(STYLE, CSS)
+    script = asset("crankstar.js")
+    source = "/unbuilt.js" if script is None else f"/app.js?v={script.digest}"
+    needed = _(
+        "This page needs JavaScript: switch it on, or use the command line (crankstar --help)."
+    )
+    text = DOCUMENT % (language(), "crankstar", HEAD % source, BODY % escape(needed))
+    return _text(text, HTML)
 
 
 @router.get("/unbuilt.js")
 async def unbuilt() -> Response:
     """What says that there is no bundle."""
-    return _text(UNBUILT, SCRIPT)
+    sentence = _(
+        "The page was not built with this installation. In a checkout: make bundle. The API is "
+        "there all the same: /docs"
+    )
+    return _text(UNBUILT % json.dumps(sentence), SCRIPT)
 
 
-@router.get("/app.js")
-async def bundle(request: Request) -> Response:
-    """The bundle."""
-    return _file(request, "crankstar.js", SCRIPT)
+TEXTS = {
+    "/page.css": (STYLE, CSS),
+    "/docs": (DOCUMENT % ("en", "crankstar API", DOCS_HEAD, DOCS_BODY), HTML),
+    "/docs/page.css": (DOCS_STYLE, CSS),
+    "/docs/start.js": (DOCS_START, SCRIPT),
+}
+FILES = {
+    "/app.js": ("crankstar.js", SCRIPT),
+    "/docs/swagger-ui-bundle.js": ("swagger-ui-bundle.js", SCRIPT),
+    "/docs/swagger-ui.css": ("swagger-ui.css", CSS),
+}
+"""Texts and files of the bundle by their address; the API for people is Swagger UI."""
 
 
-@router.get("/docs")
-async def docs() -> Response:
-    """The API for people."""
-    return _text(DOCS, HTML)
+async def _answer(request: Request) -> Response:
+    path = request.scope["path"]
+    return _text(*TEXTS[path]) if path in TEXTS else _file(request, *FILES[path])
 
 
-@router.get("/docs/page.css")
-async def docs_style() -> Response:
-    """The ground of that page."""
-    return _text(DOCS_STYLE, CSS)
-
-
-@router.get("/docs/start.js")
-async def docs_start() -> Response:
-    """What starts it."""
-    return _text(DOCS_START, SCRIPT)
-
-
-@router.get("/docs/swagger-ui-bundle.js")
-async def docs_script(request: Request) -> Response:
-    """Swagger UI."""
-    return _file(request, "swagger-ui-bundle.js", SCRIPT)
-
-
-@router.get("/docs/swagger-ui.css")
-async def docs_sheet(request: Request) -> Response:
-    """What it looks like."""
-    return _file(request, "swagger-ui.css", CSS)
+for _path in (*TEXTS, *FILES):
+    router.get(_path)(_answer)
