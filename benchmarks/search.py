@@ -85,7 +85,7 @@ def fronts() -> list[tuple[str, str, str]]:
     out: list[tuple[str, str, str]] = []
     for cylinders, budget in BUDGETS.items():
         found, seconds = timed(cylinders, runs=9 if cylinders < 15 else 1)
-        what = f"proven front (M1, M2) of {cylinders} cylinders, {len(groups(found.found))} points, one process, warm"
+        what = f"proven front (M1, M2) of {cylinders} cylinders, {len(groups(found.results))} points, one process, warm"
         out.append((what, f"{seconds:.3g} s", f"{budget:g} s" if budget else ""))
     return out
 
@@ -100,8 +100,8 @@ def against_exhaustive() -> list[tuple[str, str, str]]:
         plain = exhaustive.front(cylinders)
         slow = perf_counter() - began
         ours = [
-            found.found.values[group[0]] * halves(found.question).unit
-            for group in groups(found.found)
+            found.results.values[group[0]] * halves(found.question).unit
+            for group in groups(found.results)
         ]
         if any(min(np.abs(np.array(point) - one).max() for one in ours) > SAME for point in plain):
             raise AssertionError(f"the fronts of {cylinders} cylinders differ")

@@ -9,7 +9,7 @@ from crankstar.search import results
 from crankstar.search.question import All, Best, Front
 from crankstar.search.results import Results
 
-ASKS = [Front(), Front(examples=2), Front(examples=1), Best(1), Best(5), All(), All(greatest=4)]
+ASKS = [Front(), Front(2), Front(1), Best(1), Best(5), All(), All(4)]
 
 
 @st.composite
@@ -65,7 +65,7 @@ def test_any_parts_in_any_order_make_the_same_whole(ask, rows, data):
 
 @given(rows=finds(), examples=st.integers(1, 3))
 def test_a_front_has_what_nothing_betters_and_counts_all_of_it(rows, examples):
-    found = results.merged([part(rows)], Front(examples=examples))
+    found = results.merged([part(rows)], Front(examples))
     points = {tuple(np.round(value * 3).astype(int).tolist()) for _, value, _ in rows}
     best = {p for p in points if not any(q != p and q[0] <= p[0] and q[1] <= p[1] for q in points)}
     counts = dict.fromkeys(best, 0)
@@ -83,7 +83,7 @@ def test_a_front_has_what_nothing_betters_and_counts_all_of_it(rows, examples):
 
 @given(rows=finds())
 def test_a_list_counts_what_it_does_not_keep(rows):
-    found = results.merged([part(rows)], All(greatest=3))
+    found = results.merged([part(rows)], All(3))
     assert len(found) == min(3, len({star for star, _, _ in rows}))
     assert int(found.times.sum()) + found.beyond == sum(times for _, _, times in rows)
 
@@ -100,5 +100,5 @@ def test_a_wider_search_that_was_stopped_adds_only_what_is_new(ask, rows, data):
 
 @given(rows=finds())
 def test_a_harvest_is_the_same_after_it_was_written(rows):
-    found = results.merged([part(rows)], All(greatest=5))
+    found = results.merged([part(rows)], All(5))
     assert plain(results.from_json(results.as_json(found), 2, 4)) == plain(found)

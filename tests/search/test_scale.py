@@ -279,7 +279,7 @@ def test_an_interrupt_gives_what_was_found_and_the_search_goes_on_from_there(
         assert part.certificate.interrupted
         assert not part.certificate.complete
         assert part.rows
-        assert 0 < outcome.found.met < middle.certificate.met
+        assert 0 < outcome.results.met < middle.certificate.met
     told = []
     assert (
         answer_to(
@@ -314,7 +314,7 @@ def test_a_search_stopped_in_a_wider_attempt_still_has_what_the_narrower_one_fou
     assert outcome.interrupted
     assert outcome.attempts < whole.attempts + 1
     assert {star.tobytes() for star in before.stars} <= {
-        star.tobytes() for star in outcome.found.stars
+        star.tobytes() for star in outcome.results.stars
     }
 
 
@@ -360,7 +360,7 @@ if __name__ == "__main__":
     with executors.processes(2) if sys.argv[1] == "2" else nullcontext() as workers:
         kept = checkpoint.opened(run.checkpoints.Path(sys.argv[2]), question)
         outcome = run.searched(question, workers=workers, range_size=8, checkpoint=kept, watch=told)
-    print("ended", outcome.interrupted, outcome.complete, len(outcome.found), flush=True)
+    print("ended", outcome.interrupted, outcome.complete, len(outcome.results), flush=True)
 """
 
 

@@ -62,7 +62,7 @@ class Order:
 
 
 def _spread(rows: Sequence[Sequence[float]]) -> float:
-    squares = [(one - fsum(row) / len(row)) ** 2 for row in rows for one in row]
+    squares = [(interval - fsum(row) / len(row)) ** 2 for row in rows for interval in row]
     return round(sqrt(fsum(squares) / len(squares)), 6) if squares else 0.0
 
 
@@ -75,7 +75,7 @@ def even_orders(engine: Engine, *, tolerance_deg: float = SAME_PLACE) -> tuple[O
     `orders_at` does.
 
     >>> from crankstar.files.catalog import load
-    >>> ["-".join(map(str, one.firing.order)) for one in even_orders(load("i4"))]
+    >>> ["-".join(map(str, order.firing.order)) for order in even_orders(load("i4"))]
     ['1-2-4-3', '1-3-4-2']
     >>> len(even_orders(load("v8-cross-plane")))
     8
@@ -99,12 +99,12 @@ def orders_at(
     than GREATEST_COUNT orders.
 
     >>> from crankstar.files.catalog import load
-    >>> [one.firing.intervals_deg for one in orders_at(load("harley-45"), intervals_deg=(315, 405))]
+    >>> [order.firing.intervals_deg for order in orders_at(load("harley-45"), intervals_deg=(315, 405))]
     [(315.0, 405.0)]
     """
     _sensible(engine, intervals_deg, tolerance_deg)
-    found = turns(engine)
-    return _ranked(engine, _fired(found, _reaches(found, intervals_deg, tolerance_deg)))
+    centres = turns(engine)
+    return _ranked(engine, _fired(centres, _reaches(centres, intervals_deg, tolerance_deg)))
 
 
 def possible_orders(engine: Engine, *, together: bool = False) -> tuple[Order, ...]:
@@ -114,14 +114,15 @@ def possible_orders(engine: Engine, *, together: bool = False) -> tuple[Order, .
     more than GREATEST_COUNT.
 
     >>> from crankstar.files.catalog import load
-    >>> [one.firing.intervals_deg for one in possible_orders(load("harley-45"))]
+    >>> [order.firing.intervals_deg for order in possible_orders(load("harley-45"))]
     [(315.0, 405.0), (675.0, 45.0)]
     """
-    found = turns(engine)
-    reaches = [reach_of_all(found, start=start, together=together) for start in found.starts]
+    centres = turns(engine)
+    reaches = [reach_of_all(centres, start=start, together=together) for start in centres.starts]
     return tuple(
         sorted(
-            _ranked(engine, _fired(found, reaches)), key=lambda one: round(one.unevenness_deg, 3)
+            _ranked(engine, _fired(centres, reaches)),
+            key=lambda order: round(order.unevenness_deg, 3),
         )
     )
 
@@ -156,11 +157,11 @@ def unevenness(engine: Engine) -> float:
     >>> unevenness(load("harley-45"))
     45.0
     """
-    found, count = turns(engine), len(engine.chambers)
-    instants = [place * found.cycle_deg / count for place in range(count)]
-    best = found.cycle_deg
-    for start in found.starts:
-        whole = reach_of(found, instants, start=start, tolerance_deg=found.cycle_deg)
+    centres, count = turns(engine), len(engine.chambers)
+    instants = [place * centres.cycle_deg / count for place in range(count)]
+    best = centres.cycle_deg
+    for start in centres.starts:
+        whole = reach_of(centres, instants, start=start, tolerance_deg=centres.cycle_deg)
         gaps = {
             number: {place: abs(angle - start - instants[place]) for place, angle in own.items()}
             for number, own in whole.items()
@@ -232,36 +233,36 @@ def _sensible(engine: Engine, intervals_deg: Sequence[float], tolerance_deg: flo
         raise OrderError("orders.intervals-count", count=len(intervals_deg), firings=count)
     if min(intervals_deg) < 0 or abs(fsum(intervals_deg) - cycle) > 1e-6 * cycle:
         raise OrderError("orders.intervals-sum", values=list(intervals_deg), cycle=cycle)
-    least = min(one for one in intervals_deg if one > 0)
+    least = min(interval for interval in intervals_deg if interval > 0)
     if not 0 <= tolerance_deg < least / 2:
         raise OrderError("orders.tolerance", value=tolerance_deg, most=least / 2)
 
 
-def _reaches(found: Turns, intervals_deg: Sequence[float], tolerance_deg: float) -> list[Reach]:
+def _reaches(centres: Turns, intervals_deg: Sequence[float], tolerance_deg: float) -> list[Reach]:
     """Who can fire when, for each start of the cycle and each of the intervals that can be the first."""
     count = len(intervals_deg)
     turned = {tuple(intervals_deg[first:]) + tuple(intervals_deg[:first]) for first in range(count)}
     out: list[Reach] = []
-    for row, start in product(sorted(turned), found.starts):
+    for row, start in product(sorted(turned), centres.starts):
         instants = [fsum(row[:place]) for place in range(count)]
-        out.append(reach_of(found, instants, start=start, tolerance_deg=tolerance_deg))
+        out.append(reach_of(centres, instants, start=start, tolerance_deg=tolerance_deg))
     return out
 
 
-def _fired(found: Turns, reaches: Sequence[Reach]) -> list[Firing]:
+def _fired(centres: Turns, reaches: Sequence[Reach]) -> list[Firing]:
     """The firings of all ways of all timetables, each once."""
     listed = [ways(reach) for reach in reaches]
-    count = sum(prod(len(group) for group in one) for one in listed)
+    count = sum(prod(len(group) for group in groups) for groups in listed)
     if count > GREATEST_COUNT:
         raise OrderError("orders.too-many", total=count if count < 1e12 else float(count))
     fired: dict[tuple[tuple[float, int], ...], Firing] = {}
-    for one in listed:
-        for way in product(*one):
+    for groups in listed:
+        for way in product(*groups):
             angles = {number: angle for part in way for number, angle in part.items()}
-            cycle = _from_lowest(angles, found.cycle_deg)
+            cycle = _from_lowest(angles, centres.cycle_deg)
             fired.setdefault(
                 tuple((round(angle, 6), number) for number, angle in cycle),
-                _firing(cycle, found.cycle_deg),
+                _firing(cycle, centres.cycle_deg),
             )
     return list(fired.values())
 
@@ -287,28 +288,28 @@ def _firing(cycle: Sequence[tuple[int, float]], cycle_deg: float) -> Firing:
 def _ranked(engine: Engine, fired: Sequence[Firing]) -> tuple[Order, ...]:
     side_by_side, on_a_pin = neighbours(engine), partners(engine)
     banks = _exhausts(engine)
-    found = [
+    orders = [
         Order(
-            one,
+            cycle,
             {
-                name: tuple(step.interval_deg for step in followers(one, group))
+                name: tuple(step.interval_deg for step in followers(cycle, group))
                 for name, group in banks.items()
             },
-            in_succession(one, side_by_side),
-            in_succession(one, on_a_pin),
+            in_succession(cycle, side_by_side),
+            in_succession(cycle, on_a_pin),
         )
-        for one in fired
+        for cycle in fired
     ]
-    return tuple(sorted(found, key=_merit))
+    return tuple(sorted(orders, key=_merit))
 
 
-def _merit(one: Order) -> tuple[object, ...]:
+def _merit(order: Order) -> tuple[object, ...]:
     return (
-        len(one.neighbours),
-        one.bank_unevenness_deg,
-        len(one.partners),
-        one.firing.order,
-        one.firing.angles_deg,
+        len(order.neighbours),
+        order.bank_unevenness_deg,
+        len(order.partners),
+        order.firing.order,
+        order.firing.angles_deg,
     )
 
 
@@ -331,11 +332,11 @@ def place_of(engine: Engine, orders: Sequence[Order]) -> int | None:
         return None
     centres = dict(zip(own.order, own.angles_deg, strict=True))
     ours = _firing(_from_lowest(centres, own.cycle_deg), own.cycle_deg)
-    for place, one in enumerate(orders):
+    for place, order in enumerate(orders):
         same = all(
             abs(a - b) < 1e-3
-            for a, b in zip(one.firing.intervals_deg, ours.intervals_deg, strict=True)
+            for a, b in zip(order.firing.intervals_deg, ours.intervals_deg, strict=True)
         )
-        if one.firing.order == ours.order and same:
+        if order.firing.order == ours.order and same:
             return place
     return None

@@ -22,7 +22,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import permutations
+from itertools import pairwise, permutations
 from math import degrees
 from typing import Literal, NamedTuple
 
@@ -85,7 +85,7 @@ class WorkingCycle:
 
     def chamber(self, number: int) -> ChamberStrokes:
         """What the chamber of that number does."""
-        return next(one for one in self.chambers if one.number == number)
+        return next(chamber for chamber in self.chambers if chamber.number == number)
 
 
 class ExhaustGroup(NamedTuple):
@@ -126,73 +126,50 @@ def working_cycle(engine: Engine) -> WorkingCycle:
         raise EngineError([Fault(("firing_order",), "strokes.no-firing-order")])
     fired = firing(engine)
     tops, bottoms = dead_centres(engine), bottom_dead_centres(engine)
-    turns = 2 if engine.cycle == "four-stroke" else 1
-    _checked(tops, fired.cycle_deg / turns, engine.cycle)
-    found = timing(engine.valves, cycle=engine.cycle)
-    angles = dict(zip(fired.order, fired.angles_deg, strict=True))
-    chambers = []
-    for number in engine.chambers:
-        down = (bottoms[number].angle_deg - tops[number].angle_deg) % tops[number].period_deg
-        work = _four_strokes if engine.cycle == "four-stroke" else _two_strokes
-        chambers.append(
-            work(
-                number, angles[number], down_deg=down, turn_deg=tops[number].period_deg, found=found
-            )
-        )
-    return WorkingCycle(fired, found, tuple(chambers))
-
-
-def _checked(tops: dict[int, DeadCentre], turn_deg: float, cycle: Cycle) -> None:
-    """Refuse chambers that do not come to top dead centre once for every two strokes."""
-    astray = [number for number, top in tops.items() if abs(top.period_deg - turn_deg) > EVEN]
+    turn = fired.cycle_deg / (2 if engine.cycle == "four-stroke" else 1)
+    astray = [number for number, top in tops.items() if abs(top.period_deg - turn) > EVEN]
     if astray:
-        values = {
-            "numbers": astray,
-            "period": tops[astray[0]].period_deg,
-            "cycle_name": cycle,
-            "turn": turn_deg,
-        }
+        period = tops[astray[0]].period_deg
+        values = {"numbers": astray, "period": period, "cycle_name": engine.cycle, "turn": turn}
         raise EngineError([Fault(("cylinders",), "strokes.different-periods", values)])
+    events = timing(engine.valves, cycle=engine.cycle)
+    angles = dict(zip(fired.order, fired.angles_deg, strict=True))
+    chambers = tuple(
+        _strokes(number, angles[number], tops[number], bottoms[number], events, engine.cycle)
+        for number in engine.chambers
+    )
+    return WorkingCycle(fired, events, chambers)
 
 
-def _four_strokes(
-    number: int, fires: float, *, down_deg: float, turn_deg: float, found: Timing
+def _strokes(
+    number: int, fires: float, top: DeadCentre, bottom: DeadCentre, events: Timing, kind: Cycle
 ) -> ChamberStrokes:
-    bottom, top, cycle = fires + down_deg, fires + turn_deg, 2 * turn_deg
-    ends = (fires, bottom, top, top + down_deg, fires + cycle)
-    names: tuple[StrokeName, ...] = ("power", "exhaust", "intake", "compression")
-    opens = bottom - degrees(found.exhaust_opens)
+    turn = top.period_deg
+    down = (bottom.angle_deg - top.angle_deg) % turn
+    names: tuple[StrokeName, ...] = ("power", "compression")
+    # at these dead centres intake and exhaust open and close
+    intake_opens = intake_closes = exhaust_opens = exhaust_closes = fires + down
+    if kind == "four-stroke":
+        names = ("power", "exhaust", "intake", "compression")
+        intake_opens = exhaust_closes = fires + turn
+        intake_closes = fires + turn + down
+    intake_opens -= degrees(events.intake_opens)
+    intake_closes += degrees(events.intake_closes)
+    exhaust_opens -= degrees(events.exhaust_opens)
+    exhaust_closes += degrees(events.exhaust_closes)
+    blown = fires + down if kind == "four-stroke" else min(intake_opens, exhaust_closes)
+    cycle = turn * len(names) / 2
+    ends = [fires + turn * (j // 2) + down * (j % 2) for j in range(len(names) + 1)]
     return ChamberStrokes(
         number,
         _window(fires, fires, cycle).start_deg,
         tuple(
             Stroke(name, _window(a, b, cycle))
-            for name, a, b in zip(names, ends, ends[1:], strict=False)
+            for name, (a, b) in zip(names, pairwise(ends), strict=True)
         ),
-        _window(
-            top - degrees(found.intake_opens), top + down_deg + degrees(found.intake_closes), cycle
-        ),
-        _window(opens, top + degrees(found.exhaust_closes), cycle),
-        _window(opens, bottom, cycle),
-    )
-
-
-def _two_strokes(
-    number: int, fires: float, *, down_deg: float, turn_deg: float, found: Timing
-) -> ChamberStrokes:
-    bottom, cycle = fires + down_deg, turn_deg
-    opens, closes = bottom - degrees(found.exhaust_opens), bottom + degrees(found.exhaust_closes)
-    scavenged = bottom - degrees(found.intake_opens)
-    return ChamberStrokes(
-        number,
-        _window(fires, fires, cycle).start_deg,
-        (
-            Stroke("power", _window(fires, bottom, cycle)),
-            Stroke("compression", _window(bottom, fires + cycle, cycle)),
-        ),
-        _window(scavenged, bottom + degrees(found.intake_closes), cycle),
-        _window(opens, closes, cycle),
-        _window(opens, min(scavenged, closes), cycle),
+        _window(intake_opens, intake_closes, cycle),
+        _window(exhaust_opens, exhaust_closes, cycle),
+        _window(exhaust_opens, blown, cycle),
     )
 
 
@@ -215,8 +192,8 @@ def exhaust_groups(engine: Engine) -> tuple[ExhaustGroup, ...]:
     """
     if engine.valves is not None and engine.valves.manifolds:
         return tuple(
-            ExhaustGroup(f"manifold {', '.join(map(str, one))}", one)
-            for one in engine.valves.manifolds
+            ExhaustGroup(f"manifold {', '.join(map(str, manifold))}", manifold)
+            for manifold in engine.valves.manifolds
         )
     first = {pistons[0].number: number for number, pistons in engine.chambers.items()}
     groups = [
@@ -229,7 +206,7 @@ def exhaust_groups(engine: Engine) -> tuple[ExhaustGroup, ...]:
     )
 
 
-def exhaust_intervals(found: WorkingCycle, group: Sequence[int]) -> tuple[Follower, ...]:
+def exhaust_intervals(strokes: WorkingCycle, group: Sequence[int]) -> tuple[Follower, ...]:
     """Each exhaust opening in a group and the next one, once round the cycle.
 
     They are the intervals between the firings, but where bottom dead centre comes later after one
@@ -240,13 +217,16 @@ def exhaust_intervals(found: WorkingCycle, group: Sequence[int]) -> tuple[Follow
     [270.0, 180.0, 90.0, 180.0]
     """
     events = []
-    for number, angle in zip(found.firing.order, found.firing.angles_deg, strict=True):
+    for number, angle in zip(strokes.firing.order, strokes.firing.angles_deg, strict=True):
         if number in group:
-            one = found.chamber(number)
+            chamber = strokes.chamber(number)
             events.append(
-                (number, angle + (one.exhaust.start_deg - one.fires_deg) % found.cycle_deg)
+                (
+                    number,
+                    angle + (chamber.exhaust.start_deg - chamber.fires_deg) % strokes.cycle_deg,
+                )
             )
-    return once_round(sorted(events, key=lambda event: event[1]), cycle_deg=found.cycle_deg)
+    return once_round(sorted(events, key=lambda event: event[1]), cycle_deg=strokes.cycle_deg)
 
 
 def are_even(steps: Sequence[Follower]) -> bool:
@@ -279,7 +259,7 @@ def length_deg(windows: Sequence[Window]) -> float:
     return round(sum((window.length_deg for window in windows), 0.0), 9)
 
 
-def disturbances(found: WorkingCycle, group: Sequence[int]) -> tuple[Disturbance, ...]:
+def disturbances(strokes: WorkingCycle, group: Sequence[int]) -> tuple[Disturbance, ...]:
     """Blow-down into the open exhaust of another chamber of the group, in firing order.
 
     >>> from crankstar.files.catalog import load
@@ -287,27 +267,32 @@ def disturbances(found: WorkingCycle, group: Sequence[int]) -> tuple[Disturbance
 
     Chamber 7 blows down into the exhaust of 5, which opened 90 deg before:
 
-    >>> [one for one in disturbances(cycle, (1, 3, 5, 7)) if one.blowing == 7]
+    >>> [each for each in disturbances(cycle, (1, 3, 5, 7)) if each.blowing == 7]
     [Disturbance(blowing=7, disturbed=5, exhaust_open_deg=50.0, both_open_deg=0.0)]
     """
-    cycle = found.cycle_deg
-    members = [found.chamber(number) for number in found.firing.order if number in group]
-    blows = {one.number: pieces(one.blow_down, cycle_deg=cycle) for one in members}
+    cycle = strokes.cycle_deg
+    members = [strokes.chamber(number) for number in strokes.firing.order if number in group]
+    blows = {chamber.number: pieces(chamber.blow_down, cycle_deg=cycle) for chamber in members}
     flows = {
-        one.number: pieces(
-            _window(one.blow_down.end_deg, one.exhaust.end_deg, cycle), cycle_deg=cycle
+        chamber.number: pieces(
+            _window(chamber.blow_down.end_deg, chamber.exhaust.end_deg, cycle), cycle_deg=cycle
         )
-        for one in members
+        for chamber in members
     }
     both = {
-        one.number: common(flows[one.number], pieces(one.intake, cycle_deg=cycle))
-        for one in members
+        chamber.number: common(flows[chamber.number], pieces(chamber.intake, cycle_deg=cycle))
+        for chamber in members
     }
     out = []
-    for one, other in permutations([member.number for member in members], 2):
-        open_deg = length_deg(common(blows[one], flows[other]))
+    for blowing, disturbed in permutations([member.number for member in members], 2):
+        open_deg = length_deg(common(blows[blowing], flows[disturbed]))
         if open_deg > EVEN:
             out.append(
-                Disturbance(one, other, open_deg, length_deg(common(blows[one], both[other])))
+                Disturbance(
+                    blowing,
+                    disturbed,
+                    open_deg,
+                    length_deg(common(blows[blowing], both[disturbed])),
+                )
             )
     return tuple(out)

@@ -58,7 +58,7 @@ def neighbours(engine: Engine) -> frozenset[frozenset[int]]:
     }
     rows = (sorted(numbers, key=places.__getitem__) for numbers in engine.banks.values())
     return _different(
-        (chamber[one], chamber[other]) for row in rows for one, other in pairwise(row)
+        (chamber[number], chamber[other]) for row in rows for number, other in pairwise(row)
     )
 
 
@@ -70,7 +70,7 @@ def partners(engine: Engine) -> frozenset[frozenset[int]]:
             cylinder.chamber or cylinder.number
         )
     return _different(
-        (one, other) for numbers in on.values() for one in numbers for other in numbers
+        (number, other) for numbers in on.values() for number in numbers for other in numbers
     )
 
 

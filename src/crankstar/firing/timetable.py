@@ -71,18 +71,18 @@ def off(angle_deg: float, *, cycle_deg: float) -> float:
 
 
 def reach_of(
-    found: Turns, instants_deg: Sequence[float], *, start: float, tolerance_deg: float
+    centres: Turns, instants_deg: Sequence[float], *, start: float, tolerance_deg: float
 ) -> Reach:
     """The chambers that can fire at each instant, degrees from `start`; 0 is the anchor's."""
     out: dict[int, dict[int, float]] = {}
-    for number, angles in found.angles.items():
-        if number == found.anchor:
+    for number, angles in centres.angles.items():
+        if number == centres.anchor:
             out[number] = {0: start}
             continue
         gaps: dict[int, float] = {}
         for place, instant in enumerate(instants_deg):
             gaps[place] = min(
-                (off(angle - start - instant, cycle_deg=found.cycle_deg) for angle in angles),
+                (off(angle - start - instant, cycle_deg=centres.cycle_deg) for angle in angles),
                 key=abs,
             )
         out[number] = {
@@ -93,28 +93,28 @@ def reach_of(
     return out
 
 
-def reach_of_all(found: Turns, *, start: float, together: bool) -> Reach:
+def reach_of_all(centres: Turns, *, start: float, together: bool) -> Reach:
     """The chambers that can fire at each dead centre.
 
     A place for each instant, or, if several may fire `together`, for each chamber.
     """
-    out: dict[int, dict[int, float]] = {number: {} for number in found.angles}
+    out: dict[int, dict[int, float]] = {number: {} for number in centres.angles}
     last, place = -1.0, -1
     wanted = [
-        (start + (angle - start) % found.cycle_deg, number)
-        for number, own in found.angles.items()
+        (start + (angle - start) % centres.cycle_deg, number)
+        for number, own in centres.angles.items()
         for angle in own
     ]
     wanted = [
-        (start if found.cycle_deg - angle + start < SAME_ANGLE else angle, number)
+        (start if centres.cycle_deg - angle + start < SAME_ANGLE else angle, number)
         for angle, number in wanted
     ]
     for angle, number in sorted(wanted):
         place += together or place < 0 or angle - last > SAME_ANGLE
         last = angle
         out[number][place] = angle
-    out[found.anchor] = {
-        place: angle for place, angle in out[found.anchor].items() if angle == start
+    out[centres.anchor] = {
+        place: angle for place, angle in out[centres.anchor].items() if angle == start
     }
     return out
 
@@ -164,10 +164,10 @@ def ways(reach: Reach) -> list[list[dict[int, float]]]:
         return [[]]
     out: list[list[dict[int, float]]] = []
     for members in groups(reach):
-        found = list(islice(_ways(reach, members, frozenset()), GREATEST_COUNT + 1))
-        if len(found) > GREATEST_COUNT:
+        listed = list(islice(_ways(reach, members, frozenset()), GREATEST_COUNT + 1))
+        if len(listed) > GREATEST_COUNT:
             raise OrderError("orders.more-than", greatest=GREATEST_COUNT)
-        out.append(found)
+        out.append(listed)
     return out
 
 
@@ -177,7 +177,7 @@ def _ways(
     if not members:
         yield {}
         return
-    number, *rest = sorted(members, key=lambda one: len(reach[one].keys() - taken))
+    number, *rest = sorted(members, key=lambda chamber: len(reach[chamber].keys() - taken))
     for place, angle in reach[number].items():
         if place not in taken:
             for way in _ways(reach, rest, taken | {place}):

@@ -94,7 +94,7 @@ def _harmonics() -> tuple[float, ...]:
 def _left(vectors: Sequence[Vector]) -> float:
     first, *others = vectors
     return first.backward + sum(
-        one.greatest * size for one, size in zip(others, _harmonics()[1:], strict=True)
+        vector.greatest * size for vector, size in zip(others, _harmonics()[1:], strict=True)
     )
 
 
@@ -117,7 +117,7 @@ def vees(
     to `greatest_split_deg` the usual ones). Pins are split by the least angle that makes the engine
     fire evenly, either way if both do. Raises OrderError where the numbers cannot be meant.
 
-    >>> [(one.bank_angle_deg, one.pin_split_deg) for one in vees(cylinders=6, bank_angles_deg=(60, 90, 120))]
+    >>> [(vee.bank_angle_deg, vee.pin_split_deg) for vee in vees(cylinders=6, bank_angles_deg=(60, 90, 120))]
     [(60.0, 60.0), (90.0, 30.0), (120.0, 0.0), (60.0, -60.0)]
     >>> cross = vees(cylinders=8, bank_angles_deg=(90,))[0]
     >>> round(cross.couple[0].forward ** 2, 6), cross.counterweights_suffice
@@ -137,22 +137,22 @@ def vees(
         raise OrderError("vees.bank-angle")
     if greatest_split_deg is not None and not greatest_split_deg >= 0:
         raise OrderError("vees.pin-split")
-    found: list[Vee] = []
+    solutions: list[Vee] = []
     for angle in angles:
         for split, shift, classes in _least_splits(angle, interval, cylinders // 2):
             if greatest_split_deg is None or abs(split) <= greatest_split_deg + SAME_PLACE:
-                found += _by_balance(cylinders, cycle, angle, split, shift, classes)
-    return tuple(sorted(found, key=_merit))
+                solutions += _by_balance(cylinders, cycle, angle, split, shift, classes)
+    return tuple(sorted(solutions, key=_merit))
 
 
-def _merit(one: Vee) -> tuple[float, ...]:
-    to_balance = one.force[0].forward + one.couple[0].forward
+def _merit(vee: Vee) -> tuple[float, ...]:
+    to_balance = vee.force[0].forward + vee.couple[0].forward
     return (
-        round(one.left, 6),
+        round(vee.left, 6),
         round(to_balance, 6),
-        abs(one.pin_split_deg),
-        one.bank_angle_deg,
-        one.pin_split_deg,
+        abs(vee.pin_split_deg),
+        vee.bank_angle_deg,
+        vee.pin_split_deg,
     )
 
 
@@ -166,25 +166,25 @@ def _least_splits(
 ) -> list[tuple[float, int, np.ndarray]]:
     """The least pin splits (degrees) for even firing, each with its shift and stars [star, pin]."""
     classes = round(360 / interval)
-    tried = sorted(
+    shifts = sorted(
         (
             (-round(off(shift * interval + bank_angle, cycle_deg=360.0), DIGITS), shift)
             for shift in range(classes)
         ),
         key=_size,
     )
-    found: list[tuple[float, int, np.ndarray]] = []
-    for split, shift in tried:
-        if found and abs(split) > abs(found[0][0]) + SAME_PLACE:
+    splits: list[tuple[float, int, np.ndarray]] = []
+    for split, shift in shifts:
+        if splits and abs(split) > abs(splits[0][0]) + SAME_PLACE:
             break
         listed = stars(pins=pins, classes=classes, shift=shift)
         if len(listed):
-            found.append((split if abs(split) > SAME_PLACE / 2 else 0.0, shift, listed))
-    return found
+            splits.append((split if abs(split) > SAME_PLACE / 2 else 0.0, shift, listed))
+    return splits
 
 
-def _size(tried: tuple[float, int]) -> tuple[float, float]:
-    return abs(tried[0]), tried[0]
+def _size(split: tuple[float, int]) -> tuple[float, float]:
+    return abs(split[0]), split[0]
 
 
 def stars(*, pins: int, classes: int, shift: int) -> np.ndarray:
@@ -256,12 +256,12 @@ def _kinds(listed: np.ndarray, classes: int) -> np.ndarray:
     """A number for each star that it shares with its mirror image and with itself seen from the other end."""
     weights = classes ** np.arange(listed.shape[1])[::-1]
     reverse = listed[:, ::-1]
-    seen = [
+    images = [
         (sign * (own - own[:, :1])) % classes @ weights
         for own in (listed.astype(np.int64), reverse.astype(np.int64))
         for sign in (1, -1)
     ]
-    return np.min(seen, axis=0)
+    return np.min(images, axis=0)
 
 
 def pushes(listed: np.ndarray, *, bank_angle_deg: float, shift: int, interval: float) -> Complex:

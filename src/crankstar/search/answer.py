@@ -101,37 +101,37 @@ def answer_to(
 
 def read(outcome: Outcome) -> Answer:
     """An outcome in the units of the question, zeros proved, functions evaluated."""
-    question, found = outcome.question, outcome.found
-    found = _proved(question, found)
+    question, listed = outcome.question, outcome.results
+    listed = _proved(question, listed)
     if question.functions:
-        found = _evaluated(question, found)
+        listed = _evaluated(question, listed)
     unit = (*halves(outcome.asked).unit, *(1.0 for _ in question.functions))
-    rows = tuple(_finding(question, found, group, unit) for group in _groups(question, found))
-    stars = None if isinstance(question.ask, Best) else int(found.times.sum()) + found.beyond
+    rows = tuple(_finding(question, listed, group, unit) for group in _groups(question, listed))
+    stars = None if isinstance(question.ask, Best) else int(listed.times.sum()) + listed.beyond
     return Answer(question, rows, stars, _certificate(outcome))
 
 
-def _groups(question: Question, found: Results) -> list[np.ndarray]:
+def _groups(question: Question, listed: Results) -> list[np.ndarray]:
     """Rows that make one finding: those of equal values in a front, each by itself in a list."""
     if isinstance(question.ask, Front):
-        return results.groups(found)
-    return list(np.arange(len(found)).reshape(-1, 1))
+        return results.groups(listed)
+    return list(np.arange(len(listed)).reshape(-1, 1))
 
 
 def _finding(
-    question: Question, found: Results, group: np.ndarray, unit: Sequence[float]
+    question: Question, listed: Results, group: np.ndarray, unit: Sequence[float]
 ) -> AnswerRow:
     stars = question.stars
-    every = [stars.whole(tuple(int(d) for d in found.stars[row])) for row in group]
+    every = [stars.whole(tuple(int(d) for d in listed.stars[row])) for row in group]
     ordered = sorted(every, key=lambda star: succeeding(stars, star)) if len(every) > 1 else every
     values = tuple(
         float(value) * size
-        for value, size in zip(found.values[group[0], : len(unit)], unit, strict=True)
+        for value, size in zip(listed.values[group[0], : len(unit)], unit, strict=True)
     )
     if isinstance(question.ask, Front):
         many, classes = (
-            int(found.times[group].sum()),
-            -(-int(found.classes[group].sum()) // len(question.symmetries)),
+            int(listed.times[group].sum()),
+            -(-int(listed.classes[group].sum()) // len(question.symmetries)),
         )
     else:
         many, classes = images(question, ordered[0]), 1
@@ -186,32 +186,32 @@ def _with_zeros(question: Question, star: Star, values: tuple[float, ...]) -> tu
     return tuple(out)
 
 
-def _proved(question: Question, found: Results) -> Results:
+def _proved(question: Question, listed: Results) -> Results:
     """Results without stars whose sums are nearly but not exactly zero; SearchError in a front."""
     zeros = [limit.sum for limit in question.limits if limit.greatest == 0]
-    if not zeros or not len(found):
-        return found
-    stars = [question.stars.whole(tuple(row)) for row in found.stars.tolist()]
+    if not zeros or not len(listed):
+        return listed
+    stars = [question.stars.whole(tuple(row)) for row in listed.stars.tolist()]
     good = np.logical_and.reduce([proof.vanishing(vector, stars) for vector in zeros])
     if not good.all() and not isinstance(question.ask, All):
         raise error("zero", "near-zero")
-    return results.taken(found, np.flatnonzero(good))
+    return results.taken(listed, np.flatnonzero(good))
 
 
-def _evaluated(question: Question, found: Results) -> Results:
+def _evaluated(question: Question, listed: Results) -> Results:
     """Results with the values of functions beside the objectives, those beyond limits left out."""
-    if len(found) >= All().greatest:
-        raise error("", "function-stars", most=All().greatest)
-    stars = [question.stars.whole(tuple(row)) for row in found.stars.tolist()]
+    if len(listed) >= All().size:
+        raise error("", "function-stars", most=All().size)
+    stars = [question.stars.whole(tuple(row)) for row in listed.stars.tolist()]
     columns = [
         np.array([_value(function, star) for star in stars]) for function in question.functions
     ]
     good = np.ones(len(stars), bool)
     for function, column in zip(question.functions, columns, strict=True):
         good &= column <= function.greatest
-    values = found.values if question.objectives else found.values[:, :0]
+    values = listed.values if question.objectives else listed.values[:, :0]
     new = Results(
-        np.column_stack([values, *columns]), found.stars, found.classes, found.times, found.met
+        np.column_stack([values, *columns]), listed.stars, listed.classes, listed.times, listed.met
     )
     return results.merged([results.taken(new, np.flatnonzero(good))], question.ask)
 
@@ -241,7 +241,7 @@ def _certificate(outcome: Outcome) -> Certificate:
     return Certificate(
         tuple((vector, length * vector.scale) for vector, length in regions),
         tried.whole,
-        outcome.found.met,
+        outcome.results.met,
         question.stars.count,
         outcome.blocks,
         outcome.attempts,

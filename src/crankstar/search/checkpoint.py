@@ -39,13 +39,13 @@ class Checkpoint:
     path: Path
     question: Question
 
-    def add(self, attempt: int, tried: Regions, span: Span, found: Results) -> None:
+    def add(self, attempt: int, tried: Regions, span: Span, listed: Results) -> None:
         """Write a block range that is done. Raises SearchError if the file cannot be written."""
         body = {
             "attempt": attempt,
             "regions": _shape(tried),
             "blocks": list(span),
-            **results.as_json(found),
+            **results.as_json(listed),
         }
         _append(self.path, _text({"done": body, "sum": crc32(_text(body))}) + b"\n")
 
@@ -58,7 +58,7 @@ class Checkpoint:
         file cannot be read or the attempt looked into other regions.
         """
         spans: list[Span] = []
-        found = results.nothing(len(asked.objectives), len(asked.stars.places))
+        listed = results.nothing(len(asked.objectives), len(asked.stars.places))
         waiting: list[Results] = []
         for body in _bodies(self.path):
             if body["attempt"] != attempt:
@@ -73,8 +73,8 @@ class Checkpoint:
             spans.append((start, stop))
             waiting.append(results.from_json(body, len(asked.objectives), len(asked.stars.places)))
             if len(waiting) == TOGETHER:
-                found, waiting = results.merged([found, *waiting], asked.ask), []
-        return sorted(spans), results.merged([found, *waiting], asked.ask)
+                listed, waiting = results.merged([listed, *waiting], asked.ask), []
+        return sorted(spans), results.merged([listed, *waiting], asked.ask)
 
 
 def opened(path: Path, question: Question) -> Checkpoint:

@@ -178,10 +178,10 @@ def _descended(task: Task, begin: Real, deviation: float) -> Real:
         return value / unit, slope / unit
 
     options = {"ftol": 1e-15, "maxiter": 500}
-    found: Any = minimize(
+    optimum: Any = minimize(
         scaled, begin, jac=True, method="SLSQP", constraints=limits, options=options
     )
-    return np.asarray(found.x)
+    return np.asarray(optimum.x)
 
 
 def _limits(task: Task, row: int) -> list[dict[str, Any]]:

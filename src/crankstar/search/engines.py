@@ -51,8 +51,8 @@ def firing_order(stars: Stars, star: Star) -> tuple[int, ...]:
 
 
 def _sharing(star: Star, direction: int) -> tuple[int, int]:
-    one, other = (number for number, own in enumerate(star, 1) if own == direction)
-    return one, other
+    first, other = (number for number, own in enumerate(star, 1) if own == direction)
+    return first, other
 
 
 def _least_neighbours(seats: Seats) -> tuple[int, ...]:
@@ -95,8 +95,8 @@ def _turned(seat: tuple[int, int], first: int) -> tuple[int, int]:
     return seat[first], seat[1 - first]
 
 
-def _beside(one: int, other: int) -> int:
-    return int(abs(one - other) == 1)
+def _beside(first: int, other: int) -> int:
+    return int(abs(first - other) == 1)
 
 
 def dead_centres_deg(stars: Stars, star: Star) -> tuple[float, ...]:
@@ -163,13 +163,15 @@ def _provenance(stars: Stars) -> dict[str, Provenance]:
         if stars.sharing == 2
         else ""
     )
-    said = {
+    sources = {
         "firing_order": f"follows from the throws{choice}",
         "relative": "a star has neither sizes nor masses",
         "bore_pitch": "the unit in which the positions of the star are counted",
         "shaft": "the throws of the star, crank radius 1",
         "cylinders": "the positions of the star, reciprocating masses of 1",
     }
-    computed = {key: Provenance(status="computed", source=source) for key, source in said.items()}
+    computed = {
+        key: Provenance(status="computed", source=source) for key, source in sources.items()
+    }
     rods = Provenance(status="placeholder", source=f"rod ratio l/r = {ASSUMED_ROD_RATIO:g} assumed")
     return {**computed, "cylinders.rod_length": rods}

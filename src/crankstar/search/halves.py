@@ -130,7 +130,7 @@ def halves(question: Question) -> Halves:
     constant = sum(
         (whole[place, direction] for place, direction in fixed), np.zeros(whole.shape[2])
     )
-    limits = np.array([*_limits(question, size), question.neighbours_at_most])
+    least, greatest = _limits(question, size)
     tables = Tables(
         outer=np.ascontiguousarray(whole[outer]),
         inner=np.ascontiguousarray(whole[inner]),
@@ -144,8 +144,8 @@ def halves(question: Question) -> Halves:
         anchored=not question.stars.fixed,
         step=question.stars.step,
         weights=_weights(question, size),
-        limits=limits,
-        floors=np.array(_floors(question, size)),
+        limits=np.append(greatest, question.neighbours_at_most),
+        floors=least,
     )
     return Halves(
         tables,
@@ -224,13 +224,13 @@ def _parted(
 
 def _shares(counts: Sequence[int], wanted: int) -> np.ndarray:
     """All ways to take so many from the counts of all directions, in lexical order [ways, n]."""
-    shares, taken = np.zeros((1, 0), np.int64), np.zeros(1, np.int64)
+    shares, filled = np.zeros((1, 0), np.int64), np.zeros(1, np.int64)
     for d, count in enumerate(counts):
-        least = np.maximum(0, wanted - taken - sum(counts[d + 1 :]))
-        ways = np.minimum(count, wanted - taken) - least + 1
+        least = np.maximum(0, wanted - filled - sum(counts[d + 1 :]))
+        ways = np.minimum(count, wanted - filled) - least + 1
         before = np.repeat(np.arange(len(shares)), ways)
         here = least[before] + np.arange(len(before)) - np.repeat(np.cumsum(ways) - ways, ways)
-        shares, taken = np.column_stack([shares[before], here]), taken[before] + here
+        shares, filled = np.column_stack([shares[before], here]), filled[before] + here
     return shares
 
 
@@ -285,20 +285,12 @@ def units(question: Question, size: tuple[float, ...]) -> tuple[float, ...]:
     )
 
 
-def _floors(question: Question, size: tuple[float, ...]) -> list[float]:
-    """Least lengths of the sums, in the kernels' units."""
-    out = [0.0] * len(size)
-    place = {vector: o for o, vector in enumerate(question.sums)}
+def _limits(question: Question, size: tuple[float, ...]) -> tuple[np.ndarray, np.ndarray]:
+    """Least and greatest lengths of the sums, in the kernels' units."""
+    least, greatest = np.zeros(len(size)), np.full(len(size), inf)
     for limit in question.limits:
-        o = place[limit.sum]
-        out[o] = max(out[o], limit.least / (limit.sum.scale * size[o]))
-    return out
-
-
-def _limits(question: Question, size: tuple[float, ...]) -> list[float]:
-    out = [inf] * len(size)
-    place = {vector: o for o, vector in enumerate(question.sums)}
-    for limit in question.limits:
-        o = place[limit.sum]
-        out[o] = min(out[o], limit.greatest / (limit.sum.scale * size[o]))
-    return out
+        o = question.sums.index(limit.sum)
+        unit = limit.sum.scale * size[o]
+        least[o] = max(least[o], limit.least / unit)
+        greatest[o] = min(greatest[o], limit.greatest / unit)
+    return least, greatest

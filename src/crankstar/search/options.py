@@ -277,8 +277,8 @@ class _Questioner:
         ask = self.options.ask
         if self.options.all_with is not None:
             return All()
-        if isinstance(ask, Best) and not 1 <= ask.count <= GREATEST_BEST:
-            self.faults.add("best", "best", given=ask.count, most=GREATEST_BEST)
+        if isinstance(ask, Best) and not 1 <= ask.size <= GREATEST_BEST:
+            self.faults.add("best", "best", given=ask.size, most=GREATEST_BEST)
         if ask is None:
             ask = Best(USUAL_BEST) if len(weighted) == 1 else Front()
         if isinstance(ask, Front) and any(weight != 1 for weight, _objective in weighted):

@@ -21,41 +21,29 @@ GREATEST_LIST = 200_000
 
 @dataclass(frozen=True)
 class Front:
-    """Asks for the Pareto front.
+    """Asks for the Pareto front: values that cannot be bettered without another getting worse.
 
-    All values of the objectives of which none can be bettered without another getting worse.
+    size: how many stars of each point are kept as examples.
     """
 
-    examples: int = KEPT
-
-    @property
-    def size(self) -> int:
-        """How many stars are kept, of each point."""
-        return self.examples
+    size: int = KEPT
 
 
 @dataclass(frozen=True)
 class Best:
-    """Asks for the best stars by the (one) objective, classes of mirrored stars once."""
+    """Asks for so many of the best stars by the (one) objective, mirrored ones once."""
 
-    count: int = 20
-
-    @property
-    def size(self) -> int:
-        """How many stars are kept."""
-        return self.count
+    size: int = 20
 
 
 @dataclass(frozen=True)
 class All:
-    """Asks for all stars within the limits, mirrored ones once, in the order of the objectives."""
+    """Asks for all stars within the limits, mirrored ones once, in the order of the objectives.
 
-    greatest: int = GREATEST_LIST
+    size: how many of them are kept.
+    """
 
-    @property
-    def size(self) -> int:
-        """How many stars are kept."""
-        return self.greatest
+    size: int = GREATEST_LIST
 
 
 @dataclass(frozen=True)

@@ -72,17 +72,17 @@ def regions(question: Question, ready: Halves, *, attempt: int = 0) -> Regions:
     return Regions(tuple(radii), tuple(bounds), False, expected)
 
 
-def complete(question: Question, found: Results, tried: Regions) -> bool:
+def complete(question: Question, listed: Results, tried: Regions) -> bool:
     """Whether the stars found in the regions prove that none outside belongs to the answer."""
     if tried.whole:
         return True
     bounds = np.array(tried.bounds)
     if isinstance(question.ask, Best):
-        return len(found) >= question.ask.count and bool(
-            found.values[question.ask.count - 1, 0] <= bounds[0]
+        return len(listed) >= question.ask.size and bool(
+            listed.values[question.ask.size - 1, 0] <= bounds[0]
         )
     least = np.where(np.isinf(bounds), SAME, bounds)
-    return bool((found.values <= least).all(axis=1).any())
+    return bool((listed.values <= least).all(axis=1).any())
 
 
 def _stars(ready: Halves) -> float:
@@ -99,22 +99,22 @@ def _everything(question: Question, ready: Halves) -> Regions:
     """The region that holds all stars within the limits: that of the tightest limit, or all."""
     limits = ready.tables.limits[:-1]
     bounds = (inf,) * max(1, len(question.objectives))
-    found = [
+    listed = [
         (_share(limit, spread), place)
         for place, (limit, spread) in enumerate(zip(limits, ready.spread, strict=True))
     ]
-    share, place = min(found)
+    share, place = min(listed)
     radius = min(limits[place] + 2 * SAME, ready.reach[place] * 1.001 + 1.0)
     return Regions(((place, float(radius)),), bounds, True, _stars(ready) * share)
 
 
 def _driver(weights: np.ndarray, spread: tuple[float, ...]) -> tuple[int, float] | None:
     """The sum that matters most in an objective, and its weight; None if none varies."""
-    told = [
+    widths = [
         (sqrt(weight) * width, place)
         for place, (weight, width) in enumerate(zip(weights, spread, strict=True))
     ]
-    most, place = max(told)
+    most, place = max(widths)
     return (place, sqrt(float(weights[place]))) if most > 1e-12 else None
 
 
@@ -130,7 +130,7 @@ def _scale(question: Question, ready: Halves, driven: list[tuple[int, float] | N
             [w for w, weight in zip(ready.spread, weights, strict=True) if weight > 0]
         )
         planes = len(spread)
-        wanted = 4.0 * question.ask.count + WANTED
+        wanted = 4.0 * question.ask.size + WANTED
         place, weight = driven[0] or (0, 1.0)
         shares = np.sqrt(weights[weights > 0]) * spread / (weight * ready.spread[place])
         more = float(factorial(planes) * np.prod(shares**2))

@@ -36,6 +36,11 @@ class Results:
     beyond: int = 0
     """Stars of a list that are not kept in it."""
 
+    @property
+    def arrays(self) -> dict[str, np.ndarray]:
+        """The columns by name."""
+        return {name: getattr(self, name) for name in ("values", "stars", "classes", "times")}
+
     def __len__(self) -> int:
         return len(self.values)
 
@@ -47,9 +52,9 @@ def nothing(objectives: int, places: int) -> Results:
 
 
 def merged(parts: Sequence[Results], ask: Front | Best | All) -> Results:
-    """One rows from several: each star once, what is not asked for left out."""
+    """The rows of several results: each star once, what is not asked for left out."""
     rows = _each_once(parts)
-    rows = _front(rows, ask.examples) if isinstance(ask, Front) else _first(rows, ask)
+    rows = _front(rows, ask.size) if isinstance(ask, Front) else _first(rows, ask)
     beyond = rows.beyond + sum(part.beyond for part in parts)
     return replace(rows, met=sum(part.met for part in parts), beyond=beyond)
 
@@ -83,8 +88,8 @@ def groups(rows: Results) -> list[np.ndarray]:
 
 def threshold(rows: Results, ask: Front | Best | All) -> np.ndarray | None:
     """The worst value that can still be among the best, once enough are known."""
-    if isinstance(ask, Best) and len(rows) >= ask.count:
-        return rows.values[ask.count - 1]
+    if isinstance(ask, Best) and len(rows) >= ask.size:
+        return rows.values[ask.size - 1]
     return None
 
 
@@ -108,15 +113,8 @@ def _ordered(rows: Results) -> Results:
 
 
 def taken(rows: Results, which: np.ndarray) -> Results:
-    """Some rows of a rows."""
-    return Results(
-        rows.values[which],
-        rows.stars[which],
-        rows.classes[which],
-        rows.times[which],
-        rows.met,
-        rows.beyond,
-    )
+    """Some of the rows."""
+    return replace(rows, **{name: array[which] for name, array in rows.arrays.items()})
 
 
 def _front(rows: Results, examples: int) -> Results:
@@ -142,31 +140,18 @@ def _front(rows: Results, examples: int) -> Results:
 
 def _first(rows: Results, ask: Best | All) -> Results:
     """The first rows, so many as are asked for; a list of all counts those it does not keep."""
-    if isinstance(ask, Best):
-        return taken(rows, np.arange(min(len(rows), ask.count)))
-    return replace(
-        taken(rows, np.arange(min(len(rows), ask.greatest))),
-        beyond=int(rows.times[ask.greatest :].sum()),
-    )
+    beyond = rows.beyond if isinstance(ask, Best) else int(rows.times[ask.size :].sum())
+    return replace(taken(rows, np.arange(min(len(rows), ask.size))), beyond=beyond)
 
 
 def as_json(rows: Results) -> dict[str, Any]:
     """The rows as lists of numbers."""
-    return {
-        "values": rows.values.tolist(),
-        "stars": rows.stars.tolist(),
-        "classes": rows.classes.tolist(),
-        "times": rows.times.tolist(),
-        "met": rows.met,
-        "beyond": rows.beyond,
-    }
+    columns = {name: array.tolist() for name, array in rows.arrays.items()}
+    return {**columns, "met": rows.met, "beyond": rows.beyond}
 
 
 def from_json(tree: dict[str, Any], objectives: int, places: int) -> Results:
-    """A rows from its lists. Raises KeyError.
-
-    TypeError or ValueError where they are no rows.
-    """
+    """The rows from their lists. Raises KeyError, TypeError or ValueError where they are none."""
     rows = len(tree["stars"])
     values = np.array(tree["values"], float).reshape(rows, max(1, objectives))
     stars = np.array(tree["stars"], np.int8).reshape(rows, places)

@@ -47,7 +47,7 @@ class Outcome:
 
     The question, but for all stars where Python functions are to judge them.
     """
-    found: Results
+    results: Results
     regions: Regions
     attempts: int
     blocks: int
@@ -91,17 +91,23 @@ def searched(
             effort = _Effort(plain, tried, attempt, ready, means)
             effort.run()
             ended = Outcome(
-                question, plain, effort.found, tried, attempt + 1, ready.block_count, complete=False
+                question,
+                plain,
+                effort.results,
+                tried,
+                attempt + 1,
+                ready.block_count,
+                complete=False,
             )
             if effort.stopped:
                 return replace(
                     ended,
-                    found=results.best_so_far(best, effort.found, plain.ask),
+                    results=results.best_so_far(best, effort.results, plain.ask),
                     interrupted=True,
                 )
-            if complete(plain, effort.found, tried):
+            if complete(plain, effort.results, tried):
                 return replace(ended, complete=True)
-            best, attempt = effort.found, attempt + 1
+            best, attempt = effort.results, attempt + 1
 
 
 @dataclass(frozen=True)
@@ -126,7 +132,7 @@ class _Effort:
         self.blocks = ready.block_count
         self.size = means.range_size or usual_size(question, ready, tried)
         self.began = time.monotonic()
-        self.found = results.nothing(len(question.objectives), len(question.stars.places))
+        self.results = results.nothing(len(question.objectives), len(question.stars.places))
         self.done = self.kept = 0
         self.stopped = False
 
@@ -134,7 +140,7 @@ class _Effort:
         """Does all block ranges that are not done yet."""
         spans: list[Span] = []
         if self.means.checkpoint:
-            spans, self.found = self.means.checkpoint.kept(
+            spans, self.results = self.means.checkpoint.kept(
                 self.attempt, self.tried, self.question, self.blocks
             )
         self.done = self.kept = sum(stop - start for start, stop in spans)
@@ -151,7 +157,7 @@ class _Effort:
         return BlockRange(self.question, self.tried, *span)
 
     def _take(self, span: Span, new: Results) -> None:
-        self.found = results.merged([self.found, new], self.question.ask)
+        self.results = results.merged([self.results, new], self.question.ask)
         self.done += span[1] - span[0]
         if self.means.checkpoint:
             self.means.checkpoint.add(self.attempt, self.tried, span, new)
@@ -168,7 +174,7 @@ class _Effort:
                 self.attempt,
                 self.done,
                 self.blocks,
-                self.found.met,
+                self.results.met,
                 now - self.means.began,
                 rate,
                 left,

@@ -79,7 +79,9 @@ def results_of(part: BlockRange) -> Results:
     ended = False
     while not ended:
         ended = kernels.searched(tables, blocks, radii, buffers, output, front, state, scratch)
-        waiting.append(_taken(output, int(state[FOUND])))
+        rows_found = int(state[FOUND])
+        values, stars, classes, times = (array[:rows_found].copy() for array in output)
+        waiting.append(Results(values, stars, classes, times))
         state[FOUND] = 0
         if not ended and sum(map(len, waiting)) < len(out):
             continue
@@ -99,19 +101,9 @@ def memory(ready: Halves) -> float:
     )
     outer = ready.outer_rows * (8 * width + 8 + 2)
     inner = ready.inner_rows * (8 * width + 8 + 2 + 4 + 16 + 4) + 4 * _cells(ready)[2]
-    found = (BUFFER + ready.inner_rows) * (8 * objectives + places + 16)
+    output = (BUFFER + ready.inner_rows) * (8 * objectives + places + 16)
     blocks = 2 * 8 * ready.block_count * (2 * len(ready.counts) + 1)
-    return INTERPRETER + outer + inner + found + blocks
-
-
-def _taken(output: Output, rows: int) -> Results:
-    """The rows that the kernel has filled."""
-    return Results(
-        output.values[:rows].copy(),
-        output.stars[:rows].copy(),
-        output.classes[:rows].copy(),
-        output.times[:rows].copy(),
-    )
+    return INTERPRETER + outer + inner + output + blocks
 
 
 def _buffers(ready: Halves) -> Buffers:

@@ -86,17 +86,17 @@ def succession_lines(engine: Engine) -> list[str]:
     if len(engine.chambers) < FEW or not engine.firing_order:
         return []
     try:
-        found = working_cycle(engine)
+        cycle = working_cycle(engine)
     except EngineError:  # crankshafts of different speed have no common strokes
         return []
     groups = [
-        Pulses(group.name, exhaust_intervals(found, group.chambers))
+        Pulses(group.name, exhaust_intervals(cycle, group.chambers))
         for group in exhaust_groups(engine)
         if len(group.chambers) > 1
     ]
     several = len({(cylinder.shaft, cylinder.throw) for cylinder in engine.cylinders}) > 1
     sides, pins = neighbours(engine), partners(engine)
-    steps = [in_succession(found.firing, pairs) for pairs in (sides, pins)]
+    steps = [in_succession(cycle.firing, pairs) for pairs in (sides, pins)]
     lines = [_pulses(engine, groups)]
     if several:
         lines.append(_succession(bool(sides), bool(pins), steps[0], steps[1]))

@@ -62,7 +62,7 @@ def firing_orders(listing: Listing, *, limit: int | None = None) -> Document:
 
 def _columns(listing: Listing) -> tuple[Column, ...]:
     banks = tuple(listing.orders[0].banks) if listing.orders else ()
-    even = all(one.firing.even for one in listing.orders)
+    even = all(order.firing.even for order in listing.orders)
     out = [
         Column(_("row"), key="row", label=True),
         Column("", kind="text"),
@@ -81,12 +81,12 @@ def _columns(listing: Listing) -> tuple[Column, ...]:
 
 
 def _row(listing: Listing, place: int, own: int | None) -> tuple[Value, ...]:
-    one = listing.orders[place]
-    angles = tuple(round(float(angle), 9) for angle in one.firing.angles_deg)
-    cells: list[Value] = [place + 1, "*" if place == own else "", tuple(one.firing.order), angles]
-    for intervals in (one.firing.intervals_deg, *one.banks.values()):
+    order = listing.orders[place]
+    angles = tuple(round(float(angle), 9) for angle in order.firing.angles_deg)
+    cells: list[Value] = [place + 1, "*" if place == own else "", tuple(order.firing.order), angles]
+    for intervals in (order.firing.intervals_deg, *order.banks.values()):
         cells += [_spaced(intervals), tuple(intervals)]
-    pairs = (_pairs(steps) for steps in (one.neighbours, one.partners))
+    pairs = (_pairs(steps) for steps in (order.neighbours, order.partners))
     return (*cells, *pairs)
 
 
@@ -131,7 +131,7 @@ def _notes(listing: Listing, shown: int, own: int | None) -> list[str]:
 def _count_sentence(listing: Listing) -> str:
     """How many orders there are, and whether they are even."""
     count = len(listing.orders)
-    even = [one for one in listing.orders if one.firing.even]
+    even = [order for order in listing.orders if order.firing.even]
     if len(even) == count:
         interval = number(even[0].firing.intervals_deg[0])
         return _n(

@@ -37,24 +37,24 @@ TYPED = Hints()
 
 
 def search_stars(
-    found: Answer, *, engine: Engine | None = None, limit: int | None = ROWS, hints: Hints = TYPED
+    answer: Answer, *, engine: Engine | None = None, limit: int | None = ROWS, hints: Hints = TYPED
 ) -> Document:
     """The stars that were found, the certificate, and the row of the engine they are of."""
-    question = found.question
-    shown = found.rows[:limit]
+    question = answer.question
+    shown = answer.rows[:limit]
     table = Table(
         "",
         tuple(_columns(question)),
-        tuple(_row(found, place, row) for place, row in enumerate(shown, 1)),
+        tuple(_row(answer, place, row) for place, row in enumerate(shown, 1)),
         key="rows",
     )
     lines = [
         *left_out(question),
-        *as_it_is(found, engine),
-        *sentences(found, shown=len(shown), hints=hints),
+        *as_it_is(answer, engine),
+        *sentences(answer, shown=len(shown), hints=hints),
     ]
     parts = (*remarks(census(question.stars)), table, Remarks(tuple(lines)))
-    return Document(heading(question), parts, _facts(found))
+    return Document(heading(question), parts, _facts(answer))
 
 
 def _columns(question: Question) -> list[Column]:
@@ -84,8 +84,8 @@ def _columns(question: Question) -> list[Column]:
     return out
 
 
-def _row(found: Answer, place: int, row: AnswerRow) -> tuple[Value, ...]:
-    question, stars = found.question, found.question.stars
+def _row(answer: Answer, place: int, row: AnswerRow) -> tuple[Value, ...]:
+    question, stars = answer.question, answer.question.stars
     angles = tuple(-360 * direction / stars.directions + 0.0 for direction in row.star)
     order = tuple(firing_order(stars, row.star))
     cells: list[Value] = [place, order, tuple(row.star), angles]
@@ -100,12 +100,12 @@ def _row(found: Answer, place: int, row: AnswerRow) -> tuple[Value, ...]:
     cells += [float(couple(stars, order).length(row.star)) for order in (1, 2)]
     like = tuple(tuple(star) for star in row.like)
     counts = (row.neighbours, row.stars, row.classes, like)
-    return (*cells, *counts, found.certificate.complete)
+    return (*cells, *counts, answer.certificate.complete)
 
 
-def _facts(found: Answer) -> dict[str, Any]:
+def _facts(answer: Answer) -> dict[str, Any]:
     """What was searched, how many stars there are, and the certificate."""
-    question, proof = found.question, found.certificate
+    question, proof = answer.question, answer.certificate
     stars = question.stars
     return {
         "cylinders": stars.cylinders,
@@ -117,7 +117,7 @@ def _facts(found: Answer) -> dict[str, Any]:
             "turned_once": stars.count,
             "mirrored_once": stars.classes(reversed_=False),
             "from_the_rear_once": stars.classes(),
-            "found": found.stars,
+            "found": answer.stars,
         },
         "objectives": [
             {"name": objective.name, "unit": objective.unit} for objective in question.objectives
@@ -131,7 +131,7 @@ def _facts(found: Answer) -> dict[str, Any]:
             "of_stars": proof.of,
             "blocks": proof.blocks,
             "attempts": proof.attempts,
-            "sentence": certificate(found),
+            "sentence": certificate(answer),
         },
     }
 
@@ -170,15 +170,15 @@ def left_out(question: Question) -> list[str]:
     ]
 
 
-def as_it_is(found: Answer, engine: Engine | None) -> list[str]:
+def as_it_is(answer: Answer, engine: Engine | None) -> list[str]:
     """The sums of the engine with the throws that it has, and the row with that star."""
-    star = None if engine is None else engine_stars.star_of(engine, found.question.stars)
+    star = None if engine is None else engine_stars.star_of(engine, answer.question.stars)
     if star is None:
         return []
-    question = found.question
+    question = answer.question
     own = set(question.stars.same(star))
     rows = [
-        place for place, row in enumerate(found.rows, 1) if row.star in own or own & set(row.like)
+        place for place, row in enumerate(answer.rows, 1) if row.star in own or own & set(row.like)
     ]
     sums = ", ".join(
         f"{vector.short} {number(vector.of_engine(star))} {unit_text(vector.unit)}"
@@ -280,11 +280,11 @@ def closed_form(objective: Objective, row: AnswerRow) -> str:
     return text if len(text) <= LONGEST_FORM else ""
 
 
-def sentences(found: Answer, *, shown: int, hints: Hints = TYPED) -> list[str]:
+def sentences(answer: Answer, *, shown: int, hints: Hints = TYPED) -> list[str]:
     """How many stars there are, and the certificate."""
     out: list[str] = []
-    if shown < len(found.rows):
-        rows = f"{len(found.rows):,}"
+    if shown < len(answer.rows):
+        rows = f"{len(answer.rows):,}"
         out.append(
             _(
                 "{shown} of {rows} rows are shown; {hint}.",
@@ -293,16 +293,16 @@ def sentences(found: Answer, *, shown: int, hints: Hints = TYPED) -> list[str]:
                 hint=hints.others,
             )
         )
-    if isinstance(found.question.ask, All) and found.stars is not None and found.rows:
-        values = {"stars": f"{found.stars:,}", "classes": f"{len(found.rows):,}"}
+    if isinstance(answer.question.ask, All) and answer.stars is not None and answer.rows:
+        values = {"stars": f"{answer.stars:,}", "classes": f"{len(answer.rows):,}"}
         out.append(_("Stars: {stars}; classes: {classes}.", **values))
-    return [*out, certificate(found, hints)]
+    return [*out, certificate(answer, hints)]
 
 
-def certificate(found: Answer, hints: Hints = TYPED) -> str:
+def certificate(answer: Answer, hints: Hints = TYPED) -> str:
     """What was searched, and why no other star belongs to the answer."""
-    proof = found.certificate
-    regions = [_region(found.question, vector, length) for vector, length in proof.regions]
+    proof = answer.certificate
+    regions = [_region(answer.question, vector, length) for vector, length in proof.regions]
     values = {
         "met": f"{proof.met:,}",
         "of": f"{proof.of:,}",
@@ -311,7 +311,7 @@ def certificate(found: Answer, hints: Hints = TYPED) -> str:
     }
     if proof.interrupted:
         values["hint"] = hints.stopped
-        if found.rows:
+        if answer.rows:
             return _(
                 "INCOMPLETE: stopped after {met} of {of} stars, {blocks}. These are the best so "
                 "far; nothing is proved. {hint}.",
@@ -321,7 +321,7 @@ def certificate(found: Answer, hints: Hints = TYPED) -> str:
             "INCOMPLETE: stopped after {met} of {of} stars, {blocks}, without a result. {hint}.",
             **values,
         )
-    if found.contradicted:
+    if answer.contradicted:
         return _("Proved: no star keeps these limits ({met} of {of} searched, {blocks}).", **values)
     if not regions or proof.met >= proof.of:
         return _("Proved complete: all {of} stars were searched, {blocks}.", **values)
@@ -330,7 +330,7 @@ def certificate(found: Answer, hints: Hints = TYPED) -> str:
             "Proved complete: all stars with {regions} were searched ({met} of {of}, {blocks}).",
             **values,
         )
-    if isinstance(found.question.ask, Best):
+    if isinstance(answer.question.ask, Best):
         return _(
             "Proved complete: all stars with {regions} were searched ({met} of {of}, {blocks}); "
             "every other star is worse.",

@@ -42,9 +42,9 @@ def curve_of(
         raise error("uneven", "needs-sum")
     terms = [Term(vector, vector.order, weight) for weight, vector in named]
     for order in sorted({vector.order for _weight, vector in named if vector.short[0] == "M"}):
-        told = _force(question.stars, int(order), engine, speed)
-        if all(term.sum.name != told.name for term in terms):
-            terms.append(Term(told, order, FREE_FORCE))
+        free_force = _force(question.stars, int(order), engine, speed)
+        if all(term.sum.name != free_force.name for term in terms):
+            terms.append(Term(free_force, order, FREE_FORCE))
     return curve(question.stars, star, terms, deviations_deg=[0.0, *deviations_deg])
 
 
@@ -73,17 +73,17 @@ def uneven_angles(curve_: Sequence[Uneven]) -> Document:
     # Beside the greatest length a sum can have, less than the solver's accuracy is zero.
     reach = [float(sum(map(abs, term.sum.weights))) * term.sum.scale for term in first.terms]
     rows: list[tuple[Value, ...]] = []
-    for found in curve_:
+    for uneven in curve_:
         lengths = (
             float(length) if length > SOLVED * most else 0.0
-            for length, most in zip(found.after, reach, strict=True)
+            for length, most in zip(uneven.after, reach, strict=True)
         )
         angles = (
             tuple(round(float(angle), 2) + 0.0 for angle in row)
-            for row in (found.intervals_deg, found.later_deg)
+            for row in (uneven.intervals_deg, uneven.later_deg)
         )
-        of_engine = (vector.of_engine(found.star, found.later_deg) for vector in of_pistons)
-        rows.append((float(found.deviation_deg), *lengths, *of_engine, *angles))
+        of_engine = (vector.of_engine(uneven.star, uneven.later_deg) for vector in of_pistons)
+        rows.append((float(uneven.deviation_deg), *lengths, *of_engine, *angles))
     notes = (
         sentence(curve_[-1]),
         _(

@@ -15,26 +15,26 @@ SPLIT_EXAMPLES = (60.0, 90.0, 72.0)
 
 
 def vee_engines(
-    found: Sequence[Vee], *, limit: int | None = None, only_multiples: bool = False
+    solutions: Sequence[Vee], *, limit: int | None = None, only_multiples: bool = False
 ) -> Document:
     """The solutions, best first: bank angle, pin split, throws, and their balance.
 
     `only_multiples`: no bank angles were tried but multiples of the firing interval.
     """
-    if not found:
+    if not solutions:
         return Document("", (Remarks((_("No V engine of this kind fires evenly."),)),))
-    one = found[0]
-    step = interval_deg(cylinders=one.cylinders, cycle=one.cycle)
-    rows = [_row(place, vee) for place, vee in enumerate(found[:limit], 1)]
+    vee = solutions[0]
+    step = interval_deg(cylinders=vee.cylinders, cycle=vee.cycle)
+    rows = [_row(place, vee) for place, vee in enumerate(solutions[:limit], 1)]
     table = Table("", _columns(), tuple(rows), key="solutions")
     title = _(
         "V{cylinders}, {cycle}, firing every {interval} deg",
-        cylinders=one.cylinders,
-        cycle=one.cycle,
+        cylinders=vee.cylinders,
+        cycle=vee.cycle,
         interval=number(step),
     )
-    facts = {"cylinders": one.cylinders, "cycle": one.cycle}
-    return Document(title, (table, Remarks(tuple(_notes(found, limit, only_multiples)))), facts)
+    facts = {"cylinders": vee.cylinders, "cycle": vee.cycle}
+    return Document(title, (table, Remarks(tuple(_notes(solutions, limit, only_multiples)))), facts)
 
 
 def _columns() -> tuple[Column, ...]:
@@ -65,40 +65,40 @@ def _columns() -> tuple[Column, ...]:
     return tuple(out)
 
 
-def _row(place: int, one: Vee) -> tuple[Value, ...]:
-    stars = tuple(tuple(float(angle) for angle in star) for star in one.stars)
-    angles = (one.bank_angle_deg, one.pin_split_deg)
-    cells: list[Value] = [place, *angles, stars[0], stars, len(stars), one.count]
-    for name, vectors in (("force", one.force), ("couple", one.couple)):
+def _row(place: int, vee: Vee) -> tuple[Value, ...]:
+    stars = tuple(tuple(float(angle) for angle in star) for star in vee.stars)
+    angles = (vee.bank_angle_deg, vee.pin_split_deg)
+    cells: list[Value] = [place, *angles, stars[0], stars, len(stars), vee.count]
+    for name, vectors in (("force", vee.force), ("couple", vee.couple)):
         for order, vector in zip(ORDERS, vectors, strict=True):
             ways = (float(vector.forward), float(vector.backward))
             cells += ways
             cells += ways if (name, order) == ("couple", 1) else (float(vector.greatest),)
-    return (*cells, one.counterweights_suffice, float(one.left))
+    return (*cells, vee.counterweights_suffice, float(vee.left))
 
 
-def _notes(found: Sequence[Vee], limit: int | None, only_multiples: bool) -> list[str]:
-    cranks, stars = sum(one.count for one in found), sum(len(one.stars) for one in found)
+def _notes(solutions: Sequence[Vee], limit: int | None, only_multiples: bool) -> list[str]:
+    cranks, stars = sum(vee.count for vee in solutions), sum(len(vee.stars) for vee in solutions)
     out = [
         _n(
             "{cranks} cranks, {stars} without mirror images and reversals, {count} balance.",
             "{cranks} cranks, {stars} without mirror images and reversals, {count} balances.",
-            len(found),
+            len(solutions),
             cranks=cranks,
             stars=stars,
-            count=len(found),
+            count=len(solutions),
         )
     ]
-    if limit is not None and limit < len(found):
+    if limit is not None and limit < len(solutions):
         out.append(
             _(
                 "{shown} of {count} are shown; --top shows more, --csv all.",
                 shown=limit,
-                count=len(found),
+                count=len(solutions),
             )
         )
     if only_multiples:
-        out.append(_split_pins(found[0]))
+        out.append(_split_pins(solutions[0]))
     return [
         *out,
         _(
@@ -117,9 +117,9 @@ def _notes(found: Sequence[Vee], limit: int | None, only_multiples: bool) -> lis
     ]
 
 
-def _split_pins(one: Vee) -> str:
+def _split_pins(vee: Vee) -> str:
     """How other bank angles are asked for than the multiples of the firing interval."""
-    step = interval_deg(cylinders=one.cylinders, cycle=one.cycle)
+    step = interval_deg(cylinders=vee.cylinders, cycle=vee.cycle)
     others = [angle for angle in SPLIT_EXAMPLES if abs(angle / step - round(angle / step)) > 1e-9]
     return _(
         "Only bank angles that are multiples of {interval} deg were tried; others fire evenly with "
