@@ -105,7 +105,7 @@ def _pair(row: AnswerRow) -> str:
 
 
 def _exact(vector: VectorSum, row: AnswerRow) -> str:
-    return text(radical.length(vector.exact(row.star)).formula).replace(" ", SPACE)
+    return text(radical.length(vector.exact(row.star))).replace(" ", SPACE)
 
 
 def _order(stars: Stars, row: AnswerRow) -> str:

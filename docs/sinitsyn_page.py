@@ -17,7 +17,7 @@ import crankstar
 from crankstar import charts
 from crankstar.derive import signs, signs_chapter
 from crankstar.derive.algebra import cyclotomic, wave
-from crankstar.derive.algebra.formula import Symbol, product
+from crankstar.derive.algebra.formula import Symbol, has_decimal, product
 from crankstar.derive.cure import Cure, cure
 from crankstar.derive.documents import math
 from crankstar.derive.notations import SINITSYN, notated
@@ -467,8 +467,8 @@ def _unbalance(one: Cure, *, rotating: bool) -> str:
     if one.harmonic not in (None, 1):
         units.append(Symbol("A", str(one.harmonic)))
     length = wave.length(one.unbalance[0])
-    decimals = f"<br>{abs(complex(one.unbalance[0])):.4f}" if length.exact else ""
-    return math(product(*units, length.formula)) + decimals
+    decimals = f"<br>{abs(complex(one.unbalance[0])):.4f}" if not has_decimal(length) else ""
+    return math(product(*units, length)) + decimals
 
 
 def _others(scheme: Scheme) -> str:

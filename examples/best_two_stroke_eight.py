@@ -43,7 +43,7 @@ def main() -> dict[str, object]:
     found = {
         "stars": len(seats),
         "without second-order couple": len(good),
-        "smallest": text(length(exact).formula),
+        "smallest": text(length(exact)),
         "orders": orders,
     }
     print(

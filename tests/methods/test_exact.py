@@ -341,24 +341,21 @@ def test_a_number_is_rational_where_all_its_conjugates_are_one(a: Both) -> None:
 # -- closed forms
 
 
-def shown(found: radical.Closed) -> str:
-    return typeset.text(found.formula)
+def shown(number: Formula) -> str:
+    return typeset.text(number)
 
 
 def bearing_of(number: Number) -> Any:
-    return evaluated(radical.bearing(number).formula)
+    return evaluated(radical.bearing(number))
 
 
 @settings(max_examples=60)
 @given(sums(3, 24, WHOLE))
 def test_closed_forms_have_fifty_digits_of_the_number(a: Both) -> None:
     scale = CLOSE * (1 + abs(a.value))
-    assert abs(evaluated(radical.closed(cyclotomic.real(a.number)).formula) - a.value.real) < scale
-    assert (
-        abs(evaluated(radical.closed(cyclotomic.imaginary(a.number)).formula) - a.value.imag)
-        < scale
-    )
-    assert abs(evaluated(radical.length(a.number).formula) - abs(a.value)) < scale
+    assert abs(evaluated(radical.closed(cyclotomic.real(a.number))) - a.value.real) < scale
+    assert abs(evaluated(radical.closed(cyclotomic.imaginary(a.number))) - a.value.imag) < scale
+    assert abs(evaluated(radical.length(a.number)) - abs(a.value)) < scale
     assume(not a.number.zero)
     found = bearing_of(a.number)
     true = MP.pi if abs(a.value.imag) < NOTHING and a.value.real < 0 else MP.arg(a.value)
@@ -375,12 +372,9 @@ def test_two_vectors_have_the_length_and_bearing_that_they_have(order: int) -> N
     for place in range(1, order):
         for one, other in ((1, 1), (1, -1), (2, 1), (1, -2), (2, 3)):
             a = Both(order, [(Fraction(one), 0), (Fraction(other), place)])
-            assert abs(evaluated(radical.length(a.number).formula) - abs(a.value)) < CLOSE
+            assert abs(evaluated(radical.length(a.number)) - abs(a.value)) < CLOSE
             assert (
-                abs(
-                    evaluated(radical.closed(a.number * a.number.conjugate).formula)
-                    - abs(a.value) ** 2
-                )
+                abs(evaluated(radical.closed(a.number * a.number.conjugate)) - abs(a.value) ** 2)
                 < 10 * CLOSE
             )
             if not a.number.zero:
@@ -402,12 +396,6 @@ def test_negative_numbers_made_of_vectors_that_are_not_point_to_plus_half_a_turn
     assert beside > 10  # rounding puts some of them on the other side of the cut
 
 
-@given(sums(3, 24, WHOLE))
-def test_what_is_called_exact_holds_no_decimal(a: Both) -> None:
-    for found in (radical.closed(cyclotomic.real(a.number)), radical.length(a.number)):
-        assert found.exact != formula.has_decimal(found.formula)
-
-
 @pytest.mark.parametrize(
     ("degrees", "printed"),
     [
@@ -421,8 +409,7 @@ def test_what_is_called_exact_holds_no_decimal(a: Both) -> None:
 def test_cosines_are_printed_as_in_the_tables(degrees: str, printed: str) -> None:
     turn = Fraction(degrees) / 360
     found = radical.closed(cyclotomic.cosine(turn))
-    assert found.exact
-    assert abs(evaluated(found.formula) - unit(turn).real) < CLOSE
+    assert abs(evaluated(found) - unit(turn).real) < CLOSE
     told = re.sub(r"^\((√\(.*\))\)/", r"\1/", shown(found))
     assert told.replace("(1 + √5)", "(√5 + 1)") == printed
 
@@ -438,9 +425,7 @@ def test_cosines_are_printed_as_in_the_tables(degrees: str, printed: str) -> Non
     ],
 )
 def test_lengths_are_printed_as_in_the_tables(number: Number, printed: str) -> None:
-    found = radical.length(number)
-    assert found.exact
-    assert shown(found) == printed
+    assert shown(radical.length(number)) == printed
 
 
 def test_the_best_two_stroke_eight_has_the_couple_that_is_known() -> None:
@@ -450,9 +435,8 @@ def test_the_best_two_stroke_eight_has_the_couple_that_is_known() -> None:
         for cylinder in range(1, 9)
     )
     found = radical.length(couple)
-    assert found.exact
     assert shown(found) == "√(20 − 14√2)"
-    assert abs(evaluated(found.formula) - MP.sqrt(20 - 14 * MP.sqrt(2))) < CLOSE
+    assert abs(evaluated(found) - MP.sqrt(20 - 14 * MP.sqrt(2))) < CLOSE
 
 
 I = root(Fraction(1, 4))  # noqa: E741
@@ -507,7 +491,7 @@ def test_a_hair_beside_the_branch_cut_is_on_the_side_where_it_is(aside: Fraction
     value = MP.mpc(-1000, mp(aside))
     assert radical.bearing_turn(number) is None
     assert abs(bearing_of(number) - MP.arg(value)) < CLOSE
-    assert abs(evaluated(wave.bearing(Ball(enclosed(number))).formula) - MP.arg(value)) < CLOSE
+    assert abs(evaluated(wave.bearing(Ball(enclosed(number)))) - MP.arg(value)) < CLOSE
 
 
 def enclosed(number: Number) -> acb:
@@ -534,9 +518,9 @@ def test_the_digits_of_a_decimal_are_all_certain() -> None:
         for place in range(1, order // 2):
             number = cyclotomic.cosine(Fraction(place, order))
             found = radical.closed(number)
-            if not found.exact:
-                assert isinstance(found.formula, Decimal)
-                assert_cut(typeset.figures(found.formula), unit(Fraction(place, order)).real)
+            if formula.has_decimal(found):
+                assert isinstance(found, Decimal)
+                assert_cut(typeset.figures(found), unit(Fraction(place, order)).real)
                 assert len(cyclotomic.minimal_polynomial(number)) - 1 == len(
                     cyclotomic.conjugates(number)
                 )

@@ -20,9 +20,7 @@ HOSTILE = "{\\undefined}%$&#_^~<> 直列 Ω é ß"
 def test_latex_takes_the_derivations_of_every_engine(name: str, tmp_path: Path) -> None:
     engine = crankstar.load(name)
     chapters = [
-        derivation(engine, order, quantity).chapter
-        for order in ORDERS
-        for quantity in ("force", "couple")
+        derivation(engine, order, quantity) for order in ORDERS for quantity in ("force", "couple")
     ]
     result = compiled(documents.latex(chapters), tmp_path)
     assert result.ok, str(result)
@@ -41,7 +39,7 @@ def test_latex_takes_every_notation_signs_and_families(
     ]
     chapters += [
         family(crankstar.load("parallel-twin-180"), 1, "couple", symbol="phi"),
-        derivation(twin, 2).chapter,
+        derivation(twin, 2),
     ]
     chapters += [family(crankstar.load("triple-120"), 3 * k, "force", symbol="n") for k in (2, 4)]
     result = compiled(documents.latex(chapters, notation), tmp_path)
@@ -53,5 +51,5 @@ def test_latex_takes_a_hostile_name(tmp_path: Path) -> None:
     engine = crankstar.load("v8-flat-plane")
     cylinders = tuple(c.model_copy(update={"bank": f"{HOSTILE}{c.bank}"}) for c in engine.cylinders)
     hostile = engine.model_copy(update={"name": HOSTILE, "cylinders": cylinders})
-    result = compiled(documents.latex([derivation(hostile, 2).chapter]), tmp_path)
+    result = compiled(documents.latex([derivation(hostile, 2)]), tmp_path)
     assert result.ok, str(result)

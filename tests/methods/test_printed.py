@@ -389,7 +389,7 @@ def test_the_six_signs_are_true_as_they_are_printed(name: str, notation: Notatio
 def test_other_notations_are_true_as_they_are_printed(name: str, notation: Notation) -> None:
     lines: tuple[tuple[int, Quantity], ...] = ((2, "force"), (1, "couple"), (4, "force"))
     for order, quantity in lines:
-        chapter = notated(derivation(catalog.load(name), order, quantity).chapter, notation)
+        chapter = notated(derivation(catalog.load(name), order, quantity), notation)
         with cyclotomic.precision(50):
             assert untrue(lines_of(chapter), letters_for(chapter)) == []
 

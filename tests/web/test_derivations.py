@@ -38,9 +38,7 @@ LOOK = """() => [...document.querySelectorAll('math')].map(math => {
 def written(name: str, folder: Path) -> Path:
     engine = crankstar.load(name)
     chapters = [
-        derivation(engine, order, quantity).chapter
-        for order in ORDERS
-        for quantity in ("force", "couple")
+        derivation(engine, order, quantity) for order in ORDERS for quantity in ("force", "couple")
     ]
     place = folder / f"{name}.html"
     place.write_text(documents.html(chapters), encoding="utf-8")

@@ -109,7 +109,7 @@ def derive(
                     chapters.append(
                         exact.derivation(
                             loaded, one, kind, reference=point, speed=turning, power=power or 7
-                        ).chapter
+                        )
                     )
     except exact.DerivationError as error:
         raise RequestError(str(error)) from None

@@ -5,19 +5,13 @@ Engine -> Derivation -> document.
 | module, bottom to top | one line |
 |---|---|
 | `algebra` | exact numbers, formulas and their print |
-| `records` | Line and Step |
+| `records` | lines and steps, and what documents read |
 | `positions` | places along the crankshaft in bore pitches and bank offsets |
 | `addition` | cosines added as by hand |
-| `body` | the push of one moving part |
-| `rotors` | the rotating parts |
-| `pistons` | the push of pistons, exactly or in balls |
-| `bodies` | all parts that push in one order |
+| `bodies` | all parts that push in one order, exactly or in balls |
 | `errata` | wrong formulas of the sources beside the right ones |
 | `task` | the data and the lines that all steps share |
-| `law` | the first step: the force of one piston, and the unit |
-| `banks` | sums by cylinder, by bank, and of all banks |
-| `pins` | the same sum by crank pins |
-| `turning` | the rotating masses |
+| `banks` | sums by cylinder, by bank, of all banks, and by crank pin |
 | `resultant` | two counter-rotating vectors and their path |
 | `real` | the series of the harmonic, its exact value, and newtons |
 | `notations` | the letters of different schools |

@@ -84,7 +84,7 @@ def addition(terms: list[Term], order: Fraction, *, moments: bool) -> Addition:
 def summed_up(parts: list[tuple[Formula, Fraction]], order: Fraction) -> Formula:
     """A sum of cosines with formulas before them."""
     return summed(
-        *(wave.written(wave.Piece(size, None, angle(lag(phase))), order) for size, phase in parts)
+        *(product(size, cosine(wave.phased(order, angle(lag(phase))))) for size, phase in parts)
     )
 
 

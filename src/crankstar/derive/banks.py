@@ -1,9 +1,11 @@
-"""Cylinder by cylinder, bank by bank, and the banks together."""
+"""Cylinder by cylinder, bank by bank, and the banks together; and the same sum by crank pins."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 from typing import NamedTuple
 
 from crankstar.derive.addition import Term, addition, distinct, lag
@@ -14,19 +16,19 @@ from crankstar.derive.algebra.formula import (
     Degrees,
     Formula,
     Product,
-    Sum,
     Symbol,
     angle,
     cosine,
     number,
     product,
     summed,
+    terms_of,
 )
 from crankstar.derive.algebra.radicals import closed
 from crankstar.derive.algebra.wave import Wave, joined
-from crankstar.derive.body import Body
+from crankstar.derive.bodies import Body, Push, pushed
 from crankstar.derive.records import Line, Step
-from crankstar.derive.task import Task, arm_of, degrees_text, paired, rows, share, sides
+from crankstar.derive.task import Task, degrees_text, resolved, rows, sides
 from crankstar.language.messages import _
 
 
@@ -42,12 +44,13 @@ def by_bank(task: Task, pistons: list[Body]) -> list[Step]:
     """Every cylinder, every bank along its own line, and the banks together."""
     steps = [_each(task, pistons)]
     if any(body.along is None for body in pistons):
-        return [*steps, _components(task, pistons)]
+        words = _("The components up and to the right are added.")
+        lines = sides(task, "all", pistons, _("all cylinders"))
+        return [*steps, Step(_("All cylinders"), (words,), tuple(lines))]
     banks = _banks(pistons)
     if any(len(row.members) > 1 for row in banks):
         steps.append(_sums(task, banks))
-    steps.append(_resolved(task, banks, pistons))
-    return steps
+    return [*steps, _resolved(task, banks, pistons)]
 
 
 def _banks(pistons: Sequence[Body]) -> list[Row]:
@@ -55,11 +58,11 @@ def _banks(pistons: Sequence[Body]) -> list[Row]:
     groups: dict[tuple[str, str, float], list[Body]] = {}
     for body in pistons:
         groups.setdefault((body.bank, body.shaft, round(body.bearing_deg, 9)), []).append(body)
-    several = {name for name, _, _ in groups if sum(1 for key in groups if key[0] == name) > 1}
+    names = [bank for bank, _shaft, _bearing in groups]
     out = []
     for (bank, _shaft, bearing), members in groups.items():
         name = bank if len(groups) > 1 else "all"
-        if bank in several:
+        if names.count(bank) > 1:
             name = f"{name} at {degrees_text(bearing)}"
         out.append(Row(name, tuple(members), joined(b.along or {} for b in members)))
     return out
@@ -67,17 +70,15 @@ def _banks(pistons: Sequence[Body]) -> list[Row]:
 
 def _each(task: Task, pistons: Sequence[Body]) -> Step:
     """The cosine of each cylinder along its own axis."""
-    lines = []
+    lines: list[Line] = []
     for body in pistons:
-        label = _cylinder_label(task, body)
-        arm = wave.form(arm_of(task.arms, body)) if task.quantity == "couple" else None
+        label, arm = _cylinder_label(task, body), task.arm(body)
         if body.along is None:
-            name = str(body.cylinder)
-            lines += sides(task, name, body.up, body.right, rows([body]), label, arm)
-            continue
-        name = Symbol(task.letter, str(body.cylinder))
-        chain = _own(task, body)
-        lines.append(Line(name, chain, "signal", rows([body]), body.bearing_deg, label, arm=arm))
+            lines += sides(task, str(body.cylinder), [body], label, arm=arm)
+        else:
+            name, chain = Symbol(task.letter, str(body.cylinder)), _own(task, body.along, body)
+            own, bearing = rows([body]), body.bearing_deg
+            lines.append(Line(name, chain, "signal", own, bearing, label, arm=arm))
     words = [_("The cosine of each piston has its crest where the piston is at top dead centre.")]
     if task.quantity == "couple":
         words.append(
@@ -92,48 +93,38 @@ def _each(task: Task, pistons: Sequence[Body]) -> Step:
 def _cylinder_label(task: Task, body: Body) -> str:
     """What a line of one cylinder is about."""
     values = {"number": body.cylinder, "bearing": degrees_text(body.bearing_deg)}
-    centre = None if body.dead_centre is None else degrees_text(float(360 * body.dead_centre))
     if len(task.engine.banks) > 1:
-        values["bank"] = body.bank
-        if centre is None:
-            return _("cylinder {number} ({bank}), at {bearing}", **values)
-        return _(
-            "cylinder {number} ({bank}), at {bearing}, top dead centre at θ = {centre}",
-            centre=centre,
-            **values,
-        )
-    if centre is None:
-        return _("cylinder {number}, at {bearing}", **values)
-    return _(
-        "cylinder {number}, at {bearing}, top dead centre at θ = {centre}", centre=centre, **values
-    )
+        label = _("cylinder {number} ({bank}), at {bearing}", bank=body.bank, **values)
+    else:
+        label = _("cylinder {number}, at {bearing}", **values)
+    if body.dead_centre is None:
+        return label
+    centre = degrees_text(float(360 * body.dead_centre))
+    return _("{cylinder}, top dead centre at θ = {centre}", cylinder=label, centre=centre)
 
 
-def _own(task: Task, body: Body) -> tuple[Formula, ...]:
+def _own(task: Task, along: Wave, body: Body) -> tuple[Formula, ...]:
     """A cylinder's cosine as k (theta - its dead centre), then with its phase."""
-    along = body.along or {}
     if body.lag is None or body.dead_centre is None:
         return (wave.signal(along, task.order),)
-    factors = summed(*(product(_size(amount, body.lag), *key) for key, amount in along.items()))
-    chain: list[Formula] = []
+    sizes = (product(_size(amount, body.lag), *key) for key, amount in along.items())
+    factors, chain = summed(*sizes), []
     if body.dead_centre:
-        turned = summed(THETA, _degrees_of(-body.dead_centre))
+        degrees = 360 * -body.dead_centre
+        short = 1000 % degrees.denominator == 0
+        lead = Degrees(number(degrees)) if short else angle(-body.dead_centre)
+        turned = summed(THETA, lead)
         inside = turned if task.order == 1 else product(task.order, turned)
         chain.append(product(factors, cosine(inside)))
     chain.append(product(factors, cosine(wave.phased(task.order, angle(lag(body.lag))))))
     return distinct(chain)
 
 
-def _degrees_of(turn: Fraction) -> Formula:
-    """A part of a turn in degrees, as a multiple of pi where degrees are no short decimal."""
-    return Degrees(number(360 * turn)) if 1000 % (360 * turn).denominator == 0 else angle(turn)
-
-
 def _size(amount: wave.Amount, phase: Fraction) -> Formula:
     """The real number that stands before a cosine whose phase is known."""
     turned = amount.turned(-phase)
     if isinstance(turned, Number):
-        return closed(turned).formula
+        return closed(turned)
     raise TypeError("a rational phase belongs to an exact amount")
 
 
@@ -163,31 +154,26 @@ def _terms(members: Sequence[Body]) -> list[Term] | None:
     for body in members:
         if body.lag is None or body.along is None or body.cylinder is None:
             return None
-        weight: dict[wave.Key, Fraction] = {}
-        for key, amount in body.along.items():
-            turned = amount.turned(-body.lag)
-            size = turned.rational if isinstance(turned, Number) else None
-            if size is None:
-                return None
-            weight[key] = size
+        turned = {key: amount.turned(-body.lag) for key, amount in body.along.items()}
+        weight = {
+            key: size
+            for key, amount in turned.items()
+            if isinstance(amount, Number) and (size := amount.rational) is not None
+        }
+        if len(weight) < len(turned):
+            return None
         out.append(Term(body.cylinder, weight, body.lag))
     return out
 
 
 def _resolved(task: Task, banks: Sequence[Row], pistons: Sequence[Body]) -> Step:
     """Forces along several lines, each resolved into up and right, and added."""
-    lines = []
-    sides = (("up", 0.0, _("up")), ("right", 90.0, _("right")))
-    for side, bearing, label in sides:
-        parts = [(share(row.members[0], up=side == "up"), row.wave) for row in banks]
-        whole = joined(body.up if side == "up" else body.right for body in pistons)
-        raw = summed(*(product(factor, wave.signal(own, task.order)) for factor, own in parts))
-        chain = distinct([raw, *paired(parts, task.order), wave.signal(whole, task.order)])
-        note = ""
-        if len(chain) == 2 and _several(chain[0]):
-            note = _("Added as vectors, each with its length and phase.")
-        name = Symbol(task.letter, side)
-        lines.append(Line(name, chain, "signal", rows(pistons), bearing, label, note))
+    parts = [(row.members[0], row.wave) for row in banks]
+    note = _("Added as vectors, each with its length and phase.")
+    lines = [
+        replace(line, note=note) if len(line.chain) == 2 and _several(line.chain[0]) else line
+        for line in sides(task, "", pistons, before=lambda side: resolved(task, parts, side))
+    ]
     angles = sorted({round(row.members[0].bearing_deg, 9) for row in banks})
     words = [
         _(
@@ -203,17 +189,55 @@ def _resolved(task: Task, banks: Sequence[Row], pistons: Sequence[Body]) -> Step
 
 def _several(formula: Formula) -> bool:
     """Whether cosines of different phases are added."""
-    if not isinstance(formula, Sum):
-        return False
-    last = {term.factors[-1] if isinstance(term, Product) else term for term in formula.terms}
-    return len(last) > 1
+    terms = terms_of(formula)
+    return len({term.factors[-1] if isinstance(term, Product) else term for term in terms}) > 1
 
 
-def _components(task: Task, pistons: Sequence[Body]) -> Step:
-    """Cylinders with rods that swing knuckle pins about: components up and right simply add."""
-    up, right = joined(body.up for body in pistons), joined(body.right for body in pistons)
-    return Step(
-        _("All cylinders"),
-        (_("The components up and to the right are added."),),
-        tuple(sides(task, "all", up, right, rows(pistons), _("all cylinders"))),
+def by_pin(task: Task, pistons: Sequence[Body]) -> list[Step]:
+    """The same sum taken pin by pin, for engines whose banks share their pins."""
+    sharing: dict[tuple[str, int], list[tuple[Body, Wave]]] = {}
+    for body in pistons:
+        if body.along is None:
+            return []
+        sharing.setdefault((body.shaft, body.place), []).append((body, body.along))
+    if len(sharing) < 2 or any(
+        len({round(body.bearing_deg, 9) for body, _ in parts}) < 2 for parts in sharing.values()
+    ):
+        return []
+    lines: list[Line] = []
+    pins: list[tuple[str, Push]] = []
+    for (shaft, place), parts in sharing.items():
+        name = str(place) if len(task.engine.shafts) == 1 else f"{shaft} {place}"
+        members = [body for body, _along in parts]
+        numbers = ", ".join(str(body.cylinder) for body in members)
+        label = _("pin {pin}, cylinders {numbers}", pin=name, numbers=numbers)
+        before = partial(resolved, task, parts)
+        lines += sides(task, f"pin {name}", members, label, before=before)
+        pins.append((name, pushed(members)))
+    every = sides(
+        task,
+        "",
+        pistons,
+        _("all pins"),
+        before=lambda side: [summed(*(wave.signal(push[side], task.order) for _, push in pins))],
     )
+    lines += [
+        replace(line, note=_cancelled([(name, push[side]) for name, push in pins]))
+        for side, line in enumerate(every)
+    ]
+    words = _(
+        "The same sum in another order: first the cylinders on each crank pin, then the pins."
+    )
+    return [Step(_("The other way, pin by pin"), (words,), tuple(lines))]
+
+
+def _cancelled(parts: Sequence[tuple[str, Wave]]) -> str:
+    """The pins that cancel in pairs, by name."""
+    rest = [(name, own) for name, own in parts if own]
+    pairs: list[str] = []
+    while rest:
+        name, own = rest.pop(0)
+        other = next((i for i, (_far, far) in enumerate(rest) if not joined([own, far])), None)
+        if other is not None:
+            pairs.append(f"{name}, {rest.pop(other)[0]}")
+    return _("Pins that cancel in pairs: {pairs}.", pairs="; ".join(pairs)) if pairs else ""

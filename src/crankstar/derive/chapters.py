@@ -2,40 +2,28 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from fractions import Fraction
 
 from crankstar.derive import documents
 from crankstar.derive.algebra.wave import Wave
-from crankstar.derive.records import Quantity, Step, heading
+from crankstar.derive.records import Quantity, Readable
 
 
 @dataclass(frozen=True)
-class Chapter:
-    """Steps under a title, to be read.
-
-    Counted in `m r w^2 A_j`, j = `harmonic`, or in `m r w^2` where it is None. `symbols` has the
-    values of the letters that have one for this engine (lengths in bore pitches, harmonics),
-    `meanings` says what letters are in this engine.
-    """
-
-    engine: str
-    title: str
-    harmonic: int | None
-    symbols: dict[str, float]
-    steps: tuple[Step, ...]
-    meanings: dict[str, str] = field(default_factory=dict)
+class Chapter(Readable):
+    """Steps under a title, to be read."""
 
     def __str__(self) -> str:
         return documents.plain([self])
 
     def _repr_html_(self) -> str:
         """The chapter typeset, in a notebook."""
-        return f"<style>{documents.ALIGNED}</style>{documents.html_part(self)}"
+        return f"<style>{documents.ALIGNED}</style>{documents.html_parts([self])[0]}"
 
 
-@dataclass(frozen=True)
-class Derivation:
+@dataclass(frozen=True, kw_only=True)
+class Derivation(Chapter):
     """The derivation of one order of one quantity of an engine.
 
     Numbers are counted in `m r w^2 A_j`, j = `harmonic`, or in `m r w^2` where it is None; `scale`
@@ -44,34 +32,16 @@ class Derivation:
     numbers are decimals, and is empty where they are exact.
     """
 
-    engine: str
     order: Fraction
     quantity: Quantity
-    harmonic: int | None
     scale: float
-    symbols: dict[str, float]
-    steps: tuple[Step, ...]
     up: Wave
     right: Wave
     forward: Wave
     backward: Wave
     why: str
-    meanings: dict[str, str] = field(default_factory=dict)
-
-    def __str__(self) -> str:
-        return str(self.chapter)
-
-    @property
-    def chapter(self) -> Chapter:
-        """The steps under their title, `Secondary force`."""
-        title = heading(self.order, self.quantity)
-        return Chapter(self.engine, title, self.harmonic, self.symbols, self.steps, self.meanings)
 
     @property
     def zero(self) -> bool:
         """Whether nothing remains: exactly, or, in decimals, nothing that differs from zero."""
         return not self.up and not self.right
-
-    def _repr_html_(self) -> str:
-        """The derivation typeset, in a notebook."""
-        return self.chapter._repr_html_()

@@ -21,7 +21,7 @@ from math import isfinite
 from crankstar.derive import positions
 from crankstar.derive.algebra import cyclotomic, rational, wave
 from crankstar.derive.algebra.formula import NOUGHT, Formula, Polar, Symbol, product
-from crankstar.derive.algebra.wave import Amount, joined
+from crankstar.derive.algebra.wave import Amount
 from crankstar.derive.chapters import Chapter, Derivation
 from crankstar.derive.records import DerivationError, Line, Step, unit_symbol
 from crankstar.derive.steps import derivation
@@ -60,7 +60,7 @@ def cure(engine: Engine, *, ratio: Fraction | int, planes: Sequence[float]) -> C
     >>> from crankstar.files.catalog import load
     >>> from crankstar.derive.algebra.typeset import text
     >>> ends = cure(load("v8-cross-plane"), ratio=1, planes=[1.75, -1.75])
-    >>> ends.proved, text(wave.length(ends.unbalance[0]).formula)
+    >>> ends.proved, text(wave.length(ends.unbalance[0]))
     (True, '2√10/7')
     """
     try:
@@ -99,8 +99,8 @@ def cure(engine: Engine, *, ratio: Fraction | int, planes: Sequence[float]) -> C
         pushed = [
             (weight.times(ratio**2), place) for weight, place in zip(weights, places, strict=True)
         ]
-        left_force = _sum([force, *(push for push, _ in pushed)])
-        left_couple = _sum([couple, *(push.times(place) for push, place in pushed)])
+        left_force = wave.amount_sum([force, *(push for push, _ in pushed)])
+        left_couple = wave.amount_sum([couple, *(push.times(place) for push, place in pushed)])
         exact = not any(own.why for own in derived)
         proved = exact and left_force.zero and left_couple.zero
         harmonic, scale = derived[0].harmonic, derived[0].scale
@@ -137,7 +137,7 @@ def _least(
     )
     determinant = count * second - first * first
     if determinant == 0:
-        if not places or not _sum([couple, force.times(-places[0])]).zero:
+        if not places or not wave.amount_sum([couple, force.times(-places[0])]).zero:
             raise DerivationError(
                 _(
                     "One plane balances only a force that acts in it; give two planes or more, all "
@@ -145,14 +145,12 @@ def _least(
                 )
             )
         return [force.times(Fraction(-1, len(places)) / ratio**2) for _ in places]
-    alpha = _sum([force.times(second / determinant), couple.times(-first / determinant)])
-    beta = _sum([force.times(-first / determinant), couple.times(count / determinant)])
-    return [_sum([alpha, beta.times(place)]).times(Fraction(-1) / ratio**2) for place in places]
-
-
-def _sum(amounts: Sequence[Amount]) -> Amount:
-    """The sum of numbers, an exact zero where it is one."""
-    return next(iter(joined({(): amount} for amount in amounts).values()), cyclotomic.ZERO)
+    alpha = wave.amount_sum([force.times(second / determinant), couple.times(-first / determinant)])
+    beta = wave.amount_sum([force.times(-first / determinant), couple.times(count / determinant)])
+    return [
+        wave.amount_sum([alpha, beta.times(place)]).times(Fraction(-1) / ratio**2)
+        for place in places
+    ]
 
 
 def _steps(

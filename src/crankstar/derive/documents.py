@@ -6,7 +6,7 @@ MathML needs neither script nor network, and every browser of today sets it.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from html import escape
 from pathlib import Path
@@ -31,14 +31,13 @@ def _template(name: str) -> str:
     return Path(__file__).with_name(name).read_text(encoding="utf-8")
 
 
-_LATEX_HEAD = _template("document.tex")
 ALIGNED = "math .lhs { text-align: right; } math .rhs { text-align: left; }"
 """Style that sets the equals signs of a chain below each other.
 
 Attributes would break a strict Content-Security-Policy.
 """
 
-_STYLE = _template("document.css")
+PLUS = "<mo form='infix'>+</mo>"
 
 
 def rendered(chapters: Sequence[Readable], notation: Notation = CRANKSTAR) -> Any:
@@ -78,12 +77,11 @@ def plain(chapters: Sequence[Readable], notation: Notation = CRANKSTAR, *, width
 
     from rich.console import Console
 
-    console = Console(
-        file=StringIO(), width=width, force_terminal=False, highlight=False, markup=False
+    printed = StringIO()
+    Console(file=printed, width=width, highlight=False, markup=False).print(
+        rendered(chapters, notation)
     )
-    with console.capture() as captured:
-        console.print(rendered(chapters, notation))
-    return "\n".join(line.rstrip() for line in captured.get().splitlines())
+    return "\n".join(line.rstrip() for line in printed.getvalue().splitlines())
 
 
 class _Part(NamedTuple):
@@ -136,32 +134,51 @@ def equations(line: Line) -> str:
     )
 
 
-def latex(chapters: Sequence[Readable], notation: Notation = CRANKSTAR) -> str:
-    """A complete LaTeX document; needs amsmath and Latin Modern only."""
-    body = [_LATEX_HEAD]
-    title = chapters[0].engine
-    body.append(
-        f"% {title.encode('ascii', 'replace').decode()}\n\\section*{{{latex_text(title)}}}\n"
-    )
-    for shown in _introduced(chapters, notation):
-        body.append(f"\\subsection*{{{latex_text(shown.title)}}}\n")
-        for count, step in enumerate(shown.steps, 1):
-            body.append(f"\\paragraph{{{count}. {latex_text(step.title)}.}}\n")
-            body.append("\n\n".join(latex_text(words) for words in step.words) + "\n")
-            if count == 1 and shown.letters:
-                meanings = (
-                    f"${typeset.latex(one.letter)}$: {latex_text(one.words)}"
-                    for one in shown.letters
-                )
-                body.append(f"\n{'; '.join(meanings)}.\n")
-            for line in step.lines:
-                if line.label:
-                    body.append(f"\n{_label(line, latex_text(line.label), _inline)}:\n")
-                body.append(f"\\[\n{aligned(line)}\n\\]\n")
-                if line.note:
-                    body.append(f"{latex_text(line.note)}\n")
-    body.append("\\end{document}\n")
-    return "".join(body)
+class _Markup(NamedTuple):
+    """How one kind of file writes the parts of a chapter, as templates.
+
+    `words` and `letters` are what stands before, between and after several of them.
+    """
+
+    escaped: Callable[[str], str]
+    inline: Callable[[Formula], str]
+    chain: Callable[[Line], str]
+    title: str
+    step: str
+    words: tuple[str, str, str]
+    letters: tuple[str, str, str]
+    letter: str
+    label: str
+    equations: str
+    note: str
+    line: str = "{}"
+
+
+def _written(shown: _Part, markup: _Markup) -> str:
+    """A chapter in a kind of file."""
+    escaped = markup.escaped
+    out = [markup.title.format(escaped(shown.title))]
+    for count, step in enumerate(shown.steps, 1):
+        out.append(markup.step.format(count, escaped(step.title)))
+        out.append(_joined(markup.words, [escaped(words) for words in step.words]))
+        if count == 1:
+            letters = [
+                markup.letter.format(markup.inline(meaning.letter), escaped(meaning.words))
+                for meaning in shown.letters
+            ]
+            out.append(_joined(markup.letters, letters))
+        for line in step.lines:
+            label = _label(line, escaped(line.label), markup.inline)
+            written = markup.label.format(label) if label else ""
+            written += markup.equations.format(markup.chain(line))
+            written += markup.note.format(escaped(line.note)) if line.note else ""
+            out.append(markup.line.format(written))
+    return "".join(out)
+
+
+def _joined(marks: tuple[str, str, str], parts: list[str]) -> str:
+    before, between, after = marks
+    return before + between.join(parts) + after if parts else ""
 
 
 def _inline(formula: Formula) -> str:
@@ -169,16 +186,25 @@ def _inline(formula: Formula) -> str:
     return f"${typeset.latex(formula)}$"
 
 
+def _rows(line: Line) -> Iterator[tuple[bool, bool, bool, Formula]]:
+    """The rows of a chain of equations, long sums broken.
+
+    Whether the row has the name on its left, an equals sign, a plus sign, and its formula.
+    """
+    for place, formula in enumerate(line.chain):
+        for row, piece in enumerate(_pieces(formula)):
+            yield place == row == 0, row == 0, row > 0 and not typeset.negative(piece), piece
+
+
 def aligned(line: Line) -> str:
     """A chain of equations in LaTeX, long sums broken."""
     name = "" if line.name is None else typeset.latex(line.name)
-    rows: list[str] = []
-    for place, formula in enumerate(line.chain):
-        first, *others = _pieces(formula)
-        rows.append(f"{name if place == 0 else ''} &= {typeset.latex(first)}")
-        for piece in others:
-            plus = "" if typeset.negative(piece) else "+ "
-            rows.append(f"&\\quad {plus}{typeset.latex(piece)}")
+    rows = [
+        (f"{name if first else ''} &= " if equals else "&\\quad ")
+        + ("+ " if plus else "")
+        + typeset.latex(piece)
+        for first, equals, plus, piece in _rows(line)
+    ]
     return "\\begin{aligned}\n" + " \\\\\n".join(rows) + "\n\\end{aligned}"
 
 
@@ -194,76 +220,9 @@ def _pieces(formula: Formula) -> list[Formula]:
     return [Sum(piece) for piece in pieces]
 
 
-def markdown(chapters: Sequence[Readable], notation: Notation = CRANKSTAR) -> str:
-    """Markdown with LaTeX formulas between double dollars, as GitHub.
-
-    Jupyter and most wikis set them.
-    """
-    body = [f"# {markdown_words(chapters[0].engine)}\n"]
-    for shown in _introduced(chapters, notation):
-        body.append(f"## {markdown_words(shown.title)}\n")
-        for count, step in enumerate(shown.steps, 1):
-            body.append(f"### {count}. {markdown_words(step.title)}\n")
-            body += [f"{markdown_words(words)}\n" for words in step.words]
-            if count == 1 and shown.letters:
-                body += [
-                    f"* ${typeset.latex(meaning.letter)}$: {meaning.words}"
-                    for meaning in shown.letters
-                ] + [""]
-            for line in step.lines:
-                if line.label:
-                    body.append(f"{_label(line, markdown_words(line.label), _inline)}:\n")
-                body.append(f"$$\n{aligned(line)}\n$$\n")
-                if line.note:
-                    body.append(f"{markdown_words(line.note)}\n")
-    return "\n".join(body)
-
-
 def markdown_words(words: str) -> str:
     """Words with everything escaped that means something in Markdown or HTML."""
-    return "".join(
-        f"\\{char}" if char in "\\`*_{}[]#|$~!" else char for char in escape(words, quote=False)
-    )
-
-
-def html(chapters: Sequence[Readable], notation: Notation = CRANKSTAR) -> str:
-    """A page that stands alone: no script, nothing from elsewhere, light and dark, printable."""
-    parts = "\n".join(_section(shown) for shown in _introduced(chapters, notation))
-    values = {"name": escape(chapters[0].engine), "style": ALIGNED + _STYLE, "parts": parts}
-    return re.sub(r"\{(name|style|parts)\}", lambda key: values[key[1]], _template("document.html"))
-
-
-def html_part(chapter: Readable, notation: Notation = CRANKSTAR) -> str:
-    """One chapter as a part of a page whose style has `ALIGNED`."""
-    return html_parts([chapter], notation)[0]
-
-
-def html_parts(chapters: Sequence[Readable], notation: Notation = CRANKSTAR) -> list[str]:
-    """Chapters as parts of one page, each letter explained where it comes first.
-
-    The page's style has `ALIGNED`.
-    """
-    return [_section(shown) for shown in _introduced(chapters, notation)]
-
-
-def _section(shown: _Part) -> str:
-    out = [f'<section class="derivation">\n<h2>{escape(shown.title)}</h2>']
-    for count, step in enumerate(shown.steps, 1):
-        out.append(f"<h3>{count}. {escape(step.title)}</h3>")
-        out += [f"<p>{escape(words)}</p>" for words in step.words]
-        if count == 1 and shown.letters:
-            terms = (
-                f"<dt>{math(meaning.letter)}</dt><dd>{escape(meaning.words)}</dd>"
-                for meaning in shown.letters
-            )
-            out.append(f"<dl>{''.join(terms)}</dl>")
-        for line in step.lines:
-            shown_label = _label(line, escape(line.label), math)
-            label = f'<div class="label">{shown_label}</div>' if line.label else ""
-            note = f'<div class="note">{escape(line.note)}</div>' if line.note else ""
-            out.append(f'<div class="line">{label}{chain(line)}{note}</div>')
-    out.append("</section>")
-    return "\n".join(out)
+    return re.sub(r"([\\`*_{}\[\]#|$~!])", r"\\\1", escape(words, quote=False))
 
 
 def math(formula: Formula) -> str:
@@ -275,19 +234,93 @@ def math(formula: Formula) -> str:
 def chain(line: Line) -> str:
     """A chain of equations as one MathML table, aligned at the equals signs, long sums broken."""
     name = "" if line.name is None else typeset.mathml(line.name)
-    rows = ""
-    for place, formula in enumerate(line.chain):
-        for row, piece in enumerate(_pieces(formula)):
-            left = name if place == row == 0 else ""
-            shown = typeset.mathml(piece)
-            plus = "" if row == 0 or typeset.negative(piece) else "<mo form='infix'>+</mo>"
-            equals = "<mo>=</mo>" if row == 0 else ""
-            rows += (
-                f'<mtr><mtd class="lhs"><mrow>{left}</mrow></mtd><mtd>{equals}</mtd>'
-                f'<mtd class="rhs"><mrow>{plus}{shown}</mrow></mtd></mtr>'
-            )
+    rows = "".join(
+        f'<mtr><mtd class="lhs"><mrow>{name if first else ""}</mrow></mtd>'
+        f"<mtd>{'<mo>=</mo>' if equals else ''}</mtd>"
+        f'<mtd class="rhs"><mrow>{PLUS if plus else ""}{typeset.mathml(piece)}</mrow></mtd></mtr>'
+        for first, equals, plus, piece in _rows(line)
+    )
     plain_text = escape(equations(line).replace("\n", " "))
     return f'<math alttext="{plain_text}"><mtable displaystyle="true">{rows}</mtable></math>'
+
+
+_LATEX = _Markup(
+    escaped=latex_text,
+    inline=_inline,
+    chain=aligned,
+    title="\\subsection*{{{}}}\n",
+    step="\\paragraph{{{}. {}.}}\n",
+    words=("", "\n\n", "\n"),
+    letters=("\n", "; ", ".\n"),
+    letter="{}: {}",
+    label="\n{}:\n",
+    equations="\\[\n{}\n\\]\n",
+    note="{}\n",
+)
+_MARKDOWN = _Markup(
+    escaped=markdown_words,
+    inline=_inline,
+    chain=aligned,
+    title="## {}\n\n",
+    step="### {}. {}\n\n",
+    words=("", "\n\n", "\n\n"),
+    letters=("* ", "\n* ", "\n\n"),
+    letter="{}: {}",
+    label="{}:\n\n",
+    equations="$$\n{}\n$$\n\n",
+    note="{}\n\n",
+)
+_HTML = _Markup(
+    escaped=escape,
+    inline=math,
+    chain=chain,
+    title="<h2>{}</h2>\n",
+    step="<h3>{}. {}</h3>\n",
+    words=("<p>", "</p>\n<p>", "</p>\n"),
+    letters=("<dl>", "", "</dl>\n"),
+    letter="<dt>{}</dt><dd>{}</dd>",
+    label='<div class="label">{}</div>',
+    equations="{}",
+    note='<div class="note">{}</div>',
+    line='<div class="line">{}</div>\n',
+)
+
+
+def latex(chapters: Sequence[Readable], notation: Notation = CRANKSTAR) -> str:
+    """A complete LaTeX document; needs amsmath and Latin Modern only."""
+    title = chapters[0].engine
+    head = f"% {title.encode('ascii', 'replace').decode()}\n\\section*{{{latex_text(title)}}}\n"
+    parts = [_written(shown, _LATEX) for shown in _introduced(chapters, notation)]
+    return "".join([_template("document.tex"), head, *parts, "\\end{document}\n"])
+
+
+def markdown(chapters: Sequence[Readable], notation: Notation = CRANKSTAR) -> str:
+    """Markdown with LaTeX formulas between double dollars, as GitHub.
+
+    Jupyter and most wikis set them.
+    """
+    parts = [_written(shown, _MARKDOWN) for shown in _introduced(chapters, notation)]
+    return "".join([f"# {markdown_words(chapters[0].engine)}\n\n", *parts]).rstrip("\n") + "\n"
+
+
+def html(chapters: Sequence[Readable], notation: Notation = CRANKSTAR) -> str:
+    """A page that stands alone: no script, nothing from elsewhere, light and dark, printable."""
+    return _template("document.html").format(
+        name=escape(chapters[0].engine),
+        style=ALIGNED + _template("document.css"),
+        parts="\n".join(html_parts(chapters, notation)),
+    )
+
+
+def html_parts(chapters: Sequence[Readable], notation: Notation = CRANKSTAR) -> list[str]:
+    """Chapters as parts of one page whose style has `ALIGNED`.
+
+    Each letter is explained where it comes first.
+    """
+    return [
+        f'<section class="derivation">\n{_written(shown, _HTML)}</section>'
+        for shown in _introduced(chapters, notation)
+    ]
 
 
 FORMATS: dict[str, Callable[..., str]] = {"latex": latex, "markdown": markdown, "html": html}

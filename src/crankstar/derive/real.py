@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 from math import pi
 
@@ -16,30 +17,28 @@ from crankstar.derive.algebra.formula import (
     Power,
     Ratio,
     Symbol,
+    number,
     product,
     summed,
 )
 from crankstar.derive.algebra.wave import Wave
 from crankstar.derive.records import Line, Step, unit_symbol
-from crankstar.derive.task import Task
+from crankstar.derive.task import Task, sides
 from crankstar.engine.motion import series_coefficient
 from crankstar.language.messages import _
+from crankstar.mechanics.balance import unit_unbalance
 
 
 def real(task: Task) -> Step:
     """The force or couple in letters, its harmonics, and its size where the file gives enough."""
     title = _("The real engine")
-    if not task.up and not task.right:
+    if not any(task.push):
         return Step(title, (_("Nothing of this order remains, at any speed."),), ())
     counted = unit_symbol(task.bodies.harmonic)
     lines = [
-        Line(
-            Symbol(task.letter, side),
-            (product(counted, wave.signal(own, task.order)),),
-            label=label,
-        )
-        for own, side, label in ((task.up, "up", _("up")), (task.right, "right", _("right")))
-        if own
+        replace(line, chain=(product(counted, line.chain[-1]),), kind="plain", rows=())
+        for line in sides(task, "", task.moving)
+        if line.chain[-1] != NOUGHT
     ]
     words = [_size(task)]
     for symbol, (order, ratio) in _harmonics(task).items():
@@ -67,7 +66,7 @@ def real(task: Task) -> Step:
 def _harmonics(task: Task) -> dict[Symbol, tuple[int, Fraction]]:
     """The harmonics that stand in the result, with their orders and rod ratios."""
     parts = task.bodies
-    there = {symbol for own in (task.up, task.right) for key in own for symbol in key}
+    there = {symbol for own in task.push for key in own for symbol in key}
     out = {symbol: harmonic for symbol, harmonic in parts.values.items() if symbol in there}
     if parts.harmonic not in (None, 1) and parts.rod_ratio is not None:
         out[Symbol("A", str(parts.harmonic))] = (parts.harmonic, parts.rod_ratio)
@@ -92,20 +91,16 @@ def series(order: int, power: int, ratio: Symbol, *, inverted: bool = False) -> 
     """
     terms: list[Formula] = []
     for exponent in range(power + 1):
-        value = series_coefficient(order, exponent)
-        if value == 0:
-            continue
+        value = series_coefficient(order, exponent) / (2**exponent if inverted else 1)
         letter: Formula = ratio if exponent == 1 else Power(ratio, exponent)
-        sign, size = (1 if value > 0 else -1), abs(value)
-        if inverted:
-            size /= 2**exponent
-            below = product(size.denominator, letter)
-            terms.append(product(sign, Ratio(product(size.numerator), below)))
-        elif size.denominator == 1:
-            terms.append(product(value, letter))
+        above, below = number(abs(value.numerator)), number(value.denominator)
+        if value.denominator == 1 and not inverted:
+            term = product(value, letter)
+        elif inverted:
+            term = product(1 if value > 0 else -1, Ratio(above, product(below, letter)))
         else:
-            above = product(size.numerator, letter)
-            terms.append(product(sign, Ratio(above, product(size.denominator))))
+            term = product(1 if value > 0 else -1, Ratio(product(above, letter), below))
+        terms += [term] if value else []
     return summed(*terms, Symbol("…")) if terms else NOUGHT
 
 
@@ -145,9 +140,7 @@ def _greatest(task: Task, speed: float) -> float:
     lengths = sum((abs(_enclosed(own, values)) for own in task.vectors), arb(0))
     if parts.harmonic is not None and parts.rod_ratio is not None:
         lengths *= abs(enclosure.coefficient(parts.rod_ratio, parts.harmonic))
-    first = engine.first
-    mass = first.reciprocating_mass or (first.rod.mass if first.rod else 1.0)
-    unit = mass * engine.throw(first).radius * speed**2
+    unit = unit_unbalance(engine) * speed**2
     return float(lengths.mid()) * unit * (engine.pitch if task.quantity == "couple" else 1.0)
 
 

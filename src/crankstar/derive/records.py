@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import Any, ClassVar, Literal, Protocol
+from typing import Literal
 
 from crankstar.derive.algebra.formula import Formula, Power, Symbol, product
 from crankstar.language.messages import _
@@ -50,35 +50,21 @@ class Step:
     lines: tuple[Line, ...] = ()
 
 
-class Readable(Protocol):
-    """What notations and documents read of a chapter."""
+@dataclass(frozen=True)
+class Readable:
+    """Steps under a title.
 
-    __dataclass_fields__: ClassVar[dict[str, Any]]
+    Counted in `m r w^2 A_j`, j = `harmonic`, or in `m r w^2` where it is None. `symbols` has the
+    values of the letters that have one for this engine (lengths in bore pitches, harmonics),
+    `meanings` says what letters are in this engine.
+    """
 
-    @property
-    def engine(self) -> str:
-        """The name of the engine."""
-        ...
-
-    @property
-    def title(self) -> str:
-        """Its title."""
-        ...
-
-    @property
-    def harmonic(self) -> int | None:
-        """The j of the A_j that is its unit."""
-        ...
-
-    @property
-    def steps(self) -> tuple[Step, ...]:
-        """Its steps."""
-        ...
-
-    @property
-    def meanings(self) -> dict[str, str]:
-        """The meanings of its letters in this engine."""
-        ...
+    engine: str
+    title: str
+    harmonic: int | None
+    symbols: dict[str, float]
+    steps: tuple[Step, ...]
+    meanings: dict[str, str] = field(default_factory=dict)
 
 
 def unit_symbol(harmonic: int | None) -> Symbol:

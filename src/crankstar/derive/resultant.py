@@ -23,10 +23,11 @@ from crankstar.derive.algebra.formula import (
 from crankstar.derive.algebra.radicals import over_one_denominator
 from crankstar.derive.algebra.typeset import text
 from crankstar.derive.algebra.wave import Amount, Wave, at
-from crankstar.derive.records import Line, Step
-from crankstar.derive.task import Task, arm_of, degrees_text
+from crankstar.derive.records import Kind, Line, Step
+from crankstar.derive.task import Task, arm_of, degrees_text, rows, sides
 from crankstar.language.messages import N_, _
 
+KINDS: tuple[Kind, Kind] = ("forward", "backward")
 LINE = (
     N_("The line is vertical."),
     N_("The line is horizontal."),
@@ -44,23 +45,18 @@ ELLIPSE = (
 )
 
 
-def resultant(task: Task, rows: tuple[int, ...], symbols: dict[str, float]) -> Step:
+def resultant(task: Task, symbols: dict[str, float]) -> Step:
     """The closed forms of the whole engine, its two vectors, and their path."""
-    up, right = wave.signal(task.up, task.order), wave.signal(task.right, task.order)
-    lines = [
-        Line(Symbol(task.letter, "up"), (up,), "signal", rows, 0.0, _("up")),
-        Line(Symbol(task.letter, "right"), (right,), "signal", rows, 90.0, _("right")),
-    ]
+    lines = sides(task, "", task.moving)
     words, axes = shape(task)
-    if task.up or task.right:
+    if any(task.push):
         words += (_vectors(task),)
-        forward, backward = (wave.vector(own, symbols) for own in task.vectors)
-        plus, minus = Symbol(task.letter, "+"), Symbol(task.letter, "−")
-        label = _("turning with the crank")
-        lines.append(Line(plus, (forward,), "forward", rows, label=label))
-        label = _("turning against it")
-        lines.append(Line(minus, (backward,), "backward", rows, label=label))
-    words = (*words, *_algebraic([*task.up.values(), *task.right.values()]))
+        labels = (_("turning with the crank"), _("turning against it"))
+        for sign, kind, label, own in zip("+−", KINDS, labels, task.vectors, strict=True):
+            vector = (wave.vector(own, symbols),)
+            name, every = Symbol(task.letter, sign), rows(task.moving)
+            lines.append(Line(name, vector, kind, every, label=label))
+    words = (*words, *_algebraic([amount for side in task.push for amount in side.values()]))
     return Step(_("The resultant"), words, tuple(lines + axes))
 
 
@@ -102,10 +98,9 @@ def shape(task: Task) -> tuple[tuple[str, ...], list[Line]]:
                 "this order remains."
             ),
         ), []
-    if not backward or (second is not None and second.zero):
-        return _with_the_crank(task), []
-    if not forward or (first is not None and first.zero):
-        return _against_the_crank(task), []
+    for vector, at_places, with_crank in ((backward, second, True), (forward, first, False)):
+        if not vector or (at_places is not None and at_places.zero):
+            return (_circle(task, with_crank=with_crank),), []
     common = _common_line(forward, backward)
     if common is None and first is not None and second is not None:
         common = (first, second) if wave.same_length(first, second) else None
@@ -136,45 +131,43 @@ def shape(task: Task) -> tuple[tuple[str, ...], list[Line]]:
     return words, _axes(task.letter, forward, backward, larger_first=larger_first)
 
 
-def _with_the_crank(task: Task) -> tuple[str, ...]:
-    """A circle that a counterweight can take away where it turns as fast as the crank."""
-    if task.quantity == "couple":
-        path = _(
-            "The path is a circle: a couple of constant size whose plane turns with the crank."
-        )
-        cure = _("Two counterweights in different planes of the crankshaft can balance it.")
-    else:
-        path = _("The path is a circle: a force of constant size that turns with the crank.")
-        cure = _("A counterweight on the crankshaft can balance it.")
-    return (f"{path} {cure}" if task.order == 1 else path,)
+def _circle(task: Task, *, with_crank: bool) -> str:
+    """A circle, which a counterweight can take away where it turns as the crank does."""
+    path, cure = _CIRCLES[task.quantity, with_crank]
+    return f"{_(path)} {_(cure)}" if task.order == 1 else _(path)
 
 
-def _against_the_crank(task: Task) -> tuple[str, ...]:
-    if task.quantity == "couple":
-        path = _(
-            "The path is a circle: a couple of constant size whose plane turns against the crank."
-        )
-    else:
-        path = _("The path is a circle: a force of constant size that turns against the crank.")
-    cure = _("No counterweight on the crankshaft can reduce it.")
-    return (f"{path} {cure}" if task.order == 1 else path,)
+_NO_CURE = N_("No counterweight on the crankshaft can reduce it.")
+_CIRCLES = {
+    ("couple", True): (
+        N_("The path is a circle: a couple of constant size whose plane turns with the crank."),
+        N_("Two counterweights in different planes of the crankshaft can balance it."),
+    ),
+    ("force", True): (
+        N_("The path is a circle: a force of constant size that turns with the crank."),
+        N_("A counterweight on the crankshaft can balance it."),
+    ),
+    ("couple", False): (
+        N_("The path is a circle: a couple of constant size whose plane turns against the crank."),
+        _NO_CURE,
+    ),
+    ("force", False): (
+        N_("The path is a circle: a force of constant size that turns against the crank."),
+        _NO_CURE,
+    ),
+}
 
 
 def _nothing(task: Task) -> str:
     """Why there is nothing of an order."""
-    couple = task.quantity == "couple"
+    force = task.quantity == "force"
     if task.bodies.why:
-        digits = cyclotomic.DIGITS - 5
-        if couple:
-            return _(
-                "To {digits} digits no couple of this order can be distinguished from zero.",
-                digits=digits,
-            )
-        return _(
-            "To {digits} digits no force of this order can be distinguished from zero.",
-            digits=digits,
+        none = (
+            N_("To {digits} digits no couple of this order can be distinguished from zero."),
+            N_("To {digits} digits no force of this order can be distinguished from zero."),
         )
-    if not couple:
+        return _(none[force], digits=cyclotomic.DIGITS - 5)
+    if force:
         if not task.moving:
             return _("There is no force of this order: no part of the engine pushes in it.")
         return _("There is no force of this order: every sum is exactly zero.")
@@ -202,14 +195,14 @@ def _common_line(forward: Wave, backward: Wave) -> tuple[Amount, Amount] | None:
     pairs = [(forward[key], backward[key]) for key in forward]
     if not all(wave.same_length(first, second) for first, second in pairs):
         return None
-    turns = {wave.turn_of(wave.multiplied_amount(first, second)) for first, second in pairs}
+    turns = {wave.turn_of(first * second) for first, second in pairs}
     return pairs[0] if len(pairs) == 1 or (len(turns) == 1 and None not in turns) else None
 
 
 def _axes(letter: str, forward: Wave, backward: Wave, *, larger_first: bool) -> list[Line]:
     """The semi-axes |f| + |b| and ||f| - |b||."""
     (key,) = forward
-    greater, smaller = wave.length(forward[key]).formula, wave.length(backward[key]).formula
+    greater, smaller = wave.length(forward[key]), wave.length(backward[key])
     if not larger_first:
         greater, smaller = smaller, greater
     long, short = _combined(greater, smaller), _combined(greater, negative(smaller))
@@ -222,12 +215,12 @@ def _axes(letter: str, forward: Wave, backward: Wave, *, larger_first: bool) -> 
 def _combined(first: Formula, second: Formula) -> Formula:
     """A sum in closed form, or, of decimals, as a decimal."""
     whole = over_one_denominator(collected(first, second))
-    return Decimal(enclosed(whole)) if has_decimal(whole) else whole
+    return Decimal(enclosed(whole, {})) if has_decimal(whole) else whole
 
 
 def _bearing(first: Amount, second: Amount, sentences: tuple[str, str, str]) -> str:
     """The bearing of a line, or of the long axis: halfway between the two vectors."""
-    turn = wave.turn_of(wave.multiplied_amount(first, second))
+    turn = wave.turn_of(first * second)
     angle = (
         degrees(np.angle(complex(first)) + np.angle(complex(second))) / 2 % 180
         if turn is None
@@ -247,19 +240,18 @@ def _algebraic(amounts: list[Amount]) -> list[str]:
     out: dict[str, None] = {}
     for amount in amounts:
         size = wave.length(amount)
-        if size.exact or not isinstance(amount, Number) or amount.order > 720:
+        if not isinstance(size, Decimal) or not isinstance(amount, Number) or amount.order > 720:
             continue
         coefficients = cyclotomic.minimal_polynomial(amount * amount.conjugate)
         if len(coefficients) > 8 or max(map(abs, coefficients)) > 10**12:
             continue
-        if isinstance(size.formula, Decimal):
-            sentence = _(
-                "{number} has no short closed form; its square x is exactly a root of "
-                "{polynomial} = 0.",
-                number=text(Decimal(size.formula.ball, 20)),
-                polynomial=_polynomial(coefficients),
-            )
-            out[sentence] = None
+        sentence = _(
+            "{number} has no short closed form; its square x is exactly a root of "
+            "{polynomial} = 0.",
+            number=text(Decimal(size.ball, 20)),
+            polynomial=_polynomial(coefficients),
+        )
+        out[sentence] = None
     return list(out)
 
 

@@ -18,14 +18,14 @@ from fractions import Fraction
 from crankstar.derive.algebra import cyclotomic, enclosure, rational, wave
 from crankstar.derive.algebra.formula import Formula, Polar, Sum, Symbol, product
 from crankstar.derive.algebra.wave import Amount, Wave, joined, scaled
-from crankstar.derive.bodies import bodies
-from crankstar.derive.body import armed, on_pin
+from crankstar.derive.bodies import armed, bodies, pushed
 from crankstar.derive.chapters import Chapter
 from crankstar.derive.positions import Arms, arms
 from crankstar.derive.records import DerivationError, Line, Step
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.mechanics.excitation import Reference
+from crankstar.remedy.loads import rotating_mass
 
 NAMES = {
     ("P", "R"): N_("force of the rotating masses"),
@@ -104,7 +104,7 @@ def _rotating(engine: Engine, placed: Arms) -> list[Sign]:
     exact = all(rational.turn(throw.angle) is not None for throw in shaft.throws)
     loads = [throw.rotating_mass * throw.radius for throw in shaft.throws]
     for cylinder in engine.cylinders:
-        loads[cylinder.throw - 1] += on_pin(engine, cylinder)
+        loads[cylinder.throw - 1] += rotating_mass(cylinder) * engine.throw(cylinder).radius
     greatest = max(loads)
     vectors: list[tuple[Wave, tuple[str, int]]] = []
     for place, throw in enumerate(shaft.throws, 1):
@@ -145,8 +145,7 @@ def _reciprocating(engine: Engine, placed: Arms, below: str, order: Fraction) ->
             if letter == "P"
             else [armed(b, placed.cylinder[b.cylinder or 0]) for b in pistons]
         )
-        up, right = joined(b.up for b in moving), joined(b.right for b in moving)
-        forward, backward = wave.vectors(up, right, sense=engine.sense)
+        forward, backward = wave.vectors(*pushed(moving), sense=engine.sense)
         one_row = len({round(body.bearing_deg, 9) for body in moving}) == 1
         along = joined(body.along or {} for body in moving) if one_row else None
         out.append(

@@ -14,17 +14,23 @@ from numbers import Real
 
 from crankstar.derive import positions
 from crankstar.derive.algebra import cyclotomic, enclosure
-from crankstar.derive.banks import by_bank
-from crankstar.derive.bodies import Bodies, bodies
-from crankstar.derive.body import armed
+from crankstar.derive.algebra.formula import Formula, Symbol, cosine, product, summed
+from crankstar.derive.banks import by_bank, by_pin
+from crankstar.derive.bodies import Body, armed, bodies
 from crankstar.derive.chapters import Derivation
-from crankstar.derive.law import law
-from crankstar.derive.pins import by_pin
 from crankstar.derive.real import real
-from crankstar.derive.records import GREATEST_ORDER, DerivationError, Quantity, Step
+from crankstar.derive.records import (
+    GREATEST_ORDER,
+    DerivationError,
+    Line,
+    Quantity,
+    Step,
+    heading,
+    unit_formula,
+    unit_symbol,
+)
 from crankstar.derive.resultant import resultant
-from crankstar.derive.task import Task, arm_of, rows
-from crankstar.derive.turning import turning
+from crankstar.derive.task import Task, arm_of, sides
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
 from crankstar.language.quoting import one_line
@@ -74,36 +80,97 @@ def derivation(
             _("The reference point is not finite; give its place in metres or bore pitches.")
         )
     with cyclotomic.precision(cyclotomic.DIGITS):
-        parts = _bodies(engine, wanted)
+        try:
+            parts = bodies(engine, wanted)
+        except enclosure.EnclosureError:
+            raise DerivationError(
+                _(
+                    "Order {order} cannot be derived: the rods come too near to locking for their "
+                    "harmonics to be enclosed. `crankstar analyze` gives the order as a number.",
+                    order=f"{float(wanted):g}",
+                )
+            ) from None
         arms = positions.arms(engine, reference)
         moving = parts.moving
         if quantity == "couple":
             moving = tuple(armed(body, arm_of(arms, body)) for body in moving)
         speed = engine.speed if speed is None else speed
-        task = Task(engine, wanted, quantity, parts, moving, arms, reference, speed, power)
+        task = Task(engine, wanted, quantity, parts, moving, arms, speed, power)
         return _derived(task)
 
 
 def _derived(task: Task) -> Derivation:
-    parts = task.bodies
-    symbols = _symbols(parts, task.arms)
-    steps = [law(task), *_sums(task), resultant(task, rows(task.moving), symbols), real(task)]
+    parts, arms = task.bodies, task.arms
+    symbols = {symbol.name: float(value) for symbol, value in arms.values.items()}
+    symbols |= {symbol.name: _harmonic(*harmonic) for symbol, harmonic in parts.values.items()}
     forward, backward = task.vectors
     return Derivation(
         engine=task.engine.name,
+        title=heading(task.order, task.quantity),
         order=task.order,
         quantity=task.quantity,
         harmonic=parts.harmonic,
         scale=_harmonic(parts.harmonic, parts.rod_ratio),
         symbols=symbols,
-        steps=tuple(steps),
-        up=task.up,
-        right=task.right,
+        steps=(_law(task), *_sums(task), resultant(task, symbols), real(task)),
+        up=task.push.up,
+        right=task.push.right,
         forward=forward,
         backward=backward,
         why=parts.why,
-        meanings=positions.meanings(task.engine, task.arms) | _theta(task),
+        meanings=positions.meanings(task.engine, arms) | _theta(task),
     )
+
+
+def _law(task: Task) -> Step:
+    """The first step: the force of one piston, and the unit of what follows."""
+    psi, harmonic = Symbol("psi"), task.bodies.harmonic
+    highest = min(max(4, 2 * int(-(-task.order // 2))), 8)
+    terms: list[Formula] = [
+        product(Symbol("A", str(k)), cosine(product(k, psi))) for k in range(2, highest + 1, 2)
+    ]
+    force = product(unit_formula(None), summed(cosine(psi), *terms, Symbol("…")))
+    lines = (
+        Line(Symbol("F"), (force,), label=_("law")),
+        Line(unit_symbol(harmonic), (unit_formula(harmonic),), label=_("unit")),
+    )
+    return Step(_("One cylinder"), tuple(_words(task)), lines)
+
+
+def _words(task: Task) -> list[str]:
+    words = [
+        _(
+            "A piston pushes on the block along its cylinder with the force F, outwards where it "
+            "is positive; ψ is the angle of the crank from the cylinder."
+        )
+    ]
+    if task.bodies.why:
+        words += [
+            _("The series holds for a plain rod on a centred crank."),
+            task.bodies.why,
+            _(
+                "The numbers below are therefore enclosed decimals, every digit certain, and not "
+                "closed forms. A sum that cannot be distinguished from zero is left out; it is not "
+                "proved to be zero."
+            ),
+        ]
+    if task.quantity == "couple":
+        words.append(
+            _(
+                "The following lines are of order {order}, counted in the unit below, with lengths "
+                "along the crankshaft as letters; θ is the crank angle.",
+                order=task.order,
+            )
+        )
+    else:
+        words.append(
+            _(
+                "The following lines are of order {order}, counted in the unit below; θ is the "
+                "crank angle.",
+                order=task.order,
+            )
+        )
+    return words
 
 
 def _sums(task: Task) -> list[Step]:
@@ -115,7 +182,7 @@ def _sums(task: Task) -> list[Step]:
             "the first only."
         )
         return [Step(_("No such harmonic"), (words,))]
-    if task.quantity == "couple" and not task.has_arms:
+    if task.quantity == "couple" and not any(arm_of(task.arms, body) for body in task.moving):
         words = _(
             "All parts that push stand in the reference plane: none has an arm, so there is no "
             "couple of this order."
@@ -124,7 +191,34 @@ def _sums(task: Task) -> list[Step]:
     pistons = [body for body in task.moving if not body.turning]
     rotors = [body for body in task.moving if body.turning]
     steps = [*by_bank(task, pistons), *by_pin(task, pistons)] if pistons else []
-    return [*steps, *turning(task, rotors, mixed=bool(pistons))] if rotors else steps
+    if rotors:
+        steps.append(_turning(task, rotors))
+    if rotors and pistons:
+        lines = sides(task, "all", task.moving, _("all parts"))
+        steps.append(Step(_("Pistons and rotating masses together"), (), tuple(lines)))
+    return steps
+
+
+def _turning(task: Task, rotors: list[Body]) -> Step:
+    """The pushes of rotating masses: throws, big ends, weights."""
+    lines: list[Line] = []
+    for body in rotors:
+        values = {"place": body.place, "shaft": body.shaft}
+        if body.kind == "throw":
+            label = _("throw {place} of {shaft}", **values)
+        elif body.kind == "weight":
+            label = _("weight {place} of {shaft}", **values)
+        else:
+            label = _("big end of cylinder {number}", number=body.cylinder)
+        name = f"{body.kind} {body.cylinder or body.place} of {body.shaft}"
+        lines += sides(task, name, [body], label, arm=task.arm(body))
+    lines += sides(task, "turning", rotors, _("all rotating masses"))
+    words = _(
+        "A rotating mass gives a force of constant size, outwards along its crank, which turns "
+        "with the shaft: mass times radius times the square of the speed of the shaft. The first "
+        "two are counted in m r, the speed in ω."
+    )
+    return Step(_("Rotating masses"), (words,), tuple(lines))
 
 
 def _theta(task: Task) -> dict[str, str]:
@@ -160,27 +254,7 @@ def _order(order: float | Fraction) -> Fraction:
     return wanted
 
 
-def _bodies(engine: Engine, order: Fraction) -> Bodies:
-    try:
-        return bodies(engine, order)
-    except enclosure.EnclosureError:
-        raise DerivationError(
-            _(
-                "Order {order} cannot be derived: the rods come too near to locking for their "
-                "harmonics to be enclosed. `crankstar analyze` gives the order as a number.",
-                order=f"{float(order):g}",
-            )
-        ) from None
-
-
 def _harmonic(order: int | None, rod_ratio: Fraction | None) -> float:
     if order is None or order == 1 or rod_ratio is None:
         return 1.0
     return float(enclosure.coefficient(rod_ratio, order).mid())
-
-
-def _symbols(parts: Bodies, arms: positions.Arms) -> dict[str, float]:
-    lengths = {symbol.name: float(value) for symbol, value in arms.values.items()}
-    return lengths | {
-        symbol.name: _harmonic(order, ratio) for symbol, (order, ratio) in parts.values.items()
-    }

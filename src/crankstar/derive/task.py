@@ -3,24 +3,22 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from math import radians
 
 from crankstar.derive import positions
-from crankstar.derive.addition import sum_as_product
+from crankstar.derive.addition import distinct, sum_as_product
 from crankstar.derive.algebra import cyclotomic, enclosure, wave
-from crankstar.derive.algebra.formula import Decimal, Formula, Symbol, number, product
+from crankstar.derive.algebra.formula import Decimal, Formula, Symbol, number, product, summed
 from crankstar.derive.algebra.radicals import closed
-from crankstar.derive.algebra.wave import Form, Wave, joined
-from crankstar.derive.bodies import Bodies
-from crankstar.derive.body import Body
+from crankstar.derive.algebra.wave import Form, Wave
+from crankstar.derive.bodies import Bodies, Body, Push, pushed
 from crankstar.derive.records import Line, Quantity
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
-from crankstar.mechanics.excitation import Reference
 
 
 @dataclass(frozen=True)
@@ -37,7 +35,6 @@ class Task:
     bodies: Bodies
     moving: tuple[Body, ...]
     arms: positions.Arms
-    reference: Reference | None
     speed: float | None
     power: int
 
@@ -47,24 +44,18 @@ class Task:
         return "F" if self.quantity == "force" else "M"
 
     @cached_property
-    def up(self) -> Wave:
-        """The amplitude of the signal upwards."""
-        return joined(body.up for body in self.moving)
-
-    @cached_property
-    def right(self) -> Wave:
-        """The amplitude of the signal to the right."""
-        return joined(body.right for body in self.moving)
+    def push(self) -> Push:
+        """The amplitudes of the whole engine upwards and to the right."""
+        return pushed(self.moving)
 
     @cached_property
     def vectors(self) -> tuple[Wave, Wave]:
         """The vectors that turn with the crank and against it."""
-        return wave.vectors(self.up, self.right, sense=self.engine.sense)
+        return wave.vectors(*self.push, sense=self.engine.sense)
 
-    @property
-    def has_arms(self) -> bool:
-        """Whether any part that pushes stands off the reference plane."""
-        return any(arm_of(self.arms, body) for body in self.moving)
+    def arm(self, body: Body) -> Formula | None:
+        """The arm of a part in a couple."""
+        return wave.form(arm_of(self.arms, body)) if self.quantity == "couple" else None
 
 
 def arm_of(arms: positions.Arms, body: Body) -> Form:
@@ -93,56 +84,62 @@ def degrees_text(value: float) -> str:
 def sides(
     task: Task,
     name: str,
-    up: Wave,
-    right: Wave,
-    rows: tuple[int, ...],
-    label: str,
+    members: Sequence[Body],
+    part: str = "",
+    *,
     arm: Formula | None = None,
+    before: Callable[[int], Iterable[Formula]] = lambda _side: (),
 ) -> list[Line]:
-    """A push as its components up and to the right."""
-    both = (
-        (up, "up", 0.0, _("{part}, up", part=label)),
-        (right, "right", 90.0, _("{part}, right", part=label)),
+    """The push of parts up and to the right; `before` are formulas equal to side 0 and side 1."""
+    labels = (
+        (_("{part}, up", part=part), _("{part}, right", part=part))
+        if part
+        else (_("up"), _("right"))
     )
-    return [
-        Line(
-            Symbol(task.letter, f"{name}, {side}"),
-            (wave.signal(own, task.order),),
-            "signal",
-            rows,
-            bearing,
-            labelled,
-            arm=arm,
+    lines: list[Line] = []
+    for side, whole in enumerate(pushed(members)):
+        below = ", ".join(filter(None, (name, ("up", "right")[side])))
+        lines.append(
+            Line(
+                Symbol(task.letter, below),
+                distinct([*before(side), wave.signal(whole, task.order)]),
+                "signal",
+                rows(members),
+                90.0 * side,
+                labels[side],
+                arm=arm,
+            )
         )
-        for own, side, bearing, labelled in both
-    ]
+    return lines
 
 
-def share(body: Body, *, up: bool) -> Formula:
+def resolved(task: Task, parts: Sequence[tuple[Body, Wave]], side: int) -> list[Formula]:
+    """Pushes along the cylinders of bodies, resolved into up (0) or right (1), and added."""
+    shares = [(_share(body, side), along) for body, along in parts]
+    signals = (product(factor, wave.signal(along, task.order)) for factor, along in shares)
+    return [summed(*signals), *_paired(shares, task.order)]
+
+
+def _share(body: Body, side: int) -> Formula:
     """The share of a push along a cylinder that goes up or right: cosine or sine of its bearing."""
-    if body.bearing is None:
-        return _decimal_share(body.bearing_deg, up=up)
-    return closed((cyclotomic.cosine if up else cyclotomic.sine)(body.bearing)).formula
-
-
-def _decimal_share(bearing_deg: float, *, up: bool) -> Formula:
+    if body.bearing is not None:
+        return closed((cyclotomic.cosine, cyclotomic.sine)[side](body.bearing))
     with cyclotomic.precision(cyclotomic.DIGITS):
-        axis = enclosure.angle_of(radians(bearing_deg))
-        return Decimal(axis.real if up else axis.imag)
+        axis = enclosure.angle_of(radians(body.bearing_deg))
+        return Decimal((axis.real, axis.imag)[side])
 
 
-def paired(parts: Sequence[tuple[Formula, Wave]], order: Fraction) -> list[Formula]:
+def _paired(parts: Sequence[tuple[Formula, Wave]], order: Fraction) -> list[Formula]:
     """Two signals of one size as a product of cosines, where that shows more than the sum."""
     pieces = [
-        (factor, piece)
-        for factor, own in parts
-        for piece in wave.pieces(own)
+        (product(factor, piece.size), piece.phase)
+        for factor, along in parts
+        for piece in wave.pieces(along)
         if factor != number(0)
     ]
     if len(pieces) != 2:
         return []
-    first, second = (product(factor, piece.size) for factor, piece in pieces)
-    p, q = (piece.phase for _, piece in pieces)
+    (first, p), (second, q) = pieces
     if p is None or q is None:
         return []
     if first == product(-1, second):

@@ -189,12 +189,10 @@ def _turned(vector: Wave) -> Wave:
 
 def _shifted(vector: Wave, order: int, lead: Formula, factor: Formula) -> Formula:
     """A signal with letters: the sum of size * factor * cos(k theta + lead + angle)."""
-    terms = []
-    for piece in wave.pieces(vector):
-        inside = summed(product(order, THETA), lead)
-        if piece.phase in (Fraction(1, 4), Fraction(-1, 4)):
-            sign = -1 if piece.phase > 0 else 1  # pyright: ignore[reportOptionalOperand]
-            terms.append(product(sign, piece.size, factor, Applied("sin", inside)))
-        else:
-            terms.append(product(piece.size, factor, cosine(summed(inside, piece.angle))))
-    return summed(*terms)
+    inside = summed(product(order, THETA), lead)
+    return summed(
+        *(
+            wave.written(piece._replace(size=product(piece.size, factor)), inside)
+            for piece in wave.pieces(vector)
+        )
+    )

@@ -90,7 +90,7 @@ def derivation(engine: Engine, key: str) -> str:
     Raises NoSuchKeyError, or DerivationError where it cannot be derived.
     """
     from crankstar import derive
-    from crankstar.derive.documents import html_part
+    from crankstar.derive.documents import html_parts
 
     quantity, _colon, order = key.partition(":")
     try:
@@ -104,4 +104,4 @@ def derivation(engine: Engine, key: str) -> str:
                 key=one_line(key, longest=60),
             )
         )
-    return html_part(derive.derivation(engine, wanted, quantity=quantity).chapter)
+    return html_parts([derive.derivation(engine, wanted, quantity=quantity)])[0]

@@ -48,19 +48,23 @@ def loads(engine: Engine) -> tuple[Load, ...]:
                     radius=throw.radius,
                     z=throw.z,
                     cylinders=tuple(cylinder.number for cylinder in on),
-                    rotating=throw.rotating_mass + sum(_shares(cylinder)[0] for cylinder in on),
-                    reciprocating=sum(_shares(cylinder)[1] for cylinder in on),
+                    rotating=throw.rotating_mass + sum(map(rotating_mass, on)),
+                    reciprocating=sum(map(reciprocating_mass, on)),
                 )
             )
     return tuple(pins)
 
 
-def _shares(cylinder: Cylinder) -> tuple[float, float]:
-    """Rotating and reciprocating mass of a cylinder, its rod shared between crank and piston."""
-    turning, moving = (
-        (0.0, 0.0) if cylinder.rod is None else cylinder.rod.shares(cylinder.rod_length)
-    )
-    return cylinder.big_end_mass + turning, cylinder.reciprocating_mass + moving
+def reciprocating_mass(cylinder: Cylinder) -> float:
+    """The reciprocating mass of a cylinder, kg: the piston's, and the rod's share at its pin."""
+    rod = cylinder.rod
+    return cylinder.reciprocating_mass + (rod.shares(cylinder.rod_length)[1] if rod else 0.0)
+
+
+def rotating_mass(cylinder: Cylinder) -> float:
+    """The mass of a cylinder that turns with its crank pin, kg: the rod's share there."""
+    rod = cylinder.rod
+    return cylinder.big_end_mass + (rod.shares(cylinder.rod_length)[0] if rod else 0.0)
 
 
 def bobweight(load: Load, factor: float) -> float:

@@ -168,8 +168,8 @@ def derivations(subject: Subject, gallery: Gallery) -> str:  # noqa: ARG001 - on
             if result.zero and not result.why:
                 zero.append(_(ZERO[quantity], order=number(order)))
             whole = not many and (subject.orders or order in STEP_BY_STEP)
-            short = replace(result.chapter, steps=result.steps[-2:-1])
-            chapters.append(result.chapter if whole else short)
+            short = replace(result, steps=result.steps[-2:-1])
+            chapters.append(result if whole else short)
     if not chapters:
         return ""
     lead = _("None of these orders is exactly zero.")

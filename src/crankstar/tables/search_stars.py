@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from crankstar.derive.algebra import radicals as radical
+from crankstar.derive.algebra.formula import has_decimal
 from crankstar.derive.algebra.typeset import text as formula_text
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _, _n
@@ -275,8 +276,8 @@ def closed_form(objective: Objective, row: AnswerRow) -> str:
     weight, vector = objective.terms[0]
     if weight != 1 or vector.scale != 1:
         return ""
-    closed = radical.length(vector.exact(row.star))
-    text = formula_text(closed.formula) if closed.exact else ""
+    length = radical.length(vector.exact(row.star))
+    text = "" if has_decimal(length) else formula_text(length)
     return text if len(text) <= LONGEST_FORM else ""
 
 

@@ -55,6 +55,8 @@ class Number:
         self._key: tuple[int, str] | None = None
 
     def __add__(self, other: Number) -> Number:
+        if not isinstance(other, Number):
+            return NotImplemented
         first, second = _together(self, other)
         return Number(first.order, first.poly + second.poly)
 
@@ -65,6 +67,8 @@ class Number:
         return Number(self.order, -self.poly)
 
     def __mul__(self, other: Number) -> Number:
+        if not isinstance(other, Number):
+            return NotImplemented
         first, second = _together(self, other)
         return Number(first.order, first.poly * second.poly)
 

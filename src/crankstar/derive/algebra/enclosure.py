@@ -24,7 +24,7 @@ from math import ceil, cosh, exp, log, sqrt
 from flint import acb, arb, fmpq
 
 from crankstar.derive.algebra import cyclotomic, rational
-from crankstar.derive.algebra.cyclotomic import DIGITS
+from crankstar.derive.algebra.cyclotomic import DIGITS, Number
 from crankstar.engine.engine import Engine
 from crankstar.engine.motion import series_coefficient
 from crankstar.engine.records import Cylinder
@@ -41,21 +41,26 @@ HALVINGS = 12
 
 @dataclass(frozen=True)
 class Ball:
-    """A complex number known by a ball that holds it; has the arithmetic of an exact `Number`."""
+    """A complex number known by a ball that holds it.
+
+    It has the arithmetic of an exact `Number`; what is made of both is a ball.
+    """
 
     value: acb
 
-    def __add__(self, other: Ball) -> Ball:
-        return Ball(self.value + other.value)
+    def __add__(self, other: Amount) -> Ball:
+        return Ball(self.value + other.enclosed())
 
     def __neg__(self) -> Ball:
         return Ball(-self.value)
 
-    def __sub__(self, other: Ball) -> Ball:
-        return Ball(self.value - other.value)
+    def __sub__(self, other: Amount) -> Ball:
+        return self + -other
 
-    def __mul__(self, other: Ball) -> Ball:
-        return Ball(self.value * other.value)
+    def __mul__(self, other: Amount) -> Ball:
+        return Ball(self.value * other.enclosed())
+
+    __radd__, __rmul__ = __add__, __mul__
 
     @property
     def zero(self) -> bool:
@@ -81,6 +86,9 @@ class Ball:
 
     def __complex__(self) -> complex:
         return complex(float(self.value.real.mid()), float(self.value.imag.mid()))
+
+
+Amount = Number | Ball
 
 
 def arb_of(value: Fraction) -> arb:

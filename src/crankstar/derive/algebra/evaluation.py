@@ -1,17 +1,15 @@
-"""What formulas come to: in floating point, or in balls that hold the true value."""
+"""What formulas come to, in balls that hold the true value."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from fractions import Fraction
+from collections.abc import Mapping
 from functools import reduce
 from operator import add, mul
 from typing import Any
 
 from flint import acb, arb, fmpq
 
+from crankstar.derive.algebra import cyclotomic
 from crankstar.derive.algebra.formula import (
     Applied,
     Decimal,
@@ -29,33 +27,6 @@ from crankstar.derive.algebra.formula import (
 )
 
 
-@dataclass(frozen=True)
-class _Arithmetic:
-    """The arithmetic in which a formula is evaluated."""
-
-    number: Callable[[Fraction], Any]
-    ball: Callable[[arb], Any]
-    pi: Callable[[], Any]
-    functions: Mapping[str, Callable[[Any], Any]]
-    rotation: Callable[[Any], Any]
-
-
-_FLOATS = _Arithmetic(
-    number=float,
-    ball=lambda ball: float(ball.mid()),
-    pi=lambda: math.pi,
-    functions={"cos": math.cos, "sin": math.sin, "atan": math.atan, "sqrt": math.sqrt},
-    rotation=lambda angle: complex(math.cos(angle), math.sin(angle)),
-)
-_BALLS = _Arithmetic(
-    number=lambda value: arb(fmpq(value.numerator, value.denominator)),
-    ball=lambda ball: ball,
-    pi=arb.pi,
-    functions={"cos": arb.cos, "sin": arb.sin, "atan": arb.atan, "sqrt": arb.sqrt},
-    rotation=lambda angle: acb(angle.cos(), angle.sin()),
-)
-
-
 def value(formula: Formula, symbols: Mapping[str, float] | None = None) -> Any:
     """What a formula comes to in floating point: real, or complex (up + i right) for a vector.
 
@@ -65,29 +36,30 @@ def value(formula: Formula, symbols: Mapping[str, float] | None = None) -> Any:
     >>> value(product(4, Root(number(2)), cosine(THETA)), {"theta": 0.0})
     5.656854249492381
     """
-    return _valued(formula, symbols or {}, _FLOATS)
+    with cyclotomic.precision(20):
+        ball = enclosed(formula, {name: arb(size) for name, size in (symbols or {}).items()})
+    if isinstance(ball, acb):
+        return complex(float(ball.real.mid()), float(ball.imag.mid()))
+    return float(ball.mid())
 
 
-def enclosed(formula: Formula, symbols: Mapping[str, arb] | None = None) -> Any:
+def enclosed(formula: Formula, symbols: Mapping[str, arb]) -> Any:
     """A ball that holds what a formula comes to, at the precision in force."""
-    return _valued(formula, symbols or {}, _BALLS)
 
-
-def _valued(formula: Formula, symbols: Mapping[str, Any], arithmetic: _Arithmetic) -> Any:
     def of(part: Formula) -> Any:
-        return _valued(part, symbols, arithmetic)
+        return enclosed(part, symbols)
 
     match formula:
         case Rational(fraction):
-            return arithmetic.number(fraction)
-        case Decimal(ball=ball):
-            return arithmetic.ball(ball)
+            return arb(fmpq(fraction.numerator, fraction.denominator))
+        case Decimal(ball):
+            return ball
         case Symbol():
             return symbols[formula.name]
         case Pi():
-            return arithmetic.pi()
+            return arb.pi()
         case Root(radicand):
-            return arithmetic.functions["sqrt"](of(radicand))
+            return of(radicand).sqrt()
         case Power(base, exponent):
             return of(base) ** exponent
         case Sum(terms):
@@ -97,8 +69,9 @@ def _valued(formula: Formula, symbols: Mapping[str, Any], arithmetic: _Arithmeti
         case Ratio(above, below):
             return of(above) / of(below)
         case Degrees(angle):
-            return of(angle) * arithmetic.pi() / arithmetic.number(Fraction(180))
+            return of(angle) * arb.pi() / 180
         case Applied(function, argument):
-            return arithmetic.functions[function](of(argument))
+            return getattr(of(argument), function)()
         case Polar(length, angle):
-            return of(length) * arithmetic.rotation(of(angle))
+            turned = of(angle)
+            return of(length) * acb(turned.cos(), turned.sin())

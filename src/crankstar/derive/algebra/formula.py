@@ -7,9 +7,10 @@ floating point or in balls that hold the true value. So what is printed is what 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, fields, replace
 from fractions import Fraction
+from typing import Any
 
 from flint import arb, fmpz
 
@@ -200,21 +201,21 @@ def squares(whole: int) -> tuple[int, int]:
     return outside, whole // outside**2
 
 
+def terms_of(formula: Formula) -> tuple[Formula, ...]:
+    """The terms of a sum; of any other formula itself."""
+    return formula.terms if isinstance(formula, Sum) else (formula,)
+
+
 def summed(*terms: Formula) -> Formula:
     """A sum without its zeros."""
-    flat: list[Formula] = []
-    for term in terms:
-        flat += term.terms if isinstance(term, Sum) else (term,)
-    kept = tuple(term for term in flat if term != NOUGHT)
+    kept = tuple(inner for term in terms for inner in terms_of(term) if inner != NOUGHT)
     return NOUGHT if not kept else kept[0] if len(kept) == 1 else Sum(kept)
 
 
 def collected(*terms: Formula) -> Formula:
     """A sum in which terms that differ only in a rational factor are one."""
     factors: dict[Formula, Fraction] = {}
-    for term in (
-        inner for outer in terms for inner in (outer.terms if isinstance(outer, Sum) else (outer,))
-    ):
+    for term in terms_of(summed(*terms)):
         size, rest = coefficient(term)
         factors[rest] = factors.get(rest, Fraction(0)) + size
     return summed(*(product(size, rest) for rest, size in factors.items()))
@@ -248,50 +249,46 @@ def coefficient(formula: Formula) -> tuple[Fraction, Formula]:
     return Fraction(1), formula
 
 
-def letters_of(formula: Formula) -> set[str]:
-    """The names of all symbols in a formula."""
-    if isinstance(formula, Symbol):
-        return {formula.name}
-    out: set[str] = set()
+def parts(formula: Formula) -> Iterator[Formula]:
+    """A formula and all formulas in it."""
+    yield formula
     for field in fields(formula):
         inner = getattr(formula, field.name)
         for part in inner if isinstance(inner, tuple) else (inner,):
-            out |= letters_of(part) if isinstance(part, Formula) else set()
-    return out
+            if isinstance(part, Formula):
+                yield from parts(part)
+
+
+def letters_of(formula: Formula) -> set[str]:
+    """The names of all symbols in a formula."""
+    return {part.name for part in parts(formula) if isinstance(part, Symbol)}
 
 
 def has_long(formula: Formula) -> bool:
     """Whether a formula holds a fraction too long to be written as one."""
-    if isinstance(formula, Rational):
-        return formula.value.denominator > LONG or abs(formula.value.numerator) > LONG**2
-    inner = [getattr(formula, field.name) for field in fields(formula)]
-    parts = [part for own in inner for part in (own if isinstance(own, tuple) else (own,))]
-    return any(has_long(part) for part in parts if isinstance(part, Formula))
+    return any(
+        part.value.denominator > LONG or abs(part.value.numerator) > LONG**2
+        for part in parts(formula)
+        if isinstance(part, Rational)
+    )
 
 
 def has_decimal(formula: Formula) -> bool:
     """Whether a formula holds a decimal."""
-    if isinstance(formula, (Sum, Product)):
-        return any(
-            has_decimal(part)
-            for part in (formula.terms if isinstance(formula, Sum) else formula.factors)
-        )
-    inner = (getattr(formula, field.name) for field in fields(formula))
-    return isinstance(formula, Decimal) or any(
-        has_decimal(part) for part in inner if isinstance(part, Formula)
-    )
+    return any(isinstance(part, Decimal) for part in parts(formula))
 
 
 def renamed(formula: Formula, names: Mapping[str, Formula]) -> Formula:
     """A formula with formulas in the place of some of its symbols."""
+
+    def of(part: Any) -> Any:
+        if isinstance(part, tuple):
+            return tuple(map(of, part))
+        return renamed(part, names) if isinstance(part, Formula) else part
+
     if isinstance(formula, Symbol):
         return names.get(formula.name, formula)
-    if isinstance(formula, Sum):
-        return Sum(tuple(renamed(term, names) for term in formula.terms))
-    if isinstance(formula, Product):
-        return product(*(renamed(factor, names) for factor in formula.factors))
-    inner = {field.name: getattr(formula, field.name) for field in fields(formula)}
-    changed = {
-        name: renamed(part, names) for name, part in inner.items() if isinstance(part, Formula)
-    }
-    return replace(formula, **changed) if changed else formula
+    tree = replace(
+        formula, **{field.name: of(getattr(formula, field.name)) for field in fields(formula)}
+    )
+    return product(*tree.factors) if isinstance(tree, Product) else tree

@@ -16,7 +16,6 @@ from __future__ import annotations
 from cmath import phase
 from fractions import Fraction
 from math import isqrt, lcm, pi
-from typing import NamedTuple
 
 from flint import arb
 
@@ -41,6 +40,7 @@ from crankstar.derive.algebra.formula import (
     square_root,
     squares,
     summed,
+    terms_of,
 )
 from crankstar.derive.algebra.typeset import negative as written_negative
 from crankstar.derive.algebra.typeset import text
@@ -55,36 +55,33 @@ GREATEST_DEGREE = 200
 """Degree of the field above which no closed form is sought: there is none that is short."""
 
 
-class Closed(NamedTuple):
-    """A number as a formula, and whether that is a closed form or only an enclosed decimal."""
-
-    formula: Formula
-    exact: bool
-
-
 @remembered
-def closed(value: Number) -> Closed:
+def closed(value: Number) -> Formula:
     """A real number in radicals, else as an enclosed decimal.
 
     >>> from crankstar.derive.algebra.cyclotomic import cosine
-    >>> text(closed(cosine(Fraction(1, 24))).formula), text(closed(cosine(Fraction(1, 7))).formula)
+    >>> text(closed(cosine(Fraction(1, 24)))), text(closed(cosine(Fraction(1, 7))))
     ('(√6 + √2)/4', '0.6234898…')
     """
     radical = _radical(value)
-    if radical is None or not _short(over_one_denominator(radical)):
-        return Closed(_decimal(value), exact=False)
-    return Closed(over_one_denominator(radical), exact=True)
+    if radical is not None and _short(over_one_denominator(radical)):
+        return over_one_denominator(radical)
+    with cyclotomic.precision(DIGITS):
+        return Decimal(value.enclosed().real)
+
+
+def _shown(formula: Formula) -> int:
+    """The number of characters that a formula takes."""
+    return len(text(formula))
 
 
 def _short(formula: Formula) -> bool:
     """Whether a closed form tells a reader more than its decimal: a plain rational always does."""
-    return isinstance(formula, Rational) or (
-        not has_long(formula) and len(text(formula)) <= LONGEST
-    )
+    return isinstance(formula, Rational) or (not has_long(formula) and _shown(formula) <= LONGEST)
 
 
 @remembered
-def length(value: Number) -> Closed:
+def length(value: Number) -> Formula:
     """The magnitude of a complex number."""
     square = value * value.conjugate
     candidates = [_root_of(square)]
@@ -94,9 +91,9 @@ def length(value: Number) -> Closed:
     forms = [over_one_denominator(form) for form in candidates if form is not None]
     forms = [form for form in forms if _short(form)]
     if forms:
-        return Closed(min(forms, key=lambda form: len(text(form))), exact=True)
+        return min(forms, key=_shown)
     with cyclotomic.precision(DIGITS):
-        return Closed(Decimal(square.enclosed().real.sqrt()), exact=False)
+        return Decimal(square.enclosed().real.sqrt())
 
 
 @remembered
@@ -117,25 +114,25 @@ def bearing_turn(value: Number) -> Fraction | None:
 
 
 @remembered
-def bearing(value: Number) -> Closed:
+def bearing(value: Number) -> Formula:
     """The argument of a complex number other than zero, in (-180, 180] degrees.
 
     >>> from crankstar.derive.algebra.cyclotomic import ONE, root
-    >>> text(bearing(root(Fraction(1, 4)).times(3) + ONE).formula)
+    >>> text(bearing(root(Fraction(1, 4)).times(3) + ONE))
     'atan 3'
     """
     turn = bearing_turn(value)
     if turn is not None:
-        return Closed(angle(turn), exact=True)
+        return angle(turn)
     candidates = [
         form
         for eighth in (0, 1, -1, 2, -2, 3, -3, 4, -4)
         if (form := _arctangent(value, Fraction(eighth, 8))) is not None
     ]
     if candidates:
-        return Closed(min(candidates, key=lambda form: len(text(form))), exact=True)
+        return min(candidates, key=_shown)
     with cyclotomic.precision(DIGITS):
-        return Closed(Degrees(Decimal(value.enclosed().arg() * 180 / arb.pi())), exact=False)
+        return Degrees(Decimal(value.enclosed().arg() * 180 / arb.pi()))
 
 
 def _argument(value: Number) -> float:
@@ -157,19 +154,13 @@ def _arctangent(value: Number, base: Fraction) -> Formula | None:
     if down.zero or complex(down).real < 0:
         return None
     tangent = _radical(cyclotomic.imaginary(turned) / down)
-    if tangent is None or has_long(tangent) or len(text(tangent)) > 8:
+    if tangent is None or has_long(tangent) or _shown(tangent) > 8:
         return None
     below = written_negative(tangent)
     part = negative(Applied("atan", negative(tangent))) if below else Applied("atan", tangent)
     whole = summed(angle(base), part)
-    return (
-        whole if abs(evaluated(whole) / (2 * pi) - _argument(value)) < 1e-9 else None
-    )  # not beyond half a turn
-
-
-def _decimal(value: Number) -> Decimal:
-    with cyclotomic.precision(DIGITS):
-        return Decimal(value.enclosed().real)
+    beyond_half_a_turn = abs(evaluated(whole) / (2 * pi) - _argument(value)) > 1e-9
+    return None if beyond_half_a_turn else whole
 
 
 def _root_of(value: Number) -> Formula | None:
@@ -181,13 +172,14 @@ def _root_of(value: Number) -> Formula | None:
     if others is None:
         return None
     if len(others) == 2:
-        parts = _split(value, others)
-        if parts is not None and parts[0].rational is not None and parts[1].rational is not None:
-            p, squared = parts[0].rational, parts[1].rational
-            s = _exact_root(p * p - squared)
+        other = others[1][0]
+        p, product_of_both = (value + other).rational, (value * other).rational
+        if p is not None and product_of_both is not None:
+            s = _exact_root(product_of_both)
             if s is not None:
-                sign = 1 if complex(value).real > float(p) else -1
-                return summed(square_root((p + s) / 2), product(sign, square_root((p - s) / 2)))
+                sign = 1 if complex(value).real > float(p / 2) else -1
+                halves = (p / 4 + s / 2, p / 4 - s / 2)
+                return summed(square_root(halves[0]), product(sign, square_root(halves[1])))
     inner = _radical(value)
     return None if inner is None else Root(inner)
 
@@ -208,25 +200,12 @@ def _radical(value: Number) -> Formula | None:
         even = (value + other).times(Fraction(1, 2))
         odd = (value - other).times(Fraction(1, 2))
         first, second = _radical(even), _root_of(odd * odd)
-        if (
-            first is not None
-            and second is not None
-            and not has_long(first)
-            and not has_long(second)
-        ):
-            towers.append(
-                summed(*_ordered(first, second if complex(odd).real > 0 else negative(second)))
-            )
-    return min(towers, key=lambda formula: len(text(formula)), default=None)
-
-
-def _ordered(first: Formula, second: Formula) -> tuple[Formula, Formula]:
-    """A positive term before a negative one."""
-    return (
-        (second, first)
-        if written_negative(first) and not written_negative(second)
-        else (first, second)
-    )
+        if first is None or second is None or has_long(first) or has_long(second):
+            continue
+        second = second if complex(odd).real > 0 else negative(second)
+        terms = (first, second)
+        towers.append(summed(*sorted(terms, key=written_negative)))
+    return min(towers, key=_shown, default=None)
 
 
 def _conjugates(value: Number) -> list[tuple[Number, int]] | None:
@@ -238,15 +217,6 @@ def _conjugates(value: Number) -> list[tuple[Number, int]] | None:
         return None
     others = cyclotomic.conjugates(value, most=GREATEST_TOWER)
     return others if len(others) <= GREATEST_TOWER else None
-
-
-def _split(value: Number, others: list[tuple[Number, int]]) -> tuple[Number, Number] | None:
-    """The even part of a number of degree two, and the square of its odd part."""
-    other = next((number for number, _power in others if number != value), None)
-    if other is None:
-        return None
-    odd = (value - other).times(Fraction(1, 2))
-    return (value + other).times(Fraction(1, 2)), odd * odd
 
 
 def over_one_denominator(formula: Formula) -> Formula:
@@ -265,22 +235,16 @@ def over_one_denominator(formula: Formula) -> Formula:
 
 def _numerator(formula: Formula) -> tuple[Formula, int]:
     """A formula times the least common denominator of its terms, and that denominator."""
-    terms = formula.terms if isinstance(formula, Sum) else (formula,)
-    below = lcm(*(coefficient(term)[0].denominator for term in terms))
+    below = lcm(*(coefficient(term)[0].denominator for term in terms_of(formula)))
     return _over_all(formula, Fraction(below)), below
 
 
 def _over_all(formula: Formula, factor: Fraction) -> Formula:
-    terms = formula.terms if isinstance(formula, Sum) else (formula,)
-    return summed(*(product(factor, term) for term in terms))
+    return summed(*(product(factor, term) for term in terms_of(formula)))
 
 
 def _exact_root(value: Fraction) -> Fraction | None:
     if value < 0:
         return None
-    above, below = isqrt(value.numerator), isqrt(value.denominator)
-    return (
-        Fraction(above, below)
-        if above * above == value.numerator and below * below == value.denominator
-        else None
-    )
+    root = Fraction(isqrt(value.numerator), isqrt(value.denominator))
+    return root if root**2 == value else None

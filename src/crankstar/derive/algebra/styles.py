@@ -1,13 +1,14 @@
 """How formulas are written in each kind of print: plain text, LaTeX, MathML.
 
-A style is a set of ways to write a fraction, a root, a power and so on; `typeset` says what goes
+A style is a set of templates for a fraction, a root, a power and so on; `typeset` says what goes
 where.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from html import escape
 
 GREEK = {
@@ -27,7 +28,6 @@ _LATEX_KNOWN = {
     "₂": "$_2$",
     "₄": "$_4$", "₆": "$_6$",
 }  # fmt: skip
-_RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 _LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _LATEX_SPECIAL = {
     "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "&": r"\&", "#": r"\#",
@@ -39,27 +39,34 @@ _LATEX_SPECIAL = {
 
 @dataclass(frozen=True, eq=False)
 class Style:
-    """How one kind of print writes things; everything is text already."""
+    """How one kind of print writes things: templates for what is text already.
+
+    `stacked`: a fraction has its numerator above its denominator, so that it needs no brackets.
+    `simple` is a function whose argument has no brackets, `single` the root of one number or
+    letter. `raised` turns the figures of an exponent into those that are printed.
+    """
 
     symbol: Callable[[str, str], str]
     pi: str
-    ratio: Callable[[str, str], str]
-    root: Callable[[str, bool], str]
-    power: Callable[[str, int], str]
-    bracket: Callable[[str], str]
-    name: Callable[[str], str]
-    function: Callable[[str, str, bool], str]
-    degrees: Callable[[str], str]
-    polar: Callable[[str, str], str]
-    figures: Callable[[str], str]
+    ratio: str
+    root: str
+    single: str
+    power: str
+    bracket: str
+    function: str
+    simple: str
+    degrees: str
+    polar: str
     plus: str
     minus: str
     sign: str
     space: str
     dot: str
     dots: str
-    stacked: bool
-    """Whether a fraction has its numerator above its denominator, so that it needs no brackets."""
+    name: str = "{}"
+    figures: str = "{}"
+    stacked: bool = True
+    raised: Mapping[int, int] = field(default_factory=dict)
 
 
 def _text_symbol(letter: str, below: str) -> str:
@@ -70,28 +77,16 @@ def _text_symbol(letter: str, below: str) -> str:
 
 def _latex_symbol(letter: str, below: str) -> str:
     plain = letter.rstrip("′")
-    name = (
-        f"\\{plain}"
-        if plain in GREEK
-        else r"\ldots"
-        if plain == "…"
-        else plain
-        if len(plain) == 1
-        else f"\\mathrm{{{latex_text(plain)}}}"
-    )
+    if plain in GREEK or plain == "…":
+        name = r"\ldots" if plain == "…" else f"\\{plain}"
+    else:
+        name = plain if len(plain) == 1 else f"\\mathrm{{{latex_text(plain)}}}"
     name += "'" * (len(letter) - len(plain))
     if not below:
         return name
-    short = (
-        below.isdigit()
-        or below in "+−"
-        or (len(below) == 1 and below.isascii() and below.isalpha())
-    )
-    return (
-        f"{name}_{{{below.replace('−', '-')}}}"
-        if short
-        else f"{name}_{{\\text{{{latex_text(below)}}}}}"
-    )
+    short = below.isdigit() or below in "+−" or re.fullmatch("[A-Za-z]", below)
+    shown = below.replace("−", "-") if short else f"\\text{{{latex_text(below)}}}"
+    return f"{name}_{{{shown}}}"
 
 
 def _mathml_symbol(letter: str, below: str) -> str:
@@ -118,15 +113,15 @@ def latex_text(text: str) -> str:
 TEXT = Style(
     symbol=_text_symbol,
     pi="π",
-    ratio=lambda above, below: f"{above}/{below}",
-    root=lambda inner, single: f"√{inner}" if single else f"√({inner})",
-    power=lambda base, exponent: base + str(exponent).translate(_RAISED),
-    bracket=lambda inner: f"({inner})",
-    name=lambda name: name,
-    function=lambda name, inner, simple: f"{name} {inner}" if simple else f"{name}({inner})",
-    degrees=lambda inner: f"{inner}°",
-    polar=lambda length, angle: f"{length} ∠ {angle}",
-    figures=lambda text: text,
+    ratio="{}/{}",
+    root="√({})",
+    single="√{}",
+    power="{}{}",
+    bracket="({})",
+    function="{}({})",
+    simple="{} {}",
+    degrees="{}°",
+    polar="{} ∠ {}",
     plus=" + ",
     minus=" − ",
     sign="−",
@@ -134,51 +129,46 @@ TEXT = Style(
     dot=" · ",
     dots="…",
     stacked=False,
+    raised=str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻"),
 )
-_LATEX_FUNCTIONS = {"cos": r"\cos", "sin": r"\sin", "atan": r"\arctan"}
 LATEX = Style(
     symbol=_latex_symbol,
     pi=r"\pi",
-    ratio=lambda above, below: f"\\frac{{{above}}}{{{below}}}",
-    root=lambda inner, _: f"\\sqrt{{{inner}}}",
-    power=lambda base, exponent: f"{base}^{{{exponent}}}",
-    bracket=lambda inner: f"\\left({inner}\\right)",
-    name=lambda name: _LATEX_FUNCTIONS[name],
-    function=lambda name, inner, simple: (
-        f"{name} {inner}" if simple else f"{name}\\left({inner}\\right)"
-    ),
-    degrees=lambda inner: f"{inner}^\\circ",
-    polar=lambda length, angle: f"{length}\\,\\angle\\,{angle}",
-    figures=lambda text: text,
+    ratio=r"\frac{{{}}}{{{}}}",
+    root=r"\sqrt{{{}}}",
+    single=r"\sqrt{{{}}}",
+    power="{}^{{{}}}",
+    bracket=r"\left({}\right)",
+    function=r"{}\left({}\right)",
+    simple="{} {}",
+    degrees=r"{}^\circ",
+    polar=r"{}\,\angle\,{}",
     plus=" + ",
     minus=" - ",
     sign="-",
     space=r"\,",
     dot=r" \cdot ",
     dots=r"\ldots",
-    stacked=True,
+    name=r"\{}",
 )
 MATHML = Style(
     symbol=_mathml_symbol,
     pi="<mi>π</mi>",
-    ratio=lambda above, below: f"<mfrac><mrow>{above}</mrow><mrow>{below}</mrow></mfrac>",
-    root=lambda inner, _: f"<msqrt>{inner}</msqrt>",
-    power=lambda base, exponent: f"<msup><mrow>{base}</mrow><mn>{exponent}</mn></msup>",
-    bracket=lambda inner: f"<mrow><mo>(</mo>{inner}<mo>)</mo></mrow>",
-    name=lambda name: f"<mi>{name}</mi>",
-    function=lambda name, inner, simple: (
-        f"{name}<mspace width='0.17em'></mspace>{inner}"
-        if simple
-        else f"{name}<mo>&#x2061;</mo><mrow><mo>(</mo>{inner}<mo>)</mo></mrow>"
-    ),
-    degrees=lambda inner: f"{inner}<mo>°</mo>",
-    polar=lambda length, angle: f"{length}<mspace width='0.3em'></mspace><mo>∠</mo>{angle}",
-    figures=lambda text: f"<mn>{text}</mn>",
+    ratio="<mfrac><mrow>{}</mrow><mrow>{}</mrow></mfrac>",
+    root="<msqrt>{}</msqrt>",
+    single="<msqrt>{}</msqrt>",
+    power="<msup><mrow>{}</mrow><mn>{}</mn></msup>",
+    bracket="<mrow><mo>(</mo>{}<mo>)</mo></mrow>",
+    function="{}<mo>&#x2061;</mo><mrow><mo>(</mo>{}<mo>)</mo></mrow>",
+    simple="{}<mspace width='0.17em'></mspace>{}",
+    degrees="{}<mo>°</mo>",
+    polar="{}<mspace width='0.3em'></mspace><mo>∠</mo>{}",
     plus="<mo>+</mo>",
     minus="<mo>−</mo>",
     sign="<mo form='prefix'>−</mo>",
     space="<mspace width='0.17em'></mspace>",
     dot="<mo>·</mo>",
     dots="<mo>…</mo>",
-    stacked=True,
+    name="<mi>{}</mi>",
+    figures="<mn>{}</mn>",
 )

@@ -36,6 +36,7 @@ from crankstar.derive.algebra.formula import (
     coefficient,
     letters_of,
     product,
+    terms_of,
 )
 from crankstar.derive.algebra.styles import LATEX, MATHML, TEXT, Style
 
@@ -142,13 +143,13 @@ def _whole(formula: Formula, style: Style) -> str:
 
 def _held(printed: Printed, least: Binding, style: Style) -> str:
     """The body of what is printed, in brackets if it does not bind tightly enough."""
-    return printed.body if printed.binding >= least else style.bracket(printed.body)
+    return printed.body if printed.binding >= least else style.bracket.format(printed.body)
 
 
 def _signed(printed: Printed, style: Style, *, negative: bool) -> Printed:
     """What is printed, with or without a minus sign before it; a sum behind one has brackets."""
     if negative and printed.binding == Binding.SUM:
-        return Printed(style.bracket(printed.body), negative=True)
+        return Printed(style.bracket.format(printed.body), negative=True)
     return printed._replace(negative=negative)
 
 
@@ -162,11 +163,15 @@ def _number(size: Fraction, style: Style) -> Printed:
     Whole, as a fraction, or as a decimal where the fraction is long.
     """
     if size.denominator == 1:
-        return Printed(style.figures(str(size.numerator)))
+        return Printed(style.figures.format(size.numerator))
     if size.denominator > LONG:
-        return _decimal(Decimal(arb(fmpq(size.numerator, size.denominator))), style)
-    above, below = style.figures(str(size.numerator)), style.figures(str(size.denominator))
-    return Printed(style.ratio(above, below), _of_ratio(style))
+        return _decimal(_ball(size), style)
+    above, below = (style.figures.format(n) for n in (size.numerator, size.denominator))
+    return Printed(style.ratio.format(above, below), _of_ratio(style))
+
+
+def _ball(size: Fraction) -> Decimal:
+    return Decimal(arb(fmpq(size.numerator, size.denominator)))
 
 
 def _of_ratio(style: Style) -> Binding:
@@ -178,37 +183,29 @@ def _decimal(formula: Decimal, style: Style) -> Printed:
     if not ball.contains(0) and abs(ball) < TINY:
         power = floor(log10(float(abs(ball).mid())))
         mantissa = _decimal(Decimal(ball * arb(10) ** -power, formula.digits), style)
-        tens = style.power(style.figures("10"), power)
+        tens = _raised(style.figures.format(10), power, style)
         return Printed(mantissa.body + style.dot + tens, Binding.QUOTIENT, mantissa.negative)
     shown = figures(formula)
-    body = style.figures(shown.removeprefix("-")) + (style.dots if shown != "0" else "")
+    body = style.figures.format(shown.removeprefix("-")) + (style.dots if shown != "0" else "")
     return Printed(body, negative=shown.startswith("-"))
 
 
 def _degrees(formula: Degrees, style: Style) -> Printed:
     """Degrees as a decimal, cut where it has no end."""
     inner = formula.value
-    if isinstance(inner, Decimal):
-        number = _decimal(inner, style)
-    else:
+    number = _printed(inner, style)
+    if isinstance(inner, Rational) and inner.value.denominator > 1:
         size = abs(inner.value)
         finite = _finite(size)
-        number = (
-            _decimal(Decimal(arb(fmpq(size.numerator, size.denominator))), style)
-            if finite is None
-            else Printed(style.figures(finite))
-        )._replace(negative=inner.value < 0)
-    body = style.degrees(_held(number, Binding.FACTOR, style))
+        shown = Printed(style.figures.format(finite)) if finite else _decimal(_ball(size), style)
+        number = shown._replace(negative=number.negative)
+    body = style.degrees.format(_held(number, Binding.FACTOR, style))
     return Printed(body, Binding.PRODUCT, number.negative)
 
 
 def _sum(formula: Sum, style: Style) -> Printed:
     """Terms with their signs between them; a sum in brackets only where it is taken away."""
-    terms = [
-        inner
-        for term in formula.terms
-        for inner in (term.terms if isinstance(term, Sum) else (term,))
-    ]
+    terms = [inner for term in formula.terms for inner in terms_of(term)]
     if any(isinstance(term, Sum) for term in terms):
         return _sum(Sum(tuple(terms)), style)
     printed = [_printed(term, style) for term in terms]
@@ -229,14 +226,16 @@ def _product(formula: Product, style: Style) -> Printed:
     if not isinstance(plain, Product):
         return _printed(plain, style)
     size, _ = coefficient(plain)
-    factors = [factor for factor in plain.factors if not isinstance(factor, Rational)]
-    simple = [factor for factor in factors if isinstance(factor, (Root, Pi))]
-    longer = [
-        factor
-        for factor in factors
-        if isinstance(factor, (Decimal, Ratio)) and not letters_of(factor)
-    ]
-    letters = [factor for factor in factors if factor not in simple and factor not in longer]
+    simple: list[Formula] = []
+    longer: list[Formula] = []
+    letters: list[Formula] = []
+    for factor in plain.factors:
+        if isinstance(factor, (Root, Pi)):
+            simple.append(factor)
+        elif isinstance(factor, (Decimal, Ratio)) and not letters_of(factor):
+            longer.append(factor)
+        elif not isinstance(factor, Rational):
+            letters.append(factor)
     front = _front(abs(size), simple, style, alone=not letters and not longer)
     numbers = [*([front] if front.body else []), *(_printed(factor, style) for factor in longer)]
     rest = _side_by_side(letters, style)
@@ -265,22 +264,23 @@ def _flat(formula: Formula) -> list[Formula]:
 
 def _side_by_side(factors: Sequence[Formula], style: Style) -> list[Printed]:
     """Factors one after the other; a function that others than functions follow has brackets."""
-    last = len(factors) - 1
-    return [
-        _applied(
-            *_function(factor), style, simple=place == last or _is_function(factors[place + 1])
-        )
-        if _is_function(factor)
-        else _printed(factor, style)
-        for place, factor in enumerate(factors)
-    ]
+    out: list[Printed] = []
+    for place, factor in enumerate(factors):
+        function, followers = _function(factor), factors[place + 1 : place + 2]
+        if function is None:
+            out.append(_printed(factor, style))
+        else:
+            simple = all(_function(other) is not None for other in followers)
+            out.append(_applied(*function, style, simple=simple))
+    return out
 
 
-def _is_function(formula: Formula) -> bool:
-    """Whether a formula is a function, or a positive power of one: cos 2θ, cos² α."""
-    return isinstance(formula, Applied) or (
-        isinstance(formula, Power) and isinstance(formula.base, Applied) and formula.exponent > 0
+def _function(formula: Formula) -> tuple[Applied, int] | None:
+    """A function and the positive power to which it is taken: cos 2θ, cos² α."""
+    base, exponent = (
+        (formula.base, formula.exponent) if isinstance(formula, Power) else (formula, 1)
     )
+    return (base, exponent) if isinstance(base, Applied) and exponent > 0 else None
 
 
 def _close(front: str, letter: Formula, style: Style) -> bool:
@@ -300,41 +300,47 @@ def _front(size: Fraction, constants: Sequence[Formula], style: Style, *, alone:
         whole = _number(size, style) if short is None else Printed(short)
     else:
         shown = "".join(_printed(factor, style).body for factor in constants)
-        above = shown if size.numerator == 1 else style.figures(str(size.numerator)) + shown
+        above = shown if size.numerator == 1 else style.figures.format(size.numerator) + shown
         if size.denominator == 1:
             return Printed(above, Binding.PRODUCT)
-        below = style.figures(str(size.denominator))
-        whole = Printed(style.ratio(above, below), _of_ratio(style))
+        below = style.figures.format(size.denominator)
+        whole = Printed(style.ratio.format(above, below), _of_ratio(style))
     return whole if alone else Printed(_held(whole, Binding.PRODUCT, style))
 
 
 def _power(formula: Power, style: Style) -> Printed:
     """A power; of a cosine with the exponent at its name, cos² α."""
+    function = _function(formula)
+    if function is not None:
+        return _applied(*function, style)
     base = formula.base
-    if isinstance(base, Applied) and formula.exponent > 0:
-        return _applied(base, formula.exponent, style)
-    plain = isinstance(base, Symbol) and "′" not in base.letter
     inner = _whole(base, style)
-    return Printed(style.power(inner if plain else style.bracket(inner), formula.exponent))
+    if not isinstance(base, Symbol) or "′" in base.letter:
+        inner = style.bracket.format(inner)
+    return Printed(_raised(inner, formula.exponent, style))
+
+
+def _raised(base: str, exponent: int, style: Style) -> str:
+    return style.power.format(base, str(exponent).translate(style.raised))
 
 
 def _root(formula: Root, style: Style) -> Printed:
     inner = formula.radicand
     single = isinstance(inner, Symbol) and not inner.below
     single |= isinstance(inner, Rational) and inner.value >= 0 and inner.value.denominator == 1
-    return Printed(style.root(_whole(inner, style), single))
+    return Printed((style.single if single else style.root).format(_whole(inner, style)))
 
 
 def _ratio(formula: Ratio, style: Style) -> Printed:
     above, below = _printed(formula.above, style), _printed(formula.below, style)
     down = above.negative ^ below.negative
     if style.stacked:
-        return Printed(style.ratio(above.body, below.body), negative=down)
+        return Printed(style.ratio.format(above.body, below.body), negative=down)
     simple = above.binding == Binding.FACTOR or (
         above.binding == Binding.PRODUCT and " " not in above.body
     )
-    upper = above.body if simple else style.bracket(above.body)
-    ratio = style.ratio(upper, _held(below, Binding.FACTOR, style))
+    upper = above.body if simple else style.bracket.format(above.body)
+    ratio = style.ratio.format(upper, _held(below, Binding.FACTOR, style))
     return Printed(ratio, Binding.QUOTIENT, down)
 
 
@@ -344,25 +350,17 @@ def _applied(formula: Applied, exponent: int, style: Style, *, simple: bool = Tr
     multiple, inner = coefficient(argument)
     letter = isinstance(inner, Symbol) and formula.function != "atan"
     simple &= (letter or inner == UNIT) and multiple > 0 and multiple.denominator == 1
-    name = style.name(formula.function)
-    named = name if exponent == 1 else style.power(name, exponent)
-    body = style.function(named, _whole(argument, style), simple)
+    latex_arctangent = style is LATEX and formula.function == "atan"
+    name = style.name.format("arctan" if latex_arctangent else formula.function)
+    named = name if exponent == 1 else _raised(name, exponent, style)
+    body = (style.simple if simple else style.function).format(named, _whole(argument, style))
     return Printed(body, Binding.FUNCTION if simple else Binding.FACTOR)
-
-
-def _function(formula: Formula) -> tuple[Applied, int]:
-    """A function and the power to which it is taken."""
-    if isinstance(formula, Power) and isinstance(formula.base, Applied):
-        return formula.base, formula.exponent
-    if isinstance(formula, Applied):
-        return formula, 1
-    raise TypeError(f"not a function: {type(formula).__name__}")
 
 
 def _polar(formula: Polar, style: Style) -> Printed:
     length, angle = _printed(formula.length, style), _printed(formula.angle, style)
     bearing = (style.sign if angle.negative else "") + _held(angle, Binding.QUOTIENT, style)
-    body = style.polar(_held(length, Binding.QUOTIENT, style), bearing)
+    body = style.polar.format(_held(length, Binding.QUOTIENT, style), bearing)
     return Printed(body, Binding.VECTOR, length.negative)
 
 

@@ -7,15 +7,17 @@ exact zeros.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
+from functools import reduce
+from math import prod
 from typing import NamedTuple
 
 from flint import arb
 
 from crankstar.derive.algebra import cyclotomic, radicals
 from crankstar.derive.algebra.cyclotomic import DIGITS, Number
-from crankstar.derive.algebra.enclosure import Ball
+from crankstar.derive.algebra.enclosure import Amount
 from crankstar.derive.algebra.evaluation import value as evaluated
 from crankstar.derive.algebra.formula import (
     NOUGHT,
@@ -35,10 +37,8 @@ from crankstar.derive.algebra.formula import (
     summed,
 )
 from crankstar.derive.algebra.formula import angle as part_of_turn
-from crankstar.derive.algebra.radicals import Closed
 
 HALF = Fraction(1, 2)
-Amount = Number | Ball
 Key = tuple[Symbol, ...]
 """The symbols that stand before a number; none for a plain one."""
 Form = Mapping[Key, Fraction]
@@ -53,7 +53,7 @@ def joined(waves: Iterable[Wave]) -> Wave:
     for wave in waves:
         for key, amount in wave.items():
             groups.setdefault(key, []).append(amount)
-    sums = {key: _sum(amounts) for key, amounts in groups.items()}
+    sums = {key: amount_sum(amounts) for key, amounts in groups.items()}
     return {key: sums[key] for key in sorted(sums, key=_names) if not sums[key].zero}
 
 
@@ -61,17 +61,11 @@ def _names(key: Key) -> list[str]:
     return [symbol.name for symbol in key]
 
 
-def _sum(amounts: list[Amount]) -> Amount:
-    if all(isinstance(amount, Number) for amount in amounts):
-        return cyclotomic.total(amount for amount in amounts if isinstance(amount, Number))
-    out = _ball(amounts[0])
-    for amount in amounts[1:]:
-        out = out + _ball(amount)
-    return out
-
-
-def _ball(amount: Amount) -> Ball:
-    return amount if isinstance(amount, Ball) else Ball(amount.enclosed())
+def amount_sum(amounts: Sequence[Amount]) -> Amount:
+    """The sum of numbers: exact where all of them are."""
+    if not all(isinstance(amount, Number) for amount in amounts):
+        return reduce(lambda whole, amount: whole + amount, amounts)
+    return cyclotomic.total(amount for amount in amounts if isinstance(amount, Number))
 
 
 def scaled(wave: Wave, form: Form) -> Wave:
@@ -90,23 +84,12 @@ def _together(first: Key, second: Key) -> Key:
 
 def multiplied(wave: Wave, amount: Amount) -> Wave:
     """A signal times a number."""
-    return joined([{key: _product(value, amount) for key, value in wave.items()}])
-
-
-def _product(first: Amount, second: Amount) -> Amount:
-    if isinstance(first, Number) and isinstance(second, Number):
-        return first * second
-    return _ball(first) * _ball(second)
-
-
-def multiplied_amount(first: Amount, second: Amount) -> Amount:
-    """The product of two numbers."""
-    return _product(first, second)
+    return joined([{key: value * amount for key, value in wave.items()}])
 
 
 def same_length(first: Amount, second: Amount) -> bool:
     """Whether two numbers have one magnitude."""
-    return _sum([_product(first, first.conjugate), -_product(second, second.conjugate)]).zero
+    return (first * first.conjugate + -(second * second.conjugate)).zero
 
 
 def conjugated(wave: Wave) -> Wave:
@@ -119,33 +102,31 @@ def vectors(up: Wave, right: Wave, *, sense: int) -> tuple[Wave, Wave]:
 
     `up + i right = f exp(i s k theta) + b exp(-i s k theta)`.
     """
-    quarter, half = cyclotomic.root(Fraction(1, 4)), HALF
-    aside = multiplied(right, quarter)
-    positive = joined([up, aside])
-    backward = joined([conjugated(up), multiplied(conjugated(right), quarter)])
+    quarter = cyclotomic.root(Fraction(1, 4)).times(HALF)
     first, second = (
-        {key: amount.times(half) for key, amount in wave.items()} for wave in (positive, backward)
+        joined([scaled(vertical, {(): HALF}), multiplied(aside, quarter)])
+        for vertical, aside in ((up, right), (conjugated(up), conjugated(right)))
     )
     return (first, second) if sense > 0 else (second, first)
 
 
-def length(amount: Amount) -> Closed:
+def length(amount: Amount) -> Formula:
     """The magnitude of a number."""
     if isinstance(amount, Number):
         return radicals.length(amount)
     with cyclotomic.precision(DIGITS):
-        return Closed(Decimal(abs(amount.value)), exact=False)
+        return Decimal(abs(amount.value))
 
 
-def bearing(amount: Amount) -> Closed:
+def bearing(amount: Amount) -> Formula:
     """The argument of a number other than zero."""
     if isinstance(amount, Number):
         return radicals.bearing(amount)
     turn = turn_of(amount)
     if turn is not None:
-        return Closed(part_of_turn(turn), exact=False)
+        return part_of_turn(turn)
     with cyclotomic.precision(DIGITS):
-        return Closed(Degrees(Decimal(amount.value.arg() * 180 / arb.pi())), exact=False)
+        return Degrees(Decimal(amount.value.arg() * 180 / arb.pi()))
 
 
 def turn_of(amount: Amount) -> Fraction | None:
@@ -174,46 +155,35 @@ def pieces(wave: Wave) -> list[Piece]:
     """A signal as few cosines: what has the same phase, or the opposite one, in one piece."""
     out: list[Piece] = []
     for key, amount in wave.items():
-        size = product(length(amount).formula, *key)
-        turn = turn_of(amount)
-        angle = bearing(amount).formula
+        size, turn, angle = product(length(amount), *key), turn_of(amount), bearing(amount)
         place = next((i for i, piece in enumerate(out) if _parallel(piece, turn, angle)), None)
-        if place is None:
-            upside = turn is not None and turn == HALF
-            out.append(
-                Piece(negative(size), Fraction(0), NOUGHT) if upside else Piece(size, turn, angle)
-            )
-        else:
+        if place is not None:
             piece = out[place]
-            opposite = turn is not None and piece.phase is not None and turn != piece.phase
-            out[place] = piece._replace(
-                size=collected(piece.size, negative(size) if opposite else size)
-            )
+            signed = size if turn == piece.phase else negative(size)
+            out[place] = piece._replace(size=collected(piece.size, signed))
+        elif turn == HALF:
+            out.append(Piece(negative(size), Fraction(0), NOUGHT))
+        else:
+            out.append(Piece(size, turn, angle))
     return out
 
 
 def _parallel(piece: Piece, turn: Fraction | None, angle: Formula) -> bool:
     if turn is None or piece.phase is None:
-        return (
-            turn is None
-            and piece.phase is None
-            and piece.angle == angle
-            and not isinstance(angle, Degrees)
-        )
+        return turn is piece.phase and piece.angle == angle and not isinstance(angle, Degrees)
     return (turn - piece.phase) % HALF == 0
 
 
 def signal(wave: Wave, order: Fraction) -> Formula:
     """A signal in closed form: `4 sqrt(2) cos 2 theta`."""
-    return summed(*(written(piece, order) for piece in pieces(wave)))
+    return summed(*(written(piece, product(order, THETA)) for piece in pieces(wave)))
 
 
-def written(piece: Piece, order: Fraction) -> Formula:
-    """One cosine; a quarter of a turn on or back it is a sine."""
-    if piece.phase in (Fraction(1, 4), Fraction(-1, 4)):
-        lead = -1 if piece.phase > 0 else 1  # pyright: ignore[reportOptionalOperand]
-        return product(lead, piece.size, Applied("sin", phased(order, NOUGHT)))
-    return product(piece.size, cosine(phased(order, piece.angle)))
+def written(piece: Piece, inside: Formula) -> Formula:
+    """One cosine of `inside + phase`; a quarter of a turn on or back it is a sine."""
+    if piece.phase is not None and abs(piece.phase) == Fraction(1, 4):
+        return product(-1 if piece.phase > 0 else 1, piece.size, Applied("sin", inside))
+    return product(piece.size, cosine(summed(inside, piece.angle)))
 
 
 def phased(order: Fraction, angle: Formula) -> Formula:
@@ -238,10 +208,9 @@ def vector(wave: Wave, values: Mapping[str, float] | None = None) -> Formula:
 
 def _opposite(piece: Piece) -> Formula:
     """The angle half a turn from that of a piece."""
-    half = HALF
     if piece.phase is None:
-        return summed(piece.angle, part_of_turn(half))
-    return part_of_turn(half - (half - piece.phase - half) % 1)
+        return summed(piece.angle, part_of_turn(HALF))
+    return part_of_turn(HALF - -piece.phase % 1)
 
 
 def form(weights: Form) -> Formula:
@@ -260,23 +229,12 @@ def form_sum(forms: Iterable[tuple[Fraction, Form]]) -> Form:
     return {key: value for key, value in out.items() if value}
 
 
-def form_product(first: Form, second: Form) -> Form:
-    """The product of two linear forms."""
-    return form_sum(
-        (value, {_together(key, other): factor})
-        for key, value in first.items()
-        for other, factor in second.items()
-    )
-
-
 def at(wave: Wave, values: Mapping[Symbol, Fraction]) -> Amount | None:
     """The number a wave comes to at exact values of all its symbols, None where one has none."""
-    parts: list[Amount] = []
-    for key, amount in wave.items():
-        if any(symbol not in values for symbol in key):
-            return None
-        factor = Fraction(1)
-        for symbol in key:
-            factor *= values[symbol]
-        parts.append(amount.times(factor))
-    return _sum(parts) if parts else cyclotomic.ZERO
+    if not all(symbol in values for key in wave for symbol in key):
+        return None
+    parts = [
+        amount.times(prod((values[symbol] for symbol in key), start=Fraction(1)))
+        for key, amount in wave.items()
+    ]
+    return amount_sum(parts)

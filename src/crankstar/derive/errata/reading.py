@@ -234,7 +234,7 @@ def _roll(engine: Engine, order: int) -> Formula:
     }
     moving = bodies(engine, Fraction(order)).moving
     return wave.signal(
-        wave.joined(wave.scaled(body.up, {(): arms[body.shaft]}) for body in moving),
+        wave.joined(wave.scaled(body.push.up, {(): arms[body.shaft]}) for body in moving),
         Fraction(order),
     )
 
@@ -305,7 +305,7 @@ def _angle(entry: Mapping[str, Any]) -> Erratum:
     derived = derivation(load(entry["engine"]), entry["order"], "couple")
     (amount,) = derived.up.values()
     turn = wave.turn_of(amount)
-    ours = wave.bearing(amount).formula if turn is None else Degrees(number(360 * turn))
+    ours = wave.bearing(amount) if turn is None else Degrees(number(360 * turn))
     rounded = f"{degrees(value(ours)):.0f}°".replace("-", "−")
     return Erratum(
         id=entry["id"],
