@@ -27,7 +27,6 @@ from crankstar.remedy.shafts import (
     Need,
     needs,
     with_balance_shaft,
-    with_balance_shafts,
     with_roll_cancelled,
     with_turning_cancelled,
 )
@@ -52,7 +51,6 @@ __all__ = [
     "needs",
     "webs",
     "with_balance_shaft",
-    "with_balance_shafts",
     "with_counterweights",
     "with_roll_cancelled",
     "with_turning_cancelled",

@@ -114,41 +114,22 @@ def _loads(
 ) -> list[tuple[Real, complex, complex]]:
     """For each main bearing its share of a weight in each plane, and its bare vectors."""
     bearing_loads: list[tuple[Real, complex, complex]] = []
-    bodies = force.forward.shape[0] - sum(
-        len(shaft.throws) + len(shaft.weights) for shaft in engine.shafts
-    )
-    z = [c.z for c in engine.cylinders] * (bodies // len(engine.cylinders))
-    z += [
-        part.z
-        for kind in ("throws", "weights")
-        for shaft in engine.shafts
-        for part in getattr(shaft, kind)
-    ]
-    on = [c.shaft for c in engine.cylinders] * (bodies // len(engine.cylinders))
-    on += [
-        shaft.name
-        for kind in ("throws", "weights")
-        for shaft in engine.shafts
-        for _ in getattr(shaft, kind)
-    ]
-    for shaft in engine.shafts:
+    machine = mechanism(engine)
+    repeats = (len(force.forward) - len(machine.rotor_shaft)) // len(machine.z)
+    z = [*machine.z] * repeats + [*machine.unbalance_z]
+    on = np.array([*machine.cylinder_shaft] * repeats + [*machine.rotor_shaft])
+    for index, shaft in enumerate(engine.shafts):
         own = spectra.selected(force, [abs(float(shaft.speed_ratio))])
-        mine = np.array([name == shaft.name for name in on])
         bearings = main_bearings(engine, shaft)
         for place in range(len(bearings)):
-            share = np.array([_share(bearings, place, where) for where in z]) * mine
+            share = np.array([_share(bearings, place, where) for where in z]) * (on == index)
             plane = np.array(
                 [_share(bearings, place, p.z) * (p.shaft == shaft.name) for p in planes]
             )
-            with_crank, against = (
-                complex(share @ own.forward[:, 0]),
-                complex(share @ own.backward[:, 0]),
-            )
-            bearing_loads.append(
-                (plane, with_crank, against)
-                if shaft.speed_ratio > 0
-                else (plane, against, with_crank)
-            )
+            ahead, behind = complex(share @ own.forward[:, 0]), complex(share @ own.backward[:, 0])
+            if shaft.speed_ratio < 0:
+                ahead, behind = behind, ahead
+            bearing_loads.append((plane, ahead, behind))
     return bearing_loads
 
 

@@ -18,7 +18,6 @@ them from 1974.
 
 from __future__ import annotations
 
-from cmath import phase
 from collections.abc import Sequence
 from fractions import Fraction
 from math import isfinite
@@ -36,13 +35,7 @@ from crankstar.mechanics import remains
 from crankstar.mechanics.balance import default_reference
 from crankstar.mechanics.excitation import Totals, part_spectra, rolling_moment, total
 from crankstar.mechanics.mechanism import mechanism
-from crankstar.remedy.counterweights import (
-    NEGLIGIBLE,
-    RemedyError,
-    apart,
-    least_weights,
-    turned_weights,
-)
+from crankstar.remedy.counterweights import RemedyError, apart, least_weights, turned_weights
 from crankstar.remedy.planes import end_webs
 from crankstar.spectra import Spectrum
 
@@ -52,15 +45,11 @@ ZERO = remains.NEGLIGIBLE
 
 
 class Need(NamedTuple):
-    """A force (kg m) and couple about the middle (kg m^2) at 1 rad/s that one shaft would cancel.
-
-    `paired`: the same order has a vector that turns the other way too.
-    """
+    """A force (kg m) and couple about the middle (kg m^2) at 1 rad/s that one shaft would cancel."""
 
     ratio: Fraction
     force: complex
     couple: complex
-    paired: bool
 
 
 def needs(engine: Engine, *, highest: int = 2, zero: float = ZERO) -> tuple[Need, ...]:
@@ -76,34 +65,21 @@ def needs(engine: Engine, *, highest: int = 2, zero: float = ZERO) -> tuple[Need
     [('1', 0.0), ('-1', 0.0), ('2', 0.0), ('-2', 0.0)]
     """
     parts = part_spectra(mechanism(engine), reference=default_reference(engine))
-    sums = total(parts)
-    remaining: list[Need] = []
-    for order in sorted(
-        {
-            Fraction(order).limit_denominator(1000)
-            for order in sums.force.orders.tolist()
-            if order <= highest + 1e-9
-        }
-    ):
-        sides = [_vectors(parts, sums, order * sign, zero) for sign in (1, -1)]
-        remaining += [
-            Need(order * sign, force, couple, paired=all(any(side) for side in sides))
-            for sign, (force, couple) in zip((1, -1), sides, strict=True)
-            if force or couple
-        ]
-    return tuple(remaining)
+    orders = parts.force.orders[parts.force.orders <= highest + 1e-9].tolist()
+    ratios = sorted({Fraction(order).limit_denominator(1000) for order in orders})
+    remaining = [
+        Need(ratio, *_vectors(parts, ratio, zero)) for order in ratios for ratio in (order, -order)
+    ]
+    return tuple(need for need in remaining if need.force or need.couple)
 
 
-def _vectors(
-    parts: Totals, sums: Totals, ratio: Fraction, share: float = ZERO
-) -> tuple[complex, complex]:
+def _vectors(parts: Totals, ratio: Fraction, share: float = ZERO) -> tuple[complex, complex]:
     """Force and couple that turn at this ratio; zero where negligible beside the parts."""
-    way = "forward" if ratio > 0 else "backward"
+    sums = total(parts)
 
     def vector_of(name: str) -> complex:
-        vector = complex(
-            getattr(spectra.selected(getattr(sums, name), [abs(float(ratio))]), way)[0]
-        )
+        one = spectra.selected(getattr(sums, name), [abs(float(ratio))])
+        vector = complex((one.forward if ratio > 0 else one.backward)[0])
         return vector if abs(vector) > share * _pushed(getattr(parts, name)) else 0j
 
     return vector_of("force"), vector_of("couple")
@@ -164,10 +140,8 @@ def with_balance_shaft(
                 greatest=GREATEST_SHAFTS,
             )
         )
-    reference = default_reference(engine)
-    parts = part_spectra(mechanism(engine), reference=reference)
-    force, couple = _vectors(parts, total(parts), ratio)
-    if not (force or couple):
+    vectors = _unbalances(engine, ratio, planes)
+    if not vectors:
         raise RemedyError(
             _(
                 "no force or couple of order {order} turns with a shaft of speed ratio {ratio}: it "
@@ -176,29 +150,25 @@ def with_balance_shaft(
                 ratio=ratio,
             )
         )
-    vectors = _unbalances(
-        force,
-        couple,
-        [plane - reference.z for plane in planes],
-        float(ratio) ** 2,
-        _pushed(parts.couple),
-    )
-    scale = max(map(abs, vectors))
-    weights = tuple(
-        Weight(unbalance=abs(vector), angle=phase(vector), z=plane)
-        for vector, plane in zip(vectors, planes, strict=True)
-        if abs(vector) > NEGLIGIBLE * scale
-    )
+    weights = tuple(turned_weights(vectors, planes))
     shaft = Shaft(name=_name(engine, ratio), speed_ratio=ratio, up=up, right=right, weights=weights)
     return with_shaft(engine, shaft)
 
 
-def _unbalances(
-    force: complex, couple: complex, arms: Sequence[float], squared: float, pushed: float
-) -> list[complex]:
+def _unbalances(engine: Engine, ratio: Fraction, planes: Sequence[float]) -> list[complex]:
+    """The least unbalances in these planes that cancel what turns at a ratio; none if nothing does.
+
+    Raises RemedyError where one plane has a couple to cancel.
+    """
+    reference = default_reference(engine)
+    parts = part_spectra(mechanism(engine), reference=reference)
+    force, couple = _vectors(parts, ratio)
+    arms, squared = [plane - reference.z for plane in planes], float(ratio) ** 2
+    if not (force or couple):
+        return []
     if len(arms) > 1:
         return least_weights(force=-force / squared, moment=-couple / squared, planes=arms)
-    if abs(couple - arms[0] * force) > ZERO * pushed:
+    if abs(couple - arms[0] * force) > ZERO * _pushed(parts.couple):
         raise RemedyError(_("one plane cannot cancel a couple; give two planes or more"))
     return [-force / squared]
 
@@ -216,74 +186,27 @@ def with_turning_cancelled(engine: Engine, *, ratio: Fraction | int) -> Engine:
     ['-1']
     """
     ratio = _fraction(ratio)
-    places = [
-        place
-        for place, shaft in enumerate(engine.shafts)
-        if shaft.throws and shaft.speed_ratio == ratio
-    ]
-    if not places:
+    shafts = [shaft for shaft in engine.shafts if shaft.throws and shaft.speed_ratio == ratio]
+    if not shafts:
         raise RemedyError(
             _("no crankshaft has the speed ratio {ratio}; use a balance shaft", ratio=ratio)
         )
-    reference = default_reference(engine)
-    parts = part_spectra(mechanism(engine), reference=reference)
-    force, couple = _vectors(parts, total(parts), ratio)
-    if not (force or couple):
+    at = [(shaft.name, plane) for shaft in shafts for plane in end_webs(engine, shaft)]
+    added = list(zip(at, _unbalances(engine, ratio, [plane for _, plane in at]), strict=False))
+    if not added:
         return engine
-    at = [(place, plane) for place in places for plane in end_webs(engine, engine.shafts[place])]
-    vectors = _unbalances(
-        force,
-        couple,
-        [plane - reference.z for place, plane in at],
-        float(ratio) ** 2,
-        _pushed(parts.couple),
-    )
-    shafts = engine.shafts
     weights: dict[str, Sequence[Weight]] = {}
-    for place in places:
-        there = [
-            (weight.z, weight.unbalance * np.exp(1j * weight.angle))
-            for weight in shafts[place].weights
-        ]
-        there += [
-            (plane, vector)
-            for (where, plane), vector in zip(at, vectors, strict=True)
-            if where == place
-        ]
-        planes = list(dict.fromkeys(z for z, vector in there))
-        sums = [sum(vector for z, vector in there if z == plane) for plane in planes]
-        homes = {weight.z: weight.throw for weight in shafts[place].weights}
-        weights[shafts[place].name] = turned_weights(
-            sums, planes, throws=[homes.get(plane) for plane in planes]
+    for shaft in shafts:
+        sums: dict[float, complex] = {}
+        there = [(w.z, complex(w.unbalance * np.exp(1j * w.angle))) for w in shaft.weights]
+        there += [(plane, vector) for (name, plane), vector in added if name == shaft.name]
+        for plane, vector in there:
+            sums[plane] = sums.get(plane, 0j) + vector
+        throws = {weight.z: weight.throw for weight in shaft.weights}
+        weights[shaft.name] = turned_weights(
+            list(sums.values()), list(sums), throws=[throws.get(plane) for plane in sums]
         )
     return with_weights(engine, weights)
-
-
-def with_balance_shafts(
-    engine: Engine,
-    *,
-    planes: Sequence[float],
-    highest: int = 2,
-    between: float = 0.0,
-    right: float = 0.0,
-    up: float = 0.0,
-) -> Engine:
-    """The engine with a shaft for every vector up to order `highest` but those of ratio 1.
-
-    Add counterweights first. The shafts of a pair lie `between` apart, left and right of `up`,
-    `right`; single ones lie there.
-    """
-    for need in needs(engine, highest=highest):
-        if need.ratio != 1:
-            aside = (
-                (between / 2 if need.ratio > 0 else -between / 2)
-                if need.paired and abs(need.ratio) != 1
-                else 0.0
-            )
-            engine = with_balance_shaft(
-                engine, ratio=need.ratio, planes=planes, up=up, right=right + aside
-            )
-    return engine
 
 
 def with_roll_cancelled(engine: Engine, *, order: Fraction | int) -> Engine:
@@ -293,8 +216,10 @@ def with_roll_cancelled(engine: Engine, *, order: Fraction | int) -> Engine:
     (`excitation.rolling_moment`). Raises RemedyError where there is no such pair, or it has no
     force to do it with.
 
-    >>> from crankstar import balance, load, spectra, total
-    >>> pair = with_balance_shafts(load("i4"), planes=[0.0])
+    >>> from crankstar.files.catalog import load
+    >>> pair = load("i4")
+    >>> for ratio in (2, -2):
+    ...     pair = with_balance_shaft(pair, ratio=ratio, planes=[0.0])
     >>> level = with_roll_cancelled(pair, order=2)
     >>> [round(shaft.up, 3) for shaft in level.shafts[1:]]  # apart by nearly a rod length, 4 r
     [1.969, -1.969]
