@@ -12,6 +12,7 @@ from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from typing import Any
 
+import numpy as np
 import pytest
 from flint import acb, arb
 from hypothesis import assume, given, settings
@@ -21,6 +22,7 @@ from tests.exactly import MP, evaluated, orders_of, short_engines, snapped
 from tests.judged import Judged, lines
 from tests.strategies import OF_ANY_KIND
 
+from crankstar import spectra
 from crankstar.derive import (
     Chapter,
     Derivation,
@@ -29,6 +31,7 @@ from crankstar.derive import (
     derivation,
     documents,
     family,
+    inertia_torque,
     signs_chapter,
 )
 from crankstar.derive.algebra import cyclotomic, enclosure, evaluation, formula, typeset
@@ -37,9 +40,12 @@ from crankstar.derive.cure import cure
 from crankstar.derive.errata import errata
 from crankstar.derive.notations import CRANKSTAR, SINITSYN, STROKE, Notation, notated
 from crankstar.derive.records import Quantity
+from crankstar.derive.torques import in_harmonics, torque_harmonic
 from crankstar.engine.engine import Engine
 from crankstar.files import catalog
 from crankstar.files.read import engine_of
+from crankstar.mechanics.balance import balance
+from crankstar.mechanics.excitation import Totals, rolling_moment
 from crankstar.remedy import end_webs
 
 # -- any formula
@@ -405,6 +411,96 @@ def test_cures_are_true_as_they_are_printed(name: str) -> None:
             continue
         with cyclotomic.precision(50):
             assert untrue(lines_of(chapter), letters_for(chapter)) == []
+
+
+def false_torques(engine: Engine, order: int) -> list[str]:
+    """Printed torques that the Balance does not have; DerivationError where there is no form."""
+    chapter, result = inertia_torque(engine, order), balance(engine)
+    first = engine.first
+    ratio = Fraction(first.rod_length / engine.throw(first).radius).limit_denominator(10**6)
+    harmonic = torque_harmonic(ratio, order)
+    torque = spectra.amplitude(spectra.selected(result.torque, [order]))[:, 0]
+    whole = Totals(result.force, result.couple, result.axis_moment, result.torque)
+    roll = spectra.amplitude(spectra.selected(rolling_moment(whole), [order]))[:, 0]
+    allowed = 1e-12 * len(engine.cylinders) * max(1.0, float(np.abs(result.torque.forward).max()))
+    out: list[str] = []
+    with cyclotomic.precision(50):
+        letters = letters_for(chapter)
+        out += untrue(lines_of(chapter), letters)
+        for line in lines_of(chapter):
+            if line.kind not in ("torque", "roll"):
+                continue
+            amplitude = (torque if line.kind == "torque" else roll)[list(line.rows)].sum()
+            truth = float((amplitude * np.exp(1j * order * THETA)).real)
+            for read in (in_text, in_latex, in_mathml):
+                for tokens in read(line):
+                    member = printed.value(tokens, letters) * harmonic
+                    if not (member - truth).overlaps(around(allowed)):
+                        out.append(f"{read.__name__}, {line.label}: {documents.equations(line)}")
+    return out
+
+
+def test_torques_of_the_catalog_are_true_as_printed_or_refused() -> None:
+    refused: dict[str, str] = {}
+    for name in catalog.names():
+        engine = catalog.load(name)
+        try:
+            assert [false_torques(engine, order) for order in (1, 2, 3, 4, 6)] == [[]] * 5, name
+        except DerivationError as error:
+            refused[name] = str(error)
+    assert all(sentence.endswith(".") for sentence in refused.values())
+    assert len(catalog.names()) - len(refused) > 40
+    assert {"napier-deltic", "radial-9", "vw-vr6"} <= set(refused)
+
+
+@given(
+    st.lists(st.integers(0, 23), min_size=1, max_size=5),
+    st.sampled_from([1.25, 3, 3.7, 8]),
+    st.sampled_from(["clockwise", "counter-clockwise"]),
+    st.integers(-6, 12),
+    st.integers(1, 8),
+)
+def test_torques_of_random_engines_are_true_as_they_are_printed(
+    throws: list[int], ratio: float, rotation: str, bearing: int, order: int
+) -> None:
+    layout = {
+        "type": "inline",
+        "bearing": f"{15 * bearing} deg",
+        "throws": [f"{15 * throw} deg" for throw in throws],
+    }
+    tree = {"format": 1, "name": "any", "rotation": rotation, "cylinder": {"rod_ratio": ratio}}
+    assert false_torques(engine_of(tree | {"layout": layout}), order) == []
+
+
+@pytest.mark.parametrize("order", range(1, 9))
+def test_a_torque_harmonic_is_its_sum_of_products_and_its_series(order: int) -> None:
+    ratio = Fraction(6)
+    letters = {f"A_{n}": enclosure.coefficient(ratio, n) for n in range(2, 40)} | {
+        "…": arb(0),
+        "lambda": arb(1) / 6,
+    }
+    with cyclotomic.precision(30):
+        exact = torque_harmonic(ratio, order)
+        products = evaluation.enclosed(in_harmonics(order), letters)
+        assert abs(products - exact) < arb(10) ** -9
+        line = next(
+            line
+            for line in lines_of(inertia_torque(catalog.load("single"), order, power=17))
+            if line.kind == "series"
+        )
+        assert abs(evaluation.enclosed(line.chain[0], letters) - exact) < arb(10) ** -11
+
+
+def test_the_series_of_the_torque_is_that_of_the_textbooks() -> None:
+    """T = m r^2 w^2 (lambda/4 sin - 1/2 sin 2 - 3 lambda/4 sin 3 - lambda^2/4 sin 4): signs turned."""
+    single = catalog.load("single")
+    first = {}
+    for order in (1, 2, 3, 4):
+        chapter = inertia_torque(single, order)
+        (line,) = (line for line in lines_of(chapter) if line.kind == "series")
+        first[order] = line.series[0]
+    expected = {1: (1, "-1/4"), 2: (0, "1/2"), 3: (1, "3/4"), 4: (2, "1/4")}
+    assert first == {order: (power, Fraction(value)) for order, (power, value) in expected.items()}
 
 
 def test_errata_are_printed_as_they_are() -> None:

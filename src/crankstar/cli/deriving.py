@@ -35,7 +35,9 @@ def derive(
         str | None,
         text("Crank orders, such as 2 or 1,2,4; all is 1,2,4,6 (default: 1,2).", *ORDER_NAMES),
     ] = None,
-    quantity: Annotated[str | None, Parameter(help="force or couple (default: both).")] = None,
+    quantity: Annotated[
+        str | None, Parameter(help="force, couple or torque (default: force and couple).")
+    ] = None,
     form: Annotated[
         str, Parameter(name="--format", help="text, latex, markdown or html.")
     ] = "text",
@@ -90,6 +92,8 @@ def derive(
         request.alone("--signs", {**given, "--reference": None, "--symbolic": symbolic})
     elif symbolic is not None:
         request.alone("--symbolic", {**given, "--order": None, "--quantity": None})
+    elif quantity == "torque":
+        request.alone("--quantity torque", {"--reference": reference})
     wanted: list[tuple[Fraction, request.Derived]] = [
         (one, kind)
         for one in request.derived_orders("1,2" if order is None else order)
@@ -105,6 +109,10 @@ def derive(
                 tell(f"deriving the {kind} of order {one} ...")
                 if symbolic is not None:
                     chapters.append(exact.family(loaded, one, kind, symbol=symbolic))
+                elif kind == "torque":
+                    chapters.append(
+                        exact.inertia_torque(loaded, one, speed=turning, power=power or 7)
+                    )
                 else:
                     chapters.append(
                         exact.derivation(

@@ -18,6 +18,7 @@ Engine -> Derivation -> document.
 | `documents` | terminal, LaTeX, Markdown and HTML |
 | `chapters` | the results of derivations, as records that print |
 | `steps` | one order of an engine, from one cylinder to the resultant |
+| `torques` | the inertia torque by order, and the rolling moment |
 | `vee_family` | V engines with the bank angle as a letter |
 | `families` | closed forms in which a dimension stays a letter |
 | `six_signs` | the six signs of balance of a single-shaft engine |
@@ -39,6 +40,7 @@ if TYPE_CHECKING:
     from crankstar.derive.records import DerivationError, Line, Step
     from crankstar.derive.six_signs import Sign, signs, signs_chapter
     from crankstar.derive.steps import derivation
+    from crankstar.derive.torques import inertia_torque
 
 _LATE = {
     "family": "families",
@@ -51,6 +53,7 @@ _LATE = {
     "signs": "six_signs",
     "signs_chapter": "six_signs",
     "derivation": "steps",
+    "inertia_torque": "torques",
 }
 __all__ = [
     "Chapter",
@@ -61,6 +64,7 @@ __all__ = [
     "Step",
     "derivation",
     "family",
+    "inertia_torque",
     "signs",
     "signs_chapter",
 ]

@@ -11,7 +11,15 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from crankstar.derive.algebra import cyclotomic, wave
-from crankstar.derive.algebra.formula import Formula, angle, cosine, negative, product, summed
+from crankstar.derive.algebra.formula import (
+    Applied,
+    Formula,
+    angle,
+    cosine,
+    negative,
+    product,
+    summed,
+)
 from crankstar.derive.algebra.wave import Form, Wave, form_sum, joined
 from crankstar.language.faults import listed
 from crankstar.language.messages import _, _n
@@ -48,8 +56,10 @@ class Addition(NamedTuple):
     wave: Wave
 
 
-def addition(terms: list[Term], order: Fraction, *, moments: bool) -> Addition:
-    """The sum of cosines, of forces or of moments, step by step to its closed form."""
+def addition(
+    terms: list[Term], order: Fraction, *, moments: bool, function: str = "cos"
+) -> Addition:
+    """The sum of cosines (or sines), of forces or of moments, step by step to its closed form."""
     notes: list[str] = []
     idle = [term.cylinder for term in terms if not term.weight]
     if idle:
@@ -62,7 +72,7 @@ def addition(terms: list[Term], order: Fraction, *, moments: bool) -> Addition:
             )
         )
     terms = [term for term in terms if term.weight]
-    raw = summed_up([(wave.form(term.weight), term.phase) for term in terms], order)
+    raw = summed_up([(wave.form(term.weight), term.phase) for term in terms], order, function)
     groups = _groups(terms)
     notes += [_cancelled(group.members, moments=moments) for group in groups if not group.weight]
     left = [group for group in groups if group.weight]
@@ -70,21 +80,28 @@ def addition(terms: list[Term], order: Fraction, *, moments: bool) -> Addition:
     chain = [raw]
     sizes = [(wave.form(group.weight), group.phase) for group in left]
     if len(left) < len(terms) and left:
-        chain.append(summed_up(sizes, order))
+        chain.append(summed_up(sizes, order, function))
     whole = joined(wave.scaled({(): cyclotomic.root(group.phase)}, group.weight) for group in left)
     if not whole and left:
         notes.append(_closed_polygon(left))
     elif len(left) == 2:
-        chain += _as_product(sizes, order)
+        chain += _as_product(sizes, order, function)
     elif len(left) > 2:
         notes.append(_("The rest is added as vectors, each with its length and phase."))
+    if function == "sin":
+        whole = wave.multiplied(whole, cyclotomic.root(Fraction(-1, 4)))
     return Addition(distinct([*chain, wave.signal(whole, order)]), tuple(notes), whole)
 
 
-def summed_up(parts: list[tuple[Formula, Fraction]], order: Fraction) -> Formula:
-    """A sum of cosines with formulas before them."""
+def summed_up(
+    parts: list[tuple[Formula, Fraction]], order: Fraction, function: str = "cos"
+) -> Formula:
+    """A sum of cosines or sines with formulas before them."""
     return summed(
-        *(product(size, cosine(wave.phased(order, angle(lag(phase))))) for size, phase in parts)
+        *(
+            product(size, Applied(function, wave.phased(order, angle(lag(phase)))))
+            for size, phase in parts
+        )
     )
 
 
@@ -126,9 +143,9 @@ def _together(groups: list[Group], *, moments: bool) -> list[str]:
     if opposed:
         notes.append(
             _n(
-                "Cylinders {groups} are in phase or opposite, so their cosines make one.",
-                "The cylinders of each group are in phase or opposite, so their cosines make one: "
-                "{groups}.",
+                "Cylinders {groups} are in phase or opposite, so their terms combine into one.",
+                "The cylinders of each group are in phase or opposite, so their terms combine into "
+                "one: {groups}.",
                 len(opposed),
                 groups=_listed(opposed),
             )
@@ -207,20 +224,23 @@ def _closed_polygon(left: list[Group]) -> str:
     )
 
 
-def _as_product(parts: list[tuple[Formula, Fraction]], order: Fraction) -> list[Formula]:
-    """Cos x + cos y = 2 cos((x - y)/2) cos((x + y)/2), for two cosines of the same size."""
+def _as_product(
+    parts: list[tuple[Formula, Fraction]], order: Fraction, function: str
+) -> list[Formula]:
+    """Cos x + cos y = 2 cos((x - y)/2) cos((x + y)/2), for two of the same size; sines alike."""
     (first, p), (second, q) = parts
     if first == negative(second):
         second, q = first, q + HALF
-    return [sum_as_product(first, p, q, order)] if first == second else []
+    return [sum_as_product(first, p, q, order, function)] if first == second else []
 
 
-def sum_as_product(size: Formula, p: Fraction, q: Fraction, order: Fraction) -> Formula:
-    """Size cos(k theta + p) + size cos(k theta + q) as a product."""
+def sum_as_product(
+    size: Formula, p: Fraction, q: Fraction, order: Fraction, function: str = "cos"
+) -> Formula:
+    """Size cos(k theta + p) + size cos(k theta + q) as a product, or the same of sines."""
     p, q = lag(p), lag(q)
-    return product(
-        2, size, cosine(angle(abs(p - q) / 2)), cosine(wave.phased(order, angle((p + q) / 2)))
-    )
+    middle = Applied(function, wave.phased(order, angle((p + q) / 2)))
+    return product(2, size, cosine(angle(abs(p - q) / 2)), middle)
 
 
 def distinct(chain: Iterable[Formula]) -> tuple[Formula, ...]:

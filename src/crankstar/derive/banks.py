@@ -29,6 +29,7 @@ from crankstar.derive.algebra.wave import Wave, joined
 from crankstar.derive.bodies import Body, Push, pushed
 from crankstar.derive.records import Line, Step
 from crankstar.derive.task import Task, degrees_text, resolved, rows, sides
+from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
 
 
@@ -72,7 +73,7 @@ def _each(task: Task, pistons: Sequence[Body]) -> Step:
     """The cosine of each cylinder along its own axis."""
     lines: list[Line] = []
     for body in pistons:
-        label, arm = _cylinder_label(task, body), task.arm(body)
+        label, arm = cylinder_label(task.engine, body), task.arm(body)
         if body.along is None:
             lines += sides(task, str(body.cylinder), [body], label, arm=arm)
         else:
@@ -90,10 +91,10 @@ def _each(task: Task, pistons: Sequence[Body]) -> Step:
     return Step(_("Every cylinder along its own axis"), tuple(words), tuple(lines))
 
 
-def _cylinder_label(task: Task, body: Body) -> str:
+def cylinder_label(engine: Engine, body: Body) -> str:
     """What a line of one cylinder is about."""
     values = {"number": body.cylinder, "bearing": degrees_text(body.bearing_deg)}
-    if len(task.engine.banks) > 1:
+    if len(engine.banks) > 1:
         label = _("cylinder {number} ({bank}), at {bearing}", bank=body.bank, **values)
     else:
         label = _("cylinder {number}, at {bearing}", **values)
@@ -110,14 +111,17 @@ def _own(task: Task, along: Wave, body: Body) -> tuple[Formula, ...]:
     sizes = (product(_size(amount, body.lag), *key) for key, amount in along.items())
     factors, chain = summed(*sizes), []
     if body.dead_centre:
-        degrees = 360 * -body.dead_centre
-        short = 1000 % degrees.denominator == 0
-        lead = Degrees(number(degrees)) if short else angle(-body.dead_centre)
-        turned = summed(THETA, lead)
-        inside = turned if task.order == 1 else product(task.order, turned)
-        chain.append(product(factors, cosine(inside)))
+        chain.append(product(factors, cosine(turned(task.order, body.dead_centre))))
     chain.append(product(factors, cosine(wave.phased(task.order, angle(lag(body.lag))))))
     return distinct(chain)
+
+
+def turned(order: Fraction, dead_centre: Fraction) -> Formula:
+    """K (theta - a dead centre), in degrees where they are short."""
+    degrees = -360 * dead_centre
+    short = 1000 % degrees.denominator == 0
+    behind = summed(THETA, Degrees(number(degrees)) if short else angle(-dead_centre))
+    return behind if order == 1 else product(order, behind)
 
 
 def _size(amount: wave.Amount, phase: Fraction) -> Formula:

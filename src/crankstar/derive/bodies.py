@@ -27,6 +27,7 @@ from crankstar.derive.algebra import cyclotomic, enclosure, rational
 from crankstar.derive.algebra.enclosure import Amount, Ball
 from crankstar.derive.algebra.formula import Symbol
 from crankstar.derive.algebra.wave import Form, Key, Wave, joined, multiplied, scaled
+from crankstar.derive.records import DerivationError
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Cylinder, Shaft
 from crankstar.language.messages import _
@@ -132,6 +133,25 @@ def inexact(engine: Engine) -> str:
         if field > GREATEST_FIELD or field * len(engine.cylinders) > GREATEST_WORK:
             return _("The common part of a turn of all angles is too small for exact sums.")
     return ""
+
+
+def alike(engine: Engine) -> None:
+    """Raise DerivationError for an engine without one crankshaft, equal cylinders, exact angles."""
+    if inexact(engine):
+        raise DerivationError(_("There is no exact closed form. {reason}", reason=inexact(engine)))
+    if len({cylinder.shaft for cylinder in engine.cylinders}) > 1:
+        raise DerivationError(
+            _("This closed form needs an engine with one crankshaft; this one has several.")
+        )
+    sizes = {(c.reciprocating_mass, c.rod_length, engine.throw(c).radius) for c in engine.cylinders}
+    if len(sizes) > 1 or any(cylinder.rod for cylinder in engine.cylinders):
+        raise DerivationError(
+            _("This closed form needs cylinders that are all alike in mass, rod and stroke.")
+        )
+    if engine.shaft(engine.first.shaft).speed_ratio != 1:
+        raise DerivationError(
+            _("This closed form needs the cylinders on the reference crankshaft.")
+        )
 
 
 def bodies(engine: Engine, order: Fraction) -> Bodies:

@@ -26,7 +26,7 @@ from crankstar.derive.algebra.formula import (
     product,
     summed,
 )
-from crankstar.derive.bodies import inexact
+from crankstar.derive.bodies import alike
 from crankstar.derive.chapters import Chapter
 from crankstar.derive.positions import arms
 from crankstar.derive.records import (
@@ -81,30 +81,11 @@ def family(engine: Engine, order: float | Fraction, quantity: Quantity, *, symbo
                 quantity=repr(quantity),
             )
         )
-    _alike(engine)
+    alike(engine)
     title, subject, steps_of = FAMILIES[symbol]
     with cyclotomic.precision(cyclotomic.DIGITS):
         steps = steps_of(engine, int(order), quantity)
     return _chapter(engine, int(order), quantity, (_(title), _(subject)), steps)
-
-
-def _alike(engine: Engine) -> None:
-    """Raise DerivationError where an engine is of no family."""
-    if inexact(engine):
-        raise DerivationError(
-            _("A family needs exact closed forms. {reason}", reason=inexact(engine))
-        )
-    if len({cylinder.shaft for cylinder in engine.cylinders}) > 1:
-        raise DerivationError(
-            _("A family needs an engine with one crankshaft; this one has several.")
-        )
-    sizes = {(c.reciprocating_mass, c.rod_length, engine.throw(c).radius) for c in engine.cylinders}
-    if len(sizes) > 1 or any(cylinder.rod for cylinder in engine.cylinders):
-        raise DerivationError(
-            _("A family needs cylinders that are all alike in mass, rod and stroke.")
-        )
-    if engine.shaft(engine.first.shaft).speed_ratio != 1:
-        raise DerivationError(_("A family needs its cylinders on the reference crankshaft."))
 
 
 def _chapter(

@@ -13,7 +13,7 @@ from typing import NamedTuple, TypeVar
 
 from crankstar.derive.algebra.formula import Formula, Ratio, Symbol, letters_of, number, renamed
 from crankstar.derive.real import series
-from crankstar.derive.records import DerivationError, Line, Readable, unit_symbol
+from crankstar.derive.records import DerivationError, Line, Readable, Series, unit_symbol
 from crankstar.language.messages import N_, _
 
 ROMAN = {1: "I", 2: "II", 4: "IV", 6: "VI", 8: "VIII"}
@@ -33,7 +33,7 @@ class Notation:
     name: str
     letters: Mapping[str, Formula]
     unit: Callable[[int | None], Formula]
-    series: Callable[[int, int], Formula]
+    series: Callable[[Series], Formula]
     legend: tuple[Meaning, ...]
 
 
@@ -55,7 +55,7 @@ CRANKSTAR = Notation(
     name="crankstar",
     letters={},
     unit=unit_symbol,
-    series=lambda harmonic, power: series(harmonic, power, Symbol("lambda")),
+    series=lambda powers: series(powers, Symbol("lambda")),
     legend=(
         Meaning(Symbol("m"), N_("reciprocating mass of a cylinder")),
         Meaning(Symbol("r"), N_("crank radius")),
@@ -68,7 +68,7 @@ STROKE = Notation(
     name="stroke",
     letters={"m": Symbol("M"), "r": _STROKE},
     unit=unit_symbol,
-    series=lambda harmonic, power: series(harmonic, power, Symbol("L"), inverted=True),
+    series=lambda powers: series(powers, Symbol("L"), inverted=True),
     legend=(
         Meaning(Symbol("M"), N_("reciprocating mass of a cylinder")),
         Meaning(Symbol("S"), N_("stroke, twice the crank radius")),
@@ -81,7 +81,7 @@ SINITSYN = Notation(
     name="sinitsyn",
     letters={"a": Symbol("l", "0")},
     unit=_roman_unit,
-    series=lambda harmonic, power: series(harmonic, power, Symbol("lambda")),
+    series=lambda powers: series(powers, Symbol("lambda")),
     legend=(
         Meaning(
             Symbol("C", "I"),
@@ -112,7 +112,7 @@ def notated(chapter: C, notation: Notation) -> C:
 
     def written(line: Line) -> Line:
         chain = (
-            (notation.series(*line.series),)
+            (notation.series(line.series),)
             if line.series
             else tuple(renamed(formula, letters) for formula in line.chain)
         )
@@ -140,9 +140,15 @@ def legend(chapter: Readable, notation: Notation) -> list[Meaning]:
             name = _name(meaning.letter)
             words = own.pop(name) if name in own else _(meaning.words)
             out.append(Meaning(meaning.letter, words))
-    if any(name.startswith("A") for name in used):
-        words = _("harmonic k of the acceleration of a piston, in units of r ω²")
-        out.append(Meaning(Symbol("A", "k"), words))
+    harmonics = (
+        ("A", N_("harmonic k of the acceleration of a piston, in units of r ω²")),
+        ("B", N_("harmonic k of the inertia torque of a piston, in units of m r² ω²")),
+    )
+    out += [
+        Meaning(Symbol(letter, "k"), _(words))
+        for letter, words in harmonics
+        if any(name.startswith(letter) for name in used)
+    ]
     return out + [
         Meaning(letter, words)
         for letter, words in _others(notation, chapter)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
 from fractions import Fraction
 from math import pi
@@ -12,6 +13,7 @@ from crankstar.derive.algebra import enclosure, wave
 from crankstar.derive.algebra.evaluation import enclosed
 from crankstar.derive.algebra.formula import (
     NOUGHT,
+    UNIT,
     Decimal,
     Formula,
     Power,
@@ -22,10 +24,11 @@ from crankstar.derive.algebra.formula import (
     summed,
 )
 from crankstar.derive.algebra.wave import Wave
-from crankstar.derive.records import Line, Step, unit_symbol
+from crankstar.derive.records import Line, Quantity, Series, Step, unit_symbol
 from crankstar.derive.task import Task, sides
+from crankstar.engine.engine import Engine
 from crankstar.engine.motion import series_coefficient
-from crankstar.language.messages import _
+from crankstar.language.messages import N_, _
 from crankstar.mechanics.balance import unit_unbalance
 
 
@@ -40,12 +43,11 @@ def real(task: Task) -> Step:
         for line in sides(task, "", task.moving)
         if line.chain[-1] != NOUGHT
     ]
-    words = [_size(task)]
+    words = [size(task.engine, task.quantity, task.speed, _greatest(task))]
     for symbol, (order, ratio) in _harmonics(task).items():
         if order == 1:
             continue
-        formula = series(order, task.power, Symbol("lambda"))
-        if formula == NOUGHT:
+        if order > task.power + 1:
             words.append(
                 _(
                     "The series of A_{order} begins with λ to the power {first}, beyond the power "
@@ -56,10 +58,10 @@ def real(task: Task) -> Step:
                 )
             )
         else:
-            cut, label = (order, task.power), _("as a series")
-            lines.append(Line(symbol, (formula,), "series", label=label, series=cut))
+            powers = range(1, task.power + 1)
+            lines.append(series_line(symbol, [(p, series_coefficient(order, p)) for p in powers]))
         ball = enclosure.coefficient(ratio, order)
-        lines.append(Line(symbol, (Decimal(ball, 12),), label=_exactly(task, ratio)))
+        lines.append(Line(symbol, (Decimal(ball, 12),), label=exactly(task.engine, ratio)))
     return Step(title, tuple(words), tuple(lines))
 
 
@@ -73,64 +75,71 @@ def _harmonics(task: Task) -> dict[Symbol, tuple[int, Fraction]]:
     return out
 
 
-def _exactly(task: Task, rod_ratio: Fraction) -> str:
+def exactly(engine: Engine, rod_ratio: Fraction) -> str:
     """The label of an exact harmonic; `assumed` where the rod length is a placeholder."""
     ratio = 1 / rod_ratio
     shown = str(ratio) if ratio.denominator < 1000 else f"{float(ratio):.6g}"
-    said = task.engine.provenance
+    said = engine.provenance
     keys = ("cylinder.rod_ratio", "cylinder.rod_length")
     if any(key in said and said[key].status == "placeholder" for key in keys):
         return _("exactly, at λ = r/l = {ratio} (assumed)", ratio=shown)
     return _("exactly, at λ = r/l = {ratio}", ratio=shown)
 
 
-def series(order: int, power: int, ratio: Symbol, *, inverted: bool = False) -> Formula:
-    """A_k as a sum of powers of lambda = r/l, or (inverted) of 1/L, L = l/S, S the stroke.
+def series_line(symbol: Symbol, powers: Iterable[tuple[int, Fraction]]) -> Line:
+    """A harmonic as a series in lambda, its coefficients by power."""
+    terms = tuple((power, value) for power, value in powers if value)
+    formula = series(terms, Symbol("lambda"))
+    return Line(symbol, (formula,), "series", label=_("as a series"), series=terms)
 
-    Nought where it begins later.
-    """
+
+def series(powers: Series, ratio: Symbol, *, inverted: bool = False) -> Formula:
+    """A sum of powers of lambda = r/l, or (inverted) of 1/L, L = l/S, S the stroke."""
     terms: list[Formula] = []
-    for exponent in range(power + 1):
-        value = series_coefficient(order, exponent) / (2**exponent if inverted else 1)
-        letter: Formula = ratio if exponent == 1 else Power(ratio, exponent)
+    for power, factor in powers:
+        value = factor / 2**power if inverted else factor
+        letter: Formula = Power(ratio, power) if power > 1 else ratio if power else UNIT
         above, below = number(abs(value.numerator)), number(value.denominator)
-        if value.denominator == 1 and not inverted:
-            term = product(value, letter)
-        elif inverted:
-            term = product(1 if value > 0 else -1, Ratio(above, product(below, letter)))
+        if inverted:
+            term = Ratio(above, product(below, letter))
         else:
-            term = product(1 if value > 0 else -1, Ratio(product(above, letter), below))
-        terms += [term] if value else []
-    return summed(*terms, Symbol("…")) if terms else NOUGHT
+            term = product(above, letter) if below == UNIT else Ratio(product(above, letter), below)
+        terms.append(product(1 if value > 0 else -1, term))
+    return summed(*terms, Symbol("…"))
 
 
-def _size(task: Task) -> str:
-    """The greatest value over a turn, in newtons where masses, sizes and a speed are known."""
-    engine, speed = task.engine, task.speed
+def size(engine: Engine, quantity: Quantity, speed: float | None, greatest: float) -> str:
+    """The greatest value over a turn, in newtons where masses, sizes and a speed are known.
+
+    `greatest` is that value at 1 rad/s.
+    """
     needed = [("mass", _("reciprocating mass")), ("radius", _("stroke"))]
-    if task.quantity == "couple":
+    if quantity == "couple":
         needed.append(("pitch", _("bore pitch")))
     missing = [word for key, word in needed if key in engine.relative]
     if speed is None:
         missing.append(_("speed"))
     if missing or speed is None:
-        if task.quantity == "couple":
-            return _(
-                "The engine file does not give all that newton metres need. Missing: {missing}.",
-                missing=", ".join(missing),
+        sentence = (
+            N_("The engine file does not give all that newtons need. Missing: {missing}.")
+            if quantity == "force"
+            else N_(
+                "The engine file does not give all that newton metres need. Missing: {missing}."
             )
-        return _(
-            "The engine file does not give all that newtons need. Missing: {missing}.",
-            missing=", ".join(missing),
         )
-    values = {"speed": f"{speed * 30 / pi:.6g}", "size": f"{_greatest(task, speed):.6g}"}
-    if task.quantity == "couple":
-        return _("At {speed} rpm the couple is at most {size} N m over a turn.", **values)
-    return _("At {speed} rpm the force is at most {size} N over a turn.", **values)
+        return _(sentence, missing=", ".join(missing))
+    return _(_SIZES[quantity], speed=f"{speed * 30 / pi:.6g}", size=f"{greatest * speed**2:.6g}")
 
 
-def _greatest(task: Task, speed: float) -> float:
-    """The greatest value over a turn, SI: the sum of the lengths of both vectors."""
+_SIZES: dict[Quantity, str] = {
+    "force": N_("At {speed} rpm the force is at most {size} N over a turn."),
+    "couple": N_("At {speed} rpm the couple is at most {size} N m over a turn."),
+    "torque": N_("At {speed} rpm the torque is at most {size} N m over a turn."),
+}
+
+
+def _greatest(task: Task) -> float:
+    """The greatest value over a turn at 1 rad/s, SI: the sum of the lengths of both vectors."""
     parts, engine = task.bodies, task.engine
     values = {symbol.name: enclosure.arb_of(value) for symbol, value in task.arms.values.items()}
     values |= {
@@ -140,7 +149,7 @@ def _greatest(task: Task, speed: float) -> float:
     lengths = sum((abs(_enclosed(own, values)) for own in task.vectors), arb(0))
     if parts.harmonic is not None and parts.rod_ratio is not None:
         lengths *= abs(enclosure.coefficient(parts.rod_ratio, parts.harmonic))
-    unit = unit_unbalance(engine) * speed**2
+    unit = unit_unbalance(engine)
     return float(lengths.mid()) * unit * (engine.pitch if task.quantity == "couple" else 1.0)
 
 

@@ -9,8 +9,9 @@ from typing import Literal
 from crankstar.derive.algebra.formula import Formula, Power, Symbol, product
 from crankstar.language.messages import _
 
-Quantity = Literal["force", "couple"]
-Kind = Literal["signal", "forward", "backward", "series", "plain"]
+Quantity = Literal["force", "couple", "torque"]
+Kind = Literal["signal", "forward", "backward", "torque", "roll", "series", "plain"]
+Series = tuple[tuple[int, Fraction], ...]
 
 GREATEST_ORDER = 24
 
@@ -25,8 +26,9 @@ class Line:
 
     A `signal` is the component along `bearing_deg` (degrees clockwise from up) of what the rows
     `rows` of a Balance push, at crank angle theta; `forward` and `backward` are vectors. Both are
-    counted in the unit of the derivation. A `series` is an approximation, the powers of lambda up
-    to a chosen one: `series` holds the harmonic and that power. A `plain` line is a definition, or
+    counted in the unit of the derivation. A `torque` is that of the rows, a `roll` their rolling
+    moment. A `series` is an approximation, the powers of lambda up
+    to a chosen one: `series` holds these powers with their coefficients. A `plain` line is a definition, or
     a number of the real engine. `arm` is the arm of what the line is about, shown with its label.
     """
 
@@ -38,7 +40,7 @@ class Line:
     label: str = ""
     note: str = ""
     arm: Formula | None = None
-    series: tuple[int, int] | None = None
+    series: Series = ()
 
 
 @dataclass(frozen=True)
@@ -86,6 +88,8 @@ def heading(order: Fraction, quantity: Quantity) -> str:
     >>> heading(Fraction(2), "force"), heading(Fraction(1, 2), "couple")
     ('Secondary force', 'Couple of order 1/2')
     """
+    if quantity == "torque":
+        return _("Inertia torque of order {order}", order=order)
     if quantity == "force":
         if order <= 2 and order.denominator == 1:
             return _("Primary force") if order == 1 else _("Secondary force")

@@ -8,6 +8,7 @@ evaluated and must come to the Balance of the parts it names.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from fractions import Fraction
 from math import isfinite
 from numbers import Real
@@ -118,7 +119,7 @@ def _derived(task: Task) -> Derivation:
         forward=forward,
         backward=backward,
         why=parts.why,
-        meanings=positions.meanings(task.engine, arms) | _theta(task),
+        meanings=positions.meanings(task.engine, arms) | theta(task.engine, task.moving),
     )
 
 
@@ -221,12 +222,10 @@ def _turning(task: Task, rotors: list[Body]) -> Step:
     return Step(_("Rotating masses"), (words,), tuple(lines))
 
 
-def _theta(task: Task) -> dict[str, str]:
+def theta(engine: Engine, moving: Iterable[Body]) -> dict[str, str]:
     """What theta is measured from, where that is not the dead centre of the first cylinder."""
-    number = task.engine.first.number
-    first = next(
-        (body for body in task.moving if body.cylinder == number and not body.turning), None
-    )
+    number = engine.first.number
+    first = next((body for body in moving if body.cylinder == number and not body.turning), None)
     if first is None or not first.dead_centre:
         return {}
     meaning = _("crank angle, from the position in the engine file, in the direction of rotation")

@@ -32,7 +32,7 @@ from crankstar.mechanics.excitation import Reference
 from crankstar.remedy import Aim, Limit, Plane, without_weights
 from crankstar.remedy.fitting import Places, ShaftPlaces, Wanted
 
-Derived = Literal["force", "couple"]
+Derived = Literal["force", "couple", "torque"]
 NEEDED = "needed"
 """What --shafts means without speed ratios."""
 
@@ -128,10 +128,12 @@ def orders(text: str | None, present: list[float]) -> list[float] | None:
 
 
 def quantities(text: str | None) -> list[Derived]:
-    """Which quantities to derive: one, or both."""
+    """The quantities to derive: one, or force and couple."""
     if text is not None and text not in get_args(Derived):
         raise RequestError(f"--quantity {one_line(text)}: it can be {', '.join(get_args(Derived))}")
-    return [one for one in get_args(Derived) if text in (None, one)]
+    return [
+        kind for kind in get_args(Derived) if text == kind or (text is None and kind != "torque")
+    ]
 
 
 def derived_orders(text: str) -> list[Fraction]:

@@ -49,7 +49,7 @@ def bodies(engine: Engine, theta: Real) -> list[Body]:
     links = motion.linkage(engine)
     out: list[Body] = []
     for index, cylinder in enumerate(engine.cylinders):
-        chain = motion.chain(links, index)
+        chain = motion.chain(links.master, index)
         root = engine.cylinders[chain[0]]
         turned = (
             engine.throw(cylinder).angle + _turned(engine, cylinder.shaft, theta) - root.bearing
@@ -126,7 +126,7 @@ def harmonic(engine: Engine, order: int) -> float:
     links = motion.linkage(engine)
     index = engine.cylinders.index(first)
     piston = motion.rods(
-        motion.parted(links, motion.chain(links, index)), _grid(FINE)
+        motion.parted(links, motion.chain(links.master, index)), _grid(FINE)
     ).piston.place[-1]
     along = np.real(piston * np.exp(-1j * links.bearing[index]))
     return order**2 * amplitude(along, order).real / engine.throw(first).radius
