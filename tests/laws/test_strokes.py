@@ -97,7 +97,7 @@ def test_a_power_stroke_runs_from_the_least_volume_to_the_greatest(engine: Engin
         theta = np.radians(np.arange(one.fires_deg, one.fires_deg + 360, 0.5))
         inward = np.zeros(theta.size)
         for piston in pistons:
-            chain = motion.chain(links, place[piston.number])
+            chain = motion.chain(links.master, place[piston.number])
             root = engine.cylinders[chain[0]]
             psi = (
                 engine.sense * float(engine.shaft(piston.shaft).speed_ratio) * theta
