@@ -22,6 +22,7 @@ from crankstar.engine.records import Shaft, Throw, Weight
 from crankstar.files.catalog import load
 from crankstar.language.faults import EngineError
 from crankstar.remedy.counterweights import with_counterweights, with_web_weights
+from crankstar.studies.sweep import swept, watched
 
 WEBS = [Weight(unbalance=1, angle=0, z=z) for z in (1.4, 0.2, -0.2, -9.0)]
 
@@ -139,3 +140,16 @@ def test_a_throw_swept_or_set_takes_its_weights_along():
     assert isinstance(turned, Engine)
     throw, weight = turned.shafts[0].throws[1], turned.shafts[0].weights[1]
     assert exp(1j * (weight.angle - throw.angle)) == pytest.approx(-1)
+
+
+def test_a_sweep_over_a_throw_turns_its_weights_with_it(tmp_path):
+    engine = with_values(with_counterweights(load("i4"), factor=0.5), firing_order=())
+    path = tmp_path / "four.toml"
+    path.write_text(files.toml(engine))
+    values = [0.03 * step for step in range(200)]
+    sweep = swept(str(path), over="shaft[1].throw[2].angle", values=values, orders=[1])
+    found = watched(sweep, "force.forward", order=1).values
+    for place in (0, 77, 199):
+        turned = with_throws_turned(engine, {("crank", 2): values[place] - pi})
+        (forward,) = spectra.selected(total(balance(turned)).force, [1]).forward
+        assert found[place] == pytest.approx(abs(forward), abs=1e-12)
