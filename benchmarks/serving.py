@@ -81,7 +81,8 @@ def main(people: float = 50, seconds: float = 20.0, pause: float = 1.0) -> None:
         took = [each for person in crowd for each in person.took]
         used = processor_seconds(server.process.pid) - before
         print(
-            f"{1e3 * used / len(took):.1f} ms of a processor for each change, the server's own share included"
+            f"{1e3 * used / len(took):.1f} ms of a processor for each change, the "
+            "server's own share included"
         )
         faults = [fault for person in crowd for fault in person.faults]
         told(f"{people:.0f} people, {len(took) / seconds:.0f} changes a second", took, faults)
@@ -105,7 +106,8 @@ def told(who: str, took: list[float], faults: list[str]) -> None:
     took = sorted(took)
     middle, most = (1e3 * took[int(len(took) * share)] for share in (0.5, 0.95))
     print(
-        f"{who}: median {middle:.0f} ms, p95 {most:.0f} ms, longest {1e3 * took[-1]:.0f} ms, {len(faults)} errors {faults[:3]}"
+        f"{who}: median {middle:.0f} ms, p95 {most:.0f} ms, longest {1e3 * took[-1]:.0f} "
+        f"ms, {len(faults)} errors {faults[:3]}"
     )
 
 

@@ -1,4 +1,4 @@
-"""What a command costs from the start to its end, as a multiple of a bare `import numpy` in the same run.
+"""What a command costs from start to end, as a multiple of a bare `import numpy` in the run.
 
 Whole processes, by turns, so that what else the machine does disturbs all alike; the first round,
 in which Python writes its byte code and numba its cache, is not counted. With all extras installed.

@@ -47,10 +47,12 @@ def main() -> dict[str, object]:
         "orders": orders,
     }
     print(
-        f"{found['stars']} stars, {found['without second-order couple']} of them without second-order couple"
+        f"{found['stars']} stars, {found['without second-order couple']} of them without "
+        "second-order couple"
     )
     print(
-        f"smallest first-order couple among them: {found['smallest']} = {least / 2:.4f} (in P_R a), of {', '.join(orders)}"
+        f"smallest first-order couple among them: {found['smallest']} = {least / 2:.4f} "
+        f"(in P_R a), of {', '.join(orders)}"
     )
     return found
 

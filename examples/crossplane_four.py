@@ -20,7 +20,7 @@ ROD_RATIO = 4.0
 
 
 def main() -> dict[str, dict[str, float]]:
-    """For each crank the second-order force in m r w^2 A_2 and the first-order couple in m r w^2 a."""
+    """For each crank the secondary force in m r w^2 A_2 and the primary couple in m r w^2 a."""
     unit = motion.piston_harmonics(crank_radius=1, rod_length=ROD_RATIO)[2].real
     found: dict[str, dict[str, float]] = {}
     for name, throws in CRANKS.items():

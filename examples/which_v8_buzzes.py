@@ -39,5 +39,6 @@ def main() -> dict[str, Shake]:
 if __name__ == "__main__":
     for engine, left in main().items():
         print(
-            f"{engine:15} order 2 force {left.force:.4f}   order 1 couple {left.couple_with_crank:.4f} with the crank"
+            f"{engine:15} order 2 force {left.force:.4f}   order 1 couple "
+            f"{left.couple_with_crank:.4f} with the crank"
         )

@@ -100,7 +100,7 @@ def install(*, tools: bool) -> None:
 
 
 def build() -> None:
-    """Builds the bundle and puts it in place, file by file, when it is complete; the digest last."""
+    """Builds the bundle and, when it is complete, puts it in place; the digest last."""
     sources = digest()
     with tempfile.TemporaryDirectory(dir=WEB / "node_modules", prefix=".bundle-") as folder:
         vite = WEB / "node_modules" / "vite" / "bin" / "vite.js"

@@ -26,11 +26,15 @@ HANDLE = "document.querySelector('[data-crankstar]').crankstar"
 EIGHT = [0.0, 12.5, 77.0, 90.0, 181.25, 333.0, 450.0, 700.125]
 """Crank angles, degrees, at which places are compared: no symmetry hides a sign."""
 CARD = """const told = WebGL2RenderingContext.prototype.getParameter
-WebGL2RenderingContext.prototype.getParameter = function (name) { return name === 0x9246 ? 'a card' : told.call(this, name) }"""
+WebGL2RenderingContext.prototype.getParameter = function (name) {
+  return name === 0x9246 ? 'a card' : told.call(this, name)
+}"""
 """Chromium as with a graphics card: a still image is not redrawn more finely later."""
 COUNTED = """const clear = WebGL2RenderingContext.prototype.clear
 window.drawings = 0
-WebGL2RenderingContext.prototype.clear = function (...what) { window.drawings++; clear.apply(this, what) }"""
+WebGL2RenderingContext.prototype.clear = function (...what) {
+  window.drawings++; clear.apply(this, what)
+}"""
 """Each drawing of the stage, counted as `drawings`, begins with an empty canvas."""
 MOVES = "start => Math.abs(HANDLE.theta - start) > 1"
 

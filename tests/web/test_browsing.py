@@ -93,7 +93,8 @@ def test_a_page_is_read_only_once_it_has_settled(page: Page) -> None:
     page.set_content("<p>before</p>")
     page.evaluate("""() => {
         const [text] = document.querySelectorAll('p')
-        const settled = () => new Promise(done => setTimeout(() => done(text.textContent = 'after'), 50))
+        const settled = () => new Promise(
+            done => setTimeout(() => done(text.textContent = 'after'), 50))
         text.crankstar = { settled }
     }""")
     assert page.locator("p").inner_text() == "after"

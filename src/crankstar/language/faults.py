@@ -1,8 +1,9 @@
 """Faults: what is wrong with an engine, a file or a question, as a record; and its sentence.
 
 Rooms above name a code and the values that belong to it; the sentences stand in the tables of
-`engine_faults`, `file_faults` and `search_faults`, marked for translation. Each host says where a fault is in its
-own words: `where(path)` in an engine file, an option on the command line, a field in a dialog.
+`engine_faults`, `file_faults` and `search_faults`, marked for translation. Each host says where a
+fault is in its own words: `where(path)` in an engine file, an option on the command line, a field
+in a dialog.
 """
 
 from __future__ import annotations
