@@ -1,0 +1,62 @@
+"""What counts as zero, and which orders are shown, of engines whose balance is known."""
+
+from __future__ import annotations
+
+from crankstar.engine.basis import Basis, Sizes
+from crankstar.engine.layouts import inline
+from crankstar.files.catalog import load
+from crankstar.mechanics.balance import balance
+from crankstar.mechanics.excitation import Reference
+from crankstar.mechanics.remains import (
+    orders_drawn,
+    orders_pushed,
+    orders_shown,
+    orders_turning,
+    remains,
+    size,
+    sizes,
+    summed,
+)
+
+
+def test_a_couple_with_an_arm_of_rounding_is_none() -> None:
+    single = load("single")
+    for arm, couple in ((1e-14, 0.0), (1e-3, 1e-3)):
+        sums = summed(balance(single, reference=Reference(arm)))
+        assert abs(size(sums.couple, 1) - couple) < 1e-15
+        assert size(sums.force, 1) == 1.0
+
+
+def test_what_cancels_is_exactly_zero_and_what_remains_is_kept() -> None:
+    result = balance(load("i4"))
+    sums = summed(result)
+    assert not sizes(sums.couple).any()
+    assert not remains(sums.couple, result.couple)
+    assert remains(sums.force, result.force)
+    assert abs(size(sums.roll, 2) - 2.0) < 0.01
+    assert size(sums.roll, 1) == 0.0
+
+
+def test_the_block_of_a_six_rolls_at_order_3_at_which_no_piston_pushes() -> None:
+    result = balance(load("i6"))
+    assert orders_pushed(result) == (1, 2, 4, 6)
+    assert orders_turning(result, summed(result)) == (1, 2, 3, 4, 6)
+
+
+def test_a_high_order_is_shown_from_a_thousandth_of_the_greatest() -> None:
+    """Four even two-stroke cylinders roll at orders 4, 8, 12; short rods."""
+    short = Sizes(rod_ratio=2.2)
+    four = inline(Basis(name="four", cycle="two-stroke", firing_order=(1, 3, 2, 4), cylinder=short))
+    result = balance(four)
+    sums = summed(result)
+    greatest = size(sums.roll, 4)
+    assert 1e-3 < size(sums.roll, 8) / greatest < 1e-2
+    assert size(sums.roll, 12) / greatest < 1e-3
+    assert {order for order in orders_shown(result, sums) if order > 6} == {8}
+
+
+def test_a_minor_order_is_not_drawn_but_the_first_two_always_are() -> None:
+    result = balance(load("i4"))
+    sums = summed(result)
+    assert orders_drawn(result, sums, "force", (1, 2, 4, 6)) == (1, 2)
+    assert orders_drawn(result, sums, "force", (1, 2, 4, 6), minor=-1) == (1, 2, 4, 6)
