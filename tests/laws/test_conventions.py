@@ -15,7 +15,7 @@ from crankstar.engine.banks import Bank
 from crankstar.engine.basis import Basis, Sizes
 from crankstar.engine.dead_centres import dead_centres
 from crankstar.engine.engine import Engine
-from crankstar.engine.layouts import inline, vee
+from crankstar.engine.layouts import Row, inline, opposed, radial, vee
 from crankstar.engine.records import Cylinder, Shaft, Throw, Weight
 from crankstar.mechanics.balance import Balance, Reference, Totals, balance, of_parts, total
 from crankstar.mechanics.excitation import part_spectra
@@ -324,3 +324,35 @@ def test_orders_are_counted_in_turns_of_the_reference_crankshaft() -> None:
         Spectrum(force.orders, force.forward[-1], force.backward[-1]), [0.5, 1.0]
     )
     assert np.abs(slow.forward) == pytest.approx([0.01 / 4, 0.0])
+
+
+def test_opposed_pistons_that_lie_are_those_that_stand_turned_a_quarter() -> None:
+    basis = Basis(name="opposed", cycle="two-stroke")
+    standing, lying = (
+        opposed(basis, throws=(0.0, 2.0), crank_distance=12.0, lag=0.2, bearing=bearing)
+        for bearing in (0.0, pi / 2)
+    )
+    assert [(shaft.up, shaft.right) for shaft in standing.shafts] == [(0, 0), (12, 0)]
+    assert [(shaft.up, shaft.right) for shaft in lying.shafts] == [(0, 0), (0, 12)]
+    for quantity in ("force", "couple"):
+        stands, lies = (getattr(total(balance(engine)), quantity) for engine in (standing, lying))
+        assert np.abs(spectra.turned(stands, pi / 2).forward - lies.forward).max() < 1e-12
+        assert np.abs(spectra.turned(stands, pi / 2).backward - lies.backward).max() < 1e-12
+
+
+@pytest.mark.parametrize("ratio", [1, -1])
+def test_opposed_pistons_in_step_leave_no_force(ratio: int) -> None:
+    basis = Basis(name="opposed", cycle="two-stroke")
+    engine = opposed(
+        basis, throws=(0.0, 2.0, 4.0), crank_distance=12.0, speed_ratio=Fraction(ratio)
+    )
+    force = total(balance(engine)).force
+    assert max(np.abs(force.forward).max(), np.abs(force.backward).max()) < 1e-12
+
+
+def test_the_rotating_mass_of_a_slave_rod_is_at_its_knuckle_pin() -> None:
+    sizes = Sizes(rotating_mass=0.3)
+    basis = Basis(name="star", cycle="two-stroke", cylinder=sizes)
+    star = radial(basis, rows=(Row(cylinders=(1, 2, 3)),), knuckle_radius=0.5)
+    assert [cylinder.big_end_mass for cylinder in star.cylinders] == [0.0, 0.3, 0.3]
+    assert [throw.rotating_mass for throw in star.shafts[0].throws] == [0.3]

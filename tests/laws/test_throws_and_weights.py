@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from tests.strategies import ANGLES, engines, of_layout
 
 from crankstar import balance, files, spectra, total
+from crankstar.engine.basis import Basis, Sizes
 from crankstar.engine.copies import (
     throws_of_weights,
     turned_on,
@@ -18,7 +19,8 @@ from crankstar.engine.copies import (
     with_values,
 )
 from crankstar.engine.engine import Engine
-from crankstar.engine.records import Shaft, Throw, Weight
+from crankstar.engine.layouts import inline
+from crankstar.engine.records import Rod, Shaft, Throw, Weight
 from crankstar.files.catalog import load
 from crankstar.language.faults import EngineError
 from crankstar.remedy.counterweights import with_counterweights, with_web_weights
@@ -68,6 +70,17 @@ def test_counterweights_name_the_throw_they_are_for(name, ends_only):
     ]
     webs = with_web_weights(load(name), factor=0.5, ends_only=ends_only).shafts[0]
     assert {weight.throw for weight in webs.weights} <= {None, *range(1, len(webs.throws) + 1)}
+
+
+def test_a_rod_is_shared_between_crank_and_piston_by_its_centre_of_mass():
+    """0.6 kg, 40 of 150 mm from the big end: 0.16 kg goes to and fro, 0.44 kg turns."""
+    rod = Rod(mass=0.6, centre=0.04, inertia=0.001)
+    sizes = Sizes(stroke=0.08, rod_length=0.15, reciprocating_mass=0.5, rotating_mass=0.3, rod=rod)
+    single = inline(Basis(name="single", cylinder=sizes, balance_factor=0.5), throws=(0.0,))
+    (weight,) = single.shafts[0].weights
+    assert weight.unbalance == pytest.approx((0.3 + 0.44 + 0.5 * (0.5 + 0.16)) * 0.04)
+    (again,) = with_counterweights(single, factor=0.5).shafts[0].weights
+    assert again.unbalance == pytest.approx(weight.unbalance)
 
 
 @settings(max_examples=30)

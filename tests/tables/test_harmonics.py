@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+from cmath import exp
+
 import mpmath
 import pytest
 
-from crankstar import load
+from crankstar import load, spectra
 from crankstar.charts.vectors import harmonic
+from crankstar.engine.basis import Basis, Sizes
 from crankstar.engine.engine import Engine
+from crankstar.engine.layouts import inline
 from crankstar.engine.motion import first_harmonic, piston_harmonics
+from crankstar.engine.quantities import Rotation
 from crankstar.files import catalog
-from crankstar.mechanics.balance import balance
+from crankstar.mechanics.balance import balance, total
 from crankstar.tables import analysis, engines
 from crankstar.tables.balance_orders import answer
 
@@ -72,3 +77,16 @@ def test_tables_charts_and_json_have_one_a_k_for_engines_with_offset() -> None:
 def test_the_first_harmonic_is_one_for_a_centred_crank_only() -> None:
     assert first_harmonic(load("i4"), 1) == pytest.approx(1)
     assert abs(first_harmonic(load("vw-vr6"), 1)) == pytest.approx(1.0031, abs=5e-5)
+
+
+@pytest.mark.parametrize("rotation", ["clockwise", "counter-clockwise"])
+def test_the_harmonic_is_the_force_of_the_piston_over_the_angle_of_its_crank(
+    rotation: Rotation,
+) -> None:
+    sizes = Sizes(stroke=0.08, rod_length=0.12, offset=0.01, reciprocating_mass=1.0)
+    single = inline(Basis(name="desaxe", rotation=rotation, cylinder=sizes), throws=(0.0,))
+    crank = single.sense * single.shafts[0].throws[0].angle
+    force = total(balance(single)).force
+    for order in (1, 2, 3):
+        (upward,) = spectra.vertical(spectra.selected(force, order))
+        assert first_harmonic(single, order) * exp(1j * order * crank) == pytest.approx(upward)

@@ -289,9 +289,10 @@ def piston_harmonics(*, crank_radius: float, rod_length: float, offset: float = 
 
 
 def first_harmonic(engine: Assembly, order: float) -> complex:
-    """The actual A_k of the first cylinder's piston, `Re(A_k exp(i k theta))`.
+    """The actual A_k of the first cylinder's piston, `Re(A_k exp(i k psi))`.
 
-    A_1 is 1 for a centred crank only. Zero where the piston has no such harmonic, or moves on an
+    psi is the angle of its crank from the cylinder axis, in the direction of rotation. A_1 is 1 for
+    a centred crank only. Zero where the piston has no such harmonic, or moves on an
     articulated rod.
     """
     first = engine.first
