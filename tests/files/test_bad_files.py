@@ -74,7 +74,6 @@ def test_the_files_that_are_spoilt_below_are_good(text: str) -> None:
         ),
         ("[layout]\nthrows = [0 deg, 90 deg]\n", 'as in "0 deg"'),
         ('name = "x"\nname = "y"\n', "the same key or table stands twice"),
-        ("[1, 2, 3]", "is not TOML"),
         ('name = "\x1b[31m"', "is not TOML"),
         ('name = "\\ud800"', "is not TOML"),
     ],
@@ -93,6 +92,9 @@ def test_what_is_not_toml_is_told_with_line_and_column(text: str, words: str) ->
             "is not JSON: Expecting property name enclosed in double quotes: line 1 column 15",
         ),
         ('{"name": "x"} {}', "Extra data: line 1 column 15"),
+        ("[1, 2, 3]", "is JSON, but not an object"),
+        ("null", "is JSON, but not an object"),
+        ("[" * 100_000, "nested too deeply"),
         ('{"name": "x", "name": "y"}', 'has the key "name" twice'),
         ('{"layout": {"type": "vee", "type": "vee"}}', 'has the key "type" twice'),
     ],
@@ -769,6 +771,26 @@ def test_several_mistakes_of_all_kinds_are_told_at_once() -> None:
         "firing_order",
         "firing_order",
         "firing_order",
+    ]
+
+
+def test_a_wrong_table_does_not_hide_the_mistakes_of_another() -> None:
+    tree = spoilt(
+        SHORT,
+        cylinders=[{"number": 11}],
+        valves={"intake_opens": "900 deg", "manifolds": [[1, 2, 3, 4, 5, 6, 7], [9]]},
+        block={"mass": "90 kg", "inertia_right": "3 kg*m^2"},
+        firing_order=[1, 1, 4, 3, 6, 5, 7, 2],
+    )
+    assert [place for place, _ in problems(tree)] == [
+        "cylinders[1].number",
+        "firing_order",
+        "firing_order",
+        "valves.intake_opens",
+        "valves.manifolds[2]",
+        "valves.manifolds",
+        "block.inertia_up",
+        "block.inertia_z",
     ]
 
 

@@ -50,7 +50,7 @@ def _block_faults(block: Block | None) -> Iterator[Fault]:
     given = {name: getattr(block, name) for name in ("inertia_up", "inertia_right", "inertia_z")}
     missing = [name for name, value in given.items() if value is None]
     if 0 < len(missing) < len(given):
-        yield Fault(("block", missing[0]), "block.inertia-missing")
+        yield from (Fault(("block", name), "block.inertia-missing") for name in missing)
     if missing:
         return
     name = max(given, key=given.__getitem__)

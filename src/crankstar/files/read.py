@@ -181,23 +181,47 @@ def _built(
     except ValidationError as error:
         faults = faults_of(error, model, tree)
         if then is not None:
-            copies = [
-                _faults_when_built(mended(tree, error, model, number=number), model, context, then)
-                for number in _MENDINGS
-            ]
-            agreed = [fault for fault in copies[0] if fault in copies[1]]
-            faults += [
-                fault
-                for fault in agreed
-                if not any(_overlap(fault.path, other.path) for other in faults)
-            ]
+            copies = [mended(tree, error, model, number=number) for number in _MENDINGS]
+            for seek in (_faults_when_built, partial(_faults_behind, faults)):
+                first, second = (seek(copy, model, context, then) for copy in copies)
+                faults += _elsewhere([fault for fault in first if fault in second], faults)
         return _Draft(None, faults)
+    if then is None:
+        return _Draft(None, [])
     try:
-        return _Draft(None if then is None else then(record), [])
+        return _Draft(then(record), [])
     except EngineError as error:
-        return _Draft(None, error.faults)
+        faults = error.faults
     except ValidationError as error:
-        return _Draft(None, faults_of(error, model, tree, under=("layout",)))
+        faults = faults_of(error, model, tree, under=("layout",))
+    return _Draft(None, [*faults, *_faults_behind(faults, tree, model, context, then)])
+
+
+def _faults_behind(
+    faults: list[Fault],
+    tree: Tree,
+    model: type[Record],
+    context: dict[str, Any],
+    then: Callable[[Any], Engine],
+) -> list[Fault]:
+    """Faults that show only where the optional tables in which others were found are left out."""
+    spoilt = {_short_place(tree, fault)[0] for fault in faults if fault.path} & _OPTIONAL
+    if not spoilt & set(tree):
+        return []
+    rest = {key: value for key, value in tree.items() if key not in spoilt}
+    more = _elsewhere(_faults_when_built(rest, model, context, then), faults)
+    return more + _faults_behind(more, rest, model, context, then)
+
+
+_OPTIONAL = {"cylinders", "valves", "block", "firing_order", "firing_angles"}
+"""Keys of a short file without which an engine can still be built."""
+
+
+def _elsewhere(faults: list[Fault], known: list[Fault]) -> list[Fault]:
+    """Faults in places of which nothing is known yet."""
+    return [
+        fault for fault in faults if not any(_overlap(fault.path, other.path) for other in known)
+    ]
 
 
 _MENDINGS = (9000, 9500)

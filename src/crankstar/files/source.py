@@ -96,6 +96,7 @@ def tree_of(text: str, *, name: str = "the engine") -> Tree:
             else tomllib.loads(text)
         )
     except tomllib.TOMLDecodeError as error:
+        _no_other_json(name, text)
         raise _not_toml(name, text, str(error)) from None
     except json.JSONDecodeError as error:
         raise refused(name, "not-json", reason=str(error)) from None
@@ -105,6 +106,17 @@ def tree_of(text: str, *, name: str = "the engine") -> Tree:
         raise
     except ValueError:
         raise refused(name, "long-number") from None
+
+
+def _no_other_json(name: str, text: str) -> None:
+    """Refuse JSON that is a list, a text, a number or null instead of a table."""
+    try:
+        json.loads(text)
+    except ValueError:
+        return
+    except RecursionError:
+        raise refused(name, "too-deep", greatest=GREATEST_DEPTH) from None
+    raise refused(name, "json-no-object", example='{"format": 1, "name": "my V8"}')
 
 
 def _not_toml(name: str, text: str, reason: str) -> EngineFileError:

@@ -173,6 +173,10 @@ SENTENCES: dict[str, str | Plural] = {
     "file.not-json": N_(
         "{where} is not JSON: {reason}; `crankstar new vee` writes a file in TOML to compare with"
     ),
+    "file.json-no-object": N_(
+        "{where} is JSON, but not an object; an engine file in JSON starts with a brace, as in "
+        "{example}"
+    ),
     "file.too-deep": N_(
         "{where} is nested too deeply; an engine file has at most {greatest} levels"
     ),
