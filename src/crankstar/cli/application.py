@@ -11,6 +11,7 @@ from cyclopts import App, CycloptsError, UnusedCliTokensError
 
 from crankstar.cli.output import OutputError, abandon, complain
 from crankstar.files import STANDARD_INPUT, EngineFileError
+from crankstar.language import spelling
 from crankstar.language.messages import LANGUAGES, _, spoken
 from crankstar.language.quoting import one_line, seen
 from crankstar.options.values import NEEDED, RequestError
@@ -36,7 +37,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     """Run the command line and exit: 0 done, 2 for a bad request or file, 130 interrupted."""
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):
-            stream.reconfigure(errors="replace")  # pyright: ignore[reportAttributeAccessIssue]
+            stream.reconfigure(errors=spelling.register())  # pyright: ignore[reportAttributeAccessIssue]
     words = list(sys.argv[1:] if arguments is None else arguments)
     try:
         with spoken(_language(words)):

@@ -5,6 +5,7 @@
 | `messages` | sentences in the reader's language, from gettext catalogs |
 | `numbers` | numbers, amplitudes, units and durations as text |
 | `quoting` | text from outside, quoted on one printable line |
+| `spelling` | signs that an encoding lacks, in ASCII |
 | `engine_faults` | the sentence of each fault of an engine |
 | `file_faults` | the sentence of each fault of an engine file |
 | `search_faults` | the sentence of each fault of a search |
