@@ -38,7 +38,7 @@ TITLES = {
     "force": N_("Force over the crank angle, in {unit}"),
     "couple": N_("Couple over the crank angle, in {unit}"),
     "roll": N_("Rolling moment over the crank angle, in {unit}"),
-    "torque": N_("Torque over the crank angle, in {unit}"),
+    "torque": N_("Inertia torque over the crank angle, in {unit}"),
 }
 AXES = {
     ("force", "up"): N_("force up"),
@@ -46,7 +46,7 @@ AXES = {
     ("couple", "up"): N_("couple up"),
     ("couple", "right"): N_("couple right"),
     ("roll", "roll"): N_("rolling moment"),
-    ("torque", "torque"): N_("torque"),
+    ("torque", "torque"): N_("inertia torque"),
 }
 NONE = {
     ("force", "up"): N_("no vertical force"),
@@ -54,7 +54,7 @@ NONE = {
     ("couple", "up"): N_("no couple up or down"),
     ("couple", "right"): N_("no couple to either side"),
     ("roll", "roll"): N_("no rolling moment"),
-    ("torque", "torque"): N_("no torque"),
+    ("torque", "torque"): N_("no inertia torque"),
 }
 
 

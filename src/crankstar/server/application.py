@@ -22,11 +22,13 @@ from crankstar.server.refusal import Refused, refused
 from crankstar.server.searches import Searches
 from crankstar.server.workers import Workers
 
-DESCRIPTION = """How a piston engine shakes: forces, couples and rolls of every order, figures, derivations, remedies, searches.
+DESCRIPTION = """How a piston engine shakes: force, couple and rolling moment by order,
+figures, derivations, remedies, searches.
 
-Every question holds its engine, by its name in the catalog or as the tree of an engine file (`/api/schema` says what may stand
-in it). Whatever is wrong is answered in one shape, `{"problems": [{"path": ..., "message": ...}]}`: every mistake, its key path,
-and what would be right."""
+Every question holds its engine, by its name in the catalog or as the tree of an engine file
+(`/api/schema` says what may stand in it). Whatever is wrong is answered in one shape,
+`{"problems": [{"path": ..., "code": ..., "values": ..., "message": ...}]}`: every mistake, its key
+path, which mistake it is with its values, and what would be right."""
 Opening = tuple[Any, str, str]
 """The engine that the page opens with (name or tree), its name as given, the command."""
 OPENS_WITH: Opening = ("v8-cross-plane", "v8-cross-plane", "crankstar serve v8-cross-plane")
@@ -53,7 +55,8 @@ def application(
         description=DESCRIPTION,
         docs_url=None,
         redoc_url=None,
-        redirect_slashes=False,  # a redirection would be no answer in JSON, and its address partly the asker's
+        # a redirection would be no answer in JSON, and its address partly the asker's
+        redirect_slashes=False,
         lifespan=lifespan,
     )
     app.state.answers = Answers(workers)

@@ -27,8 +27,8 @@ QUESTION_SECONDS = 10.0
 """How long a question may take to come."""
 LOOPBACK = frozenset({"localhost", "127.0.0.1", "::1"})
 PAGE_POLICY = (
-    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; connect-src 'self'; "
-    "base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
+    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; "
+    "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
 )
 """What a page of this server may load and do: nothing inline, nothing from elsewhere."""
 POLICY = "default-src 'none'; frame-ancestors 'none'"

@@ -60,7 +60,7 @@ EngineAsked = Annotated[
                 },
                 {
                     "type": "object",
-                    "description": "an engine file as a tree of keys, in the short or the explicit form",
+                    "description": "an engine file as a tree, in the short or the explicit form",
                 },
             ],
             "examples": ["v8-cross-plane", EXAMPLE],

@@ -33,7 +33,7 @@ REFUSED: Statuses = {
         413: "The question is larger than 1 MB.",
         415: "The question is not JSON.",
         421: "The server is not called by the name it was asked by.",
-        422: "Something in the question is wrong: every mistake, its place (key path) and what would be right.",
+        422: "The question is wrong: every mistake, its key path and what would be right.",
         500: "A mistake of crankstar.",
         503: "It takes too long, or too much is asked at once.",
     }.items()
@@ -49,7 +49,7 @@ CROWDED: Statuses = {
 
 
 class NotStrictError(HTTPException):
-    """A refusal in the one kind of exception that the framework lets through where it reads a question."""
+    """A refusal as the one exception that the framework passes on where it reads a question."""
 
     def __init__(self, refusal: Refused) -> None:
         super().__init__(refusal.status)

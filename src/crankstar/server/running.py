@@ -74,7 +74,8 @@ def _refusal(host: str, port: int, error: OSError) -> str:
             port=port,
         )
     return _(
-        "--host {host}: cannot be used ({reason}); leave it out, or give an address of this machine",
+        "--host {host}: cannot be used ({reason}); leave it out, or give an address of this "
+        "machine",
         host=one_line(host),
         reason=error.strerror,
     )

@@ -15,13 +15,14 @@ interface Bounds {
   readonly y2: number
 }
 interface Item {
-  readonly x?: number
-  readonly y?: number
-  readonly bounds?: Bounds
+  readonly width?: number
+  readonly height?: number
   readonly items?: readonly Mark[]
 }
 interface Mark {
   readonly name?: string
+  readonly role?: string
+  readonly bounds?: Bounds
   readonly items?: readonly Item[]
 }
 
@@ -64,15 +65,17 @@ export async function framed(
   return withFrames(spec, reach) as Spec
 }
 
-/** The panels below a mark, each with how far it reaches from its own origin. */
+/**
+ * The panels below a mark, each with how far it reaches from its own origin, its title left out:
+ * that is put above the frame.
+ */
 function panelsBelow(mark: Mark, names: ReadonlySet<string>): (readonly [string, Bounds])[] {
   return (mark.items ?? []).flatMap((item) => {
-    const { x = 0, y = 0, bounds } = item
-    if (mark.name !== undefined && names.has(mark.name) && bounds) {
-      const own = { x1: bounds.x1 - x, y1: bounds.y1 - y, x2: bounds.x2 - x, y2: bounds.y2 - y }
-      return [[mark.name, own] as const]
-    }
-    return (item.items ?? []).flatMap((each) => panelsBelow(each, names))
+    const { width = 0, height = 0, items = [] } = item
+    if (mark.name === undefined || !names.has(mark.name))
+      return items.flatMap((each) => panelsBelow(each, names))
+    const parts = items.flatMap(({ role, bounds }) => (role === 'title' || !bounds ? [] : [bounds]))
+    return [[mark.name, parts.reduce(united, { x1: 0, y1: 0, x2: width, y2: height })] as const]
   })
 }
 
