@@ -34,36 +34,41 @@ def scene(engine: Engine) -> Scene:
         for index, shaft in enumerate(engine.shafts)
         if shaft.throws
     }
-    assumed = list(sizes.assumed)
-    for drawn in cranks.values():
-        assumed += drawn.assumed
+    assumed = [*sizes.assumed, *(text for drawn in cranks.values() for text in drawn.assumed)]
     places = _places(engine, sizes, assumed)
     reach = max(
         throw.radius + 1.6 * throw.pin_radius for drawn in cranks.values() for throw in drawn.throws
     )
-    standing = [
-        lump
-        for index, shaft in enumerate(engine.shafts)
-        for lump in _lumps(shaft, cranks.get(index), sizes)
-    ]
-    if any(
-        moved(shaft, _lumps(shaft, cranks[index], sizes), sizes)
-        for index, shaft in enumerate(engine.shafts)
-        if index in cranks
-    ):
+    weights = [_lumps(shaft, cranks.get(index), sizes) for index, shaft in enumerate(engine.shafts)]
+    if any(moved(engine.shafts[index], weights[index], sizes) for index in cranks):
         assumed.append(
             _("Counterweights are drawn on the nearest webs; the numbers use their true places.")
         )
     rear = min(
         [drawn.ends[0] for drawn in cranks.values()]
-        + [lump.z - lump.thickness / 2 for lump in standing]
+        + [lump.z - lump.thickness / 2 for own in weights for lump in own]
     )
     wheels, notes = gears(engine, places, reach=reach, bore=sizes.bore, behind=rear)
     assumed += notes
-    scale = _unbalance_scale(engine, cranks, sizes, places)
-    shafts = tuple(
-        _shaft(engine, index, sizes, cranks.get(index), places, scale, _wheels_of(wheels, index))
+    rooms = [
+        _weight_room(engine, index, cranks.get(index), sizes, places)
         for index in range(len(engine.shafts))
+    ]
+    density = _density(engine, weights, rooms)
+    shafts = tuple(
+        _shaft(
+            shaft,
+            sizes.bore,
+            cranks.get(index),
+            places[index],
+            [
+                _weight(lump, density, *rooms[index])
+                for lump in weights[index]
+                if abs(lump.vector) > 0
+            ],
+            [wheel for wheel in wheels if wheel.shaft == index],
+        )
+        for index, shaft in enumerate(engine.shafts)
     )
     cylinders = _cylinders(engine, sizes, cranks)
     low, high = _box(shafts, wheels, cylinders, sizes)
@@ -76,10 +81,6 @@ def scene(engine: Engine) -> Scene:
         cylinders=cylinders,
         assumed=tuple(dict.fromkeys(assumed)),
     )
-
-
-def _wheels_of(wheels: Sequence[GearShown], index: int) -> list[GearShown]:
-    return [wheel for wheel in wheels if wheel.shaft == index]
 
 
 def _places(engine: Engine, sizes: Proportions, assumed: list[str]) -> list[Place]:
@@ -112,24 +113,21 @@ def _places(engine: Engine, sizes: Proportions, assumed: list[str]) -> list[Plac
     return places
 
 
-def _unbalance_scale(
-    engine: Engine, cranks: dict[int, Crank], sizes: Proportions, places: Sequence[Place]
+def _density(
+    engine: Engine, weights: Sequence[Sequence[Lump]], rooms: Sequence[tuple[float, float]]
 ) -> float:
     """The density of drawn weights: steel, or one that fits engines without masses or sizes."""
     if {"mass", "radius"}.isdisjoint(engine.relative):
         return STEEL
-    for with_throws in (
-        True,
-        False,
-    ):  # balance shafts can be as long as they need, webs are as thick as they are
-        needed = []
-        for index, shaft in enumerate(engine.shafts):
-            if bool(shaft.throws) is not with_throws:
-                continue
-            inner, room = _weight_room(engine, index, cranks.get(index), sizes, places)
-            for lump in _lumps(shaft, cranks.get(index), sizes):
-                sector = 2 / 3 * sin(HALF_ANGLE) * lump.thickness * ((0.9 * room) ** 3 - inner**3)
-                needed.append(abs(lump.vector) / max(sector, 1e-12))
+    # balance shafts can be as long as they need, webs are as thick as they are
+    for with_throws in (True, False):
+        needed = [
+            abs(lump.vector)
+            / max(2 / 3 * sin(HALF_ANGLE) * lump.thickness * ((0.9 * room) ** 3 - inner**3), 1e-12)
+            for shaft, own, (inner, room) in zip(engine.shafts, weights, rooms, strict=True)
+            if bool(shaft.throws) is with_throws
+            for lump in own
+        ]
         if any(needed):
             return max(needed)
     return 1.0
@@ -178,40 +176,30 @@ def _half(engine: Engine, index: int, other: int, distance: float, sizes: Propor
 
 
 def _shaft(
-    engine: Engine,
-    index: int,
-    sizes: Proportions,
+    shaft: Shaft,
+    bore: float,
     drawn: Crank | None,
-    places: Sequence[Place],
-    density: float,
+    place: Place,
+    weights: Sequence[WeightShown],
     wheels: Sequence[GearShown],
 ) -> ShaftShown:
-    shaft, bore = engine.shafts[index], sizes.bore
-    inner, room = _weight_room(engine, index, drawn, sizes, places)
-    weights = tuple(
-        _weight(lump, density, inner, room)
-        for lump in _lumps(shaft, drawn, sizes)
-        if abs(lump.vector) > 0
-    )
-    ends = [
-        *(drawn.ends if drawn else ()),
-        *(w.z + side * w.thickness / 2 for w in weights for side in (-1, 1)),
-    ]
-    ends += [wheel.z + side * wheel.thickness / 2 for wheel in wheels for side in (-1, 1)]
+    discs = [*weights, *wheels]
+    ends = [*(drawn.ends if drawn else ())]
+    ends += [disc.z + side * disc.thickness / 2 for disc in discs for side in (-1, 1)]
     ends = ends or [-bore, bore]
     stub = STUB * bore if drawn is not None else 0.25 * bore
     return ShaftShown(
         name=shaft.name,
         kind="crankshaft" if shaft.throws else "balance shaft",
         speed_ratio=float(shaft.speed_ratio),
-        up=places[index].up,
-        right=places[index].right,
+        up=place.up,
+        right=place.right,
         z_from=min(ends) - (stub if not wheels else 0.1 * bore),
         z_to=max(ends) + stub,
         journal_radius=drawn.journal_radius if drawn is not None else BALANCE_SHAFT * bore,
         throws=tuple(drawn.throws) if drawn is not None else (),
         webs=tuple(drawn.webs) if drawn is not None else (),
-        weights=weights,
+        weights=tuple(weights),
     )
 
 
@@ -290,17 +278,11 @@ def _box(
         place = complex(shafts[cylinder.shaft].up, shafts[cylinder.shaft].right)
         end = sizes.big_ends[row] + place
         margin = 1.6 * shafts[cylinder.shaft].throws[cylinder.throw].pin_radius
+        z = np.full(end.size, cylinder.rod_z)
         for side in (-margin, margin):
-            reach = np.stack(
-                [end.real + side, end.imag + side, np.full(end.size, cylinder.rod_z)], axis=1
-            )
-            points = np.concatenate([points, reach])
-    low, high = points.min(axis=0), points.max(axis=0)
-    return (float(low[0]), float(low[1]), float(low[2])), (
-        float(high[0]),
-        float(high[1]),
-        float(high[2]),
-    )
+            points = np.vstack([points, np.column_stack([end.real + side, end.imag + side, z])])
+    low, high = points.min(axis=0).tolist(), points.max(axis=0).tolist()
+    return tuple(low), tuple(high)
 
 
 def _round_parts(
