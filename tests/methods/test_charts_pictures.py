@@ -187,6 +187,13 @@ def test_engines_side_by_side_have_common_axes_and_one_parameter(name: str) -> N
     assert charts.saved(chart, "svg", title="three").startswith(b"<svg")
 
 
+@pytest.mark.parametrize("name", ["vector-star", "polygon"])
+def test_engines_of_which_only_one_has_an_offset_are_compared_in_one_unit(name: str) -> None:
+    engines = [crankstar.load(one) for one in ("v8-cross-plane", "vw-vr6")]
+    spec = charts.side_by_side(engines, name, order=1).to_dict()
+    assert " ".join(spec["title"]["text"]).endswith("in m r ω², each in its own m, r and a")
+
+
 @pytest.mark.parametrize("name", PLANES)
 @pytest.mark.parametrize("engine", ["v8-cross-plane", "i4", "kr250-racer", "napier-deltic"])
 def test_what_shows_geometry_has_equal_scales(name: str, engine: str) -> None:
@@ -292,7 +299,7 @@ def test_long_names_are_folded_and_not_cut(name: str) -> None:
         (lambda e: charts.force_arrows(e, angles=()), "at least one order and one crank angle"),
         (
             lambda e: charts.side_by_side([e], "shaft"),
-            "cannot be drawn side by side; give one of hodograph",
+            "cannot be drawn side by side; give one of vector-star, polygon, hodograph",
         ),
         (lambda _: charts.side_by_side([], "hodograph"), "no engine is given"),
         (

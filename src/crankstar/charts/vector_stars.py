@@ -108,11 +108,11 @@ def _systems(
     reference: Reference | None,
     speed: float | None,
 ) -> list[Stars]:
-    """The vectors of each engine, all in one unit."""
-    systems = [
-        stars(one, order=order, quantity=quantity, reference=reference, speed=speed)
-        for one in engines
-    ]
+    """The vectors of each engine, all in one unit: in m r w^2 where only some have |A_k| = 1."""
+    options = {"order": order, "quantity": quantity, "reference": reference, "speed": speed}
+    systems = [stars(one, **options) for one in engines]
+    if speed is None and len({shown.unit for shown in systems}) > 1:
+        systems = [stars(one, **options, divided=False) for one in engines]
     same_unit(shown.unit for shown in systems)
     return systems
 

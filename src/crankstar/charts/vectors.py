@@ -66,16 +66,17 @@ def stars(
     quantity: Quantity = "force",
     reference: Reference | None = None,
     speed: float | None = None,
+    divided: bool = True,
 ) -> Stars:
     """The vectors of an order in N, N m at `speed` (rad/s), else in m r w^2 |A_k|.
 
-    A_k is that of the first cylinder's piston.
+    A_k is that of the first cylinder's piston; not `divided` by it, they are in m r w^2.
     """
     order = checked_order(order)
     checked_quantity(quantity)
     result = balance(engine, speed=speed, reference=reference)
     unit, factor = unit_of(result, quantity), 1.0
-    if result.speed is None:
+    if result.speed is None and divided:
         factor, subscript = harmonic(engine, order)
         unit = unit.replace("m r ω²", f"m r ω² {subscript}") if subscript else unit
     shares = spectra.scaled(spectra.selected(getattr(result, quantity), order), 1 / factor)
