@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 from playwright.sync_api import Locator, Page, expect
+from tests.web.browsing import too_wide
 from tests.web.engine_page import handle, opened
 
 from crankstar import spectra
@@ -226,6 +227,8 @@ def test_the_page_is_shown_in_the_language_of_its_address(
     assert page.locator("html").get_attribute("lang") == language
     expect(page.get_by_role("button", name=play)).to_be_visible()
     expect(page.locator("section.now")).to_contain_text(roll)
+    page.set_viewport_size({"width": 390, "height": 844})
+    assert too_wide(page) == []
     page.evaluate("location.hash = 'a=1&lang=en'")
     expect(page.get_by_role("button", name="Play")).to_be_visible()
     assert page.locator("html").get_attribute("lang") == "en"

@@ -53,26 +53,13 @@ export function EngineForm() {
       {groups
         .filter((group) => group.fields.length > 0 || group.title === COUNTERWEIGHTS)
         .map((group) => (
-          <GroupOf
-            key={`${form.type} ${group.title}`}
-            title={group.title}
-            open={group.open}
-            fields={group.fields}
-          />
+          <GroupOf key={`${form.type} ${group.title}`} {...group} />
         ))}
     </form>
   )
 }
 
-function GroupOf({
-  title,
-  open,
-  fields,
-}: {
-  title: string
-  open: boolean
-  fields: readonly Field[]
-}) {
+function GroupOf({ title, open, fields }: Omit<Group, 'keys'> & { fields: readonly Field[] }) {
   const session = useSession()
   return (
     <Folded title={t(title)} open={open} paths={fields.map((field) => [field.key])}>
@@ -89,7 +76,7 @@ function GroupOf({
               !kind.fields.some((inner) => inner.required && key !== 'layout')
             )
               return (
-                <div key={key} id={idOf([key])} tabIndex={-1}>
+                <div key={key} class="within" id={idOf([key])} tabIndex={-1}>
                   <p class="help">{key === 'layout' ? session.form.value?.help : field.help}</p>
                   <Fields fields={kind.fields} path={[key]} />
                 </div>

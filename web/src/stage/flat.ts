@@ -1,19 +1,15 @@
 import type { Exhibit, StrokeColours } from '../exhibit'
 import { type Places, turned } from '../motion'
+import type { Plane } from '../phasor'
 import { type Body, bodiesOf, coloursOf } from './bodies'
-import { boreEnd } from './extent'
+import { along, boreEnd } from './extent'
 import { hull } from './hull'
 import { css } from './palette'
 import type { Instant, Picture } from './picture'
+import { projected } from './sheet'
 import type { Reading } from './stage'
 import { tint, windowsOf } from './strokes'
-import { dot, type Vector } from './vector'
-import { displaced } from './whirl'
-
-/** The picture without WebGL: outlines of convex bodies, the farthest first. */
-export function flatPicture(): Picture {
-  return new FlatPicture()
-}
+import type { Vector } from './vector'
 
 /** Where a body stands: its origin, and the direction [up, right] of its y-axis. */
 interface Stand {
@@ -24,7 +20,8 @@ interface Stand {
   right: number
 }
 
-class FlatPicture implements Picture {
+/** The picture without WebGL: outlines of convex bodies, the farthest first. */
+export class FlatPicture implements Picture {
   readonly means = 'flat'
   readonly canvas = document.createElement('canvas')
   #exhibit: Exhibit | null = null
@@ -52,7 +49,8 @@ class FlatPicture implements Picture {
     to.lineJoin = 'round'
     this.#pistons = {}
     this.#pins = exhibit.scene.shafts.map(() => [])
-    const project = this.#projection(instant, exhibit)
+    const writing = { ...instant, width, height }
+    const project = (point: Vector) => projected(writing, exhibit, point)
     const drawn = this.#bodies
       .filter(({ fill }) =>
         fill === 'glass' ? instant.view.glass : fill !== 'charge' || instant.view.glow,
@@ -63,31 +61,11 @@ class FlatPicture implements Picture {
     this.#note(exhibit, instant)
   }
 
-  /** Takes a point of the block to the screen: x, y, and how near it is. */
-  #projection(
-    { frame, moved, view }: Instant,
-    { whirl }: Exhibit,
-  ): (point: Vector) => [number, number, number] {
-    const { width, height } = this.#size
-    const { look, centre, half } = frame
-    const pixels = height / 2 / half
-    const at: [number, number, number] = [0, 0, 0]
-    return (point) => {
-      displaced(whirl, moved, view.whirl.magnification, point, at)
-      const from: Vector = [at[0] - centre[0], at[1] - centre[1], at[2] - centre[2]]
-      return [
-        width / 2 + pixels * dot(from, look.right),
-        height / 2 - pixels * dot(from, look.up),
-        dot(from, look.back),
-      ]
-    }
-  }
-
   #flattened(
     body: Body,
     exhibit: Exhibit,
     { places, view }: Instant,
-    project: (p: Vector) => [number, number, number],
+    project: (point: Vector) => Vector,
   ) {
     const stand = standOf(body, exhibit, places, view.theta)
     if (body.carrier === 'piston')
@@ -128,11 +106,8 @@ class FlatPicture implements Picture {
     to.lineWidth = 1
     to.stroke()
     const count = flat.length / 4
-    trace(
-      to,
-      flat,
-      Array.from({ length: count }, (_, index) => nearer + index),
-    )
+    const corners = Array.from({ length: count }, (_, index) => nearer + index)
+    trace(to, flat, corners)
     to.fillStyle = css(cap, glass ? 0.08 : 1)
     to.fill()
     to.stroke()
@@ -151,12 +126,12 @@ class FlatPicture implements Picture {
   #arrows(
     to: CanvasRenderingContext2D,
     { load, arrow, palette }: Instant,
-    project: (p: Vector) => number[],
+    project: (point: Vector) => Vector,
   ): void {
     to.lineCap = 'round'
     for (const { kind, x, y, z, up, right } of load.pulls) {
-      const [fromX, fromY] = project([x, y, z]) as [number, number]
-      const [tipX, tipY] = project([x + right * arrow, y + up * arrow, z]) as [number, number]
+      const [fromX, fromY] = project([x, y, z])
+      const [tipX, tipY] = project([x + right * arrow, y + up * arrow, z])
       const long = Math.hypot(tipX - fromX, tipY - fromY)
       if (long < 3) continue
       const [dx, dy] = [(tipX - fromX) / long, (tipY - fromY) / long]
@@ -222,13 +197,8 @@ function standOf(body: Body, exhibit: Exhibit, places: Places, theta: number): S
   if (body.carrier === 'shaft') {
     const shaft = scene.shafts[index]
     const bearing = body.bearing + (shaft ? turned(shaft, sense, theta) : 0)
-    return {
-      x: shaft?.right ?? 0,
-      y: shaft?.up ?? 0,
-      z: 0,
-      up: Math.cos(bearing),
-      right: Math.sin(bearing),
-    }
+    const [up, right] = [Math.cos(bearing), Math.sin(bearing)]
+    return { x: shaft?.right ?? 0, y: shaft?.up ?? 0, z: 0, up, right }
   }
   const c = scene.cylinders[index]
   const bearing = c?.bearing ?? 0
@@ -240,26 +210,12 @@ function standOf(body: Body, exhibit: Exhibit, places: Places, theta: number): S
     return { x: x + above * right, y: y + above * up, z: c?.z ?? 0, up, right }
   }
   if (body.carrier === 'rod') {
-    const direction = {
-      up: places.direction[at] as number,
-      right: places.direction[at + 1] as number,
-    }
-    return {
-      x: places.bigEnd[at + 1] as number,
-      y: places.bigEnd[at] as number,
-      z: c?.rod_z ?? 0,
-      ...direction,
-    }
+    const [y, x] = places.bigEnd.subarray(at) as unknown as Plane
+    const [rodUp, rodRight] = places.direction.subarray(at) as unknown as Plane
+    return { x, y, z: c?.rod_z ?? 0, up: rodUp, right: rodRight }
   }
-  const shaft = scene.shafts[c?.shaft ?? 0]
-  const offset = c?.offset ?? 0
-  return {
-    x: (shaft?.right ?? 0) + offset * up,
-    y: (shaft?.up ?? 0) - offset * right,
-    z: c?.z ?? 0,
-    up,
-    right,
-  }
+  const [x, y, z] = c ? along(scene, c, 0) : [0, 0, 0]
+  return { x, y, z, up, right }
 }
 
 /** How far it is from the crown of a piston to the end of its bore. */

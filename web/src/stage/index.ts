@@ -2,7 +2,7 @@ import type { Exhibit, StrokeColours } from '../exhibit'
 import { message, t } from '../language/messages'
 import { type Chain, chainOf, moved, type Places, placesOf } from '../motion'
 import type { Plane } from '../phasor'
-import { flatPicture } from './flat'
+import { FlatPicture } from './flat'
 import { Inset } from './inset'
 import { listened } from './orbit'
 import { DARK, LIGHT } from './palette'
@@ -36,7 +36,7 @@ const LOOK = {
 const MARGIN = 1.06
 
 export const createStage: CreateStage = (element, exhibit, colours, refresh) =>
-  new EngineStage(element, exhibit, colours, refresh, webglPicture() ?? flatPicture())
+  new EngineStage(element, exhibit, colours, refresh, webglPicture() ?? new FlatPicture())
 
 /** An engine ready to be moved. */
 interface Machine {
@@ -66,7 +66,6 @@ class EngineStage implements Stage {
   #machine: Machine
   /** What the picture must have room for: this engine, then those beside it. */
   #rooms: readonly Room[]
-  #instant: Instant | null = null
   #view: View | null = null
   #size = { width: 1, height: 1, density: 1 }
   /** What the picture was last drawn for, the sheet and the inset last written for. */
@@ -132,7 +131,6 @@ class EngineStage implements Stage {
     this.#rooms = [this.#machine.room]
     this.#written = []
     this.#traced = []
-    this.#instant = null
     this.#drawn = []
     this.#picture.show(exhibit, this.#colours)
   }
@@ -159,17 +157,14 @@ class EngineStage implements Stage {
       foot: width < NARROW ? Math.min(0.4, (FOOT + 26) / height) : Math.min(0.25, FOOT / height),
       margin: MARGIN,
     }
-    const instant = this.#now(view)
-    instant.load = room.loads.at(view)
-    instant.arrow = ARROW * Math.max(...this.#rooms.map(({ size }) => size)) * view.arrows.scale
-    const longest = instant.arrow * Math.min(1, WITHIN / view.arrows.scale)
+    const load = room.loads.at(view)
+    const arrow = ARROW * Math.max(...this.#rooms.map(({ size }) => size)) * view.arrows.scale
+    const longest = arrow * Math.min(1, WITHIN / view.arrows.scale)
     const discs = this.#rooms.map((each) => each.discs(view, longest))
     const frame = this.#viewpoint.frame(view.camera, discs, screen, performance.now())
     moved(chain, view.theta, places)
-    instant.view = view
-    instant.frame = frame
-    instant.palette = palette
-    instant.moved = whirling.at(view.theta, view.whirl.orders)
+    const displacement = whirling.at(view.theta, view.whirl.orders)
+    const instant = { view, frame, places, moved: displacement, load, arrow, palette }
     if (this.#anew(instant)) this.#picture.draw(instant)
     this.#write(instant)
     this.#trace(instant)
@@ -180,45 +175,13 @@ class EngineStage implements Stage {
   #anew({ view, frame, palette, load, arrow }: Instant): boolean {
     const { right, up, back } = frame.look
     const { arrows, whirl } = view
-    const what = [
-      view.theta,
-      view.glass,
-      view.glow,
-      palette,
-      whirl.magnification,
-      whirl.orders?.join(),
-    ]
-    const pushed = [
-      load.force,
-      load.couple,
-      arrow,
-      arrows.force,
-      arrows.couple,
-      arrows.cylinders,
-      arrows.orders?.join(),
-    ]
-    const state = [...what, ...pushed, ...right, ...up, ...back, ...frame.centre, frame.half]
+    const shown = [view.theta, view.glass, view.glow, palette, arrow, load.force, load.couple]
+    const pushed = [arrows.force, arrows.couple, arrows.cylinders, arrows.orders?.join()]
+    const seen = [...right, ...up, ...back, ...frame.centre, frame.half]
+    const state = [...shown, ...pushed, ...seen, whirl.magnification, whirl.orders?.join()]
     if (equal(state, this.#drawn)) return false
     this.#drawn = state
     return true
-  }
-
-  /** The record of an instant, which is used again and again. */
-  #now(view: View): Instant {
-    this.#instant ??= {
-      view,
-      frame: {
-        look: { right: [1, 0, 0], up: [0, 1, 0], back: [0, 0, 1] },
-        centre: [0, 0, 0],
-        half: 1,
-      },
-      places: this.#machine.places,
-      moved: this.#machine.whirling.at(view.theta, null),
-      load: this.#machine.room.loads.at(view),
-      arrow: 0,
-      palette: LIGHT,
-    }
-    return this.#instant
   }
 
   /** The graphics card is gone, as after sleep; at once, so that nothing is freed twice. */
@@ -250,41 +213,20 @@ class EngineStage implements Stage {
   }
 
   /** Writes the labels where camera, size, colours or the scale of arrows changed. */
-  #write({ view, frame, palette, load, arrow, moved: displacement }: Instant): void {
+  #write(instant: Instant): void {
+    const { view, frame, palette, load, arrow } = instant
     const { width, height, density } = this.#size
     const { look, centre, half } = frame
-    const { force, couple } = load
-    const { magnification } = view.whirl
-    const still = [
-      ...look.right,
-      ...look.up,
-      ...centre,
-      half,
-      width,
-      height,
-      density,
-      palette,
-      force,
-      couple,
-      arrow,
-    ]
-    const state =
-      magnification > 0 ? [...still, magnification, view.theta, view.whirl.orders] : still
+    const { magnification, orders } = view.whirl
+    const seen = [...look.right, ...look.up, ...centre, half, width, height, density]
+    const still = [...seen, palette, load.force, load.couple, arrow]
+    const state = magnification > 0 ? [...still, magnification, view.theta, orders] : still
     if (equal(state, this.#written)) return
     this.#written = state
     const to = this.#sheet.getContext('2d')
     if (!to) return
     to.setTransform(density, 0, 0, density, 0, 0)
-    write(to, this.#exhibit, {
-      frame,
-      width,
-      height,
-      palette,
-      load,
-      arrow,
-      moved: displacement,
-      magnification,
-    })
+    write(to, this.#exhibit, { ...instant, width, height })
   }
 
   #trace({ view, moved: displacement, palette }: Instant): void {

@@ -8,16 +8,16 @@ import type { Displacement } from './whirl'
 
 /** All that is known of an instant before it is drawn. */
 export interface Instant {
-  view: View
-  frame: Frame
+  readonly view: View
+  readonly frame: Frame
   /** Where the rods are. */
-  places: Places
+  readonly places: Places
   /** How the block has moved, not magnified. */
-  moved: Displacement
-  load: Load
+  readonly moved: Displacement
+  readonly load: Load
   /** Length of the longest arrow, in the scene's unit. */
-  arrow: number
-  palette: Palette
+  readonly arrow: number
+  readonly palette: Palette
 }
 
 /** Draws the engine itself on a canvas: with WebGL, or flat. */

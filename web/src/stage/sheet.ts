@@ -1,11 +1,10 @@
 import type { Exhibit } from '../exhibit'
 import { message, t } from '../language/messages'
-import type { Frame } from './cameras'
 import { along, facesAnother } from './extent'
-import type { Load } from './load'
-import { css, type Palette } from './palette'
+import { css } from './palette'
+import type { Instant } from './picture'
 import { dot, type Vector } from './vector'
-import { type Displacement, displaced } from './whirl'
+import { displaced } from './whirl'
 
 const FONT = 'system-ui, sans-serif'
 /** Length of the frame's axes on the screen, pixels. */
@@ -22,75 +21,54 @@ const AXES = [
   { along: [0, 0, 1], name: message('z front') },
 ] as const satisfies readonly { along: Vector; name: string }[]
 
-/** The labels of the drawing: cylinder numbers, axes, scales of the arrows. */
-export interface Writing {
-  readonly frame: Frame
+/** An instant on a screen of so many pixels. */
+export interface Writing extends Instant {
   readonly width: number
   readonly height: number
-  readonly palette: Palette
-  readonly load: Load
-  /** Length of the longest arrow, in the scene's unit, with its scale. */
-  readonly arrow: number
-  /** How the block has moved, and how much that is magnified. */
-  readonly moved: Displacement
-  readonly magnification: number
 }
 
-/** Puts a point of the scene on the screen. */
-export function projected({ frame, width, height }: Writing, point: Vector): [number, number] {
-  const pixels = height / 2 / frame.half
-  const from: Vector = [
-    point[0] - frame.centre[0],
-    point[1] - frame.centre[1],
-    point[2] - frame.centre[2],
-  ]
+/** Puts a point (x, y, z) of the block on the screen: x, y, and how near it is to the eye. */
+export function projected(
+  { frame, width, height, moved, view }: Omit<Writing, 'places'>,
+  { whirl }: Exhibit,
+  point: Vector,
+): Vector {
+  const { look, centre, half } = frame
+  const at = displaced(whirl, moved, view.whirl.magnification, point, [0, 0, 0])
+  const from: Vector = [at[0] - centre[0], at[1] - centre[1], at[2] - centre[2]]
+  const pixels = height / 2 / half
   return [
-    width / 2 + pixels * dot(from, frame.look.right),
-    height / 2 - pixels * dot(from, frame.look.up),
+    width / 2 + pixels * dot(from, look.right),
+    height / 2 - pixels * dot(from, look.up),
+    dot(from, look.back),
   ]
 }
 
-/** Writes the sheet afresh. */
+/** Writes the labels of the drawing: cylinder numbers, axes, scales of the arrows. */
 export function write(to: CanvasRenderingContext2D, exhibit: Exhibit, writing: Writing): void {
   const { width, height, palette } = writing
   to.clearRect(0, 0, width, height)
   to.lineCap = 'round'
   numbers(to, exhibit, writing)
   axes(to, writing)
-  const lines = [
-    {
-      value: writing.load.force,
-      unit: exhibit.units.force,
-      colour: palette.force,
-      name: t('Force'),
-    },
-    {
-      value: writing.load.couple,
-      unit: exhibit.units.couple,
-      colour: palette.couple,
-      name: width < WIDE ? t('Couple') : t('Couple, as a pair of forces in its plane'),
-    },
-  ].filter((line) => line.value > 0)
-  lines.forEach((line, index) => {
-    const step = width < NARROW ? 18 : 22
-    scale(
-      to,
-      writing,
-      line,
-      height - (width < NARROW ? 12 : 20) - step * (lines.length - 1 - index),
-    )
+  const couple = width < WIDE ? t('Couple') : t('Couple, as a pair of forces in its plane')
+  const names = { force: t('Force'), couple }
+  const [foot, step] = width < NARROW ? [12, 18] : [20, 22]
+  const kinds = (['couple', 'force'] as const).filter((kind) => writing.load[kind] > 0)
+  kinds.forEach((kind, above) => {
+    const value = writing.load[kind]
+    const line = { value, unit: exhibit.units[kind], colour: palette[kind], name: names[kind] }
+    scale(to, writing, line, height - foot - step * above)
   })
 }
 
 /** The cylinder numbers beyond the heads; those behind each other in one label. */
-function numbers(to: CanvasRenderingContext2D, { scene, whirl }: Exhibit, writing: Writing): void {
+function numbers(to: CanvasRenderingContext2D, exhibit: Exhibit, writing: Writing): void {
+  const { scene } = exhibit
   const labels: { x: number; y: number; near: number; names: number[] }[] = []
   for (const c of scene.cylinders) {
     const beyond = facesAnother(c, scene.cylinders) ? 0 : 0.22 * c.bore
-    const rest = along(scene, c, c.bore_to + beyond)
-    const point = displaced(whirl, writing.moved, writing.magnification, rest, [0, 0, 0])
-    const [x, y] = projected(writing, point)
-    const near = dot(point, writing.frame.look.back)
+    const [x, y, near] = projected(writing, exhibit, along(scene, c, c.bore_to + beyond))
     const label = labels.find((other) => Math.hypot(other.x - x, other.y - y) < CLOSE)
     if (label) label.names.push(c.number)
     else labels.push({ x, y, near, names: [c.number] })
@@ -116,12 +94,18 @@ function numbers(to: CanvasRenderingContext2D, { scene, whirl }: Exhibit, writin
   }
 }
 
+/** How far from the left the axes stand, so that there is room for their names. */
+function axesAt(to: CanvasRenderingContext2D, width: number): number {
+  to.font = `11px ${FONT}`
+  const names = AXES.map(({ name }) => to.measureText(t(name)).width)
+  return (width < NARROW ? 28 : 40) + Math.max(...names)
+}
+
 /** The axes in the lower left corner; a dot points at the eye, a cross away. */
 function axes(to: CanvasRenderingContext2D, { frame, height, width, palette }: Writing): void {
-  const [x, y] = width < NARROW ? [66, height - 66] : [78, height - 50]
+  const [x, y] = [axesAt(to, width), height - (width < NARROW ? 66 : 50)]
   to.strokeStyle = palette.quiet
   to.fillStyle = palette.quiet
-  to.font = `11px ${FONT}`
   to.lineWidth = 1.4
   for (const { along, name } of AXES) {
     const [right, up] = [dot(along, frame.look.right), dot(along, frame.look.up)]
@@ -171,10 +155,11 @@ function scale(
   const perPixel = value / ((arrow * height) / 2 / frame.half)
   const round = roundValue(perPixel * Math.min(96, width / 5))
   const long = round / perPixel
+  const beside = 2 * axesAt(to, width) + (width < WIDE ? -6 : 10)
   to.font = `12px ${FONT}`
   const text = `${quantity(round, unit)}  ${name}`
   const right = width - long - 12 - to.measureText(text).width
-  const x = width < NARROW ? 12 : Math.max(4, Math.min(width < WIDE ? 150 : 166, right))
+  const x = width < NARROW ? 12 : Math.max(4, Math.min(beside, right))
   to.strokeStyle = to.fillStyle = css(colour)
   to.lineWidth = 3
   line(to, x, y, x + long - 6, y)
@@ -198,7 +183,7 @@ export function roundValue(value: number): number {
 
 /** A round value with its unit, in thousands where SI has a letter for them. */
 export function quantity(value: number, unit: string): string {
-  const si = unit === 'N' || unit.startsWith('N')
+  const si = unit.startsWith('N')
   if (si && value >= 1e6) return `${+(value / 1e6).toPrecision(3)} M${unit}`
   if (si && value >= 1e3) return `${+(value / 1e3).toPrecision(3)} k${unit}`
   if (si && value < 1e-2) return `${+(value * 1e3).toPrecision(3)} m${unit}`

@@ -1,6 +1,7 @@
 import { useEffect } from 'preact/hooks'
 import type { Exhibit } from '../../exhibit'
 import { t } from '../../language/messages'
+import { set } from '../../state'
 import { Choice } from '../Choice'
 import { useApp } from '../context'
 import { DataTable } from '../DataTable'
@@ -32,15 +33,15 @@ export function Remedies() {
           { value: 'before', label: t('as it is') },
           { value: 'after', label: t('with weights and shafts') },
         ]}
-        chosen={(value) => {
-          store.fitted.value = value === 'after'
-        }}
+        chosen={(value) => set(store.fitted, value === 'after')}
       />
-      <Figure
-        exhibit={before}
-        chart={COMPARED}
-        label={t('Spectrum with and without weights and shafts, on common axes')}
-      />
+      <div class="figures">
+        <Figure
+          exhibit={before}
+          chart={COMPARED}
+          label={t('Spectrum with and without weights and shafts, on common axes')}
+        />
+      </div>
       <div class="figures pair">
         <Side title={t('As it is')} exhibit={before} />
         <Side title={t('With weights and shafts')} exhibit={after} />
