@@ -29,5 +29,6 @@ process.stdout.write(
     .replace(/^( \*\n)? \* This interface was referenced by .*\n \* via the .*\n/gm, '')
     .replace(/^( *\*\n)?( *\* @(min|max)Items \d+\n)+/gm, '')
     .replace(/^ *\/\*\*\n *\*\/\n/gm, '')
+    .replace(/\{\s*\[k: string\]: unknown\s*\}/g, 'Record<string, unknown>')
     .replace(/^( *\/\*\*)\n *\*( .{1,90})\n *\*\//gm, '$1$2 */'),
 )

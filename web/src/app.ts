@@ -7,7 +7,16 @@ import { language, t } from './language/messages'
 import { packedTree, unpackedTree } from './packing'
 import { prevailing } from './prevailing'
 import { reasonOf } from './reason'
-import { type Quantity, restore, type Store, snapshot, stateOf, stateText, storeOf } from './state'
+import {
+  type Quantity,
+  restore,
+  type Store,
+  set,
+  snapshot,
+  stateOf,
+  stateText,
+  storeOf,
+} from './state'
 
 /** What all parts of the page share. */
 export interface App {
@@ -42,9 +51,7 @@ const WRITTEN_AFTER = 300
 function matching(query: string, endings: (() => void)[]): ReadonlySignal<boolean> {
   const list = matchMedia(query)
   const matches = signal(list.matches)
-  const changed = (): void => {
-    matches.value = list.matches
-  }
+  const changed = (): void => set(matches, list.matches)
   list.addEventListener('change', changed)
   endings.push(() => list.removeEventListener('change', changed))
   return matches
@@ -74,20 +81,16 @@ export function createApp(host: Host): App {
   const dark = computed(() =>
     store.theme.value === 'auto' ? systemDark.value : store.theme.value === 'dark',
   )
-  const clock = createClock(store.pace, (degrees) => {
-    store.angle.value = degrees
-  })
+  const clock = createClock(store.pace, (degrees) => set(store.angle, degrees))
 
-  const failed = (error: unknown): void => {
-    trouble.value = reasonOf(error)
-  }
+  const failed = (error: unknown): void => set(trouble, reasonOf(error))
 
   function cure(): void {
     for (const exhibit of engines.peek()) {
       if (known.peek().has(exhibit)) continue
-      host.fitted(exhibit).then((after) => {
-        known.value = new Map(known.peek()).set(exhibit, after)
-      }, failed)
+      host
+        .fitted(exhibit)
+        .then((after) => set(known, new Map(known.peek()).set(exhibit, after)), failed)
     }
   }
 

@@ -28,9 +28,7 @@ export interface Exhibit {
   format?: 1
   name: string
   /** the engine file as a tree, as it was given */
-  file: {
-    [k: string]: unknown
-  }
+  file: Record<string, unknown>
   cycle_deg: number
   /** turns of the first shaft after which all shafts and the firing repeat */
   turns: number
@@ -304,9 +302,7 @@ export interface Problem {
   /** which fault */
   code?: string
   /** the values of its sentence */
-  values?: {
-    [k: string]: unknown
-  }
+  values?: Record<string, unknown>
   message: string
 }
 /** An engine of the catalog. */
@@ -345,9 +341,7 @@ export interface SearchShown {
 export interface Found {
   cells: string[]
   /** the engine file that it makes */
-  tree: {
-    [k: string]: unknown
-  }
+  tree: Record<string, unknown>
 }
 /** An engine file. */
 export interface TomlShown {
@@ -355,9 +349,7 @@ export interface TomlShown {
 }
 /** An engine file as a tree of keys. */
 export interface TreeShown {
-  tree: {
-    [k: string]: unknown
-  }
+  tree: Record<string, unknown>
 }
 /** The weights and balance shafts to fit an engine with; by default the verdict's advice. */
 export interface FittedQuestion {

@@ -5,10 +5,9 @@ import type { CylinderShown, Scene, ShaftShown } from './exhibit'
  * in motion.py.
  *
  * Everything is a pair [up, right] of the clock plane, seen from the front, in the scene's unit.
- * The pin of a shaft stands at
- * bearing `angle + sense * speed_ratio * theta`; a piston pin stays on its cylinder's axis,
- * `offset` to the clockwise side, one
- * rod length from its big end; a knuckle pin is carried by its master's rod.
+ * The pin of a shaft stands at bearing `angle + sense * speed_ratio * theta`; a piston pin stays on
+ * its cylinder's axis, `offset` to the clockwise side, one rod length from its big end; a knuckle
+ * pin is carried by its master's rod.
  */
 export interface Chain {
   readonly count: number

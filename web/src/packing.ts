@@ -9,10 +9,10 @@ async function piped(
   through: GenericTransformStream,
 ): Promise<Uint8Array<ArrayBuffer>> {
   const reader = new Blob([bytes]).stream().pipeThrough(through).getReader()
-  const parts: Uint8Array[] = []
+  const parts: Uint8Array<ArrayBuffer>[] = []
   let length = 0
   for (let next = await reader.read(); !next.done; next = await reader.read()) {
-    const part = next.value as Uint8Array
+    const part = next.value as Uint8Array<ArrayBuffer>
     length += part.length
     if (length > LONGEST) {
       await reader.cancel()
@@ -20,13 +20,7 @@ async function piped(
     }
     parts.push(part)
   }
-  const whole = new Uint8Array(length)
-  let at = 0
-  for (const part of parts) {
-    whole.set(part, at)
-    at += part.length
-  }
-  return whole
+  return new Uint8Array(await new Blob(parts).arrayBuffer())
 }
 
 /** An engine file as a short text of letters that need no escape in an address. */

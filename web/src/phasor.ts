@@ -4,8 +4,7 @@ import type { Vectors } from './exhibit'
  * Spectra over crank order evaluated at a crank angle, as in phasor.py.
  *
  * A vector of order k is `forward exp(i s k theta) + backward exp(-i s k theta)`, s the exhibit's
- * sense, as `up + i right`; a
- * signal is `Re(c exp(i k theta))`.
+ * sense, as `up + i right`; a signal is `Re(c exp(i k theta))`.
  */
 export interface Phase {
   readonly sense: number
@@ -43,10 +42,13 @@ export function turn(
   return phase
 }
 
-function among(order: number, chosen: readonly number[]): boolean {
-  for (let index = 0; index < chosen.length; index++) {
-    if (Math.abs((chosen[index] as number) - order) < SAME) return true
-  }
+/** Whether two orders are one but for rounding. */
+export const sameOrder = (one: number, other: number): boolean => Math.abs(one - other) < SAME
+
+/** Whether an order is one of these. */
+export function among(order: number, orders: readonly number[]): boolean {
+  for (let index = 0; index < orders.length; index++)
+    if (sameOrder(orders[index] as number, order)) return true
   return false
 }
 

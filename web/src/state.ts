@@ -180,6 +180,11 @@ export function storeOf(state: State): Store {
   return Object.fromEntries(NAMES.map((name) => [name, signal(state[name])])) as unknown as Store
 }
 
+/** Gives a signal its value, as an expression. */
+export function set<T>(part: Signal<T>, value: T): void {
+  part.value = value
+}
+
 /** The state at this moment; an effect that reads it runs again when any part changes. */
 export function snapshot(store: Store): State {
   return Object.fromEntries(NAMES.map((name) => [name, store[name].value])) as unknown as State
@@ -187,9 +192,7 @@ export function snapshot(store: Store): State {
 
 /** Puts every part of a state into the store at once. */
 export function restore(store: Store, state: State): void {
-  const put = <K extends keyof State>(name: K): void => {
-    const part = store[name] as Signal<State[K]>
-    part.value = state[name]
-  }
+  const put = <K extends keyof State>(name: K): void =>
+    set(store[name] as Signal<State[K]>, state[name])
   batch(() => NAMES.forEach(put))
 }

@@ -65,7 +65,9 @@ _FIGURES = (
     Figure(
         "over-turn",
         over_turn,
-        N_("force, couple, rolling moment or inertia torque over the crank angle, by order and in total"),
+        N_(
+            "force, couple, rolling moment or inertia torque over the crank angle, by order and in total"
+        ),
         get_args(Signal),
     ),
     Figure("spectrum", spectrum, N_("peak force, couple and rolling moment of each order")),

@@ -8,11 +8,7 @@ export function matching(entries: readonly CatalogEntry[], typed: string): Catal
   return entries.filter((entry) => {
     const said =
       `${entry.name} ${entry.title} ${entry.layout} ${entry.cylinders} cylinders ${entry.cycle}`.toLowerCase()
-    return words.every((word) =>
-      /^\d+$/.test(word)
-        ? said.split(/[^a-z0-9]+/).includes(word) || said.includes(word)
-        : said.includes(word),
-    )
+    return words.every((word) => said.includes(word))
   })
 }
 

@@ -30,6 +30,10 @@ export function Dial({ degrees, label, turned, rested }: Props) {
   const shown = degrees !== null && Math.abs(degrees) < ABSURD
   const at = shown ? degrees : 0
 
+  const leave = () => {
+    held.current = false
+    rested()
+  }
   const follow = (event: PointerEvent) => {
     const box = (event.currentTarget as Element).getBoundingClientRect()
     const right = event.clientX - box.left - box.width / 2
@@ -59,14 +63,8 @@ export function Dial({ degrees, label, turned, rested }: Props) {
         follow(event)
       }}
       onPointerMove={(event) => held.current && follow(event)}
-      onPointerUp={() => {
-        held.current = false
-        rested()
-      }}
-      onPointerCancel={() => {
-        held.current = false
-        rested()
-      }}
+      onPointerUp={leave}
+      onPointerCancel={leave}
       onKeyDown={(event) => {
         const step = STEPS[event.key]
         if (step === undefined) return

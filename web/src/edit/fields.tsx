@@ -311,9 +311,22 @@ function useTake(path: Path, kind: Kind): (text: string) => unknown {
   }
 }
 
+/** A dial for the angle at a path; a turn is one step of the history. */
+function Wheel({ path, label, at }: { path: Path; label: string; at: number | null }) {
+  const session = useSession()
+  const value = useValue(path)
+  return (
+    <Dial
+      degrees={at}
+      label={t('{name}, wheel', { name: label })}
+      turned={(deg) => session.set(path, angle(deg, value), `turn ${idOf(path)}`)}
+      rested={session.rest}
+    />
+  )
+}
+
 export function QuantityField(props: FieldProps & { kind: Of<'quantity'> }) {
   const { field, path, kind } = props
-  const session = useSession()
   const value = useValue(path)
   const take = useTake(path, kind)
   const given = parsed(value) ?? (value === undefined ? parsed(field.initial) : null)
@@ -329,14 +342,7 @@ export function QuantityField(props: FieldProps & { kind: Of<'quantity'> }) {
   const number = whole && kind.dimension === 'angle' ? wrapped(whole.number, 1e-6) : whole?.number
   return (
     <Labelled {...props}>
-      {kind.dimension === 'angle' && (
-        <Dial
-          degrees={number ?? null}
-          label={t('{name}, wheel', { name: field.label })}
-          turned={(deg) => session.set(path, angle(deg, value), `turn ${idOf(path)}`)}
-          rested={session.rest}
-        />
-      )}
+      {kind.dimension === 'angle' && <Wheel path={path} label={field.label} at={number ?? null} />}
       <Box path={path} example={defaulted(field)} take={take} numeric />
       {slides && number !== undefined ? (
         <Slider
@@ -355,20 +361,12 @@ export function QuantityField(props: FieldProps & { kind: Of<'quantity'> }) {
 
 /** One angle or place of a list: a box and, for an angle, a wheel to turn. */
 export function Item({ field, path, label }: { field: Field; path: Path; label: string }) {
-  const session = useSession()
   const angular = field.kind.is === 'quantity' && field.kind.dimension === 'angle'
   const value = useValue(path)
   const take = useTake(path, field.kind)
   return (
     <>
-      {angular && (
-        <Dial
-          degrees={degrees(value)}
-          label={t('{name}, wheel', { name: label })}
-          turned={(deg) => session.set(path, angle(deg, value), `turn ${idOf(path)}`)}
-          rested={session.rest}
-        />
-      )}
+      {angular && <Wheel path={path} label={label} at={degrees(value)} />}
       <Box path={path} label={label} example={field.example} take={take} numeric />
       <Sentences path={path} />
     </>

@@ -23,8 +23,8 @@ export interface Requests<Q, A> {
 
 /**
  * One question at a time, the newest last, each sent as soon as it can be: at once, or when the one
- * before is answered, so that a
- * drag shows what it passes. One that takes longer than PATIENCE is given up for a newer one.
+ * before is answered, so that a drag shows what it passes. One that takes longer than PATIENCE is
+ * given up for a newer one.
  */
 export function latest<Q, A>({ send, answered, waiting }: Requests<Q, A>): Latest<Q> {
   let next: { subject: Q } | null = null

@@ -15,10 +15,8 @@ import {
 } from './fields'
 import { another, recordOf } from './newRecords'
 import { textOf } from './quantity'
-import type { Field, Kind } from './schema'
+import type { Field, Of } from './schema'
 import { at, moved, type Path, within } from './tree'
-
-type Of<T extends Kind['is']> = Extract<Kind, { is: T }>
 
 /** Keys that lie open in a table; the others are under "More", except in short tables. */
 const OPEN = new Set(

@@ -1,7 +1,7 @@
 import { useId, useRef, useState } from 'preact/hooks'
-import type { Problem } from '../exhibit'
-import type { SearchRow, SearchState } from '../host/host'
+import type { Found, Problem, SearchShown } from '../exhibit'
 import { message, t } from '../language/messages'
+import { Switch } from '../Switch'
 import { useSession } from './context'
 import {
   CONSTRAINTS,
@@ -80,7 +80,7 @@ function SearchDialog({ close }: { close: () => void }) {
   )
 }
 
-function putOnStage(session: Session, row: SearchRow, number: number, close: () => void): void {
+function putOnStage(session: Session, row: Found, number: number, close: () => void): void {
   session.edit(row.tree)
   session.note.value = t('Row {number} is now in the form. Undo restores the previous engine.', {
     number,
@@ -167,21 +167,21 @@ function Objectives({ form, problems, change }: PartProps) {
       <legend>{t('Minimise')}</legend>
       {OBJECTIVES.filter(([name]) => name !== 'couple' || form.of === 'engine').map(
         ([name, meaning]) => (
-          <label class="mark" key={name}>
-            <input
-              type="checkbox"
-              checked={form.objectives.includes(name)}
-              onChange={(event) => {
-                const chosen = OBJECTIVES.map(([other]) => other).filter((other) =>
-                  other === name ? event.currentTarget.checked : form.objectives.includes(other),
-                )
-                change({ objectives: chosen })
-              }}
-            />
-            <span>
-              <b>{name}</b> {t(meaning)}
-            </span>
-          </label>
+          <Switch
+            key={name}
+            class="mark"
+            label={
+              <>
+                <b>{name}</b> {t(meaning)}
+              </>
+            }
+            on={form.objectives.includes(name)}
+            change={(on) => {
+              const chosen = (other: string) =>
+                other === name ? on : form.objectives.includes(other)
+              change({ objectives: OBJECTIVES.map(([other]) => other).filter(chosen) })
+            }}
+          />
         ),
       )}
       <Line
@@ -195,56 +195,41 @@ function Objectives({ form, problems, change }: PartProps) {
   )
 }
 
+const LINES = [
+  ['best', message('Number of results'), message('all that no other star surpasses')],
+  ['zero', message('Must be zero'), 'M2'],
+  ['limit', message('Limits'), 'M2=1.5, neighbours=1'],
+  ['fix', message('Fixed throws'), '1=0,4=3'],
+] as const
+const MARKS = [
+  ['symmetric', message('the rear half mirrors the front half')],
+  ['apart', message('no adjacent cylinders fire in succession')],
+] as const
+
 function Constraints({ form, problems, change }: PartProps) {
-  const lines = (key: string) => sentencesOf(problems, [key])
   const wrong = sentencesOf(problems, CONSTRAINTS).length > 0
   return (
     <details {...(wrong && { open: true })}>
       <summary>{t('Constraints')}</summary>
-      <Line
-        label={t('Number of results')}
-        example={t('all that no other star surpasses')}
-        value={form.best}
-        wrong={lines('best')}
-        change={(best) => change({ best })}
-      />
-      <Line
-        label={t('Must be zero')}
-        example="M2"
-        value={form.zero}
-        wrong={lines('zero')}
-        change={(zero) => change({ zero })}
-      />
-      <Line
-        label={t('Limits')}
-        example="M2=1.5, neighbours=1"
-        value={form.limit}
-        wrong={lines('limit')}
-        change={(limit) => change({ limit })}
-      />
-      <Line
-        label={t('Fixed throws')}
-        example="1=0,4=3"
-        value={form.fix}
-        wrong={lines('fix')}
-        change={(fix) => change({ fix })}
-      />
-      <label class="mark">
-        <input
-          type="checkbox"
-          checked={form.symmetric}
-          onChange={(event) => change({ symmetric: event.currentTarget.checked })}
+      {LINES.map(([key, label, example]) => (
+        <Line
+          key={key}
+          label={t(label)}
+          example={t(example)}
+          value={form[key]}
+          wrong={sentencesOf(problems, [key])}
+          change={(value) => change({ [key]: value })}
         />
-        {t('the rear half mirrors the front half')}
-      </label>
-      <label class="mark">
-        <input
-          type="checkbox"
-          checked={form.apart}
-          onChange={(event) => change({ apart: event.currentTarget.checked })}
+      ))}
+      {MARKS.map(([key, label]) => (
+        <Switch
+          key={key}
+          class="mark"
+          label={t(label)}
+          on={form[key]}
+          change={(on) => change({ [key]: on })}
         />
-        {t('no adjacent cylinders fire in succession')}
-      </label>
+      ))}
       <Sentences lines={sentencesOf(problems, ['symmetric', 'avoid_adjacent'])} />
     </details>
   )
@@ -285,15 +270,15 @@ const STATE = {
   done: message('Search complete.'),
   cancelled: message('Cancelled.'),
   failed: message('The search failed.'),
-} as const satisfies Record<SearchState['state'], string>
+} as const satisfies Record<SearchShown['state'], string>
 
 /** Progress, then the rows. */
 function Results({
   state,
   put,
 }: {
-  state: SearchState
-  put: (row: SearchRow, number: number) => void
+  state: SearchShown
+  put: (row: Found, number: number) => void
 }) {
   const share = state.blocks > 0 ? state.done / state.blocks : 0
   const running = state.state === 'running'

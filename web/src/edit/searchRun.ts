@@ -1,6 +1,6 @@
 import { useEffect, useRef, useState } from 'preact/hooks'
-import type { Problem } from '../exhibit'
-import type { Answer, SearchState } from '../host/host'
+import type { Problem, SearchShown } from '../exhibit'
+import type { Answer } from '../host/host'
 import { optionsOf, type SearchForm } from './searchForm'
 import { answered, type Session } from './session'
 
@@ -9,7 +9,7 @@ const EVERY = 250
 
 /** A search that is started, followed and cancelled. */
 export function useSearch(session: Session) {
-  const [state, setState] = useState<SearchState | null>(null)
+  const [state, setState] = useState<SearchShown | null>(null)
   const [problems, setProblems] = useState<readonly Problem[]>([])
   const [ending, setEnding] = useState(false)
   const following = useRef('')
@@ -29,7 +29,7 @@ export function useSearch(session: Session) {
     }
   }, [service])
 
-  const take = (answer: Answer<SearchState>) => {
+  const take = (answer: Answer<SearchShown>) => {
     if (!answer.ok) {
       setProblems(answer.problems)
       setState(null)

@@ -27,8 +27,8 @@ export interface Refused {
 
 /**
  * The engine file that is being edited: what is in the form, valid or not, with its history; the
- * engine on the stage is the last
- * valid one. It outlives the form, so that a look at another tab loses nothing.
+ * engine on the stage is the last valid one. It outlives the form, so that a look at another tab
+ * loses nothing.
  */
 export interface Session {
   readonly service: Service

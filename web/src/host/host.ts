@@ -38,10 +38,6 @@ export type Tree = Record<string, unknown>
 /** An answer, or all faults of the request. */
 export type Answer<T> = { ok: true; value: T } | { ok: false; problems: Problem[] }
 
-/** Progress and rows of a search. */
-export type SearchState = SearchShown
-export type SearchRow = SearchShown['rows'][number]
-
 /** How an engine is fitted with weights and shafts; by default as its verdict recommends. */
 export type Fitting = Omit<FittedQuestion, 'engine'>
 
@@ -62,7 +58,7 @@ export interface Service {
   /** The engine file with counterweights and balance shafts; null where there is nothing to do. */
   fitted(tree: Tree, options: Fitting): Promise<Answer<Tree | null>>
   /** Of the in-line engine of a tree; without one, of `cylinders` and `cycle` in the options. */
-  startSearch(tree: Tree | null, options: SearchOptions): Promise<Answer<SearchState>>
-  search(id: string): Promise<Answer<SearchState>>
-  cancelSearch(id: string): Promise<Answer<SearchState>>
+  startSearch(tree: Tree | null, options: SearchOptions): Promise<Answer<SearchShown>>
+  search(id: string): Promise<Answer<SearchShown>>
+  cancelSearch(id: string): Promise<Answer<SearchShown>>
 }

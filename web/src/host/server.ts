@@ -33,8 +33,6 @@ export async function serverHost(): Promise<Host> {
     numbers.set(exhibit, number)
     return number
   }
-  const charts = remembered<Spec>()
-  const derivations = remembered<string>()
   const fitted = remembered<Exhibit | null>()
   exhibition.engines.forEach((exhibit, index) => {
     const after = exhibition.fitted[index]
@@ -42,21 +40,21 @@ export async function serverHost(): Promise<Host> {
   })
   const post = <T>(path: string, exhibit: Exhibit, key?: string) =>
     required(requested<T>(path, { body: { engine: exhibit.file, ...(key && { key }) } }))
+  const charts = remembered<Spec>()
+  const derivations = remembered<DerivationShown>()
   return {
     kind: 'server',
     exhibition,
     chart: (exhibit, key) =>
-      charts(`${numberOf(exhibit)} ${key}`, () => post<Spec>('chart', exhibit, key)),
-    derivation: (exhibit, key) =>
-      derivations(
-        `${numberOf(exhibit)} ${key}`,
-        async () => (await post<DerivationShown>('derivation', exhibit, key)).html,
-      ),
-    fitted: (exhibit) =>
-      fitted(
-        `${numberOf(exhibit)}`,
-        async () => (await post<FittedShown>('fitted', exhibit)).exhibit,
-      ),
+      charts(`${numberOf(exhibit)} ${key}`, () => post('chart', exhibit, key)),
+    derivation: async (exhibit, key) => {
+      const ask = () => post<DerivationShown>('derivation', exhibit, key)
+      return (await derivations(`${numberOf(exhibit)} ${key}`, ask)).html
+    },
+    fitted: (exhibit) => {
+      const ask = async () => (await post<FittedShown>('fitted', exhibit)).exhibit
+      return fitted(`${numberOf(exhibit)}`, ask)
+    },
     service,
     ...addressState(),
   }

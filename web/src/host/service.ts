@@ -1,12 +1,19 @@
-import type { CatalogEntry, Exhibit, FittedShown, TomlShown, TreeShown } from '../exhibit'
+import type {
+  CatalogEntry,
+  Exhibit,
+  FittedShown,
+  SearchShown,
+  TomlShown,
+  TreeShown,
+} from '../exhibit'
 import { part, requested, required } from './api'
-import type { SearchState, Service, Tree } from './host'
+import type { Service, Tree } from './host'
 
 const post = <T>(path: string, body: unknown, signal?: AbortSignal) =>
   requested<T>(path, { body, signal })
 
 const search = (id: string, method: 'GET' | 'DELETE') =>
-  requested<SearchState>(`search/${encodeURIComponent(id)}`, { method })
+  requested<SearchShown>(`search/${encodeURIComponent(id)}`, { method })
 
 /** Live editing by the API of `crankstar serve`. */
 export const service: Service = {
@@ -24,7 +31,7 @@ export const service: Service = {
       ({ exhibit }) => exhibit?.file ?? null,
     ),
   startSearch: (tree, options) =>
-    post<SearchState>('search', tree === null ? options : { engine: tree, ...options }),
+    post<SearchShown>('search', tree === null ? options : { engine: tree, ...options }),
   search: (id) => search(id, 'GET'),
   cancelSearch: (id) => search(id, 'DELETE'),
 }

@@ -4,11 +4,11 @@ import { band, circle, gear, type Outline, sector, strip, towards } from './outl
 import type { Palette } from './palette'
 import { toothBearings } from './parts/meshing'
 import { PIN } from './parts/pistons'
+import { cheek, journals } from './parts/shafts'
 
 /**
  * What a body moves with: a shaft, a piston or a rod, by its index; or it stands on the axis of a
- * cylinder. A charge is 1 high
- * from the crown of its piston to the end of its bore.
+ * cylinder. A charge is 1 high from the crown of its piston to the end of its bore.
  */
 export type Carrier = 'shaft' | 'piston' | 'rod' | 'bore' | 'charge'
 export type Fill =
@@ -41,45 +41,23 @@ function turning(scene: Scene): Body[] {
     const fill = shaft.kind === 'crankshaft' ? 'crankshaft' : 'balanceShaft'
     const body = (outline: Outline, from: number, to: number) =>
       prism(outline, from, to, 'shaft', index, fill)
-    const cuts = [
-      shaft.z_from,
-      ...shaft.throws.flatMap((pin) => [pin.pin_from, pin.pin_to]),
-      shaft.z_to,
-    ]
-    cuts.sort((a, b) => a - b)
-    const journals = cuts.slice(1).flatMap((to, part) => {
-      const from = cuts[part] as number
-      const middle = (from + to) / 2
-      const free = shaft.throws.every((pin) => middle < pin.pin_from || middle > pin.pin_to)
-      return free && to > from ? [body(circle(0, 0, shaft.journal_radius, 20), from, to)] : []
-    })
+    const bars = journals(shaft).map(([from, to]) =>
+      body(circle(0, 0, shaft.journal_radius, 20), from, to),
+    )
     const pins = shaft.throws.map((pin) => {
       const [x, y] = towards(pin.angle)
-      return body(
-        circle(x * pin.radius, y * pin.radius, pin.pin_radius, 18),
-        pin.pin_from,
-        pin.pin_to,
-      )
+      const outline = circle(x * pin.radius, y * pin.radius, pin.pin_radius, 18)
+      return body(outline, pin.pin_from, pin.pin_to)
     })
     const webs = shaft.webs.flatMap((web) => {
       const pin = shaft.throws[web.throw]
-      if (!pin) return []
-      return [
-        body(
-          band(1.28 * shaft.journal_radius, pin.radius, pin.angle, 1.26 * pin.pin_radius),
-          web.z_from,
-          web.z_to,
-        ),
-      ]
+      return pin ? [body(cheek(shaft, pin), web.z_from, web.z_to)] : []
     })
     const weights = shaft.weights.map(({ angle, half_angle, outer_radius, z, thickness }) => {
-      return body(
-        sector(0, outer_radius, angle, Math.min(half_angle, 1.57)),
-        z - thickness / 2,
-        z + thickness / 2,
-      )
+      const outline = sector(0, outer_radius, angle, Math.min(half_angle, 1.57))
+      return body(outline, z - thickness / 2, z + thickness / 2)
     })
-    return [...journals, ...pins, ...webs, ...weights]
+    return [...bars, ...pins, ...webs, ...weights]
   })
 }
 
@@ -87,15 +65,8 @@ function wheels(scene: Scene): Body[] {
   const bearings = toothBearings(scene)
   return scene.gears.map((wheel, index) => {
     const [from, to] = [wheel.z - wheel.thickness / 2, wheel.z + wheel.thickness / 2]
-    return prism(
-      gear(wheel.radius, wheel.teeth),
-      from,
-      to,
-      'shaft',
-      wheel.shaft,
-      'gear',
-      bearings[index],
-    )
+    const outline = gear(wheel.radius, wheel.teeth)
+    return prism(outline, from, to, 'shaft', wheel.shaft, 'gear', bearings[index])
   })
 }
 
@@ -106,21 +77,16 @@ function reciprocating(scene: Scene): Body[] {
     const half = c.rod_width / 2
     const fill = c.rod === 'slave' || c.rod === 'blade' ? 'slave' : 'rod'
     const small = 1.5 * PIN * c.bore
+    const rod = (outline: Outline, reach = half) =>
+      prism(outline, -reach, reach, 'rod', index, fill)
     return [
       upright(0.5 * c.bore, c.bore_from, boreEnd(scene, c), 'bore', index, 'glass'),
       upright(0.485 * c.bore, 0, 1, 'charge', index, 'charge'),
       upright(0.49 * c.bore, -c.skirt, c.pin_height, 'piston', index, 'piston'),
-      prism(circle(0, 0, big, 20), -half, half, 'rod', index, fill),
-      prism(
-        strip(0, c.rod_length, 0.6 * big, 0.7 * small),
-        -0.5 * half,
-        0.5 * half,
-        'rod',
-        index,
-        fill,
-      ),
-      prism(circle(0, c.rod_length, small, 16), -half, half, 'rod', index, fill),
-      ...knuckles(scene, index).map((outline) => prism(outline, -half, half, 'rod', index, fill)),
+      rod(circle(0, 0, big, 20)),
+      rod(strip(0, c.rod_length, 0.6 * big, 0.7 * small), 0.5 * half),
+      rod(circle(0, c.rod_length, small, 16)),
+      ...knuckles(scene, index).map((outline) => rod(outline)),
     ]
   })
 }

@@ -1,3 +1,4 @@
+import { Matrix4, Quaternion, Vector3 } from 'three'
 import { type Disc, reach } from './extent'
 import type { Camera } from './stage'
 import type { Vector } from './vector'
@@ -44,8 +45,8 @@ export interface Screen {
 
 /**
  * The looks of the drawing. Plan and side view have the front of the engine at the left, so that
- * they stand under each other
- * as on a drawing sheet: the plan is seen from above, the side from the right.
+ * they stand under each other as on a drawing sheet: the plan is seen from above, the side from the
+ * right.
  */
 export function lookOf(camera: Camera, orbit: Readonly<Orbit>): Look {
   if (camera === 'front') return { right: [1, 0, 0], up: [0, 1, 0], back: [0, 0, 1] }
@@ -114,55 +115,18 @@ function sum(a: Vector, b: Vector, factor: number): Vector {
 
 /** A frame at a `share` from 0 to 1 of the way: the look turns, the rest slides. */
 export function between(from: Frame, to: Frame, share: number): Frame {
-  const mixed = (a: Vector, b: Vector): Vector => [
-    a[0] + (b[0] - a[0]) * share,
-    a[1] + (b[1] - a[1]) * share,
-    a[2] + (b[2] - a[2]) * share,
-  ]
+  const turn = turnOf(from.look).slerp(turnOf(to.look), share)
+  const axis = (x: number, y: number, z: number): Vector =>
+    new Vector3(x, y, z).applyQuaternion(turn).toArray()
   return {
-    look: lookOfTurn(slerp(turnOf(from.look), turnOf(to.look), share)),
-    centre: mixed(from.centre, to.centre),
+    look: { right: axis(1, 0, 0), up: axis(0, 1, 0), back: axis(0, 0, 1) },
+    centre: new Vector3(...from.centre).lerp(new Vector3(...to.centre), share).toArray(),
     half: from.half * (to.half / from.half) ** share,
   }
 }
 
-type Quaternion = readonly [number, number, number, number]
-
-/** The rotation that takes the axes to a look, as a quaternion (x, y, z, w). */
-export function turnOf({ right, up, back }: Look): Quaternion {
-  // The greatest of the four squares is taken first, so that nothing small is divided by.
-  const trace = right[0] + up[1] + back[2]
-  if (trace > 0) {
-    const s = 2 * Math.sqrt(trace + 1)
-    return [(up[2] - back[1]) / s, (back[0] - right[2]) / s, (right[1] - up[0]) / s, s / 4]
-  }
-  if (right[0] > up[1] && right[0] > back[2]) {
-    const s = 2 * Math.sqrt(1 + right[0] - up[1] - back[2])
-    return [s / 4, (up[0] + right[1]) / s, (back[0] + right[2]) / s, (up[2] - back[1]) / s]
-  }
-  if (up[1] > back[2]) {
-    const s = 2 * Math.sqrt(1 + up[1] - right[0] - back[2])
-    return [(up[0] + right[1]) / s, s / 4, (back[1] + up[2]) / s, (back[0] - right[2]) / s]
-  }
-  const s = 2 * Math.sqrt(1 + back[2] - right[0] - up[1])
-  return [(back[0] + right[2]) / s, (back[1] + up[2]) / s, s / 4, (right[1] - up[0]) / s]
-}
-
-function lookOfTurn([x, y, z, w]: Quaternion): Look {
-  return {
-    right: [1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w)],
-    up: [2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)],
-    back: [2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)],
-  }
-}
-
-function slerp(a: Quaternion, b: Quaternion, share: number): Quaternion {
-  const cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3]
-  const angle = Math.acos(Math.min(1, Math.abs(cosine)))
-  const near = angle < 1e-6
-  const first = near ? 1 - share : Math.sin((1 - share) * angle) / Math.sin(angle)
-  const second = (near ? share : Math.sin(share * angle) / Math.sin(angle)) * (cosine < 0 ? -1 : 1)
-  const sum = [0, 1, 2, 3].map((i) => first * (a[i] as number) + second * (b[i] as number))
-  const length = Math.hypot(...sum)
-  return sum.map((value) => value / length) as unknown as Quaternion
+/** The rotation that takes the axes to a look. */
+function turnOf({ right, up, back }: Look): Quaternion {
+  const [x, y, z] = [new Vector3(...right), new Vector3(...up), new Vector3(...back)]
+  return new Quaternion().setFromRotationMatrix(new Matrix4().makeBasis(x, y, z))
 }

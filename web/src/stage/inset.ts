@@ -1,4 +1,5 @@
 import { t } from '../language/messages'
+import { lengthText } from '../lengths'
 import { css, type Palette } from './palette'
 import { roundValue } from './sheet'
 import { REST } from './whirl'
@@ -63,7 +64,7 @@ export class Inset {
     this.#pixels = some ? (0.4 * this.#side) / most : 0
     this.#ring = some ? roundValue(1.0001 * most) : 0
     this.#label = some
-      ? t('ring: {radius}', { radius: small(this.#ring, unit) })
+      ? t('ring: {radius}', { radius: lengthText(this.#ring, unit) })
       : t('crank axis at rest')
     this.#outlines = [this.#outline(paths.front), this.#outline(paths.rear)]
   }
@@ -85,10 +86,8 @@ export class Inset {
     const across = Math.max(WORDS, side)
     const wide = Math.round(across * density)
     const high = Math.round((side + BELOW) * density)
-    if (this.canvas.width !== wide || this.canvas.height !== high) {
-      this.canvas.width = wide
-      this.canvas.height = high
-    }
+    if (this.canvas.width !== wide) this.canvas.width = wide
+    if (this.canvas.height !== high) this.canvas.height = high
     to.setTransform(density, 0, 0, density, 0, 0)
     to.clearRect(0, 0, across, side + BELOW)
     to.translate(across / 2, side / 2)
@@ -107,15 +106,20 @@ export class Inset {
     to.setLineDash(WHOLE)
     to.font = FONT
     to.textBaseline = 'top'
-    to.textAlign = 'right'
-    to.fillStyle = colours[0]
-    to.fillText(t('front end'), -6, side / 2 + 3)
-    to.textAlign = 'left'
-    to.fillStyle = colours[1]
-    to.fillText(t('rear end'), 6, side / 2 + 3)
-    to.textAlign = 'center'
-    to.fillStyle = palette.text
-    to.fillText(this.#label, 0, side / 2 + 18)
+    const write = (
+      text: string,
+      align: CanvasTextAlign,
+      colour: string,
+      x: number,
+      y = 3,
+    ): void => {
+      to.textAlign = align
+      to.fillStyle = colour
+      to.fillText(text, x, side / 2 + y)
+    }
+    write(t('front end'), 'right', colours[0], -6)
+    write(t('rear end'), 'left', colours[1], 6)
+    write(this.#label, 'center', palette.text, 0, 18)
   }
 
   #ground(to: CanvasRenderingContext2D, palette: Palette): void {
@@ -152,10 +156,3 @@ export class Inset {
 
 const DASHED = [4, 3]
 const WHOLE: number[] = []
-
-/** A small length of the scene as text. */
-function small(value: number, unit: string): string {
-  if (unit !== 'm') return `${+value.toPrecision(2)} ${unit}`
-  if (value < 1e-3) return `${+(value * 1e6).toPrecision(2)} µm`
-  return `${+(value * 1e3).toPrecision(2)} mm`
-}

@@ -3,9 +3,8 @@ import { channels, type Palette } from './palette'
 
 /**
  * Materials of a technical illustration: a light that stands at the eye's left shoulder, shading
- * from cool to warm (after
- * A. Gooch), a darker rim, thin lines along the edges. Cheap enough for a computer without a
- * graphics card.
+ * from cool to warm (after A. Gooch), a darker rim, thin lines along the edges. Cheap enough for a
+ * computer without a graphics card.
  */
 const VERTEX = /* glsl */ `
 attribute float tint;
@@ -81,15 +80,13 @@ void main() {
   gl_FragColor = vec4(vHue.rgb, vHue.a * (0.55 + 0.45 * vHigh) * (0.5 + 0.5 * abs(vNormal.z)));
 }`
 
-/** What an opaque part is drawn with; which of the palette's pairs it takes its colours from. */
-export type Paint = 'crankshaft' | 'balanceShaft' | 'gear' | 'piston' | 'rod' | 'slave'
-export type Arrow = 'force' | 'part' | 'couple'
-const PAINTS: readonly Paint[] = ['crankshaft', 'balanceShaft', 'gear', 'piston', 'rod', 'slave']
-const ARROWS: readonly Arrow[] = ['force', 'part', 'couple']
+const PARTS = ['crankshaft', 'balanceShaft', 'gear', 'piston', 'rod', 'slave'] as const
+const ARROWS = ['force', 'part', 'couple'] as const
+export type Arrow = (typeof ARROWS)[number]
+/** What is shaded, by the colours of the palette that it takes. */
+type Shaded = Record<(typeof PARTS)[number] | Arrow, ShaderMaterial>
 
-export interface Materials {
-  readonly paints: Readonly<Record<Paint, ShaderMaterial>>
-  readonly arrows: Readonly<Record<Arrow, ShaderMaterial>>
+export interface Materials extends Readonly<Shaded> {
   readonly lines: ShaderMaterial
   readonly glass: ShaderMaterial
   readonly glassLines: ShaderMaterial
@@ -100,38 +97,28 @@ export interface Materials {
 }
 
 export function materials(): Materials {
-  const paints = Object.fromEntries(PAINTS.map((paint) => [paint, shaded()])) as Record<
-    Paint,
-    ShaderMaterial
-  >
-  const arrows = Object.fromEntries(ARROWS.map((arrow) => [arrow, overAll()])) as Record<
-    Arrow,
-    ShaderMaterial
-  >
+  const made = [
+    ...PARTS.map((name) => [name, shaded()]),
+    ...ARROWS.map((name) => [name, overAll()]),
+  ]
+  const opaque = Object.fromEntries(made) as Shaded
   const lines = plain(LINE_VERTEX, PLAIN)
   const glassLines = plain(LINE_VERTEX, PLAIN)
   const glass = plain(VERTEX, GLASS)
   glass.side = DoubleSide
   const glow = plain(GLOW_VERTEX, GLOW)
-  const all = [...Object.values(paints), ...Object.values(arrows), lines, glassLines, glass, glow]
   return {
-    paints,
-    arrows,
+    ...opaque,
     lines,
     glass,
     glassLines,
     glow,
     dress: (palette, dark) => {
-      for (const paint of PAINTS) {
-        const [base, second] = palette[paint]
-        colour(paints[paint], 'base', base)
-        colour(paints[paint], 'second', second)
-        set(paints[paint], 'dark', dark ? 1 : 0)
-      }
-      for (const arrow of ARROWS) {
-        colour(arrows[arrow], 'base', palette[arrow])
-        colour(arrows[arrow], 'second', palette[arrow])
-        set(arrows[arrow], 'dark', dark ? 1 : 0)
+      for (const name of [...PARTS, ...ARROWS]) {
+        const [base, second = base] = [palette[name]].flat() as [number, number?]
+        colour(opaque[name], 'base', base)
+        colour(opaque[name], 'second', second)
+        set(opaque[name], 'dark', dark ? 1 : 0)
       }
       colour(lines, 'base', palette.edge)
       set(lines, 'opacity', palette.edgeOpacity)
@@ -141,7 +128,8 @@ export function materials(): Materials {
       set(glassLines, 'opacity', dark ? 0.42 : 0.5)
     },
     dispose: () => {
-      for (const material of all) material.dispose()
+      for (const material of [...Object.values(opaque), lines, glassLines, glass, glow])
+        material.dispose()
     },
   }
 }
@@ -159,22 +147,13 @@ function shaded(): ShaderMaterial {
 
 /** For arrows: seen through everything else, as in a drawing. */
 function overAll(): ShaderMaterial {
-  const material = shaded()
-  material.depthTest = false
-  material.depthWrite = false
-  material.transparent = true
-  return material
+  return Object.assign(shaded(), { depthTest: false, depthWrite: false, transparent: true })
 }
 
 function plain(vertexShader: string, fragmentShader: string): ShaderMaterial {
   const uniforms = { base: { value: new Vector3() }, opacity: { value: 1 } }
-  return new ShaderMaterial({
-    vertexShader,
-    fragmentShader,
-    uniforms,
-    transparent: true,
-    depthWrite: false,
-  })
+  const over = { transparent: true, depthWrite: false }
+  return new ShaderMaterial({ vertexShader, fragmentShader, uniforms, ...over })
 }
 
 function colour(material: ShaderMaterial, name: string, value: number): void {

@@ -18,29 +18,28 @@ export function zoomed(orbit: Orbit, factor: number): void {
   orbit.zoom = Math.max(FARTHEST, Math.min(NEAREST, orbit.zoom * factor))
 }
 
-function wentHome(orbit: Orbit): void {
-  Object.assign(orbit, HOME)
+const STEP = KEY_STEP / RADIANS_PER_PIXEL
+const KEYS: Readonly<Record<string, (orbit: Orbit) => void>> = {
+  ArrowLeft: (orbit) => dragged(orbit, -STEP, 0),
+  ArrowRight: (orbit) => dragged(orbit, STEP, 0),
+  ArrowUp: (orbit) => dragged(orbit, 0, -STEP),
+  ArrowDown: (orbit) => dragged(orbit, 0, STEP),
+  '+': (orbit) => zoomed(orbit, ZOOM_STEP),
+  '=': (orbit) => zoomed(orbit, ZOOM_STEP),
+  '-': (orbit) => zoomed(orbit, 1 / ZOOM_STEP),
+  Home: (orbit) => Object.assign(orbit, HOME),
 }
 
 /** Does what a key asks for; false if the key means nothing here. */
 export function pressed(orbit: Orbit, key: string): boolean {
-  const step = KEY_STEP / RADIANS_PER_PIXEL
-  if (key === 'ArrowLeft') dragged(orbit, -step, 0)
-  else if (key === 'ArrowRight') dragged(orbit, step, 0)
-  else if (key === 'ArrowUp') dragged(orbit, 0, -step)
-  else if (key === 'ArrowDown') dragged(orbit, 0, step)
-  else if (key === '+' || key === '=') zoomed(orbit, ZOOM_STEP)
-  else if (key === '-') zoomed(orbit, 1 / ZOOM_STEP)
-  else if (key === 'Home') wentHome(orbit)
-  else return false
-  return true
+  KEYS[key]?.(orbit)
+  return key in KEYS
 }
 
 /**
  * Lets mouse, fingers and keys turn a free look on an element: dragging turns, two fingers or the
- * wheel zoom, dragging with
- * another button, the shift key or two fingers shifts. `active` tells whether the free look is on.
- * Gives back what ends it.
+ * wheel zoom, dragging with another button, the shift key or two fingers shifts. `active` tells
+ * whether the free look is on. Gives back what ends it.
  */
 export function listened(
   element: HTMLElement,

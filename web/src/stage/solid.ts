@@ -10,10 +10,17 @@ export interface Shape {
   readonly lines: BufferGeometry
 }
 
+/** The profile of a round bar of radius and height 1, to be turned. */
+export const BAR = [
+  [0, 0, 0],
+  [1, 0, 0],
+  [1, 1, 0],
+  [0, 1, 0],
+] as const
+
 /**
  * A body that is put together from prisms along z and turned shapes about y; each has a `tint` from
- * 0 (the part's own colour)
- * to 1 (its second colour).
+ * 0 (the part's own colour) to 1 (its second colour).
  */
 export class Solid {
   readonly #positions: number[] = []
@@ -82,8 +89,8 @@ export class Solid {
 
   /**
    * A surface turned about the y-axis: `profile` are [radius, height, tint] seen with the axis at
-   * the left, counter-clockwise,
-   * over the angles from the x-axis towards the viewer. An open profile gives an open shell.
+   * the left, counter-clockwise, over the angles from the x-axis towards the viewer. An open
+   * profile gives an open shell.
    */
   turned(
     profile: readonly (readonly [number, number, number])[],

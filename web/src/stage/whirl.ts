@@ -14,8 +14,8 @@ import type { Vector } from './vector'
 
 /**
  * The small motion of the rigid engine at an instant: the centre goes by `up`, `right`; the axis by
- * `tiltUp`, `tiltRight` more
- * for each unit of z in front of the centre; the block turns clockwise by `turn` (radians).
+ * `tiltUp`, `tiltRight` more for each unit of z in front of the centre; the block turns clockwise
+ * by `turn` (radians).
  */
 export interface Displacement {
   up: number
@@ -90,8 +90,8 @@ export class Whirling {
 
 /**
  * The rotation vector (x, y, z) of a displacement. Tilting the front up is a turn about the axis to
- * the right, backwards;
- * tilting it to the right is a turn about the vertical; clockwise is backwards about z.
+ * the right, backwards; tilting it to the right is a turn about the vertical; clockwise is
+ * backwards about z.
  */
 export function rotation(moved: Displacement, magnification: number): [number, number, number] {
   return [
@@ -103,8 +103,7 @@ export function rotation(moved: Displacement, magnification: number): [number, n
 
 /**
  * Where a point of the block (x, y, z) is drawn: a true rotation about the centre of mass by the
- * small angles times the
- * magnification, and the shift. Written into `out`.
+ * small angles times the magnification, and the shift. Written into `out`.
  */
 export function displaced(
   whirl: Whirl,

@@ -1,5 +1,6 @@
 import { useCallback, useEffect, useRef } from 'preact/hooks'
 import { EditAnywhere, editStyle } from '../edit'
+import { set } from '../state'
 import { useApp } from './context'
 import { adopt } from './sheets'
 
@@ -8,9 +9,7 @@ export function Editing() {
   const { host, engines, put, store } = useApp()
   const place = useRef<HTMLDivElement>(null)
   useEffect(() => (place.current ? adopt(place.current, [editStyle]) : undefined), [])
-  const opens = useCallback(() => {
-    store.tab.value = 'edit'
-  }, [store])
+  const opens = useCallback(() => set(store.tab, 'edit'), [store])
   const exhibit = engines.value[0]
   if (!host.service || !exhibit) return null
   return (

@@ -1,6 +1,6 @@
 import { useSignal } from '@preact/signals'
 import { message, t } from '../language/messages'
-import { snapshot, stateText, THEMES, type Theme } from '../state'
+import { set, snapshot, stateText, THEMES, type Theme } from '../state'
 import { useApp } from './context'
 import { Icon } from './icons'
 import { rotationText } from './rotation'
@@ -34,9 +34,7 @@ export function Header() {
       host.writeState(text)
       note.value = t('Copy the link from the address bar.')
     }
-    window.setTimeout(() => {
-      note.value = ''
-    }, NOTED)
+    window.setTimeout(() => set(note, ''), NOTED)
   }
 
   return (
@@ -65,9 +63,7 @@ export function Header() {
         <button
           type="button"
           class="plain round"
-          onClick={() => {
-            store.theme.value = next
-          }}
+          onClick={() => set(store.theme, next)}
           aria-label={t(THEME[theme])}
           title={t(THEME[theme])}
         >

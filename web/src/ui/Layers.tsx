@@ -1,7 +1,9 @@
-import { type Signal, useSignal } from '@preact/signals'
+import { useSignal } from '@preact/signals'
 import { useId } from 'preact/hooks'
 import { message, t } from '../language/messages'
+import { Switch } from '../Switch'
 import { CAMERAS, type Camera } from '../stage/stage'
+import { set } from '../state'
 import { useApp } from './context'
 import { Icon } from './icons'
 import { toggledWhirl } from './whirl'
@@ -13,6 +15,15 @@ const CAMERA = {
   isometric: message('Isometric'),
   orbit: message('Orbit'),
 } as const satisfies Record<Camera, string>
+
+const SWITCHES = [
+  ['force', message('Force')],
+  ['couple', message('Couple')],
+  ['cylinders', message('Each cylinder')],
+  ['whirl', message('Whirl')],
+  ['glass', message('Bores')],
+  ['glow', message('Strokes')],
+] as const
 
 /** The view of the engine, and what is drawn with its parts. */
 export function Layers() {
@@ -31,9 +42,7 @@ export function Layers() {
               name={`${id}-camera`}
               value={camera}
               checked={store.camera.value === camera}
-              onChange={() => {
-                store.camera.value = camera
-              }}
+              onChange={() => set(store.camera, camera)}
             />
             <span>{t(CAMERA[camera])}</span>
           </label>
@@ -44,27 +53,20 @@ export function Layers() {
         class="plain more"
         aria-expanded={open.value}
         aria-controls={`${id}-shown`}
-        onClick={() => {
-          open.value = !open.value
-        }}
+        onClick={() => set(open, !open.value)}
       >
         <Icon name="layers" />
         <span>{t('Show')}</span>
       </button>
       <div class={`shown${open.value ? ' open' : ''}`} id={`${id}-shown`}>
-        <Switch label={t('Force')} part={store.force} />
-        <Switch label={t('Couple')} part={store.couple} />
-        <Switch label={t('Each cylinder')} part={store.cylinders} />
-        <label class="switch">
-          <input
-            type="checkbox"
-            checked={store.whirl.value > 0}
-            onChange={() => toggledWhirl(app)}
+        {SWITCHES.map(([part, name]) => (
+          <Switch
+            key={part}
+            label={t(name)}
+            on={Boolean(store[part].value)}
+            change={(on) => (part === 'whirl' ? toggledWhirl(app) : set(store[part], on))}
           />
-          <span>{t('Whirl')}</span>
-        </label>
-        <Switch label={t('Bores')} part={store.glass} />
-        <Switch label={t('Strokes')} part={store.glow} />
+        ))}
         <label class="slider">
           <span>{t('Arrows')}</span>
           <input
@@ -75,27 +77,12 @@ export function Layers() {
             value={Math.log10(store.scale.value)}
             aria-label={t('Arrow length')}
             aria-valuetext={`× ${store.scale.value.toFixed(2)}`}
-            onInput={(event) => {
-              store.scale.value = Number((10 ** event.currentTarget.valueAsNumber).toPrecision(3))
-            }}
+            onInput={(event) =>
+              set(store.scale, Number((10 ** event.currentTarget.valueAsNumber).toPrecision(3)))
+            }
           />
         </label>
       </div>
     </section>
-  )
-}
-
-function Switch({ label, part }: { label: string; part: Signal<boolean> }) {
-  return (
-    <label class="switch">
-      <input
-        type="checkbox"
-        checked={part.value}
-        onChange={(event) => {
-          part.value = event.currentTarget.checked
-        }}
-      />
-      <span>{label}</span>
-    </label>
   )
 }

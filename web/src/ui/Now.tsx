@@ -1,3 +1,4 @@
+import { Fragment } from 'preact'
 import { useMemo, useRef } from 'preact/hooks'
 import type { Exhibit } from '../exhibit'
 import { t } from '../language/messages'
@@ -42,57 +43,38 @@ function Numbers({ exhibit, named }: { exhibit: Exhibit; named: boolean }) {
     },
     [now, orders],
   )
-  const { units } = exhibit
+  const lines = [
+    ['force', ['↑', t('Vertical force, upward')], ['→', t('Horizontal force, to the right')]],
+    [
+      'couple',
+      ['↑', t('Pitching couple, in the vertical plane')],
+      ['→', t('Yawing couple, in the horizontal plane')],
+    ],
+    ['roll', ['', quantityName('roll')]],
+  ] as const
   return (
     <div class="numbers">
       {named && <h2 class="whose">{exhibit.name}</h2>}
       <dl ref={cells}>
-        <Vector
-          label={quantityName('force')}
-          unit={units.force}
-          up={t('Vertical force, upward')}
-          right={t('Horizontal force, to the right')}
-        />
-        <Vector
-          label={quantityName('couple')}
-          unit={units.couple}
-          up={t('Pitching couple, in the vertical plane')}
-          right={t('Yawing couple, in the horizontal plane')}
-        />
-        <div>
-          <dt>{quantityName('roll')}</dt>
-          <dd>
-            <output aria-live="off" aria-label={quantityName('roll')} />{' '}
-            <span class="unit">{units.roll}</span>
-          </dd>
-        </div>
+        {lines.map(([quantity, ...components]) => (
+          <div key={quantity}>
+            <dt>{quantityName(quantity)}</dt>
+            <dd>
+              {components.map(([sign, title]) => (
+                <Fragment key={sign}>
+                  {sign && (
+                    <span class="way" title={title}>
+                      {sign}
+                    </span>
+                  )}
+                  <output aria-live="off" aria-label={title} />{' '}
+                </Fragment>
+              ))}
+              <span class="unit">{exhibit.units[quantity]}</span>
+            </dd>
+          </div>
+        ))}
       </dl>
-    </div>
-  )
-}
-
-interface VectorProps {
-  readonly label: string
-  readonly unit: string
-  /** What the two components are. */
-  readonly up: string
-  readonly right: string
-}
-
-function Vector({ label, unit, up, right }: VectorProps) {
-  return (
-    <div>
-      <dt>{label}</dt>
-      <dd>
-        <span class="way" title={up}>
-          ↑
-        </span>
-        <output aria-live="off" aria-label={up} />{' '}
-        <span class="way" title={right}>
-          →
-        </span>
-        <output aria-live="off" aria-label={right} /> <span class="unit">{unit}</span>
-      </dd>
     </div>
   )
 }
@@ -105,23 +87,15 @@ function numbersOf({ orders, sense, total }: Exhibit): Texts {
   const force = coefficientsOf(total.force)
   const couple = coefficientsOf(total.couple)
   const roll = signalOf(total.roll)
-  const digits = [force, couple, roll].map((numbers) => decimals(bound(numbers))) as [
-    number,
-    number,
-    number,
-  ]
+  const digits = [force, force, couple, couple, roll].map((numbers) => decimals(bound(numbers)))
   const place: Plane = [0, 0]
   return (theta, chosen) => {
     turn(phase, orders, theta, chosen)
-    const [up, right] = vectorAt(force, phase, place)
-    const texts = [signed(up, digits[0]), signed(right, digits[0])]
-    const [front, side] = vectorAt(couple, phase, place)
     return [
-      ...texts,
-      signed(front, digits[1]),
-      signed(side, digits[1]),
-      signed(signalAt(roll, phase), digits[2]),
-    ]
+      ...vectorAt(force, phase, place),
+      ...vectorAt(couple, phase, place),
+      signalAt(roll, phase),
+    ].map((value, index) => signed(value, digits[index] ?? 0))
   }
 }
 

@@ -1,17 +1,17 @@
 import type { Exhibit } from '../exhibit'
 import { t } from '../language/messages'
+import { among, sameOrder } from '../phasor'
+import { set } from '../state'
 import { useApp, useExhibit } from './context'
-
-const SAME = 1e-6
 
 /** An order as it is printed in the tables. */
 export function orderText(exhibit: Exhibit, order: number): string {
-  return exhibit.table.find((row) => Math.abs(row.order - order) < SAME)?.label ?? String(order)
+  return exhibit.table.find((row) => sameOrder(row.order, order))?.label ?? String(order)
 }
 
 /** Whether an order is among those that are shown. */
 export function isChosen(orders: readonly number[] | null, order: number): boolean {
-  return orders?.some((other) => Math.abs(other - order) < SAME) ?? false
+  return orders !== null && among(order, orders)
 }
 
 /** Orders for arrows, whirl and figures: all, or some of them. */
@@ -20,7 +20,7 @@ export function OrderChoice() {
   const exhibit = useExhibit()
   const orders = store.orders.value
   function toggle(order: number): void {
-    const kept = (orders ?? []).filter((other) => Math.abs(other - order) >= SAME)
+    const kept = (orders ?? []).filter((other) => !sameOrder(other, order))
     const next = isChosen(orders, order) ? kept : [...kept, order].sort((one, other) => one - other)
     store.orders.value = next.length ? next : null
   }
@@ -32,9 +32,7 @@ export function OrderChoice() {
           <input
             type="checkbox"
             checked={orders === null}
-            onChange={() => {
-              store.orders.value = null
-            }}
+            onChange={() => set(store.orders, null)}
           />
           <span>{t('all')}</span>
         </label>

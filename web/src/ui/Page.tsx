@@ -1,6 +1,7 @@
 import { useEffect, useRef } from 'preact/hooks'
 import { language, t } from '../language/messages'
 import type { Stage } from '../stage/stage'
+import { set } from '../state'
 import { useApp } from './context'
 import { Editing } from './Editing'
 import { Header } from './Header'
@@ -34,13 +35,7 @@ export function Page({ made }: { made: (index: number, stage: Stage | null) => v
         {trouble.value && (
           <p class="trouble" role="alert">
             {trouble.value}
-            <button
-              type="button"
-              class="plain"
-              onClick={() => {
-                trouble.value = ''
-              }}
-            >
+            <button type="button" class="plain" onClick={() => set(trouble, '')}>
               {t('Close')}
             </button>
           </p>

@@ -2,7 +2,7 @@ import type { ComponentType } from 'preact'
 import { useEffect, useId, useRef } from 'preact/hooks'
 import type { App } from '../app'
 import { message, t } from '../language/messages'
-import { TABS, type Tab } from '../state'
+import { set, TABS, type Tab } from '../state'
 import { Choice } from './Choice'
 import { useApp } from './context'
 import { About } from './panels/About'
@@ -131,9 +131,7 @@ function EngineChoice() {
       label={t('Engine')}
       value={String(subject.value + 1)}
       choices={shown.value.map(({ name }, index) => ({ value: String(index + 1), label: name }))}
-      chosen={(value) => {
-        store.panel.value = value === '2' ? '2' : '1'
-      }}
+      chosen={(value) => set(store.panel, value === '2' ? '2' : '1')}
     />
   )
 }

@@ -3,6 +3,7 @@ import { useId, useRef } from 'preact/hooks'
 import { degreesText, typedAngle, withinCycle } from '../angle'
 import { t } from '../language/messages'
 import { paceAt, paceText, placeOf } from '../pace'
+import { set } from '../state'
 import { useApp, useExhibit, useFollower } from './context'
 import { Icon } from './icons'
 
@@ -70,9 +71,7 @@ function Pace() {
           step="0.01"
           value={placeOf(pace)}
           aria-valuetext={`${turns}, ${beside}`}
-          onInput={(event) => {
-            store.pace.value = paceAt(event.currentTarget.valueAsNumber)
-          }}
+          onInput={(event) => set(store.pace, paceAt(event.currentTarget.valueAsNumber))}
         />
       </label>
       <span class="words">

@@ -1,5 +1,6 @@
 import type { Exhibit, Row } from '../exhibit'
 import { t } from '../language/messages'
+import { set } from '../state'
 import { Choice } from './Choice'
 import { useApp, useExhibit } from './context'
 import { quantityName } from './names'
@@ -7,7 +8,7 @@ import { orderText } from './OrderChoice'
 
 const QUANTITIES = ['force', 'couple'] as const
 
-/** Quantity, orders, and the shown order: the chosen one, else the lowest that remains. */
+/** Quantity, orders, and the shown order: the chosen one, else the greatest that remains. */
 export function useVectors(
   of: (exhibit: Exhibit, quantity: 'force' | 'couple') => readonly number[],
 ) {
@@ -37,17 +38,13 @@ export function VectorChoice({
         label={label}
         value={quantity}
         choices={QUANTITIES.map((value) => ({ value, label: quantityName(value) }))}
-        chosen={(value) => {
-          store.quantity.value = value
-        }}
+        chosen={(value) => set(store.quantity, value)}
       />
       <Choice
         label={t('Order')}
         value={String(order)}
         choices={orders.map((each) => ({ value: String(each), label: orderText(exhibit, each) }))}
-        chosen={(value) => {
-          store.orders.value = [Number(value)]
-        }}
+        chosen={(value) => set(store.orders, [Number(value)])}
       />
     </div>
   )

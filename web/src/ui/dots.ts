@@ -1,12 +1,21 @@
 import type { Exhibit, Row } from '../exhibit'
-import { coefficientsOf, type Plane, phaseOf, signalAt, signalOf, turn, vectorAt } from '../phasor'
+import {
+  coefficientsOf,
+  type Plane,
+  phaseOf,
+  sameOrder,
+  signalAt,
+  signalOf,
+  turn,
+  vectorAt,
+} from '../phasor'
 
 /** Where the dot of a row stands at an angle, [x, y] of its drawing. */
 export type Dot = (theta: number) => Plane
 
 /** What moves the dot of a row: its order alone, in shares of the greatest value. */
 export function dotOf(exhibit: Exhibit, row: Row): Dot {
-  const index = exhibit.orders.findIndex((order) => Math.abs(order - row.order) < 1e-6)
+  const index = exhibit.orders.findIndex((order) => sameOrder(order, row.order))
   const orders = [row.order]
   const phase = phaseOf(1, exhibit.sense)
   const place: Plane = [0, 0]

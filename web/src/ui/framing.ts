@@ -43,10 +43,9 @@ export function panelsOf(spec: Part): readonly string[] {
 
 /**
  * The figure with panels that keep their size while it turns: each has an unseen frame about all
- * that its parts reach in a
- * cycle. Without it the layout follows labels that swing out, and the whole figure jumps. `look` is
- * a view of the figure that
- * is not drawn; it is turned to every angle.
+ * that its parts reach in a cycle. Without it the layout follows labels that swing out, and the
+ * whole figure jumps. `look` is a view of the figure that is not drawn; it is turned to every
+ * angle.
  */
 export async function framed(
   spec: Spec,

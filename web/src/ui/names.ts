@@ -1,4 +1,4 @@
-import type { Row } from '../exhibit'
+import type { Exhibit, Row } from '../exhibit'
 import { message, t } from '../language/messages'
 
 type Quantity = Row['quantity']
@@ -12,3 +12,7 @@ const QUANTITY = {
 
 /** A quantity as headings and choices name it. */
 export const quantityName = (quantity: Quantity): string => t(QUANTITY[quantity])
+
+/** The unit that a quantity of an engine is printed in. */
+export const unitOf = ({ units }: Exhibit, quantity: Quantity): string =>
+  quantity === 'torque' ? units.roll : units[quantity]

@@ -1,6 +1,5 @@
 import type { App } from '../app'
 import type { Exhibit, Vectors } from '../exhibit'
-import { t } from '../language/messages'
 import { Whirling } from '../stage/whirl'
 
 /** Share of the engine's size that the default magnification gives the greatest movement. */
@@ -50,22 +49,12 @@ export function toggledWhirl({ store, shown, subject }: App): void {
   else store.whirl.value = suggestedMagnification(exhibit) || 1
 }
 
-export interface End {
-  readonly name: string
-  /** How far the crank axis gets from where it rests, in the scene's unit. */
-  readonly greatest: number
-}
-
-/** The displacement of the crank axis at both ends, of some orders or (null) of all. */
-export function endsOf(exhibit: Exhibit, orders: readonly number[] | null): readonly [End, End] {
+/** How far the crank axis gets from its rest at front and rear, of some orders or (null) of all. */
+export function reachOf(exhibit: Exhibit, orders: readonly number[] | null): readonly number[] {
   const whirling = new Whirling(exhibit)
-  const [front, rear] = whirling.ends
-  const moved = (z: number): number =>
-    Math.max(...whirling.path(z, orders).map(([up, right]) => Math.hypot(up, right)))
-  return [
-    { name: t('front end'), greatest: moved(front) },
-    { name: t('rear end'), greatest: moved(rear) },
-  ]
+  return whirling.ends.map((z) =>
+    Math.max(...whirling.path(z, orders).map(([up, right]) => Math.hypot(up, right))),
+  )
 }
 
 /** How far the block rolls to either side, radians, of some orders or (null) of all. */

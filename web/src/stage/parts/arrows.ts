@@ -2,10 +2,16 @@ import type { Group } from 'three'
 import { Batch } from '../batch'
 import type { Load } from '../load'
 import type { Arrow, Materials } from '../materials'
-import { Solid } from '../solid'
+import { BAR, Solid } from '../solid'
 
 /** How thick an arrow is, as a share of the design length; heads are three times that wide. */
 const THICK: Readonly<Record<Arrow, number>> = { force: 0.045, couple: 0.038, part: 0.026 }
+
+const CONE = [
+  [0, 0, 0],
+  [1, 0, 0],
+  [0, 1, 0],
+] as const
 
 /** Arrows for what pulls at the block: the total, the couple as a pair, and each cylinder's. */
 export function arrows(
@@ -13,27 +19,12 @@ export function arrows(
   load: Load,
   paint: Materials,
 ): { move(length: number): void; dispose(): void } {
-  const shaft = () => {
-    const stick: [number, number, number][] = [
-      [0, 0, 0],
-      [1, 0, 0],
-      [1, 1, 0],
-      [0, 1, 0],
-    ]
-    return new Solid().turned(stick, 0, 2 * Math.PI, 12).shape()
-  }
-  const head = () => {
-    const cone: [number, number, number][] = [
-      [0, 0, 0],
-      [1, 0, 0],
-      [0, 1, 0],
-    ]
-    return new Solid().turned(cone, 0, 2 * Math.PI, 18).shape()
-  }
+  const shaft = () => new Solid().turned(BAR, 0, 2 * Math.PI, 12).shape()
+  const head = () => new Solid().turned(CONE, 0, 2 * Math.PI, 18).shape()
   const kinds: Arrow[] = ['part', 'couple', 'force']
   const drawn = kinds.map((kind, rank) => {
     const pulls = load.pulls.filter((pull) => pull.kind === kind)
-    const material = paint.arrows[kind]
+    const material = paint[kind]
     const shafts = new Batch(parent, shaft(), pulls.length, material, null, 10 + 2 * rank)
     const heads = new Batch(parent, head(), pulls.length, material, null, 11 + 2 * rank)
     return { kind, pulls, shafts, heads }
@@ -60,16 +51,8 @@ export function arrows(
           const wide = (tip / 3.6) * 1.45
           const stick = long - tip
           shafts.put(index, pull.x, pull.y, pull.z, up, right, Math.min(thick / 2, wide / 2), stick)
-          heads.put(
-            index,
-            pull.x + right * stick,
-            pull.y + up * stick,
-            pull.z,
-            up,
-            right,
-            wide,
-            tip,
-          )
+          const [x, y] = [pull.x + right * stick, pull.y + up * stick]
+          heads.put(index, x, y, pull.z, up, right, wide, tip)
         }
         shafts.visible = some
         heads.visible = some

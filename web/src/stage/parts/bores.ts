@@ -3,7 +3,7 @@ import type { CylinderShown, Scene } from '../../exhibit'
 import { Batch } from '../batch'
 import { along, boreEnd, facesAnother } from '../extent'
 import type { Materials } from '../materials'
-import { Solid } from '../solid'
+import { BAR, Solid } from '../solid'
 
 /** Thickness of a cylinder head as a share of the bore, and how much wider than the bore it is. */
 const HEAD = 0.09
@@ -23,12 +23,7 @@ export function bores(parent: Group, scene: Scene, paint: Materials): Batch[] {
   tubes.placed()
   const headed = cylinders.filter((c) => !facesAnother(c, cylinders))
   if (headed.length === 0) return [tubes]
-  const disc = new Solid().turned([
-    [0, 0, 0],
-    [1, 0, 0],
-    [1, 1, 0],
-    [0, 1, 0],
-  ])
+  const disc = new Solid().turned(BAR)
   const heads = new Batch(parent, disc.shape(), headed.length, paint.glass, paint.glassLines, 4)
   headed.forEach((c, index) => {
     stand(heads, index, c, scene, c.bore_to, HEAD * c.bore, (BRIM * c.bore) / 2)

@@ -4,7 +4,7 @@ import type { Places } from '../../motion'
 import { Batch } from '../batch'
 import { boreEnd } from '../extent'
 import type { Materials } from '../materials'
-import { Solid } from '../solid'
+import { BAR, Solid } from '../solid'
 import { tint, windowsOf } from '../strokes'
 import { stand } from './bores'
 import type { Part } from './part'
@@ -19,17 +19,7 @@ export function glow(
   const { scene, cycle_deg: cycle } = exhibit
   const windows = windowsOf(exhibit, colours)
   const { cylinders } = scene
-  const body = new Solid().turned(
-    [
-      [0, 0, 0],
-      [1, 0, 0],
-      [1, 1, 0],
-      [0, 1, 0],
-    ],
-    0,
-    2 * Math.PI,
-    28,
-  )
+  const body = new Solid().turned(BAR, 0, 2 * Math.PI, 28)
   const batch = new Batch(parent, body.shape(), cylinders.length, paint.glow, null, 2)
   const hues = new InstancedBufferAttribute(new Float32Array(4 * cylinders.length), 4)
   hues.setUsage(DynamicDrawUsage)
@@ -49,15 +39,8 @@ export function glow(
         const up = (piston[2 * index] as number) - (shaft?.up ?? 0)
         const right = (piston[2 * index + 1] as number) - (shaft?.right ?? 0)
         const crown = up * axis[0] + right * axis[1] + c.pin_height
-        stand(
-          batch,
-          index,
-          c,
-          scene,
-          crown,
-          Math.max(1e-6 * c.bore, (ends[index] as number) - crown),
-          0.49 * c.bore,
-        )
+        const high = Math.max(1e-6 * c.bore, (ends[index] as number) - crown)
+        stand(batch, index, c, scene, crown, high, 0.49 * c.bore)
         tint(windows[index] ?? [], degrees, cycle, hues.array as Float32Array, 4 * index)
       }
       hues.needsUpdate = true

@@ -8,30 +8,25 @@ const NEAR = 0.03
  * stand in each other's gaps.
  *
  * On the line from gear A to gear B, at bearing b, a tooth of A stands `a` of a pitch clockwise of
- * the line. A point of B that is
- * clockwise of the line moves the other way, so B's tooth has to stand `-(a + 1/2)` of its pitch
- * from it.
+ * the line. A point of B that is clockwise of the line moves the other way, so B's tooth has to
+ * stand `-(a + 1/2)` of its pitch from it.
  */
 export function toothBearings(scene: Scene): number[] {
   const { gears } = scene
-  const bearings = gears.map((): number | null => null)
-  const place = (start: number) => {
-    const queue = [start]
-    bearings[start] ??= 0
-    for (let index = queue.shift(); index !== undefined; index = queue.shift()) {
-      for (let other = 0; other < gears.length; other++) {
-        if (bearings[other] !== null) continue
-        const line = lineOf(scene, gears[index] as GearShown, gears[other] as GearShown)
-        if (line === null) continue
-        const [own, next] = [pitch(gears[index] as GearShown), pitch(gears[other] as GearShown)]
-        const share = ((bearings[index] as number) - line) / own
-        bearings[other] = line + Math.PI - next * (share + 0.5)
-        queue.push(other)
-      }
-    }
+  const bearings: number[] = []
+  const place = (index: number, bearing: number): void => {
+    bearings[index] = bearing
+    const own = gears[index] as GearShown
+    gears.forEach((other, next) => {
+      const line = bearings[next] === undefined ? lineOf(scene, own, other) : null
+      if (line === null) return
+      const share = (bearing - line) / pitch(own)
+      place(next, line + Math.PI - pitch(other) * (share + 0.5))
+    })
   }
-  for (let index = 0; index < gears.length; index++) if (bearings[index] === null) place(index)
-  return bearings.map((bearing) => bearing ?? 0)
+  for (let index = 0; index < gears.length; index++)
+    if (bearings[index] === undefined) place(index, 0)
+  return bearings
 }
 
 function pitch(gear: GearShown): number {

@@ -26,10 +26,8 @@ export function rods(parent: Group, scene: Scene, paint: Materials): Part {
   )
   const batches = groups.map((group) => {
     const first = group[0] as Rod
-    const colour =
-      first.cylinder.rod === 'slave' || first.cylinder.rod === 'blade'
-        ? paint.paints.slave
-        : paint.paints.rod
+    const inner = first.cylinder.rod === 'slave' || first.cylinder.rod === 'blade'
+    const colour = inner ? paint.slave : paint.rod
     return new Batch(parent, shapeOf(first), group.length, colour, paint.lines)
   })
   return {
@@ -165,16 +163,8 @@ function cheeks(
       for (const k of knuckles)
         solid.prism(band(big, k.radius, k.angle, 1.5 * k.pin), side * inner, side * half)
   }
-  solid.prism(
-    circle(
-      0,
-      0,
-      Math.max(1.15 * pin, Math.min(big, 0.9 * (reach - 2 * (knuckles[0]?.pin ?? 0)))),
-      36,
-    ),
-    -half,
-    half,
-  )
+  const eye = Math.max(1.15 * pin, Math.min(big, 0.9 * (reach - 2 * (knuckles[0]?.pin ?? 0))))
+  solid.prism(circle(0, 0, eye, 36), -half, half)
   for (const k of knuckles) {
     const [x, y] = towards(k.angle)
     solid.prism(circle(x * k.radius, y * k.radius, k.pin, 20), -1.04 * half, 1.04 * half, 1)

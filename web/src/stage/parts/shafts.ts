@@ -3,7 +3,7 @@ import type { GearShown, Scene, ShaftShown, ThrowShown } from '../../exhibit'
 import { type Places, turned } from '../../motion'
 import { Batch } from '../batch'
 import type { Materials } from '../materials'
-import { band, circle, gear, sector, towards } from '../outlines'
+import { band, circle, gear, type Outline, sector, towards } from '../outlines'
 import { type Shape, Solid } from '../solid'
 import { toothBearings } from './meshing'
 import type { Part } from './part'
@@ -15,24 +15,17 @@ export interface Shafts extends Part {
 
 /** Crankshafts, balance shafts and the gears on them; `sense` is that of the exhibit. */
 export function shafts(parent: Group, scene: Scene, sense: number, paint: Materials): Shafts {
-  const turning: { batch: Batch; shaft: ShaftShown; z: number; start: number }[] = scene.shafts.map(
-    (shaft) => {
-      const colour =
-        shaft.kind === 'crankshaft' ? paint.paints.crankshaft : paint.paints.balanceShaft
-      return {
-        batch: new Batch(parent, shapeOf(shaft), 1, colour, paint.lines),
-        shaft,
-        z: 0,
-        start: 0,
-      }
-    },
-  )
+  const turning = scene.shafts.map((shaft) => {
+    const colour = shaft.kind === 'crankshaft' ? paint.crankshaft : paint.balanceShaft
+    const batch = new Batch(parent, shapeOf(shaft), 1, colour, paint.lines)
+    return { batch, shaft, z: 0, start: 0 }
+  })
   const drawn = turning.map(({ batch }) => batch)
   const bearings = toothBearings(scene)
   scene.gears.forEach((wheel, index) => {
     const shaft = scene.shafts[wheel.shaft]
     if (!shaft) return
-    const batch = new Batch(parent, wheelOf(wheel, shaft), 1, paint.paints.gear, paint.lines)
+    const batch = new Batch(parent, wheelOf(wheel, shaft), 1, paint.gear, paint.lines)
     turning.push({ batch, shaft, z: wheel.z, start: bearings[index] ?? 0 })
   })
   return {
@@ -57,36 +50,32 @@ function shapeOf(shaft: ShaftShown): Shape {
     solid.prism(circle(0, 0, shaft.journal_radius, 36), from, to, 1)
   for (const pin of shaft.throws) {
     const [x, y] = towards(pin.angle)
-    solid.prism(
-      circle(x * pin.radius, y * pin.radius, pin.pin_radius, 36),
-      pin.pin_from,
-      pin.pin_to,
-      1,
-    )
+    const outline = circle(x * pin.radius, y * pin.radius, pin.pin_radius, 36)
+    solid.prism(outline, pin.pin_from, pin.pin_to, 1)
   }
   for (const web of shaft.webs) {
     const pin = shaft.throws[web.throw]
     if (!pin) continue
-    const outline = band(1.28 * shaft.journal_radius, pin.radius, pin.angle, 1.26 * pin.pin_radius)
-    solid.prism(outline, web.z_from, web.z_to)
+    solid.prism(cheek(shaft, pin), web.z_from, web.z_to)
   }
   for (const weight of shaft.weights) {
     const { inner_radius, outer_radius, angle, half_angle, z, thickness } = weight
     const inner =
       shaft.kind === 'crankshaft' ? Math.min(inner_radius, shaft.journal_radius) : inner_radius
-    solid.prism(
-      sector(inner, outer_radius, angle, half_angle),
-      z - thickness / 2,
-      z + thickness / 2,
-    )
+    const outline = sector(inner, outer_radius, angle, half_angle)
+    solid.prism(outline, z - thickness / 2, z + thickness / 2)
   }
   return solid.shape()
 }
 
+/** The outline of a web that carries a pin. */
+export function cheek({ journal_radius }: ShaftShown, pin: ThrowShown): Outline {
+  return band(1.28 * journal_radius, pin.radius, pin.angle, 1.26 * pin.pin_radius)
+}
+
 /**
  * Where along z the shaft itself is: everywhere but between the webs of its throws. It ends inside
- * a web, never in the plane
- * of its cheek, where the two would flicker through each other.
+ * a web, never in the plane of its cheek, where the two would flicker through each other.
  */
 export function journals(shaft: ShaftShown): [number, number][] {
   const gaps = shaft.throws.map((pin) => gap(pin, shaft)).sort((a, b) => a[0] - b[0])

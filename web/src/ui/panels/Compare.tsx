@@ -4,13 +4,12 @@ import { CatalogPicker } from '../../edit/catalog'
 import type { CatalogEntry, Exhibit, Row } from '../../exhibit'
 import { t } from '../../language/messages'
 import { reasonOf } from '../../reason'
-import { QUANTITIES } from '../../state'
+import { Switch } from '../../Switch'
+import { QUANTITIES, set } from '../../state'
 import { useApp, useFollower } from '../context'
 import { dotOf, moveDots } from '../dots'
-import { quantityName } from '../names'
+import { quantityName, unitOf } from '../names'
 import { Path } from '../Path'
-
-const SAME = 1e-6
 
 /** A second engine at the same crank angle, and the orders of both. */
 export function Compare() {
@@ -20,16 +19,11 @@ export function Compare() {
   return (
     <>
       {second && (
-        <label class="switch">
-          <input
-            type="checkbox"
-            checked={store.beside.value !== '0'}
-            onChange={(event) => {
-              store.beside.value = event.currentTarget.checked ? '' : '0'
-            }}
-          />
-          <span>{t('Show both engines')}</span>
-        </label>
+        <Switch
+          label={t('Show both engines')}
+          on={store.beside.value !== '0'}
+          change={(on) => set(store.beside, on ? '' : '0')}
+        />
       )}
       {host.service && <Picker />}
       {one && other ? (
@@ -103,33 +97,17 @@ function Cell({ row, unit }: { row: Row | undefined; unit: string }) {
   )
 }
 
-interface Line {
-  readonly label: string
-  readonly quantity: Row['quantity']
-  readonly rows: readonly [Row | undefined, Row | undefined]
-}
-
-/** The rows of two tables side by side. */
-function pairs(one: Exhibit, other: Exhibit): Line[] {
-  const orders = [...one.orders, ...other.orders].sort((a, b) => a - b)
-  const different = orders.filter(
-    (order, index) => index === 0 || order - (orders[index - 1] ?? 0) > SAME,
-  )
-  const row = ({ table }: Exhibit, quantity: Row['quantity'], order: number): Row | undefined =>
-    table.find((each) => each.quantity === quantity && Math.abs(each.order - order) < SAME)
-  return QUANTITIES.flatMap((quantity) =>
-    different.flatMap((order) => {
-      const rows = [row(one, quantity, order), row(other, quantity, order)] as const
-      const label = rows[0]?.label ?? rows[1]?.label
-      return label === undefined
-        ? []
-        : [{ label: `${quantityName(quantity)} ${label}`, quantity, rows }]
-    }),
-  )
-}
-
-function unitOf({ units }: Exhibit, quantity: Row['quantity']): string {
-  return quantity === 'torque' ? units.roll : units[quantity]
+/** The rows of two tables side by side, by quantity and order. */
+function pairs(one: Exhibit, other: Exhibit) {
+  return QUANTITIES.flatMap((quantity) => {
+    const rows = [...one.table, ...other.table].filter((row) => row.quantity === quantity)
+    const labels = new Set(rows.sort((a, b) => a.order - b.order).map(({ label }) => label))
+    return [...labels].map((label) => {
+      const row = ({ table }: Exhibit): Row | undefined =>
+        table.find((each) => each.quantity === quantity && each.label === label)
+      return { label: `${quantityName(quantity)} ${label}`, quantity, rows: [row(one), row(other)] }
+    })
+  })
 }
 
 /** A second engine from the catalog. */
@@ -138,21 +116,15 @@ function Picker() {
   const entries = useSignal<readonly CatalogEntry[]>([])
   useEffect(() => {
     host.service?.catalog().then(
-      (catalog) => {
-        entries.value = catalog
-      },
-      (error: unknown) => {
-        trouble.value = reasonOf(error)
-      },
+      (catalog) => set(entries, catalog),
+      (error: unknown) => set(trouble, reasonOf(error)),
     )
   }, [host])
   return (
     <CatalogPicker
       label={t('Compare with')}
       entries={entries.value}
-      take={({ name }) => {
-        store.beside.value = name
-      }}
+      take={({ name }) => set(store.beside, name)}
     />
   )
 }

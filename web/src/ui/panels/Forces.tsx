@@ -1,5 +1,5 @@
 import { t } from '../../language/messages'
-import { QUANTITIES } from '../../state'
+import { QUANTITIES, set } from '../../state'
 import { Choice } from '../Choice'
 import { useApp, useExhibit } from '../context'
 import { Figure } from '../Figure'
@@ -28,9 +28,7 @@ export function Forces() {
           label={t('Over the crank angle')}
           value={quantity}
           choices={QUANTITIES.map((each) => ({ value: each, label: quantityName(each) }))}
-          chosen={(value) => {
-            store.quantity.value = value
-          }}
+          chosen={(value) => set(store.quantity, value)}
         />
         {paths.length > 0 && (
           <Choice
@@ -40,9 +38,7 @@ export function Forces() {
               { value: '', label: t('all') },
               ...orders.map((each) => ({ value: String(each), label: orderText(exhibit, each) })),
             ]}
-            chosen={(value) => {
-              store.orders.value = value === '' ? null : [Number(value)]
-            }}
+            chosen={(value) => set(store.orders, value === '' ? null : [Number(value)])}
           />
         )}
       </div>

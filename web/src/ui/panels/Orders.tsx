@@ -4,7 +4,7 @@ import { plural, t } from '../../language/messages'
 import { QUANTITIES } from '../../state'
 import { useApp, useExhibit, useFollower } from '../context'
 import { dotOf, moveDots } from '../dots'
-import { quantityName } from '../names'
+import { quantityName, unitOf } from '../names'
 import { isChosen, OrderChoice } from '../OrderChoice'
 import { Path } from '../Path'
 
@@ -66,12 +66,11 @@ function Group({
     .filter(({ remains }) => !remains)
     .sort((one, other) => one.order - other.order)
     .map(({ label }) => label)
-  const unit = quantity === 'torque' ? exhibit.units.roll : exhibit.units[quantity]
   return (
     <tbody>
       <tr class="group">
         <th colSpan={5} scope="rowgroup">
-          {quantityName(quantity)} <span class="unit">{unit}</span>
+          {quantityName(quantity)} <span class="unit">{unitOf(exhibit, quantity)}</span>
         </th>
       </tr>
       {rows

@@ -1,10 +1,12 @@
 import type { Exhibit } from '../../exhibit'
 import { t } from '../../language/messages'
+import { lengthText, quantityText } from '../../lengths'
+import { Switch } from '../../Switch'
+import { set } from '../../state'
 import { useApp, useExhibit } from '../context'
 import { DataTable } from '../DataTable'
-import { lengthText, quantityText } from '../lengths'
 import { OrderChoice } from '../OrderChoice'
-import { endsOf, rollOf, suggestedMagnification, toggledWhirl } from '../whirl'
+import { reachOf, rollOf, suggestedMagnification, toggledWhirl } from '../whirl'
 
 /** The slider runs from 1 to a million, in powers of ten. */
 const DECADES = 6
@@ -25,17 +27,14 @@ export function WhirlPanel() {
         )}
       </p>
       {most === 0 ? (
-        <p>{t('The block stays at rest: no force, couple or roll remains.')}</p>
+        <p>{t('The block stays at rest: no force, couple or rolling moment remains.')}</p>
       ) : (
         <div class="controls">
-          <label class="switch">
-            <input
-              type="checkbox"
-              checked={store.whirl.value > 0}
-              onChange={() => toggledWhirl(app)}
-            />
-            <span>{t('Show the whirl on the stage')}</span>
-          </label>
+          <Switch
+            label={t('Show the whirl on the stage')}
+            on={store.whirl.value > 0}
+            change={() => toggledWhirl(app)}
+          />
           <label class="wide">
             <span>{t('Magnification')}</span>
             <input
@@ -45,9 +44,9 @@ export function WhirlPanel() {
               step="0.02"
               value={Math.log10(Math.max(1, store.whirl.value || most))}
               aria-valuetext={`× ${magnified(store.whirl.value || most)}`}
-              onInput={(event) => {
-                store.whirl.value = Number((10 ** event.currentTarget.valueAsNumber).toPrecision(2))
-              }}
+              onInput={(event) =>
+                set(store.whirl, Number((10 ** event.currentTarget.valueAsNumber).toPrecision(2)))
+              }
             />
             <span class="number">{magnified(store.whirl.value || most)} ×</span>
           </label>
@@ -101,12 +100,14 @@ function inertiaUnit(exhibit: Exhibit): string {
 
 function paths(exhibit: Exhibit, orders: readonly number[] | null) {
   const { length_unit } = exhibit.scene
+  const [front = 0, rear = 0] = reachOf(exhibit, orders)
   return {
     title: t('Displacement of the crank axis'),
     heads: [t('end'), t('maximum')],
     numeric: [false, true],
     rows: [
-      ...endsOf(exhibit, orders).map((end) => [end.name, lengthText(end.greatest, length_unit)]),
+      [t('front end'), lengthText(front, length_unit)],
+      [t('rear end'), lengthText(rear, length_unit)],
       [t('roll angle'), degreesText(rollOf(exhibit, orders))],
     ],
     notes: [t('True size, not magnified.')],
