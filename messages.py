@@ -68,7 +68,11 @@ def help_sentences() -> list[str]:
 PYTHON = Domain(
     sources=ROOT / "src",
     extractors=(("**.py", "python"),),
-    keywords={"_": None, "N_": None, "_n": (1, 2), "Plural": (1, 2)},
+    keywords={
+        **dict.fromkeys(("_", "N_", "OutputError", "PrintingError", "RequestError", "SweepError")),
+        **dict.fromkeys(("_n", "Plural"), (1, 2)),
+        "refusal": (3,),
+    },
     template=ROOT / "src/crankstar/language/catalogs/crankstar.pot",
     catalogs="*/LC_MESSAGES/crankstar.po",
     more=help_sentences,

@@ -300,7 +300,9 @@ def test_new_writes_a_file_that_checks(run: Run, kind: str) -> None:
 def test_new_overwrites_nothing_unless_told(
     run: Run, refused: Callable[..., str], file: str
 ) -> None:
-    assert "mine.toml already exists; --overwrite replaces it" in refused("new", "vee", "-o", file)
+    assert "-o mine.toml: it already exists; --overwrite replaces it" in refused(
+        "new", "vee", "-o", file
+    )
     assert Path(file).read_text(encoding="utf-8") == SHORT
     assert run("new", "vee", "-o", file, "--overwrite").code == 0
     assert Path(file).read_text(encoding="utf-8") == STARTERS["vee"]
@@ -343,8 +345,8 @@ BAD_LINES = [
     (["analyze", "X", "--jsn"], "Unknown option: --jsn. Did you mean --json?"),
     (["analyze", "X", "-v"], "Unknown option: -v"),
     (["analyze", "X", "--json", "--csv"], "--json and --csv exclude each other"),
-    (["analyze", "X", "--json", "--theta", "0 deg"], "--theta and --by have no effect"),
-    (["analyze", "X", "--csv", "--by", "bank"], "--theta and --by have no effect"),
+    (["analyze", "X", "--json", "--theta", "0 deg"], "--theta has no effect with --json"),
+    (["analyze", "X", "--csv", "--by", "bank"], "--by has no effect with --csv"),
     (["analyze", "X", "--json=maybe"], 'unable to convert "maybe" into yes or no'),
     (["analyze", "X", "--speed"], "--speed requires an argument"),
     (["analyze", "X", "--speed", "1 rpm", "--speed", "2 rpm"], "--speed specified multiple times"),
@@ -362,7 +364,7 @@ BAD_LINES = [
     (["analyze", "X", "--speed", "9" * 5000], "not a number with a unit"),
     (["analyze", "X", "--speed", "6\x1b[31m rpm"], 'whose unit "?[31m rpm" is not known'),
     *((["analyze", "X", "--orders", orders],
-        "give numbers from above 0 up to 1000 with commas") for orders in (
+        "give numbers above 0 up to 1000 with commas") for orders in (
         "garbage", "nan", "inf", "1e999", "0", "-1", "", ",", "1;2", "1/2", "1001", "1,x",
         "\x1b[31m", "ALL",
         ",".join(["1"] * 5000) + "x", ",".join(map(str, range(1, 500))),
@@ -374,7 +376,7 @@ BAD_LINES = [
     (["analyze", "v8-flat-plane", "--reference", "1 mm"], "the file gives no bore pitch"),
     (["analyze", "X", "--theta", "frog"],
         '--theta is "frog", not a number with a unit; an angle is needed'),
-    (["analyze", "X", "--by", "frog"], "--by frog: it can be"),
+    (["analyze", "X", "--by", "frog"], "--by frog: choose from"),
     *((["analyze", "X", "--set", setting], "--set") for setting in ("garbage", "=1", "", " =1",
         "\x1b[31m")),
     (["analyze", "X", "--set"], "--set requires an argument"),
@@ -403,24 +405,24 @@ BAD_LINES = [
     (["compare", "X", "none"], "none: 1 mistake"),
     (["check"], "check: name at least one engine file"),
     (["new"], "LAYOUT requires an argument"),
-    (["new", "veee"], 'there is no layout "veee"; the layouts are inline, vee, boxer'),
-    (["new", "\x1b[31m"], 'there is no layout "?[31m"'),
+    (["new", "veee"], "layout veee: choose from inline, vee, boxer"),
+    (["new", "\x1b[31m"], "layout ?[31m: choose from"),
     (["new", "vee", "x"], 'too many arguments: "x"'),
     (["new", "vee", "-o"], "-o requires an argument"),
     (["list", "--cylinders", "x"], 'unable to convert "x" into a whole number'),
     (["list", "--cylinders", "9" * 5000], 'unable to convert "9999'),
     (["list", "--cylinders", "99"], "the catalog has no such engine"),
-    (["list", "--layout", "delta"], "--layout delta: the layouts of the catalog are boxer"),
-    (["list", "--layout", "\x1b[31m"], "--layout ?[31m: the layouts"),
+    (["list", "--layout", "delta"], "--layout delta: choose from boxer"),
+    (["list", "--layout", "\x1b[31m"], "--layout ?[31m: choose from"),
     (["schema", "x"], 'too many arguments: "x"'),
     (["\x1b[31m"], 'Unknown command "?[31m"'),
     (["[bold]x[/]"], 'Unknown command "[bold]x[/]"'),
     (["analyze", "X", "--[bold]x[/]"], "Unknown option: --[bold]x[/]"),
     (["analyze", "X", "--\x1b[31m"], "Unknown option: --?[31m"),
     (["analyze", ""], '"": 1 mistake\n  there is no such engine'),
-    (["list", "--layout", " "], '--layout " ": the layouts'),
-    (["plot", "X", ""], 'there is no chart ""; there are: '),
-    (["plot", "X", "spectrum", "-o", ""], '-o "": must end in'),
+    (["list", "--layout", " "], '--layout " ": choose from'),
+    (["plot", "X", ""], 'chart "": choose from '),
+    (["plot", "X", "spectrum", "-o", ""], '-o "": the name must end in'),
     (["page", "X", "-o", ""], '"": cannot be written'),
     (["analyze", "\x1b[31m"], "?[31m: 1 mistake\n  there is no such engine"),
     (["analyze", "n" * 100_000], "there is no such engine"),
@@ -449,16 +451,16 @@ def test_a_bad_command_line_is_refused_in_a_sentence(
 @pytest.mark.parametrize(
     ("place", "reason"),
     [
-        ("folder", "is a directory"),
-        (".", "is a directory"),
-        ("", "is a directory"),
+        ("folder", "it is a directory"),
+        (".", "it is a directory"),
+        ("", "it is a directory"),
         ("none/out.txt", "No such file or directory"),
         ("mine.toml/out.txt", "Not a directory"),
         ("/dev/full", "No space left on device"),
         ("loop", "Too many levels of symbolic links"),
         ("pipe", "No such device or address"),
         ("n" * 300, "File name too long"),
-        ("a\0b", "is not a name a file can have"),
+        ("a\0b", "a file cannot have this name"),
         ("/proc/out.txt", ""),
         ("\x1b[31m/out.txt", "No such file or directory"),
     ],
@@ -511,7 +513,7 @@ def test_a_write_protected_file_is_kept(
 ) -> None:
     Path("kept.txt").write_text("precious", encoding="utf-8")
     monkeypatch.setattr(os, "access", lambda *_: False)
-    assert "cannot be written (is write-protected)" in refused("analyze", file, "-o", "kept.txt")
+    assert "cannot be written (it is write-protected)" in refused("analyze", file, "-o", "kept.txt")
     assert Path("kept.txt").read_text(encoding="utf-8") == "precious"
 
 

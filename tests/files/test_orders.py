@@ -196,16 +196,13 @@ def test_a_row_of_uneven_orders_fires_as_the_table_says(run: Run) -> None:
     [
         (["orders", "i4", "--row", "3"], "--row 3: there are 2; give a number from 1 to 2"),
         (["orders", "kr250-racer-simultaneous", "--row", "1"], "--row 1: the list is empty"),
-        (["orders", "i4", "--row", "1", "--csv"], "--row has no use for --csv; leave it out"),
+        (["orders", "i4", "--row", "1", "--csv"], "--csv has no effect with --row; leave it out"),
         (["orders", "i4", "--json", "--csv"], "--json and --csv exclude each other"),
         (["orders", "i4", "--top", "0"], "--top 0: give a number from 1 up"),
-        (
-            ["orders", "i4", "--together"],
-            "a list without --any has no use for --together; leave it out",
-        ),
+        (["orders", "i4", "--together"], "--together has no effect without --any; leave it out"),
         (
             ["orders", "i4", "--any", "--intervals", "180"],
-            "--any has no use for --intervals; leave it out",
+            "--intervals has no effect with --any; leave it out",
         ),
         (
             ["orders", "i4", "--intervals", "90,90,90"],
@@ -228,23 +225,20 @@ def test_a_row_of_uneven_orders_fires_as_the_table_says(run: Run) -> None:
         (["vees", "7"], "a V engine of 7 cylinders cannot be searched"),
         (["vees", "8", "--bank", "270"], "a bank angle must be above 0 and at most 180 deg"),
         (["vees", "8", "--bank", "wide"], "--bank is "),
-        (["vees", "8", "--star", "2"], "a list without --row has no use for --star; leave it out"),
+        (["vees", "8", "--star", "2"], "--star has no effect without --row; leave it out"),
         (["vees", "8", "--row", "1", "--star", "2"], "--star 2: there is 1; give 1"),
         (
             ["vees", "8", "-o", "x.svg"],
-            "-o x.svg: the name must end in .csv, .json, .xlsx, .parquet, .txt",
+            "-o x.svg: the name must end in .txt, .csv, .json, .xlsx, .parquet",
         ),
-        (
-            ["vees", "8", "--row", "1", "-o", "x.csv"],
-            "-o x.csv: the name of an engine file must end in .toml",
-        ),
+        (["vees", "8", "--row", "1", "-o", "x.csv"], "-o x.csv: the name must end in .toml"),
         (
             ["orders", "i4", "-o", "x.html"],
-            "-o x.html: the name must end in .csv, .json, .xlsx, .parquet, .txt",
+            "-o x.html: the name must end in .txt, .csv, .json, .xlsx, .parquet",
         ),
         (
             ["orders", "i4", "-o", "x.toml"],
-            "-o x.toml: the name must end in .csv, .json, .xlsx, .parquet, .txt",
+            "-o x.toml: the name must end in .txt, .csv, .json, .xlsx, .parquet",
         ),
         (
             ["orders", "i2-360", "--intervals", "0, 360"],

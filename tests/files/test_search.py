@@ -227,9 +227,9 @@ def test_the_answer_is_the_same_with_two_workers_and_from_a_checkpoint(
         (("7", "--row", "1.9"), "--row"),
         (("7", "--workers", "1.9"), "--workers"),
         (("7", "--workers", "0"), "1 to 1024"),
-        (("7", "--checkpoint", ""), "--checkpoint: is empty"),
-        (("7", "--csv", "--json"), "only one of them"),
-        (("7", "--csv", "-o", "x.json"), "does not end in .csv"),
+        (("7", "--checkpoint", ""), '--checkpoint "": it is empty'),
+        (("7", "--csv", "--json"), "--json and --csv exclude each other"),
+        (("7", "--csv", "-o", "x.json"), "the name ends in .json; leave --csv out"),
         (("7", "--checkpoint", "same.csv", "-o", "same.csv"), "this is the checkpoint"),
         (("7", "--minimise", "neighbours", "--row", "1", "--uneven", "5"), "--uneven: Name"),
         (("8", "--row", "1", "--uneven", "5,90"), "up to 60"),
@@ -256,7 +256,7 @@ def test_what_cannot_be_searched_is_refused(
 def test_more_stars_than_can_be_listed_are_refused(
     refused: Callable[..., str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(options, "All", partial(All, greatest=50))
+    monkeypatch.setattr(options, "All", partial(All, size=50))
     assert "more than the 50 classes" in refused("search", "7", "--cycle", "two-stroke", "--all")
 
 

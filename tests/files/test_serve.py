@@ -12,10 +12,10 @@ from crankstar.server import running
 @pytest.mark.parametrize(
     ("words", "told"),
     [
-        (["--port", "70000"], "give a number from 0 to 65535"),
-        (["--port", "http"], "--port http: give a number from 0 to 65535"),
-        (["--port", "0x10"], "--port 0x10: give a number from 0 to 65535"),
-        (["--port=-1"], "--port -1: give a number from 0 to 65535"),
+        (["--port", "70000"], "give a whole number from 0 to 65535"),
+        (["--port", "http"], "--port http: give a whole number from 0 to 65535"),
+        (["--port", "0x10"], "--port 0x10: give a whole number from 0 to 65535"),
+        (["--port=-1"], "--port -1: give a whole number from 0 to 65535"),
         (["--host", "no.such.host.invalid"], "is no address of this machine"),
         (["--host", ""], '--host "": is no address of this machine'),
         (["--host", "192.0.2.1", "--port", "0"], "cannot be used"),

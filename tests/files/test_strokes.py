@@ -41,4 +41,4 @@ def test_strokes_into_a_file_named_json_are_json(run: Run, tmp_path: Path) -> No
 
 
 def test_strokes_have_no_picture(refused: Callable[..., str]) -> None:
-    assert "the name must end in .csv, .json" in refused("strokes", "i4", "-o", "strokes.svg")
+    assert "the name must end in .txt, .csv, .json" in refused("strokes", "i4", "-o", "strokes.svg")

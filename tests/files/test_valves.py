@@ -255,7 +255,7 @@ def test_show_tells_the_valves_of_a_file_and_what_is_assumed(run: Run) -> None:
 
 
 def test_valves_have_nothing_to_sweep(refused: Any) -> None:
-    assert "has no part in the forces" in refused(
+    assert "has no effect on the inertia forces" in refused(
         "sweep", "i4", "--over", "valves.exhaust_opens=0..90 deg"
     )
 

@@ -25,7 +25,7 @@ from crankstar.tables.verdict import verdict
 
 NOTHING = 1e-8
 """Share of what all bodies push, in the order of which they push most."""
-WEIGHTS = re.compile(r"crankshaft(?: \S+)?: (?:other )?counterweights")
+WEIGHTS = re.compile(r"crankshaft(?: [^:]+)?: removed by (?:other )?counterweights")
 FACTOR = re.compile(r"Counterweights with a balance factor of ([\d.]+) ")
 
 

@@ -13,6 +13,8 @@ from crankstar.engine.banks import Bank, Crank
 from crankstar.engine.basis import Basis
 from crankstar.engine.layouts import tandem
 from crankstar.files import catalog
+from crankstar.language.numbers import number
+from crankstar.mechanics.balance import scales
 from crankstar.remedy import main_bearings, needs
 from crankstar.tables.relatives import piston_balance
 from crankstar.tables.verdict import verdict
@@ -34,10 +36,12 @@ BEARINGS = {
 def test_free_and_remaining_orders_are_those_of_the_balance(name: str) -> None:
     engine = load(name)
     facts = verdict(engine, relatives=False)
-    sums = total(balance(engine))
+    sums = total(balance(engine, speed=engine.speed))
     for quantity in ("force", "couple"):
         (sentence,) = [fact.sentence for fact in facts if fact.about == quantity]
         spectrum = getattr(sums, quantity)
+        scale, _units = scales(engine, engine.speed)
+        unit = getattr(scale, quantity) / getattr(scales(engine, None)[0], quantity)
         words = {"Primary": "1", "Secondary": "2"}
         named = re.findall(
             rf"(Primary|Secondary) {quantity}: ([\d.e-]*\d)|[Oo]rder (\d+(?:\.\d+)?): ([\d.e-]*\d)",
@@ -57,9 +61,8 @@ def test_free_and_remaining_orders_are_those_of_the_balance(name: str) -> None:
             none = [1.0, 2.0, 4.0, 6.0]
         for order in none:
             one = spectra.selected(spectrum, [order])
-            assert abs(complex(one.forward[0])) + abs(complex(one.backward[0])) < 1e-8 * len(
-                engine.cylinders
-            )
+            size = abs(complex(one.forward[0])) + abs(complex(one.backward[0]))
+            assert size < 1e-8 * len(engine.cylinders) * unit
 
 
 @pytest.mark.parametrize("name", BEARINGS)
@@ -211,3 +214,25 @@ def test_crankshafts_of_different_speed_have_no_verdict_on_their_strokes() -> No
     cranks = (Crank(banks=(first,), throws=(0.0, 1.0)), slow)
     engine = tandem(Basis(name="x", firing_order=(1, 3, 2, 4)), cranks=cranks)
     assert [fact.about for fact in verdict(engine, relatives=False)][:2] == ["layout", "force"]
+
+
+def test_the_verdict_is_in_newtons_at_the_speed_of_the_file_or_the_one_asked_for() -> None:
+    engine = load("subaru-ej25")
+    assert engine.speed is not None
+    own = {fact.about: fact.sentence for fact in verdict(engine, relatives=False)}
+    assert own["units"] == f"Forces in N at {number(engine.speed * 30 / np.pi)} rpm."
+    for share in (1.0, 0.5):
+        speed = share * engine.speed
+        sums = total(balance(engine, speed=speed))
+        couple = spectra.selected(sums.couple, [2.0])
+        size = float((np.abs(couple.forward) + np.abs(couple.backward))[0])
+        given = None if share == 1 else speed
+        facts = verdict(engine, speed=given, relatives=False)
+        (sentence,) = [fact.sentence for fact in facts if fact.about == "couple"]
+        assert f"Secondary couple: {number(size)} N m, horizontal." in sentence
+
+
+def test_a_cure_that_is_to_take_weights_off_names_no_balance_factor() -> None:
+    cures = [fact.sentence for fact in verdict(load("kr250-racer"), relatives=False)]
+    assert "Without its counterweights the engine has no primary force or couple." in cures
+    assert not any("balance factor" in sentence for sentence in cures)

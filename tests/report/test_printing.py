@@ -129,8 +129,8 @@ def test_a_browser_that_cannot_be_started_is_told_of(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "told"),
     [
-        (["single", "-o", "x.docx"], "let it end in .html or .pdf"),
-        (["single", "-o", "x"], "let it end in .html or .pdf"),
+        (["single", "-o", "x.docx"], "the name must end in .html, .pdf"),
+        (["single", "-o", "x"], "the name must end in .html, .pdf"),
         (["single", "-o", ""], '-o "": is not the name of a report'),
         (["single", "-o", "/nowhere/x.html"], "cannot be written"),
         (["nothing", "-o", "x.html"], "there is no such engine"),

@@ -21,9 +21,8 @@ from crankstar.cli.options import (
 )
 from crankstar.cli.output import display, working, write
 from crankstar.language.messages import _
-from crankstar.language.quoting import one_line
 from crankstar.options import values as request
-from crankstar.options.values import RequestError
+from crankstar.options.values import RequestError, refusal
 
 
 @app.command
@@ -74,13 +73,9 @@ def derive(
     loaded = loaded_engine(engine, settings)
     turning = request.speed(speed)
     point = request.reference(reference, loaded)
-    forms = ["text", *documents.FORMATS]
-    if form not in forms:
-        raise RequestError(
-            _("--format {form}: choose from {forms}", form=one_line(form), forms=", ".join(forms))
-        )
+    request.choice("--format", form, ["text", *documents.FORMATS])
     if power is not None and not 1 <= power <= 24:
-        raise RequestError(_("--power {power}: give a power of λ from 1 to 24", power=power))
+        raise refusal("--power", power, "give a power of λ from 1 to 24")
     given = {
         "--order": order,
         "--quantity": quantity,
@@ -89,11 +84,13 @@ def derive(
         "--reference": reference,
     }
     if signs:
-        request.alone("--signs", {**given, "--reference": None, "--symbolic": symbolic})
+        unused = {**given, "--reference": None, "--symbolic": symbolic}
+        request.refuse_unused(unused, beside="--signs")
     elif symbolic is not None:
-        request.alone("--symbolic", {**given, "--order": None, "--quantity": None})
+        unused = {**given, "--order": None, "--quantity": None}
+        request.refuse_unused(unused, beside="--symbolic")
     elif quantity == "torque":
-        request.alone("--quantity torque", {"--reference": reference})
+        request.refuse_unused({"--reference": reference}, beside="--quantity torque")
     wanted: list[tuple[Fraction, request.Derived]] = [
         (one, kind)
         for one in request.derived_orders("1,2" if order is None else order)
@@ -103,10 +100,10 @@ def derive(
         letters = notations.chosen(
             ("sinitsyn" if signs else "crankstar") if notation is None else notation
         )
-        with working("deriving ...") as tell:
+        with working(_("Deriving ...")) as tell:
             chapters = [exact.signs_chapter(loaded, reference=point)] if signs else []
             for one, kind in [] if signs else wanted:
-                tell(f"deriving the {kind} of order {one} ...")
+                tell(_("Deriving the {quantity} of order {order} ...", quantity=_(kind), order=one))
                 if symbolic is not None:
                     chapters.append(exact.family(loaded, one, kind, symbol=symbolic))
                 elif kind == "torque":
@@ -144,5 +141,5 @@ def errata(
     try:
         wanted = errata_of(source)
     except ErrataError as error:
-        raise RequestError(f"--source {one_line(source or '')}: {error}") from None
+        raise refusal("--source", source, str(error)) from None
     display(errata_document(wanted), output)

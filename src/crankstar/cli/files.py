@@ -13,8 +13,8 @@ from crankstar.engine.engine import Engine
 from crankstar.files import STANDARD_INPUT, EngineFileError
 from crankstar.files.catalog import load
 from crankstar.language.messages import _, _n
-from crankstar.language.quoting import one_line, seen
-from crankstar.options.values import RequestError
+from crankstar.language.quoting import one_line
+from crankstar.options.values import RequestError, choice, refusal
 
 
 @app.command
@@ -25,7 +25,7 @@ def check(
     from rich.text import Text
 
     if not files:
-        raise RequestError(_("check: name at least one engine file"))
+        raise RequestError("check: name at least one engine file")
     failed = 0
     for name in files:
         try:
@@ -67,18 +67,9 @@ def new(
     """Write a commented engine file to start from."""
     from crankstar.files.starters import STARTERS
 
-    if layout not in STARTERS:
-        raise RequestError(
-            _(
-                "there is no layout {layout}; the layouts are {layouts}",
-                layout=seen(layout),
-                layouts=", ".join(STARTERS),
-            )
-        )
+    choice("layout", layout, STARTERS)
     if output is not None and not overwrite and is_file(output):
-        raise RequestError(
-            _("{file} already exists; --overwrite replaces it", file=one_line(output))
-        )
+        raise refusal("-o", output, "it already exists; --overwrite replaces it")
     write(STARTERS[layout], output)
 
 

@@ -3,22 +3,30 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from pathlib import PurePath
 from typing import TYPE_CHECKING, Annotated, cast, get_args
 
 from cyclopts import Parameter
 
 from crankstar.cli.application import app
-from crankstar.cli.options import Csv, EngineName, Json, Settings, flag, loaded_engine, text
+from crankstar.cli.options import (
+    Csv,
+    EngineName,
+    Json,
+    Settings,
+    engine_text,
+    flag,
+    loaded_engine,
+    text,
+)
 from crankstar.cli.options import output as file_to_write
-from crankstar.cli.output import STANDARD_OUTPUT, working, write
-from crankstar.cli.tabulating import form_of, give
+from crankstar.cli.output import working, write
+from crankstar.cli.tabulating import give
 from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import Cycle
 from crankstar.language.messages import _, _n
-from crankstar.language.quoting import one_line
 from crankstar.options import values as request
-from crankstar.options.values import RequestError
+from crankstar.options.forms import TABLES, form_of
+from crankstar.options.values import RequestError, refusal
 
 if TYPE_CHECKING:
     from crankstar.tables.firing_orders import Listing
@@ -82,12 +90,12 @@ def orders(
 
     form = _form(output, json=json, csv=csv, row=row, top=top)
     if any_:
-        request.alone("--any", {"--intervals": intervals, "--tolerance": tolerance})
+        request.refuse_unused({"--intervals": intervals, "--tolerance": tolerance}, beside="--any")
     else:
-        request.alone("a list without --any", {"--together": together or None})
+        request.refuse_unused({"--together": together}, without="--any")
     loaded = loaded_engine(engine, settings)
     try:
-        with working(_("trying firing orders ...")):
+        with working(_("Trying firing orders ...")):
             if any_:
                 listing = tables.Listing(
                     loaded, firing_orders.possible_orders(loaded, together=together)
@@ -95,23 +103,20 @@ def orders(
             elif intervals is not None or tolerance is not None:
                 listing = _asked(loaded, intervals, tolerance)
             else:
+                reasons = firing_orders.why_uneven(loaded)[:REASONS]
                 listing = tables.Listing(
                     loaded,
                     firing_orders.most_even_orders(loaded),
-                    " ".join(
-                        fault.sentence for fault in firing_orders.why_uneven(loaded)[:REASONS]
-                    ),
+                    " ".join(fault.sentence for fault in reasons),
                 )
     except OrderError as error:
         raise RequestError(f"{loaded.name}: {error}") from None
-    if row is not None:
-        write(
-            _file(numbering.with_order(loaded, listing.orders[_index(row, listing.orders)].firing)),
-            output,
-        )
-    else:
+    if row is None:
         shown = top if form == "txt" else None
         give(tables.firing_orders(listing, limit=shown), output, form=form)
+    else:
+        fired = listing.orders[_index(row, listing.orders)].firing
+        write(engine_text(numbering.with_order(loaded, fired)), output)
 
 
 def _asked(engine: Engine, intervals: str | None, tolerance: str | None) -> Listing:
@@ -128,10 +133,9 @@ def _asked(engine: Engine, intervals: str | None, tolerance: str | None) -> List
     wanted = (
         even if intervals is None else tuple(request.repeated("--intervals", intervals, of=count))
     )
-    found = orders_at(
-        engine, intervals_deg=wanted, tolerance_deg=SAME_PLACE if near is None else near
-    )
-    return Listing(engine, found, asked_deg=wanted, tolerance_deg=near)
+    within = SAME_PLACE if near is None else near
+    possible = orders_at(engine, intervals_deg=wanted, tolerance_deg=within)
+    return Listing(engine, possible, asked_deg=wanted, tolerance_deg=near)
 
 
 @app.command
@@ -175,75 +179,49 @@ def vees(
 
     form = _form(output, json=json, csv=csv, row=row, top=top)
     if row is None:
-        request.alone("a list without --row", {"--star": None if star == 1 else star})
+        request.refuse_unused({"--star": None if star == 1 else star}, without="--row")
     angles = None if bank is None else request.degrees("--bank", bank)
     split = (
         None if greatest_split is None else request.degrees("--greatest-split", greatest_split)[0]
     )
-    if cycle not in get_args(Cycle):
-        raise RequestError(
-            _("--cycle {cycle}: give four-stroke or two-stroke", cycle=one_line(cycle))
-        )
+    stroke = cast("Cycle", request.choice("--cycle", cycle, get_args(Cycle)))
     try:
-        with working(_("trying cranks and bank angles ...")):
-            found = engines.vees(
-                cylinders=cylinders,
-                bank_angles_deg=angles,
-                greatest_split_deg=split,
-                cycle=cast("Cycle", cycle),
+        with working(_("Trying cranks and bank angles ...")):
+            solutions = engines.vees(
+                cylinders=cylinders, bank_angles_deg=angles, greatest_split_deg=split, cycle=stroke
             )
     except OrderError as error:
         raise RequestError(str(error)) from None
-    if row is not None:
-        one = found[_index(row, found)]
-        place = _index(star, one.stars, option="--star")
-        write(_file(engines.engine_of(one, star=place)), output)
-    else:
+    if row is None:
         shown = top if form == "txt" else None
         usual = angles is None and split is None
-        give(vee_engines(found, limit=shown, only_multiples=usual), output, form=form)
+        give(vee_engines(solutions, limit=shown, only_multiples=usual), output, form=form)
+    else:
+        vee = solutions[_index(row, solutions)]
+        place = _index(star, vee.stars, option="--star")
+        write(engine_text(engines.engine_of(vee, star=place)), output)
 
 
 def _form(output: str | None, *, json: bool, csv: bool, row: int | None, top: int) -> str:
     """The form of a list, or toml for the engine of a row. Raises RequestError."""
     if top < 1:
-        raise RequestError(_("--top {count}: give a number from 1 up", count=top))
+        raise refusal("--top", top, "give a number from 1 up")
     if row is None:
-        return form_of(output, json=json, csv=csv)
-    request.alone("--row", {"--json": json or None, "--csv": csv or None})
-    named = output not in STANDARD_OUTPUT and PurePath(output or "").suffix.lower()
-    if named and named != ".toml":
-        raise RequestError(
-            _(
-                "-o {file}: the name of an engine file must end in .toml",
-                file=one_line(output or ""),
-            )
-        )
-    return "toml"
+        return form_of(output, TABLES, json=json, csv=csv)
+    request.refuse_unused({"--json": json, "--csv": csv}, beside="--row")
+    return form_of(output, ("toml",))
 
 
 def _index(row: int, rows: Sequence[object], *, option: str = "--row") -> int:
     """The place of a row, counted from 0. Raises RequestError."""
     if not rows:
-        raise RequestError(_("{option} {row}: the list is empty", option=option, row=row))
+        raise refusal(option, row, "the list is empty")
     if not 1 <= row <= len(rows):
-        raise RequestError(
-            _n(
-                "{option} {row}: there is {count}; give 1",
-                "{option} {row}: there are {count}; give a number from 1 to {count}",
-                len(rows),
-                option=option,
-                row=row,
-                count=len(rows),
-            )
+        why = _n(
+            "there is {count}; give 1",
+            "there are {count}; give a number from 1 to {count}",
+            len(rows),
+            count=len(rows),
         )
+        raise refusal(option, row, why)
     return row - 1
-
-
-def _file(engine: Engine) -> str:
-    """An engine file, which is never written where it could not be read again."""
-    from crankstar.files import engine_of, toml, tree_of
-
-    content = toml(engine)
-    engine_of(tree_of(content))
-    return content

@@ -21,10 +21,10 @@ from crankstar.cli.options import (
     loaded_engine,
 )
 from crankstar.cli.output import display, write
-from crankstar.cli.tabulating import form_of, give
-from crankstar.language.messages import _
+from crankstar.cli.tabulating import give
 from crankstar.language.quoting import one_line
 from crankstar.options import values as request
+from crankstar.options.forms import TABLES, form_of
 from crankstar.options.values import RequestError
 
 
@@ -47,20 +47,13 @@ def list_engines(
     from crankstar.tables.engines import catalog
 
     rows = summaries()
-    kinds = sorted({row.layout for row in rows})
-    if layout is not None and layout not in kinds:
-        raise RequestError(
-            _(
-                "--layout {layout}: the layouts of the catalog are {layouts}",
-                layout=one_line(layout),
-                layouts=", ".join(kinds),
-            )
-        )
+    if layout is not None:
+        request.choice("--layout", layout, sorted({row.layout for row in rows}))
     matching = [
         row for row in rows if cylinders in (None, row.cylinders) and layout in (None, row.layout)
     ]
     if not matching:
-        raise RequestError(_("the catalog has no such engine; `crankstar list` shows all"))
+        raise RequestError("the catalog has no such engine; `crankstar list` shows all")
     display(catalog(matching))
 
 
@@ -81,7 +74,7 @@ def show(
     if explicit:
         write(toml(loaded), output)
     else:
-        give(description(loaded), output, form=form_of(output))
+        give(description(loaded), output, form=form_of(output, TABLES))
 
 
 @app.command
@@ -107,9 +100,9 @@ def analyze(
     from crankstar.tables import analysis as tables
     from crankstar.tables.balance_orders import answer
 
-    form = form_of(output, json=json, csv=csv)
-    if form != "txt" and (theta or by):
-        raise RequestError(_("--theta and --by have no effect with --json or --csv"))
+    form = form_of(output, TABLES, json=json, csv=csv)
+    if form != "txt":
+        request.refuse_unused({"--theta": theta, "--by": by}, beside=f"--{form}")
     loaded = loaded_engine(engine, settings)
     turning = request.speed(speed)
     point = request.reference(reference, loaded)
@@ -118,8 +111,8 @@ def analyze(
             loaded, speed=loaded.speed if turning is None else turning, reference=point
         )
         wanted = request.orders(orders, result.force.orders.tolist())
-        found = answer(loaded, result, orders=wanted)
-        give(found, output, form=form, beside=("engine", "speed_rpm"))
+        document = answer(loaded, result, orders=wanted)
+        give(document, output, form=form, beside=("engine", "speed_rpm"))
         return
     shown = tables.analysis(loaded, speed=turning, reference=point)
     shown = shown.of(request.orders(orders, shown.normalised.force.orders.tolist()) or ())
@@ -145,16 +138,19 @@ def compare(
     shown = [analysis(loaded_engine(name, None), speed=at) for name in (first, second, *others)]
     wanted = request.orders(orders, shown[0].normalised.force.orders.tolist()) or ()
     document = comparison([one.of(wanted) for one in shown])
-    give(document, output, form=form_of(output))
+    give(document, output, form=form_of(output, TABLES))
 
 
 @app.command
-def verdict(engine: EngineName, /, *, settings: Settings = None, output: Output = None) -> None:
+def verdict(
+    engine: EngineName, /, *, speed: Speed = None, settings: Settings = None, output: Output = None
+) -> None:
     """State in short sentences which orders balance, which remain, and what would cure them."""
     from crankstar.tables import verdict as tables
 
     loaded = loaded_engine(engine, settings)
-    display(tables.verdict_document(loaded, tables.verdict(loaded)), output)
+    facts = tables.verdict(loaded, speed=request.speed(speed))
+    display(tables.verdict_document(loaded, facts), output)
 
 
 @app.command
@@ -165,7 +161,7 @@ def strokes(
     from crankstar.language.faults import EngineError
     from crankstar.tables.strokes import strokes as document
 
-    form = form_of(output, json=json)
+    form = form_of(output, TABLES, json=json)
     loaded = loaded_engine(engine, settings)
     try:
         give(document(loaded), output, form=form)

@@ -6,12 +6,15 @@ a sentence of help.
 
 from __future__ import annotations
 
-from typing import Annotated
+import shlex
+from collections.abc import Mapping, Sequence
+from typing import Annotated, Any
 
 from cyclopts import Parameter
 
 from crankstar.engine.engine import Engine
-from crankstar.files.catalog import load
+from crankstar.files import changed
+from crankstar.files.catalog import load, tree_of
 from crankstar.options import values as request
 
 
@@ -32,6 +35,8 @@ def output(sentence: str) -> Parameter:
 
 ENGINE = "Name from the catalog, engine file, or - for standard input."
 ORDER_NAMES = ("--orders", "--order")
+FLAT = Parameter(name="*", negative=(), allow_leading_hyphen=True, show_default=False)
+"""A record of options, each of which is an option of the verb."""
 
 EngineName = Annotated[str, Parameter(help=ENGINE)]
 Speed = Annotated[
@@ -71,4 +76,25 @@ Csv = Annotated[bool, flag("Print CSV.")]
 
 def loaded_engine(name: str, settings: list[str] | None) -> Engine:
     """The engine of a name or file, with the values of --set."""
-    return load(name, changes=dict(request.setting(setting) for setting in settings or []))
+    return load(name, changes=request.settings(settings))
+
+
+def changed_tree(name: str, settings: Sequence[str] | None) -> tuple[str, dict[str, Any]]:
+    """The name of an engine and the tree of its file, with the values of --set."""
+    shown, tree = tree_of(name)
+    return shown, changed(tree, request.settings(settings), name=shown)
+
+
+def command_text(verb: str, engine: str, options: Mapping[str, Sequence[str] | None]) -> str:
+    """A command line: each option with each of its values."""
+    pairs = [(option, value) for option, values in options.items() for value in values or ()]
+    return shlex.join(["crankstar", verb, engine, *(word for pair in pairs for word in pair)])
+
+
+def engine_text(engine: Engine) -> str:
+    """An engine file in the explicit form, never written where it could not be read again."""
+    from crankstar.files import engine_of, toml, tree_of
+
+    content = toml(engine)
+    engine_of(tree_of(content))
+    return content

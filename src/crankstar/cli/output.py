@@ -8,23 +8,22 @@ import stat
 import sys
 import tempfile
 import textwrap
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from io import StringIO
 from pathlib import Path
 from typing import Any, NoReturn
 
+from crankstar.language.messages import N_, MessageError, _
 from crankstar.language.quoting import one_line
+from crankstar.options.forms import STANDARD_OUTPUT
 
 PIPED = 140
 """Columns where there is no terminal."""
+WRITE_PROTECTED = N_("it is write-protected")
 
 
-STANDARD_OUTPUT = (None, "-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1")
-"""Standard output is written to in place: another program may write to the same file."""
-
-
-class OutputError(ValueError):
+class OutputError(MessageError):
     """A place that cannot be written to, as one sentence that says what would be right."""
 
 
@@ -73,7 +72,7 @@ def write_bytes(content: bytes, place: str | None) -> None:
         sys.stdout.flush()
         sys.stdout.buffer.write(content)
         return
-    with _told(place):
+    with _refusing(place):
         mode = _mode(place)
         if mode is None or stat.S_ISREG(mode):
             _replace(Path(place).resolve(), content)
@@ -85,28 +84,28 @@ def writable(place: str) -> None:
     """Refuse, before long work, a place that cannot be written to; raises OutputError."""
     if place in STANDARD_OUTPUT:
         return
-    with _told(place):
+    with _refusing(place):
         mode = _mode(place)
         if mode is None and not Path(place).resolve().parent.is_dir():
-            _refuse(place, "there is no such directory")
+            _refuse(place, N_("there is no such directory"))
         if not os.access(place if mode is not None else Path(place).resolve().parent, os.W_OK):
-            _refuse(place, "is write-protected")
+            _refuse(place, WRITE_PROTECTED)
 
 
 @contextmanager
-def _told(place: str) -> Iterator[None]:
-    """Tells what is wrong with a place as an OutputError; that it is a directory first of all."""
+def _refusing(place: str) -> Iterator[None]:
+    """Have what is wrong with a place told as an OutputError; first, that it is a directory."""
     try:
         mode = _mode(place)
         if mode is not None and stat.S_ISDIR(mode):
-            _refuse(place, "is a directory")
+            _refuse(place, N_("it is a directory"))
         yield
     except OSError as error:
         _refuse(place, error.strerror or str(error))
     except (ValueError, RuntimeError) as error:
         if isinstance(error, OutputError):
             raise
-        _refuse(place, "is not a name a file can have")
+        _refuse(place, N_("a file cannot have this name"))
 
 
 def is_file(place: str) -> bool:
@@ -133,7 +132,7 @@ def _replace(target: Path, content: bytes) -> None:
     """Replace the target by a complete new file; links to it stay links."""
     there = target.exists()
     if there and not os.access(target, os.W_OK):
-        _refuse(str(target), "is write-protected")
+        _refuse(str(target), WRITE_PROTECTED)
     handle, draft = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name[:50]}.")
     try:
         with os.fdopen(handle, "wb") as file:
@@ -155,22 +154,13 @@ def _pour(place: str, content: bytes) -> None:
         file.write(content)
 
 
-def kind_of(place: str | None, kinds: Sequence[str], *, what: str) -> str:
-    """The kind of a file by its suffix; for a pipe the first kind. Raises OutputError."""
-    if place in STANDARD_OUTPUT:
-        return kinds[0]
-    found = Path(place or "").suffix.lower().removeprefix(".")
-    if found not in kinds:
-        names = " or ".join(f".{kind}" for kind in kinds)
-        raise OutputError(
-            f"-o {one_line(place or '')}: is not the name of {what}; let it end in {names}"
-        )
-    return found
-
-
 def _refuse(place: str, reason: str) -> NoReturn:
-    told = f"{one_line(place)}: cannot be written ({reason}); nothing was changed"
-    raise OutputError(f"{told}. Name another place with -o, or leave it out")
+    raise OutputError(
+        "{file}: cannot be written ({reason}); nothing was changed. Name another place with -o, or "
+        "leave it out",
+        file=one_line(place),
+        reason=_(reason),
+    )
 
 
 @contextmanager

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import PurePath
 from typing import Annotated
 
@@ -22,11 +23,12 @@ from crankstar.cli.options import (
     text,
 )
 from crankstar.cli.output import display, working, write_bytes
-from crankstar.cli.tabulating import form_of, give
+from crankstar.cli.tabulating import give
 from crankstar.language.messages import _
 from crankstar.language.quoting import one_line
 from crankstar.options import charts as chart_request
 from crankstar.options import values as request
+from crankstar.options.forms import PICTURES, TABLES, form_of
 from crankstar.options.values import RequestError
 
 
@@ -73,28 +75,15 @@ def plot(
 ) -> None:
     """Draw a chart of an engine: stars, polygons, paths, curves, spectra, strokes, forces."""
     drawing = chart_request.charts()
-    if chart not in drawing.CHARTS:
-        raise RequestError(
-            _(
-                "there is no chart {chart}; there are: {charts}",
-                chart=one_line(chart),
-                charts=", ".join(drawing.CHARTS),
-            )
-        )
-    figure = drawing.CHARTS[chart]
+    figure = drawing.CHARTS[request.choice("chart", chart, drawing.CHARTS)]
     suffix = chart_request.suffix(output, drawing.SUFFIXES)
-    loaded, others = (
-        loaded_engine(engine, settings),
-        [loaded_engine(name, None) for name in beside or ()],
-    )
+    loaded = loaded_engine(engine, settings)
+    others = [loaded_engine(name, None) for name in beside or ()]
     if others and not figure.compares:
-        possible = ", ".join(name for name, known in drawing.CHARTS.items() if known.compares)
         raise RequestError(
-            _(
-                "--beside: {chart} shows one engine; charts of several are {charts}",
-                chart=chart,
-                charts=possible,
-            )
+            "--beside: {chart} shows one engine; charts of several are {charts}",
+            chart=chart,
+            charts=", ".join(name for name, known in drawing.CHARTS.items() if known.compares),
         )
     options = chart_request.options(
         figure,
@@ -106,7 +95,7 @@ def plot(
         reference=reference,
         alone=not others,
     )
-    with working(_("drawing {chart} ...", chart=chart)):
+    with working(_("Drawing {chart} ...", chart=chart)):
         try:
             made = (
                 drawing.side_by_side([loaded, *others], chart, **options)
@@ -160,55 +149,56 @@ def sweep(
     from crankstar.studies.ranges import over_request
     from crankstar.tables import sweeps as tables
 
-    changes = dict(request.setting(text) for text in settings or [])
     kind = PurePath(output or "").suffix.lower().removeprefix(".")
-    picture = kind in ("svg", "png", "pdf", "html", "json") and not (json or csv)
+    picture = kind in (*PICTURES, "json") and not (json or csv)
     drawing = chart_request.charts() if picture else None
-    form = "" if drawing else form_of(output, json=json, csv=csv)
-    wanted = request.orders(order, []) if order is not None else None
-    if order is not None and not wanted:
+    form = "" if drawing else form_of(output, TABLES, json=json, csv=csv)
+    wanted: Sequence[float | None] = request.orders(order, []) or [None]
+    if order is not None and wanted == [None]:
         raise RequestError(
-            _("--order all: omit --order for the sum of all orders, or give orders such as 1,2")
+            "--order all: omit --order for the sum of all orders, or give orders such as 1,2"
         )
-    point = (
-        request.reference(reference, loaded_engine(engine, settings))
-        if reference is not None
-        else None
-    )
+    names = request.listed(watch)
+    if not names:
+        raise RequestError("--watch: give at least one quantity, such as force,couple")
+    point = reference and request.reference(reference, loaded_engine(engine, settings))
     try:
         asked = over_request(over)
-        with working(f"sweeping {asked.path} ...") as tell:
-            found = sweeps.swept(
+        with working(_("Sweeping {path} ...", path=one_line(asked.path))) as tell:
+            swept = sweeps.swept(
                 engine,
                 over=asked.path,
                 values=asked.values,
                 unit=asked.unit,
-                changes=changes,
-                reference=point,
+                changes=request.settings(settings),
+                reference=point or None,
                 speed="file" if speed is None else request.speed(speed),
                 tell=lambda done, of: tell(
-                    f"sweeping {one_line(asked.path)}: engine {done} of {of} ..."
+                    _(
+                        "Sweeping {path}: engine {done} of {count} ...",
+                        path=one_line(asked.path),
+                        done=done,
+                        count=of,
+                    )
                 ),
             )
-            names = [name.strip() for name in watch.split(",") if name.strip()]
             curves = [
-                sweeps.watched(found, name, order=one)
-                for name in names
-                for one in (wanted or [None])
+                sweeps.watched(swept, name, order=number) for name in names for number in wanted
             ]
-            if not curves:
-                raise RequestError(_("--watch: give at least one quantity, such as force,couple"))
-            bests = [best(found, curve, greatest=greatest) for curve in curves]
+            bests = [best(swept, curve, greatest=greatest) for curve in curves]
     except sweeps.SweepError as error:
         raise RequestError(str(error)) from None
     if drawing is not None:
-        title = (
-            f"{found.engine.name}: {', '.join(curve.label for curve in curves)} over {found.path}"
+        labels = ", ".join(curve.label for curve in curves)
+        title = _(
+            "{engine}: {curves} over {path}",
+            engine=swept.engine.name,
+            curves=labels,
+            path=swept.path,
         )
-        write_bytes(
-            drawing.saved(drawing.swept(found, curves, best=bests), kind, title=title), output
-        )
+        picture = drawing.swept(swept, curves, best=bests)
+        write_bytes(drawing.saved(picture, kind, title=title), output)
     elif form == "txt":
-        display(tables.sweep_document(found, curves, bests, greatest=greatest), output)
+        display(tables.sweep_document(swept, curves, bests, greatest=greatest), output)
     else:
-        give(tables.answer(found, curves, bests), output, form=form)
+        give(tables.answer(swept, curves, bests), output, form=form)

@@ -2,18 +2,27 @@
 
 from __future__ import annotations
 
-import shlex
 from typing import Annotated
 
 from cyclopts import Parameter
 
 from crankstar.cli.application import app
-from crankstar.cli.options import ORDER_NAMES, EngineName, Settings, Speed, output, text
-from crankstar.cli.output import kind_of, working, writable, write, write_bytes
-from crankstar.files.catalog import load, tree_of
+from crankstar.cli.options import (
+    ORDER_NAMES,
+    EngineName,
+    Settings,
+    Speed,
+    changed_tree,
+    command_text,
+    output,
+    text,
+)
+from crankstar.cli.output import working, writable, write, write_bytes
+from crankstar.files.catalog import load
 from crankstar.language.messages import _
 from crankstar.options import charts as chart_request
 from crankstar.options import values as request
+from crankstar.options.forms import form_of
 from crankstar.options.values import RequestError
 
 KINDS = ("html", "pdf")
@@ -43,38 +52,24 @@ def write_report(
 ) -> None:
     """Write a report: data, verdict, views, strokes, orders, diagrams, remedies, derivations."""
     chart_request.charts()
-    kind = kind_of(output, KINDS, what="a report")
+    kind = form_of(output, KINDS)
     from crankstar import report
-    from crankstar.files import changed, engine_of
+    from crankstar.files import engine_of
 
     if output is not None:
         writable(output)
-    shown, tree = tree_of(engine)
-    changes = dict(request.setting(text) for text in settings or ())
-    loaded = engine_of(tree, name=shown, changes=changes)
-    other = load(beside) if beside is not None else None
-    turning = request.speed(speed)
-    given = {
-        "--speed": [speed],
-        "--orders": [orders],
-        "--beside": [beside and request.named(beside)],
-        "--set": settings or [],
+    name, tree = changed_tree(engine, settings)
+    loaded = engine_of(tree, name=name)
+    options = {
+        "--speed": speed and [speed],
+        "--orders": orders and [orders],
+        "--beside": beside and [request.named(beside)],
+        "--set": settings,
+        "-o": [f"report.{kind}"],
     }
-    words = [
-        word
-        for option, values in given.items()
-        for value in values
-        if value is not None
-        for word in (option, value)
-    ]
-    subject = report.Subject(
-        loaded,
-        changed(tree, changes, name=shown),
-        shlex.join(["crankstar", "report", request.named(engine), *words, "-o", f"report.{kind}"]),
-        turning,
-        None,
-        other,
-    )
+    command = command_text("report", request.named(engine), options)
+    other = load(beside) if beside is not None else None
+    subject = report.Subject(loaded, tree, command, request.speed(speed), None, other)
     wanted = request.orders(orders, list(subject.shown.normalised.force.orders.tolist()))
     subject = subject.with_orders(tuple(wanted) if wanted else None)
     try:

@@ -35,13 +35,11 @@ def answer_of(search: Search, work: Work, *, workers: int | None) -> Answer:
     count = workers or os.cpu_count() or 1
     if seconds / count > LONG_SECONDS and not (work.yes or work.scheduler):
         raise RequestError(
-            _(
-                "This search takes about {duration} on {count} processors. To narrow it, fix "
-                "throws (--fix 1=0,2=3), take symmetric cranks (--symmetric) or let a sum vanish "
-                "(--zero M2). To wait, add --yes; to use a cluster, --scheduler.",
-                duration=duration(seconds / count),
-                count=count,
-            )
+            "This search takes about {duration} on {count} processors. To narrow it, fix "
+            "throws (--fix 1=0,2=3), take symmetric cranks (--symmetric) or let a sum vanish "
+            "(--zero M2). To wait, add --yes; to use a cluster, --scheduler.",
+            duration=duration(seconds / count),
+            count=count,
         )
     kept = opened(Path(work.checkpoint), question) if work.checkpoint else None
     with ExitStack() as stack:
@@ -57,12 +55,10 @@ def answer_of(search: Search, work: Work, *, workers: int | None) -> Answer:
         )
     if isinstance(question.ask, All) and len(answer.rows) >= question.ask.size:
         raise RequestError(
-            _(
-                "{stars} stars lie within these limits, more than the {most} classes that can be "
-                "listed. Narrow the search, as in --limit M1=2, or ask for --best 100.",
-                stars=f"{answer.stars:,}",
-                most=f"{question.ask.size:,}",
-            )
+            "{stars} stars lie within these limits, more than the {most} classes that can be "
+            "listed. Narrow the search, as in --limit M1=2, or ask for --best 100.",
+            stars=f"{answer.stars:,}",
+            most=f"{question.ask.size:,}",
         )
     return equivalence.equivalent(answer, search.equivalence) if search.equivalence else answer
 

@@ -62,6 +62,3 @@ class Form:
             ".html (picture), .toml (with --row).",
         ),
     ] = None
-
-
-FLAT = Parameter(name="*", negative=(), allow_leading_hyphen=True, show_default=False)

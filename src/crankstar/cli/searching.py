@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from functools import partial
-from importlib.util import find_spec
 from pathlib import PurePath
 from types import ModuleType
 from typing import TYPE_CHECKING, Annotated
@@ -11,32 +10,23 @@ from typing import TYPE_CHECKING, Annotated
 from cyclopts import Parameter
 
 from crankstar.cli.application import app
-from crankstar.cli.options import Settings, Speed, loaded_engine
-from crankstar.cli.output import (
-    STANDARD_OUTPUT,
-    complain,
-    display,
-    working,
-    writable,
-    write,
-    write_bytes,
-)
-from crankstar.cli.search_options import FLAT, Form, Words, Work
-from crankstar.cli.tabulating import NEEDED, give
+from crankstar.cli.options import FLAT, Settings, Speed, engine_text, loaded_engine
+from crankstar.cli.output import complain, display, working, writable, write, write_bytes
+from crankstar.cli.search_options import Form, Words, Work
+from crankstar.cli.tabulating import give
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
 from crankstar.language.quoting import one_line
 from crankstar.options import charts as chart_request
 from crankstar.options import values as request
-from crankstar.options.values import RequestError
+from crankstar.options.forms import PICTURES, STANDARD_OUTPUT, TABLES, form_of
+from crankstar.options.values import RequestError, refusal
 
 if TYPE_CHECKING:
     from crankstar.search.answer import Answer
 
-TABLES = ("csv", "json", "parquet", "xlsx")
 GREATEST_WORKERS = 1024
 GREATEST_ROW = 200_000
-PICTURES = ("svg", "png", "pdf", "html")
 
 
 @app.command
@@ -61,7 +51,7 @@ def search(
     _check_work(work)
     number = options.whole_number(cylinders)
     if number is not None:
-        request.alone("a number of cylinders", {"--set": settings or None, "--speed": speed})
+        request.refuse_unused({"--set": settings, "--speed": speed}, without=_("an engine"))
     about = loaded_engine(cylinders, settings) if number is None else number
     pace = request.speed(speed) or (about.speed if isinstance(about, Engine) else None)
     wanted = options.search_of(about, words, speed=pace)
@@ -70,9 +60,7 @@ def search(
     if form.output is not None:
         writable(form.output)
         if work.checkpoint is not None and PurePath(work.checkpoint) == PurePath(form.output):
-            raise RequestError(
-                _("-o {file}: this is the checkpoint; name another file", file=form.output)
-            )
+            raise refusal("-o", form.output, "this is the checkpoint; name another file")
     answer = _job().answer_of(wanted, work, workers=workers)
     if answer.certificate.interrupted:
         return _stopped(answer, wanted.engine, kind, form.output)
@@ -87,7 +75,7 @@ def _check_work(work: Work) -> None:
     """Refuse empty names. Raises RequestError."""
     for option, text in (("--checkpoint", work.checkpoint), ("--scheduler", work.scheduler)):
         if text is not None and not text.strip():
-            raise RequestError(_("{option}: is empty; leave it out", option=option))
+            raise refusal(option, text, "it is empty; leave it out")
 
 
 def _job() -> ModuleType:
@@ -96,11 +84,9 @@ def _job() -> ModuleType:
         from crankstar.cli import search_job
     except ImportError as error:
         raise RequestError(
-            _(
-                "searches are compiled with numba ({error}); install it with: pip install "
-                '"crankstar[search]"',
-                error=error,
-            )
+            "searches are compiled with numba ({error}); install it with: pip install "
+            '"crankstar[search]"',
+            error=error,
         ) from None
     return search_job
 
@@ -113,7 +99,7 @@ def _stopped(answer: Answer, engine: Engine | None, kind: str, output: str | Non
     """
     from crankstar.tables.search_stars import certificate, search_stars
 
-    if kind in TABLES and (answer.rows or output is None):
+    if kind in TABLES[1:] and (answer.rows or output is None):
         _show(answer, engine, kind, None, output)
         complain(f"crankstar: {certificate(answer)}")
         return 130
@@ -126,57 +112,20 @@ def _stopped(answer: Answer, engine: Engine | None, kind: str, output: str | Non
 
 
 def _kind(form: Form) -> str:
-    """The form of the answer: the suffix of the file, empty for a table. Raises RequestError."""
-    output, row = form.output, form.row
-    kind = PurePath(output or "").suffix.lower().removeprefix(".")
-    flags = {"--csv": form.csv or None, "--json": form.json or None}
-    if form.uneven is not None and row is None:
-        raise RequestError(_("--uneven: name the row to refine, as in --row 2 --uneven 1,2,5"))
-    if row is not None:
-        request.alone("--row", {**flags, "--chart": form.chart})
-        if kind not in ("", "toml"):
-            raise RequestError(
-                _("--row {row}: name an engine file, as in -o better.toml", row=one_line(row))
-            )
-        return "toml"
+    """The form of the answer, toml for the engine of a row. Raises RequestError."""
+    if form.row is None and form.uneven is not None:
+        raise RequestError("--uneven: name the row to refine, as in --row 2 --uneven 1,2,5")
+    flags = {"--csv": form.csv, "--json": form.json}
+    if form.row is not None:
+        request.refuse_unused({**flags, "--chart": form.chart}, beside="--row")
+        return form_of(form.output, ("toml",))
     if form.chart is not None:
-        request.alone("--chart", flags)
+        request.refuse_unused(flags, beside="--chart")
         chart_request.charts()
-        return chart_request.suffix(output, PICTURES)
-    if form.csv and form.json:
-        raise RequestError(_("--csv and --json: ask for only one of them"))
-    named = output is not None and output not in STANDARD_OUTPUT
-    if form.csv or form.json:
-        wanted = "csv" if form.csv else "json"
-        if named and kind not in ("", wanted):
-            raise RequestError(
-                _(
-                    "-o {file}: the name does not end in .{kind}; leave --{kind} out",
-                    file=one_line(output or ""),
-                    kind=wanted,
-                )
-            )
-        return wanted
-    if named and kind not in (*TABLES, *PICTURES, "txt"):
-        raise RequestError(
-            _(
-                "-o {file}: the name must end in {kinds}, or .toml with --row",
-                file=one_line(output or ""),
-                kinds=", ".join(f".{kind}" for kind in (*TABLES, *PICTURES, "txt")),
-            )
-        )
+        return chart_request.suffix(form.output)
+    kind = form_of(form.output, (*TABLES, *PICTURES), json=form.json, csv=form.csv)
     if kind in PICTURES:
         chart_request.charts()
-    library, install = NEEDED.get(kind, ("", ""))
-    if library and find_spec(library) is None:
-        raise RequestError(
-            _(
-                ".{kind} files need {library}: {install}",
-                kind=kind,
-                library=library,
-                install=install,
-            )
-        )
     return kind
 
 
@@ -196,9 +145,8 @@ def _show(
             raise RequestError(str(error)) from None
         write_bytes(drawing.saved(figure, kind, title=tables.heading(answer.question)), output)
     else:
-        form = kind if kind in TABLES else "txt"
-        limit = tables.ROWS if form == "txt" else None
-        give(tables.search_stars(answer, engine=engine, limit=limit), output, form=form)
+        limit = tables.ROWS if kind == "txt" else None
+        give(tables.search_stars(answer, engine=engine, limit=limit), output, form=kind)
 
 
 def _show_row(
@@ -210,14 +158,11 @@ def _show_row(
     output: str | None,
 ) -> None:
     """Write a row as an engine file; uneven angles as a table, or the engine of the last one."""
-    from crankstar.files import toml
     from crankstar.search import engine_stars, engines
     from crankstar.tables import uneven_angles
 
     if row > len(answer.rows):
-        raise RequestError(
-            _("--row {row}: the answer has {count} rows", row=row, count=len(answer.rows))
-        )
+        raise refusal("--row", row, "the answer has {count} rows", count=len(answer.rows))
     star = answer.rows[row - 1].star
     stars, later = answer.question.stars, None
     if deviations is not None:
@@ -231,4 +176,4 @@ def _show_row(
             return
         later = curve[-1].later_deg
     build = engines.engine if engine is None else partial(engine_stars.with_star, engine)
-    write(toml(build(stars, star, later_deg=later)), output)
+    write(engine_text(build(stars, star, later_deg=later)), output)

@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-import re
-import shlex
 from typing import Annotated
 
 from cyclopts import Parameter
 
 from crankstar.cli.application import app
-from crankstar.cli.options import Settings
+from crankstar.cli.options import Settings, changed_tree, command_text
 from crankstar.cli.output import complain, working
-from crankstar.files import changed, engine_of
-from crankstar.files.catalog import tree_of
+from crankstar.files import engine_of
 from crankstar.language.messages import _
-from crankstar.language.quoting import one_line
-from crankstar.options.values import RequestError, named, setting
+from crankstar.options import values as request
+from crankstar.options.values import RequestError
 
 GREATEST_PORT = 65535
 
@@ -37,29 +34,19 @@ def serve(
     settings: Settings = None,
 ) -> None:
     """Serve the page on this machine and recompute the engine at every edit."""
-    if not re.fullmatch(r"\d{1,5}", port, re.ASCII) or int(port) > GREATEST_PORT:
-        raise RequestError(
-            _(
-                "--port {port}: give a number from 0 to {greatest}, such as 8000",
-                port=one_line(port),
-                greatest=GREATEST_PORT,
-            )
-        )
-    with working("starting ..."):
+    number = request.whole("--port", port, least=0, most=GREATEST_PORT) or 0
+    with working(_("Starting ...")):
         try:
             from crankstar.server import running
         except ImportError as error:
             raise RequestError(
-                _(
-                    "the server needs FastAPI and uvicorn ({reason}); install them with "
-                    'pip install "crankstar[server]"',
-                    reason=error,
-                )
+                "the server needs FastAPI and uvicorn ({reason}); install them with "
+                'pip install "crankstar[server]"',
+                reason=error,
             ) from None
-        name, tree = tree_of(engine)
-        tree = changed(tree, dict(setting(text) for text in settings or []), name=name)
+        name, tree = changed_tree(engine, settings)
         engine_of(tree, name=name)
-        taken = running.opened(host, int(port))
+        taken = running.opened(host, number)
     address = running.address_of(taken, host)
 
     def ready() -> None:
@@ -76,8 +63,7 @@ def serve(
 
             webbrowser.open(address)
 
-    shown = named(engine)
-    words = [word for text in settings or () for word in ("--set", text)]
-    command = shlex.join(["crankstar", "serve", shown, *words])
+    shown = request.named(engine)
+    command = command_text("serve", shown, {"--set": settings})
     with taken:
         running.serve(taken, host=host, opening=(tree, shown, command), ready=ready)

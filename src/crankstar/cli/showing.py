@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-import shlex
 from pathlib import PurePath
 from typing import Annotated
 
 from cyclopts import Parameter
 
 from crankstar.cli.application import app
-from crankstar.cli.options import EngineName, Settings, output
-from crankstar.cli.output import kind_of, progress, writable, write
-from crankstar.files import changed, engine_of
+from crankstar.cli.options import EngineName, Settings, changed_tree, command_text, output
+from crankstar.cli.output import progress, writable, write
+from crankstar.files import engine_of
 from crankstar.files.catalog import tree_of
 from crankstar.language.messages import _
 from crankstar.options import values as request
+from crankstar.options.forms import form_of
 from crankstar.options.values import RequestError
 
 
@@ -34,29 +34,22 @@ def page(
     from crankstar.page.library import held
 
     writable(output)
-    kind_of(output, ("html", "htm"), what="a page")
-    words = [engine] if beside is None else [engine, beside]
-    given = [tree_of(name) for name in words]
-    name, tree = given[0]
-    given[0] = (
-        name,
-        changed(tree, dict(request.setting(text) for text in settings or ()), name=name),
-    )
+    form_of(output, ("html", "htm"))
+    given = [changed_tree(engine, settings)]
+    if beside is not None:
+        given.append(tree_of(beside))
     engines = [engine_of(tree, name=name) for name, tree in given]
-    names = [request.named(word) for word in words]
+    names = [request.named(word) for word in (engine, beside) if word is not None]
     place = "page.html" if names[0] == "-" else f"{PurePath(names[0]).stem}.html"
-    options = [
-        *(("--beside", names[1]) if beside is not None else ()),
-        *(word for text in settings or () for word in ("--set", text)),
-    ]
+    options = {"--beside": names[1:], "--set": settings, "-o": [place]}
     try:
         pages.bundle()
-        with progress(_("drawing")) as tell:
+        with progress(_("Drawing")) as tell:
             data = held(
                 engines,
                 files_given=[tree for _, tree in given],
                 sources=names,
-                command=shlex.join(["crankstar", "page", names[0], *options, "-o", place]),
+                command=command_text("page", names[0], options),
                 tell=tell,
             )
         content = pages.document(data)

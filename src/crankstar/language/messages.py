@@ -63,6 +63,14 @@ def _n(one: str, several: str, count: int, /, **values: object) -> str:
     return _catalog(_language.get()).ngettext(one, several, count).format(**values)
 
 
+class MessageError(ValueError):
+    """An error that is one sentence, translated as `_` does; without values it stands as it is."""
+
+    def __init__(self, sentence: str, /, **values: object) -> None:
+        translated = _catalog(_language.get()).gettext(sentence)
+        super().__init__(translated.format(**values) if values else translated)
+
+
 class Plural(NamedTuple):
     """A sentence that is kept now, in its two English forms, and translated with `_n`."""
 

@@ -2,9 +2,11 @@
 
 | module, bottom to top | one line |
 |---|---|
+| `refusals` | requests that cannot be met |
 | `values` | speeds, orders, angles, points of reference, settings |
+| `forms` | the form in which a result is written |
 | `words` | the options of a search as typed |
-| `balancing` | counterweights, balance shafts, aims and limits |
-| `charts` | the options of a figure, and the format of its file |
+| `balancing` | the options of a balance, and the balanced engine |
+| `charts` | the options of a figure |
 | `search` | the values of the options of a search |
 """

@@ -1,9 +1,8 @@
-"""The options of `crankstar balance` as values, and the balanced engine that they ask for."""
+"""The options of `crankstar balance` as they are typed, and the balanced engine they ask for."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from pydantic import BaseModel, ConfigDict, Field
 
 from crankstar.engine.engine import Engine
 from crankstar.options import values as request
@@ -11,92 +10,114 @@ from crankstar.remedy import fitting
 from crankstar.tables.remedies import Job
 
 
-@dataclass(frozen=True)
-class BestOptions:
-    """Best weights instead of a balance factor; every field as written on a command line."""
+class BalanceOptions(BaseModel):
+    """The options of a balance as they are typed: a factor or best weights, balance shafts."""
 
-    minimise: str | None = None
-    pitch_share: float | None = None
-    limit: Sequence[str] = ()
-    greatest_unbalance: str | None = None
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    factor: float | None = Field(
+        default=None,
+        description="Share of the reciprocating mass on each pin that is balanced, 0 to 1.5 "
+        "(default: the file's, else 0.5).",
+    )
+    weights: str = Field(
+        default="pins",
+        description="Places of the counterweights: pins (the default), webs, ends (the end webs), "
+        'or positions along the shaft, such as "-200 mm, 200 mm".',
+    )
+    minimise: str | None = Field(
+        default=None,
+        description="Instead of a factor, find the weights that minimise one of force, couple, "
+        "pitch, yaw, each also with rms in front, or bearing (the greatest load on a main "
+        "bearing).",
+    )
+    pitch_share: float | None = Field(
+        default=None,
+        description="With --minimise couple: weight of pitch, 0 to 1; yaw has the rest (default: "
+        "equal).",
+    )
+    limit: list[str] = Field(
+        default=[],
+        description="With --minimise: upper limit, such as couple=50% (of bare crankshafts), "
+        'couple=1.5 (m r ω² a) or force="500 N"; repeatable.',
+    )
+    greatest_unbalance: str | None = Field(
+        default=None,
+        description='With --minimise: greatest unbalance of one weight, such as "0.02 kg*m".',
+    )
+    radius: str | None = Field(
+        default=None,
+        description='Radius at which the masses of weights are given, such as "60 mm" (default: '
+        "the crank radius).",
+    )
+    shafts: str | None = Field(
+        default=None,
+        description="Add balance shafts: needed (the lowest order that remains; also without a "
+        'value), all (first and second order), or speed ratios, such as -1 or "2, -2".',
+    )
+    shaft_planes: str | None = Field(
+        default=None,
+        description="Positions of the weights along the balance shafts (default: beyond both "
+        "ends).",
+    )
+    shaft_place: str | None = Field(
+        default=None,
+        description='Up and right of the crankshaft, such as "-60 mm, 0 mm" (default: on its '
+        "axis).",
+    )
+    shaft_spacing: str | None = Field(
+        default=None,
+        description='Horizontal distance between the two shafts of a pair, such as "120 mm" '
+        "(default: 0).",
+    )
+    level: bool = Field(
+        default=False,
+        description="Move the two shafts of a pair to the heights at which the block does not "
+        "roll.",
+    )
 
 
-@dataclass(frozen=True)
-class ShaftOptions:
-    """Balance shafts; every field as written on a command line."""
-
-    shafts: str | None = None
-    shaft_planes: str | None = None
-    shaft_place: str | None = None
-    shaft_spacing: str | None = None
-    level: bool = False
+PARTS = {
+    "minimise": ("pitch_share", "limit", "greatest_unbalance"),
+    "shafts": ("shaft_planes", "shaft_place", "shaft_spacing", "level"),
+}
+"""Options that have an effect only with another one."""
 
 
-@dataclass(frozen=True)
-class BalanceOptions:
-    """The options of `crankstar balance`; `own_factor` is the factor of the file, or 0.5."""
+def balanced(
+    engine: Engine, options: BalanceOptions, *, speed: str | None = None, own_factor: float = 0.5
+) -> Job:
+    """The engine before and after; `own_factor` is the balance factor of its file.
 
-    factor: float | None = None
-    weights: str = "pins"
-    best: BestOptions = BestOptions()
-    shafts: ShaftOptions = ShaftOptions()
-    radius: str | None = None
-    speed: str | None = None
-    own_factor: float = 0.5
-
-
-def balanced(engine: Engine, options: BalanceOptions) -> Job:
-    """The engine before and after. Raises RequestError and RemedyError."""
-    _check(options)
+    Raises RequestError and RemedyError.
+    """
+    for name, parts in PARTS.items():
+        given = {f"--{part.replace('_', '-')}": getattr(options, part) for part in parts}
+        if getattr(options, name) is None:
+            request.refuse_unused(given, without=f"--{name}")
     places = request.weights(options.weights, engine)
     radius = request.length("--radius", options.radius, engine, positive=True)
-    speed = engine.speed if options.speed is None else request.speed(options.speed)
-    if options.best.minimise is None:
-        factor = options.own_factor if options.factor is None else options.factor
-        job = Job(
-            engine, fitting.by_factor(engine, factor=factor, weights=places), factor, radius=radius
-        )
+    turning = engine.speed if speed is None else request.speed(speed)
+    if options.minimise is None:
+        factor = own_factor if options.factor is None else options.factor
+        after = fitting.by_factor(engine, factor=factor, weights=places)
+        job = Job(engine, after, factor, radius=radius, speed=turning)
     else:
+        request.refuse_unused({"--factor": options.factor}, beside="--minimise")
         best = fitting.best(
             engine,
             weights=places,
-            aim=request.aim("--minimise", options.best.minimise, pitch=options.best.pitch_share),
-            limits=request.limits(options.best.limit, engine, speed=speed),
+            aim=request.aim("--minimise", options.minimise, pitch=options.pitch_share),
+            limits=request.limits(options.limit, engine, speed=turning),
             greatest_unbalance=request.unbalance(
-                "--greatest-unbalance", options.best.greatest_unbalance, engine
+                "--greatest-unbalance", options.greatest_unbalance, engine
             ),
         )
-        job = Job(engine, best.engine, None, best, radius)
-    return _with_shafts(job._replace(speed=speed), options.shafts)
+        job = Job(engine, best.engine, None, best, radius, turning)
+    return _with_shafts(job, options)
 
 
-def _check(options: BalanceOptions) -> None:
-    """Refuse options without effect. Raises RequestError."""
-    best, shafts = options.best, options.shafts
-    if best.minimise is None:
-        request.alone(
-            "a balance factor",
-            {
-                "--pitch-share": best.pitch_share,
-                "--limit": best.limit or None,
-                "--greatest-unbalance": best.greatest_unbalance,
-            },
-        )
-    else:
-        request.alone("--minimise", {"--factor": options.factor})
-    if shafts.shafts is None:
-        request.alone(
-            "a balance without --shafts",
-            {
-                "--shaft-planes": shafts.shaft_planes,
-                "--shaft-place": shafts.shaft_place,
-                "--shaft-spacing": shafts.shaft_spacing,
-                "--level": shafts.level or None,
-            },
-        )
-
-
-def _with_shafts(job: Job, options: ShaftOptions) -> Job:
+def _with_shafts(job: Job, options: BalanceOptions) -> Job:
     """The job with its balance shafts, if any."""
     if options.shafts is None:
         return job

@@ -8,9 +8,8 @@ from fractions import Fraction
 from typing import TypeVar
 
 from crankstar.engine.engine import Engine
-from crankstar.language.messages import _
-from crankstar.language.quoting import one_line, seen
-from crankstar.options.values import RequestError
+from crankstar.language.quoting import seen
+from crankstar.options.values import RequestError, listed, refusal
 from crankstar.options.words import SearchWords
 from crankstar.search.faults import Faults, error
 from crankstar.search.options import (
@@ -47,7 +46,7 @@ def _options(words: SearchWords, faults: Faults) -> SearchOptions:
         """What stands between commas; `every`: also where there is nothing."""
         if text is None:
             return None
-        parts = [part.strip() for part in text.split(",")] if every else _parts(text)
+        parts = [part.strip() for part in text.split(",")] if every else listed(text)
         if not parts:
             faults.add(path, "none-named")
         values: list[T] = []
@@ -207,26 +206,26 @@ def whole_number(text: str) -> int | None:
 
 def deviations(text: str) -> list[float]:
     """By how many degrees firing intervals may leave the even one. Raises RequestError."""
-    given = [fraction(part.removesuffix("deg")) for part in _parts(text)]
+    given = [fraction(part.removesuffix("deg")) for part in listed(text)]
     good = [float(part) for part in given if part is not None and 0 < part <= GREATEST_DEVIATION]
     if not given or len(good) < len(given) or len(given) > GREATEST_DEVIATIONS:
-        wrong = _(
-            "{given}: give up to {count} numbers of degrees above 0, up to {most}, as in 1,2,5",
-            given=one_line(text),
+        raise refusal(
+            "--uneven",
+            text,
+            "give up to {count} numbers of degrees above 0, up to {most}, as in 1,2,5",
             count=GREATEST_DEVIATIONS,
             most=GREATEST_DEVIATION,
         )
-        raise RequestError(f"--uneven: {wrong}")
     return sorted(set(good))
 
 
 def check_use(question: Question, *, chart: str | None, deviations: list[float] | None) -> None:
     """Refuse, before long work, an output that the answer could not give. Raises RequestError."""
     if chart == "front" and not (isinstance(question.ask, Front) and len(question.objectives) > 1):
-        wrong = _(
-            "a front has two or more objectives, as in --minimise M1,M2; or draw --chart stars"
+        raise RequestError(
+            "--chart front: a front has two or more objectives, as in --minimise M1,M2; or draw "
+            "--chart stars"
         )
-        raise RequestError(f"--chart front: {wrong}")
     if deviations is None:
         return
     if not any(objective.terms for objective in question.objectives):
@@ -234,10 +233,6 @@ def check_use(question: Question, *, chart: str | None, deviations: list[float] 
     even = (360 if question.stars.cycle == "two-stroke" else 720) / question.stars.cylinders
     if max(deviations) >= even:
         raise error("uneven", "deviation", given=f"{max(deviations):g}", even=f"{even:.5g}")
-
-
-def _parts(text: str | None) -> list[str]:
-    return [part.strip() for part in (text or "").split(",") if part.strip()]
 
 
 def fraction(text: str) -> Fraction | None:

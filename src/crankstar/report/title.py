@@ -14,7 +14,7 @@ from crankstar.report.markup import section
 from crankstar.report.subject import Subject
 from crankstar.tables.headings import cycle_text, firing_text, rotation_text
 from crankstar.tables.html import paragraph, text, typeset
-from crankstar.tables.verdict import subjects, verdict
+from crankstar.tables.verdict import verdict, verdict_rows
 
 DOUBTFUL = {"placeholder": N_("placeholder"), "unverified": N_("unverified")}
 """The states of values that are marked, the worst first."""
@@ -171,11 +171,8 @@ def _span(values: Iterable[float]) -> str:
 
 def verdict_section(subject: Subject) -> str:
     """The verdict, each sentence beside its topic."""
-    out: list[str] = []
-    before = ""
-    names = subjects()
-    for fact in verdict(subject.engine):
-        about = names[fact.about] if fact.about != before else ""
-        out.append(f"<div><dt>{text(about)}</dt><dd>{typeset(fact.sentence)}</dd></div>")
-        before = fact.about
-    return section(_("Verdict"), f'<dl class="facts">{"".join(out)}</dl>', name="verdict")
+    rows = "".join(
+        f"<div><dt>{text(about)}</dt><dd>{typeset(sentence)}</dd></div>"
+        for about, sentence in verdict_rows(verdict(subject.engine, speed=subject.speed))
+    )
+    return section(_("Verdict"), f'<dl class="facts">{rows}</dl>', name="verdict")

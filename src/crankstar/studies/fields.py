@@ -16,10 +16,13 @@ from crankstar.engine.records import Record
 from crankstar.files import EngineFileError
 from crankstar.files.catalog import tree_of
 from crankstar.files.forms import by_key, field_at, form_of, quantity_of, record_in
+from crankstar.language.messages import _
 from crankstar.language.quoting import one_line, seen
 from crankstar.remedy import RemedyError, with_counterweights
 from crankstar.studies.variants import Make, SweepError
 
+LISTED = 24
+"""Paths that are named where another one cannot be swept."""
 _UNMOVED = ("firing_order", "firing_angles", "valves", "speed", "format")
 
 
@@ -58,11 +61,15 @@ def subject(
     info = field_at(form_of(chosen), keys) if chosen else None
     quantity = quantity_of(info) if info else None
     if unit and quantity is None and (info or over == "balance_factor"):
-        raise SweepError(f"{one_line(over)} is a plain number; leave out the unit {seen(unit)}")
+        raise SweepError(
+            "{path} is a plain number; leave out the unit {unit}",
+            path=one_line(over),
+            unit=seen(unit),
+        )
     if chosen is None and over == "balance_factor" and base is not None:
         return Subject(base, _with_factor(base), None)
     if chosen is None or keys[0] in _UNMOVED:
-        raise SweepError(f"{shown}: {_told_of(over, keys, forms)}")
+        raise SweepError(f"{shown}: {_why_fixed(over, keys, forms)}")
 
     def make(number: float) -> Engine:
         value = f"{number!r} {unit}" if unit else number
@@ -166,24 +173,35 @@ def _numeric(record: type[Record], tree: Any, path: str = "") -> Iterator[str]:
             yield here
 
 
-def _told_of(over: str, keys: Sequence[str | int], forms: Sequence[dict[str, Any]]) -> str:
+def _why_fixed(over: str, keys: Sequence[str | int], forms: Sequence[dict[str, Any]]) -> str:
     """Why a path cannot be swept, and what can."""
-    quoted = one_line(over, longest=80)
+    path = one_line(over, longest=80)
     if keys[0] in _UNMOVED:
-        return f"{quoted} has no part in the forces counted here, so there is nothing to sweep; give the path of another number"
-    paths = list(
-        dict.fromkeys(
-            path for form in forms for path in ("balance_factor", *_numeric(form_of(form), form))
+        return _(
+            "{path} has no effect on the inertia forces, so it cannot be swept; give the path of "
+            "another number",
+            path=path,
         )
-    )
-    near = get_close_matches(over[:100], paths, 3, 0.5)
+    paths = {
+        path: None for form in forms for path in ("balance_factor", *_numeric(form_of(form), form))
+    }
     own = [
         path
         for path in paths
         if not re.search(r"\[(?!1\])", path) and not path.startswith("provenance")
     ]
-    can = f"numbers it has are {', '.join(own[:24])}{', ...' if len(own) > 24 else ''}"
-    meant = f"did you mean {' or '.join(near)}? " if near else ""
+    more = _(" and more") if len(own) > LISTED else ""
+    values = {
+        "path": path,
+        "near": ", ".join(get_close_matches(over[:100], paths, 3, 0.5)),
+        "numbers": ", ".join(own[:LISTED]) + more,
+    }
     there = any(field_at(form_of(form), keys) for form in forms)
-    what = "is not the path of a single number" if there else "is not a field of the engine"
-    return f"{quoted} {what}, so it cannot be swept; {meant}{can}"
+    fault = (
+        _("{path} is not the path of a single number.", **values)
+        if there
+        else _("{path} is not a field of the engine.", **values)
+    )
+    near = _("Did you mean {near}?", **values) if values["near"] else ""
+    can = _("The numbers that can be swept are {numbers}.", **values)
+    return " ".join(filter(None, (fault, near, can)))

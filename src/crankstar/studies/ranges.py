@@ -13,7 +13,9 @@ from crankstar.studies.variants import SweepError
 
 GREATEST_POINTS = 20_000
 USUAL_POINTS = 201
-EXAMPLE = 'as in "layout.banks[1].bearing=0..90 deg", "balance_factor=0..1/11" (11 values) or "balance_factor=0, 0.25, 0.5"'
+EXAMPLE = (
+    'as in "layout.banks[1].bearing=0..90 deg", "balance_factor=0..1/11" or "balance_factor=0, 0.5"'
+)
 _NUMBER = re.compile(
     r"\s*([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d{1,3})?)\s*(.*?)\s*", re.DOTALL
 )
@@ -35,45 +37,57 @@ def over_request(text: str) -> Over:
     >>> over_request("layout.cranks[2].lag=0, 90, 180 deg")[1:]
     ((0.0, 90.0, 180.0), 'deg')
     """
-    here = f"--over {one_line(text, longest=100)}"
-    path, equals, told = text.partition("=")
-    if not equals or not path.strip() or not told.strip():
-        raise SweepError(f"{here}: give a field of the engine file and its values, {EXAMPLE}")
-    if ".." not in told:
-        parts = [part for part in told.split(",") if part.strip()]
-        values, unit = _numbers(parts, here)
+    path, equals, wanted = text.partition("=")
+    given = one_line(text, longest=100)
+    if not equals or not path.strip() or not wanted.strip():
+        raise SweepError(
+            "--over {given}: give a field of the engine file and its values, {example}",
+            given=given,
+            example=EXAMPLE,
+        )
+    if ".." not in wanted:
+        parts = [part for part in wanted.split(",") if part.strip()]
+        values, unit = _numbers(parts, given)
         if len(set(values)) < 2:
-            raise SweepError(f"{here}: is one value; a sweep needs two or more, {EXAMPLE}")
+            raise SweepError(
+                "--over {given}: this is one value; a sweep needs two or more, {example}",
+                given=given,
+                example=EXAMPLE,
+            )
         return Over(path.strip(), tuple(values), unit)
-    counts = re.findall(r"/\s*(\d+)(?!\d)", told)
-    ends, unit = _numbers(re.sub(r"/\s*\d+", " ", told, count=1).split("..", 1), here)
+    counts = re.findall(r"/\s*(\d+)(?!\d)", wanted)
+    ends, unit = _numbers(re.sub(r"/\s*\d+", " ", wanted, count=1).split("..", 1), given)
     count = int(counts[0][:9]) if counts else USUAL_POINTS
     if len(counts) > 1 or not 2 <= count <= GREATEST_POINTS:
         raise SweepError(
-            f"{here}: {one_line(counts[-1], longest=20)} is no number of values to sweep; give from 2 to {GREATEST_POINTS}"
+            "--over {given}: give from 2 to {most} values, not {count}",
+            given=given,
+            most=GREATEST_POINTS,
+            count=one_line(counts[-1], longest=20),
         )
     if ends[0] == ends[1]:
         raise SweepError(
-            f"{here}: is an empty range, from {ends[0]:g} to {ends[1]:g}; give two ends that differ"
+            "--over {given}: the range is empty; give two ends that differ", given=given
         )
     return Over(path.strip(), tuple(np.linspace(ends[0], ends[1], count).tolist()), unit)
 
 
-def _numbers(parts: Sequence[str], here: str) -> tuple[list[float], str]:
+def _numbers(parts: Sequence[str], given: str) -> tuple[list[float], str]:
     """Numbers, and the one unit that some or all of them have."""
-    found = [_NUMBER.fullmatch(part) if len(part) <= 60 else None for part in parts]
-    for part, match in zip(parts, found, strict=True):
-        if (
-            match is None
-            or not np.isfinite(float(match.group(1)))
-            or re.match(r"[.,\d]", match.group(2))
-        ):
+    matches = [_NUMBER.fullmatch(part) if len(part) <= 60 else None for part in parts]
+    for part, match in zip(parts, matches, strict=True):
+        if match is None or not np.isfinite(float(match[1])) or re.match(r"[.,\d]", match[2]):
             raise SweepError(
-                f"{here}: {seen(part.strip())} is not a number, or one with a unit; give values {EXAMPLE}"
+                "--over {given}: {part} is not a number, or one with a unit; give values {example}",
+                given=given,
+                part=seen(part.strip()),
+                example=EXAMPLE,
             )
-    units = dict.fromkeys(match.group(2) for match in found if match and match.group(2))
+    units = dict.fromkeys(match[2] for match in matches if match and match[2])
     if len(units) > 1:
         raise SweepError(
-            f"{here}: has the units {' and '.join(one_line(unit, longest=20) for unit in units)}; give all in one"
+            "--over {given}: the units are {units}; give all values in one",
+            given=given,
+            units=", ".join(one_line(unit, longest=20) for unit in units),
         )
-    return [float(match.group(1)) for match in found if match], next(iter(units), "")
+    return [float(match[1]) for match in matches if match], next(iter(units), "")

@@ -16,7 +16,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from difflib import get_close_matches
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
@@ -91,7 +90,7 @@ class Sweep:
         if len(self.groups) == 1:
             return self.groups[0].sums
         orders = np.unique(np.concatenate([group.sums.force.orders for group in self.groups]))
-        _enough(self.values.size, orders.size)
+        _feasible(self.values.size, orders.size, GREATEST_CELLS)
         shape = (self.values.size, orders.size)
 
         def joined(name: str) -> Spectrum:
@@ -147,7 +146,11 @@ def swept(
         and not (base and quantity.relative_to & set(base.relative))
         and np.any(numbers)
     ):
-        raise SweepError(f"{over} has no unit; write its values with one, as in {quantity.example}")
+        raise SweepError(
+            "{path} has no unit; write its values with one, as in {example}",
+            path=over,
+            example=quantity.example,
+        )
     first = make(float(numbers[0]))
     base = base if base and base.relative == first.relative else first
     point = reference or default_reference(base)
@@ -172,16 +175,16 @@ def _finite(values: Sequence[float] | Real, over: str) -> Real:
     try:
         numbers = np.asarray(values, float)
     except (TypeError, ValueError):
-        raise SweepError(
-            f"{one_line(over, longest=100)}: the values are not numbers; give two or more"
-        ) from None
+        numbers = np.empty(0)
+    path = one_line(over, longest=100)
     if numbers.ndim != 1 or np.unique(numbers).size < 2 or not np.all(np.isfinite(numbers)):
-        raise SweepError(
-            f"{one_line(over, longest=100)}: give a row of two or more finite numbers to sweep over, not all alike"
-        )
+        raise SweepError("{path}: give two or more finite numbers that differ", path=path)
     if numbers.size > GREATEST_POINTS:
         raise SweepError(
-            f"{one_line(over, longest=100)}: {numbers.size} values; at most {GREATEST_POINTS} can be swept"
+            "{path}: {count} values; at most {most} can be swept",
+            path=path,
+            count=numbers.size,
+            most=GREATEST_POINTS,
         )
     return numbers
 
@@ -204,38 +207,34 @@ def _sums(
         len(orders) and all(0 < order <= GREATEST_ORDER for order in orders)
     ):
         raise SweepError(
-            f"the orders are not possible; give crank orders above 0 up to {GREATEST_ORDER}, such as 1 and 2, or none"
+            "the orders are not possible; give crank orders above 0 up to {most}, or none",
+            most=GREATEST_ORDER,
         )
     try:
         wanted = part_spectra(some).force.orders.tolist() if orders is None else sorted(set(orders))
-        _enough(whole, len(wanted))
+        _feasible(whole, len(wanted), GREATEST_CELLS)
         moved = motion.resolved(some.links).piston.place
         steps = moved.shape[-1] if moved.ndim > 2 else 1
         parts = 3 * len(machine.cylinder_shaft) + len(machine.rotor_shaft)
         _feasible(whole, len(wanted) * parts)
         block = max(1, min(256, (1 << 18) // (parts * max(steps, len(wanted)))))
-        found = totals(machine, orders=wanted, reference=point, block=block)
+        sums = totals(machine, orders=wanted, reference=point, block=block)
     except ValueError as error:
         raise SweepError(str(error)) from None
     factors = (scale.force, scale.couple, scale.moment, scale.moment)
     return Totals(
-        *(spectra.scaled(one, factor) for one, factor in zip(found, factors, strict=True))
+        *(spectra.scaled(spectrum, factor) for spectrum, factor in zip(sums, factors, strict=True))
     )
 
 
-def _feasible(values: int, work: int) -> None:
-    if values * work > GREATEST_WORK:
+def _feasible(values: int, work: int, most: int = GREATEST_WORK) -> None:
+    """Refuse so many values that each need so much work, or room."""
+    if values * work > most:
         raise SweepError(
-            f"{values} values of an engine with so many parts and orders would take long; "
-            f"give at most {max(2, GREATEST_WORK // work)} values, or name the orders"
-        )
-
-
-def _enough(values: int, orders: int) -> None:
-    if values * orders > GREATEST_CELLS:
-        raise SweepError(
-            f"{values} values of an engine with {orders} crank orders are too many to keep; "
-            f"give at most {GREATEST_CELLS // orders} values, or name the orders"
+            "{count} values are too many for an engine with so many parts and orders; give at most "
+            "{most} values, or name the orders",
+            count=values,
+            most=max(2, most // work),
         )
 
 
@@ -253,26 +252,29 @@ def watched(sweep: Sweep, what: str, *, order: float | None = None) -> Curve:
     ([1.0, 0.5, 1.0], 'm*r*w^2')
     """
     if what not in WATCHABLE:
-        near = get_close_matches(what[:60], WATCHABLE, 1)
-        meant = f"did you mean {near[0]}? " if near else ""
         raise SweepError(
-            f"{one_line(what, longest=60)} cannot be watched; {meant}what can is {', '.join(WATCHABLE)}"
+            "{quantity} cannot be watched; what can is {quantities}",
+            quantity=one_line(what, longest=60),
+            quantities=", ".join(WATCHABLE),
         )
     if order is not None and not 0 < order <= GREATEST_ORDER:
         raise SweepError(
-            f"there is no order {order:g}; give a crank order above 0 up to {GREATEST_ORDER}, or none for all together"
+            "there is no order {order}; give a crank order above 0 up to {most}",
+            order=f"{order:g}",
+            most=GREATEST_ORDER,
         )
-    quantity, _, part = what.partition(".")
-    found = np.zeros(sweep.values.size)
+    quantity, _dot, part = what.partition(".")
+    peaks = np.zeros(sweep.values.size)
     for group in sweep.groups:
         spectrum = _part(_quantity(group.sums, quantity), part)
-        if order is None:
-            found[group.rows] = spectra.peaks(spectrum)
+        if order is not None:
+            spectrum = spectra.selected(spectrum, [order])
+            peaks[group.rows] = (np.abs(spectrum.forward) + np.abs(spectrum.backward))[:, 0]
         else:
-            one = spectra.selected(spectrum, [order])
-            found[group.rows] = (np.abs(one.forward) + np.abs(one.backward))[:, 0]
-    unit = getattr(sweep.units, quantity if quantity in sweep.units._fields else "moment")
-    return Curve(what, order, found, unit, what if order is None else f"{what} of order {order:g}")
+            peaks[group.rows] = spectra.peaks(spectrum)
+    unit = getattr(sweep.units, quantity, sweep.units.moment)
+    label = what if order is None else f"{what} of order {order:g}"
+    return Curve(what, order, peaks, unit, label)
 
 
 def _quantity(sums: Totals, name: str) -> Spectrum:

@@ -22,6 +22,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from crankstar.engine.engine import Engine
+from crankstar.language.messages import MessageError
 from crankstar.mechanics.mechanism import Mechanism, mechanism
 from crankstar.spectra import Real
 
@@ -61,7 +62,7 @@ ANGLES = frozenset(
 )
 
 
-class SweepError(ValueError):
+class SweepError(MessageError):
     """A sweep that cannot be, as a sentence that says what would be right."""
 
 
@@ -99,12 +100,15 @@ def variants(
     for number in dict.fromkeys((different[0], different[-1])):
         built[float(number)] = mechanism(make(float(number)))
     if different.size > FEW:
-        found = _lawful(make, numbers, different, built)
-        if found:
-            return found
+        batches = _lawful(make, numbers, different, built)
+        if batches:
+            return batches
     if different.size > GREATEST_BUILT:
         raise SweepError(
-            f"every one of the {different.size} engines must be built here, at most {GREATEST_BUILT} can be; give fewer values"
+            "every one of the {count} engines must be built here, at most {most} can be; give "
+            "fewer values",
+            count=different.size,
+            most=GREATEST_BUILT,
         )
     for done, number in enumerate(different.tolist(), 1):
         if number not in built:
@@ -284,14 +288,14 @@ def _agrees(law: _Law, number: float, machine: Mechanism) -> bool:
     """Whether an engine that was built is what the law says."""
     if _structure(machine) != _structure(law.machine):
         return False
-    told, there = _arrays(law.at(np.array([number]))), _arrays(machine)
+    ruled, there = _arrays(law.at(np.array([number]))), _arrays(machine)
     for name in ("unbalance", "unbalance_angle"):
-        told[name], there[name] = told[name].reshape(-1), there[name].reshape(-1)
-    told["unbalance"] = told["unbalance"] * np.exp(1j * told.pop("unbalance_angle"))
+        ruled[name], there[name] = ruled[name].reshape(-1), there[name].reshape(-1)
+    ruled["unbalance"] = ruled["unbalance"] * np.exp(1j * ruled.pop("unbalance_angle"))
     there["unbalance"] = there["unbalance"] * np.exp(1j * there.pop("unbalance_angle"))
     for name, values in there.items():
-        ruled = told[name].reshape(values.shape)
-        apart = np.exp(1j * ruled) - np.exp(1j * values) if name in ANGLES else ruled - values
+        own = ruled[name].reshape(values.shape)
+        apart = np.exp(1j * own) - np.exp(1j * values) if name in ANGLES else own - values
         scale = (
             1.0
             if name in ANGLES

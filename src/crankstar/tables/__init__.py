@@ -10,7 +10,8 @@
 | `spreadsheet` | a Document as a spreadsheet (.xlsx) |
 | `arrow` | a Table as an Apache Arrow table |
 | `headings` | an engine's lines: cycle, cylinders, rotation, firing order |
-| `paths` | the path of a vector, named |
+| `scales` | the units in which an engine is written |
+| `paths` | names of vectors and of their paths |
 | `peaks` | peaks over a turn, and what counterweights can remove |
 | `analysis` | force, couple and moments by order, as `analyze` shows them |
 | `balance_orders` | the orders of a Balance for machines |

@@ -18,7 +18,7 @@ import numpy as np
 from crankstar import spectra
 from crankstar.engine.engine import Engine
 from crankstar.engine.motion import first_harmonic
-from crankstar.language.messages import N_, _
+from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import NEGLIGIBLE, number
 from crankstar.mechanics.balance import Balance, Grouping, balance, grouped
 from crankstar.mechanics.excitation import Reference, rolling_moment
@@ -27,6 +27,7 @@ from crankstar.spectra import Spectrum
 from crankstar.tables.headings import heading
 from crankstar.tables.paths import shape
 from crankstar.tables.peaks import peak_lines
+from crankstar.tables.scales import scales
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
 QUANTITIES = {
@@ -38,6 +39,13 @@ QUANTITIES = {
 }
 """The fields of Sums as columns and rows are headed."""
 MOMENTS = ("roll", "torque", "axis_moment")
+SHARES = {
+    "cylinder": (N_("Greatest value of each order by cylinder"), N_("cylinder")),
+    "bank": (N_("Greatest value of each order by bank"), N_("bank")),
+    "shaft": (N_("Greatest value of each order by shaft"), N_("shaft")),
+    "kind": (N_("Greatest value of each order by kind of part"), N_("part")),
+}
+"""The table of shares and its first heading, by what parts are grouped."""
 
 
 class Analysis(NamedTuple):
@@ -94,19 +102,14 @@ def tables(
 ) -> tuple[Table | Remarks, ...]:
     """Force, couple, moments, shares, sums at angles, peaks: the document without its heading."""
     sums = summed(shown.normalised)
-    real = summed(shown.real) if shown.real else None
-    parts: list[Table | Remarks] = [
-        _vectors("force", shown, sums.force, real.force if real else None),
-        _vectors("couple", shown, sums.couple, real.couple if real else None),
-        _moments(shown, real or sums),
-    ]
-    if by is not None:
-        parts.append(_shares(shown, by))
-    if angles:
-        parts.append(_at_angles(shown, real or sums, angles))
+    real = summed(shown.best)
     return (
-        *parts,
-        Remarks(tuple(peak_lines(shown.engine, shown.best, real or sums, sums)), _("Peaks")),
+        _vectors("force", shown, sums.force, real.force),
+        _vectors("couple", shown, sums.couple, real.couple),
+        _moments(shown, real),
+        *([_shares(shown, by)] if by is not None else []),
+        *([_at_angles(shown, real, angles)] if angles else []),
+        Remarks(tuple(peak_lines(shown.engine, shown.best, real, sums)), _("Peaks")),
     )
 
 
@@ -117,21 +120,24 @@ def conditions(shown: Analysis) -> list[str]:
     return [point, unit_sentence(engine, shown.best), unit_sizes(engine)]
 
 
+UNITS = {
+    (True, True): N_(
+        "The file gives neither masses nor the stroke: forces in m r ω², the same at every speed."
+    ),
+    (True, False): N_("The file gives no masses: forces in m r ω², the same at every speed."),
+    (False, True): N_("The file gives no stroke: forces in m r ω², the same at every speed."),
+    (False, False): N_(
+        'Forces in m r ω². For newtons, add a speed to the file, as in speed = "6000 rpm".'
+    ),
+}
+"""Why forces are not in newtons, where masses or the radius are unknown, or neither."""
+
+
 def unit_sentence(engine: Engine, result: Balance) -> str:
     """The unit of forces, and the reason where it is not newtons."""
     if result.speed is not None:
         return _("Forces in N at {speed} rpm.", speed=number(result.speed * 30 / pi))
-    match "mass" in engine.relative, "radius" in engine.relative:
-        case True, True:
-            return _(
-                "The file gives neither masses nor the stroke: forces in m r ω², the same at every "
-                "speed."
-            )
-        case True, False:
-            return _("The file gives no masses: forces in m r ω², the same at every speed.")
-        case False, True:
-            return _("The file gives no stroke: forces in m r ω², the same at every speed.")
-    return _('Forces in m r ω². For newtons, add a speed to the file, as in speed = "6000 rpm".')
+    return _(UNITS["mass" in engine.relative, "radius" in engine.relative])
 
 
 def unverified(engine: Engine) -> list[str]:
@@ -146,17 +152,14 @@ def unverified(engine: Engine) -> list[str]:
 def _point(shown: Analysis) -> str:
     """The reference point: its z, and its place in the clock plane where that matters."""
     engine, point = shown.engine, shown.normalised.reference
-    along = "a" if "pitch" in engine.relative else "mm"
-    across = "r" if "radius" in engine.relative else "mm"
-    scale = {"mm": 1000.0, "a": 1.0, "r": 1.0}
-    place = f"z = {number(point.z * scale[along])} {along}"
+    across, along = scales(engine)[:2]
+    place = f"z = {along.text(point.z)}"
     if point.up or point.right:
         return _(
-            "{place}, {up} {unit} up, {right} {unit} right of the crank axis",
+            "{place}, {up} up, {right} right of the crank axis",
             place=place,
-            up=number(point.up * scale[across]),
-            right=number(point.right * scale[across]),
-            unit=across,
+            up=across.text(point.up),
+            right=across.text(point.right),
         )
     if len({cylinder.shaft for cylinder in engine.cylinders}) > 1:
         return _("{place} on the axis of shaft {name}", place=place, name=engine.shafts[0].name)
@@ -166,21 +169,20 @@ def _point(shown: Analysis) -> str:
 def unit_sizes(engine: Engine) -> str:
     """The sizes of m, r and a, as far as they are known."""
     first = engine.first
+    across, along, mass, _unbalance = scales(engine)
+    several = len({cylinder.z for cylinder in engine.cylinders}) > 1
+    sizes = {
+        "m": ("mass", mass.text(first.reciprocating_mass)),
+        "r": ("radius", across.text(engine.throw(first).radius)),
+        "a": ("pitch" if several else "mass", along.text(engine.pitch)),
+    }
     known = [
-        ("m", first.reciprocating_mass, "kg", "mass"),
-        ("r", engine.throw(first).radius * 1000, "mm", "radius"),
+        f"{letter} = {size}" for letter, (key, size) in sizes.items() if key not in engine.relative
     ]
-    if len({cylinder.z for cylinder in engine.cylinders}) > 1:
-        known.append(("a", engine.pitch * 1000, "mm", "pitch"))
-    sizes = [
-        f"{letter} = {number(value)} {unit}"
-        for letter, value, unit, key in known
-        if key not in engine.relative
-    ]
-    return f"{', '.join(sizes)}." if sizes else ""
+    return f"{', '.join(known)}." if known else ""
 
 
-def _vectors(quantity: str, shown: Analysis, plain: Spectrum, real: Spectrum | None) -> Table:
+def _vectors(quantity: str, shown: Analysis, plain: Spectrum, real: Spectrum) -> Table:
     """The orders by size: amplitudes up and right, the path over a turn, its greatest value."""
     unit = "m*r*w^2*A_k" if quantity == "force" else "m*r*w^2*A_k*a"
     left, zero = ranked(plain, shown.orders)
@@ -195,15 +197,18 @@ def _vectors(quantity: str, shown: Analysis, plain: Spectrum, real: Spectrum | N
         Column(_("horizontal"), unit, kind="wave"),
         Column(_("path"), kind="text", wraps=True),
         Column(_("greatest"), unit, optional=2),
+        Column(_("greatest"), getattr(shown.best.units, quantity)),
     ]
-    heads.append(Column(_("greatest"), getattr(shown.best.units, quantity)))
+    vertical, horizontal = spectra.vertical(divided), spectra.horizontal(divided)
     rows: list[tuple[Value, ...]] = []
     for row, (order, factor) in enumerate(zip(left, factors, strict=True)):
-        pair = complex(divided.forward[row]), complex(divided.backward[row])
-        path = spectra.ellipse(*pair)
-        waves = (spectra.vertical(divided)[row], spectra.horizontal(divided)[row])
-        cells = (order, _harmonic(factor), *(_wave(one, path.semi_major) for one in waves))
-        rows.append((*cells, shape(path), path.semi_major, size(real or plain, order)))
+        path = spectra.ellipse(complex(divided.forward[row]), complex(divided.backward[row]))
+        waves = [
+            complex(wave[row]) if abs(wave[row]) > NEGLIGIBLE * path.semi_major else 0j
+            for wave in (vertical, horizontal)
+        ]
+        cells = (order, _harmonic(factor), *waves, shape(path), path.semi_major)
+        rows.append((*cells, size(real, order)))
     title = _("Force on the block") if quantity == "force" else _("Couple on the block")
     return Table(title, tuple(heads), tuple(rows), notes=none_line(zero))
 
@@ -217,15 +222,7 @@ def none_line(zero: Sequence[float]) -> tuple[str, ...]:
     orders = ", ".join(number(order) for order in sorted(zero))
     if not zero:
         return ()
-    return (
-        (_("None of order {orders}.", orders=orders),)
-        if len(zero) == 1
-        else (_("None of orders {orders}.", orders=orders),)
-    )
-
-
-def _wave(value: complex, greatest: float) -> complex:
-    return complex(value) if abs(value) > NEGLIGIBLE * greatest else 0j
+    return (_n("None of order {orders}.", "None of orders {orders}.", len(zero), orders=orders),)
 
 
 def _divided(spectrum: Spectrum, factors: np.ndarray) -> Spectrum:
@@ -244,27 +241,25 @@ def _harmonic(factor: complex) -> Value:
 
 def _moments(shown: Analysis, sums: Sums) -> Table:
     """Rolling moment, inertia torque and moment about the axis, the largest rolling moment first."""
-    found = {name: getattr(sums, name) for name in MOMENTS}
-    largest = max(sums_size(signal) for signal in found.values())
-    sizes = {order: [size(signal, order) for signal in found.values()] for order in shown.turning}
-    left = [order for order in shown.turning if max(sizes[order]) > NEGLIGIBLE * largest]
-    left.sort(key=lambda order: [-one for one in sizes[order]])
+    signals = [getattr(sums, name) for name in MOMENTS]
+    least = NEGLIGIBLE * max(map(sums_size, signals))
+    waves = np.array(
+        [spectra.amplitude(spectra.selected(signal, shown.turning)) for signal in signals]
+    )
+    waves[np.abs(waves) <= least] = 0
+    there = np.any(waves, axis=0).tolist()
+    rows = [
+        (order, *map(complex, waves[:, place]))
+        for place, order in enumerate(shown.turning)
+        if there[place]
+    ]
+    rows.sort(key=lambda row: [-abs(wave) for wave in row[1:]])
+    zero = [order for place, order in enumerate(shown.turning) if not there[place]]
     unit = shown.best.units.moment
     heads = (
         Column(_("order"), label=True),
-        *(Column(_(QUANTITIES[name]), unit, kind="wave") for name in found),
+        *(Column(_(QUANTITIES[name]), unit, kind="wave") for name in MOMENTS),
     )
-    rows = [
-        (
-            order,
-            *(
-                _wave(spectra.amplitude(spectra.selected(signal, [order]))[0], largest)
-                for signal in found.values()
-            ),
-        )
-        for order in left
-    ]
-    zero = [order for order in shown.turning if order not in left]
     notes = (
         *none_line(zero),
         _("Rolling moment: on the block, clockwise, with the flywheel taking the inertia torque."),
@@ -279,61 +274,49 @@ def sums_size(spectrum: Spectrum) -> float:
 
 def _shares(shown: Analysis, by: Grouping) -> Table:
     """The greatest value of each order for every group of parts, before the sums cancel."""
-    result = shown.best
+    units = shown.best.units
     pairs = [(name, order) for name in ("force", "couple", "roll") for order in shown.orders]
-    units = {
-        "force": result.units.force,
-        "couple": result.units.couple,
-        "roll": result.units.moment,
-    }
     heads = [
         Column(
             _("{quantity}, order {order}", quantity=_(QUANTITIES[name]), order=number(order)),
-            units[name],
+            getattr(units, name, units.moment),
         )
         for name, order in pairs
     ]
-    rows: list[tuple[Value, ...]] = []
-    for label, sums in grouped(result, by).items():
-        signals = {"force": sums.force, "couple": sums.couple, "roll": rolling_moment(sums)}
-        name = _("shafts alone") if label is None else str(label)
-        rows.append((name, *(size(signals[one], order) for one, order in pairs)))
-    titles = {
-        "cylinder": _("Greatest value of each order by cylinder"),
-        "bank": _("Greatest value of each order by bank"),
-        "shaft": _("Greatest value of each order by shaft"),
-        "kind": _("Greatest value of each order by kind of part"),
-    }
-    groups = {"cylinder": _("cylinder"), "bank": _("bank"), "shaft": _("shaft"), "kind": _("part")}
-    first = Column(groups[by], kind="text", label=True)
-    return Table(titles[by], (first, *heads), tuple(rows))
+    rows = [
+        (
+            _("shafts alone") if label is None else str(label),
+            *(
+                size(rolling_moment(sums) if name == "roll" else getattr(sums, name), order)
+                for name, order in pairs
+            ),
+        )
+        for label, sums in grouped(shown.best, by).items()
+    ]
+    title, group = SHARES[by]
+    first = Column(_(group), kind="text", label=True)
+    return Table(_(title), (first, *heads), tuple(rows))
 
 
 def _at_angles(shown: Analysis, sums: Sums, angles: Sequence[float]) -> Table:
     """Force, couple and moments of all orders together at given crank angles."""
     units = shown.best.units
     heads = [Column("θ", "deg", label=True)]
-    for name, unit in (("force", units.force), ("couple", units.couple)):
-        quantity = _(QUANTITIES[name])
-        heads += [
-            Column(_("{quantity} up", quantity=quantity), unit),
-            Column(_("{quantity} right", quantity=quantity), unit),
-            Column(_("{quantity}, resultant", quantity=quantity), unit),
-        ]
-    heads += [Column(_(QUANTITIES[name]), units.moment) for name in MOMENTS]
-    tops = {name: spectra.peak(getattr(sums, name)).value for name in Sums._fields}
-    rows: list[tuple[Value, ...]] = []
-    for angle in angles:
-        cells: list[Value] = [round(degrees(angle), 9)]
-        for name in ("force", "couple"):
-            vector = complex(spectra.value(getattr(sums, name), angle))
-            cells += [_cleared(one, tops[name]) for one in (vector.real, vector.imag, abs(vector))]
-        for name in MOMENTS:
-            moment = complex(spectra.value(getattr(sums, name), angle)).real
-            cells.append(_cleared(moment, tops[name]))
-        rows.append(tuple(cells))
-    return Table(_("All orders together at these crank angles"), tuple(heads), tuple(rows))
-
-
-def _cleared(value: float, top: float) -> float:
-    return value if abs(value) > NEGLIGIBLE * top else 0.0
+    columns: list[list[float]] = [[round(degrees(angle), 9) for angle in angles]]
+    for name, words in QUANTITIES.items():
+        unit, signal = getattr(units, name, units.moment), getattr(sums, name)
+        vectors = np.asarray(spectra.value(signal, np.array(angles)), complex)
+        quantity, parts = _(words), [np.real(vectors)]
+        if name in MOMENTS:
+            heads.append(Column(quantity, unit))
+        else:
+            heads += [
+                Column(_("{quantity} up", quantity=quantity), unit),
+                Column(_("{quantity} right", quantity=quantity), unit),
+                Column(_("{quantity}, resultant", quantity=quantity), unit),
+            ]
+            parts += [np.imag(vectors), np.abs(vectors)]
+        least = NEGLIGIBLE * spectra.peak(signal).value
+        columns += [np.where(np.abs(part) > least, part, 0.0).tolist() for part in parts]
+    rows = tuple(zip(*columns, strict=True))
+    return Table(_("All orders together at these crank angles"), tuple(heads), rows)

@@ -3,38 +3,78 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from fractions import Fraction
 
 from crankstar import spectra
 from crankstar.engine.engine import Engine
-from crankstar.language.messages import _
-from crankstar.language.numbers import number
-from crankstar.mechanics.balance import balance
+from crankstar.language.messages import N_, _
+from crankstar.language.numbers import number, unit_text
+from crankstar.mechanics.balance import Balance, balance
 from crankstar.mechanics.remains import EQUAL, Sums, size, summed
 from crankstar.remedy import Need, bobweight, loads, needs
 from crankstar.remedy.fitting import quiet_cranks
+from crankstar.tables.paths import vector_name
+from crankstar.tables.scales import pin_masses
+
+COURSES = {
+    "pair": N_("{vector}: removed by {cure}."),
+    "with": N_("{vector}, rotating with the crankshaft: removed by {cure}."),
+    "against": N_("{vector}, rotating against the crankshaft: removed by {cure}."),
+    "crank": N_("{vector}, rotating with crankshaft {name}: removed by {cure}."),
+}
+CURES = {
+    "pair": (
+        N_("balance shafts at {ratio} and {minus} times crank speed (Lanchester)"),
+        N_(
+            "balance shafts at {ratio} and {minus} times crank speed, with opposite weights at "
+            "their ends"
+        ),
+    ),
+    "shaft": (
+        N_("a balance shaft at {ratio} times crank speed"),
+        N_("a balance shaft at {ratio} times crank speed, with opposite weights at its ends"),
+    ),
+    "bare": (N_("counterweights"), N_("counterweights on the end webs")),
+    "weighted": (N_("other counterweights"),) * 2,
+}
+"""What removes a force, and what removes a couple alone."""
+LEFT = {
+    (False, False): N_("no primary force or couple"),
+    (True, False): N_("a primary force of {force}, rotating against the crankshaft"),
+    (False, True): N_("a primary couple of {couple}, rotating against the crankshaft"),
+    (True, True): N_(
+        "a primary force of {force} and a primary couple of {couple}, rotating against the "
+        "crankshaft"
+    ),
+}
 
 
-def cure_lines(engine: Engine, found: Sequence[Need]) -> list[str]:
+def cure_lines(engine: Engine, remaining: Sequence[Need]) -> list[str]:
     """A sentence for each vector that remains, or for a pair of shafts that remove two.
 
     >>> from crankstar.files.catalog import load
     >>> cure_lines(load("i4"), needs(load("i4")))
-    ['Secondary force: balance shafts at 2 and -2 times crank speed (Lanchester) remove it.']
+    ['Secondary force: removed by balance shafts at 2 and -2 times crank speed (Lanchester).']
     """
-    cranks = {shaft.speed_ratio: shaft.name for shaft in reversed(engine.shafts) if shaft.throws}
-    by_ratio = {need.ratio: need for need in found}
+    cranks = {shaft.speed_ratio: shaft for shaft in reversed(engine.shafts) if shaft.throws}
+    by_ratio = {need.ratio: need for need in remaining}
     out: list[str] = []
-    for need in found:
+    for need in remaining:
         other = by_ratio.get(-need.ratio)
-        paired = other is not None and _alike(need, other)
-        if paired and not {need.ratio, -need.ratio} & set(cranks):
-            if need.ratio > 0:
-                out.append(_pair(need))
-        elif need.ratio in cranks:
-            out.append(_on_crank(engine, need, cranks))
-        else:
-            out.append(_single(need))
+        course, cure = "with" if need.ratio > 0 else "against", "shaft"
+        if need.ratio in cranks:
+            weighted = any(shaft.weights for shaft in cranks.values())
+            course, cure = (
+                "crank" if len(cranks) > 1 else "with",
+                "weighted" if weighted else "bare",
+            )
+        elif other is not None and -need.ratio not in cranks and _alike(need, other):
+            if need.ratio < 0:
+                continue
+            course = cure = "pair"
+        removed_by = _(CURES[cure][not need.force], ratio=need.ratio, minus=-need.ratio)
+        name = cranks[need.ratio].name if course == "crank" else ""
+        vector = vector_name(need.ratio, force=bool(need.force), couple=bool(need.couple))
+        out.append(_(COURSES[course], vector=vector, name=name, cure=removed_by))
     return out
 
 
@@ -44,122 +84,29 @@ def _alike(need: Need, other: Need) -> bool:
     return all(abs(one - two) <= EQUAL * max(one, two) for one, two in pairs)
 
 
-def vector_name(ratio: Fraction, *, force: bool, couple: bool) -> str:
-    """Primary, secondary, or by order: force, couple, or both.
-
-    >>> vector_name(Fraction(-1), force=False, couple=True)
-    'Primary couple'
-    """
-    order = abs(ratio)
-    names = {
-        1: (_("Primary force"), _("Primary couple"), _("Primary force and couple")),
-        2: (_("Secondary force"), _("Secondary couple"), _("Secondary force and couple")),
-    }
-    if order.denominator == 1 and int(order) in names:
-        return names[int(order)][2 if force and couple else 1 if couple else 0]
-    if force and couple:
-        return _("Force and couple of order {order}", order=order)
-    return (
-        _("Couple of order {order}", order=order)
-        if couple
-        else _("Force of order {order}", order=order)
-    )
-
-
-def _values(need: Need) -> dict[str, object]:
-    name = vector_name(need.ratio, force=bool(need.force), couple=bool(need.couple))
-    return {"vector": name, "ratio": need.ratio, "minus": -need.ratio}
-
-
-def _pair(need: Need) -> str:
-    if need.force:
-        return _(
-            "{vector}: balance shafts at {ratio} and {minus} times crank speed (Lanchester) remove "
-            "it.",
-            **_values(need),
-        )
-    return _(
-        "{vector}: balance shafts at {ratio} and {minus} times crank speed, with opposite weights "
-        "at their ends, remove it.",
-        **_values(need),
-    )
-
-
-def _on_crank(engine: Engine, need: Need, cranks: dict[Fraction, str]) -> str:
-    values = _values(need)
-    if len(cranks) > 1:
-        return _(
-            "{vector} rotating with crankshaft {name}: counterweights on that crankshaft remove it.",
-            name=cranks[need.ratio],
-            **values,
-        )
-    weighted = any(shaft.weights for shaft in engine.shafts if shaft.throws)
-    if weighted:
-        return _("{vector} rotating with the crankshaft: other counterweights remove it.", **values)
-    if need.force:
-        return _("{vector} rotating with the crankshaft: counterweights remove it.", **values)
-    return _(
-        "{vector} rotating with the crankshaft: counterweights on the end webs remove it.", **values
-    )
-
-
-def _single(need: Need) -> str:
-    values = _values(need)
-    if need.ratio > 0:
-        if need.force:
-            return _(
-                "{vector} rotating with the crankshaft: a balance shaft at {ratio} times crank "
-                "speed removes it.",
-                **values,
-            )
-        return _(
-            "{vector} rotating with the crankshaft: a balance shaft at {ratio} times crank speed, "
-            "with opposite weights at its ends, removes it.",
-            **values,
-        )
-    if need.force:
-        return _(
-            "{vector} rotating against the crankshaft: a balance shaft at {ratio} times crank "
-            "speed removes it.",
-            **values,
-        )
-    return _(
-        "{vector} rotating against the crankshaft: a balance shaft at {ratio} times crank speed, "
-        "with opposite weights at its ends, removes it.",
-        **values,
-    )
-
-
-def proposal(engine: Engine) -> str:
+def proposal(engine: Engine, *, speed: float | None = None) -> str:
     """The counterweights that remove what turns with the crankshafts, and what then remains.
 
-    Nothing where the engine as it is cannot be bettered by them.
+    In newtons at `speed` (rad/s). Nothing where they do not better the engine as it is.
     """
     cranks = {shaft.speed_ratio for shaft in engine.shafts if shaft.throws}
     if not any(need.ratio in cranks for need in needs(engine, highest=1)):
         return ""
     fitted, factor = quiet_cranks(engine)
-    before, after = summed(balance(engine)), summed(balance(fitted))
-    if not _better(before, after):
+    if not _better(summed(balance(engine)), summed(balance(fitted))):
         return ""
-    left = _left(after)
+    left = _left(balance(fitted, speed=speed))
+    if not any(shaft.weights for shaft in fitted.shafts if shaft.throws):
+        return _("Without its counterweights the engine has {left}.", left=left)
     if factor is None:
-        if not left:
-            return _("Counterweights on the end webs leave no primary force or couple.")
         return _("Counterweights on the end webs leave {left}.", left=left)
-    scale, unit = (1.0, "m") if "mass" in engine.relative else (1000.0, "g")
-    heaviest = number(scale * max(bobweight(pin, factor) for pin in loads(engine)))
-    values = {"factor": f"{factor:g}", "bobweight": f"{heaviest} {unit}", "left": left}
-    if not left:
-        return _(
-            "Counterweights with a balance factor of {factor} (heaviest bobweight {bobweight}) "
-            "leave no primary force or couple.",
-            **values,
-        )
+    heaviest = max(bobweight(pin, factor) for pin in loads(engine))
     return _(
         "Counterweights with a balance factor of {factor} (heaviest bobweight {bobweight}) leave "
         "{left}.",
-        **values,
+        factor=f"{factor:g}",
+        bobweight=pin_masses(engine).text(heaviest),
+        left=left,
     )
 
 
@@ -173,21 +120,15 @@ def _better(before: Sums, after: Sums) -> bool:
     return kept and any(new < old * (1 - 1e-6) - 1e-9 for old, new in pairs)
 
 
-def _left(sums: Sums) -> str:
+def _left(result: Balance) -> str:
     """What remains of the first order, which turns against the crankshaft."""
-    force, couple = (
-        abs(complex(spectra.selected(getattr(sums, name), [1.0]).backward[0]))
+    sums = summed(result)
+    vectors = {
+        name: abs(complex(spectra.selected(getattr(sums, name), [1.0]).backward[0]))
         for name in ("force", "couple")
-    )
-    values = {"force": number(force), "couple": number(couple)}
-    if force and couple:
-        return _(
-            "a primary force of {force} m r ω² and a primary couple of {couple} m r ω² a, rotating "
-            "against the crankshaft",
-            **values,
-        )
-    if force:
-        return _("a primary force of {force} m r ω², rotating against the crankshaft", **values)
-    if couple:
-        return _("a primary couple of {couple} m r ω² a, rotating against the crankshaft", **values)
-    return ""
+    }
+    values = {
+        name: f"{number(vector)} {unit_text(getattr(result.units, name))}"
+        for name, vector in vectors.items()
+    }
+    return _(LEFT[bool(vectors["force"]), bool(vectors["couple"])], **values)

@@ -11,9 +11,10 @@ from crankstar.engine.dead_centres import dead_centres
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Block, Shaft
 from crankstar.files.catalog import Summary
-from crankstar.language.messages import _, _n
+from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import number
 from crankstar.tables.headings import heading, timing_lines
+from crankstar.tables.scales import Scale, scales
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
 HIGHEST_HARMONIC = 8
@@ -25,7 +26,7 @@ def description(engine: Engine) -> Document:
 
 
 def _parts(engine: Engine) -> Iterator[Table | Remarks]:
-    yield from remarks(*_relative(engine))
+    yield from remarks(*(_(words) for name, words in RELATIVE.items() if name in engine.relative))
     yield rotors(engine)
     yield cylinders(engine)
     yield from harmonics(engine)
@@ -41,23 +42,12 @@ def _parts(engine: Engine) -> Iterator[Table | Remarks]:
         yield origins(engine)
 
 
-def _relative(engine: Engine) -> list[str]:
-    """The units of what the file does not give."""
-    return [
-        sentence
-        for name, sentence in (
-            ("mass", _("The file gives no masses; they are counted in m.")),
-            (
-                "radius",
-                _("The file gives no sizes; lengths across the crankshaft are counted in r."),
-            ),
-            (
-                "pitch",
-                _("The file gives no bore pitch; lengths along the crankshaft are counted in a."),
-            ),
-        )
-        if name in engine.relative
-    ]
+RELATIVE = {
+    "mass": N_("The file gives no masses; they are counted in m."),
+    "radius": N_("The file gives no sizes; lengths across the crankshaft are counted in r."),
+    "pitch": N_("The file gives no bore pitch; lengths along the crankshaft are counted in a."),
+}
+"""The units of what the file does not give."""
 
 
 def origins(engine: Engine) -> Table:
@@ -76,52 +66,39 @@ def origins(engine: Engine) -> Table:
 
 def rotors(engine: Engine) -> Table:
     """Shafts with their throws and weights, part by part."""
-    across, along, mass = _lengths(engine)
-    radius = engine.throw(engine.first).radius
-    counted = 1 / radius if mass[1] == "m" else 1.0  # m m would be masses times metres
-    lever = "m" if across[1] == "mm" and mass[1] == "kg" else "r"
+    across, along, mass, unbalance = scales(engine)
     columns = (
         Column(_("shaft"), kind="text", key="shaft", wraps=True, label=True),
         Column(_("part"), kind="text", key="part", label=True),
         Column(_("bearing at θ = 0"), "deg", key="bearing_deg"),
-        Column(_("radius"), across[1], key="radius"),
-        Column("z", along[1], key="z"),
-        Column(_("rotating mass"), mass[1], key="rotating_mass"),
-        Column(_("unbalance"), f"{mass[1]}*{lever}", key="unbalance"),
+        Column(_("radius"), across.unit, key="radius"),
+        Column("z", along.unit, key="z"),
+        Column(_("rotating mass"), mass.unit, key="rotating_mass"),
+        Column(_("unbalance"), unbalance.unit, key="unbalance"),
     )
     rows: list[tuple[Value, ...]] = []
     for shaft in engine.shafts:
         label = _shaft_label(shaft, across)
         for place, throw in enumerate(shaft.throws, 1):
-            rows.append(
-                (
-                    label,
-                    _("throw {number}", number=place),
-                    _bearing(throw.angle),
-                    throw.radius * across[0],
-                    throw.z * along[0],
-                    throw.rotating_mass * mass[0],
-                    throw.rotating_mass * throw.radius * counted,
-                )
-            )
+            cells = (label, _("throw {number}", number=place), _bearing(throw.angle))
+            product = throw.rotating_mass * throw.radius * unbalance.factor
+            places = (throw.radius * across.factor, throw.z * along.factor)
+            rows.append((*cells, *places, throw.rotating_mass, product))
         for place, weight in enumerate(shaft.weights, 1):
-            name, angle = _("weight {number}", number=place), _bearing(weight.angle)
-            z, unbalance = weight.z * along[0], weight.unbalance * counted
-            rows.append((label, name, angle, None, z, None, unbalance))
+            cells = (label, _("weight {number}", number=place), _bearing(weight.angle))
+            product = weight.unbalance * unbalance.factor
+            rows.append((*cells, None, weight.z * along.factor, None, product))
     return Table(_("Shafts, throws and weights"), columns, tuple(rows), key="rotors")
 
 
-def _shaft_label(shaft: Shaft, across: tuple[float, str]) -> str:
-    values = {
-        "name": shaft.name,
-        "ratio": shaft.speed_ratio,
-        "up": number(shaft.up * across[0]),
-        "right": number(shaft.right * across[0]),
-        "unit": across[1],
-    }
-    if shaft.up or shaft.right:
-        return _("{name} (ratio {ratio}), {up} {unit} up, {right} {unit} right", **values)
-    return shaft.name if shaft.speed_ratio == 1 else _("{name} (ratio {ratio})", **values)
+def _shaft_label(shaft: Shaft, across: Scale) -> str:
+    name = shaft.name
+    if shaft.speed_ratio != 1:
+        name = _("{name} (ratio {ratio})", name=name, ratio=shaft.speed_ratio)
+    if not (shaft.up or shaft.right):
+        return name
+    up, right = across.text(shaft.up), across.text(shaft.right)
+    return _("{name}, {up} up, {right} right", name=name, up=up, right=right)
 
 
 def _bearing(angle: float) -> float:
@@ -130,38 +107,37 @@ def _bearing(angle: float) -> float:
 
 def cylinders(engine: Engine) -> Table:
     """Cylinders with their places, sizes, masses and dead centres."""
-    across, along, mass = _lengths(engine)
+    across, along, mass, _unbalance = scales(engine)
     centres = dead_centres(engine)
     columns = (
         Column(_("cylinder"), key="number", label=True),
         Column(_("bank"), kind="text", key="bank", wraps=True),
         Column(_("shaft, throw"), kind="text", key="throw", wraps=True),
         Column(_("bearing"), "deg", key="bearing_deg"),
-        Column("z", along[1], key="z"),
-        Column(_("offset"), across[1], key="offset"),
-        Column(_("bore"), across[1], key="bore"),
-        Column(_("rod"), across[1], key="rod_length"),
-        Column(_("reciprocating mass"), mass[1], key="reciprocating_mass"),
+        Column("z", along.unit, key="z"),
+        Column(_("offset"), across.unit, key="offset"),
+        Column(_("bore"), across.unit, key="bore"),
+        Column(_("rod"), across.unit, key="rod_length"),
+        Column(_("reciprocating mass"), mass.unit, key="reciprocating_mass"),
         Column(_("top dead centre"), "deg", key="top_dead_centre_deg"),
     )
     banks = {place: name for name, numbers in engine.banks.items() for place in numbers}
     rows: list[tuple[Value, ...]] = []
     for cylinder in engine.cylinders:
-        link = cylinder.articulated
         seat = f"{cylinder.shaft}, {cylinder.throw}"
-        if link:
-            seat = _("{seat} (slave of {master})", seat=seat, master=link.master)
+        if cylinder.articulated:
+            seat = _("{seat} (slave of {master})", seat=seat, master=cylinder.articulated.master)
         rows.append(
             (
                 cylinder.number,
                 banks[cylinder.number],
                 seat,
                 _bearing(cylinder.bearing),
-                cylinder.z * along[0],
-                cylinder.offset * across[0],
-                None if cylinder.bore is None else cylinder.bore * across[0],
-                cylinder.rod_length * across[0],
-                cylinder.reciprocating_mass * mass[0],
+                cylinder.z * along.factor,
+                cylinder.offset * across.factor,
+                None if cylinder.bore is None else cylinder.bore * across.factor,
+                cylinder.rod_length * across.factor,
+                cylinder.reciprocating_mass,
                 round(centres[cylinder.chamber or cylinder.number].angle_deg, 9) + 0.0,
             )
         )
@@ -170,29 +146,23 @@ def cylinders(engine: Engine) -> Table:
 
 def _block(engine: Engine, block: Block) -> str:
     """The whole engine as a rigid body."""
-    across, along, mass = _lengths(engine)
-    relative = engine.relative
-    unit = "m r²" if "mass" in relative else "kg r²" if "radius" in relative else "kg m²"
-    values = {
-        "mass": f"{number(block.mass * mass[0])} {mass[1]}",
-        "up": f"{number(block.up * across[0])} {across[1]}",
-        "right": f"{number(block.right * across[0])} {across[1]}",
-        "place": _("in the middle")
-        if block.z is None
-        else _("at z = {z}", z=f"{number(block.z * along[0])} {along[1]}"),
-    }
+    across, along, mass, _unbalance = scales(engine)
     words = _(
         "The whole engine as a rigid body: mass {mass}, centre of mass {up} up, {right} right, {place}.",
-        **values,
+        mass=mass.text(block.mass),
+        up=across.text(block.up),
+        right=across.text(block.right),
+        place=_("in the middle") if block.z is None else _("at z = {z}", z=along.text(block.z)),
     )
     if block.inertia is None:
         return words
-    vertical, right, along_z = (f"{number(size)} {unit}" for size in block.inertia)
+    unit = f"{mass.unit} {'m' if across.unit == 'mm' and mass.unit == 'kg' else 'r'}²"
+    yaw, pitch, roll = (f"{number(size)} {unit}" for size in block.inertia)
     moments = _(
         "Moments of inertia: {yaw} in yaw, {pitch} in pitch, {roll} in roll.",
-        yaw=vertical,
-        pitch=right,
-        roll=along_z,
+        yaw=yaw,
+        pitch=pitch,
+        roll=roll,
     )
     return f"{words} {moments}"
 
@@ -207,40 +177,27 @@ def harmonics(engine: Engine) -> tuple[Table, ...]:
         crank_radius=radius, rod_length=first.rod_length, offset=first.offset
     )
     ratio = radius / first.rod_length
-    other = (
-        Column(_("phase"), "deg", key="phase_deg")
-        if first.offset
-        else Column(_("series to λ⁷"), key="series", digits=10)
-    )
+    series = Column(_("series to λ⁷"), key="series", digits=10)
+    other = Column(_("phase"), "deg", key="phase_deg") if first.offset else series
     columns = (Column(_("order"), key="order"), Column("Aₖ", key="harmonic", digits=10), other)
     rows: list[tuple[Value, ...]] = []
     for order in range(1, min(HIGHEST_HARMONIC, exact.size - 1) + 1):
         size = complex(exact[order])
-        if not size:
-            continue
-        if first.offset:
+        if size and first.offset:
             rows.append((order, abs(size), round(degrees(phase(size)), 2) + 0.0))
-        else:
+        elif size:
             rows.append((order, size.real, float(motion.series(order, ratio=ratio))))
-    values = {"cylinder": first.number, "ratio": number(ratio)}
-    title = _(
-        "Piston of cylinder {cylinder}: force m r ω² Σ Aₖ cos kψ, λ = r/l = {ratio}", **values
-    )
-    if first.offset:
-        values["offset"] = number(first.offset / radius)
-        title = _(
+    title = (
+        N_(
             "Piston of cylinder {cylinder}: force m r ω² Σ Aₖ cos(kψ + phase), λ = r/l = {ratio}, "
-            "offset {offset} r",
-            **values,
+            "offset {offset} r"
         )
+        if first.offset
+        else N_("Piston of cylinder {cylinder}: force m r ω² Σ Aₖ cos kψ, λ = r/l = {ratio}")
+    )
+    values = {"ratio": number(ratio), "offset": number(first.offset / radius)}
+    title = _(title, cylinder=first.number, **values)
     return (Table(title, columns, tuple(rows), key="harmonics"),)
-
-
-def _lengths(engine: Engine) -> tuple[tuple[float, str], tuple[float, str], tuple[float, str]]:
-    """Factor and unit for lengths across and along the crankshaft, and for masses."""
-    across = (1.0, "r") if "radius" in engine.relative else (1000.0, "mm")
-    along = (1.0, "a") if "pitch" in engine.relative else (1000.0, "mm")
-    return across, along, (1.0, "m") if "mass" in engine.relative else (1.0, "kg")
 
 
 def catalog(rows: Sequence[Summary]) -> Document:

@@ -7,9 +7,40 @@ from math import degrees
 from crankstar.engine.engine import Engine
 from crankstar.engine.valves import EVENTS, Timing, timing
 from crankstar.firing.intervals import Firing, firing
-from crankstar.language.messages import _, _n
+from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import number
 from crankstar.tables.table import Remarks
+
+ROTATIONS = {
+    (False, True): N_("clockwise seen from the front"),
+    (False, False): N_("counter-clockwise seen from the front"),
+    (True, True): N_("counter-rotating crankshafts, the first clockwise seen from the front"),
+    (True, False): N_(
+        "counter-rotating crankshafts, the first counter-clockwise seen from the front"
+    ),
+}
+"""By whether crankshafts turn both ways, and the first clockwise."""
+TIMINGS = {
+    "two-stroke": (
+        N_(
+            "Intake opens {intake_opens} before and closes {intake_closes} after bottom dead centre."
+        ),
+        N_(
+            "Exhaust opens {exhaust_opens} before and closes {exhaust_closes} after bottom dead "
+            "centre."
+        ),
+    ),
+    "four-stroke": (
+        N_(
+            "Intake opens {intake_opens} before top and closes {intake_closes} after bottom dead "
+            "centre."
+        ),
+        N_(
+            "Exhaust opens {exhaust_opens} before bottom and closes {exhaust_closes} after top dead "
+            "centre."
+        ),
+    ),
+}
 
 
 def heading(engine: Engine) -> Remarks:
@@ -59,14 +90,11 @@ def rotation_text(engine: Engine) -> str:
     >>> rotation_text(load("v8-cross-plane"))
     'clockwise seen from the front'
     """
-    contra = any(shaft.throws and shaft.speed_ratio < 0 for shaft in engine.shafts)
-    if contra and engine.sense > 0:
-        return _("counter-rotating crankshafts, the first clockwise seen from the front")
-    if contra:
-        return _("counter-rotating crankshafts, the first counter-clockwise seen from the front")
-    if engine.sense > 0:
-        return _("clockwise seen from the front")
-    return _("counter-clockwise seen from the front")
+    return _(
+        ROTATIONS[
+            any(shaft.throws and shaft.speed_ratio < 0 for shaft in engine.shafts), engine.sense > 0
+        ]
+    )
 
 
 def firing_text(fired: Firing) -> str:
@@ -86,38 +114,17 @@ def timing_lines(engine: Engine) -> list[str]:
     >>> timing_lines(load("kr250-racer"))[1]
     'Exhaust opens 85 deg (assumed) before and closes 85 deg (assumed) after bottom dead centre.'
     """
-    found = timing(engine.valves, cycle=engine.cycle)
-    angles = {name: _angle(found, name) for name in EVENTS}
-    if engine.cycle == "two-stroke":
-        intake = _(
-            "Intake opens {intake_opens} before and closes {intake_closes} after bottom dead centre.",
-            **angles,
-        )
-        exhaust = _(
-            "Exhaust opens {exhaust_opens} before and closes {exhaust_closes} after bottom dead "
-            "centre.",
-            **angles,
-        )
-    else:
-        intake = _(
-            "Intake opens {intake_opens} before top and closes {intake_closes} after bottom dead "
-            "centre.",
-            **angles,
-        )
-        exhaust = _(
-            "Exhaust opens {exhaust_opens} before bottom and closes {exhaust_closes} after top dead "
-            "centre.",
-            **angles,
-        )
-    lines = [intake, exhaust]
+    own = timing(engine.valves, cycle=engine.cycle)
+    angles = {name: _angle(own, name) for name in EVENTS}
+    lines = [_(sentence, **angles) for sentence in TIMINGS[engine.cycle]]
     if engine.valves is not None and engine.valves.manifolds:
         groups = "; ".join(", ".join(map(str, group)) for group in engine.valves.manifolds)
         lines.append(_("Exhaust manifolds join cylinders {groups}.", groups=groups))
     return lines
 
 
-def _angle(found: Timing, name: str) -> str:
-    angle = number(round(degrees(getattr(found, name)), 9))
-    if name in found.assumed:
+def _angle(own: Timing, name: str) -> str:
+    angle = number(round(degrees(getattr(own, name)), 9))
+    if name in own.assumed:
         return _("{angle} deg (assumed)", angle=angle)
     return _("{angle} deg", angle=angle)

@@ -1,12 +1,39 @@
-"""The path of a vector over a turn, named: circle, line or ellipse."""
+"""Names of vectors and of their paths over a turn: circle, line or ellipse."""
 
 from __future__ import annotations
 
+from fractions import Fraction
 from math import degrees
 
 from crankstar import spectra
-from crankstar.language.messages import _
+from crankstar.language.messages import N_, _
 from crankstar.language.numbers import NEGLIGIBLE
+
+WORDS = {
+    "vertical": (N_("vertical line"), N_("vertical")),
+    "horizontal": (N_("horizontal line"), N_("horizontal")),
+    "line": (N_("line at {bearing}°"), N_("along a line at {bearing}°")),
+    "with": (N_("circle with the crank"), N_("rotating with the crankshaft")),
+    "against": (N_("circle against the crank"), N_("rotating against the crankshaft")),
+    "ellipse with": (
+        N_("ellipse {ratio}:1 at {bearing}°, with the crank"),
+        N_("on an ellipse {ratio}:1 at {bearing}°, with the crankshaft"),
+    ),
+    "ellipse against": (
+        N_("ellipse {ratio}:1 at {bearing}°, against the crank"),
+        N_("on an ellipse {ratio}:1 at {bearing}°, against the crankshaft"),
+    ),
+}
+"""Each path as a noun, and within a sentence."""
+NAMES = {
+    1: (N_("Primary force"), N_("Primary couple"), N_("Primary force and couple")),
+    2: (N_("Secondary force"), N_("Secondary couple"), N_("Secondary force and couple")),
+}
+OTHERS = (
+    N_("Force of order {order}"),
+    N_("Couple of order {order}"),
+    N_("Force and couple of order {order}"),
+)
 
 
 def shape(path: spectra.Ellipse, largest: float = 0.0) -> str:
@@ -17,20 +44,7 @@ def shape(path: spectra.Ellipse, largest: float = 0.0) -> str:
     """
     if path.semi_major <= NEGLIGIBLE * largest or path.semi_major == 0:
         return _("none")
-    bearing = round(degrees(path.bearing), 2)
-    bearing = 90.0 if bearing == -90 else bearing + 0.0
-    if path.semi_minor <= NEGLIGIBLE * path.semi_major:
-        if bearing == 0:
-            return _("vertical line")
-        if bearing == 90:
-            return _("horizontal line")
-        return _("line at {bearing}°", bearing=f"{bearing:g}")
-    if path.semi_major - path.semi_minor <= NEGLIGIBLE * path.semi_major:
-        return _("circle with the crank") if path.sense > 0 else _("circle against the crank")
-    values = {"ratio": f"{path.semi_minor / path.semi_major:.3g}", "bearing": f"{bearing:g}"}
-    if path.sense > 0:
-        return _("ellipse {ratio}:1 at {bearing}°, with the crank", **values)
-    return _("ellipse {ratio}:1 at {bearing}°, against the crank", **values)
+    return _worded(path, 0)
 
 
 def course(path: spectra.Ellipse) -> str:
@@ -39,17 +53,26 @@ def course(path: spectra.Ellipse) -> str:
     >>> course(spectra.ellipse(1 + 0j, 0j)), course(spectra.ellipse(1 + 0j, -1 + 0j))
     ('rotating with the crankshaft', 'horizontal')
     """
+    return _worded(path, 1)
+
+
+def _worded(path: spectra.Ellipse, form: int) -> str:
     bearing = round(degrees(path.bearing), 2)
-    values = {"bearing": f"{90.0 if bearing == -90 else bearing + 0.0:g}"}
-    if path.semi_minor <= NEGLIGIBLE * path.semi_major:
-        if bearing == 0:
-            return _("vertical")
-        return _("horizontal") if abs(bearing) == 90 else _("along a line at {bearing}°", **values)
-    if path.semi_major - path.semi_minor <= NEGLIGIBLE * path.semi_major:
-        if path.sense > 0:
-            return _("rotating with the crankshaft")
-        return _("rotating against the crankshaft")
-    values["ratio"] = f"{path.semi_minor / path.semi_major:.3g}"
-    if path.sense > 0:
-        return _("on an ellipse {ratio}:1 at {bearing}°, with the crankshaft", **values)
-    return _("on an ellipse {ratio}:1 at {bearing}°, against the crankshaft", **values)
+    bearing = 90.0 if bearing == -90 else bearing + 0.0
+    ratio, way = path.semi_minor / path.semi_major, "with" if path.sense > 0 else "against"
+    kind = f"ellipse {way}"
+    if ratio <= NEGLIGIBLE:
+        kind = {0.0: "vertical", 90.0: "horizontal"}.get(bearing, "line")
+    elif 1 - ratio <= NEGLIGIBLE:
+        kind = way
+    return _(WORDS[kind][form], ratio=f"{ratio:.3g}", bearing=f"{bearing:g}")
+
+
+def vector_name(order: Fraction | int, *, force: bool, couple: bool) -> str:
+    """Primary, secondary, or by order: force, couple, or both.
+
+    >>> vector_name(Fraction(-1), force=False, couple=True)
+    'Primary couple'
+    """
+    names = NAMES.get(abs(order), OTHERS)  # pyright: ignore[reportArgumentType, reportCallIssue]
+    return _(names[2 if force and couple else int(couple)], order=abs(order))

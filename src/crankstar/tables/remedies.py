@@ -14,17 +14,14 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.records import Shaft
 from crankstar.language.messages import _
 from crankstar.language.numbers import number, unit_text
-from crankstar.mechanics.balance import Balance, balance, total
+from crankstar.mechanics.balance import Balance, Units, balance, total
 from crankstar.mechanics.excitation import rolling_moment
 from crankstar.mechanics.remains import OPTIMISED, Sums, size, summed
 from crankstar.remedy import Best, bearing_load, bobweight, loads, needs
-from crankstar.spectra import Spectrum
 from crankstar.tables.certificate import certificate
 from crankstar.tables.cures import cure_lines
+from crankstar.tables.scales import pin_masses, scales
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
-
-HEAVY = 20.0
-"""Masses from which they are given in kilograms, kg."""
 
 
 class Job(NamedTuple):
@@ -59,30 +56,21 @@ def parts(job: Job) -> Iterator[Table | Remarks]:
     yield from _needed(job.after)
 
 
-def _mass_unit(engine: Engine) -> tuple[float, str]:
-    """Factor and unit for masses: of the first piston, or g, or, of large engines, kg."""
-    if "mass" in engine.relative:
-        return 1.0, "m"
-    greatest = max(max(pin.rotating, pin.reciprocating) for pin in loads(engine))
-    return (1.0, "kg") if greatest >= HEAVY else (1000.0, "g")
-
-
 def _bobweights(job: Job) -> Table:
     engine, factor = job.before, 0.5 if job.factor is None else job.factor
-    scale, unit = _mass_unit(engine)
+    scale, pins = pin_masses(engine), loads(engine)
     columns = (
         Column(_("pin"), kind="text", key="pin", label=True),
         Column(_("cylinders"), kind="list", key="cylinders"),
-        Column(_("rotating"), unit, key="rotating"),
-        Column(_("reciprocating"), unit, key="reciprocating"),
-        Column(_("bobweight"), unit, key="bobweight"),
+        Column(_("rotating"), scale.unit, key="rotating"),
+        Column(_("reciprocating"), scale.unit, key="reciprocating"),
+        Column(_("bobweight"), scale.unit, key="bobweight"),
     )
     rows: list[tuple[Value, ...]] = []
-    for pin in loads(engine):
+    for pin in pins:
         name = f"{pin.shaft} {pin.throw}" if len(engine.shafts) > 1 else str(pin.throw)
         masses = (pin.rotating, pin.reciprocating, bobweight(pin, factor))
-        rows.append((name, tuple(pin.cylinders), *(mass * scale for mass in masses)))
-    shared = {len(pin.cylinders) for pin in loads(engine)} - {0, 1}
+        rows.append((name, tuple(pin.cylinders), *(mass * scale.factor for mass in masses)))
     notes = [
         _(
             "Bobweight = rotating + {factor} × reciprocating, of all cylinders on the pin, at the "
@@ -91,17 +79,18 @@ def _bobweights(job: Job) -> Table:
         ),
         *(
             _(
-                "Counted in one of the {count} cylinders on a pin, the balance factor is {factor}.",
+                "As a share of the reciprocating mass of one of the {count} cylinders on a pin, the "
+                "balance factor is {factor}.",
                 count=count,
                 factor=number(factor * count),
             )
-            for count in sorted(shared)
+            for count in sorted({len(pin.cylinders) for pin in pins} - {0, 1})
         ),
     ]
     if job.factor is None:
         notes.append(
             _(
-                "The weights below follow no balance factor; these bobweights are for a factor of 0.5."
+                "The weights fitted follow no balance factor; these bobweights are for a factor of 0.5."
             )
         )
     return Table(_("Bobweights"), columns, tuple(rows), notes=tuple(notes), key="bobweights")
@@ -109,32 +98,28 @@ def _bobweights(job: Job) -> Table:
 
 def _weights(job: Job) -> Table:
     engine = job.after
+    across, along, _mass, unbalance = scales(engine)
+    mass = pin_masses(engine)
     radius = engine.throw(engine.first).radius if job.radius is None else job.radius
-    scale, unit = _mass_unit(engine)
-    along, place = _along(engine)
-    counted, product = _unbalance_unit(engine)
     columns = (
         Column(_("shaft"), kind="text", key="shaft", wraps=True, label=True),
-        Column("z", place, key="z"),
+        Column("z", along.unit, key="z"),
         Column(_("bearing at θ = 0"), "deg", key="bearing_deg"),
-        Column(_("unbalance"), product, key="unbalance"),
-        Column(_("mass"), unit, key="mass"),
+        Column(_("unbalance"), unbalance.unit, key="unbalance"),
+        Column(_("mass"), mass.unit, key="mass"),
     )
     rows = tuple(
         (
             shaft.name,
-            round(weight.z * along, 9) + 0.0,
+            along.of(weight.z),
             _bearing(weight.angle),
-            weight.unbalance * counted,
-            weight.unbalance / radius * scale,
+            weight.unbalance * unbalance.factor,
+            weight.unbalance / radius * mass.factor,
         )
         for shaft in engine.shafts
         for weight in shaft.weights
     )
-    at = _("the crank radius")
-    if job.radius is not None:
-        across = "r" if "radius" in engine.relative else "mm"
-        at = f"{number(radius * (1.0 if across == 'r' else 1000.0))} {across}"
+    at = _("the crank radius") if job.radius is None else across.text(radius)
     note = _("Mass: of a lump, or missing from a ring, with its centre at {radius}.", radius=at)
     notes = (note,) if rows else (_("No weights."),)
     return Table(_("Weights"), columns, rows, notes=notes, key="weights")
@@ -145,32 +130,17 @@ def _bearing(angle: float) -> float:
     return 180.0 if bearing == -180 else bearing + 0.0
 
 
-def _along(engine: Engine) -> tuple[float, str]:
-    """Factor and unit along the crankshaft: mm, a, or r for a lone cylinder without sizes."""
-    if "pitch" in engine.relative:
-        return 1.0, "a"
-    lone = len({cylinder.z for cylinder in engine.cylinders}) == 1 and engine.bore_pitch is None
-    return (1.0, "r") if lone and "radius" in engine.relative else (1000.0, "mm")
-
-
-def _unbalance_unit(engine: Engine) -> tuple[float, str]:
-    """Factor and unit for unbalances: kg m, or m r where a mass or a radius is not known."""
-    if "mass" in engine.relative:
-        return 1 / engine.throw(engine.first).radius, "m*r"
-    return 1.0, "kg*r" if "radius" in engine.relative else "kg*m"
-
-
 def _shafts(job: Job) -> Table:
     """The balance shafts: what each removes, where it lies, the moment that its place adds."""
     engine = job.after
     result = balance(engine)
-    across, unit = (1.0, "r") if "radius" in engine.relative else (1000.0, "mm")
+    across = scales(engine).across
     columns = (
         Column(_("shaft"), kind="text", key="shaft", wraps=True, label=True),
         Column(_("speed ratio"), kind="text", key="ratio"),
         Column(_("removes"), kind="text", key="removes"),
-        Column(_("up"), unit, key="up"),
-        Column(_("right"), unit, key="right"),
+        Column(_("up"), across.unit, key="up"),
+        Column(_("right"), across.unit, key="right"),
         Column(_("rolling moment added"), "m*r^2*w^2", key="roll_added"),
     )
     own = [shaft for shaft in engine.shafts if shaft.weights and not shaft.throws]
@@ -179,8 +149,8 @@ def _shafts(job: Job) -> Table:
             shaft.name,
             str(shaft.speed_ratio),
             _task(shaft),
-            round(shaft.up * across, 9) + 0.0,
-            round(shaft.right * across, 9) + 0.0,
+            across.of(shaft.up),
+            across.of(shaft.right),
             _roll_added(result, shaft),
         )
         for shaft in own
@@ -208,37 +178,38 @@ def _roll_added(result: Balance, shaft: Shaft) -> float:
         for row, part in enumerate(result.parts)
         if part.shaft == shaft.name and part.kind == "weight"
     ]
-    moment = spectra.total(result.axis_moment[rows, :])
-    return float(
-        abs(spectra.amplitude(spectra.selected(moment, [abs(float(shaft.speed_ratio))]))[0])
-    )
-
-
-class Line(NamedTuple):
-    """A row of what remains: quantity and unit, and the vectors before and after."""
-
-    order: float
-    quantity: str
-    unit: str
-    before: tuple[float, float]
-    after: tuple[float, float]
+    return size(spectra.total(result.axis_moment[rows, :]), abs(float(shaft.speed_ratio)))
 
 
 def _remaining(job: Job) -> Table:
     """The orders in which something was put on the engine, before and after."""
     before, after = (balance(engine, speed=job.speed) for engine in (job.before, job.after))
-    fitted = [shaft for shaft in job.after.shafts if shaft.weights]
-    orders = sorted({1.0} | {abs(float(shaft.speed_ratio)) for shaft in fitted})
-    lines: list[Line] = []
     sums = summed(before), summed(after)
-    for order in orders:
-        lines += [_vector_line(sums, name, order, after) for name in ("force", "couple")]
-    shafts = {abs(float(shaft.speed_ratio)) for shaft in fitted if not shaft.throws}
-    for order in sorted(shafts):
+    fitted = [shaft for shaft in job.after.shafts if shaft.weights]
+    rolling = {abs(float(shaft.speed_ratio)) for shaft in fitted if not shaft.throws}
+    rows: list[tuple[Value, ...]] = []
+    worse: list[str] = []
+    for order in sorted({1.0} | {abs(float(shaft.speed_ratio)) for shaft in fitted}):
+        for name, word in (("force", _("force")), ("couple", _("couple"))):
+            old, new = _vectors(sums, name, order, after.units)
+            unit = unit_text(getattr(after.units, name))
+            rows.append((order, word, unit, sum(old), sum(new), *new))
+            if sum(new) > sum(old) * (1 + OPTIMISED):
+                worse.append(
+                    _(
+                        "These weights make the {quantity} of order {order} larger than before.",
+                        quantity=word,
+                        order=number(order),
+                    )
+                )
+    unit = unit_text(after.units.moment)
+    for order in sorted(rolling):
         rolls = [size(rolling_moment(total(result)), order) for result in (before, after)]
-        least = OPTIMISED * max(rolls)
-        pairs = [(roll if roll > least else 0.0, 0.0) for roll in rolls]
-        lines.append(Line(order, _("rolling moment"), after.units.moment, pairs[0], pairs[1]))
+        cleared = (roll if roll > OPTIMISED * max(rolls) else 0.0 for roll in rolls)
+        rows.append((order, _("rolling moment"), unit, *cleared, None, None))
+    load = _("greatest load on a main bearing")
+    loaded = (bearing_load(job.before), bearing_load(job.after))
+    rows.append((1.0, load, "m r ω²", *loaded, None, None))
     columns = (
         Column(_("order"), key="order", label=True),
         Column(_("quantity"), kind="text", key="quantity", wraps=True),
@@ -248,57 +219,35 @@ def _remaining(job: Job) -> Table:
         Column(_("with the crank"), key="forward", optional=2),
         Column(_("against the crank"), key="backward", optional=1),
     )
-    rows: list[tuple[Value, ...]] = []
-    for line in lines:
-        turning = line.after if line.quantity != _("rolling moment") else (None, None)
-        rows.append(
-            (
-                line.order,
-                line.quantity,
-                unit_text(line.unit),
-                sum(line.before),
-                sum(line.after),
-                *turning,
-            )
-        )
-    load = _("greatest load on a main bearing")
-    bearing = (bearing_load(job.before), bearing_load(job.after))
-    rows.append((1.0, load, "m r ω²", *bearing, None, None))
-    worse = [line for line in lines if sum(line.after) > sum(line.before) * (1 + OPTIMISED)]
-    notes = tuple(
-        _(
-            "These weights make the {quantity} of order {order} larger than before.",
-            quantity=line.quantity,
-            order=number(line.order),
-        )
-        for line in worse
-        if line.quantity != _("rolling moment")
-    )
     title = _("Remaining unbalance")
-    if job.speed is not None and after.units.force == "N":
-        title = _("Remaining unbalance at {rpm} rpm", rpm=number(job.speed * 30 / pi))
-    return Table(title, columns, tuple(rows), notes=notes, key="remaining")
+    if after.speed is not None:
+        title = _("Remaining unbalance at {rpm} rpm", rpm=number(after.speed * 30 / pi))
+    return Table(title, columns, tuple(rows), notes=tuple(worse), key="remaining")
 
 
-def _vector_line(sums: tuple[Sums, Sums], name: str, order: float, result: Balance) -> Line:
+def _vectors(
+    sums: tuple[Sums, Sums], name: str, order: float, units: Units
+) -> list[tuple[float, float]]:
     """Forward and backward vectors before and after; what an optimiser leaves is zero."""
-    top = max(size(getattr(one, name), other) for one in sums for other in (1.0, 2.0))
-    if name == "couple" and result.units.couple == "m*r*w^2*a":
-        top = max(top, *(size(one.force, other) for one in sums for other in (1.0, 2.0)))
-    pairs = [_ways(getattr(one, name), order, OPTIMISED * top) for one in sums]
-    word = _("force") if name == "force" else _("couple")
-    return Line(order, word, getattr(result.units, name), pairs[0], pairs[1])
-
-
-def _ways(spectrum: Spectrum, order: float, least: float) -> tuple[float, float]:
-    one = spectra.selected(spectrum, [order])
-    forward, backward = abs(complex(one.forward[0])), abs(complex(one.backward[0]))
-    return (forward if forward > least else 0.0, backward if backward > least else 0.0)
+    compared = [name, "force"] if units.couple == "m*r*w^2*a" else [name]
+    top = max(
+        size(getattr(one, other), second)
+        for one in sums
+        for other in compared
+        for second in (1.0, 2.0)
+    )
+    pairs: list[tuple[float, float]] = []
+    for one in sums:
+        vector = spectra.selected(getattr(one, name), [order])
+        ways = (abs(complex(way[0])) for way in (vector.forward, vector.backward))
+        forward, backward = (way if way > OPTIMISED * top else 0.0 for way in ways)
+        pairs.append((forward, backward))
+    return pairs
 
 
 def _needed(engine: Engine) -> tuple[Remarks, ...]:
     """What would remove the rest of the first and the second order."""
-    found = needs(engine, zero=OPTIMISED)
-    if not found:
+    remaining = needs(engine, zero=OPTIMISED)
+    if not remaining:
         return remarks(_("No primary or secondary force or couple remains."))
-    return remarks(*cure_lines(engine, found), title=_("Further remedies"), kind="list")
+    return remarks(*cure_lines(engine, remaining), title=_("Further remedies"), kind="list")

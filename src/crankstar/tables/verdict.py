@@ -10,7 +10,7 @@ import numpy as np
 
 from crankstar import spectra
 from crankstar.engine.engine import Engine
-from crankstar.language.messages import _
+from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number, unit_text
 from crankstar.mechanics.balance import Balance, balance
 from crankstar.mechanics.remains import (
@@ -24,55 +24,86 @@ from crankstar.mechanics.remains import (
     summed,
 )
 from crankstar.remedy import needs
-from crankstar.spectra import Spectrum
-from crankstar.tables.cures import cure_lines, proposal, vector_name
+from crankstar.tables.analysis import unit_sentence
+from crankstar.tables.cures import cure_lines, proposal
 from crankstar.tables.firing_facts import layout_sentence, succession_lines
-from crankstar.tables.paths import course
+from crankstar.tables.paths import course, vector_name
 from crankstar.tables.relatives import relative_lines
 from crankstar.tables.table import Column, Document, Table
 
+NONE = {
+    "force": N_("No force of any order up to {order}."),
+    "couple": N_("No couple of any order up to {order}."),
+}
+FREE = {
+    ("force", 1): N_("No primary force."),
+    ("force", 2): N_("No secondary force."),
+    ("force", 1, 2): N_("No primary or secondary force."),
+    ("couple", 1): N_("No primary couple."),
+    ("couple", 2): N_("No secondary couple."),
+    ("couple", 1, 2): N_("No primary or secondary couple."),
+}
+MOMENTS = {
+    "roll": N_(
+        "Rolling moment on the block, with the flywheel taking the inertia torque: largest at "
+        "order {order}, {size} {unit}."
+    ),
+    "axis_moment": N_(
+        "Moment of the forces about the crank axis: largest at order {order}, {size} {unit}."
+    ),
+}
+
 
 class Fact(NamedTuple):
-    """A sentence and its subject: layout, firing, force, couple, roll, cure, relatives."""
+    """A sentence and its subject: layout, firing, units, force, couple, roll, cure, relatives."""
 
     about: str
     sentence: str
 
 
-def verdict(engine: Engine, *, relatives: bool = True) -> tuple[Fact, ...]:
-    """The facts of an engine, in units of m r w^2, couples about the middle of the cylinders.
+def verdict(
+    engine: Engine, *, speed: float | None = None, relatives: bool = True
+) -> tuple[Fact, ...]:
+    """The facts of an engine, couples about the middle of the cylinders.
 
-    `relatives`: also the engines of the catalog it compares with.
+    In N and N m at `speed` (rad/s), by default the engine's own; in units of m r w^2 where there is
+    none, or masses or sizes are not known. `relatives`: also the engines of the catalog it compares
+    with.
 
     >>> from crankstar.files.catalog import load
     >>> verdict(load("i4"), relatives=False)[2].sentence
     'No primary force. Secondary force: 1.0161 m r ω², vertical. Order 4: 0.016392; order 6: 0.00029752.'
     """
-    result = balance(engine)
+    speed = engine.speed if speed is None else speed
+    result = balance(engine, speed=speed)
     sums = summed(result)
     facts = [
         ("layout", layout_sentence(engine)),
         *(("firing", sentence) for sentence in succession_lines(engine)),
+        ("units", unit_sentence(engine, result) if result.speed is not None else ""),
         ("force", _vector_sentences("force", result, sums)),
         ("couple", _vector_sentences("couple", result, sums)),
         ("roll", _moment_sentences(result, sums)),
-        *(("cure", sentence) for sentence in _cures(engine)),
+        *(("cure", sentence) for sentence in _cures(engine, speed)),
         *(("relatives", sentence) for sentence in (relative_lines(engine) if relatives else [])),
     ]
-    return tuple(Fact(*fact) for fact in facts)
+    return tuple(Fact(*fact) for fact in facts if fact[1])
 
 
 def verdict_document(engine: Engine, facts: Sequence[Fact]) -> Document:
     """The facts of an engine in two columns: the subject, and the sentence."""
-    names = subjects()
-    rows: list[tuple[str, str]] = []
-    before = ""
-    for fact in facts:
-        rows.append((names[fact.about] if fact.about != before else "", fact.sentence))
-        before = fact.about
     columns = (Column("", kind="text", label=True), Column("", kind="text", wraps=True))
-    table = Table("", columns, tuple(rows))
-    return Document(engine.name, (table,))
+    return Document(engine.name, (Table("", columns, tuple(verdict_rows(facts))),))
+
+
+def verdict_rows(facts: Sequence[Fact]) -> list[tuple[str, str]]:
+    """Each sentence beside its subject, which is named once."""
+    names = subjects()
+    before = ["", *(fact.about for fact in facts)]
+    return [
+        ("" if fact.about == about else names[fact.about], fact.sentence)
+        for fact, about in zip(facts, before, strict=False)
+    ]
 
 
 def subjects() -> dict[str, str]:
@@ -80,6 +111,7 @@ def subjects() -> dict[str, str]:
     return {
         "layout": _("layout"),
         "firing": _("firing"),
+        "units": _("units"),
         "force": _("force"),
         "couple": _("couple"),
         "roll": _("rolling moment"),
@@ -90,83 +122,53 @@ def subjects() -> dict[str, str]:
 
 def _vector_sentences(name: str, result: Balance, sums: Sums) -> str:
     """The orders of force or couple that remain, the largest first, and whether 1 and 2 are free."""
-    spectrum: Spectrum = getattr(sums, name)
-    force = name == "force"
-    orders = orders_pushed(result)
-    left, zero = ranked(spectrum, orders)
+    spectrum = getattr(sums, name)
+    left, zero = ranked(spectrum, orders_pushed(result))
     if not left:
-        if force:
-            return _("No force of any order up to {order}.", order=number(USUAL_ORDERS))
-        return _("No couple of any order up to {order}.", order=number(USUAL_ORDERS))
-    unit = unit_text(getattr(result.units, name))
-    found = dict(zip(left, sizes(spectra.selected(spectrum, left)).tolist(), strict=True))
-    largest = max(found.values())
-    out = [_free(force, {1.0, 2.0} & {*zero})]
+        return _(NONE[name], order=number(USUAL_ORDERS))
+    remaining = spectra.selected(spectrum, left)
+    largest = float(sizes(remaining).max())
+    free = tuple(order for order in (1, 2) if order in zero)
+    out = [_(FREE[(name, *free)])] if free else []
     minor: list[str] = []
-    for order in left:
-        values = {"size": number(found[order]), "unit": unit, "order": number(order)}
-        if found[order] < MINOR * largest:
-            minor.append(_("order {order}: {size}", **values))
+    for row, (order, size) in enumerate(zip(left, sizes(remaining).tolist(), strict=True)):
+        if size < MINOR * largest:
+            minor.append(_("order {order}: {size}", order=number(order), size=number(size)))
             continue
-        one = spectra.selected(spectrum, [order])
-        path = spectra.ellipse(complex(one.forward[0]), complex(one.backward[0]))
-        vector = vector_name(Fraction(order).limit_denominator(1000), force=force, couple=not force)
+        path = spectra.ellipse(complex(remaining.forward[row]), complex(remaining.backward[row]))
+        ratio = Fraction(order).limit_denominator(1000)
         out.append(
-            _("{vector}: {size} {unit}, {course}.", vector=vector, course=course(path), **values)
+            _(
+                "{vector}: {size} {unit}, {course}.",
+                vector=vector_name(ratio, force=name == "force", couple=name == "couple"),
+                size=number(size),
+                unit=unit_text(getattr(result.units, name)),
+                course=course(path),
+            )
         )
     rest = "; ".join(minor)
-    out.append(f"{rest[:1].upper()}{rest[1:]}." if rest else "")
-    return " ".join(filter(None, out))
-
-
-def _free(force: bool, zero: set[float]) -> str:
-    if zero == {1.0, 2.0}:
-        return (
-            _("No primary or secondary force.") if force else _("No primary or secondary couple.")
-        )
-    if 1.0 in zero:
-        return _("No primary force.") if force else _("No primary couple.")
-    if 2.0 in zero:
-        return _("No secondary force.") if force else _("No secondary couple.")
-    return ""
+    out += [f"{rest[:1].upper()}{rest[1:]}."] if rest else []
+    return " ".join(out)
 
 
 def _moment_sentences(result: Balance, sums: Sums) -> str:
     """The greatest order of the rolling moment on the block, and of the moment about the axis."""
-    unit = unit_text(result.units.moment)
+    turning = remains(sums.axis_moment, result.axis_moment)
+    there = {"roll": turning or remains(sums.torque, result.torque), "axis_moment": turning}
     out: list[str] = []
-    if remains(sums.torque, result.torque) or remains(sums.axis_moment, result.axis_moment):
-        order, size = _greatest(sums.roll)
-        if size:
-            values = {"size": number(size), "unit": unit, "order": number(order)}
-            out.append(
-                _(
-                    "Rolling moment on the block, with the flywheel taking the inertia torque: "
-                    "{size} {unit} at order {order}, its largest.",
-                    **values,
-                )
-            )
-    if remains(sums.axis_moment, result.axis_moment):
-        order, size = _greatest(sums.axis_moment)
-        values = {"size": number(size), "unit": unit, "order": number(order)}
-        out.append(
-            _(
-                "Moment of the forces about the crank axis: {size} {unit} at order {order}, its largest.",
-                **values,
-            )
-        )
+    for name, sentence in MOMENTS.items():
+        signal = getattr(sums, name)
+        amplitudes = np.abs(spectra.amplitude(signal))
+        place = int(np.argmax(amplitudes))
+        if there[name] and amplitudes[place]:
+            order, size = number(signal.orders[place]), number(amplitudes[place])
+            out.append(_(sentence, order=order, size=size, unit=unit_text(result.units.moment)))
     return " ".join(out) or _("No rolling moment from inertia.")
 
 
-def _greatest(signal: Spectrum) -> tuple[float, float]:
-    amplitudes = np.abs(spectra.amplitude(signal))
-    place = int(np.argmax(amplitudes))
-    return float(signal.orders[place]), float(amplitudes[place])
-
-
-def _cures(engine: Engine) -> list[str]:
+def _cures(engine: Engine, speed: float | None) -> list[str]:
     """What removes what remains of the first two orders of the engine as it is."""
-    found = needs(engine)
-    if not found:
+    remaining = needs(engine)
+    if not remaining:
         return [_("No primary or secondary force or couple remains.")]
-    return list(filter(None, [*cure_lines(engine, found), proposal(engine)]))
+    return [*cure_lines(engine, remaining), proposal(engine, speed=speed)]

@@ -1,0 +1,58 @@
+"""The form in which a result is written: by an option, else by the name of its file."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from importlib.util import find_spec
+from pathlib import PurePath
+
+from crankstar.options.values import RequestError, refusal
+
+STANDARD_OUTPUT = (None, "-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1")
+"""Standard output is written to in place: another program may write to the same file."""
+TABLES = ("txt", "csv", "json", "xlsx", "parquet")
+"""Forms of a Document, as file names end; txt is for readers."""
+PICTURES = ("svg", "png", "pdf", "html")
+EXTRAS = {
+    "xlsx": ("openpyxl", "spreadsheet"),
+    "parquet": ("pyarrow", "parquet"),
+    "chart": ("vl_convert", "charts"),
+}
+"""The library that a form needs, and the extra of this package that brings it."""
+
+
+def form_of(
+    place: str | None, forms: Sequence[str], *, json: bool = False, csv: bool = False
+) -> str:
+    """One of these forms: the one that is asked for, else by the suffix of the file's name.
+
+    The first one is for standard output; if that is text, also for a name without suffix. Raises
+    RequestError.
+    """
+    if json and csv:
+        raise RequestError("--json and --csv exclude each other")
+    flag = "json" if json else "csv" if csv else ""
+    piped = place in STANDARD_OUTPUT
+    suffix = "" if piped else PurePath(place or "").suffix.lower().removeprefix(".")
+    if flag and suffix in forms and suffix not in ("txt", flag):
+        raise refusal(
+            "-o", place, "the name ends in .{suffix}; leave --{flag} out", suffix=suffix, flag=flag
+        )
+    form = flag or suffix or (forms[0] if piped or forms[0] in ("txt", "toml") else "")
+    if form not in forms:
+        names = ", ".join(f".{name}" for name in forms)
+        raise refusal("-o", place, "the name must end in {names}", names=names)
+    require(form)
+    return form
+
+
+def require(form: str) -> None:
+    """Refuse a form whose library is not installed. Raises RequestError."""
+    library, extra = EXTRAS.get(form, ("", ""))
+    if library and find_spec(library) is None:
+        raise RequestError(
+            '{form}: this needs {library}; install it with: pip install "crankstar[{extra}]"',
+            form=form,
+            library=library,
+            extra=extra,
+        )

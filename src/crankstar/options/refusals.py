@@ -1,0 +1,45 @@
+"""Requests that cannot be met: an option, a word that is not offered, an option without effect."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+
+from crankstar.language.messages import MessageError, _, _n
+from crankstar.language.quoting import one_line
+
+
+class RequestError(MessageError):
+    """A request that cannot be met, as one sentence that says what would be right."""
+
+
+def refusal(option: str, given: object, why: str, **values: object) -> RequestError:
+    """The error for the value of an option: which option, what was given, what would be right."""
+    return RequestError(f"{option} {one_line(str(given))}: {_(why, **values)}")
+
+
+def refuse_unused(options: Mapping[str, object], *, beside: str = "", without: str = "") -> None:
+    """Refuse options that have no effect rather than ignore them. Raises RequestError."""
+    unused = [
+        name
+        for name, value in options.items()
+        if not (value is None or value is False or value == [])
+    ]
+    if not unused:
+        return
+    when = _("with {option}", option=beside) if beside else _("without {option}", option=without)
+    raise RequestError(
+        _n(
+            "{options} has no effect {when}; leave it out",
+            "{options} have no effect {when}; leave them out",
+            len(unused),
+            options=", ".join(unused),
+            when=when,
+        )
+    )
+
+
+def choice(option: str, text: str, choices: Collection[str]) -> str:
+    """One of these words. Raises RequestError."""
+    if text not in choices:
+        raise refusal(option, text, "choose from {choices}", choices=", ".join(choices))
+    return text

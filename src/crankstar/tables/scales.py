@@ -1,0 +1,68 @@
+"""The units in which lengths, masses and unbalances of an engine are written.
+
+Where the file gives no sizes or masses, they are counted in m, r and a, as the engine has them.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from crankstar.engine.engine import Engine
+from crankstar.language.numbers import number
+from crankstar.remedy import loads
+
+HEAVY = 20.0
+"""Masses on a pin (kg) from which weights are given in kilograms, else in grams."""
+
+
+class Scale(NamedTuple):
+    """A unit, and the factor from an engine's own numbers to it."""
+
+    factor: float
+    unit: str
+
+    def of(self, value: float) -> float:
+        """A value in the unit, without a rounding error that would be printed."""
+        return round(value * self.factor, 9) + 0.0
+
+    def text(self, value: float) -> str:
+        """A value with its unit."""
+        return f"{number(value * self.factor)} {self.unit}"
+
+
+class Scales(NamedTuple):
+    """Of lengths across and along the crankshaft, masses, and unbalances."""
+
+    across: Scale
+    along: Scale
+    mass: Scale
+    unbalance: Scale
+
+
+def scales(engine: Engine) -> Scales:
+    """The scales of an engine.
+
+    >>> from crankstar.files.catalog import load
+    >>> [scale.unit for scale in scales(load("i4"))]
+    ['r', 'a', 'm', 'm*r']
+    """
+    sized, weighed = "radius" not in engine.relative, "mass" not in engine.relative
+    lone = len({cylinder.z for cylinder in engine.cylinders}) == 1 and engine.bore_pitch is None
+    metric, radii = Scale(1000.0, "mm"), Scale(1.0, "r")
+    along = Scale(1.0, "a") if "pitch" in engine.relative else metric
+    return Scales(
+        metric if sized else radii,
+        radii if lone and not sized else along,
+        Scale(1.0, "kg" if weighed else "m"),
+        Scale(1.0, f"kg*{'m' if sized else 'r'}")
+        if weighed
+        else Scale(1 / engine.throw(engine.first).radius, "m*r"),
+    )
+
+
+def pin_masses(engine: Engine) -> Scale:
+    """The scale of bobweights and counterweights."""
+    if "mass" in engine.relative:
+        return scales(engine).mass
+    greatest = max(max(pin.rotating, pin.reciprocating) for pin in loads(engine))
+    return Scale(1.0, "kg") if greatest >= HEAVY else Scale(1000.0, "g")
