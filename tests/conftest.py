@@ -1,4 +1,4 @@
-"""How thoroughly random engines are tried, and signals as tests need them.
+"""How thoroughly random engines are tried; signals and width as tests need them.
 
 `HYPOTHESIS_PROFILE=long` for many, `explore` for others each time.
 """
@@ -9,6 +9,9 @@ from collections.abc import Iterator
 
 import pytest
 from hypothesis import HealthCheck, settings
+
+for name in ("COLUMNS", "CRANKSTAR_LANG", "LANGUAGE"):
+    os.environ.pop(name, None)  # of the one who started the suite
 
 SLOW = [HealthCheck.too_slow]
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
+from crankstar.language.messages import _
 from crankstar.language.quoting import CONTROL
 from crankstar.tables.cells import cells, heading
 from crankstar.tables.table import Column, Document, Remarks, Table
@@ -74,10 +75,24 @@ def _table(table: Table, width: int) -> list[RenderableType]:
     if table.title:
         parts.append(Text(CONTROL.sub("?", table.title), style="bold"))
     if table.rows:
-        for place, columns in enumerate(_pieces(_drawn(table), width)):
+        drawn = _drawn(table)
+        pieces = _pieces(drawn, width)
+        for place, columns in enumerate(pieces):
             parts += [Text()] if place else []
             parts.append(_piece(table, columns, width))
+        parts += _left_out(drawn, pieces)
     return [*parts, *map(Text, table.notes)]
+
+
+def _left_out(columns: list[Drawn], pieces: list[list[Drawn]]) -> list[RenderableType]:
+    from rich.text import Text
+
+    shown = {id(drawn) for piece in pieces for drawn in piece}
+    names = [drawn.heading[0] for drawn in columns if id(drawn) not in shown]
+    if not names:
+        return []
+    line = _("Left out in this width: {columns}.", columns=", ".join(names))
+    return [Text(line, style="dim")]
 
 
 def _drawn(table: Table) -> list[Drawn]:
@@ -102,11 +117,11 @@ def _drawn(table: Table) -> list[Drawn]:
 
 def _pieces(columns: list[Drawn], width: int) -> list[list[Drawn]]:
     """The columns, without optional ones if that suffices, else in pieces, each with labels."""
-    for step in sorted({drawn.column.optional for drawn in columns} - {0}):
-        if _least(columns) > width:
-            columns = [drawn for drawn in columns if drawn.column.optional != step]
-    if _least(columns) <= width:
-        return [columns]
+    steps = sorted({drawn.column.optional for drawn in columns} - {0})
+    for count in range(len(steps) + 1):
+        kept = [drawn for drawn in columns if drawn.column.optional not in steps[:count]]
+        if _least(kept) <= width:
+            return [kept]
     labels = [drawn for drawn in columns if drawn.column.label] or columns[:1]
     pieces, piece = [], list(labels)
     for drawn in columns:
