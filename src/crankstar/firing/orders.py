@@ -40,9 +40,9 @@ SAME_PLACE = 1e-4
 class Order:
     """A firing order with its facts.
 
-    `banks`: for each bank the intervals from one of its firings to the next, which its exhaust
-    hears (degrees; none of an engine with one bank). `neighbours`, `partners`: firings one after
-    the other in chambers that stand side by side, or whose rods share a throw.
+    `banks`: for each bank the intervals from one of its firings to the next, which make its exhaust
+    note (degrees; none of an engine with one bank). `neighbours`, `partners`: successive firings in
+    chambers that stand side by side, or whose rods share a throw.
     """
 
     firing: Firing

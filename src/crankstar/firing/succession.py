@@ -1,8 +1,7 @@
 """Succession of firings: intervals within a group, neighbours and pin partners in succession.
 
-Fact, not judgement: that two neighbours fire in succession loads the main bearing between them
-twice and warms one place of the block; that the intervals of a bank are uneven is what its exhaust
-note is made of.
+Two neighbours that fire in succession load the main bearing between them twice and heat one part
+of the block; uneven intervals within a bank make its exhaust note uneven.
 """
 
 from __future__ import annotations

@@ -241,8 +241,8 @@ def _by_balance(
             cycle=cycle,
             bank_angle_deg=bank_angle,
             pin_split_deg=split,
-            # The mirror image of the first star of each kind, c for -c: it reads as people write
-            # cranks.
+            # The mirror image of the first star of each kind, c for -c: cranks are usually
+            # written so.
             stars=tuple(
                 tuple(own * interval for own in star) for star in listed[first[mine]].tolist()
             ),

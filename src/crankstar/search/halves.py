@@ -32,7 +32,7 @@ A worker then takes 500 MB (`work.memory`).
 CACHED_ROWS = 100_000
 """Arrangements of the inner half, searched again and again, that fit in a processor's cache."""
 BUFFER = 1 << 14
-"""Stars found before the compiled loop workers them over, at least."""
+"""Least number of stars that are collected before the compiled loop returns them."""
 
 
 @dataclass(frozen=True)

@@ -101,7 +101,7 @@ class Question:
 
     @cached_property
     def sums(self) -> tuple[VectorSum, ...]:
-        """The vector sums it speaks of, each once."""
+        """The vector sums in objectives and limits, each once."""
         named = [vector for objective in self.objectives for _, vector in objective.terms]
         return tuple(dict.fromkeys([*named, *(limit.sum for limit in self.limits)]))
 
@@ -114,7 +114,7 @@ class Question:
 
     @property
     def digest(self) -> str:
-        """What tells this question from others, for a checkpoint."""
+        """A digest that is the same for equal questions only, for a checkpoint."""
         functions = [(each.name, each.greatest, each.symmetric) for each in self.functions]
         words = repr(
             (self.stars, self.objectives, self.limits, self.neighbours_at_most, self.ask, functions)

@@ -131,7 +131,7 @@ def torsion(stars: Stars, *, order: Fraction, shape: Sequence[Fraction]) -> Vect
     """T_k, the sum of a torsional mode's amplitudes, each turned by order times firing angle.
 
     order: per turn, a multiple of 1/2 in a four-stroke engine; shape: amplitude at each cylinder
-    from the front. Raises SearchError where the firing order is not settled by the star
+    from the front. Raises SearchError where the star does not determine the firing order
     (four-stroke, even number) and the order is not whole.
     """
     if len(shape) != stars.cylinders:
@@ -143,7 +143,7 @@ def torsion(stars: Stars, *, order: Fraction, shape: Sequence[Fraction]) -> Vect
 
 
 def check_torsion(stars: Stars, order: Fraction) -> None:
-    """Raises SearchError where an order of torsion is none, or is not settled by the star."""
+    """Raises SearchError where an order of torsion does not exist, or the star leaves it open."""
     if stars.cycle == "two-stroke" and order.denominator != 1:
         raise error("", "two-stroke-torsion", name=f"T{float(order):g}")
     if stars.step == 0 and order.denominator != 1:

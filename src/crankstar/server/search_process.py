@@ -146,7 +146,7 @@ def _shown(
         else engine_stars.with_star(engine, stars, row.star)
         for row in rows
     ]
-    hints = search_stars.Hints(others=_(OTHERS), stopped=_(RESUME))
+    hints = search_stars.Hints(others=OTHERS, stopped=RESUME)
     document = search_stars.search_stars(answer, engine=engine, limit=ROWS, hints=hints)
     table = next(document.tables).readable
     sentences = [

@@ -8,7 +8,7 @@ from crankstar.derive.algebra import radicals as radical
 from crankstar.derive.algebra.formula import has_decimal
 from crankstar.derive.algebra.typeset import text as formula_text
 from crankstar.engine.engine import Engine
-from crankstar.language.messages import _, _n
+from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import number, unit_text
 from crankstar.search import engine_stars
 from crankstar.search.answer import Answer, AnswerRow
@@ -29,8 +29,8 @@ ROWS = 60
 class Hints(NamedTuple):
     """Where the other rows are, and how a search that was stopped goes on."""
 
-    others: str = "-o FILE.csv writes all of them"
-    stopped: str = "The same command with --checkpoint FILE goes on from there"
+    others: str = N_("-o FILE.csv writes all of them")
+    stopped: str = N_("The same command with --checkpoint FILE resumes it")
 
 
 TYPED = Hints()
@@ -291,7 +291,7 @@ def sentences(answer: Answer, *, shown: int, hints: Hints = TYPED) -> list[str]:
                 "{shown} of {rows} rows are shown; {hint}.",
                 shown=shown,
                 rows=rows,
-                hint=hints.others,
+                hint=_(hints.others),
             )
         )
     if isinstance(answer.question.ask, All) and answer.stars is not None and answer.rows:
@@ -311,7 +311,7 @@ def certificate(answer: Answer, hints: Hints = TYPED) -> str:
         "blocks": _n("{count} block", "{count} blocks", proof.blocks, count=f"{proof.blocks:,}"),
     }
     if proof.interrupted:
-        values["hint"] = hints.stopped
+        values["hint"] = _(hints.stopped)
         if answer.rows:
             return _(
                 "INCOMPLETE: stopped after {met} of {of} stars, {blocks}. These are the best so "
