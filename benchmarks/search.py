@@ -85,7 +85,10 @@ def fronts() -> list[tuple[str, str, str]]:
     out: list[tuple[str, str, str]] = []
     for cylinders, budget in BUDGETS.items():
         found, seconds = timed(cylinders, runs=9 if cylinders < 15 else 1)
-        what = f"proven front (M1, M2) of {cylinders} cylinders, {len(groups(found.results))} points, one process, warm"
+        what = (
+            f"proven front (M1, M2) of {cylinders} cylinders, {len(groups(found.results))} "
+            "points, one process, warm"
+        )
         out.append((what, f"{seconds:.3g} s", f"{budget:g} s" if budget else ""))
     return out
 
@@ -105,7 +108,10 @@ def against_exhaustive() -> list[tuple[str, str, str]]:
         ]
         if any(min(np.abs(np.array(point) - one).max() for one in ours) > SAME for point in plain):
             raise AssertionError(f"the fronts of {cylinders} cylinders differ")
-        what = f"all {perm(cylinders - 1):,} stars of {cylinders} cylinders one by one, and how much faster the search is"
+        what = (
+            f"all {perm(cylinders - 1):,} stars of {cylinders} cylinders one by one, and how "
+            "much faster the search is"
+        )
         out.append((what, f"{slow:.3g} s, {slow / seconds:.0f} times", budget))
     return out
 

@@ -76,9 +76,9 @@ def test_the_card_says_both_ways_of_counting_a_factor(run: Run) -> None:
     out = " ".join(run("balance", "v2-90", "--factor", "0.5").out.split())
     assert "0.5 × reciprocating, of all cylinders on the pin" in out
     assert (
-        "As a share of the reciprocating mass of one of the 2 cylinders on a pin, the balance factor is 1."
-        in out
-    )
+        "As a share of the reciprocating mass of one of the 2 cylinders on a pin, the "
+        "balance factor is 1."
+    ) in out
     assert "As a share" not in run("balance", "i4").out
 
 

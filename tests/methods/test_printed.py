@@ -492,7 +492,7 @@ def test_a_torque_harmonic_is_its_sum_of_products_and_its_series(order: int) -> 
 
 
 def test_the_series_of_the_torque_is_that_of_the_textbooks() -> None:
-    """T = m r^2 w^2 (lambda/4 sin - 1/2 sin 2 - 3 lambda/4 sin 3 - lambda^2/4 sin 4): signs turned."""
+    """lambda/4 sin - 1/2 sin 2 - 3 lambda/4 sin 3 - lambda^2/4 sin 4: signs turned."""
     single = catalog.load("single")
     first = {}
     for order in (1, 2, 3, 4):

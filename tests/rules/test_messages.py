@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import re
 import runpy
 import string
@@ -41,6 +42,18 @@ def test_the_template_has_every_sentence_of_the_sources_and_no_other(domain: Any
     assert domain.template.read_text(encoding="utf-8") == TOOL["text"](domain.collected()), (
         "run `make messages`"
     )
+
+
+def test_the_extractor_sees_every_sentence_in_python() -> None:
+    """It passes over one in parentheses of its own, or in an f-string."""
+    domain = DOMAINS["python"]
+    known = {form for message in entries(domain.template) for form in forms(message)}
+    for path in domain.sources.rglob("*.py"):
+        for call in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(call, ast.Call) and isinstance(call.func, ast.Name) and call.args:
+                count = {"_": 1, "N_": 1, "_n": 2, "Plural": 2}.get(call.func.id, 0)
+                said = [part.value for part in call.args[:count] if isinstance(part, ast.Constant)]
+                assert set(said) <= known, path
 
 
 def test_the_extractor_sees_every_call_in_typescript() -> None:

@@ -373,7 +373,7 @@ export interface SearchQuestion {
   zero?: string | null
   /** Greatest value of a quantity, as in M2=1.5 or neighbours=1. */
   limit?: string[]
-  /** Gaps between cylinders from the front, in pitches, as in 1,1,1.4,1; else equal. */
+  /** Gaps between cylinders from the front in pitches, as in 1,1,1.4; else equal. */
   pitch?: string | null
   /** Fixed throws, as in 1=0,4=3: direction d is 360 d/n deg behind direction 0. */
   fix?: string | null
@@ -383,7 +383,7 @@ export interface SearchQuestion {
   mode_shape?: string | null
   /** No cylinders side by side fire in succession. */
   avoid_adjacent?: boolean
-  /** The Pareto front: all values that cannot improve without another getting worse. */
+  /** The Pareto front: all values that improve only where another gets worse. */
   front?: boolean
   /** A list of so many of the best. */
   best?: number | null

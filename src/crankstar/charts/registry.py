@@ -66,7 +66,8 @@ _FIGURES = (
         "over-turn",
         over_turn,
         N_(
-            "force, couple, rolling moment or inertia torque over the crank angle, by order and in total"
+            "force, couple, rolling moment or inertia torque over the crank angle, by "
+            "order and in total"
         ),
         get_args(Signal),
     ),

@@ -42,7 +42,7 @@ def search(
     work: Annotated[Work, FLAT] = Work(),  # noqa: B008
     form: Annotated[Form, FLAT] = Form(),  # noqa: B008
 ) -> int | None:
-    """Find better cranks: all arrangements of evenly spaced throws, searched to the end with proof."""
+    """Find better cranks: all arrangements of evenly spaced throws, searched with proof."""
     from crankstar.options import search as options
 
     kind, row = _kind(form), request.whole("--row", form.row, most=GREATEST_ROW)

@@ -27,9 +27,9 @@ class Line:
     A `signal` is the component along `bearing_deg` (degrees clockwise from up) of what the rows
     `rows` of a Balance push, at crank angle theta; `forward` and `backward` are vectors. Both are
     counted in the unit of the derivation. A `torque` is that of the rows, a `roll` their rolling
-    moment. A `series` is an approximation, the powers of lambda up
-    to a chosen one: `series` holds these powers with their coefficients. A `plain` line is a definition, or
-    a number of the real engine. `arm` is the arm of what the line is about, shown with its label.
+    moment. A `series` is an approximation, the powers of lambda up to a chosen one: `series` holds
+    these powers with their coefficients. A `plain` line is a definition, or a number of the real
+    engine. `arm` is the arm of what the line is about, shown with its label.
     """
 
     name: Formula | None

@@ -11,8 +11,8 @@ a_n = A_n/n the harmonics of its velocity, psi the angle of the crank from top d
 For an odd k both sums are finite. Of A_n it is known that |A_n| <= sqrt(8) L n^2 q^n for rods of L
 crank radii, q = L - sqrt(L^2 - 1): the travel of the piston is analytic where |sin psi| < L, and at
 most sqrt(2) L there. This bounds the rest of the second sum. Rotating masses give no torque at
-constant speed. Pistons that move towards the crank axis give the block no moment about it, so that the
-rolling moment, clockwise, is -s T, s the sense of rotation.
+constant speed. Pistons that move towards the crank axis give the block no moment about it, so that
+the rolling moment, clockwise, is -s T, s the sense of rotation.
 
 Source: L. N. Trefethen and J. A. C. Weideman, The exponentially convergent trapezoidal rule, SIAM
 Review 56 (2014), section 3, for the bound of the harmonics.

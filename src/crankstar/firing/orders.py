@@ -99,7 +99,8 @@ def orders_at(
     than GREATEST_COUNT orders.
 
     >>> from crankstar.files.catalog import load
-    >>> [order.firing.intervals_deg for order in orders_at(load("harley-45"), intervals_deg=(315, 405))]
+    >>> found = orders_at(load("harley-45"), intervals_deg=(315, 405))
+    >>> [order.firing.intervals_deg for order in found]
     [(315.0, 405.0)]
     """
     _sensible(engine, intervals_deg, tolerance_deg)
@@ -239,7 +240,7 @@ def _sensible(engine: Engine, intervals_deg: Sequence[float], tolerance_deg: flo
 
 
 def _reaches(centres: Turns, intervals_deg: Sequence[float], tolerance_deg: float) -> list[Reach]:
-    """Who can fire when, for each start of the cycle and each of the intervals that can be the first."""
+    """Who can fire when, for each start of the cycle and each interval that can be the first."""
     count = len(intervals_deg)
     turned = {tuple(intervals_deg[first:]) + tuple(intervals_deg[:first]) for first in range(count)}
     out: list[Reach] = []

@@ -213,7 +213,8 @@ def exhaust_intervals(strokes: WorkingCycle, group: Sequence[int]) -> tuple[Foll
     top than after another.
 
     >>> from crankstar.files.catalog import load
-    >>> [step.interval_deg for step in exhaust_intervals(working_cycle(load("v8-cross-plane")), (1, 3, 5, 7))]
+    >>> cycle = working_cycle(load("v8-cross-plane"))
+    >>> [step.interval_deg for step in exhaust_intervals(cycle, (1, 3, 5, 7))]
     [270.0, 180.0, 90.0, 180.0]
     """
     events = []

@@ -27,7 +27,8 @@ def followers(firing: Firing, group: Collection[int] | None = None) -> tuple[Fol
 
     >>> from crankstar.files.catalog import load
     >>> from crankstar.firing.intervals import firing
-    >>> [step.interval_deg for step in followers(firing(load("v8-cross-plane")), group=(1, 3, 5, 7))]
+    >>> fired = firing(load("v8-cross-plane"))
+    >>> [step.interval_deg for step in followers(fired, group=(1, 3, 5, 7))]
     [270.0, 180.0, 90.0, 180.0]
     """
     fired = [
@@ -62,7 +63,7 @@ def neighbours(engine: Engine) -> frozenset[frozenset[int]]:
 
 
 def partners(engine: Engine) -> frozenset[frozenset[int]]:
-    """Pairs of chambers with rods on the same throw (the two halves of a split pin are two throws)."""
+    """Pairs of chambers with rods on the same throw (the halves of a split pin are two throws)."""
     on: dict[tuple[str, int], list[int]] = {}
     for cylinder in engine.cylinders:
         on.setdefault((cylinder.shaft, cylinder.throw), []).append(

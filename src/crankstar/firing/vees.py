@@ -117,7 +117,8 @@ def vees(
     to `greatest_split_deg` the usual ones). Pins are split by the least angle that makes the engine
     fire evenly, either way if both do. Raises OrderError where the numbers cannot be meant.
 
-    >>> [(vee.bank_angle_deg, vee.pin_split_deg) for vee in vees(cylinders=6, bank_angles_deg=(60, 90, 120))]
+    >>> sixes = vees(cylinders=6, bank_angles_deg=(60, 90, 120))
+    >>> [(vee.bank_angle_deg, vee.pin_split_deg) for vee in sixes]
     [(60.0, 60.0), (90.0, 30.0), (120.0, 0.0), (60.0, -60.0)]
     >>> cross = vees(cylinders=8, bank_angles_deg=(90,))[0]
     >>> round(cross.couple[0].forward ** 2, 6), cross.counterweights_suffice
@@ -253,7 +254,7 @@ def _by_balance(
 
 
 def _kinds(listed: np.ndarray, classes: int) -> np.ndarray:
-    """A number for each star that it shares with its mirror image and with itself seen from the other end."""
+    """A number for each star, the same for its mirror image and as seen from the other end."""
     weights = classes ** np.arange(listed.shape[1])[::-1]
     reverse = listed[:, ::-1]
     images = [

@@ -43,10 +43,8 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} is {value}, and there is no such shaft; there are: {shafts}"
     ),
     "cylinder.no-such-throw": Plural(
-        (
-            "{where} is {value}, but shaft {shaft} has {count} throw; name it, or add a "
-            "[[shaft.throw]]"
-        ),
+        "{where} is {value}, but shaft {shaft} has {count} throw; name it, or add a "
+        "[[shaft.throw]]",
         "{where} is {value}, but shaft {shaft} has throws 1 to {count}; name one of them, or add a "
         "[[shaft.throw]]",
     ),
@@ -218,20 +216,16 @@ SENTENCES: dict[str, str | Plural] = {
     ),
     "layout.throws-firings": Plural(
         "{where} has {count} angle, but {firings} cylinders fire; give one angle for each cylinder",
-        (
-            "{where} has {count} angles, but {firings} cylinders fire; give one angle for "
-            "each cylinder"
-        ),
+        "{where} has {count} angles, but {firings} cylinders fire; give one angle for "
+        "each cylinder",
     ),
     "layout.throws-of-cylinders": Plural(
         "{where} has {count} angle; give {each} (one for each cylinder)",
         "{where} has {count} angles; give {each} (one for each cylinder)",
     ),
     "layout.throws-of-pins": Plural(
-        (
-            "{where} has {count} angle; give {pins} (one for each pin) or {each} (one for "
-            "each cylinder)"
-        ),
+        "{where} has {count} angle; give {pins} (one for each pin) or {each} (one for "
+        "each cylinder)",
         "{where} has {count} angles; give {pins} (one for each pin) or {each} (one for each "
         "cylinder)",
     ),

@@ -28,7 +28,7 @@ class SearchWords(BaseModel):
     )
     pitch: str | None = Field(
         default=None,
-        description="Gaps between cylinders from the front, in pitches, as in 1,1,1.4,1; else equal.",
+        description="Gaps between cylinders from the front in pitches, as in 1,1,1.4; else equal.",
     )
     fix: str | None = Field(
         default=None,
@@ -45,7 +45,7 @@ class SearchWords(BaseModel):
     )
     front: bool = Field(
         default=False,
-        description="The Pareto front: all values that cannot improve without another getting worse.",
+        description="The Pareto front: all values that improve only where another gets worse.",
     )
     best: int | str | None = Field(default=None, description="A list of so many of the best.")
     all: bool = Field(default=False, description="All stars within the limits.")

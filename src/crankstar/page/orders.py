@@ -77,7 +77,7 @@ def free_response(engine: Engine, orders: Sequence[float], *, along: float) -> W
 
 
 def rows(sums: Sums, orders: Sequence[float]) -> tuple[Row, ...]:
-    """The table of orders: of each quantity those that remain, the greatest first, then the rest."""
+    """The table of orders: of each quantity those that remain, the greatest first, then others."""
     return (
         *_vector_rows(sums, "force", orders),
         *_vector_rows(sums, "couple", orders),

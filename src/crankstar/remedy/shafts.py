@@ -45,7 +45,7 @@ ZERO = remains.NEGLIGIBLE
 
 
 class Need(NamedTuple):
-    """A force (kg m) and couple about the middle (kg m^2) at 1 rad/s that one shaft would cancel."""
+    """A force (kg m) and couple about the middle (kg m^2) at 1 rad/s that a shaft would cancel."""
 
     ratio: Fraction
     force: complex

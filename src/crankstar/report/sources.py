@@ -38,7 +38,8 @@ def sources(subject: Subject, gallery: Gallery) -> str:  # noqa: ARG001 - one si
     """Sources and notes of the engine file, and the provenance of each value."""
     engine = subject.engine
     source = paragraph(engine.source or _("The engine file names no source."))
-    notes = f"<h3>{text(_('Notes'))}</h3>{paragraph(engine.notes)}" if engine.notes else ""
+    heading = _("Notes")
+    notes = f"<h3>{text(heading)}</h3>{paragraph(engine.notes)}" if engine.notes else ""
     origins = (
         parts_html([engines.origins(engine)])
         if engine.provenance
@@ -65,8 +66,10 @@ def again(subject: Subject, gallery: Gallery) -> str:  # noqa: ARG001
     )
     command = f"<pre><code>{text(subject.command)}</code></pre>"
     file = f'<pre class="file"><code>{_shown(_file(subject))}</code></pre>'
-    heading = f"<h3>{text(_('The engine file'))}</h3>"
-    return section(_("Reproduction"), made + command + heading + file, name="again")
+    heading = _("The engine file")
+    return section(
+        _("Reproduction"), f"{made}{command}<h3>{text(heading)}</h3>{file}", name="again"
+    )
 
 
 def _file(subject: Subject) -> str:

@@ -1,4 +1,4 @@
-"""Faults of a search: records of `language.faults` whose path is the name of an option, or empty."""
+"""Faults of a search: records of `language.faults` with the name of an option as their path."""
 
 from __future__ import annotations
 

@@ -73,7 +73,10 @@ def subject(
 
     def make(number: float) -> Engine:
         value = f"{number!r} {unit}" if unit else number
-        name = f"{shown} with {one_line(over)} = {number:.9g}{' ' + one_line(unit, longest=20) if unit else ''}"
+        name = (
+            f"{shown} with {one_line(over)} = "
+            f"{number:.9g}{' ' + one_line(unit, longest=20) if unit else ''}"
+        )
         return files.engine_of(chosen, name=name, changes={over: value})
 
     return Subject(base, make, quantity)

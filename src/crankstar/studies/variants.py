@@ -87,7 +87,9 @@ def variants(
     is raised; SweepError where there are too many to be built.
 
     >>> from crankstar import load
-    >>> batch, = variants(lambda mass: load("v8-cross-plane", changes={"cylinder.rotating_mass": mass}), np.linspace(0, 1, 100))
+    >>> def made(mass: float) -> Engine:
+    ...     return load("v8-cross-plane", changes={"cylinder.rotating_mass": mass})
+    >>> batch, = variants(made, np.linspace(0, 1, 100))
 
     The unbalance of four throws in 100 engines, and eight angles common to all:
 

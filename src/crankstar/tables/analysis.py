@@ -240,7 +240,7 @@ def _harmonic(factor: complex) -> Value:
 
 
 def _moments(shown: Analysis, sums: Sums) -> Table:
-    """Rolling moment, inertia torque and moment about the axis, the largest rolling moment first."""
+    """Rolling moment, inertia torque and moment about the axis, the largest roll first."""
     signals = [getattr(sums, name) for name in MOMENTS]
     least = NEGLIGIBLE * max(map(sums_size, signals))
     waves = np.array(

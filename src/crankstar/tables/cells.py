@@ -13,8 +13,10 @@ from crankstar.tables.table import Column, Table, Value
 def cell(column: Column, value: Value) -> str:
     """A value as its column writes it.
 
-    >>> cell(Column("force", kind="wave"), 2j), cell(Column("stars"), 12000), cell(Column("z"), None)
-    ('2 ∠ 90°', '12,000', '')
+    >>> cell(Column("force", kind="wave"), 2j), cell(Column("stars"), 12000)
+    ('2 ∠ 90°', '12,000')
+    >>> cell(Column("z"), None)
+    ''
     >>> cell(Column("order", kind="order"), (1, 3, 4, 2)), cell(Column("", kind="span"), (720, 180))
     ('1-3-4-2', '720–180')
     """

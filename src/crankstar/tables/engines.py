@@ -148,7 +148,8 @@ def _block(engine: Engine, block: Block) -> str:
     """The whole engine as a rigid body."""
     across, along, mass, _unbalance = scales(engine)
     words = _(
-        "The whole engine as a rigid body: mass {mass}, centre of mass {up} up, {right} right, {place}.",
+        "The whole engine as a rigid body: mass {mass}, centre of mass {up} up, {right} "
+        "right, {place}.",
         mass=mass.text(block.mass),
         up=across.text(block.up),
         right=across.text(block.right),

@@ -106,7 +106,8 @@ def _notes(listing: Listing, shown: int, own: int | None) -> list[str]:
     if not count:
         return [
             _(
-                "No firing order meets this; --any --together also lists those in which cylinders fire at once."
+                "No firing order meets this; --any --together also lists those in which "
+                "cylinders fire at once."
             )
         ]
     out = [_count_sentence(listing)]

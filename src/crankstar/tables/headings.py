@@ -23,7 +23,8 @@ ROTATIONS = {
 TIMINGS = {
     "two-stroke": (
         N_(
-            "Intake opens {intake_opens} before and closes {intake_closes} after bottom dead centre."
+            "Intake opens {intake_opens} before and closes {intake_closes} after bottom "
+            "dead centre."
         ),
         N_(
             "Exhaust opens {exhaust_opens} before and closes {exhaust_closes} after bottom dead "
@@ -36,7 +37,8 @@ TIMINGS = {
             "centre."
         ),
         N_(
-            "Exhaust opens {exhaust_opens} before bottom and closes {exhaust_closes} after top dead "
+            "Exhaust opens {exhaust_opens} before bottom and closes {exhaust_closes} "
+            "after top dead "
             "centre."
         ),
     ),

@@ -87,7 +87,7 @@ def _table(table: Table) -> str:
         for column in table.columns
     ]
     heads = "".join(
-        f'<th scope="col"{side}>{"<br>".join(typeset(line) for line in heading(column) if line)}</th>'
+        f'<th scope="col"{side}>{"<br>".join(map(typeset, filter(None, heading(column))))}</th>'
         if any(heading(column))
         else "<td></td>"
         for column, side in zip(table.columns, sides, strict=True)

@@ -1,4 +1,4 @@
-"""How a notebook shows an Engine and a Balance: registered by name, so that records know no tables."""
+"""How a notebook shows an Engine and a Balance: registered here, so records know no tables."""
 
 from __future__ import annotations
 

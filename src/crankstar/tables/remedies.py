@@ -1,4 +1,4 @@
-"""The balancing sheet: bobweights, weights and shafts, what they leave and what removes the rest."""
+"""The balancing sheet: bobweights, weights, shafts, what they leave and what removes the rest."""
 
 from __future__ import annotations
 
@@ -79,7 +79,8 @@ def _bobweights(job: Job) -> Table:
         ),
         *(
             _(
-                "As a share of the reciprocating mass of one of the {count} cylinders on a pin, the "
+                "As a share of the reciprocating mass of one of the {count} cylinders on "
+                "a pin, the "
                 "balance factor is {factor}.",
                 count=count,
                 factor=number(factor * count),
@@ -90,7 +91,8 @@ def _bobweights(job: Job) -> Table:
     if job.factor is None:
         notes.append(
             _(
-                "The weights fitted follow no balance factor; these bobweights are for a factor of 0.5."
+                "The weights fitted follow no balance factor; these bobweights are for a "
+                "factor of 0.5."
             )
         )
     return Table(_("Bobweights"), columns, tuple(rows), notes=tuple(notes), key="bobweights")

