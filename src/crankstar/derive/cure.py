@@ -20,7 +20,7 @@ from math import isfinite
 
 from crankstar.derive import positions
 from crankstar.derive.algebra import cyclotomic, rational, wave
-from crankstar.derive.algebra.formula import NOUGHT, Formula, Polar, Symbol, product
+from crankstar.derive.algebra.formula import NOUGHT, Formula, Symbol, product
 from crankstar.derive.algebra.wave import Amount
 from crankstar.derive.chapters import Chapter, Derivation
 from crankstar.derive.records import DerivationError, Line, Step, unit_symbol
@@ -250,12 +250,7 @@ def _place(place: Fraction) -> str:
 
 
 def _vector(amount: Amount, *units: Formula) -> Formula:
-    if amount.zero:
-        return NOUGHT
-    vector = wave.vector({(): amount})
-    if isinstance(vector, Polar):
-        return Polar(product(*units, vector.length), vector.angle)
-    return product(*units, vector)
+    return NOUGHT if amount.zero else wave.counted(wave.vector({(): amount}), *units)
 
 
 def proofs(before: Engine, after: Engine) -> list[Chapter]:

@@ -91,8 +91,8 @@ def arms(engine: Engine, reference: Reference | None = None) -> Arms:
 
 def _moved(places: dict[P, Form], moved: Form) -> dict[P, Form]:
     """Places moved by a length."""
-    one = Fraction(1)
-    return {key: form_sum([(one, form), (one, moved)]) for key, form in places.items()}
+    unit = Fraction(1)
+    return {key: form_sum([(unit, form), (unit, moved)]) for key, form in places.items()}
 
 
 def meanings(engine: Engine, placed: Arms) -> dict[str, str]:

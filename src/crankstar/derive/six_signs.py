@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from crankstar.derive.algebra import cyclotomic, enclosure, rational, wave
-from crankstar.derive.algebra.formula import Formula, Polar, Sum, Symbol, product
+from crankstar.derive.algebra.formula import Symbol
 from crankstar.derive.algebra.wave import Amount, Wave, joined, scaled
 from crankstar.derive.bodies import armed, bodies, pushed
 from crankstar.derive.chapters import Chapter
@@ -192,13 +192,19 @@ def _lines(sign: Sign) -> list[Line]:
         unit = Symbol("P", "R")
     name, words = Symbol("Σ" + sign.letter, sign.below), _(NAMES[sign.letter, sign.below])
     if sign.along is not None:
-        return [Line(name, (_counted(sign.along, unit),), label=_label(words, sign.along, sign))]
+        return [
+            Line(
+                name,
+                (wave.counted(wave.vector(sign.along), unit),),
+                label=_label(words, sign.along, sign),
+            )
+        ]
     both = (
         (sign.forward, _("{sum}, with the crank", sum=words)),
         (sign.backward, _("{sum}, against the crank", sum=words)),
     )
     return [
-        Line(name, (_counted(vector, unit),), label=_label(turning, vector, sign))
+        Line(name, (wave.counted(wave.vector(vector), unit),), label=_label(turning, vector, sign))
         for vector, turning in both
     ]
 
@@ -210,18 +216,3 @@ def _label(words: str, vector: Wave, sign: Sign) -> str:
     if sign.exact:
         return _("{sum}: exactly zero", sum=words)
     return _("{sum}: cannot be distinguished from zero", sum=words)
-
-
-def _counted(vector: Wave, unit: Symbol) -> Formula:
-    formula = wave.vector(vector)
-    if isinstance(formula, Polar):
-        return Polar(product(unit, formula.length), formula.angle)
-    if isinstance(formula, Sum):
-        return Sum(
-            tuple(
-                Polar(product(unit, p.length), p.angle)
-                for p in formula.terms
-                if isinstance(p, Polar)
-            )
-        )
-    return formula

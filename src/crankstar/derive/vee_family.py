@@ -147,15 +147,18 @@ def _one_pin(order: int, sense: int, side: int) -> list[Line]:
     """The two cylinders of one pin: their cosines added, upwards and to the right."""
     both, across = _of_angle(order)
     turning = product(order, THETA)
-    one, other = cosine(turning), cosine(summed(turning, product(2 * sense * side * order, ALPHA)))
+    first, second = (
+        cosine(turning),
+        cosine(summed(turning, product(2 * sense * side * order, ALPHA))),
+    )
     middle = summed(turning, product(sense * side * order, ALPHA))
     sine = Applied("sin", ALPHA)
     up = (
-        summed(product(cosine(ALPHA), one), product(cosine(ALPHA), other)),
+        summed(product(cosine(ALPHA), first), product(cosine(ALPHA), second)),
         product(2, both, cosine(middle)),
     )
     right = (
-        summed(product(side, sine, one), product(-side, sine, other)),
+        summed(product(side, sine, first), product(-side, sine, second)),
         product(2 * sense, across, Applied("sin", middle)),
     )
     return [

@@ -78,8 +78,8 @@ def _vectors(parts: Totals, ratio: Fraction, share: float = ZERO) -> tuple[compl
     sums = total(parts)
 
     def vector_of(name: str) -> complex:
-        one = spectra.selected(getattr(sums, name), [abs(float(ratio))])
-        vector = complex((one.forward if ratio > 0 else one.backward)[0])
+        spectrum = spectra.selected(getattr(sums, name), [abs(float(ratio))])
+        vector = complex((spectrum.forward if ratio > 0 else spectrum.backward)[0])
         return vector if abs(vector) > share * _pushed(getattr(parts, name)) else 0j
 
     return vector_of("force"), vector_of("couple")

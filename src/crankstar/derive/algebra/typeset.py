@@ -239,17 +239,17 @@ def _product(formula: Product, style: Style) -> Printed:
     front = _front(abs(size), simple, style, alone=not letters and not longer)
     numbers = [*([front] if front.body else []), *(_printed(factor, style) for factor in longer)]
     rest = _side_by_side(letters, style)
-    down = (size < 0) ^ (sum(one.negative for one in (*numbers, *rest)) % 2 == 1)
+    down = (size < 0) ^ (sum(part.negative for part in (*numbers, *rest)) % 2 == 1)
     if len(numbers) + len(rest) == 1:
         return _signed((*numbers, *rest)[0], style, negative=down)
-    body = style.dot.join(_held(one, Binding.QUOTIENT, style) for one in numbers)
+    body = style.dot.join(_held(part, Binding.QUOTIENT, style) for part in numbers)
     dotted = len(numbers) > 1
     if numbers and rest:
         loose = numbers[-1].binding < Binding.PRODUCT
         close = not longer and _close(front.body, letters[0], style)
         body += style.dot if loose else "" if close else style.space
         dotted |= loose
-    body += style.space.join(_held(one, Binding.FUNCTION, style) for one in rest)
+    body += style.space.join(_held(part, Binding.FUNCTION, style) for part in rest)
     return Printed(body, Binding.QUOTIENT if dotted else Binding.PRODUCT, down)
 
 

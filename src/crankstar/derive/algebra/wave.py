@@ -27,6 +27,7 @@ from crankstar.derive.algebra.formula import (
     Degrees,
     Formula,
     Polar,
+    Sum,
     Symbol,
     coefficient,
     collected,
@@ -211,6 +212,15 @@ def _opposite(piece: Piece) -> Formula:
     if piece.phase is None:
         return summed(piece.angle, part_of_turn(HALF))
     return part_of_turn(HALF - -piece.phase % 1)
+
+
+def counted(vector: Formula, *units: Formula) -> Formula:
+    """A vector times units, which stand before its lengths."""
+    if isinstance(vector, Polar):
+        return Polar(product(*units, vector.length), vector.angle)
+    if isinstance(vector, Sum):
+        return Sum(tuple(counted(term, *units) for term in vector.terms))
+    return product(*units, vector)
 
 
 def form(weights: Form) -> Formula:

@@ -10,7 +10,7 @@ Only the printed formulas are data (`printed.toml`); the right ones are derived 
 | `curves` | an erratum over one turn, or over rod lengths |
 
 >>> from crankstar.derive.algebra.typeset import text
->>> [(one.text, text(one.ours)) for one in errata("yamamoto2012")[:2]]
+>>> [(erratum.text, text(erratum.ours)) for erratum in errata("yamamoto2012")[:2]]
 [('4 cos(2θ − π/4)', '0'), ('4 sin(2θ − π/4)', '−4√2 cos 2θ')]
 """
 

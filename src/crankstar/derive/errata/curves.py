@@ -48,9 +48,9 @@ def curves(erratum: Erratum, samples: int = 241) -> Curves:
     Raises ErrataError for an erratum that is no sum over the engine.
 
     >>> from crankstar.derive.errata.reading import errata
-    >>> found = curves(errata()[1], 5)
-    >>> both = found.printed, found.ours
-    >>> [round(float(np.abs(curve - found.momentum).max()), 6) for curve in both]
+    >>> drawn = curves(errata()[1], 5)
+    >>> both = drawn.printed, drawn.ours
+    >>> [round(float(np.abs(curve - drawn.momentum).max()), 6) for curve in both]
     [2.828427, 0.0]
     """
     if erratum.kind not in ("result", "step"):
@@ -102,7 +102,7 @@ def series_errors(erratum: Erratum, samples: int = 181) -> SeriesErrors:
     Raises ErrataError for an erratum that is no series.
 
     >>> from crankstar.derive.errata.reading import errata
-    >>> two = next(one for one in errata() if one.id == "series-2")
+    >>> two = next(erratum for erratum in errata() if erratum.id == "series-2")
     >>> bool(np.all(np.abs(series_errors(two).ours) < np.abs(series_errors(two).printed)))
     True
     """

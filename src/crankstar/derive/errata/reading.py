@@ -47,7 +47,7 @@ def errata(source: str | None = None) -> tuple[Erratum, ...]:
 
     Raises ErrataError where there is no such source.
 
-    >>> [one.id for one in errata("sinitsyn")]
+    >>> [erratum.id for erratum in errata("sinitsyn")]
     ['sinitsyn-7-first-angle', 'sinitsyn-7-second-angle']
     """
     if source is None:
@@ -121,9 +121,8 @@ def _judged(entry: Mapping[str, Any], slips: Mapping[str, Any]) -> Iterator[Erra
         slip = slips[item.get("slip", entry["slip"])]
         yield Erratum(
             id=f"{entry['id']}-{component}" if component else entry["id"],
+            **_place(entry),
             kind=entry.get("kind", "result"),
-            source=entry["source"],
-            place=entry["place"],
             title=entry["title"],
             text=item["printed"],
             printed=formula_of(item["terms"], order) if "terms" in item else None,
@@ -143,6 +142,11 @@ def _judged(entry: Mapping[str, Any], slips: Mapping[str, Any]) -> Iterator[Erra
             scale=derived.symbols[letter] if letter else 1.0,
             points=tuple((float(at), Fraction(size)) for at, size in item.get("points", ())),
         )
+
+
+def _place(entry: Mapping[str, Any]) -> dict[str, Any]:
+    """The source of an erratum, and the place in it."""
+    return {key: entry[key] for key in ("source", "place")}
 
 
 def formula_of(terms: Sequence[Mapping[str, Any]], order: int = 0) -> Formula:
@@ -243,10 +247,9 @@ def _series(entry: Mapping[str, Any], slip: Mapping[str, str]) -> Erratum:
     """A printed series of A_k beside the true one of as many terms."""
     printed = [(power, Fraction(factor)) for power, factor in entry["terms"]]
     return Erratum(
+        **_place(entry),
         id=entry["id"],
         kind="series",
-        source=entry["source"],
-        place=entry["place"],
         title=f"series of A{entry['order']}",
         text=entry["printed"],
         printed=_powers(printed),
@@ -279,10 +282,9 @@ def _powers(terms: Sequence[tuple[int, Fraction]]) -> Formula:
 def _line(entry: Mapping[str, Any]) -> Erratum:
     """A line that does not follow from the one before it."""
     return Erratum(
+        **_place(entry),
         id=entry["id"],
         kind="line",
-        source=entry["source"],
-        place=entry["place"],
         title=entry["place"].rpartition(", ")[2],
         text=entry["printed"],
         printed=formula_of(entry["terms"]),
@@ -308,10 +310,9 @@ def _angle(entry: Mapping[str, Any]) -> Erratum:
     ours = wave.bearing(amount) if turn is None else Degrees(number(360 * turn))
     rounded = f"{degrees(value(ours)):.0f}°".replace("-", "−")
     return Erratum(
+        **_place(entry),
         id=entry["id"],
         kind="angle",
-        source=entry["source"],
-        place=entry["place"],
         title=entry["place"].rpartition(", ")[2],
         text=entry["printed"],
         printed=Degrees(number(Fraction(entry["degrees"]))),
