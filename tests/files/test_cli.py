@@ -559,16 +559,19 @@ def test_names_with_markup_and_odd_file_names_are_only_text(run: Run, tmp_path: 
         assert json.loads(run("analyze", name, "--json").out)["engine"] == title
 
 
-def test_wide_or_narrow_or_plain_makes_no_difference_to_a_pipe(
+def test_a_pipe_is_as_wide_as_columns_says_and_always_plain(
     run: Run, file: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     plain = run("analyze", file).out
-    for name, value in {"COLUMNS": "20", "TERM": "dumb", "NO_COLOR": "1"}.items():
+    for name, value in {"TERM": "dumb", "NO_COLOR": "1"}.items():
         monkeypatch.setenv(name, value)
         assert run("analyze", file).out == plain
     for columns in ("400", "0", "-5", "abc", ""):
         monkeypatch.setenv("COLUMNS", columns)
         assert run("analyze", file).out == plain
+    monkeypatch.setenv("COLUMNS", "60")
+    narrow = run("analyze", file).out
+    assert max(map(len, narrow.splitlines())) <= 60 < max(map(len, plain.splitlines()))
 
 
 @pytest.mark.parametrize("columns", ["1", "20", "80", "400"])

@@ -32,7 +32,10 @@ def terminal_width() -> int:
     from rich.console import Console
 
     console = Console()
-    return console.width if console.is_terminal or os.environ.get("COLUMNS") else PIPED
+    if console.is_terminal:
+        return console.width
+    named = os.environ.get("COLUMNS", "")
+    return int(named) if named.isdecimal() and int(named) else PIPED
 
 
 def display(shown: Any, place: str | None = None) -> None:
