@@ -121,10 +121,17 @@ def updated(path: Path, language: str, template: Catalog) -> Catalog:
 
 
 def compile_all() -> None:
-    """Write the compiled form of the Python translations beside them; the page reads its own."""
+    """Write the compiled form of the Python translations beside them; the page reads its own.
+
+    Plurals without a translation are left out; Babel would write their English singular for all.
+    """
     for language, path in PYTHON.translations().items():
+        catalog = read(path, language)
+        for message in catalog:
+            if not all(message.string):
+                message.string = ""
         with path.with_suffix(".mo").open("wb") as file:
-            write_mo(file, read(path, language))
+            write_mo(file, catalog)
 
 
 def main() -> None:

@@ -6,6 +6,7 @@ import os
 import sys
 from collections.abc import Sequence
 from importlib.metadata import version
+from typing import TYPE_CHECKING
 
 from cyclopts import App, CycloptsError, UnusedCliTokensError
 
@@ -14,8 +15,12 @@ from crankstar.files import STANDARD_INPUT, EngineFileError
 from crankstar.language import spelling
 from crankstar.language.messages import LANGUAGES, _, spoken
 from crankstar.language.quoting import one_line, seen
-from crankstar.options.values import NEEDED, RequestError
+from crankstar.options.refusals import RequestError, refusal
+from crankstar.options.values import NEEDED
 from crankstar.search.faults import SearchError
+
+if TYPE_CHECKING:
+    from pydantic_core import ErrorDetails
 
 app = App(
     name="crankstar",
@@ -106,6 +111,10 @@ def _spelt_out(arguments: Sequence[str]) -> list[str]:
 
 def _complaint(error: CycloptsError) -> str:
     """The mistake in the words of a command line, and the command that explains them."""
+    from pydantic import ValidationError
+
+    if isinstance(error.__cause__, ValidationError):
+        return "\n".join(map(_wrong_word, error.__cause__.errors(include_url=False)))
     text = one_line(str(error).strip(), longest=300)
     text = text.replace("into int", "into a whole number").replace("into bool", "into yes or no")
     if isinstance(error, UnusedCliTokensError):
@@ -114,6 +123,15 @@ def _complaint(error: CycloptsError) -> str:
         )
     command = " ".join(["crankstar", *(error.command_chain or ())])
     return _("{mistake}\nSee: {command} --help", mistake=text, command=command)
+
+
+def _wrong_word(mistake: ErrorDetails) -> str:
+    """What a record of options does not take."""
+    option = "--" + str(mistake["loc"][0]).replace("_", "-")
+    choices = mistake.get("ctx", {}).get("expected", "").replace("'", "").replace(" or ", ", ")
+    if not choices:
+        return f"{option}: {mistake['msg']}"
+    return str(refusal(option, mistake["input"], "choose from {choices}", choices=choices))
 
 
 def _unwritable(error: OSError) -> str:

@@ -49,7 +49,9 @@ def _quantity(
         else:
             zero.append(order)
     if rows:
-        rows.append((_("peak"), *(spectra.peak(signal).value for signal in signals)))
+        peaks = [spectra.peak(signal).value for signal in signals]
+        shown_peaks = (peak if peak > NEGLIGIBLE * max(peaks) else 0.0 for peak in peaks)
+        rows.append((_("peak"), *shown_peaks))
     heads = (
         Column(_("order"), kind="text", key="order", label=True),
         *(Column(one.engine.name, key=one.engine.name) for one in shown),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from cmath import phase
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from math import degrees, pi
 from typing import NamedTuple
 
@@ -188,10 +188,10 @@ def _remaining(job: Job) -> Table:
     before, after = (balance(engine, speed=job.speed) for engine in (job.before, job.after))
     sums = summed(before), summed(after)
     fitted = [shaft for shaft in job.after.shafts if shaft.weights]
-    rolling = {abs(float(shaft.speed_ratio)) for shaft in fitted if not shaft.throws}
+    orders = sorted({1.0} | {abs(float(shaft.speed_ratio)) for shaft in fitted})
     rows: list[tuple[Value, ...]] = []
     worse: list[str] = []
-    for order in sorted({1.0} | {abs(float(shaft.speed_ratio)) for shaft in fitted}):
+    for order in orders:
         for name, word in (("force", _("force")), ("couple", _("couple"))):
             old, new = _vectors(sums, name, order, after.units)
             unit = unit_text(getattr(after.units, name))
@@ -205,13 +205,13 @@ def _remaining(job: Job) -> Table:
                     )
                 )
     unit = unit_text(after.units.moment)
-    for order in sorted(rolling):
+    for order in orders:
         rolls = [size(rolling_moment(total(result)), order) for result in (before, after)]
-        cleared = (roll if roll > OPTIMISED * max(rolls) else 0.0 for roll in rolls)
-        rows.append((order, _("rolling moment"), unit, *cleared, None, None))
+        if any(rolls):
+            rows.append((order, _("rolling moment"), unit, *_cleared(rolls), None, None))
     load = _("greatest load on a main bearing")
-    loaded = (bearing_load(job.before), bearing_load(job.after))
-    rows.append((1.0, load, "m r ω²", *loaded, None, None))
+    loaded = [bearing_load(job.before), bearing_load(job.after)]
+    rows.append((1.0, load, "m r ω²", *_cleared(loaded), None, None))
     columns = (
         Column(_("order"), key="order", label=True),
         Column(_("quantity"), kind="text", key="quantity", wraps=True),
@@ -225,6 +225,11 @@ def _remaining(job: Job) -> Table:
     if after.speed is not None:
         title = _("Remaining unbalance at {rpm} rpm", rpm=number(after.speed * 30 / pi))
     return Table(title, columns, tuple(rows), notes=tuple(worse), key="remaining")
+
+
+def _cleared(values: Sequence[float]) -> list[float]:
+    """Values before and after; zero is what an optimiser left beside the greater one."""
+    return [value if value > OPTIMISED * max(values) else 0.0 for value in values]
 
 
 def _vectors(
