@@ -559,6 +559,15 @@ def test_names_with_markup_and_odd_file_names_are_only_text(run: Run, tmp_path: 
         assert json.loads(run("analyze", name, "--json").out)["engine"] == title
 
 
+@pytest.mark.parametrize("verb", ["analyze", "balance", "show", "orders"])
+def test_a_file_that_is_read_is_not_written_over(run: Run, file: str, verb: str) -> None:
+    before = Path(file).read_bytes()
+    answer = run(verb, file, "-o", str(Path(file).resolve()))
+    assert answer.code == 2
+    assert "name another file" in answer.err
+    assert Path(file).read_bytes() == before
+
+
 def test_a_pipe_is_as_wide_as_columns_says_and_always_plain(
     run: Run, file: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -6,11 +6,12 @@ import os
 import sys
 from collections.abc import Sequence
 from importlib.metadata import version
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from cyclopts import App, CycloptsError, UnusedCliTokensError
 
-from crankstar.cli.output import OutputError, abandon, complain
+from crankstar.cli.output import OutputError, abandon, complain, is_file
 from crankstar.files import STANDARD_INPUT, EngineFileError
 from crankstar.language import spelling
 from crankstar.language.messages import LANGUAGES, _, spoken
@@ -50,6 +51,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
                 from crankstar.cli.help import TranslatedHelp
 
                 app.help_formatter = TranslatedHelp()
+            _refuse_source(words)
             code = app(_spelt_out(words), exit_on_error=False, print_error=False) or 0
         if sys.stdout is not None:
             sys.stdout.flush()
@@ -107,6 +109,20 @@ def _spelt_out(arguments: Sequence[str]) -> list[str]:
         if following.startswith("-") and not following[1:2].isdigit():
             words.insert(place + 1, NEEDED)
     return words
+
+
+def _refuse_source(words: Sequence[str]) -> None:
+    """Refuse to write on a file that the command reads. Raises OutputError."""
+    parts = [part for word in words for part in word.split("=", 1) if "\0" not in part]
+    for option, place in pairwise(parts):
+        if option not in ("-o", "--output") or not is_file(place):
+            continue
+        real = os.path.realpath(place)
+        if [os.path.realpath(part) for part in parts].count(real) > 1:
+            raise OutputError(
+                "{file} is read by this command and would be lost; name another file with -o",
+                file=one_line(place),
+            )
 
 
 def _complaint(error: CycloptsError) -> str:
