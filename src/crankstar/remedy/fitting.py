@@ -96,7 +96,7 @@ class Fitted(NamedTuple):
 
 _WEIGHTS = {
     "ends": N_("Fitted with counterweights on the end webs; no balance factor is enough."),
-    "removed": N_("Counterweights removed (balance factor 0)."),
+    "removed": N_("Without its counterweights."),
 }
 
 
