@@ -128,7 +128,7 @@ def compile_all() -> None:
     for language, path in PYTHON.translations().items():
         catalog = read(path, language)
         for message in catalog:
-            if not all(message.string):
+            if isinstance(message.string, tuple) and not all(message.string):
                 message.string = ""
         with path.with_suffix(".mo").open("wb") as file:
             write_mo(file, catalog)
