@@ -23,6 +23,7 @@ from crankstar import balance
 from crankstar.charts import CHARTS, ChartError
 from crankstar.derive import DerivationError
 from crankstar.engine import motion
+from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.engine.firing_angles import unfit
 from crankstar.engine.records import Shaft, Weight
@@ -38,6 +39,7 @@ from crankstar.page.keys import BEFORE_AND_AFTER
 from crankstar.page.library import held, packed
 from crankstar.page.records import Exhibit, Exhibition, Vectors
 from crankstar.page.standalone import PageError, document, inlined
+from crankstar.remedy.counterweights import with_web_weights
 from crankstar.remedy.fitting import recommended
 from crankstar.tables.balance_orders import answer
 from crankstar.tables.machine import tree as public_tree
@@ -670,3 +672,15 @@ def test_engines_of_one_name_side_by_side_are_told_apart() -> None:
         f"{one.name} (2)",
     ]
     assert [name for _, name in names_of(one, other)] == [one.name, one.name]
+
+
+def test_the_page_knows_which_weights_turn_with_a_throw() -> None:
+    """A file may leave it out; then a weight belongs to the nearest throw."""
+    engine = load("v8-cross-plane")
+    weighted = with_web_weights(engine, factor=0.5)
+    bare = [with_values(weight, throw=None) for weight in weighted.shafts[0].weights]
+    shaft = with_values(weighted.shafts[0], weights=tuple(bare))
+    for of in (weighted, with_values(weighted, shafts=(shaft,))):
+        (numbers,) = exhibit(of, relatives=False).weight_throws
+        assert [numbers.count(number) for number in range(1, 5)] == [2, 2, 2, 2]
+        assert len(numbers) == len(of.shafts[0].weights)

@@ -32,6 +32,8 @@ export interface Exhibit {
   cycle_deg: number
   /** turns of the first shaft after which all shafts and the firing repeat */
   turns: number
+  /** shaft by shaft, the number of the throw with which each weight turns */
+  weight_throws: (number | null)[][]
   /** what is not known, and so counted in its own unit */
   relative: ('mass' | 'radius' | 'pitch')[]
   /** 1 if the first shaft turns clockwise seen from the front */

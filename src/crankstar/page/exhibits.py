@@ -10,7 +10,7 @@ from typing import Any
 
 from crankstar import files
 from crankstar.charts.strokes import STROKE_COLOURS
-from crankstar.engine.copies import with_values
+from crankstar.engine.copies import throws_of_weights, with_values
 from crankstar.engine.engine import Engine
 from crankstar.firing.strokes import WorkingCycle, working_cycle
 from crankstar.language.faults import EngineError
@@ -100,6 +100,7 @@ def exhibit(
         file=dict(file) if file is not None else files.explicit(engine),
         cycle_deg=engine.cycle_angle,
         turns=_turns(engine),
+        weight_throws=tuple(map(throws_of_weights, engine.shafts)),
         relative=engine.relative,
         sense=1 if engine.sense > 0 else -1,
         speed_rpm=None if engine.speed is None else float(f"{engine.speed * 30 / pi:.12g}"),

@@ -278,6 +278,9 @@ class Exhibit(Shown):
     turns: int = Field(
         description="turns of the first shaft after which all shafts and the firing repeat"
     )
+    weight_throws: tuple[tuple[int | None, ...], ...] = Field(
+        description="shaft by shaft, the number of the throw with which each weight turns"
+    )
     relative: tuple[Unknown, ...] = Field(
         description="what is not known, and so counted in its own unit"
     )

@@ -7,13 +7,14 @@ import { after, begun, type History } from './history'
 import { latest } from './latest'
 import { type Form, formOf, forms } from './schema'
 import { withoutSources } from './sources'
+import { withWeightsAlong } from './throws'
 import { type Path, put, read, same, within } from './tree'
 
 /** Puts a valid engine on the stage. */
 export type Shown = (exhibit: Exhibit, tree: Tree) => void
 
 /** What the form knows of the engine on the stage. */
-export type OnStage = Pick<Exhibit, 'file' | 'relative'>
+export type OnStage = Pick<Exhibit, 'file' | 'relative' | 'weight_throws'>
 
 /** A mistake and the place in the engine file that it is about. */
 export interface Placed extends Problem {
@@ -127,8 +128,10 @@ export function session(service: Service, engine: OnStage, shown: Shown): Sessio
       lastEdit = now
       move(gesture === undefined ? { kind: 'edit', to } : { kind: 'edit', to, gesture })
     },
-    set: (path, value, gesture) =>
-      self.edit(withoutSources(put(history.value.present, path, value), path), gesture),
+    set(path, value, gesture) {
+      const along = withWeightsAlong(history.value.present, path, value, onStage)
+      self.edit(withoutSources(put(along, path, value), path), gesture)
+    },
     rest: () => move({ kind: 'rest' }),
     undo: () => move({ kind: 'undo' }),
     redo: () => move({ kind: 'redo' }),

@@ -7,7 +7,7 @@ beforeEach(() => void vi.useFakeTimers())
 afterEach(() => void vi.useRealTimers())
 
 const settle = () => vi.advanceTimersByTimeAsync(1000)
-const placed = (file: Tree) => ({ file, relative: [] })
+const placed = (file: Tree) => ({ file, relative: [], weight_throws: [] })
 const wrong = { path: 'layout.banks[1].bearing', message: 'is "xx"' }
 
 /** A session with a server that finds `xx` wrong, and what it put on the stage. */
@@ -42,6 +42,23 @@ test('what is valid comes on the stage, what is not does not and is told where i
   await settle()
   expect(onStage).toHaveLength(1)
   expect(now.problems.value).toEqual([])
+})
+
+test('a throw that is turned takes its weights along, by any way of typing', async () => {
+  const weight = (angle: string) => ({ unbalance: '1 kg*m', angle })
+  const shaft = {
+    throw: [{ angle: '0 deg' }, { angle: '90 deg' }],
+    weight: [weight('180 deg'), weight('-90 deg'), weight('-90 deg')],
+  }
+  const { now } = begun()
+  now.adopt({ file: { shaft: [shaft] }, relative: [], weight_throws: [[1, 2, 2]] })
+  const path = ['shaft', 0, 'throw', 1, 'angle']
+  for (const typed of ['', '2', '210 deg']) now.set(path, typed)
+  const at = (now.tree.value.shaft as (typeof shaft)[])[0]
+  expect(at?.throw.map(({ angle }) => angle)).toEqual(['0 deg', '210 deg'])
+  expect(at?.weight.map(({ angle }) => angle)).toEqual(['180 deg', '30 deg', '30 deg'])
+  now.set(['shaft', 0, 'weight', 1, 'angle'], '5 deg')
+  expect((now.tree.value.shaft as (typeof shaft)[])[0]?.weight[1]?.angle).toBe('5 deg')
 })
 
 test('an engine that others put on the stage is taken over as a step that can be undone', async () => {

@@ -62,6 +62,7 @@ export function exhibit(changes: Partial<Exhibit> = {}): Exhibit {
     cycle_deg: 720,
     turns: 2,
     relative: [],
+    weight_throws: [],
     sense: 1,
     speed_rpm: null,
     units: { force: 'N', couple: 'N*m', roll: 'N*m', length: 'm' },
