@@ -305,3 +305,9 @@ def test_a_derivation_is_its_text() -> None:
     told = str(derivation(crankstar.load("i4"), 2))
     assert told.startswith("Four in line, flat crank: Secondary force")
     assert "F_up = 4 cos 2θ" in told
+
+
+def test_the_axes_of_an_ellipse_are_added_up(run: Run) -> None:
+    out = run("derive", "gm-3800", "--order", "1", "--quantity", "couple").out
+    assert "M_long = (3√2/2) a" in out
+    assert "M_short = (√6/2) a" in out

@@ -16,11 +16,10 @@ from crankstar.derive.algebra.formula import (
     Symbol,
     collected,
     has_decimal,
-    negative,
     product,
     summed,
 )
-from crankstar.derive.algebra.radicals import over_one_denominator
+from crankstar.derive.algebra.radicals import fractions_of, over_one_denominator
 from crankstar.derive.algebra.typeset import text
 from crankstar.derive.algebra.wave import Amount, Wave, at
 from crankstar.derive.records import Kind, Line, Step
@@ -205,16 +204,17 @@ def _axes(letter: str, forward: Wave, backward: Wave, *, larger_first: bool) -> 
     greater, smaller = wave.length(forward[key]), wave.length(backward[key])
     if not larger_first:
         greater, smaller = smaller, greater
-    long, short = _combined(greater, smaller), _combined(greater, negative(smaller))
+    long, short = (_combined(greater, smaller, sign) for sign in (1, -1))
     return [
         Line(Symbol(letter, "long"), (product(long, *key),), label=_("semi-major axis")),
         Line(Symbol(letter, "short"), (product(short, *key),), label=_("semi-minor axis")),
     ]
 
 
-def _combined(first: Formula, second: Formula) -> Formula:
-    """A sum in closed form, or, of decimals, as a decimal."""
-    whole = over_one_denominator(collected(first, second))
+def _combined(first: Formula, second: Formula, sign: int) -> Formula:
+    """First plus or minus second in closed form, or, of decimals, as a decimal."""
+    seconds = (product(sign, term) for term in fractions_of(second))
+    whole = over_one_denominator(collected(*fractions_of(first), *seconds))
     return Decimal(enclosed(whole, {})) if has_decimal(whole) else whole
 
 

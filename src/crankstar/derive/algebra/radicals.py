@@ -233,6 +233,13 @@ def over_one_denominator(formula: Formula) -> Formula:
     return formula if below == 1 or not isinstance(formula, Sum) else Ratio(above, number(below))
 
 
+def fractions_of(formula: Formula) -> tuple[Formula, ...]:
+    """The terms of a sum, each over its denominator: (1 + sqrt(5))/4 is 1/4 and sqrt(5)/4."""
+    if isinstance(formula, Ratio) and isinstance(formula.below, Rational):
+        return tuple(product(1 / formula.below.value, term) for term in terms_of(formula.above))
+    return terms_of(formula)
+
+
 def _numerator(formula: Formula) -> tuple[Formula, int]:
     """A formula times the least common denominator of its terms, and that denominator."""
     below = lcm(*(coefficient(term)[0].denominator for term in terms_of(formula)))
