@@ -15,6 +15,8 @@ def main() -> None:
         run()
     except KeyboardInterrupt:
         raise SystemExit(130) from None
+    finally:
+        gc.freeze()  # what is left goes with the process, without being looked through
 
 
 if __name__ == "__main__":
