@@ -22,6 +22,7 @@ from crankstar import charts
 from crankstar.charts.drawing import numbers_text, text_width
 from crankstar.engine.engine import Engine
 from crankstar.engine.layouts import Basis, inline
+from crankstar.language.numbers import number
 from crankstar.remedy import with_counterweights
 
 OFTEN = (
@@ -333,6 +334,24 @@ def test_a_figure_can_be_saved_in_five_forms() -> None:
     assert "vega-lite" in page.split("-->")[0]
     assert "BSD-3-Clause" in page.split("-->")[0]
     assert not re.search(r'<(?:script|link)[^>]*(?:src|href)="', page)
+
+
+@pytest.mark.parametrize("engine", ["audi-25-tfsi", "vw-vr6", "kr250-racer", "man-s90mc-c"])
+def test_axes_write_numbers_as_the_tables_do(engine: str) -> None:
+    shown = crankstar.load(engine)
+    drawn_charts = (
+        charts.over_turn(shown, speed=600.0),
+        charts.spectrum(shown, speed=600.0),
+        charts.over_turn(shown),
+    )
+    for chart in drawn_charts:
+        svg = charts.saved(chart, "svg", title="t").decode()
+        labels = re.findall(r">−?(\d[\d.,]*)</text>", svg)
+        values = {label: float(label.replace(",", "")) for label in labels}
+        assert len(labels) > 6
+        # below 1e-4 Python writes an exponent, Vega below 1e-6
+        plain = {label: value for label, value in values.items() if value == 0 or value >= 1e-4}
+        assert [*plain] == [number(value) for value in plain.values()]
 
 
 def test_numbers_are_told_briefly() -> None:

@@ -63,6 +63,7 @@ LINES = {
 STYLE = {
     "font": "sans-serif",
     "view": {"stroke": None},
+    "numberFormat": ".9~g",
     "axis": {
         "labelColor": GREY,
         "titleColor": GREY,
