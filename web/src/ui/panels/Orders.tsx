@@ -27,7 +27,7 @@ export function Orders() {
               <th scope="col">{t('order')}</th>
               <th scope="col">{t('path')}</th>
               <th scope="col" class="right">
-                {t('maximum')}
+                {t('greatest')}
               </th>
               <th scope="col">{t('vertical')}</th>
               <th scope="col">{t('horizontal')}</th>

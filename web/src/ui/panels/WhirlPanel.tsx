@@ -103,7 +103,7 @@ function paths(exhibit: Exhibit, orders: readonly number[] | null) {
   const [front = 0, rear = 0] = reachOf(exhibit, orders)
   return {
     title: t('Displacement of the crank axis'),
-    heads: [t('end'), t('maximum')],
+    heads: [t('end'), t('greatest')],
     numeric: [false, true],
     rows: [
       [t('front end'), lengthText(front, length_unit)],
