@@ -257,6 +257,16 @@ def test_two_engines_stand_side_by_side(built_page: Build, page: Page) -> None:
     expect(line).to_contain_text("horizontal line")
     expect(page.locator(".stage canvas").first).to_be_visible()
     assert page.locator(".stage").count() == 2
+    page.set_viewport_size({"width": 390, "height": 844})
+    names, drawings = (
+        [place.bounding_box() for place in page.locator(f".stage .{part}").all()]
+        for part in ("label", "canvas")
+    )
+    assert all(
+        name and drawing and name["y"] + name["height"] <= drawing["y"]
+        for name, drawing in zip(names, drawings, strict=True)
+    )
+    assert len({drawing["height"] for drawing in drawings if drawing}) == 1
     page.get_by_role("checkbox", name="Show both engines").uncheck()
     assert page.locator(".stage").count() == 1
 

@@ -9,7 +9,7 @@ import { DARK, LIGHT } from './palette'
 import { printable } from './paper'
 import type { Instant, Picture } from './picture'
 import { Room } from './room'
-import { NARROW, write } from './sheet'
+import { footOf, write } from './sheet'
 import type { Camera, CreateStage, Reading, Stage, View } from './stage'
 import { equal, Viewpoint } from './viewpoint'
 import { webglPicture } from './webgl'
@@ -18,8 +18,6 @@ import { Whirling } from './whirl'
 /** The longest arrow at scale 1, as a share of the greater of breadth and height. */
 const ARROW = 0.28
 const DENSEST = 2
-/** Kept at the lower edge for axes and scales, pixels. */
-const FOOT = 58
 /** Arrows longer than this may leave the picture, so that the engine stays large. */
 const WITHIN = 2
 /** What the stage shows, for readers who do not see it. */
@@ -152,11 +150,7 @@ class EngineStage implements Stage {
     const { chain, places, whirling, room } = this.#machine
     const { width, height } = this.#size
     const palette = view.dark ? DARK : LIGHT
-    const screen = {
-      aspect: width / height,
-      foot: width < NARROW ? Math.min(0.4, (FOOT + 26) / height) : Math.min(0.25, FOOT / height),
-      margin: MARGIN,
-    }
+    const screen = { aspect: width / height, foot: footOf(width, height), margin: MARGIN }
     const load = room.loads.at(view)
     const arrow = ARROW * Math.max(...this.#rooms.map(({ size }) => size)) * view.arrows.scale
     const longest = arrow * Math.min(1, WITHIN / view.arrows.scale)

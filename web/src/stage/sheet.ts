@@ -7,12 +7,10 @@ import { dot, type Vector } from './vector'
 import { displaced } from './whirl'
 
 const FONT = 'system-ui, sans-serif'
-/** Length of the frame's axes on the screen, pixels. */
-const AXIS = 30
 /** Labels nearer to each other than this are written as one, pixels. */
 const CLOSE = 15
 /** Below this width, pixels, the scales of arrows go beneath the axes. */
-export const NARROW = 300
+const NARROW = 300
 /** From this width on there is room for a sentence beside an arrow, pixels. */
 const WIDE = 560
 const AXES = [
@@ -42,6 +40,11 @@ export function projected(
     height / 2 - pixels * dot(from, look.up),
     dot(from, look.back),
   ]
+}
+
+/** Kept at the lower edge for axes and scales: pixels, and at most a share of the height. */
+export function footOf(width: number, height: number): number {
+  return width < NARROW ? Math.min(0.4, 98 / height) : Math.min(0.25, 58 / height)
 }
 
 /** Writes the labels of the drawing: cylinder numbers, axes, scales of the arrows. */
@@ -103,7 +106,8 @@ function axesAt(to: CanvasRenderingContext2D, width: number): number {
 
 /** The axes in the lower left corner; a dot points at the eye, a cross away. */
 function axes(to: CanvasRenderingContext2D, { frame, height, width, palette }: Writing): void {
-  const [x, y] = [axesAt(to, width), height - (width < NARROW ? 66 : 50)]
+  const [x, y] = [axesAt(to, width), height - (width < NARROW ? 58 : 50)]
+  const length = width < NARROW ? 22 : 30
   to.strokeStyle = palette.quiet
   to.fillStyle = palette.quiet
   to.lineWidth = 1.4
@@ -117,7 +121,7 @@ function axes(to: CanvasRenderingContext2D, { frame, height, width, palette }: W
       to.fillText(t(name), x - 7, y + 6)
       continue
     }
-    const [tipX, tipY] = [x + AXIS * right, y - AXIS * up]
+    const [tipX, tipY] = [x + length * right, y - length * up]
     line(to, x, y, tipX, tipY)
     to.textAlign = right > 0.3 * long ? 'left' : right < -0.3 * long ? 'right' : 'center'
     to.textBaseline = up > 0.5 * long ? 'bottom' : up < -0.5 * long ? 'top' : 'middle'

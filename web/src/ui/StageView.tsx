@@ -81,7 +81,6 @@ export function StageView({
   const other = app.shown.value[1 - index]
   return (
     <section class="stage" aria-label={exhibit?.name}>
-      <div class="canvas" ref={place} />
       {other && exhibit && (
         <p class="label">
           {exhibit.scene.length_unit === other.scene.length_unit
@@ -89,6 +88,7 @@ export function StageView({
             : t('{engine}, drawn with equal crank radius', { engine: exhibit.name })}
         </p>
       )}
+      <div class="canvas" ref={place} />
     </section>
   )
 }

@@ -1,0 +1,43 @@
+import { expect, test } from 'vitest'
+import { HOME, lookOf } from '../../src/stage/cameras'
+import { LIGHT } from '../../src/stage/palette'
+import { footOf, type Writing, write } from '../../src/stage/sheet'
+import { CAMERAS } from '../../src/stage/stage'
+import { exhibit } from './engine'
+
+const LETTER = 11
+
+/** What is written on a sheet, and how far up from its baseline, middle or top it reaches, pixels. */
+function written(width: number, height: number, camera: (typeof CAMERAS)[number]) {
+  const texts: { text: string; top: number }[] = []
+  const above = { bottom: LETTER, middle: LETTER / 2, top: 0 }
+  const sheet: Record<string, unknown> = {
+    measureText: (text: string) => ({ width: 6 * text.length }),
+    fillText: (text: string, _x: number, y: number) =>
+      texts.push({ text, top: y - above[sheet.textBaseline as keyof typeof above] }),
+  }
+  for (const name of ['arc', 'beginPath', 'clearRect', 'fill', 'lineTo', 'moveTo', 'stroke'])
+    sheet[name] = sheet.strokeText = () => {}
+  const writing = {
+    frame: { look: lookOf(camera, HOME), centre: [0, 0, 0], half: 1 },
+    view: { whirl: { magnification: 0, orders: null } },
+    moved: { up: 0, right: 0, tiltUp: 0, tiltRight: 0, turn: 0 },
+    load: { force: 1, couple: 1 },
+    arrow: 0.28,
+    palette: LIGHT,
+    width,
+    height,
+  } as unknown as Writing
+  write(sheet as unknown as CanvasRenderingContext2D, exhibit(), writing)
+  return texts
+}
+
+test.each([...CAMERAS])(
+  'axes and scales keep to the foot of a narrow sheet, camera %s',
+  (camera) => {
+    for (const height of [250, 290, 640])
+      for (const { text, top } of written(195, height, camera))
+        if (text !== '1')
+          expect(top, text).toBeGreaterThanOrEqual(height * (1 - footOf(195, height)))
+  },
+)
