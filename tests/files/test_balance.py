@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 from crankstar import balance, load, spectra, total
+from crankstar.mechanics.remains import size, summed
 from crankstar.remedy import Aim, without_weights
 
 Run = Callable[..., Any]
@@ -168,6 +169,28 @@ def test_the_proof_is_printed(run: Run) -> None:
     assert "proved" not in run("balance", "triple-120", "--factor", "0.3", "--prove").out
 
 
+@pytest.mark.parametrize("name", ["vw-vr6", "napier-deltic", "i4", "harley-45"])
+def test_the_command_that_the_verdict_prints_fits_what_it_recommends(
+    run: Run, tmp_path: Path, name: str
+) -> None:
+    target = tmp_path / "fitted.toml"
+    verdict = " ".join(run("verdict", name).out.split())
+    command = re.search(r"what remains: crankstar (balance .*)$", verdict)
+    assert command
+    out = run(*command[1].split(), "-o", str(target)).out
+    after, before = (summed(balance(load(engine))) for engine in (target, name))
+    order = next(
+        order
+        for order in (1.0, 2.0)
+        if size(before.force, order) > 1e-9 or size(before.couple, order) > 1e-9
+    )
+    for quantity in ("force", "couple"):
+        assert size(getattr(after, quantity), order) < 1e-9
+        assert left(out, f"{order:g}", quantity)[1] == "0"
+    rest = run("verdict", str(target)).out
+    assert ("what remains:" in rest) == (size(after.force, 2.0) + size(after.couple, 2.0) > 1e-9)
+
+
 @pytest.mark.parametrize(
     ("arguments", "told"),
     [
@@ -215,6 +238,8 @@ def test_the_proof_is_printed(run: Run) -> None:
         ),
         (["--minimise", "couple", "--greatest-unbalance", "0"], "greater than 0"),
         (["--minimise", "couple", "--greatest-unbalance", "x"], "--greatest-unbalance"),
+        (["--recommended", "--factor", "0.5"], "--factor has no effect with --recommended"),
+        (["--recommended", "--weights", "ends"], "--weights has no effect with --recommended"),
         (["--radius", "0"], "greater than 0"),
         (["--radius", "60 mm"], "the file gives no stroke"),
     ],
@@ -223,6 +248,10 @@ def test_what_cannot_be_balanced_is_refused(
     refused: Callable[..., str], arguments: list[str], told: str
 ) -> None:
     assert told in refused("balance", "i4", *arguments)
+
+
+def test_nothing_is_recommended_where_nothing_remains(refused: Callable[..., str]) -> None:
+    assert "no primary or secondary force or couple" in refused("balance", "i6", "--recommended")
 
 
 def test_standard_output_that_is_a_file_is_not_replaced(known: str, tmp_path: Path) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from shlex import quote
 from typing import Annotated
 
 from cyclopts import Parameter
@@ -22,6 +24,7 @@ from crankstar.cli.options import (
 )
 from crankstar.cli.output import display, write
 from crankstar.cli.tabulating import give
+from crankstar.language.messages import _
 from crankstar.language.quoting import one_line
 from crankstar.options import values as request
 from crankstar.options.forms import TABLES, form_of
@@ -146,11 +149,24 @@ def verdict(
     engine: EngineName, /, *, speed: Speed = None, settings: Settings = None, output: Output = None
 ) -> None:
     """State in short sentences which orders balance, which remain, and what would cure them."""
+    from crankstar.remedy.fitting import recommended
     from crankstar.tables import verdict as tables
+    from crankstar.tables.table import remarks
 
     loaded = loaded_engine(engine, settings)
     facts = tables.verdict(loaded, speed=request.speed(speed))
-    display(tables.verdict_document(loaded, facts), output)
+    document = tables.verdict_document(loaded, facts)
+    if recommended(loaded) is not None:
+        words = [quote(word) for word in (engine, *(f"--set={value}" for value in settings or ()))]
+        document = replace(document, parts=(*document.parts, *remarks(_fit(" ".join(words)))))
+    display(document, output)
+
+
+def _fit(engine: str) -> str:
+    return _(
+        "To fit the recommended remedy and see what remains: {command}",
+        command=f"crankstar balance {engine} --recommended",
+    )
 
 
 @app.command

@@ -6,6 +6,7 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from crankstar.engine.engine import Engine
 from crankstar.options import values as request
+from crankstar.options.refusals import RequestError
 from crankstar.remedy import fitting
 from crankstar.tables.remedies import Job
 
@@ -75,6 +76,11 @@ class BalanceOptions(BaseModel):
         description="Move the two shafts of a pair to the heights at which the block does not "
         "roll.",
     )
+    recommended: bool = Field(
+        default=False,
+        description="Fit what `crankstar verdict` recommends: the counterweights that cancel what "
+        "turns with the crankshafts, then balance shafts for the lowest order that remains.",
+    )
 
 
 PARTS = {
@@ -98,6 +104,8 @@ def balanced(
     places = request.weights(options.weights, engine)
     radius = request.length("--radius", options.radius, engine, positive=True)
     turning = engine.speed if speed is None else request.speed(speed)
+    if options.recommended:
+        return _recommended(engine, options)._replace(radius=radius, speed=turning)
     if options.minimise is None:
         factor = own_factor if options.factor is None else options.factor
         after = fitting.by_factor(engine, factor=factor, weights=places)
@@ -115,6 +123,22 @@ def balanced(
         )
         job = Job(engine, best.engine, None, best, radius, turning)
     return _with_shafts(job, options)
+
+
+def _recommended(engine: Engine, options: BalanceOptions) -> Job:
+    """The job that fits what the verdict recommends. Raises RequestError."""
+    others = {"--factor": options.factor, "--minimise": options.minimise}
+    weights = None if options.weights == "pins" else options.weights
+    request.refuse_unused(
+        {**others, "--weights": weights, "--shafts": options.shafts}, beside="--recommended"
+    )
+    fitted = fitting.recommended(engine)
+    if fitted is None:
+        raise RequestError(
+            "--recommended: no primary or secondary force or couple remains that weights or "
+            "balance shafts remove"
+        )
+    return Job(engine, fitted.after, fitted.factor, description=fitted.description)
 
 
 def _with_shafts(job: Job, options: BalanceOptions) -> Job:

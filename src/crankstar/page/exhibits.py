@@ -34,7 +34,6 @@ from crankstar.page.records import (
 from crankstar.page.scene import scene
 from crankstar.remedy import fitting
 from crankstar.tables import analysis, headings, remedies, strokes
-from crankstar.tables.table import Remarks
 from crankstar.tables.verdict import subjects, verdict
 
 
@@ -145,9 +144,8 @@ def fitted_with(
     engine: Engine, after: Engine, *, factor: float | None, description: str = ""
 ) -> Exhibit:
     """The exhibit of `after`, with the tables of its weights and shafts, `description` first."""
-    job = remedies.Job(before=engine, after=after, factor=factor, speed=engine.speed)
-    first = (Remarks((description,)),) if description else ()
-    tables = printed((*first, *remedies.parts(job)))
+    job = remedies.Job(engine, after, factor, speed=engine.speed, description=description)
+    tables = printed(tuple(remedies.parts(job)))
     return exhibit(after, file=files.part_by_part(after), relatives=False, remedies=tables)
 
 

@@ -27,6 +27,7 @@ from crankstar.tables.table import Column, Document, Remarks, Table, Value, rema
 class Job(NamedTuple):
     """An engine before and after, and by which balance factor or best weights.
 
+    `description` says what was fitted where neither of them does.
     Masses of weights are given at `radius` (m or crank radii), else at the crank radius; at `speed`
     (rad/s) what remains is given in N and N m.
     """
@@ -37,6 +38,7 @@ class Job(NamedTuple):
     best: Best | None = None
     radius: float | None = None
     speed: float | None = None
+    description: str = ""
 
 
 def balancing_sheet(job: Job) -> Document:
@@ -46,6 +48,7 @@ def balancing_sheet(job: Job) -> Document:
 
 def parts(job: Job) -> Iterator[Table | Remarks]:
     """The sheet without its title."""
+    yield from remarks(job.description)
     yield _bobweights(job)
     if job.best is not None:
         yield Remarks(tuple(certificate(job.best)), _("Best weights"))
@@ -88,7 +91,7 @@ def _bobweights(job: Job) -> Table:
             for count in sorted({len(pin.cylinders) for pin in pins} - {0, 1})
         ),
     ]
-    if job.factor is None:
+    if job.factor is None and any(shaft.weights for shaft in job.after.shafts if shaft.throws):
         notes.append(
             _(
                 "The weights fitted follow no balance factor; these bobweights are for a "
