@@ -65,11 +65,24 @@ def help_sentences() -> list[str]:
     return sentences(app)
 
 
+MESSAGE_ERRORS = [
+    "ChartError",
+    "DerivationError",
+    "ErrataError",
+    "NoSuchKeyError",
+    "OutputError",
+    "PageError",
+    "PrintingError",
+    "RemedyError",
+    "RequestError",
+    "SweepError",
+]
+"""Errors that are raised with a sentence and its values."""
 PYTHON = Domain(
     sources=ROOT / "src",
     extractors=(("**.py", "python"),),
     keywords={
-        **dict.fromkeys(("_", "N_", "OutputError", "PrintingError", "RequestError", "SweepError")),
+        **dict.fromkeys(("_", "N_", *MESSAGE_ERRORS)),
         **dict.fromkeys(("_n", "Plural"), (1, 2)),
         "refusal": (3,),
     },

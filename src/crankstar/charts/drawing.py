@@ -10,7 +10,7 @@ from textwrap import wrap
 from typing import TYPE_CHECKING, Any
 
 from crankstar.charts.grammar import Chart, Layer
-from crankstar.language.messages import _
+from crankstar.language.messages import MessageError, _
 from crankstar.language.numbers import number
 
 if TYPE_CHECKING:
@@ -38,7 +38,7 @@ THETA = "theta"
 LONG = re.compile(r"-?\d+\.\d{3,}")
 
 
-class ChartError(ValueError):
+class ChartError(MessageError):
     """A figure that cannot be drawn; the message names what can."""
 
 

@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING
 from cyclopts import App, CycloptsError, UnusedCliTokensError
 
 from crankstar.cli.output import OutputError, abandon, complain, is_file
-from crankstar.files import STANDARD_INPUT, EngineFileError
+from crankstar.files import STANDARD_INPUT
 from crankstar.language import spelling
-from crankstar.language.messages import LANGUAGES, _, spoken
+from crankstar.language.messages import LANGUAGES, MessageError, _, spoken
 from crankstar.language.quoting import one_line, seen
 from crankstar.options.refusals import RequestError, refusal
 from crankstar.options.values import NEEDED
@@ -57,7 +57,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
             sys.stdout.flush()
     except CycloptsError as error:
         code = _refuse(_complaint(error))
-    except (RequestError, OutputError, EngineFileError) as error:
+    except MessageError as error:
         code = _refuse(str(error))
     except SearchError as error:
         code = _refuse(error.text(lambda option: f"--{option.replace('_', '-')}"))

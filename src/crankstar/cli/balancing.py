@@ -18,11 +18,9 @@ from crankstar.cli.options import (
     output,
 )
 from crankstar.cli.output import display, working, write
-from crankstar.language.faults import EngineError
 from crankstar.language.messages import _
 from crankstar.options import values as request
 from crankstar.options.balancing import BalanceOptions
-from crankstar.options.values import RequestError
 
 
 class Options(BalanceOptions):
@@ -49,23 +47,19 @@ def balance(
     ] = None,
 ) -> None:
     """Balance an engine with counterweights and balance shafts; print what remains."""
-    from crankstar.derive import DerivationError, documents
+    from crankstar.derive import documents
     from crankstar.options.balancing import balanced
-    from crankstar.remedy import RemedyError
     from crankstar.tables.remedies import balancing_sheet
 
     own = request.own_factor(engine, settings, otherwise=0.5)
-    try:
-        with working(_("balancing ...")):
-            loaded = loaded_engine(engine, settings)
-            job = balanced(loaded, options, speed=speed, own_factor=own)
-            proof = []
-            if prove:  # exact algebra is slow to load
-                from crankstar.derive.cure import proofs
+    with working(_("balancing ...")):
+        loaded = loaded_engine(engine, settings)
+        job = balanced(loaded, options, speed=speed, own_factor=own)
+        proof = []
+        if prove:  # exact algebra is slow to load
+            from crankstar.derive.cure import proofs
 
-                proof = proofs(job.before, job.after)
-    except (RemedyError, DerivationError, EngineError) as error:
-        raise RequestError(str(error)) from None
+            proof = proofs(job.before, job.after)
     if output is not None:
         write(engine_text(job.after), output)
     display(balancing_sheet(job))

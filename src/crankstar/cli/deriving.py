@@ -22,7 +22,7 @@ from crankstar.cli.options import (
 from crankstar.cli.output import display, working, write
 from crankstar.language.messages import _
 from crankstar.options import values as request
-from crankstar.options.values import RequestError, refusal
+from crankstar.options.values import refusal
 
 
 @app.command
@@ -96,28 +96,23 @@ def derive(
         for one in request.derived_orders("1,2" if order is None else order)
         for kind in request.quantities(quantity)
     ]
-    try:
-        letters = notations.chosen(
-            ("sinitsyn" if signs else "crankstar") if notation is None else notation
-        )
-        with working(_("Deriving ...")) as tell:
-            chapters = [exact.signs_chapter(loaded, reference=point)] if signs else []
-            for one, kind in [] if signs else wanted:
-                tell(_("Deriving the {quantity} of order {order} ...", quantity=_(kind), order=one))
-                if symbolic is not None:
-                    chapters.append(exact.family(loaded, one, kind, symbol=symbolic))
-                elif kind == "torque":
-                    chapters.append(
-                        exact.inertia_torque(loaded, one, speed=turning, power=power or 7)
+    letters = notations.chosen(
+        ("sinitsyn" if signs else "crankstar") if notation is None else notation
+    )
+    with working(_("Deriving ...")) as tell:
+        chapters = [exact.signs_chapter(loaded, reference=point)] if signs else []
+        for one, kind in [] if signs else wanted:
+            tell(_("Deriving the {quantity} of order {order} ...", quantity=_(kind), order=one))
+            if symbolic is not None:
+                chapters.append(exact.family(loaded, one, kind, symbol=symbolic))
+            elif kind == "torque":
+                chapters.append(exact.inertia_torque(loaded, one, speed=turning, power=power or 7))
+            else:
+                chapters.append(
+                    exact.derivation(
+                        loaded, one, kind, reference=point, speed=turning, power=power or 7
                     )
-                else:
-                    chapters.append(
-                        exact.derivation(
-                            loaded, one, kind, reference=point, speed=turning, power=power or 7
-                        )
-                    )
-    except exact.DerivationError as error:
-        raise RequestError(str(error)) from None
+                )
     if form == "text":
         display(documents.rendered(chapters, letters), output)
     else:

@@ -174,7 +174,6 @@ def vees(
 ) -> None:
     """List V engines that fire evenly: bank angle, pin split, throws and balance."""
     from crankstar.firing import vees as engines
-    from crankstar.firing.timetable import OrderError
     from crankstar.tables.vee_engines import vee_engines
 
     form = _form(output, json=json, csv=csv, row=row, top=top)
@@ -185,13 +184,10 @@ def vees(
         None if greatest_split is None else request.degrees("--greatest-split", greatest_split)[0]
     )
     stroke = cast("Cycle", request.choice("--cycle", cycle, get_args(Cycle)))
-    try:
-        with working(_("Trying cranks and bank angles ...")):
-            solutions = engines.vees(
-                cylinders=cylinders, bank_angles_deg=angles, greatest_split_deg=split, cycle=stroke
-            )
-    except OrderError as error:
-        raise RequestError(str(error)) from None
+    with working(_("Trying cranks and bank angles ...")):
+        solutions = engines.vees(
+            cylinders=cylinders, bank_angles_deg=angles, greatest_split_deg=split, cycle=stroke
+        )
     if row is None:
         shown = top if form == "txt" else None
         usual = angles is None and split is None

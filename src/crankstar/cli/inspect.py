@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from shlex import quote
 from typing import Annotated
 
 from cyclopts import Parameter
@@ -19,6 +18,7 @@ from crankstar.cli.options import (
     Settings,
     Speed,
     Theta,
+    command_text,
     flag,
     loaded_engine,
 )
@@ -157,16 +157,12 @@ def verdict(
     facts = tables.verdict(loaded, speed=request.speed(speed))
     document = tables.verdict_document(loaded, facts)
     if recommended(loaded) is not None:
-        words = [quote(word) for word in (engine, *(f"--set={value}" for value in settings or ()))]
-        document = replace(document, parts=(*document.parts, *remarks(_fit(" ".join(words)))))
+        how = _(
+            "To fit the recommended remedy and see what remains: {command}",
+            command=f"{command_text('balance', engine, {'--set': settings})} --recommended",
+        )
+        document = replace(document, parts=(*document.parts, *remarks(how)))
     display(document, output)
-
-
-def _fit(engine: str) -> str:
-    return _(
-        "To fit the recommended remedy and see what remains: {command}",
-        command=f"crankstar balance {engine} --recommended",
-    )
 
 
 @app.command

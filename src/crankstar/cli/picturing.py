@@ -96,16 +96,13 @@ def plot(
         alone=not others,
     )
     with working(_("Drawing {chart} ...", chart=chart)):
-        try:
-            made = (
-                drawing.side_by_side([loaded, *others], chart, **options)
-                if others
-                else figure.draw(loaded, **options)
-            )
-            title = _("{engine}: {chart}", engine=loaded.name, chart=_(figure.about))
-            content = drawing.saved(made, suffix, title=title)
-        except drawing.ChartError as error:
-            raise RequestError(str(error)) from None
+        made = (
+            drawing.side_by_side([loaded, *others], chart, **options)
+            if others
+            else figure.draw(loaded, **options)
+        )
+        title = _("{engine}: {chart}", engine=loaded.name, chart=_(figure.about))
+        content = drawing.saved(made, suffix, title=title)
     write_bytes(content, output)
 
 
@@ -162,32 +159,27 @@ def sweep(
     if not names:
         raise RequestError("--watch: give at least one quantity, such as force,couple")
     point = reference and request.reference(reference, loaded_engine(engine, settings))
-    try:
-        asked = over_request(over)
-        with working(_("Sweeping {path} ...", path=one_line(asked.path))) as tell:
-            swept = sweeps.swept(
-                engine,
-                over=asked.path,
-                values=asked.values,
-                unit=asked.unit,
-                changes=request.settings(settings),
-                reference=point or None,
-                speed="file" if speed is None else request.speed(speed),
-                tell=lambda done, of: tell(
-                    _(
-                        "Sweeping {path}: engine {done} of {count} ...",
-                        path=one_line(asked.path),
-                        done=done,
-                        count=of,
-                    )
-                ),
-            )
-            curves = [
-                sweeps.watched(swept, name, order=number) for name in names for number in wanted
-            ]
-            bests = [best(swept, curve, greatest=greatest) for curve in curves]
-    except sweeps.SweepError as error:
-        raise RequestError(str(error)) from None
+    asked = over_request(over)
+    with working(_("Sweeping {path} ...", path=one_line(asked.path))) as tell:
+        swept = sweeps.swept(
+            engine,
+            over=asked.path,
+            values=asked.values,
+            unit=asked.unit,
+            changes=request.settings(settings),
+            reference=point or None,
+            speed="file" if speed is None else request.speed(speed),
+            tell=lambda done, of: tell(
+                _(
+                    "Sweeping {path}: engine {done} of {count} ...",
+                    path=one_line(asked.path),
+                    done=done,
+                    count=of,
+                )
+            ),
+        )
+        curves = [sweeps.watched(swept, name, order=number) for name in names for number in wanted]
+        bests = [best(swept, curve, greatest=greatest) for curve in curves]
     if drawing is not None:
         labels = ", ".join(curve.label for curve in curves)
         title = _(

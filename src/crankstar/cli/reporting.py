@@ -23,7 +23,6 @@ from crankstar.language.messages import _
 from crankstar.options import charts as chart_request
 from crankstar.options import values as request
 from crankstar.options.forms import form_of
-from crankstar.options.values import RequestError
 
 KINDS = ("html", "pdf")
 
@@ -72,14 +71,11 @@ def write_report(
     subject = report.Subject(loaded, tree, command, request.speed(speed), None, other)
     wanted = request.orders(orders, list(subject.shown.normalised.force.orders.tolist()))
     subject = subject.with_orders(tuple(wanted) if wanted else None)
-    try:
-        by = report.browser() if kind == "pdf" else ""
-        with working(_("Writing the report ...")) as tell:
-            page = report.report(subject, tell=tell)
-            if kind == "html":
-                return write(page, output)
-            tell(_("Printing ..."))
-            content = report.pdf(page, by=by)
-    except report.PrintingError as error:
-        raise RequestError(str(error)) from None
+    by = report.browser() if kind == "pdf" else ""
+    with working(_("Writing the report ...")) as tell:
+        page = report.report(subject, tell=tell)
+        if kind == "html":
+            return write(page, output)
+        tell(_("Printing ..."))
+        content = report.pdf(page, by=by)
     return write_bytes(content, output)

@@ -137,12 +137,7 @@ def _show(
 
     if kind in PICTURES:
         drawing = chart_request.charts()
-        try:
-            figure = (
-                drawing.best_stars(answer) if chart == "stars" else drawing.pareto_front(answer)
-            )
-        except drawing.ChartError as error:
-            raise RequestError(str(error)) from None
+        figure = drawing.best_stars(answer) if chart == "stars" else drawing.pareto_front(answer)
         write_bytes(drawing.saved(figure, kind, title=tables.heading(answer.question)), output)
     else:
         limit = tables.ROWS if kind == "txt" else None

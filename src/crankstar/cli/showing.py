@@ -15,7 +15,6 @@ from crankstar.files.catalog import tree_of
 from crankstar.language.messages import _
 from crankstar.options import values as request
 from crankstar.options.forms import form_of
-from crankstar.options.values import RequestError
 
 
 @app.command
@@ -42,17 +41,14 @@ def page(
     names = [request.named(word) for word in (engine, beside) if word is not None]
     place = "page.html" if names[0] == "-" else f"{PurePath(names[0]).stem}.html"
     options = {"--beside": names[1:], "--set": settings, "-o": [place]}
-    try:
-        pages.bundle()
-        with progress(_("Drawing")) as tell:
-            data = held(
-                engines,
-                files_given=[tree for _, tree in given],
-                sources=names,
-                command=command_text("page", names[0], options),
-                tell=tell,
-            )
-        content = pages.document(data)
-    except pages.PageError as error:
-        raise RequestError(str(error)) from None
+    pages.bundle()
+    with progress(_("Drawing")) as tell:
+        data = held(
+            engines,
+            files_given=[tree for _, tree in given],
+            sources=names,
+            command=command_text("page", names[0], options),
+            tell=tell,
+        )
+    content = pages.document(data)
     write(content, output)

@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Literal
 
 from crankstar.derive.algebra.formula import Formula, Power, Symbol, product
-from crankstar.language.messages import _
+from crankstar.language.messages import MessageError, _
 
 Quantity = Literal["force", "couple", "torque"]
 Kind = Literal["signal", "forward", "backward", "torque", "roll", "series", "plain"]
@@ -16,7 +16,7 @@ Series = tuple[tuple[int, Fraction], ...]
 GREATEST_ORDER = 24
 
 
-class DerivationError(ValueError):
+class DerivationError(MessageError):
     """A derivation that cannot be given, as one sentence that says what can."""
 
 

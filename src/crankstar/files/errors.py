@@ -6,13 +6,13 @@ from collections.abc import Sequence
 from typing import Any
 
 from crankstar.language.faults import Fault
-from crankstar.language.messages import _, _n
+from crankstar.language.messages import MessageError, _, _n
 
 GREATEST_SHOWN = 100
 """Faults of one file that are written out one by one."""
 
 
-class EngineFileError(ValueError):
+class EngineFileError(MessageError):
     """An engine file that cannot be used; `faults` have the key paths of the file."""
 
     def __init__(self, name: str, faults: Sequence[Fault]) -> None:

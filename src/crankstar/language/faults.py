@@ -15,7 +15,7 @@ from string import Formatter
 from typing import Any, NamedTuple
 
 from crankstar.language import engine_faults, file_faults, search_faults, server_faults
-from crankstar.language.messages import Plural, _, _n
+from crankstar.language.messages import MessageError, Plural, _, _n
 from crankstar.language.quoting import one_line, seen
 
 SENTENCES: dict[str, str | Plural] = {
@@ -47,7 +47,7 @@ class Fault(NamedTuple):
         return sentence(self.code, self.values, place=where(self.path))
 
 
-class EngineError(ValueError):
+class EngineError(MessageError):
     """An engine that cannot be; carries every fault found, not only the first."""
 
     def __init__(self, faults: Sequence[Fault]) -> None:
@@ -55,7 +55,7 @@ class EngineError(ValueError):
         super().__init__("\n".join(fault.sentence for fault in self.faults))
 
 
-class ValueFaultError(ValueError):
+class ValueFaultError(MessageError):
     """A value that cannot be, found where its place is not known."""
 
     def __init__(self, code: str, **values: Any) -> None:

@@ -64,7 +64,10 @@ def _n(one: str, several: str, count: int, /, **values: object) -> str:
 
 
 class MessageError(ValueError):
-    """An error that is one sentence, translated as `_` does; without values it stands as it is."""
+    """An error whose text is for the reader, which every host shows as it is.
+
+    A sentence is translated as `_` does; without values it stands as it is.
+    """
 
     def __init__(self, sentence: str, /, **values: object) -> None:
         translated = _catalog(_language.get()).gettext(sentence)

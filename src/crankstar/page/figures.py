@@ -7,13 +7,13 @@ from typing import Any
 
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
-from crankstar.language.messages import _
+from crankstar.language.messages import MessageError, _
 from crankstar.language.quoting import one_line
 from crankstar.page.keys import BEFORE_AND_AFTER
 from crankstar.remedy import fitting
 
 
-class NoSuchKeyError(ValueError):
+class NoSuchKeyError(MessageError):
     """A key that no figure or derivation of an engine has."""
 
 
@@ -41,7 +41,7 @@ def _before_and_after(engine: Engine) -> Any:
     fitted = fitting.recommended(engine)
     if fitted is None:
         raise NoSuchKeyError(
-            _("{key}: this engine needs no counterweights or balance shafts", key=BEFORE_AND_AFTER)
+            "{key}: this engine needs no counterweights or balance shafts", key=BEFORE_AND_AFTER
         )
     before = with_values(engine, name=_("as it is"))
     after = with_values(fitted.after, name=_("with weights and shafts"))
@@ -61,11 +61,9 @@ def _single(engine: Engine, key: str) -> Any:
         or asked.get("quantity", "force") not in (*known.quantities, "force")
     ):
         raise NoSuchKeyError(
-            _(
-                "{key}: there is no such figure; there are: {figures}",
-                key=one_line(key, longest=60),
-                figures=", ".join(CHARTS),
-            )
+            "{key}: there is no such figure; there are: {figures}",
+            key=one_line(key, longest=60),
+            figures=", ".join(CHARTS),
         )
     if "order" in asked:
         asked["order"] = _order(key, asked["order"])
@@ -79,7 +77,7 @@ def _order(key: str, text: str) -> float:
         return float(text)
     except ValueError:
         shown = one_line(key, longest=60)
-        raise NoSuchKeyError(_("{key}: the order is not a number", key=shown)) from None
+        raise NoSuchKeyError("{key}: the order is not a number", key=shown) from None
 
 
 def derivation(engine: Engine, key: str) -> str:
@@ -99,9 +97,7 @@ def derivation(engine: Engine, key: str) -> str:
         wanted = Fraction(0)
     if quantity not in ("force", "couple") or wanted <= 0:
         raise NoSuchKeyError(
-            _(
-                "{key}: there is no such derivation; a key is like force:2",
-                key=one_line(key, longest=60),
-            )
+            "{key}: there is no such derivation; a key is like force:2",
+            key=one_line(key, longest=60),
         )
     return html_parts([derive.derivation(engine, wanted, quantity=quantity)])[0]

@@ -13,13 +13,13 @@ from hashlib import sha256
 from html import escape
 from pathlib import Path
 
-from crankstar.language.messages import N_, _, language
+from crankstar.language.messages import N_, MessageError, _, language
 from crankstar.page.library import Tree, packed
 
 BUNDLE = Path(__file__).parents[1] / "bundle" / "crankstar.js"
 
 
-class PageError(ValueError):
+class PageError(MessageError):
     """A page that cannot be written; the message names the remedy."""
 
 
@@ -29,10 +29,8 @@ def bundle() -> str:
         return BUNDLE.read_text(encoding="utf-8")
     except FileNotFoundError:
         raise PageError(
-            _(
-                "this copy of crankstar lacks the script of the page; build it with "
-                "`python web/bundle.py`, or install crankstar from a wheel"
-            )
+            "this copy of crankstar lacks the script of the page; build it with "
+            "`python web/bundle.py`, or install crankstar from a wheel"
         ) from None
 
 

@@ -12,12 +12,10 @@ from math import isfinite
 from pathlib import Path, PurePath
 from typing import Any
 
-from crankstar.charts.drawing import ChartError
-from crankstar.derive import DerivationError
 from crankstar.engine.engine import Engine
 from crankstar.files import engine_of, explicit
 from crankstar.files.catalog import tree_of
-from crankstar.language.messages import _
+from crankstar.language.messages import MessageError, _
 from crankstar.language.quoting import one_line
 from crankstar.page import exhibition, figures
 from crankstar.page import standalone as page
@@ -132,7 +130,7 @@ def answer(engines: tuple[Engine, ...], question: Any) -> dict[str, Any]:
             fitted = fitting.recommended(engine)
             engine = engine if fitted is None else fitted.after
         return {**same, "value": makers[request["what"]](engine, str(request["key"]))}
-    except (ChartError, DerivationError, figures.NoSuchKeyError) as error:
+    except MessageError as error:
         return {**same, "sentence": str(error)}
     except (KeyError, IndexError, TypeError, ValueError):
         return {**same, "sentence": _("The notebook cannot answer this request.")}

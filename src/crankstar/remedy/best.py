@@ -105,10 +105,8 @@ def best_weights(
     for limit in limits:
         if not limit.at_most >= 0 or not np.isfinite(limit.at_most):
             raise RemedyError(
-                _(
-                    "a limit of {limit} cannot be met; give a number from 0 up",
-                    limit=f"{limit.at_most:g}",
-                )
+                "a limit of {limit} cannot be met; give a number from 0 up",
+                limit=f"{limit.at_most:g}",
             )
     for wanted in (aim, *(limit.aim for limit in limits)):
         _check_aim(wanted)
@@ -120,7 +118,7 @@ def best_weights(
             raise RemedyError(_infeasible(case, limits, most))
     except MissingSolverError:
         raise RemedyError(
-            _('the best weights need Clarabel: pip install "crankstar[weights]"')
+            'the best weights need Clarabel: pip install "crankstar[weights]"'
         ) from None
     x = _tidied(case, planes, x, [aim, *(limit.aim for limit in limits)], most)
     value = measured(case, aim, x)
@@ -150,10 +148,8 @@ def _check_aim(aim: Aim) -> None:
         or max(shares) == 0
     ):
         raise RemedyError(
-            _(
-                "an aim is one of {quantities}, with shares of up and right from 0, not both 0",
-                quantities=", ".join(get_args(Quantity)),
-            )
+            "an aim is one of {quantities}, with shares of up and right from 0, not both 0",
+            quantities=", ".join(get_args(Quantity)),
         )
 
 
@@ -172,14 +168,12 @@ def _possible(engine: Engine, planes: Sequence[Plane]) -> None:
     foreign = [plane.shaft for plane in planes if plane.shaft not in names]
     if foreign:
         raise RemedyError(
-            _(
-                'there is no crankshaft "{name}"; the crankshafts are {names}',
-                name=foreign[0],
-                names=", ".join(names),
-            )
+            'there is no crankshaft "{name}"; the crankshafts are {names}',
+            name=foreign[0],
+            names=", ".join(names),
         )
     if not planes or len(set(planes)) < len(planes):
-        raise RemedyError(_("give one plane or more, all different"))
+        raise RemedyError("give one plane or more, all different")
     for name in names:
         own = [plane.z for plane in planes if plane.shaft == name]
         apart(engine, own)
@@ -189,10 +183,8 @@ def _possible(engine: Engine, planes: Sequence[Plane]) -> None:
 def _most(engine: Engine, greatest: float | None) -> float:
     if greatest is not None and not greatest > 0:
         raise RemedyError(
-            _(
-                "a greatest unbalance of {unbalance} allows no weights; give a number above 0",
-                unbalance=f"{greatest:g}",
-            )
+            "a greatest unbalance of {unbalance} allows no weights; give a number above 0",
+            unbalance=f"{greatest:g}",
         )
     carried = sum(
         (pin.rotating + pin.reciprocating) * pin.radius for pin in loads(engine)
@@ -240,13 +232,11 @@ def _settled(case: Setting, aim: Aim | None, limits: Sequence[Limit], most: floa
     peaky = [each for each in wanted if not each.rms and each.quantity != "bearing"]
     if peaky and turns > GREATEST_TURNS:
         raise RemedyError(
-            _(
-                "{aim}: its period is {turns} turns of the geared shafts, too long to find "
-                "the peak; "
-                "minimise the rms instead",
-                aim=aim_name(peaky[0]),
-                turns=turns,
-            )
+            "{aim}: its period is {turns} turns of the geared shafts, too long to find "
+            "the peak; "
+            "minimise the rms instead",
+            aim=aim_name(peaky[0]),
+            turns=turns,
         )
     angles = [
         np.arange(FIRST_ANGLES * turns if peaky else 0) * (2 * np.pi / FIRST_ANGLES)
@@ -278,7 +268,7 @@ def _settled(case: Setting, aim: Aim | None, limits: Sequence[Limit], most: floa
             return best
         angles = [np.append(theta, more) for theta, more in zip(angles, missing, strict=True)]
     raise RemedyError(
-        _("the search for the best weights did not converge; use fewer planes, or another aim")
+        "the search for the best weights did not converge; use fewer planes, or another aim"
     )
 
 

@@ -22,7 +22,7 @@ import numpy as np
 from crankstar.engine.copies import with_weights
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Shaft, Weight
-from crankstar.language.messages import _
+from crankstar.language.messages import MessageError
 from crankstar.remedy.loads import Load, bobweight, loads
 from crankstar.remedy.planes import end_webs, spans
 
@@ -33,7 +33,7 @@ NEGLIGIBLE = 1e-12
 """Share of the greatest unbalance below which a weight is left out."""
 
 
-class RemedyError(ValueError):
+class RemedyError(MessageError):
     """A remedy that is impossible; the message says what is possible."""
 
 
@@ -92,12 +92,10 @@ def _balanced(
 ) -> Engine:
     if not isfinite(factor) or not 0 <= factor <= GREATEST_FACTOR:
         raise RemedyError(
-            _(
-                "the balance factor is {factor}; give a share of the reciprocating mass from 0 to "
-                "{greatest}",
-                factor=f"{factor:g}",
-                greatest=f"{GREATEST_FACTOR:g}",
-            )
+            "the balance factor is {factor}; give a share of the reciprocating mass from 0 to "
+            "{greatest}",
+            factor=f"{factor:g}",
+            greatest=f"{GREATEST_FACTOR:g}",
         )
     pins = loads(engine)
     own = {
@@ -116,7 +114,7 @@ def without_counterweights(engine: Engine) -> Engine:
 def possible_planes(engine: Engine, planes: Sequence[float]) -> None:
     """Refuse places along the shaft that are too few, double or beyond it. Raises RemedyError."""
     if len(planes) < 2 or len(set(planes)) < len(planes):
-        raise RemedyError(_("give two planes or more, all different"))
+        raise RemedyError("give two planes or more, all different")
     apart(engine, planes)
     on_the_shaft(engine, planes)
 
@@ -134,18 +132,16 @@ def on_the_shaft(engine: Engine, planes: Sequence[float]) -> None:
     if beyond:
         unit = "bore pitches" if "pitch" in engine.relative else "m"
         raise RemedyError(
-            _(
-                "the plane z = {plane} {unit} is beyond the crankshaft, whose pins and "
-                "cylinders lie "
-                "between z = {rear} and {front} {unit}; a plane may be up to one bore pitch "
-                "({pitch} "
-                "{unit}) beyond them",
-                plane=f"{beyond[0]:g}",
-                unit=unit,
-                rear=f"{rear:g}",
-                front=f"{front:g}",
-                pitch=f"{room:g}",
-            )
+            "the plane z = {plane} {unit} is beyond the crankshaft, whose pins and "
+            "cylinders lie "
+            "between z = {rear} and {front} {unit}; a plane may be up to one bore pitch "
+            "({pitch} "
+            "{unit}) beyond them",
+            plane=f"{beyond[0]:g}",
+            unit=unit,
+            rear=f"{rear:g}",
+            front=f"{front:g}",
+            pitch=f"{room:g}",
         )
 
 
@@ -155,15 +151,12 @@ def apart(engine: Engine, planes: Sequence[float]) -> None:
     Raises RemedyError.
     """
     if not all(isfinite(plane) for plane in planes):
-        raise RemedyError(_("a plane has no position along the shaft; give a finite number"))
+        raise RemedyError("a plane has no position along the shaft; give a finite number")
     ordered = sorted(planes)
     if any(b - a < CLOSEST * engine.pitch for a, b in pairwise(ordered)):
         raise RemedyError(
-            _(
-                "two planes are closer than {closest} bore pitches; give planes that are all "
-                "different",
-                closest=f"{CLOSEST:g}",
-            )
+            "two planes are closer than {closest} bore pitches; give planes that are all different",
+            closest=f"{CLOSEST:g}",
         )
 
 

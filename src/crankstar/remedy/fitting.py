@@ -264,15 +264,12 @@ def with_shafts(
     twice = next((ratio for ratio in wanted if wanted.count(ratio) > 1), None)
     if twice is not None:
         raise RemedyError(
-            _(
-                "the speed ratio {ratio} is given twice; one shaft cancels all that turns at "
-                "its speed",
-                ratio=twice,
-            )
+            "the speed ratio {ratio} is given twice; one shaft cancels all that turns at its speed",
+            ratio=twice,
         )
     if places.apart and not any(-ratio in wanted for ratio in wanted):
         raise RemedyError(
-            _("there is no pair of balance shafts to space; --shaft-place places a single shaft")
+            "there is no pair of balance shafts to space; --shaft-place places a single shaft"
         )
     for ratio in wanted:
         if isinstance(ratios, str) and ratio not in {need.ratio for need in needs(engine)}:
@@ -286,10 +283,7 @@ def with_shafts(
         pairs = sorted({abs(ratio) for ratio in wanted if -ratio in wanted})
         if not pairs:
             raise RemedyError(
-                _(
-                    "there is no pair of balance shafts to move; give two speed ratios, such "
-                    "as 2, -2"
-                )
+                "there is no pair of balance shafts to move; give two speed ratios, such as 2, -2"
             )
         for order in pairs:
             engine = with_roll_cancelled(engine, order=order)
@@ -309,6 +303,6 @@ def _ratios_of(engine: Engine, *, lowest: bool) -> list[Fraction]:
     ratios = [need.ratio for need in needs(engine) if need.ratio != 1]
     if not ratios:
         raise RemedyError(
-            _("the engine needs no balance shafts: no first or second order remains for them")
+            "the engine needs no balance shafts: no first or second order remains for them"
         )
     return [ratio for ratio in ratios if abs(ratio) == abs(ratios[0])] if lowest else ratios

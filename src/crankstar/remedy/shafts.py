@@ -30,7 +30,6 @@ from crankstar.engine.assembly import GREATEST_SHAFTS
 from crankstar.engine.copies import with_shaft, with_values, with_weights
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Shaft, Weight
-from crankstar.language.messages import _
 from crankstar.mechanics import remains
 from crankstar.mechanics.balance import default_reference
 from crankstar.mechanics.excitation import Totals, part_spectra, rolling_moment, total
@@ -115,40 +114,34 @@ def with_balance_shaft(
     """
     if not isfinite(up) or not isfinite(right):
         raise RemedyError(
-            _("the place of a balance shaft is not finite; give up and right as finite lengths")
+            "the place of a balance shaft is not finite; give up and right as finite lengths"
         )
     ratio = _fraction(ratio)
     if ratio == 0 or abs(ratio) > GREATEST_RATIO:
         raise RemedyError(
-            _(
-                "a balance shaft cannot have the speed ratio {ratio}; give one from -{greatest} to "
-                "{greatest}, not 0",
-                ratio=ratio,
-                greatest=GREATEST_RATIO,
-            )
+            "a balance shaft cannot have the speed ratio {ratio}; give one from -{greatest} to "
+            "{greatest}, not 0",
+            ratio=ratio,
+            greatest=GREATEST_RATIO,
         )
     if not planes or len(set(planes)) < len(planes):
         raise RemedyError(
-            _("a balance shaft needs planes for its weights, all different; two are enough")
+            "a balance shaft needs planes for its weights, all different; two are enough"
         )
     apart(engine, planes)
     if len(engine.shafts) >= GREATEST_SHAFTS:
         raise RemedyError(
-            _(
-                "the engine already has {count} shafts; the greatest number is {greatest}",
-                count=len(engine.shafts),
-                greatest=GREATEST_SHAFTS,
-            )
+            "the engine already has {count} shafts; the greatest number is {greatest}",
+            count=len(engine.shafts),
+            greatest=GREATEST_SHAFTS,
         )
     vectors = _unbalances(engine, ratio, planes)
     if not vectors:
         raise RemedyError(
-            _(
-                "no force or couple of order {order} turns with a shaft of speed ratio {ratio}: it "
-                "has no use",
-                order=abs(ratio),
-                ratio=ratio,
-            )
+            "no force or couple of order {order} turns with a shaft of speed ratio {ratio}: it "
+            "has no use",
+            order=abs(ratio),
+            ratio=ratio,
         )
     weights = tuple(turned_weights(vectors, planes))
     shaft = Shaft(name=_name(engine, ratio), speed_ratio=ratio, up=up, right=right, weights=weights)
@@ -169,7 +162,7 @@ def _unbalances(engine: Engine, ratio: Fraction, planes: Sequence[float]) -> lis
     if len(arms) > 1:
         return least_weights(force=-force / squared, moment=-couple / squared, planes=arms)
     if abs(couple - arms[0] * force) > ZERO * _pushed(parts.couple):
-        raise RemedyError(_("one plane cannot cancel a couple; give two planes or more"))
+        raise RemedyError("one plane cannot cancel a couple; give two planes or more")
     return [-force / squared]
 
 
@@ -189,7 +182,7 @@ def with_turning_cancelled(engine: Engine, *, ratio: Fraction | int) -> Engine:
     shafts = [shaft for shaft in engine.shafts if shaft.throws and shaft.speed_ratio == ratio]
     if not shafts:
         raise RemedyError(
-            _("no crankshaft has the speed ratio {ratio}; use a balance shaft", ratio=ratio)
+            "no crankshaft has the speed ratio {ratio}; use a balance shaft", ratio=ratio
         )
     at = [(shaft.name, plane) for shaft in shafts for plane in end_webs(engine, shaft)]
     added = list(zip(at, _unbalances(engine, ratio, [plane for _, plane in at]), strict=False))
@@ -232,10 +225,8 @@ def with_roll_cancelled(engine: Engine, *, order: Fraction | int) -> Engine:
     ]
     if sorted(engine.shafts[place].speed_ratio for place in pair) != [-order, order]:
         raise RemedyError(
-            _(
-                "there is no pair of balance shafts of speed ratios {order} and -{order} to move",
-                order=order,
-            )
+            "there is no pair of balance shafts of speed ratios {order} and -{order} to move",
+            order=order,
         )
     columns: list[complex] = []
     for place in pair:
@@ -263,12 +254,10 @@ def with_roll_cancelled(engine: Engine, *, order: Fraction | int) -> Engine:
     left = complex(spectra.amplitude(spectra.selected(_roll(moved), [float(order)]))[0])
     if abs(left) > ZERO * max(abs(rest), _pushed(part_spectra(mechanism(engine)).axis_moment)):
         raise RemedyError(
-            _(
-                "the pair of ratios {order} and -{order} has no force of the kind that could "
-                "cancel "
-                "the roll",
-                order=order,
-            )
+            "the pair of ratios {order} and -{order} has no force of the kind that could "
+            "cancel "
+            "the roll",
+            order=order,
         )
     return moved
 
@@ -278,11 +267,9 @@ def _fraction(ratio: Fraction | int) -> Fraction:
         return Fraction(ratio)
     except (ValueError, OverflowError, ZeroDivisionError, TypeError):
         raise RemedyError(
-            _(
-                "{ratio} is not a speed ratio; give a whole number or a fraction, negative against "
-                "the crank",
-                ratio=ratio,
-            )
+            "{ratio} is not a speed ratio; give a whole number or a fraction, negative against "
+            "the crank",
+            ratio=ratio,
         ) from None
 
 

@@ -12,7 +12,7 @@ from pathlib import Path
 from shutil import which
 from tempfile import TemporaryDirectory
 
-from crankstar.language.messages import N_, _
+from crankstar.language.messages import N_, MessageError, _
 
 BROWSERS = (
     "chromium",
@@ -47,7 +47,7 @@ DATES = re.compile(rb"/(?:CreationDate|ModDate) \([^)]*\)")
 BY_HAND = N_("write the report as .html, open it in a browser and print it there")
 
 
-class PrintingError(ValueError):
+class PrintingError(MessageError):
     """A report that cannot be printed; the message names a way round it."""
 
 
@@ -58,7 +58,7 @@ def browser() -> str:
     )
     if found is None:
         raise PrintingError(
-            _("a PDF needs Chromium, Chrome or Edge; install one, or {remedy}", remedy=_(BY_HAND))
+            "a PDF needs Chromium, Chrome or Edge; install one, or {remedy}", remedy=_(BY_HAND)
         )
     return found
 
@@ -87,7 +87,7 @@ def pdf(page: str, *, by: str, patience: float = PATIENCE) -> bytes:
         content = target.read_bytes() if target.is_file() else b""
     if not content.startswith(b"%PDF") or b"%%EOF" not in content[-64:]:
         name = Path(by).name
-        raise PrintingError(_("{browser} wrote no PDF; {remedy}", browser=name, remedy=_(BY_HAND)))
+        raise PrintingError("{browser} wrote no PDF; {remedy}", browser=name, remedy=_(BY_HAND))
     return DATES.sub(_undated, content)
 
 
@@ -115,35 +115,29 @@ def _run(command: list[str], patience: float) -> None:
         )
     except OSError as error:
         raise PrintingError(
-            _(
-                "{browser} cannot be started ({reason}); {remedy}",
-                browser=name,
-                reason=error.strerror or error,
-                remedy=_(BY_HAND),
-            )
+            "{browser} cannot be started ({reason}); {remedy}",
+            browser=name,
+            reason=error.strerror or error,
+            remedy=_(BY_HAND),
         ) from None
     try:
         code = process.wait(timeout=patience)
     except subprocess.TimeoutExpired:
         raise PrintingError(
-            _(
-                "{browser} did not finish in {seconds} s and was stopped; {remedy}",
-                browser=name,
-                seconds=f"{patience:g}",
-                remedy=_(BY_HAND),
-            )
+            "{browser} did not finish in {seconds} s and was stopped; {remedy}",
+            browser=name,
+            seconds=f"{patience:g}",
+            remedy=_(BY_HAND),
         ) from None
     finally:
         if process.poll() is None:
             _end(process)
     if code:
         raise PrintingError(
-            _(
-                "{browser} could not print the report (exit code {code}); {remedy}",
-                browser=name,
-                code=code,
-                remedy=_(BY_HAND),
-            )
+            "{browser} could not print the report (exit code {code}); {remedy}",
+            browser=name,
+            code=code,
+            remedy=_(BY_HAND),
         )
 
 

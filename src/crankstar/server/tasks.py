@@ -14,17 +14,14 @@ from typing import Any
 from pydantic import BaseModel
 
 from crankstar import __version__, files
-from crankstar.charts import ChartError
 from crankstar.charts.strokes import STROKE_COLOURS
-from crankstar.derive import DerivationError
 from crankstar.engine.engine import Engine
 from crankstar.files import EngineFileError, catalog
 from crankstar.language.faults import EngineError, Fault
-from crankstar.options.values import RequestError
+from crankstar.language.messages import MessageError
 from crankstar.page import exhibits
-from crankstar.page.figures import NoSuchKeyError
 from crankstar.page.records import Exhibit, Exhibition, StrokeColours
-from crankstar.remedy import RemedyError, fitting
+from crankstar.remedy import fitting
 from crankstar.search.faults import SearchError
 from crankstar.server.refusal import Refused, refused
 
@@ -41,7 +38,7 @@ def mistakes_refused(at: str = "") -> Iterator[None]:
         yield
     except (EngineFileError, EngineError, SearchError) as error:
         raise Refused(422, error.faults) from None
-    except (RequestError, RemedyError, DerivationError, ChartError, NoSuchKeyError) as error:
+    except MessageError as error:
         path = (at,) if at else ()
         lines = str(error).split("\n")
         raise Refused(422, [Fault(path, "request", {"sentence": line}) for line in lines]) from None

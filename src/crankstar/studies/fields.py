@@ -18,7 +18,7 @@ from crankstar.files.catalog import tree_of
 from crankstar.files.forms import by_key, field_at, form_of, quantity_of, record_in
 from crankstar.language.messages import _
 from crankstar.language.quoting import one_line, seen
-from crankstar.remedy import RemedyError, with_counterweights
+from crankstar.remedy import with_counterweights
 from crankstar.studies.variants import Make, SweepError
 
 LISTED = 24
@@ -108,13 +108,7 @@ def _base(shown: str, tree: dict[str, Any]) -> Engine | None:
 
 
 def _with_factor(base: Engine) -> Make:
-    def make(number: float) -> Engine:
-        try:
-            return with_counterweights(base, factor=number)
-        except RemedyError as error:
-            raise SweepError(str(error)) from None
-
-    return make
+    return lambda number: with_counterweights(base, factor=number)
 
 
 def _leaf(annotation: Any) -> Any:

@@ -8,6 +8,7 @@ from fractions import Fraction
 from typing import Any, Literal
 
 from crankstar.derive.algebra.formula import Formula
+from crankstar.language.messages import MessageError
 
 Kind = Literal["result", "step", "series", "line", "angle"]
 """A result or a step, judged by momentum; a series of A_k; a line; an angle.
@@ -16,7 +17,7 @@ A line does not follow from the one before.
 """
 
 
-class ErrataError(ValueError):
+class ErrataError(MessageError):
     """A question about the errata that cannot be answered, with those that can."""
 
 
