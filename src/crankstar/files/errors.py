@@ -8,7 +8,7 @@ from typing import Any
 from crankstar.language.faults import Fault
 from crankstar.language.messages import MessageError, _, _n
 
-GREATEST_SHOWN = 100
+GREATEST_SHOWN = 20
 """Faults of one file that are written out one by one."""
 
 

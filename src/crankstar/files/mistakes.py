@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import re
+from collections.abc import Iterable, Iterator
 from difflib import get_close_matches
 from itertools import takewhile
 from typing import Any
@@ -142,6 +143,31 @@ def _unknown_key(path: Path, model: type[Record]) -> Fault:
     if home:
         return Fault(path, "key.belongs-in", {"table": home})
     return Fault(path, "key.unknown", {"keys": keys})
+
+
+def unknown_sources(tree: Tree, forms: Iterable[type[Record]]) -> Iterator[Fault]:
+    """A fault for each key of [provenance] that names no value a file of these forms can have."""
+    table = tree.get("provenance")
+    names = [name for name in table if isinstance(name, str)] if isinstance(table, dict) else []
+    paths: list[str] = []
+    for form in forms:
+        if not names:
+            break
+        paths += _paths(form)
+        names = [name for name in names if re.sub(r"\[\d+\]", "", name) not in paths]
+    for name in names:
+        near = _near(name, paths)
+        code, values = ("misspelt", {"meant": f'"{near}"'}) if near else ("unknown", {})
+        yield Fault(("provenance", name), f"provenance.{code}", values)
+
+
+def _paths(record: type[Record], before: str = "") -> Iterator[str]:
+    """The paths of all values of a record and the records in it, without places in lists."""
+    for key, info in by_key(record).items():
+        yield f"{before}{key}"
+        inner = record_in(info.annotation)
+        if inner is not None:
+            yield from _paths(inner, f"{before}{key}.")
 
 
 def _keys_at(model: type[Record], path: Path) -> list[str]:

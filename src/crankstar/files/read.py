@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from difflib import get_close_matches
 from functools import partial
+from itertools import chain
 from pathlib import Path
 from typing import Any, Literal, NamedTuple
 
@@ -24,8 +25,8 @@ from crankstar.engine.records import Record
 from crankstar.files import units
 from crankstar.files.changes import changed, throw_angles, with_weights_along
 from crankstar.files.errors import EngineFileError
-from crankstar.files.forms import form_of, is_explicit
-from crankstar.files.mistakes import Tree, faults_of, mended
+from crankstar.files.forms import form_of, is_explicit, short_form
+from crankstar.files.mistakes import Tree, faults_of, mended, unknown_sources
 from crankstar.files.source import read_tree
 from crankstar.language.faults import EngineError, Fault
 from crankstar.language.quoting import seen
@@ -77,8 +78,12 @@ def _engine_of(tree: Tree, name: str) -> Engine:
     """The engine of a tree with its changes. Raises EngineFileError."""
     explicit = is_explicit(tree)
     draft = _explicit(tree) if explicit else _short(tree)
-    if draft.faults or draft.engine is None:
-        raise EngineFileError(name, _in_file(tree, draft.faults, explicit=explicit))
+    # an explicit file that was made from a layout keeps the sources of its dimensions
+    layouts = LAYOUTS if explicit or _layout_faults(tree.get("layout")) else ()
+    forms = chain([form_of(tree)], map(short_form, layouts))
+    faults = [*draft.faults, *_elsewhere([*unknown_sources(tree, forms)], draft.faults)]
+    if faults or draft.engine is None:
+        raise EngineFileError(name, _in_file(tree, faults, explicit=explicit))
     return draft.engine
 
 
@@ -219,8 +224,15 @@ _OPTIONAL = {"cylinders", "valves", "block", "firing_order", "firing_angles"}
 
 def _elsewhere(faults: list[Fault], known: list[Fault]) -> list[Fault]:
     """Faults in places of which nothing is known yet."""
+    places = [fault.path for fault in known]
     return [
-        fault for fault in faults if not any(_overlap(fault.path, other.path) for other in known)
+        fault
+        for fault in faults
+        if not any(
+            _overlap(fault.path, place)
+            or (fault.code == "layout.throws-missing" and place[:1] == ("firing_order",))
+            for place in places
+        )
     ]
 
 

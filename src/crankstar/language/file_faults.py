@@ -113,6 +113,10 @@ SENTENCES: dict[str, str | Plural] = {
     "key.belongs-in": N_("{where} is not a key of this table; it belongs in {table}"),
     "key.unknown": N_("{where} is not a key of an engine file; there are: {keys}"),
     "key.no-text": N_("{where} has the key {value}; keys are text of whole characters"),
+    "provenance.misspelt": N_("{where} names no value of this file; did you mean {meant}?"),
+    "provenance.unknown": N_(
+        "{where} names no value of this file; give a key path, such as cylinder.bore"
+    ),
     "type.list-of-tables": N_(
         "{where} is {value}; a list of tables is needed, each of them headed [[{key}]]"
     ),
