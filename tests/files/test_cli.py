@@ -403,6 +403,7 @@ BAD_LINES = [
     (["strokes", "X", "--set", "firing_order=[]"], "firing_order is missing, and the stroke"),
     (["compare", "X"], "SECOND requires an argument"),
     (["compare", "X", "none"], "none: 1 mistake"),
+    (["compare", "-", "-"], "- is standard input, which can be read only once"),
     (["check"], "check: name at least one engine file"),
     (["new"], "LAYOUT requires an argument"),
     (["new", "veee"], "layout veee: choose from inline, vee, boxer"),
@@ -410,6 +411,7 @@ BAD_LINES = [
     (["new", "vee", "x"], 'too many arguments: "x"'),
     (["new", "vee", "-o"], "-o requires an argument"),
     (["list", "--cylinders", "x"], 'unable to convert "x" into a whole number'),
+    (["list", "--cylinders", "1.5"], 'unable to convert "1.5" into a whole number'),
     (["list", "--cylinders", "9" * 5000], 'unable to convert "9999'),
     (["list", "--cylinders", "99"], "the catalog has no such engine"),
     (["list", "--layout", "delta"], "--layout delta: choose from boxer"),
@@ -448,6 +450,40 @@ def test_a_bad_command_line_is_refused_in_a_sentence(
     assert len(message) < 1500
 
 
+def test_an_option_is_proposed_only_where_it_is_like_the_typed_one(
+    refused: Callable[..., str],
+) -> None:
+    assert "Did you mean" not in refused("analyze", "i4", "--nope")
+    assert "Did you mean --json?" in refused("analyze", "i4", "--jsn")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "places"),
+    [
+        (["compare", "i4", "nosuch1", "nosuch2"], ["nosuch1: ", "nosuch2: "]),
+        (["page", "nosuch1", "--beside", "nosuch2", "-o", "x.html"], ["nosuch1: ", "nosuch2: "]),
+        (["analyze", "i4", "--set", "foo=3", "--speed", "x"], ["  foo is", "--speed is"]),
+        (["derive", "i4", "--set", "foo=3", "--speed", "x"], ["  foo is", "--speed is"]),
+        (["verdict", "i4", "--set", "foo", "--speed", "x"], ["--set foo", "--speed is"]),
+        (["balance", "i4", "--set", "foo=3", "--speed", "x"], ["  foo is", "--speed is"]),
+        (["search", "i4", "--set", "foo=3", "--speed", "x"], ["  foo is", "--speed is"]),
+        (
+            ["plot", "i4", "spectrum", "--beside", "nosuch", "--speed", "x", "-o", "x.svg"],
+            ["nosuch: ", "--speed is"],
+        ),
+        (
+            ["report", "nosuch1", "--beside", "nosuch2", "--speed", "x", "-o", "x.html"],
+            ["nosuch1: ", "nosuch2: ", "--speed is"],
+        ),
+    ],
+)
+def test_faults_of_engines_and_speed_are_reported_together(
+    refused: Callable[..., str], arguments: list[str], places: list[str]
+) -> None:
+    lines = refused(*arguments).removeprefix("crankstar: ").splitlines()
+    assert all(sum(line.startswith(place) for line in lines) == 1 for place in places), lines
+
+
 @pytest.mark.parametrize(
     ("place", "reason"),
     [
@@ -480,7 +516,7 @@ def test_output_to_an_unwritable_place_is_refused(
     ):
         message = refused(*verb, "-o", place)
         assert f"cannot be written ({reason}" in message
-        assert message.rstrip().endswith("Name another place with -o, or leave it out")
+        assert message.rstrip().endswith("Name another file with -o")
     assert sorted(Path().iterdir()) == before
 
 

@@ -159,6 +159,7 @@ def test_decimals_are_said_to_be_decimals(run: Run) -> None:
         ),
         (["--symbolic", "alpha", "--reference", "0"], "--reference has no effect with --symbolic"),
         (["--symbolic", ""], "choose from alpha, phi, n"),
+        (["--symbolic", "alpha", "--quantity", "torque"], "use --quantity force"),
         (["--notation", ""], "choose from crankstar, stroke, sinitsyn"),
         (["--order", "1e999999999"], "as in 2 or 1,2,4,6"),
         (["--order", "1/0"], "as in 2 or 1,2,4,6"),

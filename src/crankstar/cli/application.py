@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import os
+import re
 import sys
 from collections.abc import Sequence
+from difflib import get_close_matches
 from importlib.metadata import version
 from itertools import pairwise
 from typing import TYPE_CHECKING
@@ -104,6 +106,8 @@ def _spelt_out(arguments: Sequence[str]) -> list[str]:
     pairs = zip(["", *arguments], arguments, strict=False)
     named = {"-o": "/dev/stdout", "--output": "/dev/stdout"}
     words = [named.get(before, STANDARD_INPUT) if word == "-" else word for before, word in pairs]
+    if words.count(STANDARD_INPUT) > 1:
+        raise RequestError("- is standard input, which can be read only once; name a file instead")
     for place in [place for place, word in enumerate(words) if word == "--shafts"][:1]:
         following = words[place + 1] if place + 1 < len(words) else "-o"
         if following.startswith("-") and not following[1:2].isdigit():
@@ -133,6 +137,9 @@ def _complaint(error: CycloptsError) -> str:
         return "\n".join(map(_wrong_word, error.__cause__.errors(include_url=False)))
     text = one_line(str(error).strip(), longest=300)
     text = text.replace("into int", "into a whole number").replace("into bool", "into yes or no")
+    near = re.fullmatch(r"Unknown option: -*(.*)\. Did you mean -*(.*)\?", text)
+    if near and not get_close_matches(near[1], [near[2]]):  # which the hyphens alone made alike
+        text = text.partition(" Did you")[0]
     if isinstance(error, UnusedCliTokensError):
         text = _(
             "too many arguments: {words}", words=", ".join(map(seen, error.unused_tokens or ()))

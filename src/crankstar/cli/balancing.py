@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Annotated, cast
 
 from cyclopts import Parameter
@@ -16,6 +17,7 @@ from crankstar.cli.options import (
     flag,
     loaded_engine,
     output,
+    together,
 )
 from crankstar.cli.output import display, working, write
 from crankstar.language.messages import _
@@ -51,9 +53,12 @@ def balance(
     from crankstar.options.balancing import balanced
     from crankstar.tables.remedies import balancing_sheet
 
-    own = request.own_factor(engine, settings, otherwise=0.5)
+    own, loaded, _turning = together(
+        partial(request.own_factor, engine, settings, otherwise=0.5),
+        partial(loaded_engine, engine, settings),
+        partial(request.speed, speed),
+    )
     with working(_("balancing ...")):
-        loaded = loaded_engine(engine, settings)
         job = balanced(loaded, options, speed=speed, own_factor=own)
         proof = []
         if prove:  # exact algebra is slow to load

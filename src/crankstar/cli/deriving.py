@@ -15,9 +15,10 @@ from crankstar.cli.options import (
     ReferencePoint,
     Settings,
     Speed,
+    engine_and_speed,
     flag,
-    loaded_engine,
     text,
+    whole_number,
 )
 from crankstar.cli.output import display, working, write
 from crankstar.language.messages import _
@@ -48,8 +49,7 @@ def derive(
         ),
     ] = None,
     power: Annotated[
-        int | None,
-        Parameter(help="Highest power of λ in the series of each harmonic (default: 7)."),
+        int | None, whole_number("Highest power of λ in the series of each harmonic (default: 7).")
     ] = None,
     symbolic: Annotated[
         str | None,
@@ -70,8 +70,7 @@ def derive(
     from crankstar import derive as exact
     from crankstar.derive import documents, notations
 
-    loaded = loaded_engine(engine, settings)
-    turning = request.speed(speed)
+    loaded, turning = engine_and_speed(engine, settings, speed)
     point = request.reference(reference, loaded)
     request.choice("--format", form, ["text", *documents.FORMATS])
     if power is not None and not 1 <= power <= 24:

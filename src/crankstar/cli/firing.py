@@ -17,6 +17,7 @@ from crankstar.cli.options import (
     flag,
     loaded_engine,
     text,
+    whole_number,
 )
 from crankstar.cli.options import output as file_to_write
 from crankstar.cli.output import working, write
@@ -31,10 +32,8 @@ from crankstar.options.values import RequestError, refusal
 if TYPE_CHECKING:
     from crankstar.tables.firing_orders import Listing
 
-Top = Annotated[int, Parameter(help="Number of rows to print; --csv and --json have all.")]
-Row = Annotated[
-    int | None, Parameter(help="Write this row as an engine file, in the explicit form.")
-]
+Top = Annotated[int, whole_number("Number of rows to print; --csv and --json have all.")]
+Row = Annotated[int | None, whole_number("Write this row as an engine file, in the explicit form.")]
 Place = Annotated[
     str | None,
     file_to_write("File to write: .txt, .csv, .json, .xlsx, .parquet, or .toml with --row."),
@@ -140,7 +139,7 @@ def _asked(engine: Engine, intervals: str | None, tolerance: str | None) -> List
 
 @app.command
 def vees(
-    cylinders: Annotated[int, Parameter(help="Number of cylinders, even, up to 16.")],
+    cylinders: Annotated[int, whole_number("Number of cylinders, even, up to 16.")],
     /,
     *,
     bank: Annotated[
@@ -163,8 +162,8 @@ def vees(
     row: Row = None,
     star: Annotated[
         int,
-        Parameter(
-            help="With --row: number of the star with this balance, mirror images and reverses not "
+        whole_number(
+            "With --row: number of the star with this balance, mirror images and reverses not "
             "counted."
         ),
     ] = 1,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from typing import Annotated
 
 from cyclopts import Parameter
@@ -19,8 +20,11 @@ from crankstar.cli.options import (
     Speed,
     Theta,
     command_text,
+    engine_and_speed,
     flag,
     loaded_engine,
+    together,
+    whole_number,
 )
 from crankstar.cli.output import display, write
 from crankstar.cli.tabulating import give
@@ -35,7 +39,7 @@ from crankstar.options.values import RequestError
 def list_engines(
     *,
     cylinders: Annotated[
-        int | None, Parameter(help="Only engines with this number of cylinders.")
+        int | None, whole_number("Only engines with this number of cylinders.")
     ] = None,
     layout: Annotated[
         str | None,
@@ -106,8 +110,7 @@ def analyze(
     form = form_of(output, TABLES, json=json, csv=csv)
     if form != "txt":
         request.refuse_unused({"--theta": theta, "--by": by}, beside=f"--{form}")
-    loaded = loaded_engine(engine, settings)
-    turning = request.speed(speed)
+    loaded, turning = engine_and_speed(engine, settings, speed)
     point = request.reference(reference, loaded)
     if form != "txt":
         result = balance(
@@ -137,10 +140,13 @@ def compare(
     from crankstar.tables.analysis import analysis
     from crankstar.tables.comparison import comparison
 
-    at = request.speed(speed)
-    shown = [analysis(loaded_engine(name, None), speed=at) for name in (first, second, *others)]
+    turning, *engines = together(
+        partial(request.speed, speed),
+        *(partial(loaded_engine, name, None) for name in (first, second, *others)),
+    )
+    shown = [analysis(engine, speed=turning) for engine in engines]
     wanted = request.orders(orders, shown[0].normalised.force.orders.tolist()) or ()
-    document = comparison([one.of(wanted) for one in shown])
+    document = comparison([analysed.of(wanted) for analysed in shown])
     give(document, output, form=form_of(output, TABLES))
 
 
@@ -153,8 +159,8 @@ def verdict(
     from crankstar.tables import verdict as tables
     from crankstar.tables.table import remarks
 
-    loaded = loaded_engine(engine, settings)
-    facts = tables.verdict(loaded, speed=request.speed(speed))
+    loaded, turning = engine_and_speed(engine, settings, speed)
+    facts = tables.verdict(loaded, speed=turning)
     document = tables.verdict_document(loaded, facts)
     if recommended(loaded) is not None:
         how = _(

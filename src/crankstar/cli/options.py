@@ -7,15 +7,18 @@ a sentence of help.
 from __future__ import annotations
 
 import shlex
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from typing import Annotated, Any
 
-from cyclopts import Parameter
+from cyclopts import Parameter, Token
 
 from crankstar.engine.engine import Engine
-from crankstar.files import changed
+from crankstar.files import EngineFileError, changed
 from crankstar.files.catalog import load, tree_of
+from crankstar.language.quoting import seen
 from crankstar.options import values as request
+from crankstar.options.values import RequestError
 
 
 def flag(sentence: str) -> Parameter:
@@ -26,6 +29,18 @@ def flag(sentence: str) -> Parameter:
 def text(sentence: str, *names: str) -> Parameter:
     """A value that may begin with a minus sign."""
     return Parameter(name=names or None, help=sentence, allow_leading_hyphen=True)
+
+
+def whole_number(sentence: str) -> Parameter:
+    """A whole number; the parser itself would round 1.5."""
+    return Parameter(help=sentence, converter=_whole)
+
+
+def _whole(_kind: object, tokens: Sequence[Token]) -> int:
+    try:
+        return int(tokens[0].value)
+    except ValueError:
+        raise ValueError(f"unable to convert {seen(tokens[0].value)} into int") from None
 
 
 def output(sentence: str) -> Parameter:
@@ -72,6 +87,30 @@ Settings = Annotated[
 ]
 Json = Annotated[bool, flag("Print JSON.")]
 Csv = Annotated[bool, flag("Print CSV.")]
+
+
+def together(*readings: Callable[[], Any]) -> tuple[Any, ...]:
+    """What each of them reads. Raises RequestError with the message of every one that fails."""
+    values: list[Any] = []
+    messages: dict[str, None] = {}
+    for reading in readings:
+        try:
+            values.append(reading())
+        except (RequestError, EngineFileError) as error:
+            messages[str(error)] = None
+    if messages:
+        raise RequestError("\n".join(messages))
+    return tuple(values)
+
+
+def engine_and_speed(
+    name: str, settings: list[str] | None, speed: str | None
+) -> tuple[Engine, float | None]:
+    """The engine of a name or file with the values of --set, and the speed of --speed [rad/s]."""
+    engine, turning = together(
+        partial(loaded_engine, name, settings), partial(request.speed, speed)
+    )
+    return engine, turning
 
 
 def loaded_engine(name: str, settings: list[str] | None) -> Engine:

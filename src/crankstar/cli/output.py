@@ -159,8 +159,7 @@ def _pour(place: str, content: bytes) -> None:
 
 def _refuse(place: str, reason: str) -> NoReturn:
     raise OutputError(
-        "{file}: cannot be written ({reason}); nothing was changed. Name another place with -o, or "
-        "leave it out",
+        "{file}: cannot be written ({reason}); nothing was changed. Name another file with -o",
         file=one_line(place),
         reason=_(reason),
     )

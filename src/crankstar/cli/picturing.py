@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from pathlib import PurePath
 from typing import Annotated
 
@@ -17,10 +18,12 @@ from crankstar.cli.options import (
     ReferencePoint,
     Settings,
     Speed,
+    engine_and_speed,
     flag,
     loaded_engine,
     output,
     text,
+    together,
 )
 from crankstar.cli.output import display, working, write_bytes
 from crankstar.cli.tabulating import give
@@ -77,8 +80,10 @@ def plot(
     drawing = chart_request.charts()
     figure = drawing.CHARTS[request.choice("chart", chart, drawing.CHARTS)]
     suffix = chart_request.suffix(output, drawing.SUFFIXES)
-    loaded = loaded_engine(engine, settings)
-    others = [loaded_engine(name, None) for name in beside or ()]
+    (loaded, _turning), *others = together(
+        partial(engine_and_speed, engine, settings, speed),
+        *(partial(loaded_engine, name, None) for name in beside or ()),
+    )
     if others and not figure.compares:
         raise RequestError(
             "--beside: {chart} shows one engine; charts of several are {charts}",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Annotated
 
 from cyclopts import Parameter
@@ -16,6 +17,7 @@ from crankstar.cli.options import (
     command_text,
     output,
     text,
+    together,
 )
 from crankstar.cli.output import working, writable, write, write_bytes
 from crankstar.files.catalog import load
@@ -57,7 +59,11 @@ def write_report(
 
     if output is not None:
         writable(output)
-    name, tree = changed_tree(engine, settings)
+    (name, tree), other, turning = together(
+        partial(changed_tree, engine, settings),
+        partial(load, beside) if beside is not None else lambda: None,
+        partial(request.speed, speed),
+    )
     loaded = engine_of(tree, name=name)
     options = {
         "--speed": speed and [speed],
@@ -67,8 +73,7 @@ def write_report(
         "-o": [f"report.{kind}"],
     }
     command = command_text("report", request.named(engine), options)
-    other = load(beside) if beside is not None else None
-    subject = report.Subject(loaded, tree, command, request.speed(speed), None, other)
+    subject = report.Subject(loaded, tree, command, turning, None, other)
     wanted = request.orders(orders, list(subject.shown.normalised.force.orders.tolist()))
     subject = subject.with_orders(tuple(wanted) if wanted else None)
     by = report.browser() if kind == "pdf" else ""

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 from cyclopts import Parameter
 
 from crankstar.cli.application import app
-from crankstar.cli.options import FLAT, Settings, Speed, engine_text, loaded_engine
+from crankstar.cli.options import FLAT, Settings, Speed, engine_and_speed, engine_text
 from crankstar.cli.output import complain, display, working, writable, write, write_bytes
 from crankstar.cli.search_options import Form, Words, Work
 from crankstar.cli.tabulating import give
@@ -49,11 +49,12 @@ def search(
     workers = request.whole("--workers", work.workers, most=GREATEST_WORKERS)
     deviations = options.deviations(form.uneven) if form.uneven is not None else None
     _check_work(work)
-    number = options.whole_number(cylinders)
-    if number is not None:
+    pace, about = None, options.whole_number(cylinders)
+    if about is not None:
         request.refuse_unused({"--set": settings, "--speed": speed}, without=_("an engine"))
-    about = loaded_engine(cylinders, settings) if number is None else number
-    pace = request.speed(speed) or (about.speed if isinstance(about, Engine) else None)
+    else:
+        about, turning = engine_and_speed(cylinders, settings, speed)
+        pace = turning or about.speed
     wanted = options.search_of(about, words, speed=pace)
     chart = form.chart or ("front" if kind in PICTURES else None)
     options.check_use(wanted.question, chart=chart, deviations=deviations)

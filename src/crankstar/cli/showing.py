@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import PurePath
 from typing import Annotated
 
 from cyclopts import Parameter
 
 from crankstar.cli.application import app
-from crankstar.cli.options import EngineName, Settings, changed_tree, command_text, output
+from crankstar.cli.options import EngineName, Settings, changed_tree, command_text, output, together
 from crankstar.cli.output import progress, writable, write
 from crankstar.files import engine_of
 from crankstar.files.catalog import tree_of
@@ -34,9 +35,10 @@ def page(
 
     writable(output)
     form_of(output, ("html", "htm"))
-    given = [changed_tree(engine, settings)]
-    if beside is not None:
-        given.append(tree_of(beside))
+    given = together(
+        partial(changed_tree, engine, settings),
+        *(partial(tree_of, name) for name in [beside] if name is not None),
+    )
     engines = [engine_of(tree, name=name) for name, tree in given]
     names = [request.named(word) for word in (engine, beside) if word is not None]
     place = "page.html" if names[0] == "-" else f"{PurePath(names[0]).stem}.html"

@@ -77,8 +77,9 @@ def family(engine: Engine, order: float | Fraction, quantity: Quantity, *, symbo
     if quantity not in ("force", "couple"):
         raise DerivationError(
             _(
-                "There is no derivation of {quantity}; the quantity can be force or couple.",
-                quantity=repr(quantity),
+                "The {quantity} has no symbolic form; use --quantity force, or leave --symbolic "
+                "out.",
+                quantity=quantity,
             )
         )
     alike(engine)
@@ -183,8 +184,8 @@ def _row(engine: Engine, order: int, quantity: Quantity) -> list[Step]:
     if quantity == "couple":
         raise DerivationError(
             _(
-                "The couple of n cylinders in a row depends on how the cranks are numbered; leave "
-                "--symbolic out for it."
+                "The couple of n cylinders in a row depends on the numbering of the cranks; use "
+                "--quantity force, or leave --symbolic out."
             )
         )
     part = Ratio(product(order, Pi()), COUNT)
