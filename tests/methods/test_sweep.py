@@ -743,7 +743,7 @@ def test_what_a_request_may_look_like() -> None:
     ("x=0..0", "the range is empty"), ("x=0..1/1", "values, not 1"),
     ("x=0..1/0", "give from 2 to 20000"),
     ("x=0..1/20001", "give from 2 to 20000"), ("x=0..1/" + "9" * 5000, "give from 2 to 20000"),
-    ("x=0..1/3/4", "give from 2"),
+    ("x=0..1/3/4", "give from 2"), ("x=0..1/2.5", '"1/2.5" is not a number'),
     ("x=0 deg..1 rad", "the units are deg, rad"),
     ("x=0 \x1b[31m..1 \x1b[32m", "the units are ?[31m"),
 ], ids=lambda text: str(text)[:20])  # fmt: skip
@@ -762,6 +762,7 @@ def test_a_request_that_cannot_be_read_is_refused_with_a_sentence(text: str, tol
         "has no unit; write its values with one, as in 90 deg"),
     ("v8-cross-plane", "layout.banks[1].bearing=0..90 kg", "a mass; an angle is needed"),
     ("v8-cross-plane", "layout.throws=0..90 deg", "Did you mean layout.throws["),
+    ("sinitsyn-7-first", "layout.throws[2]=0..90 deg", "Did you mean shaft[1].throw[2].angle, "),
     ("v8-cross-plane", "layout=0..90 deg", "is not the path of a single number"),
     ("v8-cross-plane", "name=0..1",
         "The numbers that can be swept are balance_factor, cylinder.bore, "),
@@ -786,6 +787,15 @@ def test_a_field_that_cannot_be_swept_is_refused_with_a_sentence(
     assert told in str(error.value)
     assert len(str(error.value)) < 1500
     assert "\x1b" not in str(error.value)
+
+
+def test_a_file_with_a_firing_order_that_cannot_be_is_not_swept(tmp_path: Path) -> None:
+    file = tmp_path / "six.toml"
+    file.write_text('name = "six"\nfiring_order = [0]\n[layout]\ntype = "inline"\n')
+    for read in (crankstar.load, lambda name: of(name, "balance_factor=0..1")):
+        with pytest.raises(EngineFileError) as error:
+            read(str(file))
+        assert [fault.path for fault in error.value.faults] == [("firing_order", 0)]
 
 
 def test_every_number_that_a_message_names_can_be_swept() -> None:

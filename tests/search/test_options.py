@@ -9,7 +9,7 @@ import pytest
 import crankstar
 from crankstar import load
 from crankstar.language.search_faults import SENTENCES
-from crankstar.options.search import search_of, whole_number
+from crankstar.options.search import measure, search_of, whole_number
 from crankstar.options.words import SearchWords
 from crankstar.search.faults import SearchError, fault, said
 from crankstar.search.options import Measure, SearchOptions, search_for
@@ -22,6 +22,11 @@ def faults(about: Any, **words: Any) -> list[tuple[str, str]]:
         search_of(load(about) if isinstance(about, str) else about, SearchWords(**words))
     assert all(said(each) for each in raised.value.faults)
     return [(".".join(map(str, each.path)), each.code) for each in raised.value.faults]
+
+
+@pytest.mark.parametrize("name", ["M0", "T0", "M101", "M1.5", "neighbours"])
+def test_a_quantity_is_called_by_the_name_that_was_typed(name: str) -> None:
+    assert measure(name).name == name
 
 
 @pytest.mark.parametrize(

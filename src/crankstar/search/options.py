@@ -45,7 +45,7 @@ class Measure(NamedTuple):
     @property
     def name(self) -> str:
         """As it is written: `M1`, `T1.5`, `neighbours`."""
-        return f"{self.kind}{float(self.order):g}" if self.order else self.kind
+        return f"{self.kind}{float(self.order):g}" if self.kind in ("F", "M", "T") else self.kind
 
 
 NEIGHBOURS = Measure("neighbours")

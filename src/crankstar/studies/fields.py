@@ -188,9 +188,10 @@ def _why_fixed(over: str, keys: Sequence[str | int], forms: Sequence[dict[str, A
         if not re.search(r"\[(?!1\])", path) and not path.startswith("provenance")
     ]
     more = _(" and more") if len(own) > LISTED else ""
+    meant = f"{over[:100]}{'.angle' if isinstance(keys[-1], int) else ''}"
     values = {
         "path": path,
-        "near": ", ".join(get_close_matches(over[:100], paths, 3, 0.5)),
+        "near": ", ".join(get_close_matches(meant, paths, 3, 0.5)),
         "numbers": ", ".join(own[:LISTED]) + more,
     }
     there = any(field_at(form_of(form), keys) for form in forms)

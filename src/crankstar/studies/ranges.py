@@ -21,6 +21,10 @@ _NUMBER = re.compile(
 )
 
 
+_NO_UNIT = re.compile(r"[.,\d]|/\d*\.")
+_COUNT = re.compile(r"/\s*(\d+)(?!\.?\d)")
+
+
 class Over(NamedTuple):
     """The key path of a swept number, its values, and their unit ("" if none was given)."""
 
@@ -55,8 +59,8 @@ def over_request(text: str) -> Over:
                 example=EXAMPLE,
             )
         return Over(path.strip(), tuple(values), unit)
-    counts = re.findall(r"/\s*(\d+)(?!\d)", wanted)
-    ends, unit = _numbers(re.sub(r"/\s*\d+", " ", wanted, count=1).split("..", 1), given)
+    counts = _COUNT.findall(wanted)
+    ends, unit = _numbers(_COUNT.sub(" ", wanted, count=1).split("..", 1), given)
     count = int(counts[0][:9]) if counts else USUAL_POINTS
     if len(counts) > 1 or not 2 <= count <= GREATEST_POINTS:
         raise SweepError(
@@ -76,7 +80,7 @@ def _numbers(parts: Sequence[str], given: str) -> tuple[list[float], str]:
     """Numbers, and the one unit that some or all of them have."""
     matches = [_NUMBER.fullmatch(part) if len(part) <= 60 else None for part in parts]
     for part, match in zip(parts, matches, strict=True):
-        if match is None or not np.isfinite(float(match[1])) or re.match(r"[.,\d]", match[2]):
+        if not match or not np.isfinite(float(match[1])) or _NO_UNIT.match(match[2]):
             raise SweepError(
                 "--over {given}: {part} is not a number, or one with a unit; give values {example}",
                 given=given,
