@@ -132,6 +132,9 @@ def test_other_addresses_methods_and_kinds_are_refused_in_the_same_shape(server:
         assert words(server.ask(other), 404)
     assert words(server.ask("api/search/%00..%2f", method="DELETE"), 404)
     assert words(server.ask("api/exhibit"), 405)
+    put = server.ask("api/exhibit", b"x", method="PUT", heads={"Content-Type": "text/plain"})
+    assert words(put, 405)
+    assert put.heads["allow"] == "POST"
     assert words(server.ask("api/health", method="DELETE"), 405)
     assert words(server.ask("", method="BREW"), 405)
     assert server.ask("api/search/x", method="PUT").heads["allow"] == "DELETE, GET, HEAD"

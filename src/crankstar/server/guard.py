@@ -118,9 +118,7 @@ class Guard:
             f"https://{host.lower()}",
         ):
             raise refused(403, "question.origin")
-        if scope["method"] in ("POST", "PUT", "PATCH") and not _is_json(
-            heads.get("content-type", "")
-        ):
+        if scope["method"] == "POST" and not _is_json(heads.get("content-type", "")):
             raise refused(415, "question.not-json")
         if heads.get("content-encoding", "identity").strip().lower() != "identity":
             raise refused(415, "question.compressed")
