@@ -25,10 +25,10 @@ from crankstar.server import tasks
 from crankstar.server.application import application
 from crankstar.server.refusal import Refused
 from crankstar.server.routes import bounded
-from crankstar.server.workers import InThread
+from crankstar.server.workers import Workers
 
 LONG = os.environ.get("HYPOTHESIS_PROFILE") == "long"
-API = schemathesis.openapi.from_dict(application(workers=InThread()).description())
+API = schemathesis.openapi.from_dict(application(workers=Workers(1, seconds=1.0)).description())
 PATIENT = [HealthCheck.too_slow, HealthCheck.data_too_large, HealthCheck.filter_too_much]
 ANY_ENGINE = st.one_of(*OF_ANY_KIND.values())
 

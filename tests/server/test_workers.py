@@ -16,16 +16,16 @@ from tests.server import chores
 from crankstar.server import processes, workers
 from crankstar.server.answers import Answers
 from crankstar.server.refusal import Refused
-from crankstar.server.workers import InProcesses
+from crankstar.server.workers import Workers
 
 
 def with_workers(
-    work: Callable[[InProcesses], Awaitable[Any]], *, count: int = 1, seconds: float = 2.0
+    work: Callable[[Workers], Awaitable[Any]], *, count: int = 1, seconds: float = 2.0
 ) -> Any:
     """What comes of working with workers."""
 
     async def whole() -> Any:
-        pool = InProcesses(count, seconds=seconds)
+        pool = Workers(count, seconds=seconds)
         pool.begin()
         try:
             return await work(pool)
@@ -46,7 +46,7 @@ async def refusal(answer: Awaitable[bytes]) -> tuple[int, str, Any]:
 
 
 def test_a_process_that_takes_too_long_or_is_lost_is_replaced_and_the_next_task_is_done() -> None:
-    async def work(pool: InProcesses) -> list[Any]:
+    async def work(pool: Workers) -> list[Any]:
         first = await pool.do(chores.number)
         assert await pool.do(chores.number) == first
         late = await refusal(pool.do(chores.sleep, 60.0))
@@ -64,7 +64,7 @@ def test_a_process_that_takes_too_long_or_is_lost_is_replaced_and_the_next_task_
 def test_a_process_that_cannot_say_what_it_found_is_replaced_without_a_word(
     tmp_path: Path, capfd: Any
 ) -> None:
-    async def work(pool: InProcesses) -> bytes:
+    async def work(pool: Workers) -> bytes:
         return await pool.do(chores.choke_once, str(tmp_path / "mark"))
 
     assert with_workers(work, seconds=20.0) == b"breathes"
@@ -83,7 +83,7 @@ def test_a_process_that_is_just_being_started_when_all_ends_is_ended_too(
         yield
 
     monkeypatch.setattr(processes, "held_back", slow)
-    pool = InProcesses(1, seconds=1.0)
+    pool = Workers(1, seconds=1.0)
     with ThreadPoolExecutor(2) as threads:
         starting = threads.submit(pool.workers[0].ready)
         assert reached.wait(20)
@@ -103,7 +103,7 @@ def test_a_process_that_is_just_being_started_when_all_ends_is_ended_too(
 def test_refusals_come_through_and_mistakes_of_ours_are_told_without_the_words_of_the_machine(
     capfd: Any,
 ) -> None:
-    async def work(pool: InProcesses) -> list[Any]:
+    async def work(pool: Workers) -> list[Any]:
         return [
             await refusal(pool.do(chores.refuse)),
             await refusal(pool.do(chores.fail)),
@@ -118,7 +118,7 @@ def test_refusals_come_through_and_mistakes_of_ours_are_told_without_the_words_o
 
 
 def test_a_process_works_on_while_another_is_busy() -> None:
-    async def work(pool: InProcesses) -> bool:
+    async def work(pool: Workers) -> bool:
         slow = asyncio.ensure_future(pool.do(chores.sleep, 1.0))
         await asyncio.sleep(0)
         quick = [await pool.do(chores.number) for _ in range(5)]
@@ -133,7 +133,7 @@ def test_a_process_works_on_while_another_is_busy() -> None:
 def test_too_many_who_wait_are_sent_away_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(workers, "GREATEST_WAITING", 3)
 
-    async def work(pool: InProcesses) -> list[Any]:
+    async def work(pool: Workers) -> list[Any]:
         pool.waiting = 0
         return await asyncio.gather(
             *(pool.do(chores.sleep, 0.05) for _ in range(8)), return_exceptions=True
@@ -150,7 +150,7 @@ def test_who_has_waited_too_long_for_a_process_is_sent_away(
 ) -> None:
     monkeypatch.setattr(workers, "WAITING_SECONDS", 0.2)
 
-    async def work(pool: InProcesses) -> tuple[int, str, Any]:
+    async def work(pool: Workers) -> tuple[int, str, Any]:
         while pool.idle.empty():
             await asyncio.sleep(0.05)
         slow = asyncio.create_task(pool.do(chores.sleep, 1.0))
@@ -167,7 +167,7 @@ def test_who_has_waited_too_long_for_a_process_is_sent_away(
 def test_a_question_that_many_ask_is_reckoned_once_and_its_answer_kept(tmp_path: Path) -> None:
     file = str(tmp_path / "counted.txt")
 
-    async def work(pool: InProcesses) -> list[bytes]:
+    async def work(pool: Workers) -> list[bytes]:
         answers = Answers(pool)
         first = await asyncio.gather(*(answers.to(chores.count, file) for _ in range(10)))
         return [*first, await answers.to(chores.count, file)]
@@ -181,7 +181,7 @@ def test_who_leaves_does_not_take_the_answer_from_the_others_and_what_nobody_wai
 ) -> None:
     kept, dropped = str(tmp_path / "kept.txt"), str(tmp_path / "dropped.txt")
 
-    async def work(pool: InProcesses) -> bytes:
+    async def work(pool: Workers) -> bytes:
         answers = Answers(pool)
         await answers.to(chores.sleep, 0.0)
         leaves, stays = (asyncio.ensure_future(answers.to(chores.count, kept)) for _ in range(2))
@@ -200,7 +200,7 @@ def test_who_leaves_does_not_take_the_answer_from_the_others_and_what_nobody_wai
 def test_answers_are_forgotten_when_there_are_too_many_of_them(tmp_path: Path) -> None:
     file = str(tmp_path / "counted.txt")
 
-    async def work(pool: InProcesses) -> None:
+    async def work(pool: Workers) -> None:
         answers = Answers(pool, greatest=20)
         for _ in range(2):
             await answers.to(chores.count, file)

@@ -22,7 +22,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from crankstar.engine import layouts, motion
-from crankstar.engine.basis import ASSUMED_ROD_RATIO, Basis, Sizes
+from crankstar.engine.basis import ASSUMED_ROD_RATIO, Basis
 from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import Cycle
 from crankstar.firing.numbering import with_order
@@ -284,17 +284,10 @@ def pushes(listed: np.ndarray, *, bank_angle_deg: float, shift: int, interval: f
     return np.moveaxis(np.array(out).reshape(len(ORDERS), 2, 2, len(listed)), (3, 2), (0, 1))
 
 
-def engine_of(
-    vee: Vee,
-    *,
-    star: int = 0,
-    cylinder: Sizes = Sizes(),  # noqa: B008
-    bore_pitch: float | None = None,
-) -> Engine:
+def engine_of(vee: Vee, *, star: int = 0) -> Engine:
     """One of the stars of a solution as an engine, with the best of its even firing orders.
 
-    Odd numbers are the first bank, on the right seen from the front. `cylinder`: sizes and masses
-    of all cylinders; `bore_pitch` in m, or None if not known.
+    Odd numbers are the first bank, on the right seen from the front. Sizes and masses are unknown.
 
     >>> from crankstar.firing.intervals import firing
     >>> firing(engine_of(vees(cylinders=10, bank_angles_deg=(90,))[0])).intervals_deg[0]
@@ -304,7 +297,6 @@ def engine_of(
     basis = Basis(
         name=f"V{vee.cylinders}, {vee.bank_angle_deg:g} deg{split}",
         cycle=vee.cycle,
-        cylinder=cylinder,
         source="found by search: crank and bank angle that fire evenly",
     )
     numbers = range(1, vee.cylinders + 1)
@@ -315,11 +307,5 @@ def engine_of(
         for first, sign in enumerate((1, -1))
     )
     throws = tuple(radians(angle) for angle in vee.stars[star])
-    engine = layouts.vee(
-        basis,
-        banks=banks,
-        throws=throws,
-        pin_split=radians(vee.pin_split_deg),
-        bore_pitch=bore_pitch,
-    )
+    engine = layouts.vee(basis, banks=banks, throws=throws, pin_split=radians(vee.pin_split_deg))
     return with_order(engine, even_orders(engine)[0].firing)

@@ -44,9 +44,7 @@ IN_PHASE = "{name} (pistons in phase)"
 """Names of sums that leave out the rotating parts, or also what offsets shift the pistons by."""
 
 
-def stars_of(
-    engine: Engine, *, symmetric: bool = False, fixed: tuple[tuple[int, int], ...] = ()
-) -> Stars:
+def stars_of(engine: Engine) -> Stars:
     """All stars of the cylinders of an in-line engine, at their places (in m, or in pitches).
 
     Raises SearchError where the engine is not in line with a throw for each cylinder.
@@ -69,9 +67,7 @@ def stars_of(
         raise SearchError(faults)
     places = [rational.ratio(cylinder.z) for cylinder in cylinders]
     middle = (places[0] + places[-1]) / 2
-    return Stars(
-        len(cylinders), engine.cycle, tuple(place - middle for place in places), symmetric, fixed
-    )
+    return Stars(len(cylinders), engine.cycle, tuple(place - middle for place in places))
 
 
 def star_of(engine: Engine, stars: Stars) -> Star | None:

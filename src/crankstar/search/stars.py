@@ -182,8 +182,8 @@ class Stars:
         """Number of stars, turned ones counted once (with fixed throws none can be turned)."""
         return self.total if self.fixed else self.total // self.directions
 
-    def classes(self, *, mirrored: bool = True, reversed_: bool = True) -> int:
-        """The number of classes if mirrored stars and those from the rear count as one.
+    def classes(self, *, reversed_: bool = True) -> int:
+        """The number of classes: mirrored stars count as one, and those from the rear if reversed.
 
         By Burnside's lemma.
 
@@ -194,17 +194,11 @@ class Stars:
             return self.count
         turns = [lambda d, c=c: (d + c) % self.directions for c in range(self.directions)]
         mirrors = [lambda d, c=c: (c - d) % self.directions for c in range(self.directions)]
-        group = [*turns, *(mirrors if mirrored else [])]
-        still = sum(
-            self._unmoved([g(d) for d in range(self.directions)], ends=False) for g in group
-        )
-        size = len(group)
-        if reversed_ and self.evenly_placed and not self.symmetric:
-            still += sum(
-                self._unmoved([g(d) for d in range(self.directions)], ends=True) for g in group
-            )
-            size *= 2
-        return still // size
+        images = [[g(d) for d in range(self.directions)] for g in (*turns, *mirrors)]
+        from_rear = reversed_ and self.evenly_placed and not self.symmetric
+        ends = (False, True) if from_rear else (False,)
+        still = sum(self._unmoved(image, ends=end) for end in ends for image in images)
+        return still // (len(images) * len(ends))
 
     def _unmoved(self, image: list[int], *, ends: bool) -> int:
         """Number of stars that a change of directions, perhaps reversed too, leaves as they are."""

@@ -22,7 +22,7 @@ from crankstar.options.values import RequestError
 from crankstar.server import guard
 from crankstar.server.application import Opening, application
 from crankstar.server.refusal import Refused, refused
-from crankstar.server.workers import InProcesses
+from crankstar.server.workers import Workers
 
 TASK_SECONDS = 10.0
 """How long an answer may take."""
@@ -90,9 +90,7 @@ def address_of(taken: socket.socket, host: str) -> str:
 
 def serve(taken: socket.socket, *, host: str, opening: Opening, ready: Callable[[], None]) -> None:
     """Serve until an interrupt or a signal to end; `ready` is called when the server is up."""
-    workers = InProcesses(
-        max(1, min(os.cpu_count() or 1, GREATEST_PROCESSES)), seconds=TASK_SECONDS
-    )
+    workers = Workers(max(1, min(os.cpu_count() or 1, GREATEST_PROCESSES)), seconds=TASK_SECONDS)
     app = application(workers=workers, opening=opening, host=host)
     settings: dict[str, Any] = {
         "lifespan": "on",

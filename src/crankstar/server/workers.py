@@ -18,7 +18,7 @@ from contextlib import suppress
 from functools import partial
 from importlib import import_module
 from multiprocessing.connection import Connection
-from typing import Any, Protocol
+from typing import Any
 
 from crankstar.server.processes import Child, messages
 from crankstar.server.refusal import Refused, refused
@@ -35,37 +35,7 @@ Task = Callable[..., bytes]
 log = logging.getLogger("crankstar.server")
 
 
-class Workers(Protocol):
-    """Whatever does the tasks."""
-
-    async def do(self, task: Task, *arguments: Any) -> bytes:
-        """The result of a task. Raises Refused."""
-        ...
-
-    def begin(self) -> None:
-        """Get ready, without waiting for it."""
-        ...
-
-    def end(self) -> None:
-        """End all that was begun."""
-        ...
-
-
-class InThread:
-    """Does every task in a thread of this process, for tests and for a single asker."""
-
-    async def do(self, task: Task, *arguments: Any) -> bytes:
-        """The result of a task. Raises Refused."""
-        return _opened(await asyncio.to_thread(_done, task, arguments))
-
-    def begin(self) -> None:
-        """Nothing has to be made ready."""
-
-    def end(self) -> None:
-        """Nothing has to be ended."""
-
-
-class InProcesses:
+class Workers:
     """Processes of this machine; the one that worked last, with the engine at hand, goes first."""
 
     def __init__(self, count: int, *, seconds: float) -> None:
