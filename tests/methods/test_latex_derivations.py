@@ -10,6 +10,7 @@ from tests.latex import compiled
 import crankstar
 from crankstar.derive import derivation, documents, family, signs_chapter
 from crankstar.derive.notations import NOTATIONS
+from crankstar.language.messages import LANGUAGES, spoken
 
 ORDERS = (1, 2, 4, 6)
 HOSTILE = "{\\undefined}%$&#_^~<> 直列 Ω é ß"
@@ -53,3 +54,16 @@ def test_latex_takes_a_hostile_name(tmp_path: Path) -> None:
     hostile = engine.model_copy(update={"name": HOSTILE, "cylinders": cylinders})
     result = compiled(documents.latex([derivation(hostile, 2)]), tmp_path)
     assert result.ok, str(result)
+
+
+def test_sums_of_the_six_signs_keep_their_sigma_in_latex() -> None:
+    written = documents.latex([signs_chapter(crankstar.load("sinitsyn-7-first"))])
+    assert "\\Sigma\\mathrm{P}_{R} &=" in written
+    assert "?" not in written
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_page_of_a_derivation_names_its_language(language: str) -> None:
+    with spoken(language):
+        page = documents.html([derivation(crankstar.load("i4"), 2)])
+    assert f'<html lang="{language}">' in page

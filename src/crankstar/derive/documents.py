@@ -17,7 +17,7 @@ from crankstar.derive.algebra.formula import Formula, Sum
 from crankstar.derive.algebra.styles import latex_text
 from crankstar.derive.notations import CRANKSTAR, Meaning, Notation, legend, notated
 from crankstar.derive.records import Line, Readable, Step
-from crankstar.language.messages import _
+from crankstar.language.messages import _, language
 
 LINE = 84
 """Greatest length of a line of a sum in LaTeX and Markdown, in characters."""
@@ -71,16 +71,14 @@ def rendered(chapters: Sequence[Readable], notation: Notation = CRANKSTAR) -> An
     return Group(*out[:-1])
 
 
-def plain(chapters: Sequence[Readable], notation: Notation = CRANKSTAR, *, width: int = 120) -> str:
+def plain(chapters: Sequence[Readable]) -> str:
     """Chapters as plain text."""
     from io import StringIO
 
     from rich.console import Console
 
     printed = StringIO()
-    Console(file=printed, width=width, highlight=False, markup=False).print(
-        rendered(chapters, notation)
-    )
+    Console(file=printed, width=120, highlight=False, markup=False).print(rendered(chapters))
     return "\n".join(line.rstrip() for line in printed.getvalue().splitlines())
 
 
@@ -306,6 +304,7 @@ def markdown(chapters: Sequence[Readable], notation: Notation = CRANKSTAR) -> st
 def html(chapters: Sequence[Readable], notation: Notation = CRANKSTAR) -> str:
     """A page that stands alone: no script, nothing from elsewhere, light and dark, printable."""
     return _template("document.html").format(
+        language=language(),
         name=escape(chapters[0].engine),
         style=ALIGNED + _template("document.css"),
         parts="\n".join(html_parts(chapters, notation)),

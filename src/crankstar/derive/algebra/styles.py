@@ -13,27 +13,24 @@ from html import escape
 
 GREEK = {
     "theta": "θ", "omega": "ω", "lambda": "λ", "alpha": "α", "beta": "β", "phi": "φ", "psi": "ψ",
-    "tau": "τ", "delta": "δ",
+    "tau": "τ", "delta": "δ", "pi": "π",
     "Lambda": "Λ", "Sigma": "Σ",
 }  # fmt: skip
 NOT_IN_T1 = "ĦħĸĿŀŉŦŧſ"
 FIRST_UNKNOWN = 0x180
 """The first character that LaTeX's T1 fonts do not have, but for those below."""
+_RAISED, _LOWERED = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "₀₁₂₃₄₅₆₇₈₉"
+_LATEX_GREEK = {char: rf"\{name}" for name, char in GREEK.items()}
 _LATEX_KNOWN = {
-    "θ": r"$\theta$", "ψ": r"$\psi$", "ω": r"$\omega$", "λ": r"$\lambda$", "β": r"$\beta$",
-    "α": r"$\alpha$", "φ": r"$\varphi$",
-    "π": r"$\pi$", "−": "$-$", "…": r"\ldots{}", "√": r"$\surd$", "∠": r"$\angle$", "′": "'",
+    **{char: f"${name}$" for char, name in _LATEX_GREEK.items()},
+    **{char: f"$^{place}$" for place, char in enumerate(_RAISED[:10])},
+    **{char: f"$_{place}$" for place, char in enumerate(_LOWERED)},
+    "φ": r"$\varphi$", "−": "$-$", "…": r"\ldots{}", "√": r"$\surd$", "∠": r"$\angle$", "′": "'",
     "≤": r"$\le$", "≥": r"$\ge$",
-    "⁴": "$^4$", "⁵": "$^5$", "⁶": "$^6$", "⁷": "$^7$", "⁸": "$^8$", "₀": "$_0$", "₁": "$_1$",
-    "₂": "$_2$",
-    "₄": "$_4$", "₆": "$_6$",
 }  # fmt: skip
-_LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
-_LATEX_SPECIAL = {
-    "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "&": r"\&", "#": r"\#",
-    "_": r"\_", "%": r"\%",
-    "^": r"\textasciicircum{}", "~": r"\textasciitilde{}", "<": r"\textless{}",
-    ">": r"\textgreater{}",
+_LATEX_SPECIAL = {char: f"\\{char}" for char in "{}$&#_%"} | {
+    "\\": r"\textbackslash{}", "^": r"\textasciicircum{}", "~": r"\textasciitilde{}",
+    "<": r"\textless{}", ">": r"\textgreater{}",
 }  # fmt: skip
 
 
@@ -43,18 +40,16 @@ class Style:
 
     `stacked`: a fraction has its numerator above its denominator, so that it needs no brackets.
     `simple` is a function whose argument has no brackets, `single` the root of one number or
-    letter. `raised` turns the figures of an exponent into those that are printed.
+    letter, empty where it is written as any other. `raised` turns the figures of an exponent into
+    those that are printed.
     """
 
     symbol: Callable[[str, str], str]
-    pi: str
     ratio: str
     root: str
-    single: str
     power: str
     bracket: str
     function: str
-    simple: str
     degrees: str
     polar: str
     plus: str
@@ -63,6 +58,8 @@ class Style:
     space: str
     dot: str
     dots: str
+    simple: str = "{} {}"
+    single: str = ""
     name: str = "{}"
     figures: str = "{}"
     stacked: bool = True
@@ -71,7 +68,7 @@ class Style:
 
 def _text_symbol(letter: str, below: str) -> str:
     if below.isdigit():
-        return GREEK.get(letter, letter) + below.translate(_LOWERED)
+        return GREEK.get(letter, letter) + "".join(_LOWERED[int(figure)] for figure in below)
     return GREEK.get(letter, letter) + (f"_{below}" if below else "")
 
 
@@ -80,7 +77,8 @@ def _latex_symbol(letter: str, below: str) -> str:
     if plain in GREEK or plain == "…":
         name = r"\ldots" if plain == "…" else f"\\{plain}"
     else:
-        name = plain if len(plain) == 1 else f"\\mathrm{{{latex_text(plain)}}}"
+        upright = (_LATEX_GREEK.get(char) or rf"\mathrm{{{latex_text(char)}}}" for char in plain)
+        name = plain if len(plain) == 1 else "".join(upright)
     name += "'" * (len(letter) - len(plain))
     if not below:
         return name
@@ -112,14 +110,12 @@ def latex_text(text: str) -> str:
 
 TEXT = Style(
     symbol=_text_symbol,
-    pi="π",
     ratio="{}/{}",
     root="√({})",
     single="√{}",
     power="{}{}",
     bracket="({})",
     function="{}({})",
-    simple="{} {}",
     degrees="{}°",
     polar="{} ∠ {}",
     plus=" + ",
@@ -129,18 +125,15 @@ TEXT = Style(
     dot=" · ",
     dots="…",
     stacked=False,
-    raised=str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻"),
+    raised=str.maketrans("0123456789-", _RAISED),
 )
 LATEX = Style(
     symbol=_latex_symbol,
-    pi=r"\pi",
     ratio=r"\frac{{{}}}{{{}}}",
     root=r"\sqrt{{{}}}",
-    single=r"\sqrt{{{}}}",
     power="{}^{{{}}}",
     bracket=r"\left({}\right)",
     function=r"{}\left({}\right)",
-    simple="{} {}",
     degrees=r"{}^\circ",
     polar=r"{}\,\angle\,{}",
     plus=" + ",
@@ -153,10 +146,8 @@ LATEX = Style(
 )
 MATHML = Style(
     symbol=_mathml_symbol,
-    pi="<mi>π</mi>",
     ratio="<mfrac><mrow>{}</mrow><mrow>{}</mrow></mfrac>",
     root="<msqrt>{}</msqrt>",
-    single="<msqrt>{}</msqrt>",
     power="<msup><mrow>{}</mrow><mn>{}</mn></msup>",
     bracket="<mrow><mo>(</mo>{}<mo>)</mo></mrow>",
     function="{}<mo>&#x2061;</mo><mrow><mo>(</mo>{}<mo>)</mo></mrow>",

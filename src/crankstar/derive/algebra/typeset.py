@@ -328,7 +328,8 @@ def _root(formula: Root, style: Style) -> Printed:
     inner = formula.radicand
     single = isinstance(inner, Symbol) and not inner.below
     single |= isinstance(inner, Rational) and inner.value >= 0 and inner.value.denominator == 1
-    return Printed((style.single if single else style.root).format(_whole(inner, style)))
+    sign = (single and style.single) or style.root
+    return Printed(sign.format(_whole(inner, style)))
 
 
 def _ratio(formula: Ratio, style: Style) -> Printed:
@@ -368,7 +369,7 @@ _WRITERS: dict[type, Callable[..., Printed]] = {
     Rational: _rational,
     Decimal: _decimal,
     Symbol: lambda formula, style: Printed(style.symbol(formula.letter, formula.below)),
-    Pi: lambda _, style: Printed(style.pi),
+    Pi: lambda _, style: Printed(style.symbol("pi", "")),
     Root: _root,
     Power: _power,
     Sum: _sum,
