@@ -21,12 +21,13 @@ from tests.strategies import maybe
 
 from crankstar.derive.algebra import cyclotomic, enclosure, evaluation, formula, typeset, wave
 from crankstar.derive.algebra import radicals as radical
-from crankstar.derive.algebra.cyclotomic import ONE, Number, rational, root
+from crankstar.derive.algebra.cyclotomic import Number, rational, root
 from crankstar.derive.algebra.enclosure import Ball, Link
 from crankstar.derive.algebra.formula import Decimal, Formula, Symbol
 from crankstar.derive.algebra.styles import latex_text
 from crankstar.engine import motion
 
+ONE = rational(1)
 CLOSE = MP.mpf(10) ** -47
 POINT = 10**70
 """Fixed-point sums of whole numbers: no rounding but that of the roots of unity themselves."""

@@ -19,7 +19,7 @@ from typing import TypeVar
 
 import flint
 import numpy as np
-from flint import acb, arb, fmpq, fmpq_poly, fmpz_poly
+from flint import acb, acb_poly, arb, fmpq, fmpq_poly, fmpz_poly
 
 T = TypeVar("T")
 REMEMBERED = 4096
@@ -156,7 +156,6 @@ def rational(value: Fraction | int) -> Number:
 
 
 ZERO = rational(0)
-ONE = rational(1)
 
 
 @lru_cache(maxsize=4096)
@@ -164,8 +163,8 @@ def root(turn: Fraction) -> Number:
     """exp(2 pi i turn).
 
     >>> third, eighth = Fraction(1, 3), Fraction(1, 8)
-    >>> root(eighth) * root(-eighth) == ONE, (root(third) + root(-third)).rational
-    (True, Fraction(-1, 1))
+    >>> (root(eighth) * root(-eighth)).rational, (root(third) + root(-third)).rational
+    (Fraction(1, 1), Fraction(-1, 1))
     """
     turn = Fraction(turn) % 1
     return Number(turn.denominator, fmpq_poly([0] * turn.numerator + [1]))
@@ -245,15 +244,8 @@ def minimal_polynomial(number: Number) -> tuple[int, ...]:
     # Elementary symmetric functions of algebraic integers are whole numbers: a ball with one whole
     # number in it proves it.
     with precision(int(len(others) * np.log10(2.0 * size)) + 20):
-        product = [acb(1)]
-        for other in others:
-            value = other.enclosed()
-            product = [
-                (acb(0) if i == 0 else product[i - 1])
-                - (value * product[i] if i < len(product) else acb(0))
-                for i in range(len(product) + 1)
-            ]
-        coefficients = [_whole(term.real) * scale**power for power, term in enumerate(product)]
+        terms = acb_poly.from_roots([other.enclosed() for other in others]).coeffs()
+        coefficients = [_whole(term.real) * scale**power for power, term in enumerate(terms)]
     common = gcd(*coefficients)
     return tuple(value // common for value in coefficients)
 

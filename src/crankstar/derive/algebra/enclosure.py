@@ -168,12 +168,8 @@ def harmonic(rods: tuple[Link, ...], order: int) -> Harmonic:
     with cyclotomic.precision(DIGITS):
         samples, bound, strip = _samples(rods)
         count = len(samples)
-        folded = (
-            2
-            * bound
-            * (exp(-strip * (count - order)) + exp(-strip * (count + order)))
-            / (1 - exp(-strip * count))
-        )
+        both = exp(-strip * (count - order)) + exp(-strip * (count + order))
+        folded = 2 * bound * both / (1 - exp(-strip * count))
         out = []
         for coordinate in zip(*samples, strict=True):
             total = acb(0)

@@ -117,8 +117,8 @@ def bearing_turn(value: Number) -> Fraction | None:
 def bearing(value: Number) -> Formula:
     """The argument of a complex number other than zero, in (-180, 180] degrees.
 
-    >>> from crankstar.derive.algebra.cyclotomic import ONE, root
-    >>> text(bearing(root(Fraction(1, 4)).times(3) + ONE))
+    >>> from crankstar.derive.algebra.cyclotomic import rational, root
+    >>> text(bearing(root(Fraction(1, 4)).times(3) + rational(1)))
     'atan 3'
     """
     turn = bearing_turn(value)

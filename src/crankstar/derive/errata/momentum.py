@@ -60,18 +60,10 @@ def bodies(engine: Engine, theta: Real) -> list[Body]:
             frame * path.place[-1] for path in (moved.piston, moved.big_end, moved.direction)
         )
         axis = _axis(engine, cylinder.shaft)
-        out.append(Body(cylinder.number, cylinder.reciprocating_mass, cylinder.z, axis, piston))
-        out.append(Body(cylinder.number, cylinder.big_end_mass, cylinder.z, axis, joint))
+        moving = [(cylinder.reciprocating_mass, piston), (cylinder.big_end_mass, joint)]
         if cylinder.rod is not None:
-            out.append(
-                Body(
-                    cylinder.number,
-                    cylinder.rod.mass,
-                    cylinder.z,
-                    axis,
-                    joint + cylinder.rod.centre * leaning,
-                )
-            )
+            moving.append((cylinder.rod.mass, joint + cylinder.rod.centre * leaning))
+        out += [Body(cylinder.number, mass, cylinder.z, axis, path) for mass, path in moving]
     for shaft in engine.shafts:
         axis, turn = _axis(engine, shaft.name), _turned(engine, shaft.name, theta)
         for throw in shaft.throws:
@@ -113,11 +105,8 @@ def amplitude(samples: NDArray[np.float64], order: int) -> complex:
     steps = (np.arange(samples.size) * order + samples.size // 2) % samples.size - samples.size // 2
     turning = np.exp(-2j * np.pi / samples.size * steps)
     centred = samples - samples.mean()
-    return (
-        complex(fsum(centred * np.real(turning)), fsum(centred * np.imag(turning)))
-        * 2
-        / samples.size
-    )
+    whole = complex(fsum(centred * np.real(turning)), fsum(centred * np.imag(turning)))
+    return whole * 2 / samples.size
 
 
 def harmonic(engine: Engine, order: int) -> float:

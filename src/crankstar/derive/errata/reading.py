@@ -77,20 +77,7 @@ def confirmed() -> tuple[Confirmed, ...]:
     >>> confirmed()[0].words
     'There is no first-order force.'
     """
-    return tuple(
-        Confirmed(
-            entry["source"],
-            entry["words"],
-            entry["engine"],
-            entry["order"],
-            entry["quantity"],
-            size(entry["size"]),
-        )
-        for entry in _data()["true"]
-    )
-
-
-_KINDS = ("erratum", "series", "misprint", "angle")
+    return tuple(Confirmed(**{**entry, "size": size(entry["size"])}) for entry in _data()["true"])
 
 
 @lru_cache(maxsize=1)
@@ -121,7 +108,7 @@ def _judged(entry: Mapping[str, Any], slips: Mapping[str, Any]) -> Iterator[Erra
         slip = slips[item.get("slip", entry["slip"])]
         yield Erratum(
             id=f"{entry['id']}-{component}" if component else entry["id"],
-            **_place(entry),
+            **_given(entry),
             kind=entry.get("kind", "result"),
             title=entry["title"],
             text=item["printed"],
@@ -132,9 +119,6 @@ def _judged(entry: Mapping[str, Any], slips: Mapping[str, Any]) -> Iterator[Erra
             slip=slip["words"],
             step=slip["step"],
             unit=_unit(quantity, order, letter),
-            engine=entry["engine"],
-            changes=entry.get("changes", {}),
-            order=order,
             quantity=quantity,
             component=component,
             cylinders=cylinders,
@@ -144,9 +128,10 @@ def _judged(entry: Mapping[str, Any], slips: Mapping[str, Any]) -> Iterator[Erra
         )
 
 
-def _place(entry: Mapping[str, Any]) -> dict[str, Any]:
-    """The source of an erratum, and the place in it."""
-    return {key: entry[key] for key in ("source", "place")}
+def _given(entry: Mapping[str, Any]) -> dict[str, Any]:
+    """The source of an erratum, the place in it, and the order of an engine that it is about."""
+    names = ("source", "place", "engine", "changes", "order")
+    return {name: entry[name] for name in names if name in entry}
 
 
 def formula_of(terms: Sequence[Mapping[str, Any]], order: int = 0) -> Formula:
@@ -247,7 +232,7 @@ def _series(entry: Mapping[str, Any], slip: Mapping[str, str]) -> Erratum:
     """A printed series of A_k beside the true one of as many terms."""
     printed = [(power, Fraction(factor)) for power, factor in entry["terms"]]
     return Erratum(
-        **_place(entry),
+        **_given(entry),
         id=entry["id"],
         kind="series",
         title=f"series of A{entry['order']}",
@@ -256,7 +241,6 @@ def _series(entry: Mapping[str, Any], slip: Mapping[str, str]) -> Erratum:
         ours=_powers(true_series(entry["order"], len(printed))),
         slip=f"{entry['words']} {slip['words']}",
         step=slip["step"],
-        order=entry["order"],
     )
 
 
@@ -282,7 +266,7 @@ def _powers(terms: Sequence[tuple[int, Fraction]]) -> Formula:
 def _line(entry: Mapping[str, Any]) -> Erratum:
     """A line that does not follow from the one before it."""
     return Erratum(
-        **_place(entry),
+        **_given(entry),
         id=entry["id"],
         kind="line",
         title=entry["place"].rpartition(", ")[2],
@@ -310,7 +294,7 @@ def _angle(entry: Mapping[str, Any]) -> Erratum:
     ours = wave.bearing(amount) if turn is None else Degrees(number(360 * turn))
     rounded = f"{degrees(value(ours)):.0f}°".replace("-", "−")
     return Erratum(
-        **_place(entry),
+        **_given(entry),
         id=entry["id"],
         kind="angle",
         title=entry["place"].rpartition(", ")[2],
@@ -318,7 +302,5 @@ def _angle(entry: Mapping[str, Any]) -> Erratum:
         printed=Degrees(number(Fraction(entry["degrees"]))),
         ours=ours,
         slip=f"{entry['words']} Rounded it is {rounded}.",
-        engine=entry["engine"],
-        order=entry["order"],
         quantity="couple",
     )
