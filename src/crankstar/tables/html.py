@@ -54,9 +54,9 @@ def listing(items: Sequence[object]) -> str:
     return f"<ul>{''.join(f'<li>{typeset(item)}</li>' for item in items)}</ul>" if items else ""
 
 
-def document_html(document: Document, *, title: bool = True) -> str:
-    """The parts of a document, under its title unless that stands elsewhere."""
-    head = f"<h2>{text(document.title)}</h2>" if title and document.title else ""
+def document_html(document: Document) -> str:
+    """The parts of a document, under its title."""
+    head = f"<h2>{text(document.title)}</h2>" if document.title else ""
     return head + "".join(map(part_html, document.parts))
 
 
