@@ -6,9 +6,9 @@ resultant. Everything is exact; nothing is compared with a tolerance.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from fractions import Fraction
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 from crankstar.derive.algebra import cyclotomic, wave
 from crankstar.derive.algebra.formula import (
@@ -25,6 +25,7 @@ from crankstar.language.faults import listed
 from crankstar.language.messages import _, _n
 
 HALF = Fraction(1, 2)
+P = TypeVar("P")
 
 
 class Term(NamedTuple):
@@ -159,15 +160,13 @@ def _listed(groups: Iterable[Group]) -> str:
 
 def _cancelled(members: list[tuple[int, Term]], *, moments: bool) -> str:
     """That cylinders cancel, in pairs where they do."""
-    rest = list(members)
-    pairs: list[str] = []
-    while rest:
-        sign, term = rest.pop(0)
-        place = _opposite(sign, term, rest)
-        if place is None:
-            numbers = listed([term.cylinder for _, term in members])
-            return _cancel_each_other(numbers)
-        pairs.append(f"{term.cylinder}, {rest.pop(place)[1].cylinder}")
+    pairs = opposite_pairs(
+        [(str(term.cylinder), form_sum([(Fraction(sign), term.weight)])) for sign, term in members],
+        lambda first, second: not form_sum([(Fraction(1), first), (Fraction(1), second)]),
+    )
+    if 2 * len(pairs) < len(members):
+        numbers = listed([term.cylinder for _, term in members])
+        return _("Cylinders {numbers} cancel each other.", numbers=numbers)
     if moments:
         return _n(
             "Cylinders {pairs} cancel: their moments are equal and opposite at every crank angle.",
@@ -184,30 +183,24 @@ def _cancelled(members: list[tuple[int, Term]], *, moments: bool) -> str:
     )
 
 
-def _opposite(sign: int, term: Term, rest: list[tuple[int, Term]]) -> int | None:
-    """The place of a term that takes this one away."""
-    for place, (other, against) in enumerate(rest):
-        if not form_sum([(Fraction(sign), term.weight), (Fraction(other), against.weight)]):
-            return place
-    return None
-
-
-def _cancel_each_other(numbers: str) -> str:
-    return _("Cylinders {numbers} cancel each other.", numbers=numbers)
+def opposite_pairs(parts: Iterable[tuple[str, P]], cancel: Callable[[P, P], bool]) -> list[str]:
+    """The names of parts that cancel in pairs."""
+    rest, pairs = list(parts), []
+    while rest:
+        name, own = rest.pop(0)
+        place = next((i for i, (_far, far) in enumerate(rest) if cancel(own, far)), None)
+        if place is not None:
+            pairs.append(f"{name}, {rest.pop(place)[0]}")
+    return pairs
 
 
 def _closed_polygon(left: list[Group]) -> str:
     count = len(left)
     numbers = listed(sorted(number for group in left for number in group.cylinders))
-    up = [next(iter(group.weight.values())) > 0 for group in left]
-    weights = [
-        group.weight if positive else {key: -value for key, value in group.weight.items()}
-        for group, positive in zip(left, up, strict=True)
-    ]
-    phases = [
-        group.phase if positive else group.phase + HALF
-        for group, positive in zip(left, up, strict=True)
-    ]
+    signs = [1 if next(iter(group.weight.values())) > 0 else -1 for group in left]
+    pairs = list(zip(signs, left, strict=True))
+    weights = [form_sum([(Fraction(sign), group.weight)]) for sign, group in pairs]
+    phases = [group.phase + (HALF if sign < 0 else 0) for sign, group in pairs]
     apart = sorted((phase - phases[0]) % 1 for phase in phases)
     if all(weight == weights[0] for weight in weights) and apart == [
         Fraction(i, count) for i in range(count)

@@ -8,7 +8,7 @@ from fractions import Fraction
 from functools import partial
 from typing import NamedTuple
 
-from crankstar.derive.addition import Term, addition, distinct, lag
+from crankstar.derive.addition import Term, addition, distinct, lag, opposite_pairs
 from crankstar.derive.algebra import wave
 from crankstar.derive.algebra.cyclotomic import Number
 from crankstar.derive.algebra.formula import (
@@ -145,11 +145,11 @@ def _sums(task: Task, banks: Sequence[Row]) -> Step:
             sums = addition(terms, task.order, moments=task.quantity == "couple")
             chain, note = sums.chain, " ".join(sums.notes)
         lines.append(Line(name, chain, "signal", rows(row.members), bearing, label, note))
+    title = _("Bank by bank") if many else _("All cylinders")
+    words = _("All cylinders push along one line, so their cosines simply add.")
     if many:
         words = _("The cylinders of a bank push along one line, so their cosines simply add.")
-        return Step(_("Bank by bank"), (words,), tuple(lines))
-    words = _("All cylinders push along one line, so their cosines simply add.")
-    return Step(_("All cylinders"), (words,), tuple(lines))
+    return Step(title, (words,), tuple(lines))
 
 
 def _terms(members: Sequence[Body]) -> list[Term] | None:
@@ -218,13 +218,11 @@ def by_pin(task: Task, pistons: Sequence[Body]) -> list[Step]:
         before = partial(resolved, task, parts)
         lines += sides(task, f"pin {name}", members, label, before=before)
         pins.append((name, pushed(members)))
-    every = sides(
-        task,
-        "",
-        pistons,
-        _("all pins"),
-        before=lambda side: [summed(*(wave.signal(push[side], task.order) for _, push in pins))],
-    )
+
+    def added(side: int) -> list[Formula]:
+        return [summed(*(wave.signal(push[side], task.order) for _, push in pins))]
+
+    every = sides(task, "", pistons, _("all pins"), before=added)
     lines += [
         replace(line, note=_cancelled([(name, push[side]) for name, push in pins]))
         for side, line in enumerate(every)
@@ -237,11 +235,6 @@ def by_pin(task: Task, pistons: Sequence[Body]) -> list[Step]:
 
 def _cancelled(parts: Sequence[tuple[str, Wave]]) -> str:
     """The pins that cancel in pairs, by name."""
-    rest = [(name, own) for name, own in parts if own]
-    pairs: list[str] = []
-    while rest:
-        name, own = rest.pop(0)
-        other = next((i for i, (_far, far) in enumerate(rest) if not joined([own, far])), None)
-        if other is not None:
-            pairs.append(f"{name}, {rest.pop(other)[0]}")
+    pushing = [(name, own) for name, own in parts if own]
+    pairs = opposite_pairs(pushing, lambda own, far: not joined([own, far]))
     return _("Pins that cancel in pairs: {pairs}.", pairs="; ".join(pairs)) if pairs else ""

@@ -259,19 +259,11 @@ def _piston(
     engine: Engine, cylinder: Cylinder, push: Push, rows: tuple[int, ...], along: Wave | None
 ) -> Body:
     """A piston with its bank and its bearing."""
-    bearing = rational.turn(cylinder.bearing)
-    return Body(
-        "piston",
-        cylinder.shaft,
-        cylinder.throw,
-        push,
-        rows,
-        cylinder.number,
-        next(name for name, numbers in engine.banks.items() if cylinder.number in numbers),
-        along,
-        bearing,
-        float(360 * bearing) if bearing is not None else cylinder.bearing * 180 / pi,
-    )
+    number, bearing = cylinder.number, rational.turn(cylinder.bearing)
+    degrees = float(360 * bearing) if bearing is not None else cylinder.bearing * 180 / pi
+    bank = next(name for name, numbers in engine.banks.items() if number in numbers)
+    seat = cylinder.shaft, cylinder.throw
+    return Body("piston", *seat, push, rows, number, bank, along, bearing, degrees)
 
 
 def _exact(

@@ -19,7 +19,7 @@ from fractions import Fraction
 from math import isfinite
 
 from crankstar.derive import positions
-from crankstar.derive.algebra import cyclotomic, rational, wave
+from crankstar.derive.algebra import cyclotomic, wave
 from crankstar.derive.algebra.formula import NOUGHT, Formula, Symbol, product
 from crankstar.derive.algebra.wave import Amount
 from crankstar.derive.chapters import Chapter, Derivation
@@ -80,7 +80,7 @@ def cure(engine: Engine, *, ratio: Fraction | int, planes: Sequence[float]) -> C
         placed = positions.arms(engine)
         values = placed.values
         middle = default_reference(engine).z
-        places = tuple(_short((plane - middle) / engine.pitch) for plane in planes)
+        places = tuple(positions.in_pitches((plane - middle) / engine.pitch) for plane in planes)
         vectors = [wave.at(own.forward if ratio > 0 else own.backward, values) for own in derived]
         force, couple = vectors
         if force is None or couple is None:
@@ -118,23 +118,12 @@ def cure(engine: Engine, *, ratio: Fraction | int, planes: Sequence[float]) -> C
     )
 
 
-def _short(pitches: float) -> Fraction:
-    """A place as a short multiple of the bore pitch."""
-    near = Fraction(pitches).limit_denominator(positions.GREATEST_STEP)
-    return (
-        near if abs(float(near) - pitches) < positions.SAME_PLACE / 100 else rational.ratio(pitches)
-    )
-
-
 def _least(
     force: Amount, couple: Amount, places: Sequence[Fraction], ratio: Fraction
 ) -> list[Amount]:
     """The least unbalances of the two conditions, by their rational normal equations."""
-    count, first, second = (
-        Fraction(len(places)),
-        sum(places, Fraction(0)),
-        sum((p * p for p in places), Fraction(0)),
-    )
+    count, first = Fraction(len(places)), sum(places, Fraction(0))
+    second = sum((place**2 for place in places), Fraction(0))
     determinant = count * second - first * first
     if determinant == 0:
         if not places or not wave.amount_sum([couple, force.times(-places[0])]).zero:

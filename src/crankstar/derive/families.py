@@ -126,13 +126,7 @@ def _twin(engine: Engine, order: int, quantity: Quantity) -> list[Step]:
             )
         )
     behind = product(-order, PHI)
-    half = (
-        PHI
-        if order == 2
-        else Ratio(product(order, PHI), number(2))
-        if order % 2
-        else product(order // 2, PHI)
-    )
+    half = Ratio(product(order, PHI), number(2)) if order % 2 else product(order // 2, PHI)
     inside, middle = product(order, THETA), product(-1, half)
     first, second = cosine(inside), cosine(summed(inside, behind))
     if quantity == "force":
@@ -143,23 +137,12 @@ def _twin(engine: Engine, order: int, quantity: Quantity) -> list[Step]:
     else:
         placed = arms(engine).cylinder
         arm, other = (wave.form(placed[place]) for place in sorted(placed))
+        sines = Applied("sin", half), Applied("sin", summed(inside, middle))
+        chain = (summed(product(arm, first), product(other, second)), product(-2, arm, *sines))
         if arm == other:
             chain = (NOUGHT,)
-        else:
-            raw = summed(product(arm, first), product(other, second))
-            size = product(2, arm)
-            chain = (
-                raw,
-                product(-1, size, Applied("sin", half), Applied("sin", summed(inside, middle))),
-            )
-    along = Line(
-        Symbol("F" if quantity == "force" else "M"),
-        chain,
-        "signal",
-        (),
-        cylinders[0].bearing * 180 / pi,
-        _("along the cylinders"),
-    )
+    letter, bearing = Symbol("F" if quantity == "force" else "M"), cylinders[0].bearing * 180 / pi
+    along = Line(letter, chain, "signal", (), bearing, _("along the cylinders"))
     words = (
         "cos x + cos y = 2 cos((x − y)/2) cos((x + y)/2); "
         "cos x − cos y = −2 sin((x − y)/2) sin((x + y)/2)."
@@ -200,7 +183,7 @@ def _row(engine: Engine, order: int, quantity: Quantity) -> list[Step]:
             "Here k = {order}: of all rows only those with n = {divisors} have a force of this "
             "order.",
             order=order,
-            divisors=_divisors(order),
+            divisors=", ".join(str(n) for n in range(1, order + 1) if order % n == 0),
         ),
     )
     whole = count if order % count == 0 else 0
@@ -216,15 +199,11 @@ def _row(engine: Engine, order: int, quantity: Quantity) -> list[Step]:
 
 
 def _start(engine: Engine, order: int) -> Formula:
+    """The cosine of the first cylinder."""
     first = engine.first
-    lag = (rational.turn(engine.throw(first).angle) or Fraction(0)) - (
-        rational.turn(first.bearing) or Fraction(0)
-    )
-    return cosine(summed(product(order, THETA), angle(engine.sense * order * lag)))
-
-
-def _divisors(order: int) -> str:
-    return ", ".join(str(n) for n in range(1, order + 1) if order % n == 0)
+    angles = engine.throw(first).angle, first.bearing
+    crank, axis = (rational.turn(radians) or Fraction(0) for radians in angles)
+    return cosine(summed(product(order, THETA), angle(engine.sense * order * (crank - axis))))
 
 
 FAMILIES: dict[str, tuple[str, str, Callable[[Engine, int, Quantity], list[Step]]]] = {

@@ -49,6 +49,12 @@ _LENGTHS: tuple[Meaning, ...] = (
         N_("crank angle, from top dead centre of cylinder 1, in the direction of rotation"),
     ),
 )
+_MOTION = (
+    Meaning(Symbol("m"), N_("reciprocating mass of a cylinder")),
+    Meaning(Symbol("r"), N_("crank radius")),
+    Meaning(Symbol("lambda"), N_("r/l, l the length of the connecting rod")),
+    Meaning(Symbol("omega"), N_("angular speed of the crankshaft, rad/s")),
+)
 _STROKE = Ratio(Symbol("S"), number(2))
 
 CRANKSTAR = Notation(
@@ -56,13 +62,7 @@ CRANKSTAR = Notation(
     letters={},
     unit=unit_symbol,
     series=lambda powers: series(powers, Symbol("lambda")),
-    legend=(
-        Meaning(Symbol("m"), N_("reciprocating mass of a cylinder")),
-        Meaning(Symbol("r"), N_("crank radius")),
-        Meaning(Symbol("lambda"), N_("r/l, l the length of the connecting rod")),
-        Meaning(Symbol("omega"), N_("angular speed of the crankshaft, rad/s")),
-        *_LENGTHS,
-    ),
+    legend=(*_MOTION, *_LENGTHS),
 )
 STROKE = Notation(
     name="stroke",
@@ -92,10 +92,7 @@ SINITSYN = Notation(
         ),
         Meaning(Symbol("P", "R"), N_("centrifugal force of the rotating masses of one crank")),
         Meaning(Symbol("l", "0"), N_("bore pitch")),
-        Meaning(Symbol("m"), N_("reciprocating mass of a cylinder")),
-        Meaning(Symbol("r"), N_("crank radius")),
-        Meaning(Symbol("lambda"), N_("r/l, l the length of the connecting rod")),
-        Meaning(Symbol("omega"), N_("angular speed of the crankshaft, rad/s")),
+        *_MOTION,
         *_LENGTHS[1:],
     ),
 )

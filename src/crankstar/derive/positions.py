@@ -45,15 +45,9 @@ def arms(engine: Engine, reference: Reference | None = None) -> Arms:
     pitch = engine.pitch
     places = {cylinder.number: cylinder.z for cylinder in engine.cylinders}
     forms, values = _cylinders(engine, pitch)
-    front, rear = (
-        max(places, key=lambda number: places[number]),
-        min(places, key=lambda number: places[number]),
-    )
-    middle = form_sum([(Fraction(1, 2), forms[front]), (Fraction(1, 2), forms[rear])])
-    centred = {
-        number: form_sum([(Fraction(1), form), (Fraction(-1), middle)])
-        for number, form in forms.items()
-    }
+    front, rear = (end(places, key=lambda number: places[number]) for end in (max, min))
+    half = Fraction(-1, 2)
+    centred = _moved(forms, form_sum([(half, forms[front]), (half, forms[rear])]))
     centre = (places[front] + places[rear]) / 2
     throws = {
         (shaft.name, index): _shared(
@@ -65,34 +59,24 @@ def arms(engine: Engine, reference: Reference | None = None) -> Arms:
     weights: dict[tuple[str, int], Form] = {}
     for shaft in engine.shafts:
         for index, weight in enumerate(shaft.weights, 1):
-            at = next(
-                (
-                    i
-                    for i, throw in enumerate(shaft.throws, 1)
-                    if abs(throw.z - weight.z) < SAME_PLACE * pitch
-                ),
-                None,
+            beside = (
+                throws[shaft.name, place]
+                for place, throw in enumerate(shaft.throws, 1)
+                if abs(throw.z - weight.z) < SAME_PLACE * pitch
             )
-            weights[shaft.name, index] = (
-                throws[shaft.name, at] if at else _multiple((weight.z - centre) / pitch)
-            )
+            weights[shaft.name, index] = next(beside, _multiple((weight.z - centre) / pitch))
     away = 0.0 if reference is None else (reference.z - default_reference(engine).z) / pitch
+    by: Form = {}
     if abs(away) > SAME_PLACE:
-        symbol = Symbol("z", "0")
-        values[symbol] = rational.ratio(away)
-        moved = {(symbol,): Fraction(-1)}
-        centred, throws, weights = (
-            _moved(centred, moved),
-            _moved(throws, moved),
-            _moved(weights, moved),
-        )
-    return Arms(centred, throws, weights, values)
+        values[Symbol("z", "0")] = rational.ratio(away)
+        by = {(Symbol("z", "0"),): Fraction(-1)}
+    return Arms(_moved(centred, by), _moved(throws, by), _moved(weights, by), values)
 
 
-def _moved(places: dict[P, Form], moved: Form) -> dict[P, Form]:
+def _moved(places: dict[P, Form], by: Form) -> dict[P, Form]:
     """Places moved by a length."""
     unit = Fraction(1)
-    return {key: form_sum([(unit, form), (unit, moved)]) for key, form in places.items()}
+    return {key: form_sum([(unit, form), (unit, by)]) for key, form in places.items()}
 
 
 def meanings(engine: Engine, placed: Arms) -> dict[str, str]:
@@ -154,9 +138,14 @@ def _cylinders(engine: Engine, pitch: float) -> tuple[dict[int, Form], dict[Symb
     return forms, values
 
 
-def _multiple(pitches: float) -> Form:
+def in_pitches(pitches: float) -> Fraction:
+    """A place as a short multiple of the bore pitch, where it is that."""
     near = Fraction(pitches).limit_denominator(GREATEST_STEP)
-    multiple = near if abs(float(near) - pitches) < SAME_PLACE / 100 else rational.ratio(pitches)
+    return near if abs(float(near) - pitches) < SAME_PLACE / 100 else rational.ratio(pitches)
+
+
+def _multiple(pitches: float) -> Form:
+    multiple = in_pitches(pitches)
     return {PITCH: multiple} if multiple else {}
 
 

@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Literal
 
 from crankstar.derive.algebra.formula import Formula, Power, Symbol, product
-from crankstar.language.messages import MessageError, _
+from crankstar.language.messages import N_, MessageError, _
 
 Quantity = Literal["force", "couple", "torque"]
 Kind = Literal["signal", "forward", "backward", "torque", "roll", "series", "plain"]
@@ -88,12 +88,15 @@ def heading(order: Fraction, quantity: Quantity) -> str:
     >>> heading(Fraction(2), "force"), heading(Fraction(1, 2), "couple")
     ('Secondary force', 'Couple of order 1/2')
     """
-    if quantity == "torque":
-        return _("Inertia torque of order {order}", order=order)
-    if quantity == "force":
-        if order <= 2 and order.denominator == 1:
-            return _("Primary force") if order == 1 else _("Secondary force")
-        return _("Force of order {order}", order=order)
-    if order <= 2 and order.denominator == 1:
-        return _("Primary couple") if order == 1 else _("Secondary couple")
-    return _("Couple of order {order}", order=order)
+    of_order, *named = HEADINGS[quantity]
+    if order.denominator == 1 and order <= len(named):
+        return _(named[int(order) - 1])
+    return _(of_order, order=order)
+
+
+HEADINGS: dict[Quantity, tuple[str, ...]] = {
+    "force": (N_("Force of order {order}"), N_("Primary force"), N_("Secondary force")),
+    "couple": (N_("Couple of order {order}"), N_("Primary couple"), N_("Secondary couple")),
+    "torque": (N_("Inertia torque of order {order}"),),
+}
+"""The titles of each quantity: of any order, and of the orders that have names."""

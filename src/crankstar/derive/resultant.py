@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import degrees
 
 import numpy as np
@@ -27,16 +28,20 @@ from crankstar.derive.task import Task, arm_of, degrees_text, rows, sides
 from crankstar.language.messages import N_, _
 
 KINDS: tuple[Kind, Kind] = ("forward", "backward")
-LINE = (
-    N_("The line is vertical."),
-    N_("The line is horizontal."),
-    N_("The line is at bearing {angle}."),
-)
-PLANE = (
-    N_("The plane is vertical."),
-    N_("The plane is horizontal."),
-    N_("The plane is at bearing {angle}."),
-)
+LINES = {
+    "force": (
+        N_("The force acts along a straight line."),
+        N_("The line is vertical."),
+        N_("The line is horizontal."),
+        N_("The line is at bearing {angle}."),
+    ),
+    "couple": (
+        N_("The couple acts in one plane through the crankshaft."),
+        N_("The plane is vertical."),
+        N_("The plane is horizontal."),
+        N_("The plane is at bearing {angle}."),
+    ),
+}
 ELLIPSE = (
     N_("Its major axis is vertical."),
     N_("Its major axis is horizontal."),
@@ -75,9 +80,10 @@ def _vectors(task: Task) -> str:
         senses = _(
             "The first vector turns with the crank, counter-clockwise, the second against it."
         )
+    whole = _("Their sum is the force.")
     if task.quantity == "couple":
-        return " ".join((written, senses, speed, _("Their sum is the couple.")))
-    return " ".join((written, senses, speed, _("Their sum is the force.")))
+        whole = _("Their sum is the couple.")
+    return f"{written} {senses} {speed} {whole}"
 
 
 def shape(task: Task) -> tuple[tuple[str, ...], list[Line]]:
@@ -86,17 +92,15 @@ def shape(task: Task) -> tuple[tuple[str, ...], list[Line]]:
     The axes of an ellipse.
     """
     forward, backward = task.vectors
-    couple = task.quantity == "couple"
     if not forward and not backward:
         return (_nothing(task),), []
     first, second = at(forward, task.arms.values), at(backward, task.arms.values)
     if first is not None and second is not None and first.zero and second.zero:
-        return (
-            _(
-                "With these lengths along the crankshaft the sum is exactly zero: no couple of "
-                "this order remains."
-            ),
-        ), []
+        words = _(
+            "With these lengths along the crankshaft the sum is exactly zero: no couple of "
+            "this order remains."
+        )
+        return (words,), []
     for vector, at_places, with_crank in ((backward, second, True), (forward, first, False)):
         if not vector or (at_places is not None and at_places.zero):
             return (_circle(task, with_crank=with_crank),), []
@@ -104,30 +108,23 @@ def shape(task: Task) -> tuple[tuple[str, ...], list[Line]]:
     if common is None and first is not None and second is not None:
         common = (first, second) if wave.same_length(first, second) else None
     if common is not None:
-        line = (
-            _("The couple acts in one plane through the crankshaft.")
-            if couple
-            else _("The force acts along a straight line.")
-        )
+        line, *bearings = LINES[task.quantity]
         why = _("Its two vectors have one length and turn against each other.")
-        return (f"{line} {_bearing(*common, PLANE if couple else LINE)} {why}",), []
+        return (f"{_(line)} {_bearing(*common, bearings)} {why}",), []
     if first is None or second is None:
-        return (
-            _(
-                "The sum has parts with different harmonics; its path depends on the lengths of "
-                "the rods."
-            ),
-        ), []
+        words = _(
+            "The sum has parts with different harmonics; its path depends on the lengths of "
+            "the rods."
+        )
+        return (words,), []
     larger_first = abs(first.enclosed()) > abs(second.enclosed())
-    path = (
-        _("The path is an ellipse, run through with the crank.")
-        if larger_first
-        else _("The path is an ellipse, run through against the crank.")
-    )
-    words = (f"{path} {_bearing(first, second, ELLIPSE)}",)
+    path = _("The path is an ellipse, run through with the crank.")
+    if not larger_first:
+        path = _("The path is an ellipse, run through against the crank.")
+    words = f"{path} {_bearing(first, second, ELLIPSE)}"
     if len(forward) > 1 or len(backward) > 1 or set(forward) != set(backward):
-        return words, []
-    return words, _axes(task.letter, forward, backward, larger_first=larger_first)
+        return (words,), []
+    return (words,), _axes(task.letter, forward, backward, larger_first=larger_first)
 
 
 def _circle(task: Task, *, with_crank: bool) -> str:
@@ -218,7 +215,7 @@ def _combined(first: Formula, second: Formula, sign: int) -> Formula:
     return Decimal(enclosed(whole, {})) if has_decimal(whole) else whole
 
 
-def _bearing(first: Amount, second: Amount, sentences: tuple[str, str, str]) -> str:
+def _bearing(first: Amount, second: Amount, sentences: Sequence[str]) -> str:
     """The bearing of a line, or of the long axis: halfway between the two vectors."""
     turn = wave.turn_of(first * second)
     angle = (

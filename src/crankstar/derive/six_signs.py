@@ -138,13 +138,9 @@ def _seen(engine: Engine, vector: Wave) -> Wave | None:
 def _reciprocating(engine: Engine, placed: Arms, below: str, order: Fraction) -> list[Sign]:
     parts = bodies(engine, order)
     pistons = [body for body in parts.moving if not body.turning]
+    with_arms = [armed(body, placed.cylinder[body.cylinder or 0]) for body in pistons]
     out = []
-    for letter in ("P", "M"):
-        moving = (
-            pistons
-            if letter == "P"
-            else [armed(b, placed.cylinder[b.cylinder or 0]) for b in pistons]
-        )
+    for letter, moving in (("P", pistons), ("M", with_arms)):
         forward, backward = wave.vectors(*pushed(moving), sense=engine.sense)
         one_row = len({round(body.bearing_deg, 9) for body in moving}) == 1
         along = joined(body.along or {} for body in moving) if one_row else None
@@ -191,21 +187,16 @@ def _lines(sign: Sign) -> list[Line]:
     if sign.below == "R":
         unit = Symbol("P", "R")
     name, words = Symbol("Σ" + sign.letter, sign.below), _(NAMES[sign.letter, sign.below])
-    if sign.along is not None:
-        return [
-            Line(
-                name,
-                (wave.counted(wave.vector(sign.along), unit),),
-                label=_label(words, sign.along, sign),
-            )
+    vectors = [(sign.along, words)]
+    if sign.along is None:
+        vectors = [
+            (sign.forward, _("{sum}, with the crank", sum=words)),
+            (sign.backward, _("{sum}, against the crank", sum=words)),
         ]
-    both = (
-        (sign.forward, _("{sum}, with the crank", sum=words)),
-        (sign.backward, _("{sum}, against the crank", sum=words)),
-    )
     return [
         Line(name, (wave.counted(wave.vector(vector), unit),), label=_label(turning, vector, sign))
-        for vector, turning in both
+        for vector, turning in vectors
+        if vector is not None
     ]
 
 

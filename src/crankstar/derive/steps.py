@@ -155,23 +155,18 @@ def _words(task: Task) -> list[str]:
                 "proved to be zero."
             ),
         ]
+    counted = _(
+        "The following lines are of order {order}, counted in the unit below; θ is the crank "
+        "angle.",
+        order=task.order,
+    )
     if task.quantity == "couple":
-        words.append(
-            _(
-                "The following lines are of order {order}, counted in the unit below, with lengths "
-                "along the crankshaft as letters; θ is the crank angle.",
-                order=task.order,
-            )
+        counted = _(
+            "The following lines are of order {order}, counted in the unit below, with lengths "
+            "along the crankshaft as letters; θ is the crank angle.",
+            order=task.order,
         )
-    else:
-        words.append(
-            _(
-                "The following lines are of order {order}, counted in the unit below; θ is the "
-                "crank angle.",
-                order=task.order,
-            )
-        )
-    return words
+    return [*words, counted]
 
 
 def _sums(task: Task) -> list[Step]:

@@ -242,16 +242,9 @@ def torque_harmonic(rod_ratio: Fraction, order: int) -> arb:
         total -= both(1, 1 + order) * order / 2
         for n in range(2, GREATEST_HARMONIC, 2) if order % 2 == 0 else ():
             total -= both(n, n + order) * order / 2
-            following = n + 2
-            share = (1 + arb(2) / following) ** 2 * q**4
-            rest = (
-                4
-                * order
-                * length**2
-                * following
-                * (following + order)
-                * q ** (2 * following + order)
-            )
+            near, far = n + 2, n + 2 + order
+            share = (1 + arb(2) / near) ** 2 * q**4
+            rest = 4 * order * length**2 * near * far * q ** (near + far)
             if share < 1 and rest / (1 - share) < arb(10) ** -cyclotomic.DIGITS:
                 return total + arb(0, float((rest / (1 - share)).upper()))
         if order % 2:

@@ -47,11 +47,10 @@ class Star(NamedTuple):
 def vee(engine: Engine, order: int, quantity: Quantity) -> list[Step]:
     """Up 2 cos(alpha) cos(k alpha), right 2 sin(alpha) sin(k alpha), times the star of the pins."""
     star, sense = _star(engine, order), engine.sense
-    if quantity == "force":
-        up, right = _force(star, order, sense)
-    else:
-        up, right = _couple(star, order, sense)
-    letter = "F" if quantity == "force" else "M"
+    letter, arms, offsets = "F", star.sums, {}
+    if quantity == "couple":
+        letter, arms, offsets = "M", star.moments, star.offsets
+    up, right = _whole(arms, offsets, order, sense, star.side)
     lines = [*_one_pin(order, sense, star.side), _line("S", star.sums, _("star of the pins"))]
     if quantity == "couple":
         lines.append(_line("T", star.moments, _("star of the pins with their arms")))
@@ -118,41 +117,26 @@ def _star(engine: Engine, order: int) -> Star:
     return Star(1 if leading > 0 else -1, sums, moments, offsets)
 
 
-def _force(star: Star, order: int, sense: int) -> tuple[Formula, Formula]:
-    """The force up and to the right."""
-    lead = product(sense * star.side * order, ALPHA)
-    both, across = _of_angle(order)
-    up = _shifted(star.sums, order, lead, product(2, both))
-    return up, _shifted(_turned(star.sums), order, lead, product(2 * sense, across))
-
-
-def _couple(star: Star, order: int, sense: int) -> tuple[Formula, Formula]:
-    """The couple of the forces up and of those to the right."""
-    side, arm, apart = star.side, star.moments, star.offsets
+def _whole(arms: Wave, offsets: Wave, order: int, sense: int, side: int) -> tuple[Formula, Formula]:
+    """The force, or the couple of the forces, up and to the right."""
     lead = product(sense * side * order, ALPHA)
-    both, across = _of_angle(order)
-    cross, along = _crossed(order)
-    up = summed(
-        _shifted(arm, order, lead, product(2, both)),
-        _shifted(_turned(apart), order, lead, product(2 * sense * side, cross)),
-    )
+
+    def part(vector: Wave, factor: int, outer: str, inner: str) -> Formula:
+        return _shifted(vector, order, lead, product(factor, _of_angle(outer, inner, order)))
+
+    up = summed(part(arms, 2, "cos", "cos"), part(_turned(offsets), 2 * sense * side, "cos", "sin"))
     right = summed(
-        _shifted(_turned(arm), order, lead, product(2 * sense, across)),
-        _shifted(apart, order, lead, product(2 * side, along)),
+        part(_turned(arms), 2 * sense, "sin", "sin"), part(offsets, 2 * side, "sin", "cos")
     )
     return up, right
 
 
 def _one_pin(order: int, sense: int, side: int) -> list[Line]:
     """The two cylinders of one pin: their cosines added, upwards and to the right."""
-    both, across = _of_angle(order)
-    turning = product(order, THETA)
-    first, second = (
-        cosine(turning),
-        cosine(summed(turning, product(2 * sense * side * order, ALPHA))),
-    )
-    middle = summed(turning, product(sense * side * order, ALPHA))
-    sine = Applied("sin", ALPHA)
+    both, across = (_of_angle(name, name, order) for name in ("cos", "sin"))
+    turning, lead = product(order, THETA), product(sense * side * order, ALPHA)
+    first, second = cosine(turning), cosine(summed(turning, product(2, lead)))
+    middle, sine = summed(turning, lead), Applied("sin", ALPHA)
     up = (
         summed(product(cosine(ALPHA), first), product(cosine(ALPHA), second)),
         product(2, both, cosine(middle)),
@@ -167,22 +151,11 @@ def _one_pin(order: int, sense: int, side: int) -> list[Line]:
     ]
 
 
-def _of_angle(order: int) -> tuple[Formula, Formula]:
-    """The factors cos(alpha) cos(k alpha) and sin(alpha) sin(k alpha)."""
-    if order == 1:
-        return Power(Applied("cos", ALPHA), 2), Power(Applied("sin", ALPHA), 2)
-    inside = product(order, ALPHA)
-    return product(cosine(ALPHA), cosine(inside)), product(
-        Applied("sin", ALPHA), Applied("sin", inside)
-    )
-
-
-def _crossed(order: int) -> tuple[Formula, Formula]:
-    """The factors cos(alpha) sin(k alpha) and sin(alpha) cos(k alpha)."""
-    inside = product(order, ALPHA)
-    return product(cosine(ALPHA), Applied("sin", inside)), product(
-        Applied("sin", ALPHA), cosine(inside)
-    )
+def _of_angle(outer: str, inner: str, order: int) -> Formula:
+    """A factor such as cos(alpha) sin(k alpha), by the names of its functions."""
+    if order == 1 and outer == inner:
+        return Power(Applied(outer, ALPHA), 2)
+    return product(Applied(outer, ALPHA), Applied(inner, product(order, ALPHA)))
 
 
 def _turned(vector: Wave) -> Wave:
