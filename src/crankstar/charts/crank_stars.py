@@ -75,14 +75,8 @@ def crank_panel(
         dots.append(Dot(0j, centre, 0.0, GREY, 40))
     if len(labels) > MOST_SPELT:
         labels = [label._replace(text=label.text.split("\n")[0]) for label in labels]
-    frame = _crank_frame(
-        list(places.values()),
-        radius,
-        [label.text for label in labels],
-        axes,
-        width=width,
-        room=room,
-    )
+    texts = [label.text for label in labels]
+    frame = _crank_frame([*places.values()], radius, texts, axes, width=width, room=room)
     plane = Plane(tuple(arrows), (*axes, *strokes), tuple(dots), tuple(labels))
     return picture(plane, frame, theta=theta, title=title), moved
 
@@ -94,15 +88,12 @@ def turns_together(engine: Engine) -> int:
 
 def _throw_labels(engine: Engine, shaft: Shaft, centre: complex, rate: float) -> list[Label]:
     pins = [pin for pin in loads(engine) if pin.shaft == shaft.name]
+    tips = [pin.radius * exp(1j * pin.angle) for pin in pins]
     out = []
-    for ray in gathered(
-        [pin.radius * exp(1j * pin.angle) for pin in pins],
-        0.02 * max((p.radius for p in pins), default=1.0),
-    ):
+    for ray in gathered(tips, 0.02 * max(map(abs, tips), default=1.0)):
         throws = [pins[i].throw for i in ray]
         cylinders = sorted(number for i in ray for number in pins[i].cylinders)
-        tip = pins[ray[0]].radius * exp(1j * pins[ray[0]].angle)
-        text = numbers_text(throws)
+        tip, text = tips[ray[0]], numbers_text(throws)
         if cylinders != sorted(throws):
             text = f"{text} ({numbers_text(cylinders) if cylinders else _('none')})"
         out.append(Label(text, tip, tip / abs(tip), rate, centre, gap=11))

@@ -40,22 +40,15 @@ TITLES = {
     "roll": N_("Rolling moment over the crank angle, in {unit}"),
     "torque": N_("Inertia torque over the crank angle, in {unit}"),
 }
-AXES = {
-    ("force", "up"): N_("force up"),
-    ("force", "right"): N_("force right"),
-    ("couple", "up"): N_("couple up"),
-    ("couple", "right"): N_("couple right"),
-    ("roll", "roll"): N_("rolling moment"),
-    ("torque", "torque"): N_("inertia torque"),
+COMPONENTS = {
+    ("force", "up"): (N_("force up"), N_("no vertical force")),
+    ("force", "right"): (N_("force right"), N_("no horizontal force")),
+    ("couple", "up"): (N_("couple up"), N_("no couple up or down")),
+    ("couple", "right"): (N_("couple right"), N_("no couple to either side")),
+    ("roll", "roll"): (N_("rolling moment"), N_("no rolling moment")),
+    ("torque", "torque"): (N_("inertia torque"), N_("no inertia torque")),
 }
-NONE = {
-    ("force", "up"): N_("no vertical force"),
-    ("force", "right"): N_("no horizontal force"),
-    ("couple", "up"): N_("no couple up or down"),
-    ("couple", "right"): N_("no couple to either side"),
-    ("roll", "roll"): N_("no rolling moment"),
-    ("torque", "torque"): N_("no inertia torque"),
-}
+"""The title of the axis of each component, and the note where it is zero."""
 
 
 class Curve(NamedTuple):
@@ -159,7 +152,7 @@ def _panel(
     """A component from -`reach` to `reach`; `names` have a colour each, the sum is grey."""
     colours = {"domain": names, "range": [*islice(cycle(PALETTE), len(names) - 1), GREY]}
     x = across(turns, ticks=(90 if width > HALF else 180) * turns, foot=curve.component != "up")
-    title = _(AXES[quantity, curve.component])
+    title, none = (_(words) for words in COMPONENTS[quantity, curve.component])
     y = field("y:Q", scale=span(-1.08 * reach, 1.08 * reach), title=title, axis={"tickCount": 4})
     lines = (
         of_rows(rows)
@@ -177,8 +170,7 @@ def _panel(
     layers = [lines, line, dot]
     if not curve.orders.size:
         note = of_rows([{"x": 180 * turns, "y": 0}]).mark("text", dy=-12, fontSize=13, color=GREY)
-        words = constant(_(NONE[quantity, curve.component]))
-        layers.append(note.encode(x=x, y=y, text=words))
+        layers.append(note.encode(x=x, y=y, text=constant(none)))
     return layered(layers, width=width, height=170 if curve.component == quantity else 120)
 
 

@@ -65,11 +65,7 @@ STYLE = {
     "view": {"stroke": None},
     "numberFormat": ".9~g",
     "axis": {
-        "labelColor": GREY,
-        "titleColor": GREY,
-        "tickColor": GREY,
-        "domainColor": GREY,
-        "gridColor": GREY,
+        **{f"{part}Color": GREY for part in ("label", "title", "tick", "domain", "grid")},
         "labelFontSize": 13,
         "titleFontSize": 14,
         "titleFontWeight": "normal",

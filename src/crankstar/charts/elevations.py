@@ -77,11 +77,8 @@ def shaft_elevation(
     places = [c.z for c in engine.cylinders]
     places += [item.z for shaft in engine.shafts for item in (*shaft.throws, *shaft.weights)]
     length, margin = max(places) - min(places), 40.0
-    along = Along(
-        max(places),
-        (WIDTH - 2 * margin) / length if length else 1.0,
-        margin if length else WIDTH / 2,
-    )
+    scale = (WIDTH - 2 * margin) / length if length else 1.0
+    along = Along(max(places), scale, margin if length else WIDTH / 2)
     several = len(engine.shafts) > 1
     rows = [
         [_shaft_panel(engine, shaft, along, reference.z, name=shaft.name if several else "")]
@@ -181,15 +178,9 @@ def _dimension(shaft: Shaft, along: Along, zero: float) -> list[dict[str, Any]]:
     """The reference plane, and the line of arms with its ticks."""
     at, places = along.at(zero), [along.at(z) for z in _stations(shaft)]
     ends, solid = [*places, at], {"colour": GREY, "dash": [1, 0]}
+    dashed = {"colour": VERMILION, "dash": [3, 3]}
     return [
-        {
-            "x": at,
-            "x2": at,
-            "y": DIMENSION - 4,
-            "y2": CYLINDER - 10,
-            "colour": VERMILION,
-            "dash": [3, 3],
-        },
+        {"x": at, "x2": at, "y": DIMENSION - 4, "y2": CYLINDER - 10, **dashed},
         {"x": min(ends), "x2": max(ends), "y": DIMENSION, "y2": DIMENSION, **solid},
         *({"x": x, "x2": x, "y": DIMENSION - 4, "y2": DIMENSION + 4, **solid} for x in places),
     ]

@@ -43,6 +43,10 @@ def point_numbers(
     ]
     taken = [Box(spot, RADIUS, RADIUS) for spot in spots.values()]
     numbers, leaders = [], []
+
+    def spot_of(place: complex, x: str = "x", y: str = "y") -> dict[str, float]:
+        return {x: across.value(place.imag), y: upward.value(place.real)}
+
     for row in dict.fromkeys([*on_line, *(row for row in spots if row <= MOST_LISTED)]):
         spot, led = spots[row], row in on_line or len(rows) <= CROWD
         others = [one for one in spots.values() if one != spot]
@@ -50,21 +54,12 @@ def point_numbers(
         placed = beside or (_led(str(row), spot, taken, lines) if led else None)
         if placed is None:
             continue
-        numbers.append(
-            {
-                "text": str(row),
-                "x": across.value(placed.middle.imag),
-                "y": upward.value(placed.middle.real),
-            }
-        )
+        numbers.append({"text": str(row), **spot_of(placed.middle)})
         taken.append(placed)
         if not beside:
             line = _leader(spot, placed)
             taken += [Box(point, 1.0, 1.0) for point in line]
-            (x, y), (x2, y2) = (
-                (across.value(end.imag), upward.value(end.real)) for end in (line[0], line[-1])
-            )
-            leaders.append({"x": x, "y": y, "x2": x2, "y2": y2})
+            leaders.append(spot_of(line[0]) | spot_of(line[-1], "x2", "y2"))
     return numbers, leaders
 
 

@@ -94,7 +94,7 @@ def _front_panel(
     layers: list[Any] = []
     if pale:
         spots = (pale[index] for index in _seen(pale, across, upward))
-        dots = of_rows([{"x": across.drawn(one[0]), "y": upward.drawn(one[1])} for one in spots])
+        dots = of_rows([_spot(one, across, upward) for one in spots])
         style = {**DISC, "opacity": 0.4, "size": 16, "color": GREY}
         layers.append(dots.mark("point", **style).encode(x=x, y=y))
     points = [row.values for row in answer.rows]
@@ -124,13 +124,12 @@ def _row(
     row = answer.rows[place]
     order = "-".join(map(str, firing_order(answer.question.stars, row.star)))
     values = {f"value{column}": row.values[column] for column in range(len(heads))}
-    return {
-        "x": across.drawn(row.values[0]),
-        "y": upward.drawn(row.values[1]),
-        "row": place + 1,
-        "order": order,
-        **values,
-    }
+    return {**_spot(row.values, across, upward), "row": place + 1, "order": order, **values}
+
+
+def _spot(values: Sequence[float], across: Axis, upward: Axis) -> dict[str, float]:
+    """Where a star is drawn: at its first two values."""
+    return {"x": across.drawn(values[0]), "y": upward.drawn(values[1])}
 
 
 def _colour(heads: Sequence[Column], rows: Sequence[dict[str, Any]]) -> Any:
@@ -176,7 +175,4 @@ def _steps(
     for (_left, above), (one, two) in pairwise(best):
         corners += [(one, above), (one, two)]
     corners.append((across.high, best[-1][1]))
-    return [
-        {"x": across.drawn(one), "y": upward.drawn(two), "at": place}
-        for place, (one, two) in enumerate(corners)
-    ]
+    return [{**_spot(spot, across, upward), "at": place} for place, spot in enumerate(corners)]

@@ -45,14 +45,11 @@ def sums(
     """These quantities of an engine, in units of m r w^2 or, at a `speed` (rad/s), in N and N m."""
     result = balance(engine, speed=speed, reference=reference)
     whole, parts = summed(result)._asdict(), vars(result) | {"roll": result.torque}
-    return [
-        Sum(
-            quantity,
-            unit_of(result, quantity),
-            present(whole[quantity], NEGLIGIBLE * pushed(parts[quantity]).max(initial=0.0)),
-        )
-        for quantity in quantities
-    ]
+    out = []
+    for quantity in quantities:
+        least = NEGLIGIBLE * pushed(parts[quantity]).max(initial=0.0)
+        out.append(Sum(quantity, unit_of(result, quantity), present(whole[quantity], least)))
+    return out
 
 
 def present(spectrum: Spectrum, least: float = 0.0) -> Spectrum:

@@ -9,6 +9,8 @@ from contextlib import contextmanager
 from typing import Any
 
 from crankstar.charts import CHARTS, GREY, ChartError, side_by_side, svg
+from crankstar.charts.grammar import Chart
+from crankstar.engine.engine import Engine
 from crankstar.report.markup import figure
 from crankstar.report.subject import Subject
 
@@ -39,20 +41,18 @@ class Gallery:
         self, count: int, name: str, caption: str, kind: str, options: dict[str, Any]
     ) -> str:
         try:
-            drawing = svg(self._chart(name, options), f"{self._matter.engine.name}: {name}")
+            drawing = svg(self._chart(name, **options), f"{self._matter.engine.name}: {name}")
         except ChartError:
             return ""
         return figure(
             NAMED.sub(rf"\g<1>g{count}-", drawing.replace(GREY, "currentColor")), caption, kind
         )
 
-    def _chart(self, name: str, options: dict[str, Any]) -> Any:
-        if "beside" in options:
-            engines = [self._matter.engine, options["beside"]]
-            return side_by_side(
-                engines, name, **{key: value for key, value in options.items() if key != "beside"}
-            )
-        return CHARTS[name].draw(self._matter.engine, **options)
+    def _chart(self, name: str, *, beside: Engine | None = None, **options: Any) -> Chart:
+        engine = self._matter.engine
+        if beside is not None:
+            return side_by_side([engine, beside], name, **options)
+        return CHARTS[name].draw(engine, **options)
 
 
 @contextmanager

@@ -73,17 +73,8 @@ def pdf(page: str, *, by: str, patience: float = PATIENCE) -> bytes:
     with TemporaryDirectory(prefix="crankstar-", ignore_cleanup_errors=True) as folder:
         source, target = Path(folder) / "report.html", Path(folder) / "report.pdf"
         source.write_text(page, encoding="utf-8")
-        _run(
-            [
-                by,
-                *OPTIONS,
-                *_rights(),
-                f"--user-data-dir={folder}/profile",
-                f"--print-to-pdf={target}",
-                source.as_uri(),
-            ],
-            patience,
-        )
+        places = [f"--user-data-dir={folder}/profile", f"--print-to-pdf={target}", source.as_uri()]
+        _run([by, *OPTIONS, *_rights(), *places], patience)
         content = target.read_bytes() if target.is_file() else b""
     if not content.startswith(b"%PDF") or b"%%EOF" not in content[-64:]:
         name = Path(by).name

@@ -40,11 +40,9 @@ def sources(subject: Subject, gallery: Gallery) -> str:  # noqa: ARG001 - one si
     source = paragraph(engine.source or _("The engine file names no source."))
     heading = _("Notes")
     notes = f"<h3>{text(heading)}</h3>{paragraph(engine.notes)}" if engine.notes else ""
-    origins = (
-        parts_html([engines.origins(engine)])
-        if engine.provenance
-        else paragraph(_("The engine file gives no source for single values."))
-    )
+    origins = paragraph(_("The engine file gives no source for single values."))
+    if engine.provenance:
+        origins = parts_html([engines.origins(engine)])
     return section(_("Sources"), source + notes + origins, name="sources")
 
 

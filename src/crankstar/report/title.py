@@ -112,47 +112,31 @@ def _lengths(engine: Engine) -> list[Datum]:
     several = (
         len({cylinder.z for cylinder in engine.cylinders}) > 1 and "pitch" not in engine.relative
     )
+    bore = f"{_span(1000 * bore for bore in bores)} mm" if known else ""
+    stroke = f"{_span(2000 * throw.radius for throw in throws)} mm"
+    volume = f"{number(swept * 1e6)} cm³" if known else ""
+    rod = f"{_span(1000 * cylinder.rod_length for cylinder in engine.cylinders)} mm"
+    pitch = f"{number(1000 * engine.pitch)} mm" if several else ""
     return [
-        Datum(_("Bore"), f"{_span(1000 * bore for bore in bores)} mm" if known else "", ("bore",)),
-        Datum(
-            _("Stroke (twice the crank radius)"),
-            f"{_span(2000 * throw.radius for throw in throws)} mm",
-            ("stroke", "radius"),
-        ),
-        Datum(
-            _("Swept volume"),
-            f"{number(swept * 1e6)} cm³" if known else "",
-            ("bore", "stroke", "radius"),
-        ),
-        Datum(
-            _("Rod length between centres"),
-            f"{_span(1000 * one.rod_length for one in engine.cylinders)} mm",
-            ("rod_length", "rod_ratio"),
-        ),
+        Datum(_("Bore"), bore, ("bore",)),
+        Datum(_("Stroke (twice the crank radius)"), stroke, ("stroke", "radius")),
+        Datum(_("Swept volume"), volume, ("bore", "stroke", "radius")),
+        Datum(_("Rod length between centres"), rod, ("rod_length", "rod_ratio")),
         rods,
-        Datum(
-            _("Bore pitch"), f"{number(1000 * engine.pitch)} mm" if several else "", ("bore_pitch",)
-        ),
+        Datum(_("Bore pitch"), pitch, ("bore_pitch",)),
     ]
 
 
 def _masses(engine: Engine) -> list[Datum]:
     if "mass" in engine.relative:
         return []
-    reciprocating = [cylinder.reciprocating_mass for cylinder in engine.cylinders]
-    rotating = [throw.rotating_mass for shaft in engine.shafts for throw in shaft.throws]
+    reciprocating = _span(cylinder.reciprocating_mass for cylinder in engine.cylinders)
+    masses = [throw.rotating_mass for shaft in engine.shafts for throw in shaft.throws]
+    rotating = f"{_span(masses)} kg" if any(masses) else _("not in the engine file")
     rods = [cylinder.rod.mass for cylinder in engine.cylinders if cylinder.rod is not None]
     return [
-        Datum(
-            _("Reciprocating mass per cylinder"),
-            f"{_span(reciprocating)} kg",
-            ("reciprocating_mass",),
-        ),
-        Datum(
-            _("Rotating mass per throw"),
-            f"{_span(rotating)} kg" if any(rotating) else _("not in the engine file"),
-            ("rotating_mass",),
-        ),
+        Datum(_("Reciprocating mass per cylinder"), f"{reciprocating} kg", ("reciprocating_mass",)),
+        Datum(_("Rotating mass per throw"), rotating, ("rotating_mass",)),
         Datum(_("Mass of a rod"), f"{_span(rods)} kg" if rods else "", ("rod", "mass")),
     ]
 

@@ -114,23 +114,16 @@ def _shaft(shaft: ShaftShown, pen: Pen) -> Iterator[Part]:
     """Journals, webs, pins and weights; a crankshaft is red."""
     axis = complex(shaft.up, shaft.right)
     colour = RED if shaft.kind == "crankshaft" else GREEN
-    solid = style(colour, fill=0.45, line=0.9)
-    yield pen.disc(axis, (shaft.z_from, shaft.z_to), solid, radius=shaft.journal_radius)
+    journal, plate, solid = (style(colour, fill=fill, line=0.9) for fill in (0.45, 0.28, 0.8))
+    yield pen.disc(axis, (shaft.z_from, shaft.z_to), journal, radius=shaft.journal_radius)
     for web in shaft.webs:
         throw = shaft.throws[web.throw]
-        yield pen.outline(
-            _web(shaft, throw), (web.z_from, web.z_to), style(colour, fill=0.28, line=0.9)
-        )
+        yield pen.outline(_web(shaft, throw), (web.z_from, web.z_to), plate)
     for throw in shaft.throws:
-        pin = axis + throw.radius * np.exp(1j * throw.angle)
-        yield pen.disc(
-            complex(pin),
-            (throw.pin_from, throw.pin_to),
-            style(colour, fill=0.8, line=0.9),
-            radius=throw.pin_radius,
-        )
+        pin = axis + throw.radius * complex(np.exp(1j * throw.angle))
+        yield pen.disc(pin, (throw.pin_from, throw.pin_to), solid, radius=throw.pin_radius)
     for weight in shaft.weights:
-        yield _weight(axis, weight, pen, style(colour, fill=0.28, line=0.9))
+        yield _weight(axis, weight, pen, plate)
 
 
 def _web(shaft: ShaftShown, throw: ThrowShown) -> Complex:
@@ -180,11 +173,8 @@ def _cylinder(
     grey = style("currentColor", fill=0 if hidden else 0.16, line=line)
     yield pen.barrel(foot, body, grey, axis=axis, radius=0.49 * one.bore, z=one.z)
     width = (one.rod_z - one.rod_width / 2, one.rod_z + one.rod_width / 2)
-    yield pen.outline(
-        _rod(scene, one, place),
-        width,
-        style("currentColor", fill=0.03 if hidden else 0.3, line=line),
-    )
+    faint = style("currentColor", fill=0.03 if hidden else 0.3, line=line)
+    yield pen.outline(_rod(scene, one, place), width, faint)
 
 
 def _foot(scene: Scene, one: CylinderShown) -> complex:

@@ -121,23 +121,21 @@ def conditions(shown: Analysis) -> list[str]:
 
 
 UNITS = {
-    (True, True): N_(
+    "mass radius": N_(
         "The file gives neither masses nor the stroke: forces in m r ω², the same at every speed."
     ),
-    (True, False): N_("The file gives no masses: forces in m r ω², the same at every speed."),
-    (False, True): N_("The file gives no stroke: forces in m r ω², the same at every speed."),
-    (False, False): N_(
-        'Forces in m r ω². For newtons, add a speed to the file, as in speed = "6000 rpm".'
-    ),
+    "mass": N_("The file gives no masses: forces in m r ω², the same at every speed."),
+    "radius": N_("The file gives no stroke: forces in m r ω², the same at every speed."),
+    "": N_('Forces in m r ω². For newtons, add a speed to the file, as in speed = "6000 rpm".'),
 }
-"""Why forces are not in newtons, where masses or the radius are unknown, or neither."""
+"""Why forces are not in newtons, by which of masses and radius the file leaves out."""
 
 
 def unit_sentence(engine: Engine, result: Balance) -> str:
     """The unit of forces, and the reason where it is not newtons."""
     if result.speed is not None:
         return _("Forces in N at {speed} rpm.", speed=number(result.speed * 30 / pi))
-    return _(UNITS["mass" in engine.relative, "radius" in engine.relative])
+    return _(UNITS[" ".join(name for name in ("mass", "radius") if name in engine.relative)])
 
 
 def unverified(engine: Engine) -> list[str]:

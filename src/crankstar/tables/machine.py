@@ -51,11 +51,9 @@ def _plain(column: Column, value: Value) -> Any:
     if isinstance(value, tuple):
         return [_plain(column, one) for one in value]
     if isinstance(value, complex):
-        return (
-            {"amplitude": abs(value), "phase_deg": _phase(value)}
-            if column.kind == "wave"
-            else ([value.real + 0.0, value.imag + 0.0])
-        )
+        if column.kind == "wave":
+            return {"amplitude": abs(value), "phase_deg": _phase(value)}
+        return [value.real + 0.0, value.imag + 0.0]
     return value + 0.0 if isinstance(value, float) else value
 
 

@@ -240,12 +240,8 @@ def _vectors(
 ) -> list[tuple[float, float]]:
     """Forward and backward vectors before and after; what an optimiser leaves is zero."""
     compared = [name, "force"] if units.couple == "m*r*w^2*a" else [name]
-    top = max(
-        size(getattr(one, other), second)
-        for one in sums
-        for other in compared
-        for second in (1.0, 2.0)
-    )
+    signals = [getattr(one, other) for one in sums for other in compared]
+    top = max(size(signal, usual) for signal in signals for usual in (1.0, 2.0))
     pairs: list[tuple[float, float]] = []
     for one in sums:
         vector = spectra.selected(getattr(one, name), [order])

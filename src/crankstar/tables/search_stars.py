@@ -43,12 +43,8 @@ def search_stars(
     """The stars that were found, the certificate, and the row of the engine they are of."""
     question = answer.question
     shown = answer.rows[:limit]
-    table = Table(
-        "",
-        tuple(_columns(question)),
-        tuple(_row(answer, place, row) for place, row in enumerate(shown, 1)),
-        key="rows",
-    )
+    rows = tuple(_row(answer, place, row) for place, row in enumerate(shown, 1))
+    table = Table("", tuple(_columns(question)), rows, key="rows")
     lines = [
         *left_out(question),
         *as_it_is(answer, engine),

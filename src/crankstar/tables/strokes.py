@@ -81,9 +81,9 @@ def _facts(engine: Engine, found: WorkingCycle) -> dict[str, Any]:
 
 def succession_text(steps: Sequence[Follower]) -> str:
     """Firings and the next ones with the angle between them: `5-7 (90 deg)`."""
-    return ", ".join(
-        f"{step.first}-{step.then} ({number(round(step.interval_deg, 9))} deg)" for step in steps
-    ) or _("none")
+    intervals = [number(round(step.interval_deg, 9)) for step in steps]
+    pairs = zip(steps, intervals, strict=True)
+    return ", ".join(f"{s.first}-{s.then} ({interval} deg)" for s, interval in pairs) or _("none")
 
 
 def _ring(fired: Firing) -> list[str]:
