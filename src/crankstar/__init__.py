@@ -11,23 +11,23 @@ Rooms, top to bottom; a room imports only from rooms below it, and lists its mod
 | room | contents |
 |---|---|
 | `cli/` | the commands of the command line and their options; no logic |
-| `server/` | the page, live, on this machine; its HTTP interface |
-| `report/` | the printed report |
-| `page/` | the page on which the engine turns: its data, the page as a file, the widget |
-| `options/` | options of a command line or a dialog, read as values |
+| `server/` | that page live on this machine, over HTTP |
+| `report/` | one document with tables and figures, for print |
+| `page/` | the page on which the engine turns: its data, one file, the notebook widget |
+| `options/` | what is typed in a command line or a dialog, read as checked values |
 | `charts/` | figures, one function each |
 | `tables/` | every analysis as a table: terminal, HTML, CSV, JSON, spreadsheet; the verdict |
-| `studies/` | one value varied, two values varied, many variants at once |
-| `search/` | crank stars searched completely, with proof; executors, checkpoints |
-| `derive/` | exact closed forms of inertia forces and couples step by step; `algebra/`; `errata/` |
-| `remedy/` | what can be added so that it shakes less: weights, balance shafts; gives an Engine |
-| `files/` | engine files in TOML and JSON, text with a unit to SI, schema, starters, the catalog |
+| `studies/` | the same analysis over many values or engines: sweeps, best values, batches |
+| `search/` | crank stars, and nothing else, searched to the end with proof; executors |
+| `derive/` | exact closed forms step by step; their `algebra/`; `errata/` of published formulas |
+| `remedy/` | what is sized and added so that it shakes less: weights, shafts; gives an Engine |
+| `files/` | outside data to Engine and back: TOML, JSON, units; schema, starters, the catalog |
 | `dynamics/` | what the excitation does to block and crankshaft; so far: the free block |
 | `mechanics/` | excitation by cause, so far: inertia; what counts as zero, which orders are shown |
-| `firing/` | firing orders and intervals, strokes, exhaust; V engines that fire evenly |
-| `engine/` | records, quantities (numbers with a dimension), layouts, motion, changed copies |
+| `firing/` | firing orders and intervals, given or found; strokes, exhaust; V engines |
+| `engine/` | records, what makes them valid, quantities, layouts, motion, changed copies |
 | `spectra` | sums over crank order: add, shift, scale, evaluate, ellipse, peak |
-| `language/` | numbers as text, messages, translations, the sentence for every fault |
+| `language/` | wording: numbers as text, messages, translations, the sentence for each fault |
 
 >>> import crankstar
 >>> engine = crankstar.load("v8-flat-plane")
