@@ -133,16 +133,9 @@ def force_arrows(
     for at, angle in enumerate(angles):
         feet = [[*zip(each[:, at].tolist(), key, strict=True)] for each in vectors]
         plane = _plane(places, feet, frame)
-        labels = [one.name for one in forces]
         notes = [
-            Label(
-                _("cylinder {number}", number=label)
-                if label.isdigit() and len(labels) <= NAMED
-                else label,
-                (place - longest - 14) / frame.scale,
-                0j,
-            )
-            for label, place in zip(labels, places, strict=True)
+            Label(_foot_text(one.name, len(forces)), (place - longest - 14) / frame.scale, 0j)
+            for one, place in zip(forces, places, strict=True)
         ]
         title = _(
             "crank at {angle}°, total {force}",
@@ -153,6 +146,11 @@ def force_arrows(
     title = _("Forces of each cylinder, in m r ω²")
     shown = [entry for entry in key if entry[0]]
     return figure([[_key(shown)], *panels], title=title, subtitle=[named(engine)])
+
+
+def _foot_text(name: str, count: int) -> str:
+    """The number of a cylinder, spelt out where there are few; the name of a shaft."""
+    return _("cylinder {number}", number=name) if name.isdigit() and count <= NAMED else name
 
 
 def _rotating(engine: Engine) -> str:
@@ -222,10 +220,8 @@ def components_text(vector: complex) -> str:
     if abs(vector.real) > ROUNDING:
         shown.append(_("{size} up", size=up) if vector.real > 0 else _("{size} down", size=up))
     if abs(vector.imag) > ROUNDING:
-        sideways = (
-            _("{size} right", size=right) if vector.imag > 0 else _("{size} left", size=right)
-        )
-        shown.append(sideways)
+        sideways = _("{size} right", size=right)
+        shown.append(sideways if vector.imag > 0 else _("{size} left", size=right))
     return ", ".join(shown) or "0"
 
 

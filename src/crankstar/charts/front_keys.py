@@ -26,25 +26,19 @@ LINE = 17.0
 def front_key(answer: Answer) -> Panel:
     """Number, firing order, values, and neighbours that fire in succession."""
     heads = columns(answer)
-    beside = [] if any(head.counted for head in heads) else [_("neighbours")]
-    names = [*(head.name for head in heads), *beside]
-    listed = answer.rows[:MOST_LISTED]
-    cells = [
-        [
-            *(number(value, digits=4) for value in row.values),
-            *(str(row.neighbours) for _name in beside),
-        ]
-        for row in listed
-    ]
+    names, listed = [head.name for head in heads], answer.rows[:MOST_LISTED]
+    cells = [[number(value, digits=4) for value in row.values] for row in listed]
+    if not any(head.counted for head in heads):
+        names.append(_("neighbours"))
+        cells = [[*own, str(row.neighbours)] for own, row in zip(cells, listed, strict=True)]
     widths = [
         max(digits_width(text) for text in column) + 16
         for column in zip(names, *cells, strict=True)
     ]
     room = max(KEY - sum(widths), 120.0)
     orders = [order_lines(answer.question.stars, row, width=room) for row in listed]
-    ends = list(
-        accumulate(widths, initial=max(digits_width(line) for order in orders for line in order))
-    )
+    longest = max(digits_width(line) for order in orders for line in order)
+    ends = list(accumulate(widths, initial=longest))
     texts = [
         _text(_("firing order"), 0, 0),
         *(_text(name, end, 0, "right") for name, end in zip(names, ends[1:], strict=True)),

@@ -62,14 +62,9 @@ def pareto_front(
     measured = [place for place in (0, 1) if not heads[place].counted]
     if logarithmic is None:
         logarithmic = any(spans_decades([one[place] for one in points]) for place in measured)
-    across, upward = (
-        axis_of(
-            [one[place] for one in (*points, *pale)],
-            length,
-            powers=logarithmic and place in measured,
-        )
-        for place, length in enumerate((WIDTH, HEIGHT))
-    )
+    first, second = ([one[place] for one in (*points, *pale)] for place in (0, 1))
+    across = axis_of(first, WIDTH, powers=logarithmic and 0 in measured)
+    upward = axis_of(second, HEIGHT, powers=logarithmic and 1 in measured)
     panel, every_number = _front_panel(answer, heads, across, upward, pale)
     names = {"objectives": ", ".join(head.name for head in heads[:-1]), "last": heads[-1].name}
     if isinstance(answer.question.ask, Front):
@@ -157,9 +152,8 @@ def _seen(points: Sequence[tuple[float, ...]], across: Axis, upward: Axis) -> li
     """The indices of the visible points: the first of those that cover each other."""
     first: dict[tuple[int, int], int] = {}
     for index, one in enumerate(points):
-        first.setdefault(
-            (round(across.place(one[0]) / CELL), round(upward.place(one[1]) / CELL)), index
-        )
+        place = round(across.place(one[0]) / CELL), round(upward.place(one[1]) / CELL)
+        first.setdefault(place, index)
     return list(first.values())
 
 

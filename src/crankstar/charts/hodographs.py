@@ -26,7 +26,6 @@ from crankstar.charts.plane import (
     round_frame,
 )
 from crankstar.charts.sums import Engines, Quantity, Sum, checked_quantity, present, several, sums
-from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
 from crankstar.mechanics.excitation import Reference
@@ -64,7 +63,11 @@ def hodograph(
     """
     engines = several(engine)
     checked_quantity(quantity)
-    courses = [_course(one, quantity, order, speed, reference) for one in engines]
+    courses = [sums(one, [quantity], speed=speed, reference=reference)[0] for one in engines]
+    if order is not None:
+        chosen = (spectra.selected(one.spectrum, checked_order(order)) for one in courses)
+        pairs = zip(courses, map(present, chosen), strict=True)
+        courses = [one._replace(spectrum=spectrum) for one, spectrum in pairs]
     unit = same_unit(one.unit for one in courses)
     frame = round_frame(
         max(spectra.peak(one.spectrum).value for one in courses),
@@ -80,21 +83,6 @@ def hodograph(
         theta=theta,
         turns=max(one.turns for one in courses),
     )
-
-
-def _course(
-    engine: Engine,
-    quantity: str,
-    order: float | None,
-    speed: float | None,
-    reference: Reference | None,
-) -> Sum:
-    """Force or couple of the whole engine, of one order or of all together."""
-    (whole,) = sums(engine, [quantity], speed=speed, reference=reference)
-    if order is None:
-        return whole
-    chosen = spectra.selected(whole.spectrum, checked_order(order))
-    return whole._replace(spectrum=present(chosen))
 
 
 def _of_order(forms: tuple[str, str], order: float | None) -> str:

@@ -40,10 +40,8 @@ def columns(answer: Answer) -> tuple[Column, ...]:
         Column(one.name, one.unit, counted=bool(one.neighbours) and not one.terms)
         for one in question.objectives
     ]
-    return (
-        *named,
-        *(Column(judge.name, judge.unit, counted=False) for judge in question.functions),
-    )
+    named += [Column(judge.name, judge.unit, counted=False) for judge in question.functions]
+    return tuple(named)
 
 
 def engine_text(stars: Stars) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -56,6 +56,11 @@ class Bars(NamedTuple):
         """The greatest of all orders."""
         return max(map(sum, self.lengths.values()), default=0.0)
 
+    def of(self, orders: Container[float]) -> Bars:
+        """The lengths of some orders."""
+        lengths = {order: two for order, two in self.lengths.items() if order in orders}
+        return self._replace(lengths=lengths)
+
     def visible(self) -> list[float]:
         """The orders that are visible beside the greatest, up to MOST_ORDERS."""
         least = VISIBLE * self.reach
@@ -78,19 +83,12 @@ def spectrum(
     for column in columns:
         same_unit(one.unit for one in column)
     shown = [{order for one in column for order in one.visible()} for column in columns]
-    orders = sorted(set().union(*shown))
+    names = [f"{order:g}" for order in sorted(set().union(*shown))] or ["1"]
     reaches = [max(one.reach for one in column) for column in columns]
     width = WIDTH if len(engines) == 1 else HALF - 30
     blocks = [
         [
-            [
-                _panel(
-                    one._replace(lengths={k: one.lengths[k] for k in one.lengths if k in own}),
-                    [f"{order:g}" for order in orders] or ["1"],
-                    reach or 1.0,
-                    width,
-                )
-            ]
+            [_panel(one.of(own), names, reach or 1.0, width)]
             for one, own, reach in zip(row, shown, reaches, strict=True)
         ]
         for row in bars

@@ -87,11 +87,7 @@ def stroke_chart(engine: Engine, *, theta: float = 0.0) -> Chart:
         groups = exhaust_groups(engine)
         if all(len(group.chambers) == 1 for group in groups):  # nothing to keep apart
             groups = (ExhaustGroup("", tuple(engine.chambers)),)
-        height = TALL if len(cycle.chambers) <= MOST_TALL else LOW
-        panels = [
-            _panel(cycle, engine, group, height, turns, foot=group == groups[-1])
-            for group in groups
-        ]
+        panels = [_panel(cycle, engine, group, foot=group == groups[-1]) for group in groups]
         words = brief_timing(cycle, engine)
     return figure(
         [[panel] for panel in panels],
@@ -170,40 +166,25 @@ def span_rows(cycle: WorkingCycle, chambers: Sequence[int]) -> list[dict[str, An
     return rows
 
 
-def _panel(
-    cycle: WorkingCycle,
-    engine: Engine,
-    group: ExhaustGroup,
-    height: float,
-    turns: int,
-    *,
-    foot: bool,
-) -> Panel:
+def _panel(cycle: WorkingCycle, engine: Engine, group: ExhaustGroup, *, foot: bool) -> Panel:
     chambers = _front_to_rear(engine, group.chambers)
-    x, rule = _crank_angle(turns, foot=foot)
+    height = TALL if len(cycle.chambers) <= MOST_TALL else LOW
+    x, rule = _crank_angle(round(cycle.cycle_deg / 360), foot=foot)
     names = "[" + ", ".join(f"'{chamber}'" for chamber in chambers) + "]"
     axis = {
         "values": [row + 0.5 for row in range(len(chambers))],
         "labelExpr": f"{names}[floor(datum.value)]",
-        "ticks": False,
-        "domain": False,
-        "grid": False,
         "labelPadding": 10,
-        "labelOverlap": False,
+        **dict.fromkeys(("ticks", "domain", "grid", "labelOverlap"), False),
     }
     scale = span(len(chambers), 0) | {"zero": False}
     y = field("y:Q", scale=scale, axis=axis, title=_("cylinder"))
-    legend = {
-        **LINES,
-        "columns": 2,
-        "symbolType": "square",
-        "symbolSize": 150,
-        "symbolStrokeWidth": 0,
-    }
+    squares = {"symbolType": "square", "symbolSize": 150, "symbolStrokeWidth": 0}
     colours = {
         "domain": [_(name) for name in SPANS],
         "range": [_translucent(*paint) for paint in SPANS.values()],
     }
+    colour = field("what:N", scale=colours, legend={**LINES, "columns": 2, **squares})
     spans = of_rows(span_rows(cycle, chambers)).mark("rect", strokeWidth=0, opacity=1)
     fires = [(row + 0.5, cycle.chamber(chamber).fires_deg) for row, chamber in enumerate(chambers)]
     marks = [{"x": angle, "y": row} for row, angle in fires]
@@ -212,13 +193,7 @@ def _panel(
         "point", shape=BOLT, filled=True, opacity=1, size=14 * height, color=GREY, strokeWidth=0
     )
     layers = [
-        spans.encode(
-            x=x,
-            x2=field("end"),
-            y=y,
-            y2=field("foot"),
-            color=field("what:N", scale=colours, legend=legend),
-        ),
+        spans.encode(x=x, x2=field("end"), y=y, y2=field("foot"), color=colour),
         bolts.encode(x=x, y=y),
         rule,
     ]

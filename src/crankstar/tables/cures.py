@@ -38,10 +38,10 @@ CURES = {
 }
 """What removes a force, and what removes a couple alone."""
 LEFT = {
-    (False, False): N_("no primary force or couple"),
-    (True, False): N_("a primary force of {force}, rotating against the crankshaft"),
-    (False, True): N_("a primary couple of {couple}, rotating against the crankshaft"),
-    (True, True): N_(
+    "": N_("no primary force or couple"),
+    "force": N_("a primary force of {force}, rotating against the crankshaft"),
+    "couple": N_("a primary couple of {couple}, rotating against the crankshaft"),
+    "force couple": N_(
         "a primary force of {force} and a primary couple of {couple}, rotating against the "
         "crankshaft"
     ),
@@ -63,10 +63,8 @@ def cure_lines(engine: Engine, remaining: Sequence[Need]) -> list[str]:
         course, cure = "with" if need.ratio > 0 else "against", "shaft"
         if need.ratio in cranks:
             weighted = any(shaft.weights for shaft in cranks.values())
-            course, cure = (
-                "crank" if len(cranks) > 1 else "with",
-                "weighted" if weighted else "bare",
-            )
+            course = "crank" if len(cranks) > 1 else "with"
+            cure = "weighted" if weighted else "bare"
         elif other is not None and -need.ratio not in cranks and _alike(need, other):
             if need.ratio < 0:
                 continue
@@ -131,4 +129,4 @@ def _left(result: Balance) -> str:
         name: f"{number(vector)} {unit_text(getattr(result.units, name))}"
         for name, vector in vectors.items()
     }
-    return _(LEFT[bool(vectors["force"]), bool(vectors["couple"])], **values)
+    return _(LEFT[" ".join(name for name in vectors if vectors[name])], **values)

@@ -188,14 +188,12 @@ def harmonics(engine: Engine) -> tuple[Table, ...]:
             rows.append((order, abs(size), round(degrees(phase(size)), 2) + 0.0))
         elif size:
             rows.append((order, size.real, float(motion.series(order, ratio=ratio))))
-    title = (
-        N_(
+    title = N_("Piston of cylinder {cylinder}: force m r ω² Σ Aₖ cos kψ, λ = r/l = {ratio}")
+    if first.offset:
+        title = N_(
             "Piston of cylinder {cylinder}: force m r ω² Σ Aₖ cos(kψ + phase), λ = r/l = {ratio}, "
             "offset {offset} r"
         )
-        if first.offset
-        else N_("Piston of cylinder {cylinder}: force m r ω² Σ Aₖ cos kψ, λ = r/l = {ratio}")
-    )
     values = {"ratio": number(ratio), "offset": number(first.offset / radius)}
     title = _(title, cylinder=first.number, **values)
     return (Table(title, columns, tuple(rows), key="harmonics"),)
