@@ -101,6 +101,7 @@ def rows() -> list[tables.Row]:
         for what, state in (
             ("a frame, table of orders", "tab=orders"),
             ("a frame, two figures that follow the angle", "tab=forces"),
+            ("a frame, star and polygon of twelve cylinders", "tab=stars"),
             (
                 "a frame, two figures, all arrows and the whirl",
                 "tab=forces&couple=1&each=1&whirl=1000",

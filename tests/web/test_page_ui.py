@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Locator, Page, expect
 from tests.web.browsing import too_wide
-from tests.web.engine_page import handle, opened
+from tests.web.engine_page import handle, opened, turning
 
 from crankstar import spectra
 from crankstar.files.catalog import load
@@ -122,6 +122,27 @@ def test_figures_follow_the_crank_angle(built_page: Build, page: Page) -> None:
         places.append(max(float(re.findall(r"translate\(([-\d.]+)", shift)[0]) for shift in shifts))
     assert places[2] - places[1] == pytest.approx(places[1] - places[0], rel=0.01)
     assert places[1] - places[0] > 20
+
+
+def test_a_figure_out_of_view_rests_while_the_engine_turns_and_is_right_after(
+    built_page: Build, page: Page
+) -> None:
+    page.set_viewport_size({"width": 1280, "height": 600})
+    opened(page, built_page(CROSS, figures=True), "a=0&of=couple&tab=stars")
+    figures = page.locator(".figure .drawing")
+    drawn = "all => all.map(drawing => drawing.innerHTML)"
+    first = figures.evaluate_all(drawn)
+    handle(page, "play()")
+    assert turning(page)
+    moved = figures.evaluate_all(drawn)
+    assert moved[0] != first[0]
+    assert moved[-1] == first[-1]
+    handle(page, "stop()")
+    stopped = figures.evaluate_all(drawn)
+    angle = handle(page, "theta")
+    turned(page, angle + 50)
+    turned(page, angle)
+    assert figures.evaluate_all(drawn) == stopped != moved
 
 
 def test_a_figure_keeps_its_size_while_it_turns(built_page: Build, page: Page) -> None:

@@ -64,6 +64,7 @@ STYLE = {
     "font": "sans-serif",
     "view": {"stroke": None},
     "numberFormat": ".9~g",
+    "aria": False,
     "axis": {
         **{f"{part}Color": GREY for part in ("label", "title", "tick", "domain", "grid")},
         "labelFontSize": 13,

@@ -22,6 +22,7 @@ export function Figure({
   const shown = useRef<Drawing | null>(null)
   const last = useRef<Promise<unknown>>(Promise.resolve())
   const trouble = useSignal('')
+  const inView = useRef(true)
   const there = useSignal(false)
   const busy = useSignal(true)
   const attempt = useSignal(0)
@@ -57,17 +58,32 @@ export function Figure({
     }
     // one after the other: during a drag only the newest is requested
     last.current = last.current.then(draw)
-    const unfollow = clock.follow(() => {
+    const turn = () => {
       const drawing = shown.current
       return drawing?.turns ? drawing.turnTo(clock.degrees() % (360 * exhibit.turns)) : undefined
-    })
+    }
+    // what is scrolled away need not turn with the engine, but is right when it stops, and on paper
+    const unfollow = clock.follow(() =>
+      inView.current || !clock.playing.peek() ? turn() : undefined,
+    )
+    addEventListener('beforeprint', turn)
     return () => {
       ended = true
       unfollow()
+      removeEventListener('beforeprint', turn)
     }
   }, [host, clock, exhibit, chart, again])
 
-  useEffect(() => () => shown.current?.dispose(), [])
+  useEffect(() => {
+    const watch = new IntersectionObserver((changes) => {
+      inView.current = changes.at(-1)?.isIntersecting ?? true
+    })
+    if (figure.current) watch.observe(figure.current)
+    return () => {
+      watch.disconnect()
+      shown.current?.dispose()
+    }
+  }, [])
 
   return (
     <figure
