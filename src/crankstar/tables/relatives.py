@@ -74,7 +74,7 @@ def relative_lines(engine: Engine) -> list[str]:
                 "The catalog has no other {cycle} engine with {count} cylinder.",
                 "The catalog has no other {cycle} engine with {count} cylinders.",
                 count,
-                cycle=engine.cycle,
+                cycle=_(engine.cycle),
                 count=count,
             )
         ]

@@ -204,7 +204,7 @@ def heading(question: Question) -> str:
     stars = question.stars
     what = ", ".join(objective.name for objective in question.objectives)
     cylinders = _n("{count} cylinder", "{count} cylinders", stars.cylinders, count=stars.cylinders)
-    values = {"cylinders": cylinders, "cycle": stars.cycle, "sums": what}
+    values = {"cylinders": cylinders, "cycle": _(stars.cycle), "sums": what}
     limits = [_limit(limit) for limit in question.limits]
     if question.neighbours_at_most < float("inf"):
         most = question.neighbours_at_most

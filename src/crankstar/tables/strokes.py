@@ -42,7 +42,7 @@ def tables(engine: Engine, found: WorkingCycle) -> Iterator[Table | Remarks]:
     assumed = _(
         "Assumed angles are typical of {cycle} engines; the table [valves] of the file "
         "gives others.",
-        cycle=engine.cycle,
+        cycle=_(engine.cycle),
     )
     yield Remarks(
         (*_ring(found.firing), *timing_lines(engine), *([assumed] if found.timing.assumed else []))

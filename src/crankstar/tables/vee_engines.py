@@ -30,7 +30,7 @@ def vee_engines(
     title = _(
         "V{cylinders}, {cycle}, firing every {interval} deg",
         cylinders=vee.cylinders,
-        cycle=vee.cycle,
+        cycle=_(vee.cycle),
         interval=number(step),
     )
     facts = {"cylinders": vee.cylinders, "cycle": vee.cycle}
