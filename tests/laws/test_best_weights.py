@@ -9,9 +9,11 @@ import pytest
 from tests.newton import road
 
 from crankstar import balance, load, spectra, total
+from crankstar.engine.copies import with_shaft, with_weights
 from crankstar.engine.engine import Engine
+from crankstar.engine.records import Shaft, Weight
 from crankstar.files import engine_of
-from crankstar.mechanics.balance import unit_unbalance
+from crankstar.mechanics.balance import Reference, unit_unbalance
 from crankstar.remedy import (
     Aim,
     Limit,
@@ -22,7 +24,7 @@ from crankstar.remedy import (
     webs,
     without_counterweights,
 )
-from crankstar.remedy.aims import cones, measured, setting
+from crankstar.remedy.aims import cones, measured, setting, with_unbalance
 from crankstar.remedy.planes import main_bearings
 from crankstar.remedy.programme import Ceiling, lower_bound, solved
 
@@ -237,6 +239,32 @@ def test_bearing_loads_are_those_of_beams_between_bearings(name: str) -> None:
         greatest = max(greatest, *(float(np.abs(pair).sum()) for pair in own.values()))
     case = setting(engine, planes)
     assert measured(case, Aim("bearing"), x) == pytest.approx(greatest, rel=1e-9)
+
+
+@pytest.mark.parametrize("ratio", [2, -2, -1])
+@pytest.mark.parametrize("middle", [0.0, 0.13])
+def test_weights_of_a_setting_push_as_those_of_the_finished_engine(
+    ratio: int, middle: float
+) -> None:
+    bare = with_shaft(load("audi-25-tfsi"), Shaft(name="second", speed_ratio=ratio, right=0.1))
+    planes = [Plane("second", 0.21), Plane("second", -0.05), Plane("crank", 0.1)]
+    reference = Reference(middle)
+    x = np.array([0.3, -0.2, 0.11, 0.5, -0.4, 0.25])
+    unit = unit_unbalance(bare)
+    weights: dict[str, list[Weight]] = {"second": [], "crank": [*bare.shafts[0].weights]}
+    for plane, u in zip(planes, x[0::2] + 1j * x[1::2], strict=True):
+        weights[plane.shaft].append(
+            Weight(unbalance=float(abs(u)) * unit, angle=float(np.angle(u)), z=plane.z)
+        )
+    finished = total(balance(with_weights(bare, weights), reference=reference))
+    case = setting(bare, planes, reference=reference)
+    for whole, mine in (
+        (finished.force, with_unbalance(case, x, "force")),
+        (finished.couple, with_unbalance(case, x, "couple")),
+    ):
+        theirs = spectra.selected(whole, mine.orders)
+        assert np.allclose(mine.forward, theirs.forward, rtol=1e-9, atol=1e-9)
+        assert np.allclose(mine.backward, theirs.backward, rtol=1e-9, atol=1e-9)
 
 
 def test_a_crankshaft_that_turns_twice_as_fast_pushes_four_times_as_hard() -> None:

@@ -13,8 +13,9 @@ import crankstar
 from crankstar import spectra
 from crankstar.dynamics import whirl
 from crankstar.dynamics.whirl import Body
+from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
-from crankstar.engine.records import Block
+from crankstar.engine.records import Block, Rod
 from crankstar.mechanics.balance import Reference
 
 TOLERANCE = 1e-9
@@ -179,3 +180,23 @@ def test_lengths_along_a_shaft_of_unknown_pitch_are_counted_in_units_across() ->
         assert np.allclose(
             getattr(one, name).forward, getattr(other, name).forward, rtol=1e-12, atol=1e-15
         )
+    block = Block(mass=180.0, up=0.1, right=-0.01, z=0.4)
+    there = whirl.body(with_values(engine, block=block), along=along)
+    assert there.centre == pytest.approx((0.1, -0.01, 0.4 * along))
+    assert there == whirl.body(
+        with_values(stretched, block=with_values(block, z=0.4 * along)), along=1.0
+    )
+
+
+def test_a_third_of_a_rod_counts_as_reciprocating_in_the_mass_of_the_bar() -> None:
+    """A third of a slender rod's mass is where its piston pin is, by the inertia about its end."""
+    length, mass = 0.15, 0.6
+    samples = (np.arange(100_000) + 0.5) / 100_000
+    share = float((samples**2).mean())
+    rod = Rod(mass=mass, centre=length / 2, inertia=mass * length**2 / 12)
+    engine = crankstar.load("audi-25-tfsi")
+    cylinders = [with_values(c, rod=rod, reciprocating_mass=0.4) for c in engine.cylinders]
+    with_rods = whirl.body(with_values(engine, cylinders=tuple(cylinders)))
+    assert with_rods.mass == pytest.approx(
+        whirl.MASS_TO_PISTONS * len(cylinders) * (0.4 + share * mass), rel=1e-6
+    )
