@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from itertools import pairwise
 
 import numpy as np
@@ -246,7 +247,9 @@ def test_bearing_loads_are_those_of_beams_between_bearings(name: str) -> None:
 def test_weights_of_a_setting_push_as_those_of_the_finished_engine(
     ratio: int, middle: float
 ) -> None:
-    bare = with_shaft(load("audi-25-tfsi"), Shaft(name="second", speed_ratio=ratio, right=0.1))
+    bare = with_shaft(
+        load("audi-25-tfsi"), Shaft(name="second", speed_ratio=Fraction(ratio), right=0.1)
+    )
     planes = [Plane("second", 0.21), Plane("second", -0.05), Plane("crank", 0.1)]
     reference = Reference(middle)
     x = np.array([0.3, -0.2, 0.11, 0.5, -0.4, 0.25])
