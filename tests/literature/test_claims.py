@@ -10,10 +10,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+from tests.claims import CLAIMS
 
 import crankstar
 from crankstar import spectra
-from crankstar.derive.errata import claims
 from crankstar.engine import motion
 from crankstar.engine.dead_centres import dead_centres
 from crankstar.engine.engine import Engine
@@ -23,7 +23,6 @@ from crankstar.firing.strokes import exhaust_intervals as strokes_intervals
 from crankstar.mechanics.balance import Reference, balance, grouped, mechanism, part_spectra, total
 from crankstar.spectra import Spectrum
 
-CLAIMS: dict[str, Any] = claims()
 EXACT = 1e-12
 ANGLES = np.radians(np.arange(0, 360, 5))
 V8S = {"v8-flat-plane": CLAIMS["v8_flat_plane"], "v8-cross-plane": CLAIMS["v8_cross_plane"]}

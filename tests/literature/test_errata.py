@@ -16,6 +16,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 from tests import newton
+from tests.claims import CLAIMS
 
 import crankstar
 from crankstar import charts, cli, spectra
@@ -24,7 +25,6 @@ from crankstar.derive.algebra import evaluation, typeset
 from crankstar.derive.errata import (
     ErrataError,
     Erratum,
-    claims,
     confirmed,
     curves,
     errata,
@@ -36,7 +36,6 @@ from crankstar.engine import motion
 from crankstar.mechanics.balance import balance, total
 
 ROOT = Path(__file__).parents[2]
-CLAIMS = claims()
 ALL = {one.id: one for one in errata()}
 JUDGED = [one for one in ALL.values() if one.kind in ("result", "step")]
 SERIES = [one for one in ALL.values() if one.kind == "series"]

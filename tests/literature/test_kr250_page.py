@@ -3,20 +3,17 @@
 from __future__ import annotations
 
 import importlib.util
-import json
 import re
 import sys
-from importlib import resources
 from pathlib import Path
 from types import ModuleType
 
 import numpy as np
 import pytest
+from tests.claims import CLAIMS
 
 DOCS = Path(__file__).parents[2] / "docs"
-CLAIMS = json.loads(
-    resources.files("crankstar.derive.errata").joinpath("claims.json").read_text(encoding="utf-8")
-)["kr250"]
+KR250 = CLAIMS["kr250"]
 NAMES = {
     ("contra", 180): "kr250-racer",
     ("contra", 0): "kr250-racer-simultaneous",
@@ -38,7 +35,7 @@ page = script()
 
 
 @pytest.mark.parametrize(
-    "row", CLAIMS["rows"], ids=lambda row: f"{row['rotation']}-{row['phase_deg']}-{row['factor']}"
+    "row", KR250["rows"], ids=lambda row: f"{row['rotation']}-{row['phase_deg']}-{row['factor']}"
 )
 def test_forces_and_couples_are_those_of_the_claims(row: dict[str, object]) -> None:
     layout = page.Layout("", NAMES[row["rotation"], row["phase_deg"]], row["factor"])  # pyright: ignore[reportArgumentType]
@@ -54,7 +51,7 @@ def test_forces_and_couples_are_those_of_the_claims(row: dict[str, object]) -> N
 def test_every_row_of_the_claims_is_on_the_page_and_the_parallel_twin() -> None:
     shown = {(layout.name, layout.factor) for layout in page.LAYOUTS}
     assert shown == {
-        (NAMES[row["rotation"], row["phase_deg"]], row["factor"]) for row in CLAIMS["rows"]
+        (NAMES[row["rotation"], row["phase_deg"]], row["factor"]) for row in KR250["rows"]
     } | {("parallel-twin-180", 0.5)}
 
 

@@ -16,11 +16,11 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from tests.claims import CLAIMS
 
 import crankstar
 from crankstar import spectra
 from crankstar.derive.algebra import cyclotomic
-from crankstar.derive.errata import claims
 from crankstar.mechanics.balance import balance, total
 
 ROOT = Path(__file__).parents[2]
@@ -41,7 +41,7 @@ def script(name: str) -> ModuleType:
 
 PAGE = script("sinitsyn_page")
 SCHEMES: dict[str, Any] = PAGE.SCHEMES
-CLAIMED = dict(zip(SCHEMES, claims()["sinitsyn"], strict=True))
+CLAIMED = dict(zip(SCHEMES, CLAIMS["sinitsyn"], strict=True))
 """By the part of the page: what the claims say of the engine."""
 EVERY = pytest.mark.parametrize("part", SCHEMES)
 
@@ -105,7 +105,7 @@ def test_the_sums_are_those_of_the_balance(part: str) -> None:
     engine = crankstar.load(SCHEMES[part].file)
     sums = total(balance(engine))
     for order, key in ((1, "M_I"), (2, "M_II")):
-        harmonic = {1: 1.0, 2: claims()["series"]["A"]["2"]}[order]
+        harmonic = {1: 1.0, 2: CLAIMS["series"]["A"]["2"]}[order]
         vector = complex(spectra.selected(sums.couple, order).forward[0]) / harmonic
         assert 2 * vector == pytest.approx(PAGE.sums(SCHEMES[part].file)[key], abs=FINE)
 
@@ -286,7 +286,7 @@ def test_without_any_one_of_the_weights_something_is_left(part: str) -> None:
 def test_the_exact_weights_are_those_on_the_engine(part: str) -> None:
     file = SCHEMES[part].file
     engine, cures = PAGE.cured(file), PAGE.cures(file)
-    harmonic = claims()["series"]["A"]["2"]
+    harmonic = CLAIMS["series"]["A"]["2"]
     found = {
         "crank" if shaft.throws else str(shaft.speed_ratio): shaft.weights
         for shaft in engine.shafts

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 import re
 from collections.abc import Callable
 from dataclasses import replace
-from importlib import resources
 from math import cos, inf, nan, pi, radians, sin, sqrt
 from pathlib import Path
 from typing import Any
@@ -17,6 +15,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.claims import CLAIMS
 from tests.strategies import engines
 
 import crankstar
@@ -43,9 +42,7 @@ from crankstar.tables.sweeps import answer
 
 A = np.real(piston_harmonics(crank_radius=1.0, rod_length=4.0))
 POINT = Reference(0.03, -0.02, 0.05)
-CLAIMS = json.loads(
-    resources.files("crankstar.derive.errata").joinpath("claims.json").read_text(encoding="utf-8")
-)["kr250"]
+KR250 = CLAIMS["kr250"]
 
 
 def of(name: str, text: str, **more: Any) -> Sweep:
@@ -497,7 +494,7 @@ def test_the_kr250_over_the_lag_of_its_rear_crank_passes_through_the_rows_of_the
 ) -> None:
     row = next(
         r
-        for r in CLAIMS["rows"]
+        for r in KR250["rows"]
         if (r["rotation"], r["phase_deg"], r["factor"]) == ("contra", phase, factor)
     )
     sweep = of(
@@ -507,7 +504,7 @@ def test_the_kr250_over_the_lag_of_its_rear_crank_passes_through_the_rows_of_the
         orders=[1, 2],
     )
     place = int(np.argmin(np.abs(sweep.values - phase)))
-    share = np.array([1.0, CLAIMS["A2"] / A[2]])  # the essay's A2 is 1/4
+    share = np.array([1.0, KR250["A2"] / A[2]])  # the essay's A2 is 1/4
     force = spectra.scaled(sweep.sums.force[place], share)
     for angle, up in row["up"].items():
         vector = complex(spectra.value(force, radians(float(angle))))

@@ -91,11 +91,9 @@ def sides(
     before: Callable[[int], Iterable[Formula]] = lambda _side: (),
 ) -> list[Line]:
     """The push of parts up and to the right; `before` are formulas equal to side 0 and side 1."""
-    labels = (
-        (_("{part}, up", part=part), _("{part}, right", part=part))
-        if part
-        else (_("up"), _("right"))
-    )
+    labels = _("up"), _("right")
+    if part:
+        labels = _("{part}, up", part=part), _("{part}, right", part=part)
     lines: list[Line] = []
     for side, whole in enumerate(pushed(members)):
         below = ", ".join(filter(None, (name, ("up", "right")[side])))

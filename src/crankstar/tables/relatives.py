@@ -12,7 +12,7 @@ import numpy as np
 from crankstar import spectra
 from crankstar.engine.engine import Engine
 from crankstar.files.catalog import load, summaries
-from crankstar.language.messages import _, _n
+from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import number
 from crankstar.mechanics.balance import balance
 from crankstar.mechanics.remains import size
@@ -118,19 +118,18 @@ def _differences(own: PistonBalance, other: PistonBalance, arm: str) -> str:
     pairs.sort(key=lambda pair: -abs(pair[1] - pair[2]))
     out: list[str] = []
     for name, mine, theirs in pairs:
-        values = {
-            "mine": number(mine, digits=4),
-            "theirs": number(theirs, digits=4),
-            "unit": "m r ω²" if name.startswith("force") else f"m r ω² {arm}",
-        }
-        sentences = {
-            "force_1": _("primary force {mine} instead of {theirs} {unit}", **values),
-            "couple_1": _("primary couple {mine} instead of {theirs} {unit}", **values),
-            "force_2": _("secondary force {mine} instead of {theirs} {unit}", **values),
-            "couple_2": _("secondary couple {mine} instead of {theirs} {unit}", **values),
-        }
-        out.append(sentences[name])
+        unit = "m r ω²" if name.startswith("force") else f"m r ω² {arm}"
+        values = {"mine": number(mine, digits=4), "theirs": number(theirs, digits=4), "unit": unit}
+        out.append(_(DIFFERENCES[name], **values))
     text = ", ".join(out)
     if arm == "d" and any(name.startswith("couple") for name, *_values in pairs):
         return _("{differences} (d: distance of the cylinders)", differences=text)
     return text
+
+
+DIFFERENCES = {
+    "force_1": N_("primary force {mine} instead of {theirs} {unit}"),
+    "couple_1": N_("primary couple {mine} instead of {theirs} {unit}"),
+    "force_2": N_("secondary force {mine} instead of {theirs} {unit}"),
+    "couple_2": N_("secondary couple {mine} instead of {theirs} {unit}"),
+}

@@ -15,7 +15,7 @@ Only the printed formulas are data (`printed.toml`); the right ones are derived 
 """
 
 from crankstar.derive.errata.curves import Curves, SeriesErrors, curves, series_errors
-from crankstar.derive.errata.reading import claims, confirmed, errata, sources
+from crankstar.derive.errata.reading import confirmed, errata, sources
 from crankstar.derive.errata.records import Confirmed, ErrataError, Erratum
 
 __all__ = [
@@ -24,7 +24,6 @@ __all__ = [
     "ErrataError",
     "Erratum",
     "SeriesErrors",
-    "claims",
     "confirmed",
     "curves",
     "errata",

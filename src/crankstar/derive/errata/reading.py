@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
@@ -62,13 +61,6 @@ def errata(source: str | None = None) -> tuple[Erratum, ...]:
 def sources() -> dict[str, str]:
     """The sources: how each is called, by its key in the bibliography."""
     return _data()["names"]
-
-
-def claims() -> dict[str, Any]:
-    """Statements of the founding documents beside the true values, with their places."""
-    return json.loads(
-        files("crankstar.derive.errata").joinpath("claims.json").read_text(encoding="utf-8")
-    )
 
 
 def confirmed() -> tuple[Confirmed, ...]:
