@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 import xml.etree.ElementTree as ET
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -525,3 +526,12 @@ def test_every_printed_digit_of_a_harmonic_is_true(ratio: int, order: int) -> No
             read = printed.value(tokens, {}).real
             assert read.overlaps(ball)
             assert read.rad() < abs(ball) * arb("1e-11")
+
+
+def test_results_alone_are_printed_whole_though_another_says_the_same() -> None:
+    chapters = [derivation(catalog.load("audi-25-tfsi"), order) for order in (4, 6)]
+    results = [replace(chapter, steps=chapter.steps[-2:-1]) for chapter in chapters]
+    ((said,),) = {result.steps[0].words for result in results}
+    for page in documents.html_parts(results):
+        assert said in page
+        assert "<math" in page

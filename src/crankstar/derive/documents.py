@@ -92,24 +92,28 @@ class _Part(NamedTuple):
 
 
 def _introduced(chapters: Sequence[Readable], notation: Notation) -> list[_Part]:
-    """The chapters in a notation; what their first steps repeat is left out."""
+    """The chapters in a notation; what their first steps repeat is left out.
+
+    A chapter of one step, which is its result, stays whole.
+    """
     out: list[_Part] = []
     known: set[str] = set()
     read: set[object] = set()
     for chapter in chapters:
         shown = notated(chapter, notation)
         first, *others = shown.steps
-        words = tuple(sentence for sentence in first.words if sentence not in read)
-        lines = tuple(line for line in first.lines if line not in read)
-        read |= {*first.words, *first.lines}
+        if others:
+            words = tuple(sentence for sentence in first.words if sentence not in read)
+            lines = tuple(line for line in first.lines if line not in read)
+            read |= {*first.words, *first.lines}
+            first = replace(first, words=words, lines=lines)
         letters = [
             meaning
             for meaning in legend(shown, notation)
             if typeset.text(meaning.letter) not in known
         ]
         known |= {typeset.text(meaning.letter) for meaning in letters}
-        steps = (replace(first, words=words, lines=lines), *others)
-        out.append(_Part(chapter.engine, chapter.title, steps, letters))
+        out.append(_Part(chapter.engine, chapter.title, (first, *others), letters))
     return out
 
 
