@@ -313,6 +313,8 @@ def test_the_whirl_is_switched_on_at_a_size_that_is_seen_and_its_estimate_is_nam
     assert handle(page, "state.whirl") >= 1
     panel.get_by_role("checkbox", name="Show the whirl on the stage").uncheck()
     assert handle(page, "state.whirl") == 0
+    page.evaluate("location.hash = 'a=90&tab=whirl&whirl=1000'")
+    expect(page.get_by_role("tabpanel")).to_contain_text("1000 ×")
 
 
 def test_colours_are_changed_by_a_button_and_kept(built_page: Build, page: Page) -> None:

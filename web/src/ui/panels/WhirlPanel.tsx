@@ -82,7 +82,7 @@ export function WhirlPanel() {
 }
 
 function magnified(factor: number): string {
-  return factor.toLocaleString('en', { maximumSignificantDigits: 2 })
+  return factor.toLocaleString('en', { maximumSignificantDigits: 2, useGrouping: false })
 }
 
 /** An angle in degrees; rounding errors are 0. */
