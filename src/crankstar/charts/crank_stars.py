@@ -64,10 +64,8 @@ def crank_panel(
         arrows += [Arrow(pin, place=centre, rate=rate, width=3, head=False) for pin in pins]
         dots += [Dot(pin, centre, rate, BLUE, 130) for pin in pins]
         marks = {round(weight.angle, 6) for weight in shaft.weights if weight.unbalance}
-        dots += [
-            Dot(WEIGHTS * radius * exp(1j * angle), centre, rate, GREY, 170)
-            for angle in sorted(marks)
-        ]
+        spots = [WEIGHTS * radius * exp(1j * angle) for angle in sorted(marks)]
+        dots += [Dot(place, centre, rate, GREY, 170) for place in spots]
         labels += _throw_labels(engine, shaft, centre, rate)
         hub, arrow = _rotation(centre, HUB * radius, 1 if rate > 0 else -1)
         strokes.append(hub)
@@ -139,7 +137,8 @@ def _crank_frame(
         (width + 30) / (high + max(axis, star)),
     )
     middle = complex(max(ups) + min(ups), max(rights) + min(rights)) / 2
-    half, upright = width / 2 / scale, max(high + star + room / scale, high + axis + 8 / scale) / 2
+    half = width / 2 / scale
+    upright = max(high + star + room / scale, high + axis + 8 / scale) / 2
     return Frame(
         middle.imag - half, middle.imag + half, middle.real - upright, middle.real + upright, scale
     )

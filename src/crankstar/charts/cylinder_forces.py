@@ -126,9 +126,8 @@ def force_arrows(
     vectors = [np.array([*one.orders, one.rotating, one.net]) for one in forces]
     scale = longest / (max(float(np.abs(each).max()) for each in vectors) or 1.0)
     lowest = min(place.real for place in places)
-    frame = Frame(
-        0.0, WIDTH / scale, (lowest - longest - 24) / scale, (longest + 40) / scale, scale
-    )
+    bottom, top = (lowest - longest - 24) / scale, (longest + 40) / scale
+    frame = Frame(0.0, WIDTH / scale, bottom, top, scale)
     panels = []
     for at, angle in enumerate(angles):
         feet = [[*zip(each[:, at].tolist(), key, strict=True)] for each in vectors]

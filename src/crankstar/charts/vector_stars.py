@@ -6,6 +6,7 @@ from cmath import exp
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 
@@ -66,7 +67,7 @@ def vector_star(
     coincide share a label. Several engines stand side by side on one scale. Raises ChartError.
     """
     engines = several(engine)
-    systems = _systems(engines, order, quantity, reference, speed)
+    systems = _systems(engines, order=order, quantity=quantity, reference=reference, speed=speed)
     every = [star for shown in systems for star in shown.stars]
     labels = [label.text for star in every for label in _tip_labels(star, TOGETHER / 1000)]
     frame = round_frame(
@@ -95,24 +96,17 @@ def polygon(
     one scale. Raises ChartError.
     """
     engines = several(engine)
-    systems = _systems(engines, order, quantity, reference, speed)
+    systems = _systems(engines, order=order, quantity=quantity, reference=reference, speed=speed)
     reach = max(_circle(_corners(star))[1] for shown in systems for star in shown.stars)
     frame = round_frame(reach, width=_width(systems), margin=24, below=BAR)
     return _figure(engines, systems, _polygon_panel, frame, POLYGONS, theta=theta, speed=speed)
 
 
-def _systems(
-    engines: Sequence[Engine],
-    order: float,
-    quantity: Quantity,
-    reference: Reference | None,
-    speed: float | None,
-) -> list[Stars]:
+def _systems(engines: Sequence[Engine], *, speed: float | None, **options: Any) -> list[Stars]:
     """The vectors of each engine, all in one unit: in m r w^2 where only some have |A_k| = 1."""
-    options = {"order": order, "quantity": quantity, "reference": reference, "speed": speed}
-    systems = [stars(one, **options) for one in engines]
+    systems = [stars(one, speed=speed, **options) for one in engines]
     if speed is None and len({shown.unit for shown in systems}) > 1:
-        systems = [stars(one, **options, divided=False) for one in engines]
+        systems = [stars(one, speed=speed, divided=False, **options) for one in engines]
     same_unit(shown.unit for shown in systems)
     return systems
 
