@@ -559,7 +559,7 @@ def test_cylinders_that_would_have_to_fire_together_are_told() -> None:
             "firing_angles[2]",
             "is 170 deg; cylinder 2 is at top dead centre at 180 deg",
         ),
-        (["0 deg"], "firing_angles", "has 1 angle, firing_order 2 cylinders"),
+        (["0 deg"], "firing_angles", "has 1 angle, but firing_order has 2 cylinders"),
         (["360 deg", "180 deg"], "firing_angles", "must ascend within one cycle of 360 deg"),
         (["0 deg", "1e300 deg"], "firing_angles[2]", "too large for an engine"),
         ("0 deg", "firing_angles", "a list is needed"),

@@ -194,11 +194,11 @@ def test_the_command_that_the_verdict_prints_fits_what_it_recommends(
 @pytest.mark.parametrize(
     ("arguments", "told"),
     [
-        (["--shafts", "3"], "has no use"),
+        (["--shafts", "3"], "leave the shaft out"),
         (["--shafts", "x"], "speed ratios"),
         (["--shafts", "1/0"], "speed ratios"),
         (["--shafts", ""], "speed ratios"),
-        (["--shafts", "-1"], "has no use"),
+        (["--shafts", "-1"], "leave the shaft out"),
         (["--shafts", "2", "--level"], "no pair of balance shafts"),
         (["--shafts", "2,2"], "given twice"),
         (["--shafts", "2", "--shaft-spacing", "3"], "no pair of balance shafts"),

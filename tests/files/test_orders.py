@@ -47,7 +47,7 @@ def test_where_nothing_fires_evenly_it_is_told_why_and_the_most_even_are_offered
     assert "The most even orders:" in out
     assert re.search(r"^ +1 +\* +1-2 +315-405 ", out, re.MULTILINE)
     assert "2 orders, none of them even." in out
-    assert "No firing order meets this" in run("orders", "kr250-racer-simultaneous").out
+    assert "No firing order meets these conditions" in run("orders", "kr250-racer-simultaneous").out
 
 
 def test_orders_can_be_asked_for_by_their_intervals(run: Run) -> None:
@@ -68,7 +68,7 @@ def test_orders_can_be_asked_for_by_their_intervals(run: Run) -> None:
 
 def test_a_tolerance_lets_slave_rods_fire_evenly(run: Run) -> None:
     assert (
-        "No firing order meets this"
+        "No firing order meets these conditions"
         in run("orders", "pratt-whitney-wasp", "--tolerance", "1 deg").out
     )
     assert re.search(
@@ -194,7 +194,7 @@ def test_a_row_of_uneven_orders_fires_as_the_table_says(run: Run) -> None:
 @pytest.mark.parametrize(
     ("words", "told"),
     [
-        (["orders", "i4", "--row", "3"], "--row 3: there are 2; give a number from 1 to 2"),
+        (["orders", "i4", "--row", "3"], "--row 3: give a number from 1 to 2"),
         (["orders", "kr250-racer-simultaneous", "--row", "1"], "--row 1: the list is empty"),
         (["orders", "i4", "--row", "1", "--csv"], "--csv has no effect with --row; leave it out"),
         (["orders", "i4", "--json", "--csv"], "--json and --csv exclude each other"),
@@ -226,7 +226,7 @@ def test_a_row_of_uneven_orders_fires_as_the_table_says(run: Run) -> None:
         (["vees", "8", "--bank", "270"], "a bank angle must be above 0 and at most 180 deg"),
         (["vees", "8", "--bank", "wide"], "--bank is "),
         (["vees", "8", "--star", "2"], "--star has no effect without --row; leave it out"),
-        (["vees", "8", "--row", "1", "--star", "2"], "--star 2: there is 1; give 1"),
+        (["vees", "8", "--row", "1", "--star", "2"], "--star 2: give 1; there is only one"),
         (
             ["vees", "8", "-o", "x.svg"],
             "-o x.svg: the name must end in .txt, .csv, .json, .xlsx, .parquet",
@@ -244,7 +244,7 @@ def test_a_row_of_uneven_orders_fires_as_the_table_says(run: Run) -> None:
             ["orders", "i2-360", "--intervals", "0, 360"],
             "give intervals from 0 up, together 720 deg",
         ),
-        (["vees", "8", "--row", "99"], "--row 99: there are 15; give a number from 1 to 15"),
+        (["vees", "8", "--row", "99"], "--row 99: give a number from 1 to 15"),
     ],
 )
 def test_what_cannot_be_met_is_refused_in_a_sentence(
@@ -262,7 +262,7 @@ def test_vees_of_six_cylinders_are_listed_best_first(run: Run) -> None:
         re.MULTILINE,
     )
     assert re.search(r"^ +2 +90 +30 ", out, re.MULTILINE)
-    assert "8 cranks, 4 without mirror images and reversals, 4 balances." in out
+    assert "8 cranks; 4 not counting mirror images and reversals, with 4 different balances." in out
     assert run("vees", "6", "--bank", "60, 90, 120").out == out
 
 
@@ -284,7 +284,10 @@ def test_who_asks_for_no_bank_angle_is_told_how_to_ask_for_split_pins(run: Run) 
 
 
 def test_one_balance_is_not_called_balances(run: Run) -> None:
-    assert "2 cranks, 1 without mirror images and reversals, 1 balance.\n" in run("vees", "6").out
+    assert (
+        "2 cranks; 1 not counting mirror images and reversals, with 1 balance.\n"
+        in run("vees", "6").out
+    )
     assert "1 of 15 are shown; --top shows more" in run("vees", "8", "--top", "1").out
 
 
@@ -302,7 +305,7 @@ def test_stars_are_counted_as_they_are_chosen_from_and_cranks_with_their_mirror_
 
 def test_split_pins_can_be_limited(run: Run) -> None:
     out = run("vees", "6", "--bank", "60, 90, 120", "--greatest-split", "30 deg").out
-    assert "2 balances" in out
+    assert "2 different balances" in out
     assert (
         run("vees", "6", "--bank", "90", "--greatest-split", "0").out
         == "No V engine of this kind fires evenly.\n"

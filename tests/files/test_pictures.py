@@ -158,7 +158,7 @@ def test_a_sweep_as_csv_and_as_a_chart(run: Run, tmp_path: Path) -> None:
         (["--over", "balance_factor=0..3"], "balance_factor"),
         (["--over", "balance_factor=0..1 mm"], "is a plain number"),
         (["--over", "layout.bank_offset=0..1/9999999"], "from 2 to 20000"),
-        (["--over", "balance_factor=0..1", "--watch", "noise"], "cannot be watched"),
+        (["--over", "balance_factor=0..1", "--watch", "noise"], "cannot be computed in a sweep"),
         (["--over", "balance_factor=0..1", "--watch", ","], "at least one quantity"),
         (["--over", "balance_factor=0..1", "--order", "0"], "numbers above 0"),
         (["--over", "balance_factor=0..1", "--order", "all"], "omit --order"),
@@ -177,7 +177,7 @@ def test_the_verdict_on_a_cross_plane_eight(run: Run) -> None:
     assert "Force of order 4: 0.023182 m r ω², vertical." in out
     assert "Primary couple: 3.1623 m r ω² a, rotating with the crankshaft." in out
     assert "5 main bearings" in out
-    assert "v8-flat-plane, pistons only: primary couple 3.162 instead of 0 m r ω² a" in out
+    assert "v8-flat-plane, pistons only: primary couple 3.162 against 0 m r ω² a" in out
 
 
 def test_what_an_engine_is_called_stays_text_in_a_page(run: Run, tmp_path: Path) -> None:

@@ -408,7 +408,7 @@ def test_a_source_without_errata_is_refused_with_those_there_are(
 def test_questions_without_an_answer_are_refused() -> None:
     with pytest.raises(ErrataError, match="no curves over a turn"):
         curves(SERIES[0])
-    with pytest.raises(ErrataError, match="no series"):
+    with pytest.raises(ErrataError, match="not a series"):
         series_errors(JUDGED[0])
 
 

@@ -833,7 +833,7 @@ def test_values_that_are_none_are_refused(values: Any) -> None:
 def test_other_requests_that_cannot_be_met() -> None:
     sweep = of("single", "balance_factor=0..1/5")
     for what in ("", "forc", "force.", "force.middle", "roll.up", "x" * 5000):
-        with pytest.raises(SweepError, match="cannot be watched"):
+        with pytest.raises(SweepError, match="cannot be computed in a sweep"):
             watched(sweep, what)
     for order in (0, -1, nan, inf):
         with pytest.raises(SweepError, match="there is no order"):

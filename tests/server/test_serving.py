@@ -135,7 +135,7 @@ def test_a_port_in_use_is_told_with_the_next_step() -> None:
     with socket.create_server(("127.0.0.1", 0)) as taken:
         port = taken.getsockname()[1]
         said = refused("--port", str(port))
-        assert f"--port {port}: is in use" in said
+        assert f"--port {port} is in use" in said
         assert re.search(r"as in --port \d+, or --port 0", said)
 
 

@@ -110,5 +110,5 @@ def test_optional_columns_are_left_out_before_a_table_is_split() -> None:
     )
     lines = printed(Document("", (Table("", columns, ((1.0, 2.0, 3.0, 4.0, 5.0, 6.0),)),)))
     (note,) = (line for line in lines if "spare" in line)
-    assert note == f"Left out in this width: {'spare' * 6}."
+    assert note == f"Columns that do not fit in this width: {'spare' * 6}."
     assert len([line for line in lines if "order" in line]) == 1

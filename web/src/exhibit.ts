@@ -365,7 +365,9 @@ export interface FittedQuestion {
 }
 /** The options of a search, of an in-line engine or of a number of cylinders. */
 export interface SearchQuestion {
-  /** Of the engine; else four-stroke, or that of the engine file. */
+  /**
+   * Working cycle, four-stroke or two-stroke (default: that of the engine file, else four-stroke).
+   */
   cycle?: ('two-stroke' | 'four-stroke') | null
   /**
    * Quantities to minimise: couples M1, M2, ..., forces F1, ..., torsion T1.5, ..., neighbours (cylinders side by side that fire in succession), couple (rms over all orders of an engine); else M1,M2. In a list of the best with weights, as in M1,2*M2.
@@ -385,9 +387,11 @@ export interface SearchQuestion {
   mode_shape?: string | null
   /** No cylinders side by side fire in succession. */
   avoid_adjacent?: boolean
-  /** The Pareto front: all values that improve only where another gets worse. */
+  /**
+   * The Pareto front: the stars in which one quantity can improve only at the expense of another.
+   */
   front?: boolean
-  /** A list of so many of the best. */
+  /** List this many of the best stars. */
   best?: number | null
   /** All stars within the limits. */
   all?: boolean

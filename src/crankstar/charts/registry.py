@@ -76,7 +76,7 @@ _FIGURES = (
     Figure(
         "stroke-chart", stroke_chart, N_("open valves and ignition of each cylinder over one cycle")
     ),
-    Figure("firing-ring", firing_ring, N_("the cylinders round a circle at their firing angles")),
+    Figure("firing-ring", firing_ring, N_("the cylinders around a circle at their firing angles")),
     Figure("forces", force_arrows, N_("the forces of each cylinder at chosen crank angles")),
 )
 CHARTS = {figure.name: figure for figure in _FIGURES}

@@ -213,8 +213,8 @@ def _index(row: int, rows: Sequence[object], *, option: str = "--row") -> int:
         raise refusal(option, row, "the list is empty")
     if not 1 <= row <= len(rows):
         why = _n(
-            "there is {count}; give 1",
-            "there are {count}; give a number from 1 to {count}",
+            "give 1; there is only one",
+            "give a number from 1 to {count}",
             len(rows),
             count=len(rows),
         )

@@ -30,14 +30,14 @@ def answer_of(search: Search, work: Work, *, workers: int | None) -> Answer:
     """The answer. Raises SearchError, and RequestError where it takes long without consent."""
     question = search.question
     halves.check(question)
-    with working(_("Getting ready (the first time, loops are compiled for ten seconds) ...")):
+    with working(_("Getting ready (the first search is compiled for about ten seconds) ...")):
         seconds = aside(lambda: estimates.estimate(question))
     count = workers or os.cpu_count() or 1
     if seconds / count > LONG_SECONDS and not (work.yes or work.scheduler):
         raise RequestError(
-            "This search takes about {duration} on {count} processors. To narrow it, fix "
-            "throws (--fix 1=0,2=3), take symmetric cranks (--symmetric) or let a sum vanish "
-            "(--zero M2). To wait, add --yes; to use a cluster, --scheduler.",
+            "This search takes about {duration} on {count} processors. To narrow it, fix throws "
+            "(--fix 1=0,2=3), ask for symmetric cranks (--symmetric) or require a sum to vanish "
+            "(--zero M2). To run it all the same, add --yes; to use a cluster, --scheduler.",
             duration=duration(seconds / count),
             count=count,
         )

@@ -15,13 +15,15 @@ class Work:
     """Who does the work of a search, and how it is kept."""
 
     workers: Annotated[
-        str | None, Parameter(help="Processes of this machine; else one for each processor.")
+        str | None,
+        Parameter(help="Worker processes on this machine (default: one for each processor)."),
     ] = None
     scheduler: Annotated[
         str | None, Parameter(help="A dask scheduler with workers, as in tcp://host:8786.")
     ] = None
     checkpoint: Annotated[
-        str | None, Parameter(help="File that keeps the search, to resume it from there.")
+        str | None,
+        Parameter(help="File in which the progress of the search is kept, to resume it."),
     ] = None
     yes: Annotated[bool, Parameter(help="Search even if it takes more than an hour.")] = False
 
@@ -44,13 +46,15 @@ class Form:
     uneven: Annotated[
         str | None,
         Parameter(
-            help="Refine the angles of --row: firing intervals within these degrees of even ones, "
-            "as in 1,2,5."
+            help=(
+                "Refine the throw angles of --row, with firing intervals within so many degrees "
+                "of even ones, as in 1,2,5."
+            )
         ),
     ] = None
     chart: Annotated[
         Literal["front", "stars"] | None,
-        Parameter(help="A picture: the front, or the stars of the first rows."),
+        Parameter(help="Chart to draw: the front, or the stars of the first rows."),
     ] = None
     csv: Annotated[bool, Parameter(help="All rows as CSV.")] = False
     json: Annotated[bool, Parameter(help="All rows and their proof as JSON.")] = False

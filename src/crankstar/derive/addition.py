@@ -88,7 +88,7 @@ def addition(
     elif len(left) == 2:
         chain += _as_product(sizes, order, function)
     elif len(left) > 2:
-        notes.append(_("The rest is added as vectors, each with its length and phase."))
+        notes.append(_("The other terms are added as vectors, each with its length and phase."))
     if function == "sin":
         whole = wave.multiplied(whole, cyclotomic.root(Fraction(-1, 4)))
     return Addition(distinct([*chain, wave.signal(whole, order)]), tuple(notes), whole)

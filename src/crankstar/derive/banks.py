@@ -173,7 +173,7 @@ def _terms(members: Sequence[Body]) -> list[Term] | None:
 def _resolved(task: Task, banks: Sequence[Row], pistons: Sequence[Body]) -> Step:
     """Forces along several lines, each resolved into up and right, and added."""
     parts = [(row.members[0], row.wave) for row in banks]
-    note = _("Added as vectors, each with its length and phase.")
+    note = _("The terms are added as vectors, each with its length and phase.")
     lines = [
         replace(line, note=note) if len(line.chain) == 2 and _several(line.chain[0]) else line
         for line in sides(task, "", pistons, before=lambda side: resolved(task, parts, side))

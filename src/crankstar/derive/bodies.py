@@ -131,7 +131,7 @@ def inexact(engine: Engine) -> str:
     for turn in turns:
         field = lcm(field, turn.denominator if turn else 1)
         if field > GREATEST_FIELD or field * len(engine.cylinders) > GREATEST_WORK:
-            return _("The common part of a turn of all angles is too small for exact sums.")
+            return _("The common divisor of all angles is too small for exact sums.")
     return ""
 
 

@@ -74,7 +74,9 @@ def cure(engine: Engine, *, ratio: Fraction | int, planes: Sequence[float]) -> C
             )
         ) from None
     if not all(isfinite(plane) for plane in planes):
-        raise DerivationError(_("A plane is not finite; give its place along the shaft."))
+        raise DerivationError(
+            _("The position of a plane is not finite; give its position along the shaft.")
+        )
     derived = [derivation(engine, abs(ratio), quantity) for quantity in ("force", "couple")]
     with cyclotomic.precision(cyclotomic.DIGITS):
         placed = positions.arms(engine)
@@ -90,7 +92,8 @@ def cure(engine: Engine, *, ratio: Fraction | int, planes: Sequence[float]) -> C
         if force.zero and couple.zero:
             raise DerivationError(
                 _(
-                    "Nothing of order {order} turns with a shaft of speed ratio {ratio}.",
+                    "No force or couple of order {order} turns with a shaft of speed ratio "
+                    "{ratio}.",
                     order=abs(ratio),
                     ratio=ratio,
                 )
@@ -192,43 +195,45 @@ def _about_weights(ratio: Fraction) -> tuple[str, ...]:
     """How the weights push, and what they must do."""
     push = "u ω²" if abs(ratio) == 1 else f"{ratio**2} u ω²"
     if ratio == 1:
-        shaft = _("Weights on the crankshaft push with {push}.", push=push)
+        shaft = _("Weights on the crankshaft exert the force {push}.", push=push)
     elif ratio > 0:
         shaft = _(
-            "Weights on a shaft that turns with the crank, {speed} times as fast, push with "
-            "{push}.",
+            "Weights on a shaft that turns with the crank, at {speed} times crank speed, exert "
+            "the force {push}.",
             speed=ratio,
             push=push,
         )
     elif ratio == -1:
         shaft = _(
-            "Weights on a shaft that turns against the crank, as fast as it, push with {push}.",
+            "Weights on a shaft that turns against the crank, at crank speed, exert the force "
+            "{push}.",
             push=push,
         )
     else:
         shaft = _(
-            "Weights on a shaft that turns against the crank, {speed} times as fast, push with "
-            "{push}.",
+            "Weights on a shaft that turns against the crank, at {speed} times crank speed, "
+            "exert the force {push}.",
             speed=-ratio,
             push=push,
         )
     least = _(
-        "Their sum must be −F, the sum of their moments −M; of all that do it, these are the least."
+        "Their sum must be −F and the sum of their moments −M; of all weights that fulfil this, "
+        "these are the smallest."
     )
-    return shaft, least, _("A vector is an unbalance ∠ its bearing at θ = 0.")
+    return shaft, least, _("Vectors: unbalance ∠ bearing at θ = 0.")
 
 
 def _verdict(derived: Sequence[Derivation], *, proved: bool) -> str:
     """What the weights leave."""
     if proved:
         return _(
-            "Added up again from these closed forms, force and couple are exactly zero: the "
-            "residual is proved to vanish."
+            "The force and the couple computed again from these closed forms are exactly zero: "
+            "the residual is proved to vanish."
         )
     reason = next((own.why for own in derived if own.why), "") or _("Some numbers are decimals.")
     return _(
-        "Added up again, force and couple cannot be distinguished from zero to {digits} digits. "
-        "{reason}",
+        "The force and the couple computed again cannot be distinguished from zero to {digits} "
+        "digits. {reason}",
         digits=cyclotomic.DIGITS - 5,
         reason=reason,
     )

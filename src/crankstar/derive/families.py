@@ -61,7 +61,7 @@ def family(engine: Engine, order: float | Fraction, quantity: Quantity, *, symbo
     if symbol not in FAMILIES:
         raise DerivationError(
             _(
-                "No family leaves {symbol} open; choose from {symbols}.",
+                "{symbol} cannot be kept as a symbol; choose from {symbols}.",
                 symbol=repr(symbol),
                 symbols=", ".join(FAMILIES),
             )
@@ -160,8 +160,8 @@ def _row(engine: Engine, order: int, quantity: Quantity) -> list[Step]:
     if not even or len({rational.turn(c.bearing) for c in engine.cylinders}) != 1:
         raise DerivationError(
             _(
-                "n is the number of cylinders in one row on cranks evenly spread over a turn; this "
-                "engine is not of that kind."
+                "n is the number of cylinders in one row on evenly spaced cranks; this engine is "
+                "not of that kind."
             )
         )
     if quantity == "couple":

@@ -120,13 +120,9 @@ def size(engine: Engine, quantity: Quantity, speed: float | None, greatest: floa
     if speed is None:
         missing.append(_("speed"))
     if missing or speed is None:
-        sentence = N_(
-            "The engine file does not give all that newton metres need. Missing: {missing}."
-        )
+        sentence = N_("For newton metres the engine file lacks: {missing}.")
         if quantity == "force":
-            sentence = N_(
-                "The engine file does not give all that newtons need. Missing: {missing}."
-            )
+            sentence = N_("For newtons the engine file lacks: {missing}.")
         return _(sentence, missing=", ".join(missing))
     return _(_SIZES[quantity], speed=f"{speed * 30 / pi:.6g}", size=f"{greatest * speed**2:.6g}")
 

@@ -66,14 +66,11 @@ def resultant(task: Task, symbols: dict[str, float]) -> Step:
 
 def _vectors(task: Task) -> str:
     """How the two vectors are written, and how they turn."""
-    written = _(
-        "A vector is written as its length ∠ its bearing at θ = 0, clockwise from up, seen from "
-        "the front."
-    )
+    written = _("Vectors: length ∠ bearing at θ = 0, clockwise from up, seen from the front.")
     if task.order == 1:
-        speed = _("Both turn as fast as the crank.")
+        speed = _("Both turn at crank speed.")
     else:
-        speed = _("Both turn {order} times as fast as the crank.", order=f"{float(task.order):g}")
+        speed = _("Both turn at {order} times crank speed.", order=f"{float(task.order):g}")
     if task.engine.sense > 0:
         senses = _("The first vector turns with the crank, clockwise, the second against it.")
     else:
@@ -109,7 +106,7 @@ def shape(task: Task) -> tuple[tuple[str, ...], list[Line]]:
         common = (first, second) if wave.same_length(first, second) else None
     if common is not None:
         line, *bearings = LINES[task.quantity]
-        why = _("Its two vectors have one length and turn against each other.")
+        why = _("Its two vectors are equally long and turn in opposite directions.")
         return (f"{_(line)} {_bearing(*common, bearings)} {why}",), []
     if first is None or second is None:
         words = _(
@@ -118,9 +115,9 @@ def shape(task: Task) -> tuple[tuple[str, ...], list[Line]]:
         )
         return (words,), []
     larger_first = abs(first.enclosed()) > abs(second.enclosed())
-    path = _("The path is an ellipse, run through with the crank.")
+    path = _("The path is an ellipse, traversed in the direction of rotation of the crank.")
     if not larger_first:
-        path = _("The path is an ellipse, run through against the crank.")
+        path = _("The path is an ellipse, traversed against the rotation of the crank.")
     words = f"{path} {_bearing(first, second, ELLIPSE)}"
     if len(forward) > 1 or len(backward) > 1 or set(forward) != set(backward):
         return (words,), []

@@ -164,12 +164,12 @@ def signs_chapter(engine: Engine, *, reference: Reference | None = None) -> Chap
     if all(sign.along is not None for sign in sums):
         words.append(
             _(
-                "Each is a vector at θ = 0: its length ∠ its bearing, from the plane of the "
-                "cylinders in the direction of rotation."
+                "Vectors at θ = 0: length ∠ bearing, from the plane of the cylinders in the "
+                "direction of rotation."
             )
         )
     else:
-        words.append(_("Each is a vector at θ = 0: its length ∠ its bearing, clockwise from up."))
+        words.append(_("Vectors at θ = 0: length ∠ bearing, clockwise from up."))
     left = [f"{sign.letter}_{sign.below}" for sign in sums if not sign.zero]
     if left:
         words.append(_("Not zero: {signs}.", signs=", ".join(left)))

@@ -150,9 +150,9 @@ def _words(task: Task) -> list[str]:
             _("The series holds for a plain rod on a centred crank."),
             task.bodies.why,
             _(
-                "The numbers below are therefore enclosed decimals, every digit certain, and not "
-                "closed forms. A sum that cannot be distinguished from zero is left out; it is not "
-                "proved to be zero."
+                "The numbers below are therefore not closed forms but decimals with proved "
+                "bounds, every digit certain. A sum that cannot be distinguished from zero is "
+                "left out; it is not proved to be zero."
             ),
         ]
     counted = _(
@@ -173,14 +173,14 @@ def _sums(task: Task) -> list[Step]:
     """The steps between the law and the resultant."""
     if not task.moving:
         words = _(
-            "No part of the engine pushes in this order. Pistons on a centred crank have the "
-            "harmonics 1, 2, 4, 6, ... of the speed of their crankshaft, and rotating masses have "
-            "the first only."
+            "No part of the engine exerts a force of this order. Pistons on a centred crank have "
+            "the harmonics 1, 2, 4, 6, ... of the speed of their crankshaft, and rotating masses "
+            "have the first only."
         )
         return [Step(_("No such harmonic"), (words,))]
     if task.quantity == "couple" and not any(arm_of(task.arms, body) for body in task.moving):
         words = _(
-            "All parts that push stand in the reference plane: none has an arm, so there is no "
+            "All forces of this order act in the reference plane and have no arm, so there is no "
             "couple of this order."
         )
         return [Step(_("No arms"), (words,))]
@@ -210,9 +210,9 @@ def _turning(task: Task, rotors: list[Body]) -> Step:
         lines += sides(task, name, [body], label, arm=task.arm(body))
     lines += sides(task, "turning", rotors, _("all rotating masses"))
     words = _(
-        "A rotating mass gives a force of constant size, outwards along its crank, which turns "
-        "with the shaft: mass times radius times the square of the speed of the shaft. The first "
-        "two are counted in m r, the speed in ω."
+        "A rotating mass exerts a force of constant size, outwards along its crank, which turns "
+        "with the shaft: mass times radius times the square of the speed of the shaft. Mass "
+        "times radius is in units of m r, the speed in units of ω."
     )
     return Step(_("Rotating masses"), (words,), tuple(lines))
 

@@ -121,9 +121,10 @@ def _law(k: int) -> Step:
     )
     words = (
         _(
-            "A piston gives the crankshaft the torque T, minus the change of its kinetic energy "
-            "with the crank angle, positive in the direction of rotation; ψ is the angle of the "
-            "crank from top dead centre. Rotating masses give none at constant speed."
+            "A piston exerts the torque T on the crankshaft, positive in the direction of "
+            "rotation: minus the derivative of its kinetic energy with respect to the crank "
+            "angle. ψ is the angle of the crank from top dead centre. Rotating masses exert no "
+            "torque at constant speed."
         ),
         _(
             "The following lines are of order {order}, counted in the unit below; θ is the crank "

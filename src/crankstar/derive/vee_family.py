@@ -66,19 +66,19 @@ def vee(engine: Engine, order: int, quantity: Quantity) -> list[Step]:
 
 def _words(quantity: Quantity) -> tuple[str, ...]:
     ellipse = _(
-        "Two cylinders at bearings +α and −α work on one pin. The second reaches its dead centre "
-        "2α later or earlier than the first, and their cosines add to an ellipse with the "
+        "Two cylinders at bearings +α and −α share one pin. The second reaches its dead centre "
+        "2α later or earlier than the first, and their cosines add up to an ellipse with the "
         "semi-axes 2 cos α cos kα upwards and 2 sin α sin kα to the right."
     )
     pins = _(
-        "All pins do the same at other crank angles: the sum is that of one pin times S, the sum "
-        "of unit vectors at k times the angles of the pins from pin 1."
+        "The other pins add the same sum at other crank angles: the total is that of one pin "
+        "times S, the sum of unit vectors at k times the angles of the pins from pin 1."
     )
     if quantity == "force":
         return ellipse, pins
     arms = _(
-        "For the couple T takes the place of S: the same sum with the arms of the pins, and, where "
-        "one bank stands in front of the other, with half of that as arms."
+        "For the couple, T replaces S: the same sum with the arms of the pins and, where one "
+        "bank stands in front of the other, with half of that offset as arms."
     )
     return ellipse, pins, arms
 

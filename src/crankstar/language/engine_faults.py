@@ -96,10 +96,10 @@ SENTENCES: dict[str, str | Plural] = {
         "{master_throw}; they must be the same"
     ),
     "firing_angles.count": Plural(
-        "{where} has {count} angle, firing_order {firings} cylinders; give one angle for each, in "
-        "the same order",
-        "{where} has {count} angles, firing_order {firings} cylinders; give one angle for each, in "
-        "the same order",
+        "{where} has {count} angle, but firing_order has {firings} cylinders; give one angle for "
+        "each, in the same order",
+        "{where} has {count} angles, but firing_order has {firings} cylinders; give one angle "
+        "for each, in the same order",
     ),
     "firing_angles.off-dead-centre": N_(
         "{where} is {value} deg; cylinder {number} is at top dead centre at {angle} deg and every "
@@ -243,8 +243,10 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} is {value}, and there is no such cylinder in the row; there are: {numbers}"
     ),
     "layout.banks-unlike": Plural(
-        "{where} has {count} cylinder, the first bank {first}; banks must have the same number",
-        "{where} has {count} cylinders, the first bank {first}; banks must have the same number",
+        "{where} has {count} cylinder, but the first bank has {first}; banks must have the same "
+        "number",
+        "{where} has {count} cylinders, but the first bank has {first}; banks must have the same "
+        "number",
     ),
     "layout.positions-count": Plural(
         "{where} has {count} place; give {pins}, one for each cylinder of a bank",

@@ -10,7 +10,7 @@ from crankstar.language.messages import N_, Plural
 SENTENCES: dict[str, str | Plural] = {
     # stars
     "cycle": N_("The cycle is {given}; it can be {choices}."),
-    "cylinders": N_("{given} cylinders have no crank star; there can be {least} to {most}."),
+    "cylinders": N_("A crank star has {least} to {most} cylinders, not {given}."),
     "positions": N_("{given} positions are given for {cylinders} cylinders; give one for each."),
     "position": N_("A position along the shaft is not a finite number."),
     "symmetric": N_(
@@ -29,7 +29,7 @@ SENTENCES: dict[str, str | Plural] = {
         "Cylinders {first} and {second} of a symmetric crank have the same direction."
     ),
     "fixed-crowded": N_(
-        "Direction {direction} is given to cylinders {cylinders}, more than its {room}."
+        "Direction {direction} is given to cylinders {cylinders}; it takes only {room}."
     ),
     "fixed-form": N_("{given}: give cylinder = direction, as in 1=0,4=3."),
     "star-throws": N_(
@@ -57,8 +57,8 @@ SENTENCES: dict[str, str | Plural] = {
     "later": N_("{given} angles are given for {cylinders} cylinders; give one for each."),
     # objectives and limits
     "no-quantity": N_(
-        "There is no {given}; choose from couples (M1, M2), forces (F1), torsion (T3, with "
-        "{mode_shape}) and neighbours."
+        "There is no quantity {given}; choose from couples (M1, M2), forces (F1), torsion (T3, "
+        "with {mode_shape}) and neighbours."
     ),
     "order": N_("{name}: the order can be above 0, up to {most}."),
     "half-order": N_("{name}: inertia forces have whole orders only."),
@@ -74,8 +74,8 @@ SENTENCES: dict[str, str | Plural] = {
         "M1,M2."
     ),
     "alike-order": N_(
-        "{name} is the same for every star, because all throws stand alike to this order; leave it "
-        "out."
+        "{name} is the same for every star, because all throws are in phase in this order; leave "
+        "it out."
     ),
     "alike-throws": N_(
         "{name} is the same for every star, because the throws are evenly spaced; leave it out."
@@ -90,7 +90,7 @@ SENTENCES: dict[str, str | Plural] = {
     "shape-form": N_("{given}: give an amplitude for each cylinder, as in 1,0.5,-0.5,-1."),
     "shape-count": N_("{given} amplitudes are given for {cylinders} cylinders; give one for each."),
     "shape-uniform": N_("The amplitudes are all equal, which is not a vibration."),
-    "shape-unused": N_("No torsion is searched for; name an order, as in {minimise} M1,M2,T3."),
+    "shape-unused": N_("No order of torsion is searched for; name one, as in {minimise} M1,M2,T3."),
     "several-answers": N_("Ask for only one of {front}, {best}, {all} and {all_with}."),
     "best": N_("{given}: give a whole number from 1 to {most}."),
     "weights-unused": N_("Weights apply only to a list of the best; add {best} 20, or omit them."),
@@ -102,7 +102,9 @@ SENTENCES: dict[str, str | Plural] = {
     "all-with-text": N_(
         "{given}: give a firing order, as in 1-3-4-2, or values, as in M1=0.2673,M2=1.0056."
     ),
-    "all-with-neighbours": N_("Equal moments are compared; add {limit} neighbours=1 instead."),
+    "all-with-neighbours": N_(
+        "Only moments can be required to be equal; to limit neighbours, add {limit} neighbours=1."
+    ),
     "all-with-value": N_("{given}: give a value from 0 up, as in M1=0.2673."),
     # questions
     "other-stars": N_("{sum} is a sum over other stars: {cylinders} cylinders."),
@@ -127,7 +129,7 @@ SENTENCES: dict[str, str | Plural] = {
         "held at once. Fix at least {fixed} throws, or ask for symmetric cranks."
     ),
     "near-zero": N_(
-        "A sum is closer to zero than rounding shows, and is not zero; ask for all stars ({all}) "
+        "A sum differs from zero by less than the rounding error; ask for all stars ({all}) "
         "instead."
     ),
     # uneven angles
@@ -141,17 +143,20 @@ SENTENCES: dict[str, str | Plural] = {
     "no-term": N_("Give at least one vector sum a weight above 0."),
     "starts": N_("{given} starting points are not possible; give at least 1."),
     "no-angles": N_(
-        "With intervals within {deviation} deg of even ones no angles keep {limits}; allow more."
+        "No angles with firing intervals within {deviation} deg of even ones keep {limits}; "
+        "allow a greater deviation."
     ),
-    "needs-sum": N_("Name a couple, force or torsion in {minimise} for other angles to reduce."),
+    "needs-sum": N_(
+        "Name a couple, force or torsion in {minimise} that uneven angles are to reduce."
+    ),
     # running
     "range-size": N_("A block range has at least 1 block, not {given}."),
     "worker-import": N_(
         "A worker cannot load crankstar ({error}); install the same version wherever workers run."
     ),
     "worker-lost": N_(
-        "A part of the search lost its worker {times} times ({error}). Too little memory ends "
-        'processes, and so does a script without: if __name__ == "__main__"'
+        "The worker of one part of the search was lost {times} times ({error}). The cause may be "
+        'a lack of memory, or a script without: if __name__ == "__main__"'
     ),
     "executor": N_("The executor is broken and accepts no more work: {error}"),
     "scheduler-gone": N_("The scheduler at {address} is gone; a checkpoint keeps what was done."),

@@ -8,8 +8,8 @@ from __future__ import annotations
 from crankstar.language.messages import N_, Plural
 
 QUESTION = {
-    "missing": N_("is missing; /docs says what is asked here"),
-    "extra_forbidden": N_("unknown key; /docs says what is asked here"),
+    "missing": N_("is missing; see /docs for the keys of this request"),
+    "extra_forbidden": N_("unknown key; see /docs for the keys of this request"),
     "string_type": N_("is {given}; text is needed"),
     "int_type": N_("is {given}; a whole number is needed"),
     "float_type": N_("is {given}; a number is needed"),
@@ -21,7 +21,7 @@ QUESTION = {
     "literal_error": N_("is {given}; it can be {expected}"),
     "string_too_long": N_("is {given}; at most {max_length} letters are allowed"),
     "too_long": N_("is {given}; at most {max_length} entries are allowed"),
-    "other": N_("is {given}; it cannot be used here; /docs says what is asked"),
+    "other": N_("is {given}, which cannot be used here; see /docs"),
 }
 SENTENCES: dict[str, str | Plural] = {
     **{f"question.{kind}": sentence for kind, sentence in QUESTION.items()},
@@ -33,37 +33,41 @@ SENTENCES: dict[str, str | Plural] = {
     "question.subject": N_("Give either an engine or a number of cylinders."),
     "question.long-search": N_(
         "This search takes about {duration} on one processor, too long for a page. Fix throws, "
-        "take symmetric cranks or let a sum vanish; or use `crankstar search`, which has no limit."
+        "ask for symmetric cranks or require a sum to vanish; or use `crankstar search`, which "
+        "has no limit."
     ),
-    "question.not-text": N_("The question is not text in UTF-8."),
-    "question.not-object": N_("The question is not a JSON object, as in {example}."),
-    "question.late": N_("The question did not arrive within {seconds} s."),
-    "question.broken-off": N_("The question broke off."),
-    "question.not-http": N_("This is not a question in HTTP."),
+    "question.not-text": N_("The request is not text in UTF-8."),
+    "question.not-object": N_("The request is not a JSON object, as in {example}."),
+    "question.late": N_("The request did not arrive within {seconds} s."),
+    "question.broken-off": N_("The request broke off."),
+    "question.not-http": N_("This is not an HTTP request."),
     "question.not-json": N_(
-        "The question must be JSON, with the header Content-Type: application/json."
+        "The request must be JSON, with the header Content-Type: application/json."
     ),
     "question.compressed": N_(
-        "The question must not be compressed. Leave out the header Content-Encoding."
+        "The request must not be compressed. Leave out the header Content-Encoding."
     ),
-    "question.large": N_("The question is larger than {size} MB; an engine file has a few kB."),
+    "question.large": N_("The request is larger than {size} MB; an engine file has a few kB."),
     "question.host": N_("{host} is not a name of this server. Use the address that it printed."),
-    "question.origin": N_("A page of another site asks this. Open the page of this server itself."),
+    "question.origin": N_(
+        "The request comes from a page of another site. Open the page of this server itself."
+    ),
     "question.address": N_("There is no such address; see /docs."),
-    "question.method": N_("This address does not take this method; see /docs."),
-    "question.unanswerable": N_("This question cannot be answered."),
-    "question.unbuilt": N_("{name} was not built with this installation"),
+    "question.method": N_("This address does not allow this method; see /docs."),
+    "question.unanswerable": N_("This request cannot be answered."),
+    "question.unbuilt": N_("{name} is not part of this installation"),
     "question.more": N_("... and {count} more"),
     "question.too-long": N_(
-        "This takes longer than {seconds} s and was stopped. Ask for less, or use the command "
-        "line, which has no limit."
+        "The computation took longer than {seconds} s and was stopped. Reduce the request, or "
+        "use the command line, which has no limit."
     ),
-    "question.busy": N_("Too many questions are waiting. Ask again in a moment."),
+    "question.busy": N_("Too many requests are waiting. Try again in a moment."),
     "question.lost": N_(
-        "The process that computed this was lost, perhaps for lack of memory. Ask for less."
+        "The process that computed this was lost, perhaps for lack of memory. Reduce the request."
     ),
     "question.failed": N_(
-        "crankstar failed at this, which is a bug. The details are in the terminal of the server."
+        "The request failed because of a bug in crankstar. The details are in the terminal of "
+        "the server."
     ),
     "question.crowded": N_(
         "{count} searches are running, the most allowed. Wait until one ends, or stop it."

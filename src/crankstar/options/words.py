@@ -13,7 +13,11 @@ class SearchWords(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True)
 
     cycle: Literal["two-stroke", "four-stroke"] | None = Field(
-        default=None, description="Of the engine; else four-stroke, or that of the engine file."
+        default=None,
+        description=(
+            "Working cycle, four-stroke or two-stroke (default: that of the engine file, else "
+            "four-stroke)."
+        ),
     )
     minimise: str | None = Field(
         default=None,
@@ -45,9 +49,12 @@ class SearchWords(BaseModel):
     )
     front: bool = Field(
         default=False,
-        description="The Pareto front: all values that improve only where another gets worse.",
+        description=(
+            "The Pareto front: the stars in which one quantity can improve only at the expense "
+            "of another."
+        ),
     )
-    best: int | str | None = Field(default=None, description="A list of so many of the best.")
+    best: int | str | None = Field(default=None, description="List this many of the best stars.")
     all: bool = Field(default=False, description="All stars within the limits.")
     all_with: str | None = Field(
         default=None,

@@ -56,7 +56,9 @@ def gears(
     if not undriven:
         return tuple(wheels), ()
     names = ", ".join(engine.shafts[index].name for index in undriven)
-    return tuple(wheels), (_("Gears, idlers or chains are not drawn for: {shafts}.", shafts=names),)
+    return tuple(wheels), (
+        _("The gears, idlers or chains of these shafts are not drawn: {shafts}.", shafts=names),
+    )
 
 
 def _meshes(engine: Engine, places: Sequence[Place], reach: float) -> tuple[list[Mesh], list[int]]:

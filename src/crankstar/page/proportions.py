@@ -75,7 +75,10 @@ def proportions(engine: Engine) -> Proportions:
     strokes = travel[:, 1] - travel[:, 0]
     if np.any(strokes > CROSSHEAD * bores):
         assumed.append(
-            _("An engine with so long a stroke has a crosshead; the rod is drawn on the piston.")
+            _(
+                "An engine with so long a stroke has a crosshead; here the rod is drawn up to "
+                "the piston."
+            )
         )
     return Proportions(
         along,

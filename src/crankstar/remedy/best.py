@@ -148,7 +148,8 @@ def _check_aim(aim: Aim) -> None:
         or max(shares) == 0
     ):
         raise RemedyError(
-            "an aim is one of {quantities}, with shares of up and right from 0, not both 0",
+            "the quantity to minimise is one of {quantities}, with shares of up and right from 0 "
+            "that are not both 0",
             quantities=", ".join(get_args(Quantity)),
         )
 
@@ -268,7 +269,8 @@ def _settled(case: Setting, aim: Aim | None, limits: Sequence[Limit], most: floa
             return best
         angles = [np.append(theta, more) for theta, more in zip(angles, missing, strict=True)]
     raise RemedyError(
-        "the search for the best weights did not converge; use fewer planes, or another aim"
+        "the search for the best weights did not converge; use fewer planes, or minimise another "
+        "quantity"
     )
 
 
@@ -318,8 +320,8 @@ def _infeasible(case: Setting, limits: Sequence[Limit], most: float) -> str:
         least = measured(case, limit.aim, x) if x is not None else np.inf
         if least > limit.at_most:
             return _(
-                "limit {limit} {unit}, {aim}: cannot be met with these planes and unbalances up to "
-                "{unbalance} m r; the least is {least}, {excess} more",
+                "the limit of {limit} {unit}, {aim}, cannot be met with these planes and "
+                "unbalances up to {unbalance} m r; the least is {least}, {excess} more",
                 limit=f"{limit.at_most:g}",
                 unit=_unit(limit.aim),
                 aim=aim_name(limit.aim),
@@ -333,7 +335,7 @@ def _infeasible(case: Setting, limits: Sequence[Limit], most: float) -> str:
         return _infeasible(case, limits[:-1], most)
     least = measured(case, last.aim, x)
     return _(
-        "the limits cannot be met together: within the others the least is {least} {unit}, {aim}, "
+        "the limits cannot be met together: within the others the least {aim} is {least} {unit}, "
         "{excess} more than {limit}",
         least=f"{least:g}",
         unit=_unit(last.aim),

@@ -95,7 +95,7 @@ class Fitted(NamedTuple):
 
 
 _WEIGHTS = {
-    "ends": N_("Fitted with counterweights on the end webs; no balance factor is enough."),
+    "ends": N_("Fitted with counterweights on the end webs; no balance factor would suffice."),
     "removed": N_("Without its counterweights."),
 }
 

@@ -125,9 +125,7 @@ def with_balance_shaft(
             greatest=GREATEST_RATIO,
         )
     if not planes or len(set(planes)) < len(planes):
-        raise RemedyError(
-            "a balance shaft needs planes for its weights, all different; two are enough"
-        )
+        raise RemedyError("a balance shaft needs planes for its weights, all different; give two")
     apart(engine, planes)
     if len(engine.shafts) >= GREATEST_SHAFTS:
         raise RemedyError(
@@ -138,8 +136,8 @@ def with_balance_shaft(
     vectors = _unbalances(engine, ratio, planes)
     if not vectors:
         raise RemedyError(
-            "no force or couple of order {order} turns with a shaft of speed ratio {ratio}: it "
-            "has no use",
+            "no force or couple of order {order} turns with a shaft of speed ratio {ratio}; "
+            "leave the shaft out",
             order=abs(ratio),
             ratio=ratio,
         )
@@ -254,9 +252,8 @@ def with_roll_cancelled(engine: Engine, *, order: Fraction | int) -> Engine:
     left = complex(spectra.amplitude(spectra.selected(_roll(moved), [float(order)]))[0])
     if abs(left) > ZERO * max(abs(rest), _pushed(part_spectra(mechanism(engine)).axis_moment)):
         raise RemedyError(
-            "the pair of ratios {order} and -{order} has no force of the kind that could "
-            "cancel "
-            "the roll",
+            "the forces of the pair of ratios {order} and -{order} cannot cancel the rolling "
+            "moment at any height",
             order=order,
         )
     return moved

@@ -67,7 +67,7 @@ def drawings(subject: Subject, gallery: Gallery) -> str:  # noqa: ARG001 - one s
         _("From above; the front is at the left."),
     )
     pairs = zip(views(subject.engine, subject.scene), captions, strict=True)
-    lead = paragraph(_("At θ = 0, all to one scale; the crankshaft is red."))
+    lead = paragraph(_("All views at θ = 0 and to one scale; the crankshaft is red."))
     assumed = "".join(paragraph(line, "note") for line in subject.scene.assumed)
     drawn = figures([figure(drawing, caption) for drawing, caption in pairs], "views")
     return section(_("Views"), lead + drawn + assumed, name="views")
@@ -102,7 +102,7 @@ def strokes_page(subject: Subject, gallery: Gallery) -> str:
         return section(_("Strokes"), "".join(map(paragraph, [missing, *lines])), name=name)
     drawn = [
         gallery.figure("stroke-chart", _("Open intake and exhaust, and ignition.")),
-        gallery.figure("firing-ring", _("The cylinders round the working cycle.")),
+        gallery.figure("firing-ring", _("The cylinders around the working cycle.")),
     ]
     tables = parts_html(strokes.tables(engine, cycle))
     return section(_("Strokes"), figures(drawn) + tables, name=name)

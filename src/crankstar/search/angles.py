@@ -181,7 +181,7 @@ def sentence(result: Uneven) -> str:
     )
     return _(
         "Firing intervals within {deviation} deg of {even} deg: {sums}. This is a local optimum, "
-        "the best of {starts} starts, {agreeing} of which ended in it; a better one elsewhere is "
+        "the best from {starts} starting points, {agreeing} of which lead to it; a better one is "
         "not ruled out.",
         deviation=f"{result.greatest_deviation_deg:.4g}",
         even=even,

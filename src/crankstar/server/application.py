@@ -25,10 +25,10 @@ from crankstar.server.workers import Workers
 DESCRIPTION = """How a piston engine shakes: force, couple and rolling moment by order,
 figures, derivations, remedies, searches.
 
-Every question holds its engine, by its name in the catalog or as the tree of an engine file
-(`/api/schema` says what may stand in it). Whatever is wrong is answered in one shape,
-`{"problems": [{"path": ..., "code": ..., "values": ..., "message": ...}]}`: every mistake, its key
-path, which mistake it is with its values, and what would be right."""
+Every request holds its engine, by its name in the catalog or as the tree of an engine file
+(`/api/schema` describes its keys). Every mistake in a request is answered in one form,
+`{"problems": [{"path": ..., "code": ..., "values": ..., "message": ...}]}`: the key path of the
+mistake, its code and values, and a sentence that says what would be right."""
 Opening = tuple[Any, str, str]
 """The engine that the page opens with (name or tree), its name as given, the command."""
 OPENS_WITH: Opening = ("v8-cross-plane", "v8-cross-plane", "crankstar serve v8-cross-plane")

@@ -129,8 +129,8 @@ async def page() -> Response:
 async def unbuilt() -> Response:
     """What says that there is no bundle."""
     sentence = _(
-        "The page was not built with this installation. In a checkout: make bundle. The API is "
-        "there all the same: /docs"
+        "The page is not part of this installation; in a checkout, build it with make bundle. "
+        "The API works without it: /docs"
     )
     return _text(UNBUILT % json.dumps(sentence), SCRIPT)
 

@@ -21,21 +21,21 @@ from crankstar.server.searches import Searches
 from crankstar.server.workers import Task
 
 JSON = "application/json"
-ASKED = "the question"
+ASKED = "the request"
 Statuses = dict[int | str, dict[str, Any]]
 Handler = TypeVar("Handler", bound=Callable[..., Any])
 REFUSED: Statuses = {
     status: {"model": messages.Refusal, "description": text}
     for status, text in {
-        400: "The question broke off, or cannot be read.",
-        403: "A page of another site asks.",
-        408: "The question did not come in time.",
-        413: "The question is larger than 1 MB.",
-        415: "The question is not JSON.",
-        421: "The server is not called by the name it was asked by.",
-        422: "The question is wrong: every mistake, its key path and what would be right.",
-        500: "A mistake of crankstar.",
-        503: "It takes too long, or too much is asked at once.",
+        400: "The request broke off, or cannot be read.",
+        403: "The request comes from a page of another site.",
+        408: "The request did not arrive in time.",
+        413: "The request is larger than 1 MB.",
+        415: "The request is not JSON, or is compressed.",
+        421: "The host of the request is not a name of this server.",
+        422: "The request is wrong: every mistake, its key path and what would be right.",
+        500: "A bug in crankstar.",
+        503: "The computation takes too long, or too many requests are waiting.",
     }.items()
 }
 ANSWERED: Statuses = {status: REFUSED[status] for status in (403, 421, 500, 503)}
@@ -44,7 +44,7 @@ MISSING: Statuses = {
     404: {"model": messages.Refusal, "description": "There is nothing of that name."}
 }
 CROWDED: Statuses = {
-    429: {"model": messages.Refusal, "description": "As many searches as may be are under way."}
+    429: {"model": messages.Refusal, "description": "The most searches allowed are running."}
 }
 
 

@@ -42,8 +42,8 @@ def opened(host: str, port: int) -> socket.socket:
     except (OSError, UnicodeError, OverflowError):
         raise RequestError(
             _(
-                "--host {host}: is no address of this machine; leave it out, or give one as in "
-                "127.0.0.1",
+                "--host {host} is not an address of this machine; leave it out, or give one, as "
+                "in 127.0.0.1",
                 host=one_line(host),
             )
         ) from None
@@ -63,19 +63,19 @@ def opened(host: str, port: int) -> socket.socket:
 def _refusal(host: str, port: int, error: OSError) -> str:
     if error.errno == errno.EADDRINUSE:
         return _(
-            "--port {port}: is in use, perhaps by another crankstar serve; take another, as in "
+            "--port {port} is in use, perhaps by another crankstar serve; choose another, as in "
             "--port {other}, or --port 0 for a free one",
             port=port,
             other=port + 1 if port < 65535 else 8000,
         )
     if error.errno == errno.EACCES:
         return _(
-            "--port {port}: may not be used by you; take one from 1024 up, as in --port 8000",
+            "--port {port} is reserved for the administrator; choose one from 1024 up, as in "
+            "--port 8000",
             port=port,
         )
     return _(
-        "--host {host}: cannot be used ({reason}); leave it out, or give an address of this "
-        "machine",
+        "--host {host} cannot be used ({reason}); leave it out, or give an address of this machine",
         host=one_line(host),
         reason=error.strerror,
     )

@@ -84,7 +84,7 @@ def work(pipe: Connection, asked: dict[str, Any]) -> None:
     except Refused as refusal:
         last = Failed("; ".join(map(said, refusal.faults)))
     except Exception:  # noqa: BLE001  # the asker must hear of any failure
-        last = Failed(_("crankstar failed at this search, which is a bug."))
+        last = Failed(_("The search failed because of a bug in crankstar."))
     with suppress(OSError):
         pipe.send(last)
     os._exit(0)

@@ -82,7 +82,8 @@ def _numbers(parts: Sequence[str], given: str) -> tuple[list[float], str]:
     for part, match in zip(parts, matches, strict=True):
         if not match or not np.isfinite(float(match[1])) or _NO_UNIT.match(match[2]):
             raise SweepError(
-                "--over {given}: {part} is not a number, or one with a unit; give values {example}",
+                "--over {given}: {part} is not a number, with or without a unit; give values, "
+                "{example}",
                 given=given,
                 part=seen(part.strip()),
                 example=EXAMPLE,
@@ -90,7 +91,7 @@ def _numbers(parts: Sequence[str], given: str) -> tuple[list[float], str]:
     units = dict.fromkeys(match[2] for match in matches if match and match[2])
     if len(units) > 1:
         raise SweepError(
-            "--over {given}: the units are {units}; give all values in one",
+            "--over {given}: the units are {units}; give all values in one unit",
             given=given,
             units=", ".join(one_line(unit, longest=20) for unit in units),
         )

@@ -253,7 +253,7 @@ def watched(sweep: Sweep, what: str, *, order: float | None = None) -> Curve:
     """
     if what not in WATCHABLE:
         raise SweepError(
-            "{quantity} cannot be watched; what can is {quantities}",
+            "{quantity} cannot be computed in a sweep; choose from {quantities}",
             quantity=one_line(what, longest=60),
             quantities=", ".join(WATCHABLE),
         )

@@ -107,8 +107,8 @@ def variants(
             return batches
     if different.size > GREATEST_BUILT:
         raise SweepError(
-            "every one of the {count} engines must be built here, at most {most} can be; give "
-            "fewer values",
+            "here each of the {count} engines must be built by itself, which is possible for at "
+            "most {most}; give fewer values",
             count=different.size,
             most=GREATEST_BUILT,
         )

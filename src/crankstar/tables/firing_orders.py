@@ -106,8 +106,8 @@ def _notes(listing: Listing, shown: int, own: int | None) -> list[str]:
     if not count:
         return [
             _(
-                "No firing order meets this; --any --together also lists those in which "
-                "cylinders fire at once."
+                "No firing order meets these conditions; --any --together also lists those in "
+                "which cylinders fire together."
             )
         ]
     out = [_count_sentence(listing)]

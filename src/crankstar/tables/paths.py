@@ -17,11 +17,14 @@ WORDS = {
     "against": (N_("circle against the crank"), N_("rotating against the crankshaft")),
     "ellipse with": (
         N_("ellipse {ratio}:1 at {bearing}°, with the crank"),
-        N_("on an ellipse {ratio}:1 at {bearing}°, with the crankshaft"),
+        N_("on an ellipse of axis ratio {ratio}:1, major axis at {bearing}°, with the crankshaft"),
     ),
     "ellipse against": (
         N_("ellipse {ratio}:1 at {bearing}°, against the crank"),
-        N_("on an ellipse {ratio}:1 at {bearing}°, against the crankshaft"),
+        N_(
+            "on an ellipse of axis ratio {ratio}:1, major axis at {bearing}°, against the "
+            "crankshaft"
+        ),
     ),
 }
 """Each path as a noun, and within a sentence."""

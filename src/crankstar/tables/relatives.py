@@ -128,8 +128,8 @@ def _differences(own: PistonBalance, other: PistonBalance, arm: str) -> str:
 
 
 DIFFERENCES = {
-    "force_1": N_("primary force {mine} instead of {theirs} {unit}"),
-    "couple_1": N_("primary couple {mine} instead of {theirs} {unit}"),
-    "force_2": N_("secondary force {mine} instead of {theirs} {unit}"),
-    "couple_2": N_("secondary couple {mine} instead of {theirs} {unit}"),
+    "force_1": N_("primary force {mine} against {theirs} {unit}"),
+    "couple_1": N_("primary couple {mine} against {theirs} {unit}"),
+    "force_2": N_("secondary force {mine} against {theirs} {unit}"),
+    "couple_2": N_("secondary couple {mine} against {theirs} {unit}"),
 }

@@ -125,7 +125,9 @@ def _weights(job: Job) -> Table:
         for weight in shaft.weights
     )
     at = _("the crank radius") if job.radius is None else across.text(radius)
-    note = _("Mass: of a lump, or missing from a ring, with its centre at {radius}.", radius=at)
+    note = _(
+        "Mass: that of a lump, or that missing from a ring, with its centre at {radius}.", radius=at
+    )
     notes = (note,) if rows else (_("No weights."),)
     return Table(_("Weights"), columns, rows, notes=notes, key="weights")
 

@@ -159,11 +159,9 @@ def left_out(question: Question) -> list[str]:
     }
     return [
         _(
-            "{pistons}: the search leaves out rotating masses, counterweights and other "
-            "shafts, whose "
-            "effect is not the same at every throw, and offsets that shift the pistons. "
-            "{sums}: the "
-            "greatest value with all parts, as `analyze` finds it.",
+            "{pistons}: the search leaves out rotating masses, counterweights and other shafts, "
+            "whose effect differs between throws, and offsets that shift the pistons. {sums}: "
+            "the greatest value with all parts, as `analyze` computes it.",
             **values,
         )
     ]
@@ -195,7 +193,7 @@ def as_it_is(answer: Answer, engine: Engine | None) -> list[str]:
             )
         ]
     return [
-        _("The engine as it is ({order}), in none of these rows: {sums}.", order=order, sums=sums)
+        _("The engine as it is ({order}), not among these rows: {sums}.", order=order, sums=sums)
     ]
 
 
@@ -255,16 +253,16 @@ def census(stars: Stars) -> str:
         return _("{throws}: {stars} stars with the fixed throws.", **values)
     if stars.symmetric:
         return _(
-            "{throws}: {stars} lengthwise symmetric stars; {mirrored} without mirror images.",
+            "{throws}: {stars} lengthwise symmetric stars; {mirrored} not counting mirror images.",
             **values,
         )
     if ends != mirrored:
         return _(
-            "{throws}: {stars} stars; {mirrored} without mirror images, {ends} without those seen "
-            "from the rear end.",
+            "{throws}: {stars} stars; {mirrored} not counting mirror images, {ends} not counting "
+            "reversals either.",
             **values,
         )
-    return _("{throws}: {stars} stars; {mirrored} without mirror images.", **values)
+    return _("{throws}: {stars} stars; {mirrored} not counting mirror images.", **values)
 
 
 def closed_form(objective: Objective, row: AnswerRow) -> str:
@@ -336,8 +334,8 @@ def certificate(answer: Answer, hints: Hints = TYPED) -> str:
             **values,
         )
     return _(
-        "Proved complete: all stars with {regions} were searched ({met} of {of}, {blocks}); a row "
-        "above is better than every star outside.",
+        "Proved complete: all stars with {regions} were searched ({met} of {of}, {blocks}); "
+        "every other star is worse than one of these rows.",
         **values,
     )
 

@@ -173,8 +173,8 @@ def _disturbances(found: WorkingCycle, groups: Sequence[ExhaustGroup]) -> Table:
     columns = (
         Column(_("cylinder"), key="blowing"),
         Column(_("blows down into"), key="disturbed"),
-        Column(_("exhaust of that open for"), "deg", key="exhaust_open_deg"),
-        Column(_("and its intake for"), "deg", key="both_open_deg"),
+        Column(_("exhaust of that cylinder open for"), "deg", key="exhaust_open_deg"),
+        Column(_("exhaust and intake open for"), "deg", key="both_open_deg"),
     )
     rows = tuple(
         (one.blowing, one.disturbed, one.exhaust_open_deg, one.both_open_deg)

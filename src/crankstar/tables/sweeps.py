@@ -92,7 +92,7 @@ def best_sentence(sweep: Sweep, curve: Curve, found: Best, *, greatest: bool = F
         "value": f"{number(found.value)}{unit}",
     }
     if found.flat:
-        return _("{curve}: {result} {unit} at every value; {path} does not matter.", **values)
+        return _("{curve}: {result} {unit} at every value; {path} has no effect.", **values)
     best = _("Least {curve}: {result} {unit} at {path} = {value}.", **values)
     if greatest:
         best = _("Greatest {curve}: {result} {unit} at {path} = {value}.", **values)
@@ -100,14 +100,17 @@ def best_sentence(sweep: Sweep, curve: Curve, found: Best, *, greatest: bool = F
     if found.stretch is not None:
         low, high = found.stretch
         also = _(
-            "The same from {low} to {high}{unit}.", low=number(low), high=number(high), unit=unit
+            "The value is the same from {low} to {high}{unit}.",
+            low=number(low),
+            high=number(high),
+            unit=unit,
         )
     elif found.also:
         others = ", ".join(number(other) for other in found.also)
-        also = _("The same at {others}{unit}.", others=others, unit=unit)
+        also = _("The value is the same at {others}{unit}.", others=others, unit=unit)
     # Nothing is less than zero, so beyond the end it cannot be better.
     beyond = found.at_edge and (greatest or found.result > FOUND * top)
-    edge = _("It is an end of the range and may be better beyond.") if beyond else ""
+    edge = _("This is an end of the range; a better value may lie beyond it.") if beyond else ""
     return " ".join(filter(None, (best, also, edge)))
 
 

@@ -91,7 +91,7 @@ def _left_out(columns: list[Drawn], pieces: list[list[Drawn]]) -> list[Renderabl
     names = [drawn.heading[0] for drawn in columns if id(drawn) not in shown]
     if not names:
         return []
-    line = _("Left out in this width: {columns}.", columns=", ".join(names))
+    line = _("Columns that do not fit in this width: {columns}.", columns=", ".join(names))
     return [Text(line, style="dim")]
 
 

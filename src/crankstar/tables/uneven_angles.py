@@ -87,10 +87,10 @@ def uneven_angles(curve_: Sequence[Uneven]) -> Document:
     notes = (
         sentence(curve_[-1]),
         _(
-            "Intervals in firing order; top dead centres of cylinders 1, 2, 3 ... beside "
-            "the even star."
+            "Firing intervals are listed in firing order, top dead centres by cylinder, 1, 2, 3, "
+            "..., relative to those of the even star."
         ),
-        _("Of angles with equal couples, those with the least free force."),
+        _("Among throw angles with equal couples, those with the least free force are taken."),
     )
     order = "-".join(map(str, firing_order(first.stars, first.star)))
     table = Table("", tuple(heads), tuple(rows), notes=notes, key="angles")

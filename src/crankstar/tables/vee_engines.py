@@ -81,8 +81,10 @@ def _notes(solutions: Sequence[Vee], limit: int | None, only_multiples: bool) ->
     cranks, stars = sum(vee.count for vee in solutions), sum(len(vee.stars) for vee in solutions)
     out = [
         _n(
-            "{cranks} cranks, {stars} without mirror images and reversals, {count} balance.",
-            "{cranks} cranks, {stars} without mirror images and reversals, {count} balances.",
+            "{cranks} cranks; {stars} not counting mirror images and reversals, with {count} "
+            "balance.",
+            "{cranks} cranks; {stars} not counting mirror images and reversals, with {count} "
+            "different balances.",
             len(solutions),
             cranks=cranks,
             stars=stars,
@@ -102,17 +104,16 @@ def _notes(solutions: Sequence[Vee], limit: int | None, only_multiples: bool) ->
     return [
         *out,
         _(
-            "Throws: those of the first bank of one crank with this balance, from pin 1, "
-            "clockwise. The pins of the second "
-            "bank are turned clockwise by the split."
+            "Throws: pin angles of the first bank, clockwise from pin 1, of one crank with this "
+            "balance. The pins of the second bank are turned clockwise by the split."
         ),
         _(
-            "Greatest values over a turn: forces in m r ω² Aₖ, couples in m r ω² Aₖ a about the "
-            "middle, the rods of a pin in one plane."
+            "Greatest values over a turn: forces in m r ω² Aₖ, couples about the middle in m r "
+            "ω² Aₖ a, with the rods of a pin in one plane."
         ),
         _(
-            "Left: all that counterweights cannot remove, in m r ω² at a rod ratio of "
-            "4, a couple divided by a."
+            "Left: the part of all orders that counterweights cannot remove, in m r ω², at a rod "
+            "ratio of 4; couples are divided by a."
         ),
         _("--row N -o FILE writes an engine file; --star N chooses among the stars of a row."),
     ]

@@ -56,7 +56,8 @@ def curves(erratum: Erratum, samples: int = 241) -> Curves:
     if erratum.kind not in ("result", "step"):
         raise ErrataError(
             _(
-                "{erratum} is no sum over the parts of an engine, so it has no curves over a turn.",
+                "{erratum} is not a sum over the parts of an engine, so it has no curves over a "
+                "turn.",
                 erratum=erratum.id,
             )
         )
@@ -109,7 +110,7 @@ def series_errors(erratum: Erratum, samples: int = 181) -> SeriesErrors:
     if erratum.kind != "series" or erratum.printed is None:
         raise ErrataError(
             _(
-                "{erratum} is no series, so it has no curves over the length of the rod.",
+                "{erratum} is not a series, so it has no curves over the length of the rod.",
                 erratum=erratum.id,
             )
         )
