@@ -4,10 +4,17 @@ from __future__ import annotations
 
 import os
 import time
+from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
+from crankstar.language.messages import _
 from crankstar.server.refusal import refused
+
+
+def say(pipe: Connection) -> None:
+    """A process that says a word of the field."""
+    pipe.send(_("force"))
 
 
 def number() -> bytes:
@@ -26,7 +33,7 @@ def choke_once(path: str) -> Any:
     answer: Any = b"breathes"
     if not Path(path).exists():
         Path(path).touch()
-        for _ in range(100_000):
+        for _depth in range(100_000):
             answer = [answer]
     return answer
 

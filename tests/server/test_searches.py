@@ -7,18 +7,21 @@ import time
 from itertools import count
 from multiprocessing import Pipe
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
+from tests.server import chores
 from tests.web.serving import Server, serving
 
 import crankstar
 from crankstar import files
+from crankstar.language.messages import spoken
 from crankstar.options.search import search_of
 from crankstar.options.words import SearchWords
 from crankstar.search import estimates
 from crankstar.search.answer import answer_to
-from crankstar.server import search_process, searches
+from crankstar.server import processes, search_process, searches
 from crankstar.server.messages import SearchQuestion
 from crankstar.server.refusal import Refused, said
 from crankstar.server.searches import Searches
@@ -197,6 +200,34 @@ def test_a_search_is_stopped_even_while_it_compiles_its_loops(
         assert search["sentences"] == ["Stopped before anything was found."]
     finally:
         searches.end()
+
+
+def test_what_is_said_of_a_lost_search_is_in_the_language_of_the_server(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    class Lost:
+        pipe = SimpleNamespace(close=lambda: None)
+
+        def __init__(self, *_: Any) -> None: ...
+
+        def receive(self, _: float) -> Any:
+            raise EOFError
+
+        def kill(self) -> None: ...
+
+    monkeypatch.setattr(searches, "Child", Lost)
+    monkeypatch.setattr(searches, "LOST", "force")
+    with spoken("ja"):
+        search = searches._Search({})
+    while search.state == "running":
+        time.sleep(0.01)
+    assert (search.state, search.note) == ("failed", "慣性力")
+
+
+def test_a_process_speaks_the_language_of_the_server() -> None:
+    with spoken("ja"):
+        child = processes.Child(chores.say)
+    assert child.receive(60) == "慣性力"
 
 
 def test_a_search_that_is_not_there_is_told_of(server: Server) -> None:

@@ -162,10 +162,10 @@ def _nothing(task: Task) -> str:
         return _(none[force], digits=cyclotomic.DIGITS - 5)
     if force:
         if not task.moving:
-            return _("There is no force of this order: no part of the engine pushes in it.")
+            return _("There is no force of this order: no part of the engine exerts one.")
         return _("There is no force of this order: every sum is exactly zero.")
     if not task.moving:
-        return _("There is no couple of this order: no part of the engine pushes in it.")
+        return _("There is no couple of this order: no force of this order acts.")
     letters = sorted(
         {symbol.name for body in task.moving for key in arm_of(task.arms, body) for symbol in key}
     )

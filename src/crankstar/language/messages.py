@@ -32,6 +32,11 @@ def spoken(language: str) -> Iterator[None]:
         _language.reset(token)
 
 
+def speak(language: str) -> None:
+    """Have sentences in this language from now on, in a process or thread that begins."""
+    _language.set(language)
+
+
 def language() -> str:
     """The language of the context, as HTML names it."""
     return _language.get()

@@ -12,6 +12,7 @@ from contextlib import suppress
 from multiprocessing.connection import Connection
 from typing import Any
 
+from crankstar.language.messages import language, speak
 from crankstar.search.interrupts import held_back
 
 END_SECONDS = 2.0
@@ -19,12 +20,17 @@ END_SECONDS = 2.0
 
 
 class Child:
-    """A process and the pipe to it. It ends itself when it reads the end of the pipe."""
+    """A process and the pipe to it, in the language of its maker.
+
+    It ends itself when it reads the end of the pipe.
+    """
 
     def __init__(self, target: Callable[..., None], *arguments: Any) -> None:
         context = multiprocessing.get_context("spawn")
         self.pipe, far = context.Pipe()
-        self._process = context.Process(target=target, args=(far, *arguments), daemon=True)
+        self._process = context.Process(
+            target=_begun, args=(language(), target, far, *arguments), daemon=True
+        )
         with held_back():
             self._process.start()
         far.close()
@@ -46,6 +52,11 @@ class Child:
             self._process.kill()
         if wait:
             self._process.join(END_SECONDS)
+
+
+def _begun(language: str, target: Callable[..., None], *arguments: Any) -> None:
+    speak(language)
+    target(*arguments)
 
 
 def messages(pipe: Connection) -> Any:

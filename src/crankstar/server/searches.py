@@ -6,6 +6,7 @@ import secrets
 import threading
 import time
 from contextlib import suppress
+from contextvars import copy_context
 from typing import Any, Literal
 
 from crankstar.language.messages import N_, _
@@ -23,7 +24,7 @@ GREATEST_KEPT = 50
 STOPPED_SECONDS = 3 * search_process.LONGEST_SECONDS
 """A search that takes so much longer than expected is stopped."""
 LOST = N_("The process that searched was lost, perhaps for lack of memory. Narrow the search.")
-STARTING = N_("getting ready (the first time, loops are compiled for ten seconds)")
+STARTING = N_("getting ready (the first search is compiled for about ten seconds)")
 
 POLL_SECONDS = 5.0
 """How often a search that is silent is checked for its time."""
@@ -89,7 +90,7 @@ class _Search:
         self.ended: float | None = None
         self._stopping = False
         self._child = Child(search_process.work, asked)
-        threading.Thread(target=self._listen, daemon=True).start()
+        threading.Thread(target=copy_context().run, args=(self._listen,), daemon=True).start()
 
     def shown(self) -> bytes:
         """The search as JSON."""

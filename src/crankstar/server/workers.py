@@ -20,6 +20,7 @@ from importlib import import_module
 from multiprocessing.connection import Connection
 from typing import Any
 
+from crankstar.language.messages import language, speak
 from crankstar.server.processes import Child, messages
 from crankstar.server.refusal import Refused, refused
 
@@ -41,7 +42,9 @@ class Workers:
     def __init__(self, count: int, *, seconds: float) -> None:
         self.seconds = seconds
         self.workers = [_Worker() for _ in range(count)]
-        self.threads = ThreadPoolExecutor(count, thread_name_prefix="worker")
+        self.threads = ThreadPoolExecutor(
+            count, thread_name_prefix="worker", initializer=speak, initargs=(language(),)
+        )
         self.idle: asyncio.LifoQueue[_Worker] = asyncio.LifoQueue()
         self.waiting = 0
 
