@@ -830,6 +830,22 @@ def test_a_wrong_table_does_not_hide_the_mistakes_of_another() -> None:
     ]
 
 
+def test_a_misspelt_layout_does_not_hide_the_mistakes_in_it() -> None:
+    tree = {
+        "format": 1,
+        "name": "three",
+        "firing_order": [1, 3, 2],
+        "cylinder": {"stroke": "80"},
+        "layout": {"type": "in-line", "throws": ["0 deg", "120 deg", "90"], "bore_pich": "1 mm"},
+    }
+    assert {place for place, _ in problems(tree)} == {
+        "layout.type",
+        "layout.throws[3]",
+        "layout.bore_pich",
+        "cylinder.stroke",
+    }
+
+
 def test_a_wrong_unit_does_not_hide_a_wrong_index() -> None:
     tree = spoilt(
         EXPLICIT,
@@ -867,8 +883,9 @@ def test_a_file_of_a_hundred_mistakes_and_more_is_told_in_short() -> None:
     with pytest.raises(EngineFileError) as caught:
         engine_of({f"k{number}": 1 for number in range(5000)} | spoilt(SHORT))
     assert len(caught.value.faults) == 5000
-    assert len(str(caught.value).split("\n")) == 22
-    assert str(caught.value).endswith("... and 4980 more")
+    lines = str(caught.value).split("\n")
+    assert sum(1 + len(line) // 80 for line in lines) <= 24
+    assert lines[-1] == f"  ... and {5000 - len(lines) + 2} more"
 
 
 @pytest.mark.parametrize(
@@ -994,7 +1011,7 @@ def test_a_tree_that_is_no_table_is_refused(tree: Any) -> None:
     ],
 )
 def test_a_layout_that_is_not_there_is_refused(kind: object, message: str) -> None:
-    assert told(spoilt(SHORT, layout__type=kind)) == {"layout.type": message}
+    assert told(spoilt(SHORT, layout__type=kind))["layout.type"] == message
 
 
 @pytest.mark.parametrize(

@@ -365,7 +365,7 @@ BAD_LINES = [
     (["analyze", "X", "--speed", "6\x1b[31m rpm"], 'whose unit "?[31m rpm" is not known'),
     *((["analyze", "X", "--orders", orders],
         "give numbers above 0 up to 1000 with commas") for orders in (
-        "garbage", "nan", "inf", "1e999", "0", "-1", "", ",", "1;2", "1/2", "1001", "1,x",
+        "garbage", "nan", "inf", "1e999", "0", "-1", "", ",", "1;2", "1/0", "1001", "1,x",
         "\x1b[31m", "ALL",
         ",".join(["1"] * 5000) + "x", ",".join(map(str, range(1, 500))),
     )),
@@ -747,3 +747,50 @@ def test_the_command_itself_is_installed(tmp_path: Path) -> None:
         timeout=60,
     )
     assert done.stdout == "mine.toml: good (two and a balance shaft, 2 pistons)\n"
+
+
+GEARED = """
+format = 1
+name = "geared"
+[cylinder]
+stroke = "80 mm"
+rod_length = "146 mm"
+reciprocating_mass = "500 g"
+[layout]
+type = "tandem"
+bore_pitch = "100 mm"
+cranks = [
+  { banks = [{ cylinders = [1] }], throws = ["0 deg"] },
+  { banks = [{ cylinders = [2] }], throws = ["0 deg"], speed_ratio = "29/31", right = "120 mm" },
+]
+"""
+
+
+def test_an_order_is_named_as_a_fraction_or_as_it_was_printed(run: Run, tmp_path: Path) -> None:
+    path = tmp_path / "geared.toml"
+    path.write_text(GEARED, encoding="utf-8")
+    for asked in ("29/31", "0.93548"):
+        told = json.loads(run("analyze", str(path), "--orders", asked, "--json").out)["orders"]
+        assert told[0]["order"] == pytest.approx(29 / 31, abs=1e-12)
+        assert told[0]["force"]["greatest"] > 0
+
+
+def test_a_file_that_is_read_is_not_written_over_however_it_is_named(
+    refused: Callable[..., str], file: str
+) -> None:
+    for option in (f"-o{file}", f"-o={file}", f"--output={file}"):
+        assert "would be lost" in refused("balance", file, option)
+
+
+@pytest.mark.parametrize("columns", ["0", "1", "2", "-5", "9" * 20, "abc"])
+def test_help_is_printed_in_any_width(columns: str) -> None:
+    for words in (["--help"], ["analyze", "--help"]):
+        done = subprocess.run(
+            [*COMMAND, *words],
+            env={**os.environ, "COLUMNS": columns},
+            capture_output=True,
+            text=True,
+            timeout=60,
+            check=True,
+        )
+        assert 20 < len(done.stdout.splitlines()) < 400

@@ -25,6 +25,8 @@ from crankstar.search.faults import SearchError
 if TYPE_CHECKING:
     from pydantic_core import ErrorDetails
 
+LEAST_WIDTH = 20
+"""Columns of help, at least."""
 app = App(
     name="crankstar",
     help="Compute how a piston engine shakes, why, and what to do about it. ENGINE is a name from "
@@ -53,6 +55,9 @@ def main(arguments: Sequence[str] | None = None) -> None:
                 from crankstar.cli.help import TranslatedHelp
 
                 app.help_formatter = TranslatedHelp()
+                if columns := os.environ.get("COLUMNS"):  # help is endless in a column or two
+                    width = int(columns) if columns.isdecimal() and len(columns) < 5 else 80
+                    os.environ["COLUMNS"] = str(max(width, LEAST_WIDTH))
             _refuse_source(words)
             code = app(_spelt_out(words), exit_on_error=False, print_error=False) or 0
         if sys.stdout is not None:
@@ -117,7 +122,8 @@ def _spelt_out(arguments: Sequence[str]) -> list[str]:
 
 def _refuse_source(words: Sequence[str]) -> None:
     """Refuse to write on a file that the command reads. Raises OutputError."""
-    parts = [part for word in words for part in word.split("=", 1) if "\0" not in part]
+    apart = [re.sub("^-o(?=[^=])", "-o=", word) for word in words]
+    parts = [part for word in apart for part in word.split("=", 1) if "\0" not in part]
     for option, place in pairwise(parts):
         if option not in ("-o", "--output") or not is_file(place):
             continue

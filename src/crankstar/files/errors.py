@@ -10,6 +10,8 @@ from crankstar.language.messages import MessageError, _, _n
 
 GREATEST_SHOWN = 20
 """Faults of one file that are written out one by one."""
+SCREEN = 20
+"""Lines of 80 letters, after which no further fault is begun."""
 
 
 class EngineFileError(MessageError):
@@ -18,9 +20,12 @@ class EngineFileError(MessageError):
     def __init__(self, name: str, faults: Sequence[Fault]) -> None:
         self.name, self.faults = name, list(faults)
         count = len(self.faults)
-        lines = [fault.sentence for fault in self.faults[:GREATEST_SHOWN]]
-        if count > GREATEST_SHOWN:
-            lines.append(_("... and {count} more", count=count - GREATEST_SHOWN))
+        lines: list[str] = []
+        for fault in self.faults[:GREATEST_SHOWN]:
+            if sum(1 + len(line) // 80 for line in lines) < SCREEN:
+                lines.append(fault.sentence)
+        if count > len(lines):
+            lines.append(_("... and {count} more", count=count - len(lines)))
         head = _n(
             "{name}: {count} mistake", "{name}: {count} mistakes", count, name=name, count=count
         )

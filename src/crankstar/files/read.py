@@ -106,12 +106,15 @@ def _short(tree: Tree) -> _Draft:
     tree = {key: value for key, value in tree.items() if key not in other}
     layout = tree.get("layout")
     faults = [*(Fault((key,), "form.mixed") for key in other), *_layout_faults(layout)]
+    near = _near_layout(layout)
+    if near and isinstance(layout, dict):  # read as what is meant, it may show more mistakes
+        tree = {**tree, "layout": {**layout, "type": near}}
     relative = _unknown(tree)
     draft = _built(
         tree,
         form_of(tree),
         relative,
-        None if _layout_faults(layout) else partial(_laid_out, relative),
+        None if _layout_faults(tree.get("layout")) else partial(_laid_out, relative),
         because="unknown",
     )
     if draft.engine is not None and "pitch" in draft.engine.relative and "pitch" not in relative:
@@ -131,10 +134,17 @@ def _layout_faults(layout: Any) -> list[Fault]:
     choices = {"value": seen(kind), "choices": list(LAYOUTS)}
     if "type" not in layout:
         return [Fault(path, "layout.type-missing", choices)]
-    near = get_close_matches(kind.lower()[:60], LAYOUTS, 1) if isinstance(kind, str) else []
-    if near:
-        return [Fault(path, "layout.type-misspelt", choices | {"meant": f'"{near[0]}"'})]
+    if near := _near_layout(layout):
+        return [Fault(path, "layout.type-misspelt", choices | {"meant": f'"{near}"'})]
     return [Fault(path, "layout.type-unknown", choices)]
+
+
+def _near_layout(layout: Any) -> str:
+    """The layout that a misspelt one means; empty where there is none, or it is not misspelt."""
+    kind = layout.get("type") if isinstance(layout, dict) else None
+    if not isinstance(kind, str) or kind in LAYOUTS:
+        return ""
+    return next(iter(get_close_matches(kind.lower()[:60], LAYOUTS, 1)), "")
 
 
 def _unknown(tree: Tree) -> frozenset[str]:

@@ -9,7 +9,8 @@ import unicodedata
 _SPELT = {
     "ω": "w",
     "°": " deg",
-    "∠": "at",
+    "∠": "@",
+    "λ": "lambda",
     "√": "sqrt ",
     "≤": "<=",
     "≥": ">=",
@@ -29,7 +30,7 @@ def spelt(text: str) -> str:
     Indices follow `_`, powers `^`; Greek letters have their names, what has no spelling is `?`.
 
     >>> spelt("m r ω² A₂, 2 ∠ −45°, 3 cos(kθ)"), spelt("長")
-    ('m r w^2 A_2, 2 at -45 deg, 3 cos(ktheta)', '?')
+    ('m r w^2 A_2, 2 @ -45 deg, 3 cos(ktheta)', '?')
     """
     text = _RAISED.sub(lambda power: "^" + unicodedata.normalize("NFKC", power.group()), text)
     return "".join(sign if sign.isascii() else _spelling(sign) for sign in text)

@@ -27,6 +27,7 @@ from crankstar.files import STANDARD_INPUT, changed, units
 from crankstar.files.catalog import tree_of
 from crankstar.language.faults import ValueFaultError
 from crankstar.language.messages import _
+from crankstar.language.numbers import number as number_text
 from crankstar.language.quoting import one_line, seen
 from crankstar.mechanics.balance import Grouping, unit_unbalance
 from crankstar.mechanics.excitation import Reference
@@ -122,19 +123,19 @@ def whole(option: str, text: str | None, *, least: int = 1, most: int) -> int | 
 
 
 def orders(text: str | None, present: list[float]) -> list[float] | None:
-    """Crank orders; all is those that are present."""
+    """Crank orders, whole, decimal or fractions; all is those present, each also as printed."""
     if text is None:
         return None
     if text.strip() == "all":
         return present
-    try:
-        wanted = [float(part) for part in listed(text)]
-    except ValueError:
-        wanted = []
-    possible = all(isfinite(order) and 0 < order <= 1000 for order in wanted)
-    if not 1 <= len(wanted) <= 200 or not possible:
+    printed = {number_text(order): order for order in present}
+    values = zip(listed(text), _fractions(text, most=200), strict=False)
+    wanted = [printed.get(part, float(order)) for part, order in values]
+    if not wanted or not all(0 < order <= 1000 for order in wanted):
         raise refusal(
-            "--orders", text, "give numbers above 0 up to 1000 with commas, as in 1,2,4,6, or all"
+            "--orders",
+            text,
+            "give numbers above 0 up to 1000 with commas, as in 1,2,4,6 or 29/31, or all",
         )
     return list(dict.fromkeys(wanted))
 
@@ -150,7 +151,11 @@ def _fractions(text: str, *, most: int) -> list[Fraction]:
     """Fractions with commas; none where one cannot be read, or there are too many."""
     parts = listed(text)
     try:
-        values = [Fraction(part) for part in parts if len(part) < 20 and "e" not in part.lower()]
+        values = [
+            Fraction(part)
+            for part in parts
+            if len(part) < 20 and not re.search(r"e[-+]?\d{3}", part, re.IGNORECASE)
+        ]
     except (ValueError, ZeroDivisionError):
         return []
     return values if len(values) == len(parts) <= most else []
