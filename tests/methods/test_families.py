@@ -123,14 +123,14 @@ def test_a_row_on_evenly_spaced_cranks_has_only_the_orders_its_number_divides(na
     [
         ("i4", 1, "force", "alpha", "half the angle between two banks"),
         ("v2-90", 1, "force", "phi", "cranks of two parallel cylinders"),
-        ("v8-cross-plane", 1, "force", "n", "evenly spread"),
-        ("i4", 1, "force", "n", "evenly spread"),
-        ("triple-120", 1, "couple", "n", "numbered"),
+        ("v8-cross-plane", 1, "force", "n", "evenly spaced"),
+        ("i4", 1, "force", "n", "evenly spaced"),
+        ("triple-120", 1, "couple", "n", "numbering"),
         ("vw-vr6", 1, "force", "alpha", "misses the crankshaft"),
         ("square-four", 1, "force", "phi", "several"),
         ("v2-90", 0, "force", "alpha", "from 1 to 24"),
         ("v2-90", 1.5, "force", "alpha", "whole orders"),
-        ("v2-90", 1, "roll", "alpha", "force or couple"),
+        ("v2-90", 1, "roll", "alpha", "no symbolic form"),
         ("v2-90", 1, "force", "beta", "alpha, phi, n"),
     ],
 )

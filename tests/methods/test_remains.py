@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from crankstar.engine.basis import Basis, Sizes
 from crankstar.engine.layouts import inline
 from crankstar.files.catalog import load
@@ -60,3 +62,12 @@ def test_a_minor_order_is_not_drawn_but_the_first_two_always_are() -> None:
     sums = summed(result)
     assert orders_drawn(result, sums, "force", (1, 2, 4, 6)) == (1, 2)
     assert orders_drawn(result, sums, "force", (1, 2, 4, 6), minor=-1) == (1, 2, 4, 6)
+
+
+def test_the_greatest_roll_is_shown_however_high_its_order() -> None:
+    """The block of a two-stroke seven rolls at order 7 and its multiples only."""
+    result = balance(load("man-s90mc-c"))
+    sums = summed(result)
+    rolls = sizes(sums.roll)
+    assert sums.roll.orders[int(np.argmax(rolls))] == 7
+    assert 7.0 in orders_turning(result, sums)

@@ -31,6 +31,7 @@ from crankstar.mechanics.batches import totals
 from crankstar.mechanics.excitation import Reference, Totals, part_spectra
 from crankstar.mechanics.excitation import total as summed
 from crankstar.mechanics.mechanism import mechanism
+from crankstar.remedy import RemedyError
 from crankstar.spectra import Spectrum
 from crankstar.studies.best_value import Best, best
 from crankstar.studies.fields import subject
@@ -538,7 +539,7 @@ def test_the_balance_factor_of_an_explicit_engine(tmp_path: Path) -> None:
     assert explicit.values == pytest.approx(
         watched(of("harley-45", "balance_factor=0..1/30"), "force").values, abs=1e-12
     )
-    with pytest.raises(SweepError, match=r"from 0 to 1\.5"):
+    with pytest.raises(RemedyError, match=r"from 0 to 1\.5"):
         of(str(path), "balance_factor=0..2")
 
 

@@ -1,5 +1,7 @@
 """Sums of a real engine are the amplitudes of its Balance, for any star of its throws."""
 
+from fractions import Fraction
+
 import numpy as np
 import pytest
 from tests import exhaustive
@@ -10,8 +12,16 @@ from crankstar.engine.copies import with_values
 from crankstar.files.catalog import load
 from crankstar.firing.intervals import firing
 from crankstar.mechanics.balance import balance, total
+from crankstar.remedy import fitting
 from crankstar.search.answer import answer_to
-from crankstar.search.engine_stars import couple_of, force_of, rms_couple, stars_of, with_star
+from crankstar.search.engine_stars import (
+    couple_of,
+    force_of,
+    rms_couple,
+    star_of,
+    stars_of,
+    with_star,
+)
 from crankstar.search.engines import firing_order
 from crankstar.search.faults import SearchError
 from crankstar.search.question import Best, Question
@@ -114,3 +124,13 @@ def test_where_throws_differ_only_the_pistons_are_counted_and_the_name_says_so()
     uneven = with_values(engine, shafts=(with_values(shaft, throws=heavy),))
     assert force_of(uneven, stars_of(uneven), 1).name == "F1 (pistons)"
     assert force_of(uneven, stars_of(uneven), 2).name == "F2"
+
+
+def test_what_cancels_among_all_parts_is_exactly_zero() -> None:
+    """Weights on the end webs of a marine seven, which take the forward couple away."""
+    engine = fitting.by_factor(load("man-s90mc-c"), factor=0.5, weights="ends")
+    weighted = fitting.with_shafts(engine, ratios=[Fraction(-1)], places=fitting.ShaftPlaces())
+    stars = stars_of(weighted)
+    star = star_of(weighted, stars)
+    assert star is not None
+    assert couple_of(weighted, stars, 1).of_engine(star) == 0.0

@@ -187,7 +187,7 @@ def test_a_lost_worker_of_a_cluster_changes_nothing(middle, daskers):
 
 
 def test_a_worker_that_is_lost_every_time_ends_the_search():
-    with pytest.raises(SearchError, match="lost its worker 4 times"):
+    with pytest.raises(SearchError, match="was lost 4 times"):
         searched(MIDDLE, workers=_Failing(BrokenExecutor("gone")))
 
 

@@ -137,7 +137,8 @@ def _sums(task: Task, banks: Sequence[Row]) -> Step:
     many = len(banks) > 1
     lines: list[Line] = []
     for row in banks:
-        name = Symbol(task.letter, f"bank {row.name}" if many else "all")
+        bank = row.name if row.name.startswith("bank ") else f"bank {row.name}"
+        name = Symbol(task.letter, bank if many else "all")
         bearing = row.members[0].bearing_deg
         label = _("{bank}, at {bearing}", bank=row.name, bearing=degrees_text(bearing))
         terms, chain, note = _terms(row.members), (wave.signal(row.wave, task.order),), ""

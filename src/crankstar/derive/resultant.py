@@ -25,7 +25,9 @@ from crankstar.derive.algebra.typeset import text
 from crankstar.derive.algebra.wave import Amount, Wave, at
 from crankstar.derive.records import Kind, Line, Step
 from crankstar.derive.task import Task, arm_of, degrees_text, rows, sides
+from crankstar.engine.motion import first_harmonic
 from crankstar.language.messages import N_, _
+from crankstar.language.numbers import NEGLIGIBLE
 
 KINDS: tuple[Kind, Kind] = ("forward", "backward")
 LINES = {
@@ -80,6 +82,12 @@ def _vectors(task: Task) -> str:
     whole = _("Their sum is the force.")
     if task.quantity == "couple":
         whole = _("Their sum is the couple.")
+    harmonic = first_harmonic(task.engine, float(task.order))
+    if harmonic.real < 0 and abs(harmonic.imag) <= NEGLIGIBLE * abs(harmonic):
+        whole += " " + _(
+            "A_{order} is negative, so that the actual vectors point the opposite way.",
+            order=f"{float(task.order):g}",
+        )
     return f"{written} {senses} {speed} {whole}"
 
 

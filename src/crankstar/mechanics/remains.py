@@ -118,13 +118,14 @@ def orders_pushed(result: Balance) -> tuple[float, ...]:
 
 
 def orders_turning(result: Balance, sums: Sums) -> tuple[float, ...]:
-    """Those at which a part pushes, and the usual ones at which the block rolls.
+    """Those at which a part pushes, the usual ones at which the block rolls, and the greatest roll.
 
     A centred piston has no moment about the axis; the block rolls because a flywheel takes the
     torque.
     """
     rolls = np.maximum(sizes(sums.torque), sizes(sums.roll))
-    left = (rolls > NEGLIGIBLE * rolls.max(initial=0.0)) & (sums.roll.orders <= USUAL_ORDERS)
+    usual = (sums.roll.orders <= USUAL_ORDERS) | (rolls == rolls.max(initial=0.0))
+    left = (rolls > NEGLIGIBLE * rolls.max(initial=0.0)) & usual
     return tuple(sorted({*orders_pushed(result), *sums.roll.orders[left].tolist()}))
 
 

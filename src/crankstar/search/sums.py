@@ -27,6 +27,7 @@ import numpy as np
 from crankstar.derive.algebra import cyclotomic
 from crankstar.search.faults import error
 from crankstar.search.stars import Star, Stars
+from crankstar.spectra import ROUNDING
 
 SAME = 1e-9
 """Lengths nearer than this, in the unit of the weights, are equal; rounding is below 1e-13.
@@ -84,7 +85,8 @@ class VectorSum:
         vectors = np.array(self.parts)
         angles = 2 * np.pi * np.array([0.0, *(turn - turns[0] for turn in turns)])
         sums = (vectors * np.exp(np.outer(angles, [1j, -1j]))).sum(axis=0)
-        return float(np.abs(sums).sum())
+        size = float(np.abs(sums).sum())
+        return size if size > ROUNDING * np.abs(vectors).sum() else 0.0
 
 
 @dataclass(frozen=True)
