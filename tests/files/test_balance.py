@@ -14,7 +14,7 @@ import pytest
 
 from crankstar import balance, load, spectra, total
 from crankstar.mechanics.remains import size, summed
-from crankstar.remedy import Aim, without_weights
+from crankstar.remedy import Aim, bearing_load, without_weights
 
 Run = Callable[..., Any]
 
@@ -387,3 +387,24 @@ def test_peaks_of_a_period_too_long_to_follow_are_refused_and_rms_is_not(
     file.write_text(GEARED, encoding="utf-8")
     assert "minimise the rms instead" in refused("balance", str(file), "--minimise", "force")
     assert "Rms force" in run("balance", str(file), "--minimise", "rms force").out
+
+
+def test_weights_that_are_replaced_are_counted(run: Run, known: str, tmp_path: Path) -> None:
+    weighted = str(tmp_path / "weighted.toml")
+    run("balance", known, "--weights", "ends", "-o", weighted)
+    out = run("balance", weighted, "--factor", "0.3").out
+    assert "2 counterweights of the file are replaced." in out
+    assert "replaced" not in run("balance", known).out
+
+
+def test_loads_and_moments_are_in_newtons_at_a_speed(run: Run, known: str) -> None:
+    out = run("balance", known, "--shafts", "-1", "--shaft-place", "-60 mm, 0 mm").out
+    assert "m r" not in out[out.index("Balance shafts") :]
+    (line,) = [line for line in out.splitlines() if "greatest load on a main bearing" in line]
+    unit = 0.5 * 0.040 * (6000 * np.pi / 30) ** 2
+    assert float(line.split()[-2]) == pytest.approx(bearing_load(load(known)) * unit, rel=1e-4)
+
+
+def test_weights_that_are_best_are_not_said_to_be_wrong(run: Run) -> None:
+    arguments = ("v8-cross-plane", "--weights", "webs", "--minimise", "bearing")
+    assert "counterweights" not in run("balance", *arguments).out.partition("Further")[2]

@@ -112,3 +112,11 @@ def test_optional_columns_are_left_out_before_a_table_is_split() -> None:
     (note,) = (line for line in lines if "spare" in line)
     assert note == f"Columns that do not fit in this width: {'spare' * 6}."
     assert len([line for line in lines if "order" in line]) == 1
+
+
+def test_the_harmonic_that_turns_a_phase_about_is_shown_in_every_width() -> None:
+    """A_4 of a centred crank is negative, and phases of order 4 are counted from it."""
+    shown = analysis.analysis(load("v8-flat-plane"), speed=None)
+    for width in (80, 100, 140):
+        lines = printed(analysis.document(shown), width)
+        assert any(re.match(r"\s+4\s+-0\.0040981 ", line) for line in lines), width

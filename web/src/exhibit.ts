@@ -370,7 +370,7 @@ export interface SearchQuestion {
    */
   cycle?: ('two-stroke' | 'four-stroke') | null
   /**
-   * Quantities to minimise: couples M1, M2, ..., forces F1, ..., torsion T1.5, ..., neighbours (cylinders side by side that fire in succession), couple (rms over all orders of an engine); else M1,M2. In a list of the best with weights, as in M1,2*M2.
+   * Quantities to minimise: couples M1, M2, ..., forces F1, ..., torsion T1.5, ..., neighbours (cylinders side by side that fire in succession), couple (rms over a turn of the couple of orders 1, 2, 4 and 6 of an engine); else M1,M2. In a list of the best with weights, as in M1,2*M2.
    */
   minimise?: string | null
   /** Quantities that must vanish, as in M2. */

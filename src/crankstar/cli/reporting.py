@@ -41,8 +41,8 @@ def write_report(
     orders: Annotated[
         str | None,
         text(
-            "Crank orders to draw and derive in full, such as 1,2,4, or all (default: the largest "
-            "up to 6).",
+            "Crank orders to draw and derive in full, such as 1,2,4, or all (default: those up to "
+            "6 with the largest force or couple).",
             *ORDER_NAMES,
         ),
     ] = None,

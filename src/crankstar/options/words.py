@@ -22,8 +22,9 @@ class SearchWords(BaseModel):
     minimise: str | None = Field(
         default=None,
         description="Quantities to minimise: couples M1, M2, ..., forces F1, ..., torsion T1.5, "
-        "..., neighbours (cylinders side by side that fire in succession), couple (rms over all "
-        "orders of an engine); else M1,M2. In a list of the best with weights, as in M1,2*M2.",
+        "..., neighbours (cylinders side by side that fire in succession), couple (rms over a "
+        "turn of the couple of orders 1, 2, 4 and 6 of an engine); else M1,M2. In a list of the "
+        "best with weights, as in M1,2*M2.",
         examples=["M1,M2"],
     )
     zero: str | None = Field(default=None, description="Quantities that must vanish, as in M2.")

@@ -132,7 +132,8 @@ def swept(
     `changes` sets other values first, by key path. `orders` are all to machine precision unless
     given. At `speed` (rad/s, or "file": that of the engine file) the sums are in N and N m, without
     one in units of m r w^2.
-    `tell(done, of)` is called as engines are built one by one. Raises SweepError, EngineFileError.
+    `tell(done, of)` is called as engines are built one by one. Raises SweepError,
+    EngineFileError, and RemedyError for a balance factor that no counterweight has.
 
     >>> sweep = swept("harley-45", over="balance_factor", values=[0, 0.25, 0.5])
     >>> watched(sweep, "force.forward", order=1).values.round(6).tolist()  # 0.5 cancels it

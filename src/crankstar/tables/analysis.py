@@ -109,7 +109,7 @@ def tables(
         _moments(shown, real),
         *([_shares(shown, by)] if by is not None else []),
         *([_at_angles(shown, real, angles)] if angles else []),
-        Remarks(tuple(peak_lines(shown.engine, shown.best, real, sums)), _("Peaks")),
+        Remarks(tuple(peak_lines(shown.engine, shown.best, real)), _("Peaks")),
     )
 
 
@@ -190,11 +190,11 @@ def _vectors(quantity: str, shown: Analysis, plain: Spectrum, real: Spectrum) ->
     )
     heads = [
         Column(_("order"), label=True),
-        Column("Aₖ", optional=1, digits=5),
+        Column("Aₖ", digits=5),
         Column(_("vertical"), unit, kind="wave"),
         Column(_("horizontal"), unit, kind="wave"),
-        Column(_("path"), kind="text", wraps=True),
-        Column(_("greatest"), unit, optional=2),
+        Column(_("path"), kind="text", wraps=True, optional=2),
+        Column(_("greatest"), unit, optional=1),
         Column(_("greatest"), getattr(shown.best.units, quantity)),
     ]
     vertical, horizontal = spectra.vertical(divided), spectra.horizontal(divided)

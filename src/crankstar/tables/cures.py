@@ -33,7 +33,7 @@ CURES = {
         N_("a balance shaft at {ratio} times crank speed"),
         N_("a balance shaft at {ratio} times crank speed, with opposite weights at its ends"),
     ),
-    "bare": (N_("counterweights"), N_("counterweights on the end webs")),
+    "bare": (N_("counterweights"), N_("counterweights (two on the end webs are enough)")),
     "weighted": (N_("other counterweights"),) * 2,
 }
 """What removes a force, and what removes a couple alone."""

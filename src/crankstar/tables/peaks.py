@@ -10,7 +10,6 @@ from crankstar.language.messages import N_, _
 from crankstar.language.numbers import NEGLIGIBLE, bearing_text, number, unit_text
 from crankstar.mechanics.balance import Balance
 from crankstar.mechanics.remains import Sums, remains, sizes
-from crankstar.spectra import Spectrum
 from crankstar.tables.paths import vector_name
 
 NONE = {
@@ -46,15 +45,13 @@ REMOVABLE = {
 """What counterweights cancel of a vector that turns forward and backward."""
 
 
-def peak_lines(engine: Engine, result: Balance, sums: Sums, plain: Sums) -> list[str]:
-    """A line for each peak, and for the first order of force and couple; `plain`: in m r w^2."""
+def peak_lines(engine: Engine, result: Balance, sums: Sums) -> list[str]:
+    """A line for each peak, and for the first order of force and couple."""
     counter = any(shaft.throws and shaft.speed_ratio == -1 for shaft in engine.shafts)
     names = ["force", "couple", "torque"]
     names += ["roll"] if remains(sums.torque, result.torque) else []
     peaks = [_peak(result, sums, name) for name in names]
-    first = [
-        _removable(name, getattr(plain, name), counter=counter) for name in ("force", "couple")
-    ]
+    first = [_removable(result, sums, name, counter=counter) for name in ("force", "couple")]
     return [line for line in (*peaks, *first) if line]
 
 
@@ -73,11 +70,12 @@ def _peak(result: Balance, sums: Sums, name: str) -> str:
     )
 
 
-def _removable(name: str, spectrum: Spectrum, *, counter: bool) -> str:
+def _removable(result: Balance, sums: Sums, name: str, *, counter: bool) -> str:
     """First order: counterweights cancel the vector that turns with their crankshaft.
 
     `counter`: a second crankshaft turns at the same speed the other way.
     """
+    spectrum = getattr(sums, name)
     first = spectra.selected(spectrum, [1.0])
     forward, backward = abs(complex(first.forward[0])), abs(complex(first.backward[0]))
     least = NEGLIGIBLE * float(sizes(spectrum).max(initial=0.0))
@@ -93,5 +91,5 @@ def _removable(name: str, spectrum: Spectrum, *, counter: bool) -> str:
         vector=vector_name(1, force=name == "force", couple=name == "couple"),
         forward=number(forward),
         backward=number(backward),
-        unit="m r ω²" if name == "force" else "m r ω² a",
+        unit=unit_text(getattr(result.units, name)),
     )

@@ -12,9 +12,10 @@ import numpy as np
 from crankstar import spectra
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Shaft
-from crankstar.language.messages import _
+from crankstar.language.messages import _, _n
 from crankstar.language.numbers import number, unit_text
 from crankstar.mechanics.balance import Balance, Units, balance, total
+from crankstar.mechanics.balance import scales as scales_of
 from crankstar.mechanics.excitation import rolling_moment
 from crankstar.mechanics.remains import OPTIMISED, Sums, size, summed
 from crankstar.remedy import Best, bearing_load, bobweight, loads, needs
@@ -56,7 +57,7 @@ def parts(job: Job) -> Iterator[Table | Remarks]:
     if any(shaft.weights and not shaft.throws for shaft in job.after.shafts):
         yield _shafts(job)
     yield _remaining(job)
-    yield from _needed(job.after)
+    yield from _needed(job)
 
 
 def _bobweights(job: Job) -> Table:
@@ -128,8 +129,21 @@ def _weights(job: Job) -> Table:
     note = _(
         "Mass: that of a lump, or that missing from a ring, with its centre at {radius}.", radius=at
     )
-    notes = (note,) if rows else (_("No weights."),)
-    return Table(_("Weights"), columns, rows, notes=notes, key="weights")
+    notes = [note] if rows else [_("No weights.")]
+    before, after = (
+        [weight for shaft in one.shafts if shaft.throws for weight in shaft.weights]
+        for one in (job.before, job.after)
+    )
+    if gone := sum(weight not in after for weight in before):
+        notes.append(
+            _n(
+                "{count} counterweight of the file is replaced.",
+                "{count} counterweights of the file are replaced.",
+                gone,
+                count=gone,
+            )
+        )
+    return Table(_("Weights"), columns, rows, notes=tuple(notes), key="weights")
 
 
 def _bearing(angle: float) -> float:
@@ -140,7 +154,7 @@ def _bearing(angle: float) -> float:
 def _shafts(job: Job) -> Table:
     """The balance shafts: what each removes, where it lies, the moment that its place adds."""
     engine = job.after
-    result = balance(engine)
+    result = balance(engine, speed=job.speed)
     across = scales(engine).across
     columns = (
         Column(_("shaft"), kind="text", key="shaft", wraps=True, label=True),
@@ -148,7 +162,7 @@ def _shafts(job: Job) -> Table:
         Column(_("removes"), kind="text", key="removes"),
         Column(_("up"), across.unit, key="up"),
         Column(_("right"), across.unit, key="right"),
-        Column(_("rolling moment added"), "m*r^2*w^2", key="roll_added"),
+        Column(_("rolling moment added"), result.units.moment, key="roll_added"),
     )
     own = [shaft for shaft in engine.shafts if shaft.weights and not shaft.throws]
     rows = tuple(
@@ -215,8 +229,10 @@ def _remaining(job: Job) -> Table:
         if any(rolls):
             rows.append((order, _("rolling moment"), unit, *_cleared(rolls), None, None))
     load = _("greatest load on a main bearing")
-    loaded = [bearing_load(job.before), bearing_load(job.after)]
-    rows.append((1.0, load, "m r ω²", *_cleared(loaded), None, None))
+    (scale, _couple, _moment), units = scales_of(job.after, job.speed)
+    newtons = scale / scales_of(job.after, None)[0].force
+    loaded = [bearing_load(engine) * newtons for engine in (job.before, job.after)]
+    rows.append((1.0, load, unit_text(units.force), *_cleared(loaded), None, None))
     columns = (
         Column(_("order"), key="order", label=True),
         Column(_("quantity"), kind="text", key="quantity", wraps=True),
@@ -253,9 +269,13 @@ def _vectors(
     return pairs
 
 
-def _needed(engine: Engine) -> tuple[Remarks, ...]:
-    """What would remove the rest of the first and the second order."""
-    remaining = needs(engine, zero=OPTIMISED)
+def _needed(job: Job) -> tuple[Remarks, ...]:
+    """What would remove the rest of the first two orders; no other weights where they are best."""
+    remaining = needs(job.after, zero=OPTIMISED)
     if not remaining:
         return remarks(_("No primary or secondary force or couple remains."))
-    return remarks(*cure_lines(engine, remaining), title=_("Further remedies"), kind="list")
+    if job.best is not None:
+        cranks = {shaft.speed_ratio for shaft in job.after.shafts if shaft.throws}
+        remaining = [need for need in remaining if need.ratio not in cranks]
+    lines = cure_lines(job.after, remaining)
+    return remarks(*lines, title=_("Further remedies"), kind="list") if lines else ()

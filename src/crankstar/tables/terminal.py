@@ -88,9 +88,10 @@ def _left_out(columns: list[Drawn], pieces: list[list[Drawn]]) -> list[Renderabl
     from rich.text import Text
 
     shown = {id(drawn) for piece in pieces for drawn in piece}
-    names = [drawn.heading[0] for drawn in columns if id(drawn) not in shown]
-    if not names:
+    hidden = [drawn.heading for drawn in columns if id(drawn) not in shown]
+    if not hidden:
         return []
+    names = (" ".join(filter(None, (words, unit))) for words, unit in hidden)
     line = _("Columns that do not fit in this width: {columns}.", columns=", ".join(names))
     return [Text(line, style="dim")]
 

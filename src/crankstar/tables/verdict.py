@@ -133,7 +133,14 @@ def _vector_sentences(name: str, result: Balance, sums: Sums) -> str:
     minor: list[str] = []
     for row, (order, size) in enumerate(zip(left, sizes(remaining).tolist(), strict=True)):
         if size < MINOR * largest:
-            minor.append(_("order {order}: {size}", order=number(order), size=number(size)))
+            minor.append(
+                _(
+                    "order {order}: {size} {unit}",
+                    order=number(order),
+                    size=number(size),
+                    unit=unit_text(getattr(result.units, name)),
+                )
+            )
             continue
         path = spectra.ellipse(complex(remaining.forward[row]), complex(remaining.backward[row]))
         ratio = Fraction(order).limit_denominator(1000)
