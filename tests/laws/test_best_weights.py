@@ -324,7 +324,7 @@ def test_a_crankshaft_that_turns_twice_as_fast_pushes_four_times_as_hard() -> No
         ({"limits": [Limit(Aim("force"), -1.0)]}, "from 0 up"),
         (
             {"limits": [Limit(Aim("couple"), 0.1)]},
-            r"peak couple: cannot be met.*the least is 1\.18797, 1\.09 more",
+            r"peak couple, cannot be met.*the least is 1\.18797, 1\.09 more",
         ),
         (
             {
@@ -334,7 +334,7 @@ def test_a_crankshaft_that_turns_twice_as_fast_pushes_four_times_as_hard() -> No
                 ],
                 "greatest_unbalance": 0.2,
             },
-            "rms couple: cannot be met with these planes and unbalances up to 0.2 m r",
+            "rms couple, cannot be met with these planes and unbalances up to 0.2 m r",
         ),
     ],
 )

@@ -354,7 +354,7 @@ def test_a_hostile_name_is_text_everywhere(editing: Page) -> None:
     tree["layout"]["banks"][0]["name"] = HOSTILE
     tree["provenance"][HOSTILE] = {"status": "published", "source": HOSTILE}
     dropped(editing, json.dumps(tree), f"{HOSTILE}.json".replace("/", ""))
-    editing.locator(".note, .mistakes").first.wait_for()
+    expect(editing.locator(".mistakes")).to_contain_text(HOSTILE)
     del tree["provenance"][HOSTILE]
     dropped(editing, json.dumps(tree))
     expect(editing.locator("h1")).to_have_text(HOSTILE)

@@ -65,6 +65,7 @@ STYLE = {
     "view": {"stroke": None},
     "numberFormat": ".9~g",
     "aria": False,
+    "mark": {"aria": False},
     "axis": {
         **{f"{part}Color": GREY for part in ("label", "title", "tick", "domain", "grid")},
         "labelFontSize": 13,

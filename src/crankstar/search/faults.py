@@ -53,7 +53,7 @@ def said(fault: Fault, named: Callable[[str], str] = str) -> str:
     """The sentence of a fault, options named as the host writes them.
 
     >>> said(fault("mode_shape", "shape-unused"), lambda option: f"--{option}")
-    'No torsion is searched for; name an order, as in --minimise M1,M2,T3.'
+    'No order of torsion is searched for; name one, as in --minimise M1,M2,T3.'
     """
     return sentence(fault.code, fault.values, place="", named=named)
 
