@@ -180,11 +180,11 @@ def numbers_text(numbers: Sequence[int]) -> str:
     ('1, 8', '1–3, 5')
     """
     runs: list[list[int]] = []
-    for one in sorted(numbers):
-        if runs and one == runs[-1][-1] + 1:
-            runs[-1].append(one)
+    for cylinder in sorted(numbers):
+        if runs and cylinder == runs[-1][-1] + 1:
+            runs[-1].append(cylinder)
         else:
-            runs.append([one])
+            runs.append([cylinder])
     parts = [
         text
         for run in runs
@@ -216,12 +216,12 @@ def svg(chart: Chart, title: str) -> str:
         r' (?:xmlns:xlink|version|aria-[\w-]+|role)="[^"]*"', "", drawing[drawing.index("<svg") :]
     )
     drawing = re.sub(
-        r' (?:d|transform|[xy]2?)="[^"]*"', lambda found: LONG.sub(_rounded, found.group()), drawing
+        r' (?:d|transform|[xy]2?)="[^"]*"', lambda match: LONG.sub(_rounded, match.group()), drawing
     )
     drawing = re.sub(r"^<svg\b", '<svg role="img"', drawing)
     head, rest = drawing.split(">", 1)
     return f"{head}><title>{escape(title)}</title>{rest}".replace("\n", "")
 
 
-def _rounded(found: re.Match[str]) -> str:
-    return f"{float(found.group()):.2f}".rstrip("0").rstrip(".")
+def _rounded(match: re.Match[str]) -> str:
+    return f"{float(match.group()):.2f}".rstrip("0").rstrip(".")

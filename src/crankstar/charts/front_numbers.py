@@ -49,7 +49,7 @@ def point_numbers(
 
     for row in dict.fromkeys([*on_line, *(row for row in spots if row <= MOST_LISTED)]):
         spot, led = spots[row], row in on_line or len(rows) <= CROWD
-        others = [one for one in spots.values() if one != spot]
+        others = [other for other in spots.values() if other != spot]
         beside = _beside(str(row), spot, others, taken, lines)
         placed = beside or (_led(str(row), spot, taken, lines) if led else None)
         if placed is None:
@@ -76,7 +76,7 @@ def _beside(
     own = [
         place
         for place in free
-        if all(_gap(place, one) > _gap(place, spot) + NEARER for one in others)
+        if all(_gap(place, other) > _gap(place, spot) + NEARER for other in others)
     ]
     return min(own, key=lambda place: sum(meets(place, line) for line in lines), default=None)
 
@@ -84,7 +84,7 @@ def _beside(
 def _led(text: str, spot: complex, taken: Sequence[Box], lines: Sequence[Box]) -> Box | None:
     """The nearest place for a number at the end of a free line from its dot, or None."""
     wide, high = text_width(text, SMALL) / 2, SMALL / 2
-    others = [one for one in taken if one.middle != spot]
+    others = [box for box in taken if box.middle != spot]
     for far in LED:
         places = [
             Box(spot + far * exp(1j * radians(225 + turn)), wide, high)
@@ -94,7 +94,7 @@ def _led(text: str, spot: complex, taken: Sequence[Box], lines: Sequence[Box]) -
         free = [
             place
             for place in free
-            if all(_is_free(Box(one, 1.5, 1.5), others) for one in _leader(spot, place))
+            if all(_is_free(Box(point, 1.5, 1.5), others) for point in _leader(spot, place))
         ]
         if free:
             return min(free, key=lambda place: sum(meets(place, line) for line in lines))
@@ -117,7 +117,7 @@ def _is_free(place: Box, taken: Sequence[Box]) -> bool:
     inside = (
         abs(off.imag) + place.across <= WIDTH / 2 and abs(off.real) + place.upright <= HEIGHT / 2
     )
-    return inside and not any(meets(place, one) for one in taken)
+    return inside and not any(meets(place, other) for other in taken)
 
 
 def _gap(place: Box, spot: complex) -> float:

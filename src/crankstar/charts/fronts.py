@@ -61,8 +61,8 @@ def pareto_front(
     pale = [row.values for row in others.rows] if others is not None else []
     measured = [place for place in (0, 1) if not heads[place].counted]
     if logarithmic is None:
-        logarithmic = any(spans_decades([one[place] for one in points]) for place in measured)
-    first, second = ([one[place] for one in (*points, *pale)] for place in (0, 1))
+        logarithmic = any(spans_decades([point[place] for point in points]) for place in measured)
+    first, second = ([point[place] for point in (*points, *pale)] for place in (0, 1))
     across = axis_of(first, WIDTH, powers=logarithmic and 0 in measured)
     upward = axis_of(second, HEIGHT, powers=logarithmic and 1 in measured)
     panel, every_number = _front_panel(answer, heads, across, upward, pale)
@@ -89,7 +89,7 @@ def _front_panel(
     layers: list[Any] = []
     if pale:
         spots = (pale[index] for index in _seen(pale, across, upward))
-        dots = of_rows([_spot(one, across, upward) for one in spots])
+        dots = of_rows([_spot(spot, across, upward) for spot in spots])
         style = {**DISC, "opacity": 0.4, "size": 16, "color": GREY}
         layers.append(dots.mark("point", **style).encode(x=x, y=y))
     points = [row.values for row in answer.rows]
@@ -151,8 +151,8 @@ def _colour(heads: Sequence[Column], rows: Sequence[dict[str, Any]]) -> Any:
 def _seen(points: Sequence[tuple[float, ...]], across: Axis, upward: Axis) -> list[int]:
     """The indices of the visible points: the first of those that cover each other."""
     first: dict[tuple[int, int], int] = {}
-    for index, one in enumerate(points):
-        place = round(across.place(one[0]) / CELL), round(upward.place(one[1]) / CELL)
+    for index, point in enumerate(points):
+        place = round(across.place(point[0]) / CELL), round(upward.place(point[1]) / CELL)
         first.setdefault(place, index)
     return list(first.values())
 
@@ -162,11 +162,11 @@ def _steps(
 ) -> list[dict[str, float]]:
     """The corners of the line below which no star lies, from the upper to the right edge."""
     best: list[tuple[float, float]] = []
-    for one, two, *_others in sorted(points):
-        if not best or two < best[-1][1]:
-            best.append((one, two))
+    for x, y, *_others in sorted(points):
+        if not best or y < best[-1][1]:
+            best.append((x, y))
     corners = [(best[0][0], upward.high), best[0]]
-    for (_left, above), (one, two) in pairwise(best):
-        corners += [(one, above), (one, two)]
+    for (_left, above), (x, y) in pairwise(best):
+        corners += [(x, above), (x, y)]
     corners.append((across.high, best[-1][1]))
     return [{**_spot(spot, across, upward), "at": place} for place, spot in enumerate(corners)]

@@ -119,20 +119,20 @@ def gathered(places: Sequence[complex], near: float) -> list[list[int]]:
     return groups
 
 
-def meets(one: Box, other: Box) -> bool:
+def meets(box: Box, other: Box) -> bool:
     """Whether two rectangles overlap."""
-    between = one.middle - other.middle
+    between = box.middle - other.middle
     return (
-        abs(between.imag) < one.across + other.across + 1
-        and abs(between.real) < one.upright + other.upright
+        abs(between.imag) < box.across + other.across + 1
+        and abs(between.real) < box.upright + other.upright
     )
 
 
-def _inside(one: Box, frame: Box) -> bool:
-    off = one.middle - frame.middle
+def _inside(box: Box, frame: Box) -> bool:
+    off = box.middle - frame.middle
     return (
-        abs(off.imag) + one.across / WIDER <= frame.across + 1
-        and abs(off.real) + one.upright <= frame.upright + 1
+        abs(off.imag) + box.across / WIDER <= frame.across + 1
+        and abs(off.real) + box.upright <= frame.upright + 1
     )
 
 
@@ -145,8 +145,8 @@ def _points(strokes: Sequence[tuple[complex, complex]]) -> Complex:
     return ends[:, :1] + (ends[:, 1:] - ends[:, :1]) * STEPS
 
 
-def _crossed(one: Box, points: Complex) -> int:
+def _crossed(box: Box, points: Complex) -> int:
     """How many strokes run through a rectangle."""
-    along = points - one.middle
-    hit = (np.abs(along.imag) < one.across) & (np.abs(along.real) < 0.8 * one.upright)
+    along = points - box.middle
+    hit = (np.abs(along.imag) < box.across) & (np.abs(along.real) < 0.8 * box.upright)
     return int(np.any(hit, axis=1).sum())

@@ -37,8 +37,12 @@ def columns(answer: Answer) -> tuple[Column, ...]:
     """The values of found stars: the objectives, then those of Python functions."""
     question = answer.question
     named = [
-        Column(one.name, one.unit, counted=bool(one.neighbours) and not one.terms)
-        for one in question.objectives
+        Column(
+            objective.name,
+            objective.unit,
+            counted=bool(objective.neighbours) and not objective.terms,
+        )
+        for objective in question.objectives
     ]
     named += [Column(judge.name, judge.unit, counted=False) for judge in question.functions]
     return tuple(named)
@@ -75,8 +79,8 @@ def units_text(heads: Sequence[Column]) -> str:
 def order_lines(stars: Stars, row: AnswerRow, *, width: float) -> list[str]:
     """The firing order of a star in lines of this width, px; all but the last end in a dash."""
     lines = [""]
-    for place, one in enumerate(firing_order(stars, row.star), 1):
-        piece = f"{one}-" if place < stars.cylinders else str(one)
+    for place, cylinder in enumerate(firing_order(stars, row.star), 1):
+        piece = f"{cylinder}-" if place < stars.cylinders else str(cylinder)
         if lines[-1] and digits_width(lines[-1] + piece) > width:
             lines.append("")
         lines[-1] += piece

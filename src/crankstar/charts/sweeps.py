@@ -87,9 +87,9 @@ def _panel(sweep: Sweep, pairs: Sequence[tuple[Curve, Best | None]], *, foot: bo
     lines = of_rows(rows).mark("line", strokeWidth=2.4, strokeJoin="round")
     layers = [lines.encode(x=x, y=y, color=field("what:N", scale=colours, legend=legend))]
     marks = [
-        {"x": one.value, "y": one.result, "what": curve.label}
-        for curve, one in pairs
-        if one is not None and not one.flat
+        {"x": best.value, "y": best.result, "what": curve.label}
+        for curve, best in pairs
+        if best is not None and not best.flat
     ]
     if marks:
         drop = of_rows(marks).mark("rule", color=GREY, strokeDash=[3, 3], strokeWidth=1)

@@ -104,9 +104,9 @@ def polygon(
 
 def _systems(engines: Sequence[Engine], *, speed: float | None, **options: Any) -> list[Stars]:
     """The vectors of each engine, all in one unit: in m r w^2 where only some have |A_k| = 1."""
-    systems = [stars(one, speed=speed, **options) for one in engines]
+    systems = [stars(engine, speed=speed, **options) for engine in engines]
     if speed is None and len({shown.unit for shown in systems}) > 1:
-        systems = [stars(one, speed=speed, divided=False, **options) for one in engines]
+        systems = [stars(engine, speed=speed, divided=False, **options) for engine in engines]
     same_unit(shown.unit for shown in systems)
     return systems
 

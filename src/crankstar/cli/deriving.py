@@ -91,8 +91,8 @@ def derive(
     elif quantity == "torque":
         request.refuse_unused({"--reference": reference}, beside="--quantity torque")
     wanted: list[tuple[Fraction, request.Derived]] = [
-        (one, kind)
-        for one in request.derived_orders("1,2" if order is None else order)
+        (number, kind)
+        for number in request.derived_orders("1,2" if order is None else order)
         for kind in request.quantities(quantity)
     ]
     letters = notations.chosen(
@@ -100,16 +100,18 @@ def derive(
     )
     with working(_("Deriving ...")) as tell:
         chapters = [exact.signs_chapter(loaded, reference=point)] if signs else []
-        for one, kind in [] if signs else wanted:
-            tell(_("Deriving the {quantity} of order {order} ...", quantity=_(kind), order=one))
+        for number, kind in [] if signs else wanted:
+            tell(_("Deriving the {quantity} of order {order} ...", quantity=_(kind), order=number))
             if symbolic is not None:
-                chapters.append(exact.family(loaded, one, kind, symbol=symbolic))
+                chapters.append(exact.family(loaded, number, kind, symbol=symbolic))
             elif kind == "torque":
-                chapters.append(exact.inertia_torque(loaded, one, speed=turning, power=power or 7))
+                chapters.append(
+                    exact.inertia_torque(loaded, number, speed=turning, power=power or 7)
+                )
             else:
                 chapters.append(
                     exact.derivation(
-                        loaded, one, kind, reference=point, speed=turning, power=power or 7
+                        loaded, number, kind, reference=point, speed=turning, power=power or 7
                     )
                 )
     if form == "text":

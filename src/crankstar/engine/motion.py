@@ -298,10 +298,10 @@ def first_harmonic(engine: Assembly, order: float) -> complex:
     first = engine.first
     if order != int(order) or first.articulated is not None:
         return 0j
-    found = piston_harmonics(
+    harmonics = piston_harmonics(
         crank_radius=engine.throw(first).radius, rod_length=first.rod_length, offset=first.offset
     )
-    size = complex(found[int(order)]) if order < found.size else 0j
+    size = complex(harmonics[int(order)]) if order < harmonics.size else 0j
     return size if engine.sense > 0 else size.conjugate()
 
 

@@ -99,7 +99,7 @@ def record_in(annotation: Any) -> type[Record] | None:
     if isinstance(annotation, type) and issubclass(annotation, Record):
         return annotation
     return next(
-        (found for part in get_args(annotation) if (found := record_in(part)) is not None), None
+        (record for part in get_args(annotation) if (record := record_in(part)) is not None), None
     )
 
 
@@ -111,9 +111,9 @@ def quantity_of(info: FieldInfo) -> Quantity | None:
 
 def _quantity_in(annotation: Any) -> Quantity | None:
     for part in (*getattr(annotation, "__metadata__", ()), *get_args(annotation)):
-        found = part if isinstance(part, Quantity) else _quantity_in(part)
-        if found is not None:
-            return found
+        quantity = part if isinstance(part, Quantity) else _quantity_in(part)
+        if quantity is not None:
+            return quantity
     return None
 
 

@@ -274,9 +274,9 @@ _OF_MOTION = ("firing_order.unfit", "firing_angles.", "rod.slave")
 """Faults that may come from what was mended."""
 
 
-def _overlap(one: tuple[str | int, ...], other: tuple[str | int, ...]) -> bool:
-    shorter = min(len(one), len(other))
-    return one[:shorter] == other[:shorter]
+def _overlap(path: tuple[str | int, ...], other: tuple[str | int, ...]) -> bool:
+    shorter = min(len(path), len(other))
+    return path[:shorter] == other[:shorter]
 
 
 def _in_file(tree: Tree, faults: list[Fault], *, explicit: bool) -> list[Fault]:

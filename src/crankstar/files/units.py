@@ -186,10 +186,10 @@ def _read(value: Any, quantity: Quantity) -> tuple[float, bool]:
             raise _fault("unit.needed", value, quantity)
         return float(value), False
     text = value.translate(_SPELLINGS).replace("**", "^")
-    found = _NUMBER.fullmatch(text) if len(text) <= _LONGEST else None
-    if found is None:
+    match = _NUMBER.fullmatch(text) if len(text) <= _LONGEST else None
+    if match is None:
         raise _fault("unit.not-a-number", value, quantity)
-    number, unit = float(found.group(1)), found.group(2)
+    number, unit = float(match.group(1)), match.group(2)
     if re.match(r",\d", unit):
         raise _fault("unit.decimal-comma", value, quantity)
     if abs(number) > _GREATEST_NUMBER:

@@ -41,7 +41,7 @@ def part_by_part(engine: Engine) -> dict[str, Any]:
     """
     tree = explicit(engine)
     sources = tree.pop("provenance", {})
-    kept = {path: told for path, told in sources.items() if _is_there(tree, keys_of(path))}
+    kept = {path: source for path, source in sources.items() if _is_there(tree, keys_of(path))}
     return {**tree, "provenance": kept} if kept else tree
 
 
@@ -84,8 +84,8 @@ def tree_text(tree: dict[str, Any]) -> str:
     return text
 
 
-def _on_one_line(found: re.Match[str]) -> str:
-    items = [line.strip() for line in found.group(1).splitlines()]
+def _on_one_line(match: re.Match[str]) -> str:
+    items = [line.strip() for line in match.group(1).splitlines()]
     return "[" + " ".join(items).rstrip(",") + "]"
 
 

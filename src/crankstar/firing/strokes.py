@@ -247,10 +247,12 @@ def pieces(window: Window, *, cycle_deg: float) -> tuple[Window, ...]:
     return (Window(window.start_deg, cycle_deg), Window(0.0, round(window.end_deg - cycle_deg, 9)))
 
 
-def common(one: Sequence[Window], other: Sequence[Window]) -> tuple[Window, ...]:
+def common(windows: Sequence[Window], others: Sequence[Window]) -> tuple[Window, ...]:
     """What two sets of windows within the cycle have in common."""
     both = (
-        Window(max(a.start_deg, b.start_deg), min(a.end_deg, b.end_deg)) for a in one for b in other
+        Window(max(a.start_deg, b.start_deg), min(a.end_deg, b.end_deg))
+        for a in windows
+        for b in others
     )
     return tuple(window for window in both if window.length_deg > 0)
 

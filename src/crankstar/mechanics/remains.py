@@ -99,19 +99,21 @@ def ranked(spectrum: Spectrum, orders: Sequence[float]) -> tuple[list[float], li
     >>> ranked(summed(balance(load("i4"))).force, (1.0, 2.0, 4.0))
     ([2.0, 4.0], [1.0])
     """
-    found = dict(zip(orders, sizes(spectra.selected(spectrum, orders)).tolist(), strict=True))
+    size_of = dict(zip(orders, sizes(spectra.selected(spectrum, orders)).tolist(), strict=True))
     least = NEGLIGIBLE * float(sizes(spectrum).max(initial=0.0))
     left = sorted(
-        (order for order in orders if found[order] > least), key=lambda order: -found[order]
+        (order for order in orders if size_of[order] > least), key=lambda order: -size_of[order]
     )
-    return left, [order for order in orders if found[order] <= least]
+    return left, [order for order in orders if size_of[order] <= least]
 
 
 def orders_pushed(result: Balance) -> tuple[float, ...]:
     """The usual orders excited by any part, even if the sum is zero; at least order 1."""
     parts = (result.force, result.couple, result.axis_moment)
     greatest = [sizes(spectrum).max(axis=0, initial=0.0) for spectrum in parts]
-    there = np.any([one > NEGLIGIBLE * one.max(initial=0.0) for one in greatest], axis=0)
+    there = np.any(
+        [lengths > NEGLIGIBLE * lengths.max(initial=0.0) for lengths in greatest], axis=0
+    )
     return tuple(result.force.orders[there & (result.force.orders <= USUAL_ORDERS)].tolist()) or (
         1.0,
     )
@@ -152,10 +154,10 @@ def orders_drawn(
     """
     parts = spectra.selected(getattr(result, quantity), orders)
     floor = ROUNDED_ARM * float(pushed(result.force).max(initial=0.0))
-    found = sizes(spectra.selected(getattr(sums, quantity), orders))
-    least = minor * float(found.max(initial=0.0))
+    lengths = sizes(spectra.selected(getattr(sums, quantity), orders))
+    least = minor * float(lengths.max(initial=0.0))
     return tuple(
         order
-        for order, size_, share in zip(orders, found, pushed(parts), strict=True)
+        for order, size_, share in zip(orders, lengths, pushed(parts), strict=True)
         if share > floor and (minor < 0 or order in (1.0, 2.0) or size_ > least)
     )

@@ -77,8 +77,8 @@ def solved(aim: Sequence[Cone], ceilings: Sequence[Ceiling], *, greatest: float)
         return Solution(None, 0.0)
     x, multipliers = optimum
     bounds = [
-        lower_bound(aim, ceilings, one, greatest=greatest)
-        for one in (multipliers, _closed(aim, ceilings, x, multipliers, greatest))
+        lower_bound(aim, ceilings, feasible, greatest=greatest)
+        for feasible in (multipliers, _closed(aim, ceilings, x, multipliers, greatest))
     ]
     return Solution(x, max(bounds))
 
@@ -94,10 +94,13 @@ def _closed(
     every = [*aim, *(cone for ceiling in ceilings for cone in ceiling.cones)]
     free = np.repeat(np.abs(x.reshape(-1, 2) @ [1, 1j]) < greatest * (1 - 1e-6), 2)
     slope = sum(
-        (cone.matrix.T @ one[1:] for cone, one in zip(every, multipliers, strict=True)),
+        (
+            cone.matrix.T @ multiplier[1:]
+            for cone, multiplier in zip(every, multipliers, strict=True)
+        ),
         np.zeros(free.size),
     )
-    sizes = [abs(float(one[0])) for one in multipliers]
+    sizes = [abs(float(multiplier[0])) for multiplier in multipliers]
     normal = sum(
         (size * cone.matrix.T @ cone.matrix for cone, size in zip(every, sizes, strict=True)),
         np.zeros((free.size, free.size)),
@@ -105,8 +108,8 @@ def _closed(
     step = np.zeros(free.size)
     step[free] = np.linalg.lstsq(normal[np.ix_(free, free)], -slope[free], rcond=1e-14)[0]
     return [
-        np.append(one[0], one[1:] + size * (cone.matrix @ step))
-        for cone, one, size in zip(every, multipliers, sizes, strict=True)
+        np.append(multiplier[0], multiplier[1:] + size * (cone.matrix @ step))
+        for cone, multiplier, size in zip(every, multipliers, sizes, strict=True)
     ]
 
 
@@ -126,15 +129,18 @@ def lower_bound(
 ) -> float:
     """A lower bound of t from any multipliers (l, v) of the cones, those of the aim first."""
     limited = [(cone, ceiling.limit) for ceiling in ceilings for cone in ceiling.cones]
-    total = sum(float(max(one[0], np.linalg.norm(one[1:]))) for one in multipliers[: len(aim)])
+    total = sum(
+        float(max(multiplier[0], np.linalg.norm(multiplier[1:])))
+        for multiplier in multipliers[: len(aim)]
+    )
     if not total > 0:
         return 0.0
     constant, slope = 0.0, np.zeros(aim[0].matrix.shape[1])
-    for (cone, limit), one in zip(
+    for (cone, limit), multiplier in zip(
         [*((cone, 0.0) for cone in aim), *limited], multipliers, strict=True
     ):
-        vector = one[1:] / total
-        constant += float(max(one[0] / total, np.linalg.norm(vector))) * (
+        vector = multiplier[1:] / total
+        constant += float(max(multiplier[0] / total, np.linalg.norm(vector))) * (
             cone.offset - limit
         ) + float(vector @ cone.shift)
         slope += cone.matrix.T @ vector

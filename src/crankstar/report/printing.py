@@ -53,14 +53,14 @@ class PrintingError(MessageError):
 
 def browser() -> str:
     """The path of a Chromium, Chrome or Edge. Raises PrintingError."""
-    found = next(filter(None, map(which, BROWSERS)), None) or next(
+    program = next(filter(None, map(which, BROWSERS)), None) or next(
         (place for place in ELSEWHERE if Path(place).is_file()), None
     )
-    if found is None:
+    if program is None:
         raise PrintingError(
             "a PDF needs Chromium, Chrome or Edge; install one, or {remedy}", remedy=_(BY_HAND)
         )
-    return found
+    return program
 
 
 def pdf(page: str, *, by: str, patience: float = PATIENCE) -> bytes:
@@ -82,9 +82,9 @@ def pdf(page: str, *, by: str, patience: float = PATIENCE) -> bytes:
     return DATES.sub(_undated, content)
 
 
-def _undated(found: re.Match[bytes]) -> bytes:
+def _undated(match: re.Match[bytes]) -> bytes:
     """The entry of a date with zeros for its digits, as a PDF counts its bytes."""
-    return re.sub(rb"\d", b"0", found.group())
+    return re.sub(rb"\d", b"0", match.group())
 
 
 def _rights() -> list[str]:

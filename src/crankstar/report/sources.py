@@ -84,8 +84,8 @@ def _shown(file: str) -> str:
 
 def frame_style() -> str:
     """The style of the drawing of the frame, for the style sheet of the report."""
-    found = STYLE.search(_frame())
-    return found.group(1) if found else ""
+    match = STYLE.search(_frame())
+    return match.group(1) if match else ""
 
 
 def _frame() -> str:

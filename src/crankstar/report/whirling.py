@@ -97,8 +97,8 @@ def _complex(pairs: Sequence[Pair]) -> Complex:
 def _paths(ends: Sequence[End], order: float, scale: float, greatest: float) -> list[Value]:
     out: list[Value] = []
     for end in ends:
-        one = spectra.selected(end.motion, [order])
-        path = spectra.ellipse(complex(one.forward[0]), complex(one.backward[0]))
+        motion = spectra.selected(end.motion, [order])
+        path = spectra.ellipse(complex(motion.forward[0]), complex(motion.backward[0]))
         none = path.semi_major <= NEGLIGIBLE * greatest
         out += [_("none"), 0.0] if none else [shape(path, greatest), path.semi_major * scale]
     return out

@@ -94,23 +94,23 @@ def _text(text: str, kind: str) -> Response:
 
 def _file(request: Request, name: str, kind: str) -> Response:
     """A file of the bundle, cached for ever if its address has its digest; raises Refused."""
-    found = asset(name)
-    if found is None:
+    asset_ = asset(name)
+    if asset_ is None:
         raise refused(404, "question.unbuilt", name=name)
-    tag = f'"{found.digest}"'
+    tag = f'"{asset_.digest}"'
     heads = {
         "etag": tag,
-        "cache-control": FOR_EVER if request.query_params.get("v") == found.digest else ASK_AGAIN,
+        "cache-control": FOR_EVER if request.query_params.get("v") == asset_.digest else ASK_AGAIN,
     }
     if request.headers.get("if-none-match") == tag:
         return Response(status_code=304, headers=heads)
     if "gzip" in request.headers.get("accept-encoding", ""):
         return Response(
-            found.small,
+            asset_.small,
             media_type=kind,
             headers={**heads, "content-encoding": "gzip", "vary": "accept-encoding"},
         )
-    return Response(found.plain, media_type=kind, headers={**heads, "vary": "accept-encoding"})
+    return Response(asset_.plain, media_type=kind, headers={**heads, "vary": "accept-encoding"})
 
 
 @router.get("/")

@@ -125,8 +125,8 @@ def fitted(engine: str | Tree, options: dict[str, Any]) -> bytes:
     """An engine with weights and balance shafts as an exhibit, or null. Raises Refused."""
     with mistakes_refused():
         made, _ = engine_of(engine)
-        found = _fitted(made, **options) if options else exhibits.fitted(made)
-        return b'{"exhibit":' + (b"null" if found is None else _json(found)) + b"}"
+        exhibit = _fitted(made, **options) if options else exhibits.fitted(made)
+        return b'{"exhibit":' + (b"null" if exhibit is None else _json(exhibit)) + b"}"
 
 
 def _fitted(

@@ -67,21 +67,21 @@ def best(sweep: Sweep, curve: Curve, *, greatest: bool = False) -> Best:
         SweepError,
     ):  # not every number between two good ones is one: a ratio of teeth
         tips = [None] * len(runs)
-    found: list[tuple[float, float, tuple[float, float] | None]] = []
+    minima: list[tuple[float, float, tuple[float, float] | None]] = []
     for (first, last), tip in zip(runs, tips, strict=True):
         if tip is not None and tip[1] < y[first] - even:
-            found.append((*tip, None))
+            minima.append((*tip, None))
         else:
             middle = (first + last) // 2
-            found.append(
+            minima.append(
                 (
                     float(x[middle]),
                     float(y[middle]),
                     (float(x[first]), float(x[last])) if last > first else None,
                 )
             )
-    least = min(result for _, result, _ in found)
-    good = [one for one in found if one[1] <= least + even]
+    least = min(result for _, result, _ in minima)
+    good = [minimum for minimum in minima if minimum[1] <= least + even]
     value, result, stretch = good[0]
     edge = value in (x[0], x[-1]) or bool(stretch and {*stretch} & {float(x[0]), float(x[-1])})
     return Best(
@@ -89,7 +89,7 @@ def best(sweep: Sweep, curve: Curve, *, greatest: bool = False) -> Best:
         sign * result,
         edge,
         flat=False,
-        also=tuple(one[0] for one in good[1 : ALSO + 1]),
+        also=tuple(minimum[0] for minimum in good[1 : ALSO + 1]),
         stretch=stretch,
     )
 

@@ -144,7 +144,7 @@ def _tuple_of(annotation: Any) -> tuple[Any, ...]:
     """The type of the entries of a list."""
     if get_origin(annotation) is tuple:
         return get_args(annotation)
-    return next((found for part in get_args(annotation) if (found := _tuple_of(part))), ())
+    return next((entries for part in get_args(annotation) if (entries := _tuple_of(part))), ())
 
 
 def _numeric(record: type[Record], tree: Any, path: str = "") -> Iterator[str]:

@@ -45,10 +45,10 @@ def certificate(best: Best) -> list[str]:
         shown = ", ".join(f"{degrees(angle):.4g}" for angle in best.angles[:ANGLES])
         more = " ..." if len(best.angles) > ANGLES else ""
         lines.append(_("Crank angles of the peak: {angles} deg.", angles=shown + more))
-    return lines + [_limit(best, limit, found) for limit, found in best.limits]
+    return lines + [_limit(best, limit, value) for limit, value in best.limits]
 
 
-def _limit(best: Best, limit: Limit, found: float) -> str:
+def _limit(best: Best, limit: Limit, value: float) -> str:
     if limit.implied:
         return _(
             "The {aim} is kept at or below that of bare crankshafts; --limit allows more.",
@@ -56,11 +56,11 @@ def _limit(best: Best, limit: Limit, found: float) -> str:
         )
     values = {
         "aim": aim_name(limit.aim),
-        "found": number(found, best.bare),
+        "found": number(value, best.bare),
         "limit": number(limit.at_most, best.bare),
         "unit": _unit(limit.aim),
     }
-    if found > limit.at_most * (1 - 1e-5) - 1e-9:
+    if value > limit.at_most * (1 - 1e-5) - 1e-9:
         return _("Limit of {aim}: {found} of {limit} {unit}, reached.", **values)
     return _("Limit of {aim}: {found} of {limit} {unit}, not reached.", **values)
 

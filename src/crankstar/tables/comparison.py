@@ -17,8 +17,8 @@ from crankstar.tables.table import Column, Document, Table, Value
 
 def comparison(shown: Sequence[Analysis]) -> Document:
     """The orders of every quantity, a column for each engine, and what the engines are."""
-    real = all(one.real is not None for one in shown)
-    results = [one.best if real else one.normalised for one in shown]
+    real = all(analysis.real is not None for analysis in shown)
+    results = [analysis.best if real else analysis.normalised for analysis in shown]
     sums = [summed(result) for result in results]
     parts = [_quantity(name, shown, sums, results) for name in Sums._fields]
     title = (
@@ -36,14 +36,18 @@ def _quantity(
     units = dict.fromkeys(
         unit_text(getattr(result.units, name if plane else "moment")) for result in results
     )
-    wanted = sorted({order for one in shown for order in (one.orders if plane else one.turning)})
-    signals = [getattr(one, name) for one in sums]
+    wanted = sorted(
+        {order for analysis in shown for order in (analysis.orders if plane else analysis.turning)}
+    )
+    signals = [getattr(sums_, name) for sums_ in sums]
     least = [NEGLIGIBLE * sums_size(signal) for signal in signals]
     rows: list[tuple[Value, ...]] = []
     zero: list[float] = []
     for order in wanted:
-        found = [size(signal, order) for signal in signals]
-        cells = [one if one > floor else 0.0 for one, floor in zip(found, least, strict=True)]
+        lengths = [size(signal, order) for signal in signals]
+        cells = [
+            length if length > floor else 0.0 for length, floor in zip(lengths, least, strict=True)
+        ]
         if any(cells):
             rows.append((number(order), *cells))
         else:
@@ -54,7 +58,7 @@ def _quantity(
         rows.append((_("peak"), *shown_peaks))
     heads = (
         Column(_("order"), kind="text", key="order", label=True),
-        *(Column(one.engine.name, key=one.engine.name) for one in shown),
+        *(Column(analysis.engine.name, key=analysis.engine.name) for analysis in shown),
     )
     title = f"{_(QUANTITIES[name]).capitalize()} [{_(' or ').join(units)}]"
     return Table(title, heads, tuple(rows), notes=none_line(zero), key=name)
@@ -69,10 +73,19 @@ def _engines(shown: Sequence[Analysis], *, real: bool) -> Table:
         heads.append(Column(_("speed"), "rpm"))
     heads.append(Column(_("unverified values")))
     rows: list[tuple[Value, ...]] = []
-    for one in shown:
-        fires = firing_text(firing(one.engine)) if one.engine.firing_order else _("no order given")
-        speed = (one.best.speed or 0) * 30 / pi
+    for analysis in shown:
+        fires = (
+            firing_text(firing(analysis.engine))
+            if analysis.engine.firing_order
+            else _("no order given")
+        )
+        speed = (analysis.best.speed or 0) * 30 / pi
         rows.append(
-            (one.engine.name, fires, *((speed,) if real else ()), len(unverified(one.engine)))
+            (
+                analysis.engine.name,
+                fires,
+                *((speed,) if real else ()),
+                len(unverified(analysis.engine)),
+            )
         )
     return Table(_("Engines"), tuple(heads), tuple(rows))

@@ -79,7 +79,7 @@ def cure_lines(engine: Engine, remaining: Sequence[Need]) -> list[str]:
 def _alike(need: Need, other: Need) -> bool:
     """Whether two vectors that turn against each other are as long as each other."""
     pairs = ((abs(need.force), abs(other.force)), (abs(need.couple), abs(other.couple)))
-    return all(abs(one - two) <= EQUAL * max(one, two) for one, two in pairs)
+    return all(abs(a - b) <= EQUAL * max(a, b) for a, b in pairs)
 
 
 def proposal(engine: Engine, *, speed: float | None = None) -> str:

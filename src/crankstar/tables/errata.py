@@ -17,22 +17,22 @@ TITLES = {
 """Titles of the tables, and the kinds of errata under each."""
 
 
-def errata_document(found: Sequence[Erratum]) -> Document:
+def errata_document(errata: Sequence[Erratum]) -> Document:
     """The printed and the true formula, source by source: results, steps, lines."""
     parts: list[Table] = []
-    for source in dict.fromkeys(one.source for one in found):
+    for source in dict.fromkeys(erratum.source for erratum in errata):
         name = f"{sources()[source]} ({source})"
         for title, kinds in TITLES.items():
             rows = tuple(
                 (
-                    f"{one.title}, {one.component}"
-                    if one.component in ("up", "right")
-                    else one.title,
-                    one.text,
-                    text(one.ours),
+                    f"{erratum.title}, {erratum.component}"
+                    if erratum.component in ("up", "right")
+                    else erratum.title,
+                    erratum.text,
+                    text(erratum.ours),
                 )
-                for one in found
-                if one.source == source and one.kind in kinds
+                for erratum in errata
+                if erratum.source == source and erratum.kind in kinds
             )
             if rows:
                 parts.append(

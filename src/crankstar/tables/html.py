@@ -35,8 +35,8 @@ def typeset(words: object) -> str:
     return MINUS.sub("−", POWER.sub(_power, text(words)))
 
 
-def _power(found: re.Match[str]) -> str:
-    return f"{found.group(1)}·10{str(int(found.group(2))).translate(RAISED)}"
+def _power(match: re.Match[str]) -> str:
+    return f"{match.group(1)}·10{str(int(match.group(2))).translate(RAISED)}"
 
 
 def kind_of(kind: str) -> str:
@@ -94,7 +94,7 @@ def _table(table: Table) -> str:
     )
     body = "".join(
         f"<tr{kind_of('doubt' if place in table.doubtful else '')}>"
-        + "".join(f"<td{side}>{typeset(one)}</td>" for one, side in zip(row, sides, strict=True))
+        + "".join(f"<td{side}>{typeset(cell)}</td>" for cell, side in zip(row, sides, strict=True))
         + "</tr>"
         for place, row in enumerate(cells(table))
     )

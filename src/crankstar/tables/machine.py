@@ -49,7 +49,7 @@ def _objects(table: Table) -> list[dict[str, Any]]:
 
 def _plain(column: Column, value: Value) -> Any:
     if isinstance(value, tuple):
-        return [_plain(column, one) for one in value]
+        return [_plain(column, item) for item in value]
     if isinstance(value, complex):
         if column.kind == "wave":
             return {"amplitude": abs(value), "phase_deg": _phase(value)}
@@ -68,8 +68,8 @@ def json_text(tree: Mapping[str, Any]) -> str:
     return re.sub(r"\[\n\s+([-+.\de]+(?:,\n\s+[-+.\de]+)*)\n\s+\]", _joined, text) + "\n"
 
 
-def _joined(found: re.Match[str]) -> str:
-    return "[" + " ".join(found.group(1).split()) + "]"
+def _joined(match: re.Match[str]) -> str:
+    return "[" + " ".join(match.group(1).split()) + "]"
 
 
 def columns(table: Table) -> tuple[list[str], list[list[Any]]]:
@@ -81,7 +81,7 @@ def columns(table: Table) -> tuple[list[str], list[list[Any]]]:
     wanted = [place for place, column in enumerate(table.columns) if column.key]
     heads = [head for place in wanted for head in _heads(table.columns[place])]
     rows = [
-        [one for place in wanted for one in _values(table.columns[place], row[place])]
+        [cell for place in wanted for cell in _values(table.columns[place], row[place])]
         for row in table.rows
     ]
     return heads, rows
@@ -106,7 +106,7 @@ def _values(column: Column, value: Value) -> list[Any]:
             return [abs(number), _phase(number)]
         return [number.real + 0.0, number.imag + 0.0]
     if isinstance(value, tuple):
-        return [("-" if column.kind == "order" else " ").join(_short(one) for one in value)]
+        return [("-" if column.kind == "order" else " ").join(_short(item) for item in value)]
     return [_safe(value) if isinstance(value, str) else value]
 
 

@@ -37,13 +37,13 @@ def piston_balance(engine: Engine) -> PistonBalance:
     orders = (1.0, 2.0)
     result = balance(engine, orders=orders)
     rows = [row for row, part in enumerate(result.parts) if part.kind in ("piston", "rod")]
-    found: list[float] = []
+    lengths: list[float] = []
     for order in orders:
         for name in ("force", "couple"):
             whole = spectra.total(getattr(result, name)[rows, :])
             arm = spacing(engine) / engine.pitch if name == "couple" else 1.0
-            found.append(size(whole, order) / arm)
-    return PistonBalance(*(0.0 if one < 1e-6 else one for one in found))
+            lengths.append(size(whole, order) / arm)
+    return PistonBalance(*(0.0 if length < 1e-6 else length for length in lengths))
 
 
 def spacing(engine: Engine) -> float:
@@ -88,7 +88,8 @@ def relative_lines(engine: Engine) -> list[str]:
     for name, other in others:
         if name not in equal:
             key = next(
-                (one for one in different if np.allclose(one, other, rtol=0.05, atol=0.01)), other
+                (known for known in different if np.allclose(known, other, rtol=0.05, atol=0.01)),
+                other,
             )
             different.setdefault(key, []).append(name)
     arm = "a" if isclose(spacing(engine), engine.pitch) else "d"

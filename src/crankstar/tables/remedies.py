@@ -131,8 +131,8 @@ def _weights(job: Job) -> Table:
     )
     notes = [note] if rows else [_("No weights.")]
     before, after = (
-        [weight for shaft in one.shafts if shaft.throws for weight in shaft.weights]
-        for one in (job.before, job.after)
+        [weight for shaft in engine.shafts if shaft.throws for weight in shaft.weights]
+        for engine in (job.before, job.after)
     )
     if gone := sum(weight not in after for weight in before):
         notes.append(
@@ -258,11 +258,11 @@ def _vectors(
 ) -> list[tuple[float, float]]:
     """Forward and backward vectors before and after; what an optimiser leaves is zero."""
     compared = [name, "force"] if units.couple == "m*r*w^2*a" else [name]
-    signals = [getattr(one, other) for one in sums for other in compared]
+    signals = [getattr(sums_, other) for sums_ in sums for other in compared]
     top = max(size(signal, usual) for signal in signals for usual in (1.0, 2.0))
     pairs: list[tuple[float, float]] = []
-    for one in sums:
-        vector = spectra.selected(getattr(one, name), [order])
+    for sums_ in sums:
+        vector = spectra.selected(getattr(sums_, name), [order])
         ways = (abs(complex(way[0])) for way in (vector.forward, vector.backward))
         forward, backward = (way if way > OPTIMISED * top else 0.0 for way in ways)
         pairs.append((forward, backward))

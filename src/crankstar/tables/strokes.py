@@ -30,13 +30,13 @@ from crankstar.tables.table import Column, Document, Remarks, Table, remarks
 
 def strokes(engine: Engine) -> Document:
     """The working cycle of an engine. Raises EngineError as `strokes.working_cycle`."""
-    found = working_cycle(engine)
+    cycle = working_cycle(engine)
     return Document(
-        engine.name, (heading(engine), *tables(engine, found)), facts=_facts(engine, found)
+        engine.name, (heading(engine), *tables(engine, cycle)), facts=_facts(engine, cycle)
     )
 
 
-def tables(engine: Engine, found: WorkingCycle) -> Iterator[Table | Remarks]:
+def tables(engine: Engine, cycle: WorkingCycle) -> Iterator[Table | Remarks]:
     """The tables of a working cycle, without the heading of the engine."""
     groups = exhaust_groups(engine)
     assumed = _(
@@ -45,31 +45,31 @@ def tables(engine: Engine, found: WorkingCycle) -> Iterator[Table | Remarks]:
         cycle=_(engine.cycle),
     )
     yield Remarks(
-        (*_ring(found.firing), *timing_lines(engine), *([assumed] if found.timing.assumed else []))
+        (*_ring(cycle.firing), *timing_lines(engine), *([assumed] if cycle.timing.assumed else []))
     )
-    yield _cylinders(found, groups)
-    yield _exhausts(found, groups)
-    yield _disturbances(found, groups)
-    sides, pins = (in_succession(found.firing, of(engine)) for of in (neighbours, partners))
+    yield _cylinders(cycle, groups)
+    yield _exhausts(cycle, groups)
+    yield _disturbances(cycle, groups)
+    sides, pins = (in_succession(cycle.firing, of(engine)) for of in (neighbours, partners))
     yield from remarks(
         _("Neighbours that fire in succession: {pairs}.", pairs=succession_text(sides)),
         _("Cylinders on one pin that fire in succession: {pairs}.", pairs=succession_text(pins)),
     )
 
 
-def _facts(engine: Engine, found: WorkingCycle) -> dict[str, Any]:
-    fired = found.firing
+def _facts(engine: Engine, cycle: WorkingCycle) -> dict[str, Any]:
+    fired = cycle.firing
     pairs = {"neighbours": neighbours, "partners": partners}
     return {
         "engine": engine.name,
-        "cycle_deg": found.cycle_deg,
+        "cycle_deg": cycle.cycle_deg,
         "firing_order": list(fired.order),
         "firing_angles_deg": [round(angle, 9) for angle in fired.angles_deg],
         "firing_intervals_deg": list(fired.intervals_deg),
         "timing_deg": {
-            name: float(f"{degrees(getattr(found.timing, name)):.12g}") for name in EVENTS
+            name: float(f"{degrees(getattr(cycle.timing, name)):.12g}") for name in EVENTS
         },
-        "assumed": list(found.timing.assumed),
+        "assumed": list(cycle.timing.assumed),
         **{
             f"{name}_in_succession": [
                 [step.first, step.then] for step in in_succession(fired, of(engine))
@@ -103,7 +103,7 @@ def _ring(fired: Firing) -> list[str]:
     return [_("Odd firing; even intervals would be {interval} deg.", interval=interval), where]
 
 
-def _cylinders(found: WorkingCycle, groups: Sequence[ExhaustGroup]) -> Table:
+def _cylinders(cycle: WorkingCycle, groups: Sequence[ExhaustGroup]) -> Table:
     """Every stroke and every event, as spans of crank angle."""
     names = {
         "power": _("power"),
@@ -111,7 +111,7 @@ def _cylinders(found: WorkingCycle, groups: Sequence[ExhaustGroup]) -> Table:
         "intake": _("intake"),
         "compression": _("compression"),
     }
-    strokes = [stroke.name for stroke in found.chambers[0].strokes]
+    strokes = [stroke.name for stroke in cycle.chambers[0].strokes]
     columns = (
         Column(_("cylinder"), key="number", label=True),
         Column(_("exhaust group"), kind="text", key="exhaust", wraps=True),
@@ -124,18 +124,23 @@ def _cylinders(found: WorkingCycle, groups: Sequence[ExhaustGroup]) -> Table:
     home = {number: group.name for group in groups for number in group.chambers}
     rows = [
         (
-            one.number,
-            home[one.number],
-            one.fires_deg,
-            *(_span(window, found.cycle_deg) for window in _windows(one)),
+            chamber.number,
+            home[chamber.number],
+            chamber.fires_deg,
+            *(_span(window, cycle.cycle_deg) for window in _windows(chamber)),
         )
-        for one in sorted(found.chambers, key=lambda one: one.number)
+        for chamber in sorted(cycle.chambers, key=lambda chamber: chamber.number)
     ]
     return Table(_("Strokes and valve events"), columns, tuple(rows), key="cylinders")
 
 
-def _windows(one: ChamberStrokes) -> list[Window]:
-    return [*(stroke.window for stroke in one.strokes), one.exhaust, one.blow_down, one.intake]
+def _windows(chamber: ChamberStrokes) -> list[Window]:
+    return [
+        *(stroke.window for stroke in chamber.strokes),
+        chamber.exhaust,
+        chamber.blow_down,
+        chamber.intake,
+    ]
 
 
 def _span(window: Window, cycle: float) -> tuple[float, ...]:
@@ -146,7 +151,7 @@ def _span(window: Window, cycle: float) -> tuple[float, ...]:
     return (round(window.start_deg, 9) + 0.0, round(end, 9) + 0.0)
 
 
-def _exhausts(found: WorkingCycle, groups: Sequence[ExhaustGroup]) -> Table:
+def _exhausts(cycle: WorkingCycle, groups: Sequence[ExhaustGroup]) -> Table:
     """The order in which the exhausts of a group open, and the intervals between them."""
     columns = (
         Column(_("exhaust group"), kind="text", key="name", wraps=True),
@@ -156,7 +161,7 @@ def _exhausts(found: WorkingCycle, groups: Sequence[ExhaustGroup]) -> Table:
     )
     rows = []
     for group in groups:
-        steps = exhaust_intervals(found, group.chambers)
+        steps = exhaust_intervals(cycle, group.chambers)
         even = "" if len(steps) == 1 else _("even") if are_even(steps) else _("uneven")
         order = tuple(step.first for step in steps)
         rows.append((group.name, order, tuple(step.interval_deg for step in steps), even))
@@ -168,7 +173,7 @@ def _exhausts(found: WorkingCycle, groups: Sequence[ExhaustGroup]) -> Table:
     return Table(_("Exhaust pulses"), columns, tuple(rows), notes=notes, key="exhausts")
 
 
-def _disturbances(found: WorkingCycle, groups: Sequence[ExhaustGroup]) -> Table:
+def _disturbances(cycle: WorkingCycle, groups: Sequence[ExhaustGroup]) -> Table:
     """Blow-downs that meet an open exhaust."""
     columns = (
         Column(_("cylinder"), key="blowing"),
@@ -177,9 +182,14 @@ def _disturbances(found: WorkingCycle, groups: Sequence[ExhaustGroup]) -> Table:
         Column(_("exhaust and intake open for"), "deg", key="both_open_deg"),
     )
     rows = tuple(
-        (one.blowing, one.disturbed, one.exhaust_open_deg, one.both_open_deg)
+        (
+            disturbance.blowing,
+            disturbance.disturbed,
+            disturbance.exhaust_open_deg,
+            disturbance.both_open_deg,
+        )
         for group in groups
-        for one in disturbances(found, group.chambers)
+        for disturbance in disturbances(cycle, group.chambers)
     )
     notes = () if rows else (_("No cylinder blows down into the open exhaust of another."),)
     title = _("Blow-down into an open exhaust")

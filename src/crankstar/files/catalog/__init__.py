@@ -45,10 +45,10 @@ def tree_of(name: str | Path) -> tuple[str, dict[str, Any]]:
 
     Raises EngineFileError.
     """
-    found = path_of(str(name))
-    if found is None and not _looks_like_a_file(name):
+    own = path_of(str(name))
+    if own is None and not _looks_like_a_file(name):
         raise not_in_catalog(str(name))
-    return read_tree(found or name, name=str(name) if found else None)
+    return read_tree(own or name, name=str(name) if own else None)
 
 
 def not_in_catalog(typed: str) -> EngineFileError:
@@ -67,11 +67,11 @@ def _near(typed: str) -> list[str]:
     """Names that begin with the typed text, then those that contain it, else similar ones."""
     part = typed.strip().lower()
     if part:
-        found = sorted(
+        alike = sorted(
             (name for name in names() if part in name), key=lambda name: not name.startswith(part)
         )
-        if found:
-            return found[:MOST_NAMED]
+        if alike:
+            return alike[:MOST_NAMED]
     return get_close_matches(typed, names(), 3)
 
 
