@@ -96,7 +96,7 @@ def relative_lines(engine: Engine) -> list[str]:
     nearest = sorted(different, key=lambda other: float(np.abs(np.subtract(own, other)).sum()))
     return lines + [
         _(
-            "Compared with {names}, pistons only: {differences}.",
+            "Compared with {names}, pistons only, each in its own m, r and a: {differences}.",
             names=_names(different[other]),
             differences=_differences(own, other, arm),
         )
