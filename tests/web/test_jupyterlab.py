@@ -10,6 +10,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Iterator
+from contextlib import suppress
 from importlib.util import find_spec
 from pathlib import Path
 from urllib.error import URLError
@@ -120,10 +121,16 @@ def _answered(address: str, server: subprocess.Popen[bytes], log: Path) -> None:
     pytest.fail(f"JupyterLab does not start:\n{log.read_text()[-2000:]}")
 
 
-def run(page: Page, count: int) -> None:
-    """Runs that many cells, one after the other."""
-    for _ in range(count):
+def run(page: Page, place: int) -> None:
+    """Runs a cell, again where JupyterLab, still drawing itself, has missed the keys."""
+    cell = page.locator(".jp-CodeCell").nth(place)
+    for _ in range(5):
+        cell.locator(".cm-content").click()
         page.keyboard.press("Shift+Enter")
+        with suppress(AssertionError):
+            expect(cell.locator(".jp-InputPrompt")).not_to_have_text("[ ]:", timeout=10_000)
+            return
+    pytest.fail(f"cell {place} does not run")
 
 
 def test_an_engine_turns_in_jupyterlab(lab: str, browser: Browser) -> None:
@@ -137,7 +144,7 @@ def test_an_engine_turns_in_jupyterlab(lab: str, browser: Browser) -> None:
         expect(page.locator(".jp-Notebook-ExecutionIndicator[data-status=idle]")).to_be_attached(
             timeout=60_000
         )
-        run(page, 1)
+        run(page, 0)
         page.wait_for_function(f"() => {ENGINE}", timeout=60_000)
         page.evaluate(f"async () => await {ENGINE}.crankstar.ready")
         run(page, 1)
@@ -145,15 +152,15 @@ def test_an_engine_turns_in_jupyterlab(lab: str, browser: Browser) -> None:
         read = page.evaluate(f"() => {ENGINE}.crankstar.read().pistons")
         at = {int(number): place for number, place in read.items()}
         assert farthest_off(crankstar.load("v8-cross-plane"), [at], [77.0]) < 1e-6
-        run(page, 1)
+        run(page, 2)
         page.wait_for_function(
             f"() => {ENGINE}.crankstar.playing && {ENGINE}.crankstar.theta > 100"
         )
-        run(page, 1)
+        run(page, 3)
         page.wait_for_function(f"() => !{ENGINE}.crankstar.playing")
         theta = page.evaluate(f"() => {ENGINE}.crankstar.theta")
         page.wait_for_timeout(500)
-        run(page, 1)
+        run(page, 4)
         said = page.locator(".jp-OutputArea-output", has_text="the angle is")
         expect(said).to_be_visible()
         found = re.search(r"the angle is ([\d.]+)", said.inner_text())
