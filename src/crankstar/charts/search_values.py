@@ -37,12 +37,8 @@ def columns(answer: Answer) -> tuple[Column, ...]:
     """The values of found stars: the objectives, then those of Python functions."""
     question = answer.question
     named = [
-        Column(
-            objective.name,
-            objective.unit,
-            counted=bool(objective.neighbours) and not objective.terms,
-        )
-        for objective in question.objectives
+        Column(each.name, each.unit, counted=bool(each.neighbours) and not each.terms)
+        for each in question.objectives
     ]
     named += [Column(judge.name, judge.unit, counted=False) for judge in question.functions]
     return tuple(named)

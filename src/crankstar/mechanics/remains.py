@@ -111,9 +111,7 @@ def orders_pushed(result: Balance) -> tuple[float, ...]:
     """The usual orders excited by any part, even if the sum is zero; at least order 1."""
     parts = (result.force, result.couple, result.axis_moment)
     greatest = [sizes(spectrum).max(axis=0, initial=0.0) for spectrum in parts]
-    there = np.any(
-        [lengths > NEGLIGIBLE * lengths.max(initial=0.0) for lengths in greatest], axis=0
-    )
+    there = np.any([row > NEGLIGIBLE * row.max(initial=0.0) for row in greatest], axis=0)
     return tuple(result.force.orders[there & (result.force.orders <= USUAL_ORDERS)].tolist()) or (
         1.0,
     )

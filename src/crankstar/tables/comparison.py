@@ -74,18 +74,8 @@ def _engines(shown: Sequence[Analysis], *, real: bool) -> Table:
     heads.append(Column(_("unverified values")))
     rows: list[tuple[Value, ...]] = []
     for analysis in shown:
-        fires = (
-            firing_text(firing(analysis.engine))
-            if analysis.engine.firing_order
-            else _("no order given")
-        )
-        speed = (analysis.best.speed or 0) * 30 / pi
-        rows.append(
-            (
-                analysis.engine.name,
-                fires,
-                *((speed,) if real else ()),
-                len(unverified(analysis.engine)),
-            )
-        )
+        engine = analysis.engine
+        fires = firing_text(firing(engine)) if engine.firing_order else _("no order given")
+        speed = ((analysis.best.speed or 0) * 30 / pi,) if real else ()
+        rows.append((engine.name, fires, *speed, len(unverified(engine))))
     return Table(_("Engines"), tuple(heads), tuple(rows))

@@ -182,12 +182,7 @@ def _disturbances(cycle: WorkingCycle, groups: Sequence[ExhaustGroup]) -> Table:
         Column(_("exhaust and intake open for"), "deg", key="both_open_deg"),
     )
     rows = tuple(
-        (
-            disturbance.blowing,
-            disturbance.disturbed,
-            disturbance.exhaust_open_deg,
-            disturbance.both_open_deg,
-        )
+        tuple(getattr(disturbance, column.key) for column in columns)
         for group in groups
         for disturbance in disturbances(cycle, group.chambers)
     )
