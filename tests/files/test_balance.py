@@ -408,3 +408,12 @@ def test_loads_and_moments_are_in_newtons_at_a_speed(run: Run, known: str) -> No
 def test_weights_that_are_best_are_not_said_to_be_wrong(run: Run) -> None:
     arguments = ("v8-cross-plane", "--weights", "webs", "--minimise", "bearing")
     assert "counterweights" not in run("balance", *arguments).out.partition("Further")[2]
+
+
+def test_what_counterweights_remove_is_in_newtons_at_a_speed(run: Run, known: str) -> None:
+    """Cranks 120 deg apart: sqrt(3) r w^2 a times half the pistons; forward also what turns."""
+    out = " ".join(run("analyze", known).out.split())
+    found = re.search(r"counterweights remove (\S+) N m; (\S+) N m remains", out)
+    assert found
+    unit = np.sqrt(3) * 0.040 * 0.090 * (6000 * np.pi / 30) ** 2
+    assert [float(size) / unit for size in found.groups()] == pytest.approx([0.65, 0.25], rel=1e-4)

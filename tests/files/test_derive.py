@@ -311,3 +311,13 @@ def test_the_axes_of_an_ellipse_are_added_up(run: Run) -> None:
     out = run("derive", "gm-3800", "--order", "1", "--quantity", "couple").out
     assert "M_long = (3√2/2) a" in out
     assert "M_short = (√6/2) a" in out
+
+
+@pytest.mark.parametrize(("order", "negative"), [("1", False), ("2", False), ("4", True)])
+def test_vectors_counted_in_a_negative_harmonic_are_said_to_be(
+    run: Run, order: str, negative: bool
+) -> None:
+    """A_4 of a centred crank is below zero: the force points down where the vector is up."""
+    for quantity in ("force", "couple"):
+        out = run("derive", "ducati-90", "--order", order, "--quantity", quantity).out
+        assert (f"A_{order} is negative" in " ".join(out.split())) == negative
