@@ -56,7 +56,7 @@ class Totals(NamedTuple):
     torque: Spectrum
 
 
-class _Vectors(NamedTuple):
+class Vectors(NamedTuple):
     """Force, moment about the own shaft and dT/dtheta in the engine's frame, [..., part, order]."""
 
     forward: Complex
@@ -65,7 +65,7 @@ class _Vectors(NamedTuple):
     energy: Complex
 
 
-class _Columns(NamedTuple):
+class Columns(NamedTuple):
     """The orders of a result; for each shaft the columns of its harmonics (-1: left out)."""
 
     orders: Real
@@ -83,9 +83,9 @@ def part_spectra(
     reference = reference or Reference(0.0)
     moving = bodies(machine)
     harmonics = max(highest(unit) for body in moving for unit, _ in body)
-    columns = _columns(machine, harmonics, orders)
+    columns = columns_of(machine, harmonics, orders)
     pieces = [
-        _sum([_placed(machine, columns, unit, amount) for unit, amount in body]) for body in moving
+        _sum([placed(machine, columns, unit, amount) for unit, amount in body]) for body in moving
     ]
     pieces.append(_rotors(machine, columns))
     forward, backward, moment, energy = (
@@ -111,7 +111,7 @@ def part_spectra(
     )
 
 
-def _columns(machine: Mechanism, harmonics: int, wanted: Sequence[float] | None) -> _Columns:
+def columns_of(machine: Mechanism, harmonics: int, wanted: Sequence[float] | None) -> Columns:
     """Orders as whole multiples of 1/D, D the common denominator of the shafts' speeds."""
     common = lcm(*(below for _, below in machine.ratios))
     steps = [abs(above) * (common // below) for above, below in machine.ratios]
@@ -125,13 +125,13 @@ def _columns(machine: Mechanism, harmonics: int, wanted: Sequence[float] | None)
         present = spectra.distinct(np.round(np.asarray(wanted, float) * common, 6))
     places = [np.searchsorted(present, key) for key in keys]
     hits = [np.append(present, -1)[place] == key for place, key in zip(places, keys, strict=True)]
-    return _Columns(
+    return Columns(
         present / common,
         tuple(np.where(hit, place, -1) for place, hit in zip(places, hits, strict=True)),
     )
 
 
-def _placed(machine: Mechanism, columns: _Columns, unit: Harmonics, amount: Real) -> _Vectors:
+def placed(machine: Mechanism, columns: Columns, unit: Harmonics, amount: Real) -> Vectors:
     """Unit harmonics in the engine's frame with their phase, speed and mass, by order."""
     lag = machine.throw_angle - machine.bearing
     frame = np.exp(1j * machine.bearing) * amount
@@ -139,7 +139,7 @@ def _placed(machine: Mechanism, columns: _Columns, unit: Harmonics, amount: Real
         *np.broadcast_shapes(lag.shape, frame.shape, unit.moment.shape[:-1]),
         columns.orders.size,
     )
-    out = _Vectors(*(np.zeros(shape, complex) for _ in range(4)))
+    out = Vectors(*(np.zeros(shape, complex) for _ in range(4)))
     shafts = np.array(machine.cylinder_shaft)
     for index, (above, below) in enumerate(machine.ratios):
         at = np.nonzero(shafts == index)[0]
@@ -164,7 +164,7 @@ def _placed(machine: Mechanism, columns: _Columns, unit: Harmonics, amount: Real
     return out
 
 
-def _rotors(machine: Mechanism, columns: _Columns) -> _Vectors:
+def _rotors(machine: Mechanism, columns: Columns) -> Vectors:
     """Throws and weights: one vector each, turning with its shaft."""
     vector = machine.unbalance * np.exp(1j * machine.unbalance_angle)
     forward = np.zeros((*vector.shape, columns.orders.size), complex)
@@ -175,11 +175,11 @@ def _rotors(machine: Mechanism, columns: _Columns) -> _Vectors:
         if column >= 0:
             target = forward if above > 0 else backward
             target[..., row, column] = vector[..., row] * (above / below) ** 2
-    return _Vectors(forward, backward, none, none)
+    return Vectors(forward, backward, none, none)
 
 
-def _sum(pieces: Sequence[_Vectors]) -> _Vectors:
-    return _Vectors(*(reduce(np.add, values) for values in zip(*pieces, strict=True)))
+def _sum(pieces: Sequence[Vectors]) -> Vectors:
+    return Vectors(*(reduce(np.add, values) for values in zip(*pieces, strict=True)))
 
 
 def _stacked(arrays: list, *, axis: int) -> np.ndarray:

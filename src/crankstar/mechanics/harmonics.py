@@ -54,7 +54,7 @@ def _of_mass(path: motion.Path) -> Harmonics:
     energy = np.real(np.conj(path.first) * path.second)
     place, first, second = (_greatest(part) for part in path)
     return Harmonics(
-        *_vector(-path.second, second),
+        *vector(-path.second, second),
         _signal(moment, place * second),
         _signal(energy, first * second),
     )
@@ -67,7 +67,7 @@ def _of_inertia(direction: motion.Path) -> Harmonics:
     first, second = _greatest(direction.first), _greatest(direction.second)
     none = np.zeros_like(direction.place)
     return Harmonics(
-        *_vector(none, second), _signal(-bend, second), _signal(rate * bend, first * second)
+        *vector(none, second), _signal(-bend, second), _signal(rate * bend, first * second)
     )
 
 
@@ -75,7 +75,7 @@ def _greatest(values: Complex) -> Real:
     return np.abs(values).max(axis=-1, keepdims=True)
 
 
-def _vector(samples: Complex, scale: Real) -> tuple[Complex, Complex]:
+def vector(samples: Complex, scale: Real) -> tuple[Complex, Complex]:
     """Coefficients of exp(i k psi) and exp(-i k psi); rounding beside `scale` is zero."""
     # Up and right apart, so that a force along an axis stays exactly on it.
     up, right = (_signal(part, scale) / 2 for part in (np.real(samples), np.imag(samples)))
