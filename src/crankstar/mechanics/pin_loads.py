@@ -122,5 +122,5 @@ def guide_samples(machine: Mechanism, moved: motion.Rods) -> Complex:
 
 
 def _turning(direction: motion.Path) -> Complex:
-    """b'' of a rod of bearing b: Im(conj(d) d''), d its unit vector."""
+    """B'' of a rod of bearing b: Im(conj(d) d''), d its unit vector."""
     return np.imag(np.conj(direction.place) * direction.second)
