@@ -24,7 +24,7 @@ TOLERANCE = 1e-9
 """Of the greatest force of a rod, at the length of crank and rod."""
 
 
-def vectors(values: Array) -> Array:
+def vectors(values: Any) -> Array:
     """Vectors (x, y) of the clock plane's up + i right [..., 2]."""
     return np.stack([values.imag, values.real], axis=-1)
 

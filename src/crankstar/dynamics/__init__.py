@@ -2,5 +2,6 @@
 
 | module, bottom to top | one line |
 |---|---|
+| `beams` | how the forces on a crankshaft are shared among its main bearings |
 | `whirl` | shift, tilt and turn of the free rigid engine, order by order |
 """
