@@ -1,4 +1,4 @@
-"""Measurements as a table, printed or (--write) put into docs/performance.md."""
+"""Measurements as a table, printed or (--write) put into docs/reference/performance.md."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-PAGE = Path(__file__).parent.parent / "docs" / "performance.md"
+PAGE = Path(__file__).parent.parent / "docs" / "reference" / "performance.md"
 Row = tuple[str, str, str]
 """What is measured, the figure, and the budget where there is one."""
 

@@ -75,13 +75,13 @@ MARK = re.compile(
 CITATION = re.compile(r"\[(@[\w-]+(?:; ?@[\w-]+)*)\]")
 
 
-def on_page_markdown(markdown: str, **_: Any) -> str:
+def on_page_markdown(markdown: str, *, page: Any, **_: Any) -> str:
     """Called by mkdocs with the text of each page."""
-    return filled(markdown)
+    return filled(markdown, page.file.src_uri)
 
 
-def filled(markdown: str) -> str:
-    """A page with its markers replaced by what they stand for."""
+def filled(markdown: str, place: str = "index.md") -> str:
+    """A page with its markers replaced by what they stand for; `place` is its path in docs/."""
     makers = {
         "keys": table,
         "figure": figure,
@@ -93,9 +93,9 @@ def filled(markdown: str) -> str:
         "plot": plot,
         "search": search,
     }
-    return CITATION.sub(
-        cited, MARK.sub(lambda found: makers[found.group(1)](found.group(2)), markdown)
-    )
+    written = MARK.sub(lambda found: makers[found.group(1)](found.group(2)), markdown)
+    up = "../" * place.count("/")
+    return CITATION.sub(lambda found: cited(found, up), written)
 
 
 def table(name: str) -> str:
@@ -250,10 +250,12 @@ def sources(path: str) -> str:
     return "\n".join(lines)
 
 
-def cited(found: re.Match[str]) -> str:
+def cited(found: re.Match[str], up: str) -> str:
     """Keys of the bibliography in a text, `[@taylor1985; @norton]`, as links to their entries."""
     keys = [key.strip().removeprefix("@") for key in found.group(1).split(";")]
-    return "(" + "; ".join(f"[{label(key)}](references.md#{key})" for key in keys) + ")"
+    return (
+        "(" + "; ".join(f"[{label(key)}]({up}reference/references.md#{key})" for key in keys) + ")"
+    )
 
 
 def label(key: str) -> str:

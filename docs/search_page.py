@@ -1,4 +1,4 @@
-"""The tables of docs/search.md: proven fronts, and all eights without secondary couple."""
+"""The tables of explanation/search.md: proven fronts, all eights without secondary couple."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The frame and its signs: one small engine for each sentence of docs/conventions.md."""
+"""The frame and its signs: one small engine for each sentence of the page of conventions."""
 
 from __future__ import annotations
 

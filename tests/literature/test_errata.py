@@ -423,18 +423,22 @@ def script(name: str) -> ModuleType:
 
 @pytest.fixture(scope="module")
 def page() -> str:
-    return script("hooks").filled((ROOT / "docs" / "errata.md").read_text(encoding="utf-8"))
+    return script("hooks").filled(
+        (ROOT / "docs" / "explanation" / "errata.md").read_text(encoding="utf-8")
+    )
 
 
 def test_every_source_is_on_the_page_and_in_the_references(page: str) -> None:
     assert set(
         re.findall(
             r"^<!-- errata: (\w+) -->$",
-            (ROOT / "docs/errata.md").read_text(encoding="utf-8"),
+            (ROOT / "docs/explanation/errata.md").read_text(encoding="utf-8"),
             re.MULTILINE,
         )
     ) == set(sources())
-    known = script("hooks").entries((ROOT / "docs" / "references.bib").read_text(encoding="utf-8"))
+    known = script("hooks").entries(
+        (ROOT / "docs" / "reference" / "references.bib").read_text(encoding="utf-8")
+    )
     assert set(sources()) <= set(known)
     assert all(f"references.md#{source}" in page for source in sources())
 

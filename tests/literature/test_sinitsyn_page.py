@@ -351,7 +351,7 @@ def test_the_shafts_may_lie_anywhere() -> None:
 
 
 def test_every_part_has_its_place_on_the_page() -> None:
-    text = (ROOT / "docs" / "sinitsyn.md").read_text(encoding="utf-8")
+    text = (ROOT / "docs" / "explanation" / "sinitsyn.md").read_text(encoding="utf-8")
     assert sorted(MARKED.findall(text)) == sorted(["table", "forces", *SCHEMES])
     heads = [
         re.sub(r"[^\w -]", "", head.lower()).replace(" ", "-")

@@ -148,11 +148,11 @@ def test_every_engine_file_in_the_documents_loads(page: Path) -> None:
 def test_the_part_of_a_file_that_shows_provenance_fits_a_file() -> None:
     (part,) = [
         block
-        for block in fences(DOCS / "engine-files.md", "toml")
+        for block in fences(DOCS / "reference" / "engine-files.md", "toml")
         if block.startswith("[provenance]")
     ]
     whole = tomllib.loads(
-        dict(screens.FILE.findall(text_of("docs/engine-files.md")))["my-v8.toml"] + part
+        dict(screens.FILE.findall(text_of("docs/reference/engine-files.md")))["my-v8.toml"] + part
     )
     assert engine_of(whole).provenance["cylinder.bore"].status == "published"
 
@@ -174,7 +174,7 @@ def every_record() -> set[type[Record]]:
 def test_every_table_of_an_engine_file_has_its_keys_on_the_page() -> None:
     shown = {
         hooks.TABLES[name]
-        for kind, name in hooks.MARK.findall(text_of("docs/engine-files.md"))
+        for kind, name in hooks.MARK.findall(text_of("docs/reference/engine-files.md"))
         if kind == "keys"
     }
     assert shown == every_record()
@@ -198,7 +198,7 @@ def test_every_unit_on_the_page_is_understood() -> None:
     }
     rows = re.findall(
         r"^\| ([\w ]+) \| (`[^|]+) \|$",
-        text_of("docs/engine-files.md").split("## Values and units")[1],
+        text_of("docs/reference/engine-files.md").split("## Values and units")[1],
         re.MULTILINE,
     )
     listed = {kind: re.findall(r"`([^`]+)`", names) for kind, names in rows if kind in marks}
@@ -222,7 +222,7 @@ def test_a_bare_number_nobody_can_have_meant_is_refused(bare: float) -> None:
 @cache
 def filled(page: Path) -> str:
     """What stands on a page when all that is generated has been put in."""
-    return hooks.filled(page.read_text(encoding="utf-8"))
+    return hooks.filled(page.read_text(encoding="utf-8"), page.relative_to(DOCS).as_posix())
 
 
 @cache
@@ -240,7 +240,7 @@ def anchors(page: Path) -> set[str]:
 
 def test_the_page_of_json_has_every_key_of_an_answer_and_no_other() -> None:
     """Of `analyze` and `strokes`, whose tables name the keys of their objects."""
-    page = text_of("docs/json.md")
+    page = text_of("docs/reference/json.md")
     for title, words in (("# Machine", ["analyze", "i4"]), ("## Strokes", ["strokes", "i4"])):
         section = page.partition(title)[2].partition("\n## ")[0]
         rows = re.findall(r"^\| (`[^|]+`) \|", section, re.MULTILINE)
@@ -257,7 +257,9 @@ def test_the_page_of_json_has_every_key_of_an_answer_and_no_other() -> None:
 @EVERY_PAGE
 def test_every_link_between_documents_goes_somewhere(page: Path) -> None:
     written = page.read_text(encoding="utf-8")
-    for target in re.findall(r"\]\(([^)\s]+)\)", filled(page) if page.parent == DOCS else written):
+    for target in re.findall(
+        r"\]\(([^)\s]+)\)", filled(page) if page.is_relative_to(DOCS) else written
+    ):
         if "://" in target:
             continue
         path, _, place = target.partition("#")
@@ -267,12 +269,14 @@ def test_every_link_between_documents_goes_somewhere(page: Path) -> None:
 
 
 def test_every_page_is_in_the_table_of_contents() -> None:
-    listed = re.findall(r"^  - .+: ([\w-]+\.md)$", text_of("mkdocs.yml"), re.MULTILINE)
-    assert sorted(listed) == sorted(page.name for page in DOCS.glob("*.md"))
+    listed = re.findall(r"^ +- .+: ([\w/-]+\.md)$", text_of("mkdocs.yml"), re.MULTILINE)
+    assert sorted(listed) == sorted(
+        page.relative_to(DOCS).as_posix() for page in DOCS.rglob("*.md")
+    )
 
 
 def test_every_source_cited_is_in_the_bibliography() -> None:
-    known = set(hooks.entries(text_of("docs/references.bib")))
+    known = set(hooks.entries(text_of("docs/reference/references.bib")))
     cited = {
         key
         for page in PAGES
@@ -281,11 +285,11 @@ def test_every_source_cited_is_in_the_bibliography() -> None:
         )
     }
     assert cited <= known
-    assert len(known) == text_of("docs/references.bib").count("\n@")
+    assert len(known) == text_of("docs/reference/references.bib").count("\n@")
 
 
 @pytest.mark.parametrize(
-    "page", [ROOT / "README.md", DOCS / "command-line.md"], ids=lambda page: page.name
+    "page", [ROOT / "README.md", DOCS / "reference" / "command-line.md"], ids=lambda page: page.name
 )
 def test_the_table_of_commands_names_every_command(page: Path) -> None:
     rows = re.findall(r"^\| `crankstar (\w+)", page.read_text(encoding="utf-8"), re.MULTILINE)
@@ -295,7 +299,7 @@ def test_the_table_of_commands_names_every_command(page: Path) -> None:
 def test_the_page_of_the_command_line_names_every_option_of_analyze() -> None:
     arguments = cli.app["analyze"].assemble_argument_collection()
     options = {name for argument in arguments for name in argument.names if name.startswith("--")}
-    page = text_of("docs/command-line.md")
+    page = text_of("docs/reference/command-line.md")
     assert {name for name in options - {"--output"} if name not in page} == set()
     assert all(f"`{kind}`" in page or f"--by {kind}" in page for kind in get_args(Grouping))
 
@@ -318,7 +322,9 @@ def terms(series: str) -> dict[int, Fraction]:
 
 
 def test_the_series_on_the_page_of_theory_is_the_exact_one() -> None:
-    rows = dict(re.findall(r"^\| (\d) \| (.*λ.*) \|$", text_of("docs/theory.md"), re.MULTILINE))
+    rows = dict(
+        re.findall(r"^\| (\d) \| (.*λ.*) \|$", text_of("docs/explanation/theory.md"), re.MULTILINE)
+    )
     assert sorted(rows) == ["2", "4", "6", "8"]
     for order, series in rows.items():
         exact = {power: motion.series_coefficient(int(order), power) for power in range(8)}
@@ -344,7 +350,7 @@ def test_the_figure_can_be_read_by_those_who_do_not_see_it() -> None:
         for part in (drawing.find(f"{space}title"), drawing.find(f"{space}desc"))
         if part is not None
     ]
-    assert "report/frame.svg" in text_of("docs/conventions.md")
+    assert "report/frame.svg" in text_of("docs/explanation/conventions.md")
 
 
 def test_nothing_on_a_page_comes_from_another_place() -> None:

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest'
-import documents from '../../docs/page.md?raw'
+import documents from '../../docs/how-to/page.md?raw'
 import { OPENING, type State, stateOf, stateText } from '../src/state'
 
 const OTHER: State = {
