@@ -27,6 +27,10 @@ LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 FUNCTIONS: dict[str, Callable[[acb], acb]] = {"cos": acb.cos, "sin": acb.sin, "atan": acb.atan}
 
 
+INTEGRAL = r"∫_\w+\^\w+ .*? d\w"
+INTEGRAL_PARTS = r"∫_(\w+)\^(\w+) (.*?) d(\w)"
+
+
 class UnreadableError(ValueError):
     """A print that no reader can read in one way only."""
 
@@ -41,6 +45,7 @@ class Token(NamedTuple):
 def from_text(print_: str) -> list[Token]:
     """The tokens of a formula in text."""
     rules = [
+        (INTEGRAL, lambda seen: _integral(re.findall(INTEGRAL_PARTS, seen)[0], made=from_text)),
         (r"\d+(?:\.\d+)?…?", _number),
         (r"[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+", lambda seen: Token("raised", int(seen.translate(RAISED)))),
         (r"cos|sin|atan", lambda seen: Token("function", seen)),
@@ -50,6 +55,12 @@ def from_text(print_: str) -> list[Token]:
         (r"[-+−·/()√∠°]", lambda seen: Token("operator", seen)),
     ]
     return _cut(print_, rules)
+
+
+def _integral(parts: Sequence[str], *, made: Callable[[str], list[Token]]) -> Token:
+    """A definite integral: lower and upper bound, integrand, and the letter it is taken over."""
+    lower, upper, inner, letter = map(made, parts)
+    return Token("integral", (lower, upper, inner, letter[0].value))
 
 
 def _name(seen: str) -> str:
@@ -103,6 +114,16 @@ def from_latex(print_: str) -> list[Token]:
             above, tail = _group(rest[5:])
             below, rest = _group(tail)
             out.append(Token("fraction", (from_latex(above), from_latex(below))))
+            continue
+        elif rest.startswith(r"\int"):
+            lower, tail = _group(rest[5:])
+            upper, tail = _group(tail[1:])
+            inner, _, tail = tail.partition("\\,d\\")
+            letter_name = re.match("[a-z]+", tail)
+            assert letter_name
+            parts = (lower, upper, inner, f"\\{letter_name[0]}")
+            out.append(_integral(parts, made=from_latex))
+            rest = tail[letter_name.end() :]
             continue
         elif rest.startswith(r"\sqrt"):
             inner, rest = _group(rest[5:])
@@ -176,6 +197,13 @@ def from_mathml(element: ET.Element) -> list[Token]:
 def _row(children: Sequence[ET.Element]) -> list[Token]:
     out: list[Token] = []
     for place, child in enumerate(children):
+        if child.tag == "msubsup":
+            end = next(n for n, c in enumerate(children) if n > place and c.text == "d")
+            _sign, lower, upper = child
+            bounds = (from_mathml(lower), from_mathml(upper))
+            letter = from_mathml(children[end + 1])[0].value
+            whole = Token("integral", (*bounds, _row(children[place + 1 : end]), letter))
+            return [*out, whole, *_row(children[end + 2 :])]
         dots = child.tag == "mo" and child.text == "…"
         if dots and place and children[place - 1].tag == "mn":
             out[-1] = _number((children[place - 1].text or "") + "…")
@@ -280,6 +308,13 @@ class _Reader:
         if token.kind == "fraction":
             above, below = token.value
             return value(above, self.values) / value(below, self.values)
+        if token.kind == "integral":
+            lower, upper, inner, letter = token.value
+            return acb.integral(
+                lambda point, _: value(inner, {**self.values, letter: point}),
+                value(lower, self.values),
+                value(upper, self.values),
+            )
         if token.kind == "root":
             return value(token.value, self.values).sqrt()
         if token == ("operator", "("):

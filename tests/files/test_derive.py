@@ -145,7 +145,7 @@ def test_decimals_are_said_to_be_decimals(run: Run) -> None:
         (["--order", "two"], "as in 2 or 1,2,4,6"),
         (["--order", ""], "as in 2 or 1,2,4,6"),
         (["--order", ",".join(["1"] * 25)], "up to 24 crank orders"),
-        (["--quantity", "roll"], "choose from force, couple"),
+        (["--quantity", "roll"], "choose from motion, force, couple"),
         (["--format", "pdf"], "choose from text, latex, markdown, html"),
         (["--notation", "german"], "choose from crankstar, stroke, sinitsyn"),
         (["--symbolic", "gamma"], "choose from alpha, phi, n"),

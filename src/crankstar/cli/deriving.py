@@ -36,7 +36,11 @@ def derive(
         text("Crank orders, such as 2 or 1,2,4; all is 1,2,4,6 (default: 1,2).", *ORDER_NAMES),
     ] = None,
     quantity: Annotated[
-        str | None, Parameter(help="force, couple or torque (default: force and couple).")
+        str | None,
+        Parameter(
+            help="motion (one piston, up to its harmonics A_2, A_4, A_6), force, couple or torque "
+            "(default: motion, force and couple; force and couple with --order)."
+        ),
     ] = None,
     form: Annotated[
         str, Parameter(name="--format", help="text, latex, markdown or html.")
@@ -90,6 +94,9 @@ def derive(
         request.refuse_unused(unused, beside="--symbolic")
     elif quantity == "torque":
         request.refuse_unused({"--reference": reference}, beside="--quantity torque")
+    elif quantity == "motion":
+        unused = {**given, "--quantity": None, "--power": None}
+        request.refuse_unused(unused, beside="--quantity motion")
     wanted: list[tuple[Fraction, request.Derived]] = [
         (number, kind)
         for number in request.derived_orders("1,2" if order is None else order)
@@ -100,6 +107,9 @@ def derive(
     )
     with working(_("Deriving ...")) as tell:
         chapters = [exact.signs_chapter(loaded, reference=point)] if signs else []
+        whole = order is None and quantity is None and symbolic is None and not signs
+        if whole or quantity == "motion":
+            chapters.append(exact.motion_chapter(loaded, power=power or 7))
         for number, kind in [] if signs else wanted:
             tell(_("Deriving the {quantity} of order {order} ...", quantity=_(kind), order=number))
             if symbolic is not None:

@@ -17,6 +17,7 @@ Engine -> Derivation -> document.
 | `notations` | the letters of different schools |
 | `documents` | terminal, LaTeX, Markdown and HTML |
 | `chapters` | the results of derivations, as records that print |
+| `expansion` | the motion of one piston, from the crank drive to A_2, A_4, A_6 |
 | `steps` | one order of an engine, from one cylinder to the resultant |
 | `torques` | the inertia torque by order, and the rolling moment |
 | `vee_family` | V engines with the bank angle as a letter |
@@ -36,6 +37,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from crankstar.derive.chapters import Chapter, Derivation
+    from crankstar.derive.expansion import motion_chapter
     from crankstar.derive.families import family
     from crankstar.derive.records import DerivationError, Line, Step
     from crankstar.derive.six_signs import Sign, signs, signs_chapter
@@ -43,6 +45,7 @@ if TYPE_CHECKING:
     from crankstar.derive.torques import inertia_torque
 
 _LATE = {
+    "motion_chapter": "expansion",
     "family": "families",
     "Chapter": "chapters",
     "Derivation": "chapters",
@@ -65,6 +68,7 @@ __all__ = [
     "derivation",
     "family",
     "inertia_torque",
+    "motion_chapter",
     "signs",
     "signs_chapter",
 ]

@@ -73,6 +73,7 @@ STROKE = Notation(
         Meaning(Symbol("M"), N_("reciprocating mass of a cylinder")),
         Meaning(Symbol("S"), N_("stroke, twice the crank radius")),
         Meaning(Symbol("L"), N_("l/S, l the length of the connecting rod")),
+        Meaning(Symbol("lambda"), N_("r/l, which is 1/(2L)")),
         Meaning(Symbol("omega"), N_("angular speed of the crankshaft, π n/30 with n in rpm")),
         *_LENGTHS,
     ),

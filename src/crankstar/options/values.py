@@ -36,6 +36,7 @@ from crankstar.remedy import Aim, Limit, Plane, without_weights
 from crankstar.remedy.fitting import Places, ShaftPlaces, Wanted
 
 Derived = Literal["force", "couple", "torque"]
+Derivable = Literal["motion", "force", "couple", "torque"]
 NEEDED = "needed"
 """What --shafts means without speed ratios."""
 
@@ -141,10 +142,11 @@ def orders(text: str | None, present: list[float]) -> list[float] | None:
 
 
 def quantities(text: str | None) -> list[Derived]:
-    """The quantities to derive: one, or force and couple."""
+    """The quantities to derive order by order: one, or force and couple; none for `motion`."""
     if text is None:
         return ["force", "couple"]
-    return [cast("Derived", choice("--quantity", text, get_args(Derived)))]
+    chosen = choice("--quantity", text, get_args(Derivable))
+    return [] if chosen == "motion" else [cast("Derived", chosen)]
 
 
 def _fractions(text: str, *, most: int) -> list[Fraction]:

@@ -15,6 +15,7 @@ from crankstar.derive.algebra.formula import (
     Decimal,
     Degrees,
     Formula,
+    Integral,
     Pi,
     Polar,
     Power,
@@ -43,7 +44,7 @@ def value(formula: Formula, symbols: Mapping[str, float] | None = None) -> Any:
     return float(ball.mid())
 
 
-def enclosed(formula: Formula, symbols: Mapping[str, arb]) -> Any:
+def enclosed(formula: Formula, symbols: Mapping[str, arb] | Mapping[str, arb | acb]) -> Any:
     """A ball that holds what a formula comes to, at the precision in force."""
 
     def of(part: Formula) -> Any:
@@ -75,3 +76,9 @@ def enclosed(formula: Formula, symbols: Mapping[str, arb]) -> Any:
         case Polar(length, angle):
             turned = of(angle)
             return of(length) * acb(turned.cos(), turned.sin())
+        case Integral(integrand, variable, lower, upper):
+
+            def at(point: acb, _analytic: bool) -> acb:
+                return acb(enclosed(integrand, {**symbols, variable.name: point}))
+
+            return acb.integral(at, of(lower), of(upper)).real

@@ -118,6 +118,16 @@ class Polar:
     angle: Formula
 
 
+@dataclass(frozen=True, slots=True)
+class Integral:
+    """A definite integral over a letter."""
+
+    integrand: Formula
+    variable: Symbol
+    lower: Formula
+    upper: Formula
+
+
 Formula = (
     Rational
     | Decimal
@@ -131,6 +141,7 @@ Formula = (
     | Degrees
     | Applied
     | Polar
+    | Integral
 )
 
 NOUGHT = Rational(Fraction(0))

@@ -52,6 +52,7 @@ class Style:
     function: str
     degrees: str
     polar: str
+    integral: str
     plus: str
     minus: str
     sign: str
@@ -118,6 +119,7 @@ TEXT = Style(
     function="{}({})",
     degrees="{}°",
     polar="{} ∠ {}",
+    integral="∫_{}^{} {} d{}",
     plus=" + ",
     minus=" − ",
     sign="−",
@@ -136,6 +138,7 @@ LATEX = Style(
     function=r"{}\left({}\right)",
     degrees=r"{}^\circ",
     polar=r"{}\,\angle\,{}",
+    integral=r"\int_{{{}}}^{{{}}} {}\,d{}",
     plus=" + ",
     minus=" - ",
     sign="-",
@@ -154,6 +157,8 @@ MATHML = Style(
     simple="{}<mspace width='0.17em'></mspace>{}",
     degrees="{}<mo>°</mo>",
     polar="{}<mspace width='0.3em'></mspace><mo>∠</mo>{}",
+    integral="<msubsup><mo>∫</mo><mrow>{}</mrow><mrow>{}</mrow></msubsup>{}"
+    "<mspace width='0.17em'></mspace><mi>d</mi>{}",
     plus="<mo>+</mo>",
     minus="<mo>−</mo>",
     sign="<mo form='prefix'>−</mo>",

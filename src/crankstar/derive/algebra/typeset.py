@@ -24,6 +24,7 @@ from crankstar.derive.algebra.formula import (
     Decimal,
     Degrees,
     Formula,
+    Integral,
     Pi,
     Polar,
     Power,
@@ -365,6 +366,13 @@ def _polar(formula: Polar, style: Style) -> Printed:
     return Printed(body, Binding.VECTOR, length.negative)
 
 
+def _integral(formula: Integral, style: Style) -> Printed:
+    lower, upper = _whole(formula.lower, style), _whole(formula.upper, style)
+    inner = _held(_printed(formula.integrand, style), Binding.QUOTIENT, style)
+    variable = _whole(formula.variable, style)
+    return Printed(style.integral.format(lower, upper, inner, variable), Binding.FUNCTION)
+
+
 _WRITERS: dict[type, Callable[..., Printed]] = {
     Rational: _rational,
     Decimal: _decimal,
@@ -378,4 +386,5 @@ _WRITERS: dict[type, Callable[..., Printed]] = {
     Degrees: _degrees,
     Applied: lambda formula, style: _applied(formula, 1, style),
     Polar: _polar,
+    Integral: _integral,
 }
