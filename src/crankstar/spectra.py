@@ -13,6 +13,7 @@ backward = conj(forward); its amplitude c in `Re(c exp(i k theta))` is forward +
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import lcm
@@ -93,6 +94,15 @@ def total(spectrum: Spectrum) -> Spectrum:
         )
 
     return replace(spectrum, forward=added(spectrum.forward), backward=added(spectrum.backward))
+
+
+def stacked(spectra: Sequence[Spectrum]) -> Spectrum:
+    """Spectra of the same orders one above the other, along a new leading axis."""
+    forward, backward = (
+        np.stack([getattr(spectrum, name) for spectrum in spectra])
+        for name in ("forward", "backward")
+    )
+    return replace(spectra[0], forward=forward, backward=backward)
 
 
 def scaled(spectrum: Spectrum, factor: ArrayLike) -> Spectrum:

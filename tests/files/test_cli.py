@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import cmath
 import csv
 import io
 import json
+import math
 import os
 import re
 import subprocess
@@ -220,22 +222,57 @@ def test_json_about_another_point_names_it(run: Run, file: str) -> None:
     assert beside["reference"] == {"z": 0.0, "up": 0.035, "right": -0.01}
 
 
-def test_csv_has_the_same_numbers_a_row_per_order(run: Run, file: str) -> None:
+def wave_of(row: dict[str, str]) -> complex:
+    return cmath.rect(float(row["amplitude"]), math.radians(float(row["phase_deg"])))
+
+
+def test_csv_has_the_same_numbers_a_row_per_amplitude(run: Run, file: str) -> None:
     answer = json.loads(run("analyze", file, "--speed", "6000 rpm", "--json").out)
-    header, *rows = csv.reader(
-        io.StringIO(run("analyze", file, "--speed", "6000 rpm", "--csv").out)
-    )
-    assert header[:3] == ["engine", "speed_rpm", "order"]
-    for row, expected in zip(rows, answer["orders"], strict=True):
-        cells = dict(zip(header, row, strict=True))
-        assert [row[0], *map(float, row[1:3])] == [answer["engine"], 6000, expected["order"]]
+    text = run("analyze", file, "--speed", "6000 rpm", "--csv").out
+    rows = list(csv.DictReader(io.StringIO(text)))
+    assert list(rows[0]) == [
+        *("engine", "speed_rpm", "part", "order", "quantity", "direction", "amplitude"),
+        *("phase_deg", "unit"),
+    ]
+    waves = {(row["quantity"], row["direction"], float(row["order"])): row for row in rows}
+    assert len(waves) == len(rows) == 11 * len(answer["orders"])
+    for expected in answer["orders"]:
         for name, unit in (("force", "N"), ("couple", "N*m")):
-            for way in WAYS[:2]:
-                pair = [float(cells[f"{name}_{way}_{part} [{unit}]"]) for part in ("up", "right")]
-                assert pair == expected[name][way]
+            for way in WAYS[:4]:
+                row = waves[name, way, expected["order"]]
+                assert (row["engine"], row["part"], row["unit"]) == (
+                    answer["engine"],
+                    "engine",
+                    unit,
+                )
+                assert float(row["speed_rpm"]) == 6000
+                wave = expected[name][way]
+                if isinstance(wave, list):
+                    given = cmath.rect(
+                        float(row["amplitude"]), math.radians(float(row["phase_deg"]))
+                    )
+                    assert given == pytest.approx(complex(*wave), rel=1e-12)
+                else:
+                    assert float(row["amplitude"]) == wave["amplitude"]
+                    assert float(row["phase_deg"]) == pytest.approx(wave["phase_deg"])
         for name in ("roll", "torque", "axis_moment"):
-            pair = [float(cells[f"{name}_{part} [N*m]"]) for part in ("real", "imaginary")]
-            assert pair == expected[name]
+            row = waves[name, "axial", expected["order"]]
+            given = wave_of(row)
+            assert given == pytest.approx(complex(*expected[name]), rel=1e-12)
+
+
+def test_csv_by_bank_has_the_shares_of_which_the_whole_is_the_sum(run: Run, file: str) -> None:
+    rows = list(csv.DictReader(io.StringIO(run("analyze", file, "--csv", "--by", "bank").out)))
+    sums: dict[tuple[str, ...], list[complex]] = {}
+    for row in rows:
+        wave = wave_of(row)
+        key = (row["order"], row["quantity"], row["direction"])
+        both = sums.setdefault(key, [0j, 0j])
+        both[row["part"] == "engine"] += wave
+    assert {row["part"] for row in rows} >= {"engine", "bank bank 1", "bank bank 2", "no bank"}
+    assert max(abs(whole) for _, whole in sums.values()) > 1
+    for shares, whole in sums.values():
+        assert shares == pytest.approx(whole, abs=1e-12)
 
 
 @pytest.mark.parametrize("name", ["=1+2", "+x", "-x", "@x"])
@@ -346,7 +383,8 @@ BAD_LINES = [
     (["analyze", "X", "-v"], "Unknown option: -v"),
     (["analyze", "X", "--json", "--csv"], "--json and --csv exclude each other"),
     (["analyze", "X", "--json", "--theta", "0 deg"], "--theta has no effect with --json"),
-    (["analyze", "X", "--csv", "--by", "bank"], "--by has no effect with --csv"),
+    (["analyze", "X", "--json", "--by", "bank"], "--by has no effect with --json"),
+    (["analyze", "X", "--csv", "--theta", "0 deg"], "--theta has no effect with --csv"),
     (["analyze", "X", "--json=maybe"], 'unable to convert "maybe" into yes or no'),
     (["analyze", "X", "--speed"], "--speed requires an argument"),
     (["analyze", "X", "--speed", "1 rpm", "--speed", "2 rpm"], "--speed specified multiple times"),

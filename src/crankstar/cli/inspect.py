@@ -105,11 +105,14 @@ def analyze(
     """Compute inertia forces, couples, roll and torque of an engine, order by order."""
     from crankstar.mechanics.balance import balance
     from crankstar.tables import analysis as tables
+    from crankstar.tables.amplitudes import amplitudes
     from crankstar.tables.balance_orders import answer
 
     form = form_of(output, TABLES, json=json, csv=csv)
+    tidy = form in ("csv", "parquet")
     if form != "txt":
-        request.refuse_unused({"--theta": theta, "--by": by}, beside=f"--{form}")
+        unused = {"--theta": theta} if tidy else {"--theta": theta, "--by": by}
+        request.refuse_unused(unused, beside=f"--{form}")
     loaded, turning = engine_and_speed(engine, settings, speed)
     point = request.reference(reference, loaded)
     if form != "txt":
@@ -117,8 +120,11 @@ def analyze(
             loaded, speed=loaded.speed if turning is None else turning, reference=point
         )
         wanted = request.orders(orders, result.force.orders.tolist())
-        document = answer(loaded, result, orders=wanted)
-        give(document, output, form=form, beside=("engine", "speed_rpm"))
+        if tidy:
+            document = amplitudes(loaded, result, orders=wanted, by=request.grouping(by))
+        else:
+            document = answer(loaded, result, orders=wanted)
+        give(document, output, form=form)
         return
     shown = tables.analysis(loaded, speed=turning, reference=point)
     shown = shown.of(request.orders(orders, shown.normalised.force.orders.tolist()) or ())

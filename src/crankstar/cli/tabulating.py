@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from crankstar.cli.output import display, write, write_bytes
@@ -11,10 +10,10 @@ if TYPE_CHECKING:
     from crankstar.tables.table import Document
 
 
-def give(document: Document, place: str | None, *, form: str, beside: Sequence[str] = ()) -> None:
+def give(document: Document, place: str | None, *, form: str) -> None:
     """Write a document in a form of TABLES to a file or to standard output.
 
-    CSV and Parquet hold its first table for machines; CSV repeats the facts `beside` in each row.
+    CSV and Parquet hold its first table for machines.
     """
     if form == "txt":
         display(document, place)
@@ -22,7 +21,6 @@ def give(document: Document, place: str | None, *, form: str, beside: Sequence[s
     from crankstar.tables import machine
 
     table = next((table for table in document.tables if table.key), None)
-    facts = {name: document.facts[name] for name in beside}
     if form == "json":
         write(machine.json_text(machine.tree(document)), place)
     elif form == "xlsx":
@@ -34,4 +32,4 @@ def give(document: Document, place: str | None, *, form: str, beside: Sequence[s
 
         write_bytes(parquet_bytes(table), place)
     else:
-        write("" if table is None else machine.csv_text(table, facts), place)
+        write("" if table is None else machine.csv_text(table), place)

@@ -8,13 +8,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal, NamedTuple
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 from crankstar import spectra
 from crankstar.engine.engine import Engine
+from crankstar.mechanics import labelled
 from crankstar.mechanics.excitation import Reference, Totals, part_spectra
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.spectra import Spectrum
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
 
 Kind = Literal["piston", "rod", "big end", "throw", "weight"]
 Grouping = Literal["kind", "cylinder", "bank", "shaft"]
@@ -53,6 +58,67 @@ class Balance:
     reference: Reference
     units: Units
     speed: float | None
+
+    def to_frame(self, *, by: Grouping | Literal["part"] | None = None) -> pandas.DataFrame:
+        """The amplitudes as a tidy pandas data frame: one row an amplitude.
+
+        Columns part ("engine", or what `by` divides it into), order, quantity (force, couple, roll,
+        torque, axis_moment), direction (vertical, horizontal, forward, backward; axial), amplitude,
+        phase_deg and unit: the signal is amplitude * cos(order * theta + phase). attrs: speed
+        (rad/s) and the reference point. `by="part"` has a row for every part, with its kind, shaft,
+        cylinder and bank. Raises ImportError without pandas.
+
+        >>> from crankstar.files.catalog import load
+        >>> table = balance(load("v8-cross-plane")).to_frame()
+        >>> first = table.query("quantity == 'couple' and direction == 'vertical' and order == 1")
+        >>> print(first[["amplitude", "unit"]].round(4).to_string(index=False))
+         amplitude      unit
+            3.1623 m*r*w^2*a
+        """
+        if by == "part":
+            sums = Totals(*(getattr(self, name) for name in Totals._fields))
+            labels = {name: [getattr(p, name) for p in self.parts] for name in Part._fields}
+        elif by is None:
+            sums, labels = total(self), {"part": ["engine"]}
+        else:
+            shares = grouped(self, by)
+            sums = Totals(*map(spectra.stacked, zip(*shares.values(), strict=True)))
+            labels = {by: [*shares]}
+        return labelled.frame(labelled.columns(sums, self.units._asdict(), labels), self._facts)
+
+    def to_xarray(self, *, split: bool = False) -> xarray.Dataset:
+        """The amplitudes as an xarray data set with the dimensions part and order.
+
+        Variables force_vertical, force_horizontal, force_forward, force_backward, couple_..., roll,
+        torque and axis_moment, complex: the signal is Re(c exp(i order theta)); attrs units. Of the
+        set: speed (rad/s) and reference_z, reference_up, reference_right. `split` gives real and
+        imaginary part along a last dimension component, which netCDF can hold. Raises ImportError
+        without xarray.
+
+        >>> from crankstar.files.catalog import load
+        >>> sums = balance(load("v8-cross-plane")).to_xarray().sum("part")
+        >>> print(abs(complex(sums.couple_vertical.sel(order=1))).__round__(4))
+        3.1623
+        """
+        parts = {
+            "kind": [part.kind for part in self.parts],
+            "shaft": [part.shaft for part in self.parts],
+            "cylinder": [part.cylinder or 0 for part in self.parts],
+            "bank": [part.bank or "" for part in self.parts],
+        }
+        return labelled.dataset(
+            Totals(*(getattr(self, name) for name in Totals._fields)),
+            self.units._asdict(),
+            dimension="part",
+            labels={name: ("part", values) for name, values in parts.items()},
+            facts=self._facts,
+            split=split,
+        )
+
+    @property
+    def _facts(self) -> dict[str, Any]:
+        point = {f"reference_{name}": place for name, place in self.reference._asdict().items()}
+        return {"speed": self.speed, **point}
 
 
 def default_reference(engine: Engine) -> Reference:

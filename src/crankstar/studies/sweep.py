@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, Literal, NamedTuple
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
 
@@ -25,6 +25,7 @@ from crankstar.engine import motion
 from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import Quantity
 from crankstar.language.quoting import one_line
+from crankstar.mechanics import labelled
 from crankstar.mechanics.balance import Units, default_reference, scales
 from crankstar.mechanics.batches import totals
 from crankstar.mechanics.excitation import Reference, Totals, part_spectra, rolling_moment
@@ -33,6 +34,10 @@ from crankstar.spectra import Real, Spectrum
 from crankstar.studies.fields import subject
 from crankstar.studies.ranges import GREATEST_POINTS
 from crankstar.studies.variants import SweepError, Tell, picked, variants
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
 
 GREATEST_CELLS = 3_000_000
 """Values times orders: half a gigabyte of vectors."""
@@ -101,6 +106,39 @@ class Sweep:
             return Spectrum(orders, forward, backward, getattr(self.groups[0].sums, name).sense)
 
         return Totals(*map(joined, Totals._fields))
+
+    def to_frame(self) -> pandas.DataFrame:
+        """The amplitudes at every value as a tidy pandas data frame: one row an amplitude.
+
+        The first column is the value, named by the path; the others are those of
+        `Balance.to_frame`. attrs: its unit, the speed (rad/s) and the reference point. Raises
+        ImportError without pandas.
+        """
+        rows = labelled.columns(self.sums, self.units._asdict(), {self.path: self.values})
+        return labelled.frame(rows, {f"unit of {self.path}": self.unit, **self._facts})
+
+    def to_xarray(self, *, split: bool = False) -> xarray.Dataset:
+        """The amplitudes as an xarray data set with the dimensions value and order.
+
+        Variables and `split` are those of `Balance.to_xarray`. Raises ImportError without xarray.
+
+        >>> table = swept("v2-90", over="balance_factor", values=[0, 0.5, 1]).to_xarray()
+        >>> abs(table.force_forward.sel(order=1)).round(6).values.tolist()  # 0.5 cancels it
+        [1.0, 0.0, 1.0]
+        """
+        return labelled.dataset(
+            self.sums,
+            self.units._asdict(),
+            dimension="value",
+            labels={"value": ("value", self.values, {"path": self.path, "units": self.unit})},
+            facts=self._facts,
+            split=split,
+        )
+
+    @property
+    def _facts(self) -> dict[str, Any]:
+        point = {f"reference_{name}": place for name, place in self.reference._asdict().items()}
+        return {"engine": self.engine.name, "speed": self.speed, **point}
 
 
 class Curve(NamedTuple):

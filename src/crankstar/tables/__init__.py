@@ -15,6 +15,7 @@
 | `peaks` | peaks over a turn, and what counterweights can remove |
 | `analysis` | force, couple and moments by order, as `analyze` shows them |
 | `balance_orders` | the orders of a Balance for machines |
+| `amplitudes` | amplitudes for machines, one row each |
 | `comparison` | several engines side by side |
 | `engines` | an engine's parts, the sources of its values, the catalog |
 | `strokes` | strokes, valve events and exhaust intervals |

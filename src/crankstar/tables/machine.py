@@ -121,11 +121,9 @@ def _safe(text: str) -> str:
     return "'" + text if text[:1] in ("=", "+", "-", "@") else text
 
 
-def csv_text(table: Table, beside: Mapping[str, Any] | None = None) -> str:
-    """A table as CSV, units in the header; the values `beside` it come first in each row."""
+def csv_text(table: Table) -> str:
+    """A table as CSV, units in the header."""
     heads, rows = columns(table)
-    first = [_safe(value) if isinstance(value, str) else value for value in (beside or {}).values()]
-    heads, rows = [*(beside or {}), *heads], [[*first, *row] for row in rows]
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
     writer.writerow(heads)

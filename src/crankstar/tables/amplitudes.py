@@ -1,0 +1,64 @@
+"""Amplitudes of a Balance as one tidy table for CSV and Parquet: one row an amplitude.
+
+The same rows as `Balance.to_frame`, with engine and speed in each, so that files of several engines
+can be put one below the other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import pi
+
+import numpy as np
+
+from crankstar import spectra
+from crankstar.engine.engine import Engine
+from crankstar.mechanics.balance import Balance, Grouping, grouped, total
+from crankstar.mechanics.excitation import Totals
+from crankstar.mechanics.labelled import columns
+from crankstar.mechanics.remains import orders_pushed
+from crankstar.tables.table import Column, Document, Kind, Table
+
+WHOLE = "engine"
+"""Name of the part that is all of them; `no bank` are parts that belong to none."""
+TEXTS = ("engine", "part", "quantity", "direction", "unit")
+
+
+def amplitudes(
+    engine: Engine,
+    result: Balance,
+    *,
+    orders: Sequence[float] | None = None,
+    by: Grouping | None = None,
+) -> Document:
+    """The amplitudes of the whole engine, and its shares `by` a label, as a tidy table.
+
+    `orders`, else those up to 6 at which a part pushes.
+    """
+    wanted = tuple(orders) if orders else orders_pushed(result)
+    shares: dict[object, Totals] = {WHOLE: total(result)}
+    if by is not None:
+        shares |= {
+            f"no {by}" if label is None else f"{by} {label}": sums
+            for label, sums in grouped(result, by).items()
+        }
+    picked = [
+        Totals(*(spectra.selected(spectrum, wanted) for spectrum in sums))
+        for sums in shares.values()
+    ]
+    rows = columns(
+        Totals(*map(spectra.stacked, zip(*picked, strict=True))),
+        result.units._asdict(),
+        {"part": [*shares]},
+    )
+    count = len(rows["order"])
+    rpm = None if result.speed is None else float(f"{result.speed * 30 / pi:.12g}")
+    rows = {"engine": [engine.name] * count, "speed_rpm": [rpm] * count, **rows}
+    lists = [np.asarray(values, object).tolist() for values in rows.values()]
+    table = Table("", tuple(map(_column, rows)), tuple(zip(*lists, strict=True)), key="amplitudes")
+    return Document(engine.name, (table,), {"engine": engine.name})
+
+
+def _column(name: str) -> Column:
+    kind: Kind = "text" if name in TEXTS else "number"
+    return Column(name, kind=kind, key=name)
