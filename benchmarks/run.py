@@ -108,7 +108,7 @@ def batch_rate() -> float:
 
 
 def derived(engine: Engine) -> None:
-    """All that `crankstar derive --order all` derives."""
+    """All that `crankstar derive --orders all` derives."""
     for order in (1, 2, 4, 6):
         for quantity in ("force", "couple"):
             derivation(engine, order, quantity)
@@ -122,8 +122,8 @@ def derivations() -> list[tables.Row]:
     for name in ("v8-cross-plane", dearest):
         engine = load(name)
         seconds = timed(lambda engine=engine: derived(engine), runs=9)
-        cold = whole_process("-m", "crankstar", "derive", name, "--order", "all")
-        out.append((f"crankstar derive {name} --order all", f"{cold:.2f} s", "2 s"))
+        cold = whole_process("-m", "crankstar", "derive", name, "--orders", "all")
+        out.append((f"crankstar derive {name} --orders all", f"{cold:.2f} s", "2 s"))
         out.append(
             (
                 f"the same, warm, not printed ({len(engine.cylinders)} pistons)",

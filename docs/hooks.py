@@ -69,7 +69,8 @@ SECTIONS: dict[type[Record], str] = {
 """Where the page describes the tables that other tables hold."""
 
 MARK = re.compile(
-    r"^<!-- (keys|figure|sources|errata|sinitsyn|kr250|orders|plot|search): ?([^\n]*?) ?-->$",
+    r"^<!-- (keys|options|figure|sources|errata|sinitsyn|kr250|orders|plot|search): ?"
+    r"([^\n]*?) ?-->$",
     re.MULTILINE,
 )
 CITATION = re.compile(r"\[(@[\w-]+(?:; ?@[\w-]+)*)\]")
@@ -84,6 +85,7 @@ def filled(markdown: str, place: str = "index.md") -> str:
     """A page with its markers replaced by what they stand for; `place` is its path in docs/."""
     makers = {
         "keys": table,
+        "options": option_table,
         "figure": figure,
         "sources": sources,
         "errata": errata,
@@ -108,6 +110,23 @@ def table(name: str) -> str:
         meaning = (info.description or "") + (f"; see {inner}" if inner else "")
         lines.append(f"| `{key}` | {_value(info)} | {_default(info)} | {meaning} |")
     return "\n".join(lines).replace("`layout.type`", "`type`")
+
+
+def option_table(_words: str) -> str:
+    """Every option of the command line: what it takes, what it means, in which commands."""
+    from crankstar import cli
+    from crankstar.options.vocabulary import OPTIONS
+
+    commands: dict[str, list[str]] = {name: [] for name in OPTIONS}
+    for command in sorted(name for name in cli.app if not name.startswith("-")):
+        for argument in cli.app[command].assemble_argument_collection():
+            for name in {*argument.names} & set(OPTIONS):
+                commands[name].append(f"`{command}`")
+    lines = ["| option | takes | meaning | commands |", "|---|---|---|---|"]
+    for name, option in OPTIONS.items():
+        meaning = option.meaning.replace("|", "\\|")
+        lines.append(f"| `{name}` | {option.takes} | {meaning} | {', '.join(commands[name])} |")
+    return "\n".join(lines)
 
 
 def _value(info: FieldInfo) -> str:
@@ -224,7 +243,8 @@ def drawn(command: str, *, kind: str = "chart") -> str:
 
     written = BytesIO()
     with redirect_stdout(TextIOWrapper(written, encoding="utf-8")) as out:
-        app(shlex.split(command), exit_on_error=False, print_error=False)
+        words = [*shlex.split(command), "--output", "/dev/stdout"]
+        app(words, exit_on_error=False, print_error=False)
         out.flush()
         drawing = written.getvalue().decode()
     shown = drawing.replace(GREY, "currentColor")

@@ -44,7 +44,7 @@ def test_every_format_of_a_derivation_is_written(run: Run, name: str) -> None:
         ("markdown", "# "),
         ("html", "<!DOCTYPE html>"),
     ):
-        out = run("derive", name, "--order", "1,2", "--format", form).out
+        out = run("derive", name, "--orders", "1,2", "--format", form).out
         assert out.startswith(begins)
         assert out.count("resultant") == 4
 
@@ -85,7 +85,7 @@ def test_a_hostile_name_stays_text_in_every_format() -> None:
 @pytest.mark.parametrize("notation", NOTATIONS)
 def test_every_notation_names_the_letters_it_uses_and_no_other(run: Run, notation: str) -> None:
     out = " ".join(
-        run("derive", "v8-cross-plane", "--order", "1", "--notation", notation).out.split()
+        run("derive", "v8-cross-plane", "--orders", "1", "--notation", notation).out.split()
     )
     letters = {"crankstar": "a: bore pitch", "stroke": "S: stroke", "sinitsyn": "l₀: bore pitch"}
     assert letters[notation] in out
@@ -111,8 +111,8 @@ def test_a_file_appears_whole(run: Run, tmp_path: Path) -> None:
 
 def test_what_differs_from_the_file_is_derived(run: Run) -> None:
     banks = 'layout.banks=[{bearing="-30 deg",cylinders=[1]},{bearing="30 deg",cylinders=[2]}]'
-    assert "a circle" in run("derive", "v2-90", "--order", "1", "--quantity", "force").out
-    narrow = run("derive", "v2-90", "--order", "1", "--quantity", "force", "--set", banks).out
+    assert "a circle" in run("derive", "v2-90", "--orders", "1", "--quantity", "force").out
+    narrow = run("derive", "v2-90", "--orders", "1", "--quantity", "force", "--set", banks).out
     words = "traversed in the direction of rotation of the crank. Its major axis is vertical."
     assert words in " ".join(narrow.split())
     assert "F_long = 1.5" in narrow.replace("3/2", "1.5")
@@ -121,7 +121,7 @@ def test_what_differs_from_the_file_is_derived(run: Run) -> None:
 
 def test_another_plane_of_reference_is_a_letter(run: Run) -> None:
     out = run(
-        "derive", "triple-120", "--order", "1", "--quantity", "couple", "--reference", "0.5"
+        "derive", "triple-120", "--orders", "1", "--quantity", "couple", "--reference", "0.5"
     ).out
     assert "arm a − z₀" in out
     assert "arm −a − z₀" in out
@@ -129,29 +129,29 @@ def test_another_plane_of_reference_is_a_letter(run: Run) -> None:
 
 
 def test_decimals_are_said_to_be_decimals(run: Run) -> None:
-    out = " ".join(run("derive", "vw-vr6", "--order", "2", "--quantity", "couple").out.split())
+    out = " ".join(run("derive", "vw-vr6", "--orders", "2", "--quantity", "couple").out.split())
     assert "decimals with proved bounds, every digit certain" in out
     assert "misses the crankshaft" in out
-    assert "enclosed decimals" not in run("derive", "v12-60", "--order", "2").out
+    assert "enclosed decimals" not in run("derive", "v12-60", "--orders", "2").out
 
 
 @pytest.mark.parametrize(
     ("arguments", "told"),
     [
-        (["--order", "0"], "above 0 and up to 24"),
-        (["--order", "-1"], "above 0 and up to 24"),
-        (["--order", "25"], "above 0 and up to 24"),
-        (["--order", "nan"], "as in 2 or 1,2,4,6"),
-        (["--order", "two"], "as in 2 or 1,2,4,6"),
-        (["--order", ""], "as in 2 or 1,2,4,6"),
-        (["--order", ",".join(["1"] * 25)], "up to 24 crank orders"),
+        (["--orders", "0"], "above 0 and up to 24"),
+        (["--orders", "-1"], "above 0 and up to 24"),
+        (["--orders", "25"], "above 0 and up to 24"),
+        (["--orders", "nan"], "as in 2 or 1,2,4,6"),
+        (["--orders", "two"], "as in 2 or 1,2,4,6"),
+        (["--orders", ""], "as in 2 or 1,2,4,6"),
+        (["--orders", ",".join(["1"] * 25)], "up to 24 crank orders"),
         (["--quantity", "roll"], "choose from motion, force, couple"),
         (["--format", "pdf"], "choose from text, latex, markdown, html"),
         (["--notation", "german"], "choose from crankstar, stroke, sinitsyn"),
         (["--symbolic", "gamma"], "choose from alpha, phi, n"),
         (["--symbolic", "phi"], "two parallel cylinders"),
         (["--power", "0"], "from 1 to 24"),
-        (["--signs", "--order", "2"], "--order has no effect with --signs"),
+        (["--signs", "--orders", "2"], "--orders has no effect with --signs"),
         (
             ["--signs", "--symbolic", "alpha", "--power", "3"],
             "--power, --symbolic have no effect with --signs",
@@ -160,8 +160,8 @@ def test_decimals_are_said_to_be_decimals(run: Run) -> None:
         (["--symbolic", ""], "choose from alpha, phi, n"),
         (["--symbolic", "alpha", "--quantity", "torque"], "use --quantity force"),
         (["--notation", ""], "choose from crankstar, stroke, sinitsyn"),
-        (["--order", "1e999999999"], "as in 2 or 1,2,4,6"),
-        (["--order", "1/0"], "as in 2 or 1,2,4,6"),
+        (["--orders", "1e999999999"], "as in 2 or 1,2,4,6"),
+        (["--orders", "1/0"], "as in 2 or 1,2,4,6"),
         (["--speed", "fast"], "--speed"),
         (["--power", "two"], "whole number"),
         (["--reference", "x"], "z"),
@@ -174,7 +174,7 @@ def test_a_request_that_cannot_be_met_is_refused_in_a_sentence(
 
 
 def test_an_order_that_no_piston_has_is_nothing(run: Run) -> None:
-    out = run("derive", "i4", "--order", "3", "--quantity", "force").out
+    out = run("derive", "i4", "--orders", "3", "--quantity", "force").out
     assert "There is no force of this order: no part of the engine exerts one." in " ".join(
         out.split()
     )
@@ -232,7 +232,7 @@ bore_pitch = "90 mm"
 def test_newton_metres_are_about_the_plane_that_was_asked_for(run: Run, tmp_path: Path) -> None:
     (tmp_path / "three.toml").write_text(THREE, encoding="utf-8")
     words = ("three.toml", "--reference", "30 mm")
-    told = run("derive", *words, "--order", "2", "--quantity", "couple").out
+    told = run("derive", *words, "--orders", "2", "--quantity", "couple").out
     shown = float(re.findall(r"the couple is at most ([\d.]+) N m", told)[0])
     answer = json.loads(run("analyze", *words, "--json").out)
     second = next(one for one in answer["orders"] if one["order"] == 2)["couple"]
@@ -252,7 +252,7 @@ def test_another_speed_is_that_of_the_numbers(run: Run, tmp_path: Path) -> None:
         float(
             re.findall(
                 r"the force is at most ([\d.]+) N over a turn\.",
-                run("derive", "three.toml", "--order", "2", "--speed", speed).out,
+                run("derive", "three.toml", "--orders", "2", "--speed", speed).out,
             )[0]
         )
         for speed in ("3000 rpm", "6000 rpm")
@@ -262,14 +262,16 @@ def test_another_speed_is_that_of_the_numbers(run: Run, tmp_path: Path) -> None:
 
 def test_lines_of_several_harmonics_are_still_a_line(run: Run, tmp_path: Path) -> None:
     (tmp_path / "geared.toml").write_text(GEARED, encoding="utf-8")
-    told = " ".join(run("derive", "geared.toml", "--order", "2", "--quantity", "force").out.split())
+    told = " ".join(
+        run("derive", "geared.toml", "--orders", "2", "--quantity", "force").out.split()
+    )
     assert "The force acts along a straight line. The line is vertical." in told
     assert "F_up = (−2/5 + A₂) cos 2θ" in told  # twice 4 * 0.001 kg m over 0.5 kg times 40 mm
     assert "F_+ = (1/5 − 0.5 A₂) ∠ π" in told  # a length is positive: A₂ is 0.254
 
 
 def test_moments_that_cancel_are_not_said_to_push_against_each_other(run: Run) -> None:
-    told = " ".join(run("derive", "i4", "--order", "2", "--quantity", "couple").out.split())
+    told = " ".join(run("derive", "i4", "--orders", "2", "--quantity", "couple").out.split())
     assert "their moments equal and opposite at every crank angle" in told
     assert "their forces" not in told
 
@@ -292,7 +294,9 @@ def test_a_bank_that_is_called_like_a_direction_keeps_its_own_letter() -> None:
 
 
 def test_a_series_that_begins_later_is_not_nought(run: Run) -> None:
-    told = run("derive", "v8-flat-plane", "--order", "6", "--quantity", "force", "--power", "3").out
+    told = run(
+        "derive", "v8-flat-plane", "--orders", "6", "--quantity", "force", "--power", "3"
+    ).out
     assert "begins with λ to the power 5" in told
     assert "A₆ = 0 " not in told
 
@@ -308,7 +312,7 @@ def test_a_derivation_is_its_text() -> None:
 
 
 def test_the_axes_of_an_ellipse_are_added_up(run: Run) -> None:
-    out = run("derive", "gm-3800", "--order", "1", "--quantity", "couple").out
+    out = run("derive", "gm-3800", "--orders", "1", "--quantity", "couple").out
     assert "M_long = (3√2/2) a" in out
     assert "M_short = (√6/2) a" in out
 
@@ -319,5 +323,5 @@ def test_vectors_counted_in_a_negative_harmonic_are_said_to_be(
 ) -> None:
     """A_4 of a centred crank is below zero: the force points down where the vector is up."""
     for quantity in ("force", "couple"):
-        out = run("derive", "ducati-90", "--order", order, "--quantity", quantity).out
+        out = run("derive", "ducati-90", "--orders", order, "--quantity", quantity).out
         assert (f"A_{order} is negative" in " ".join(out.split())) == negative

@@ -100,7 +100,7 @@ def test_a_page_of_what_comes_in_says_a_command_that_reads_it_again(
 ) -> None:
     place = tmp_path / "page.html"
     assert run("page", "-", "-o", str(place), stdin=SHORT.encode()).code == 0
-    assert held_in(place)["exhibition"]["command"] == "crankstar page - -o page.html"
+    assert held_in(place)["exhibition"]["command"] == "crankstar page - -o engine.html"
 
 
 def test_a_file_whose_name_is_no_text_has_a_page(run: Run, tmp_path: Path) -> None:
@@ -138,10 +138,11 @@ def test_what_is_no_engine_makes_no_page(
     assert not place.exists()
 
 
-def test_a_page_needs_a_place(run: Run) -> None:
-    ran = run("page", "i4")
-    assert ran.code == 2
-    assert "output" in ran.err.lower()
+def test_a_page_without_a_place_is_named_after_the_engine(run: Run, tmp_path: Path) -> None:
+    assert run("page", "i4").out == "Wrote i4.html\n"
+    first = (tmp_path / "i4.html").read_bytes()
+    assert run("page", "i4").out == "Replaced i4.html\n"
+    assert (tmp_path / "i4.html").read_bytes() == first
 
 
 @pytest.mark.parametrize("place", ["", "missing/folder/page.html", "."])

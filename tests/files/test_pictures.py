@@ -39,7 +39,7 @@ def test_a_chart_is_written_as_its_suffix_says(run: Run, tmp_path: Path, kind: s
 
 @pytest.mark.parametrize("chart", CHARTS)
 def test_every_chart_is_drawn_into_a_pipe(run: Run, chart: str) -> None:
-    assert run("plot", "gm-3800", chart).out.startswith("<svg")
+    assert run("plot", "gm-3800", chart, "-o", "-").out.startswith("<svg")
 
 
 def test_several_engines_are_drawn_side_by_side(run: Run) -> None:
@@ -53,6 +53,8 @@ def test_several_engines_are_drawn_side_by_side(run: Run) -> None:
         "v8-cross-plane",
         "--quantity",
         "force",
+        "-o",
+        "-",
     ).out
     assert out.count("V8, flat-plane crank") >= 1
     assert out.count("V8, cross-plane crank") >= 1
@@ -70,11 +72,11 @@ def test_several_engines_are_drawn_side_by_side(run: Run) -> None:
             "--theta has no effect with the chart spectrum",
         ),
         (
-            ["i4", "crank-star", "--order", "2", "-o", "x.svg"],
-            "--order has no effect with the chart crank-star",
+            ["i4", "crank-star", "--orders", "2", "-o", "x.svg"],
+            "--orders has no effect with the chart crank-star",
         ),
-        (["i4", "vector-star", "--order", "1,2", "-o", "x.svg"], "takes one order"),
-        (["i4", "vector-star", "--order", "0", "-o", "x.svg"], "numbers above 0"),
+        (["i4", "vector-star", "--orders", "1,2", "-o", "x.svg"], "takes one order"),
+        (["i4", "vector-star", "--orders", "0", "-o", "x.svg"], "numbers above 0"),
         (["i4", "vector-star", "--quantity", "roll", "-o", "x.svg"], "choose from force, couple"),
         (["i4", "forces", "--theta", "3 furlongs", "-o", "x.svg"], "--theta"),
         (["i4", "hodograph", "--theta", "1 deg, 2 deg", "-o", "x.svg"], "takes one crank angle"),
@@ -97,12 +99,12 @@ def test_what_cannot_be_drawn_is_refused(
 
 def test_a_sweep_finds_the_balance_factor_of_a_single(run: Run) -> None:
     out = run(
-        "sweep", "single", "--over", "balance_factor=0..1", "--watch", "force", "--order", "1"
+        "sweep", "single", "--over", "balance_factor=0..1", "--quantity", "force", "--orders", "1"
     ).out
     assert "Least force of order 1: 0.5 m r ω² at balance_factor = 0.5." in out
     assert re.search(r"^\s+0\.5 +0\.5$", out, re.MULTILINE)
     few = run(
-        "sweep", "single", "--over", "balance_factor=0..1/5", "--watch", "force", "--order", "1"
+        "sweep", "single", "--over", "balance_factor=0..1/5", "--quantity", "force", "--orders", "1"
     ).out
     assert "force of order 1: █▇▅▇█" in few  # eighths of the greatest: 1, 3/4, 1/2, 3/4, 1
 
@@ -113,9 +115,9 @@ def test_a_sweep_finds_where_a_right_angled_twin_is_free(run: Run) -> None:
         "v2-90",
         "--over",
         "balance_factor=0..1",
-        "--watch",
+        "--quantity",
         "force.forward,force.backward",
-        "--order",
+        "--orders",
         "1",
     ).out
     assert "Least force.forward of order 1: 0 m r ω² at balance_factor = 0.5." in out
@@ -124,7 +126,7 @@ def test_a_sweep_finds_where_a_right_angled_twin_is_free(run: Run) -> None:
 
 def test_a_sweep_as_csv_and_as_a_chart(run: Run, tmp_path: Path) -> None:
     over = "layout.banks[1].bearing=0..90 deg/7"
-    run("sweep", "harley-45", "--over", over, "--watch", "force", "-o", str(tmp_path / "s.csv"))
+    run("sweep", "harley-45", "--over", over, "--quantity", "force", "-o", str(tmp_path / "s.csv"))
     rows = list(csv.reader(io.StringIO((tmp_path / "s.csv").read_text(encoding="utf-8"))))
     assert rows[0] == ["layout.banks[1].bearing [deg]", "force [m*r*w^2]"]
     assert [float(row[0]) for row in rows[1:]] == [0, 15, 30, 45, 60, 75, 90]
@@ -136,7 +138,7 @@ def test_a_sweep_as_csv_and_as_a_chart(run: Run, tmp_path: Path) -> None:
         "harley-45",
         "--over",
         over,
-        "--watch",
+        "--quantity",
         "force,roll",
         "-o",
         str(tmp_path / "s.json"),
@@ -158,10 +160,10 @@ def test_a_sweep_as_csv_and_as_a_chart(run: Run, tmp_path: Path) -> None:
         (["--over", "balance_factor=0..3"], "balance_factor"),
         (["--over", "balance_factor=0..1 mm"], "is a plain number"),
         (["--over", "layout.bank_offset=0..1/9999999"], "from 2 to 20000"),
-        (["--over", "balance_factor=0..1", "--watch", "noise"], "cannot be computed in a sweep"),
-        (["--over", "balance_factor=0..1", "--watch", ","], "at least one quantity"),
-        (["--over", "balance_factor=0..1", "--order", "0"], "numbers above 0"),
-        (["--over", "balance_factor=0..1", "--order", "all"], "omit --order"),
+        (["--over", "balance_factor=0..1", "--quantity", "noise"], "cannot be computed in a sweep"),
+        (["--over", "balance_factor=0..1", "--quantity", ","], "at least one quantity"),
+        (["--over", "balance_factor=0..1", "--orders", "0"], "numbers above 0"),
+        (["--over", "balance_factor=0..1", "--orders", "all"], "omit --orders"),
         (["--over", "balance_factor=0..1", "--speed", "3"], "--speed"),
         (["--over", "balance_factor=0..1", "-o", "/nowhere/x.svg"], "cannot be written"),
     ],

@@ -221,7 +221,7 @@ def test_the_answer_is_the_same_with_two_workers_and_from_a_checkpoint(
         (("7", "--cycle", "three"), "two-stroke"),
         (("7", "--minimise", "X3"), '--minimise: There is no quantity "X3"'),
         (("7", "--limit", "M2"), "--limit: M2"),
-        (("7", "--pitch", "1,1"), "--pitch: 2 gaps"),
+        (("7", "--gaps", "1,1"), "--gaps: 2 gaps"),
         (("7", "--fix", "9=2"), "--fix: There is no cylinder 9"),
         (("7", "--front", "--best", "3"), "--front, --best"),
         (("7", "--row", "1.9"), "--row"),

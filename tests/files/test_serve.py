@@ -13,8 +13,8 @@ from crankstar.server import running
     ("words", "told"),
     [
         (["--port", "70000"], "give a whole number from 0 to 65535"),
-        (["--port", "http"], "--port http: give a whole number from 0 to 65535"),
-        (["--port", "0x10"], "--port 0x10: give a whole number from 0 to 65535"),
+        (["--port", "http"], '--port: unable to convert "http" into a whole number'),
+        (["--port", "0x10"], '--port: unable to convert "0x10" into a whole number'),
         (["--port=-1"], "--port -1: give a whole number from 0 to 65535"),
         (["--host", "no.such.host.invalid"], "is not an address of this machine"),
         (["--host", ""], '--host "" is not an address of this machine'),

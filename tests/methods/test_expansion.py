@@ -192,7 +192,7 @@ def test_a_whole_derivation_starts_before_the_second_harmonic() -> None:
 
     assert titles()[0] == "The motion of one piston"
     assert titles("--quantity", "motion") == ["The motion of one piston"]
-    assert "The motion of one piston" not in titles("--order", "2")
+    assert "The motion of one piston" not in titles("--orders", "2")
     assert "The motion of one piston" not in titles("--quantity", "force")
 
 

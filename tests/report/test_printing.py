@@ -159,7 +159,7 @@ def test_a_report_that_is_there_is_replaced_whole_and_the_command_in_it_names_no
     page = (tmp_path / "r.html").read_text(encoding="utf-8")
     assert page.endswith("</html>\n")
     assert (
-        "crankstar report mine.toml --set &#x27;layout.bore_pitch=100 mm&#x27; -o report.html"
+        "crankstar report mine.toml --set &#x27;layout.bore_pitch=100 mm&#x27; -o mine-report.html"
         in page
     )
     assert str(tmp_path) not in page

@@ -366,19 +366,21 @@ export interface FittedQuestion {
 /** The options of a search, of an in-line engine or of a number of cylinders. */
 export interface SearchQuestion {
   /**
-   * Working cycle, four-stroke or two-stroke (default: that of the engine file, else four-stroke).
+   * Working cycle: four-stroke or two-stroke. Default: that of the engine file, else four-stroke.
    */
   cycle?: ('two-stroke' | 'four-stroke') | null
   /**
-   * Quantities to minimise: couples M1, M2, ..., forces F1, ..., torsion T1.5, ..., neighbours (cylinders side by side that fire in succession), couple (rms over a turn of the couple of orders 1, 2, 4 and 6 of an engine); else M1,M2. In a list of the best with weights, as in M1,2*M2.
+   * Quantity to minimise. Several with commas: couples M1, M2, ..., forces F1, ..., torsion T1.5, ..., neighbours (cylinders side by side that fire in succession), couple (rms over a turn of the couple of orders 1, 2, 4 and 6 of an engine); else M1,M2. In a list of the best with weights, as in M1,2*M2.
    */
   minimise?: string | null
   /** Quantities that must vanish, as in M2. */
   zero?: string | null
-  /** Greatest value of a quantity, as in M2=1.5 or neighbours=1. */
+  /**
+   * Greatest permissible value of a quantity, as in QUANTITY=VALUE; repeatable. Such as M2=1.5 or neighbours=1.
+   */
   limit?: string[]
   /** Gaps between cylinders from the front in pitches, as in 1,1,1.4; else equal. */
-  pitch?: string | null
+  gaps?: string | null
   /** Fixed throws, as in 1=0,4=3: direction d is 360 d/n deg behind direction 0. */
   fix?: string | null
   /** Only cranks whose rear half mirrors the front half. */
@@ -387,9 +389,7 @@ export interface SearchQuestion {
   mode_shape?: string | null
   /** No cylinders side by side fire in succession. */
   avoid_adjacent?: boolean
-  /**
-   * The Pareto front: the stars in which one quantity can improve only at the expense of another.
-   */
+  /** The Pareto front: where one quantity can improve only at the expense of another. */
   front?: boolean
   /** List this many of the best stars. */
   best?: number | null

@@ -6,12 +6,11 @@ import os
 import re
 import sys
 from collections.abc import Sequence
-from difflib import get_close_matches
 from importlib.metadata import version
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from cyclopts import App, CycloptsError, UnusedCliTokensError
+from cyclopts import App, CycloptsError, UnknownOptionError, UnusedCliTokensError
 
 from crankstar.cli.output import OutputError, abandon, complain, is_file
 from crankstar.files import STANDARD_INPUT
@@ -20,6 +19,7 @@ from crankstar.language.messages import LANGUAGES, MessageError, _, spoken
 from crankstar.language.quoting import one_line, seen
 from crankstar.options.refusals import RequestError, refusal
 from crankstar.options.values import NEEDED
+from crankstar.options.vocabulary import meant
 from crankstar.search.faults import SearchError
 
 if TYPE_CHECKING:
@@ -143,15 +143,25 @@ def _complaint(error: CycloptsError) -> str:
         return "\n".join(map(_wrong_word, error.__cause__.errors(include_url=False)))
     text = one_line(str(error).strip(), longest=300)
     text = text.replace("into int", "into a whole number").replace("into bool", "into yes or no")
-    near = re.fullmatch(r"Unknown option: -*(.*)\. Did you mean -*(.*)\?", text)
-    if near and not get_close_matches(near[1], [near[2]]):  # which the hyphens alone made alike
-        text = text.partition(" Did you")[0]
+    if isinstance(error, UnknownOptionError):
+        text = _unknown_option(error)
     if isinstance(error, UnusedCliTokensError):
         text = _(
             "too many arguments: {words}", words=", ".join(map(seen, error.unused_tokens or ()))
         )
     command = " ".join(["crankstar", *(error.command_chain or ())])
     return _("{mistake}\nSee: {command} --help", mistake=text, command=command)
+
+
+def _unknown_option(error: UnknownOptionError) -> str:
+    """An option that the command has not, and the one that is meant, also by another name."""
+    word = (error.token.keyword or error.token.value).partition("=")[0]
+    own = [name for argument in error.argument_collection for name in argument.names]
+    near = meant(word, sorted(name for name in own if name.startswith("--")))
+    text = _("Unknown option: {option}.", option=one_line(word, longest=60))
+    return (
+        text if near is None else _("{mistake} Did you mean {option}?", mistake=text, option=near)
+    )
 
 
 def _wrong_word(mistake: ErrorDetails) -> str:

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Annotated, cast
-
-from cyclopts import Parameter
+from typing import Annotated
 
 from crankstar.cli.application import app
 from crankstar.cli.options import (
@@ -14,9 +12,8 @@ from crankstar.cli.options import (
     Settings,
     Speed,
     engine_text,
-    flag,
     loaded_engine,
-    output,
+    option,
     together,
 )
 from crankstar.cli.output import display, working, write
@@ -25,27 +22,17 @@ from crankstar.options import values as request
 from crankstar.options.balancing import BalanceOptions
 
 
-class Options(BalanceOptions):
-    """The same options, one of them in both spellings."""
-
-    minimise: Annotated[str | None, Parameter(alias="--minimize")] = cast(
-        "str | None", BalanceOptions.model_fields["minimise"]
-    )
-
-
 @app.command
 def balance(
     engine: EngineName,
     /,
     *,
-    options: Annotated[Options, FLAT] = Options(),  # noqa: B008  # it is frozen
-    prove: Annotated[
-        bool, flag("Print the exact weights and shafts and prove the cancellation.")
-    ] = False,
+    options: Annotated[BalanceOptions, FLAT] = BalanceOptions(),  # noqa: B008  # it is frozen
+    prove: Annotated[bool, option("--prove")] = False,
     speed: Speed = None,
     settings: Settings = None,
     output: Annotated[
-        str | None, output("File to write the balanced engine to, in the explicit form.")
+        str | None, option("--output", "The balanced engine, in the explicit form.")
     ] = None,
 ) -> None:
     """Balance an engine with counterweights and balance shafts; print what remains."""

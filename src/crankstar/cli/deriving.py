@@ -5,20 +5,15 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Annotated
 
-from cyclopts import Parameter
-
 from crankstar.cli.application import app
 from crankstar.cli.options import (
-    ORDER_NAMES,
     EngineName,
     Output,
     ReferencePoint,
     Settings,
     Speed,
     engine_and_speed,
-    flag,
-    text,
-    whole_number,
+    option,
 )
 from crankstar.cli.output import display, working, write
 from crankstar.language.messages import _
@@ -31,40 +26,20 @@ def derive(
     engine: EngineName,
     /,
     *,
-    order: Annotated[
-        str | None,
-        text("Crank orders, such as 2 or 1,2,4; all is 1,2,4,6 (default: 1,2).", *ORDER_NAMES),
-    ] = None,
+    orders: Annotated[str | None, option("--orders", "Default: 1,2; all is 1,2,4,6.")] = None,
     quantity: Annotated[
         str | None,
-        Parameter(
-            help="motion (one piston, up to its harmonics A_2, A_4, A_6), force, couple or torque "
-            "(default: motion, force and couple; force and couple with --order)."
+        option(
+            "--quantity",
+            "Also motion (one piston, up to its harmonics A_2, A_4, A_6) and torque. Default: "
+            "motion, force and couple; force and couple with --orders.",
         ),
     ] = None,
-    form: Annotated[
-        str, Parameter(name="--format", help="text, latex, markdown or html.")
-    ] = "text",
-    notation: Annotated[
-        str | None,
-        Parameter(
-            help="Symbols: crankstar (r, l, λ = r/l), stroke (S, L = l/S) or sinitsyn (P_R, C_I, "
-            "C_II, l0)."
-        ),
-    ] = None,
-    power: Annotated[
-        int | None, whole_number("Highest power of λ in the series of each harmonic (default: 7).")
-    ] = None,
-    symbolic: Annotated[
-        str | None,
-        Parameter(
-            help="Keep a dimension as a symbol: alpha (half the bank angle), phi (crank phase of a "
-            "twin) or n (cylinders in a row)."
-        ),
-    ] = None,
-    signs: Annotated[
-        bool, flag("Derive the six signs of balance instead: P_R, M_R, P_I, M_I, P_II, M_II.")
-    ] = False,
+    form: Annotated[str, option("--format")] = "text",
+    notation: Annotated[str | None, option("--notation")] = None,
+    power: Annotated[int | None, option("--power")] = None,
+    symbolic: Annotated[str | None, option("--symbolic")] = None,
+    signs: Annotated[bool, option("--signs")] = False,
     speed: Speed = None,
     reference: ReferencePoint = None,
     settings: Settings = None,
@@ -79,8 +54,9 @@ def derive(
     request.choice("--format", form, ["text", *documents.FORMATS])
     if power is not None and not 1 <= power <= 24:
         raise refusal("--power", power, "give a power of λ from 1 to 24")
+    names = request.listed(quantity)
     given = {
-        "--order": order,
+        "--orders": orders,
         "--quantity": quantity,
         "--power": power,
         "--speed": speed,
@@ -90,16 +66,16 @@ def derive(
         unused = {**given, "--reference": None, "--symbolic": symbolic}
         request.refuse_unused(unused, beside="--signs")
     elif symbolic is not None:
-        unused = {**given, "--order": None, "--quantity": None}
+        unused = {**given, "--orders": None, "--quantity": None}
         request.refuse_unused(unused, beside="--symbolic")
-    elif quantity == "torque":
+    elif names == ["torque"]:
         request.refuse_unused({"--reference": reference}, beside="--quantity torque")
-    elif quantity == "motion":
+    elif names == ["motion"]:
         unused = {**given, "--quantity": None, "--power": None}
         request.refuse_unused(unused, beside="--quantity motion")
     wanted: list[tuple[Fraction, request.Derived]] = [
         (number, kind)
-        for number in request.derived_orders("1,2" if order is None else order)
+        for number in request.derived_orders("1,2" if orders is None else orders)
         for kind in request.quantities(quantity)
     ]
     letters = notations.chosen(
@@ -107,8 +83,8 @@ def derive(
     )
     with working(_("Deriving ...")) as tell:
         chapters = [exact.signs_chapter(loaded, reference=point)] if signs else []
-        whole = order is None and quantity is None and symbolic is None and not signs
-        if whole or quantity == "motion":
+        whole = orders is None and quantity is None and symbolic is None and not signs
+        if whole or "motion" in names:
             chapters.append(exact.motion_chapter(loaded, power=power or 7))
         for number, kind in [] if signs else wanted:
             tell(_("Deriving the {quantity} of order {order} ...", quantity=_(kind), order=number))
@@ -132,12 +108,7 @@ def derive(
 
 @app.command
 def errata(
-    *,
-    source: Annotated[
-        str | None,
-        Parameter(help="Only this source, by its key in the references, such as yamamoto2012."),
-    ] = None,
-    output: Output = None,
+    *, source: Annotated[str | None, option("--source")] = None, output: Output = None
 ) -> None:
     """List errors in published sources: each printed formula beside the correct one."""
     from crankstar.derive.errata import ErrataError

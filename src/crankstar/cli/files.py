@@ -7,7 +7,7 @@ from typing import Annotated
 from cyclopts import Parameter
 
 from crankstar.cli.application import app
-from crankstar.cli.options import Output, flag
+from crankstar.cli.options import Output, option
 from crankstar.cli.output import complain, display, is_file, write
 from crankstar.engine.engine import Engine
 from crankstar.files import STANDARD_INPUT, EngineFileError
@@ -62,7 +62,7 @@ def new(
     /,
     *,
     output: Output = None,
-    overwrite: Annotated[bool, flag("Replace an existing file.")] = False,
+    overwrite: Annotated[bool, option("--overwrite")] = False,
 ) -> None:
     """Write a commented engine file to start from."""
     from crankstar.files.starters import STARTERS

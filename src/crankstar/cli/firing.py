@@ -14,12 +14,10 @@ from crankstar.cli.options import (
     Json,
     Settings,
     engine_text,
-    flag,
     loaded_engine,
-    text,
-    whole_number,
+    option,
+    whole,
 )
-from crankstar.cli.options import output as file_to_write
 from crankstar.cli.output import working, write
 from crankstar.cli.tabulating import give
 from crankstar.engine.engine import Engine
@@ -32,11 +30,10 @@ from crankstar.options.values import RequestError, refusal
 if TYPE_CHECKING:
     from crankstar.tables.firing_orders import Listing
 
-Top = Annotated[int, whole_number("Number of rows to print; --csv and --json have all.")]
-Row = Annotated[int | None, whole_number("Write this row as an engine file, in the explicit form.")]
+Top = Annotated[int, option("--top")]
+Row = Annotated[int | None, option("--row")]
 Place = Annotated[
-    str | None,
-    file_to_write("File to write: .txt, .csv, .json, .xlsx, .parquet, or .toml with --row."),
+    str | None, option("--output", ".txt, .csv, .json, .xlsx, .parquet, or .toml with --row.")
 ]
 
 
@@ -49,31 +46,10 @@ def orders(
     engine: EngineName,
     /,
     *,
-    intervals: Annotated[
-        str | None,
-        text(
-            'Firing intervals, repeated to fill the cycle, such as "90, 150 deg"; 0 for cylinders '
-            "that fire together (default: even)."
-        ),
-    ] = None,
-    any_: Annotated[
-        bool,
-        Parameter(
-            name="--any",
-            help="List every order that the dead centres allow, the most even first.",
-            negative=(),
-        ),
-    ] = False,
-    together: Annotated[
-        bool, flag("With --any: cylinders may fire together at the same dead centre.")
-    ] = False,
-    tolerance: Annotated[
-        str | None,
-        text(
-            'Greatest deviation of a firing from its place in the cycle, such as "2 deg" (default: '
-            "0.0001 deg)."
-        ),
-    ] = None,
+    intervals: Annotated[str | None, option("--intervals")] = None,
+    any_: Annotated[bool, option("--any")] = False,
+    together: Annotated[bool, option("--together")] = False,
+    tolerance: Annotated[str | None, option("--tolerance")] = None,
     top: Top = 20,
     row: Row = None,
     json: Json = False,
@@ -139,34 +115,17 @@ def _asked(engine: Engine, intervals: str | None, tolerance: str | None) -> List
 
 @app.command
 def vees(
-    cylinders: Annotated[int, whole_number("Number of cylinders, even, up to 16.")],
+    cylinders: Annotated[
+        int, Parameter(help="Number of cylinders, even, up to 16.", converter=whole)
+    ],
     /,
     *,
-    bank: Annotated[
-        str | None,
-        text(
-            'Bank angles, such as "60 deg, 90 deg" (default: the multiples of the firing '
-            "interval up "
-            "to 180 deg)."
-        ),
-    ] = None,
-    greatest_split: Annotated[
-        str | None,
-        text(
-            'Greatest pin split, such as "30 deg"; 0 forbids it (default: none). Without --bank, '
-            "also tries the usual bank angles that it makes possible."
-        ),
-    ] = None,
-    cycle: Annotated[str, Parameter(help="four-stroke or two-stroke.")] = "four-stroke",
+    bank: Annotated[str | None, option("--bank")] = None,
+    greatest_split: Annotated[str | None, option("--greatest-split")] = None,
+    cycle: Annotated[str, option("--cycle")] = "four-stroke",
     top: Top = 20,
     row: Row = None,
-    star: Annotated[
-        int,
-        whole_number(
-            "With --row: number of the star with this balance, mirror images and reverses not "
-            "counted."
-        ),
-    ] = 1,
+    star: Annotated[int, option("--star")] = 1,
     json: Json = False,
     csv: Csv = False,
     output: Place = None,

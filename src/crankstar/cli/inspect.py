@@ -6,8 +6,6 @@ from dataclasses import replace
 from functools import partial
 from typing import Annotated
 
-from cyclopts import Parameter
-
 from crankstar.cli.application import app
 from crankstar.cli.options import (
     Csv,
@@ -21,10 +19,9 @@ from crankstar.cli.options import (
     Theta,
     command_text,
     engine_and_speed,
-    flag,
     loaded_engine,
+    option,
     together,
-    whole_number,
 )
 from crankstar.cli.output import display, write
 from crankstar.cli.tabulating import give
@@ -38,16 +35,8 @@ from crankstar.options.values import RequestError
 @app.command(name="list")
 def list_engines(
     *,
-    cylinders: Annotated[
-        int | None, whole_number("Only engines with this number of cylinders.")
-    ] = None,
-    layout: Annotated[
-        str | None,
-        Parameter(
-            help="Only engines of this layout: inline, vee, boxer, tandem, opposed, radial, "
-            "explicit."
-        ),
-    ] = None,
+    cylinders: Annotated[int | None, option("--cylinders")] = None,
+    layout: Annotated[str | None, option("--layout")] = None,
 ) -> None:
     """List the engines of the catalog."""
     from crankstar.files.catalog import summaries
@@ -69,7 +58,7 @@ def show(
     engine: EngineName,
     /,
     *,
-    explicit: Annotated[bool, flag("Print a complete engine file in the explicit form.")] = False,
+    explicit: Annotated[bool, option("--explicit")] = False,
     settings: Settings = None,
     output: Output = None,
 ) -> None:
@@ -94,10 +83,7 @@ def analyze(
     reference: ReferencePoint = None,
     settings: Settings = None,
     theta: Theta = None,
-    by: Annotated[
-        str | None,
-        Parameter(help="Also the share of each cylinder, bank, shaft or kind (of part)."),
-    ] = None,
+    by: Annotated[str | None, option("--by")] = None,
     json: Json = False,
     csv: Csv = False,
     output: Output = None,

@@ -1,7 +1,6 @@
 """The options that several verbs share, with their help, and the engine that they name.
 
-An option means the same in every verb. `flag` and `text` are the two kinds that need no more than
-a sentence of help.
+An option means the same in every verb: each is drawn from the vocabulary by `option`.
 """
 
 from __future__ import annotations
@@ -19,74 +18,47 @@ from crankstar.files.catalog import load, tree_of
 from crankstar.language.quoting import seen
 from crankstar.options import values as request
 from crankstar.options.values import RequestError
+from crankstar.options.vocabulary import OPTIONS, meaning
 
 
-def flag(sentence: str) -> Parameter:
-    """A switch without a `--no-` form."""
-    return Parameter(help=sentence, negative=())
+def option(name: str, more: str = "") -> Parameter:
+    """An option of the vocabulary; `more` says how this verb uses it.
+
+    A flag has no `--no-` form, text may begin with a minus sign, and a whole number is read here,
+    since the parser itself would round 1.5.
+    """
+    takes = OPTIONS[name].takes
+    return Parameter(
+        name=[name, "-o"] if name == "--output" else name,
+        help=meaning(name, more),
+        negative=(),
+        allow_leading_hyphen=takes == "text" and name != "--output",
+        converter=whole if takes == "whole number" else None,
+    )
 
 
-def text(sentence: str, *names: str) -> Parameter:
-    """A value that may begin with a minus sign."""
-    return Parameter(name=names or None, help=sentence, allow_leading_hyphen=True)
-
-
-def whole_number(sentence: str) -> Parameter:
-    """A whole number; the parser itself would round 1.5."""
-    return Parameter(help=sentence, converter=_whole)
-
-
-def _whole(_kind: object, tokens: Sequence[Token]) -> int:
+def whole(_kind: object, tokens: Sequence[Token]) -> int:
+    """A whole number. Raises ValueError."""
     try:
         return int(tokens[0].value)
     except ValueError:
         raise ValueError(f"unable to convert {seen(tokens[0].value)} into int") from None
 
 
-def output(sentence: str) -> Parameter:
-    """The file to write."""
-    return Parameter(name=["--output", "-o"], help=sentence)
-
-
 ENGINE = "Name from the catalog, engine file, or - for standard input."
-ORDER_NAMES = ("--orders", "--order")
 FLAT = Parameter(name="*", negative=(), allow_leading_hyphen=True, show_default=False)
 """A record of options, each of which is an option of the verb."""
 
 EngineName = Annotated[str, Parameter(help=ENGINE)]
-Speed = Annotated[
-    str | None, text('Crank speed, such as "6000 rpm" (default: the speed in the file).', "--speed")
-]
-Orders = Annotated[
-    str | None,
-    text(
-        "Crank orders, such as 1,2,4,6, or all (default: those up to 6 that occur).", *ORDER_NAMES
-    ),
-]
-ReferencePoint = Annotated[
-    str | None,
-    text(
-        'Point about which couples and roll are taken: z, or z, up and right, such as "-120 mm" or '
-        '"0 mm, 35 mm, 0 mm", with z as in `crankstar show` (default: the middle of the cylinders, '
-        "on the crank axis).",
-        "--reference",
-    ),
-]
-Theta = Annotated[
-    str | None,
-    text('Also the sum of all orders at these crank angles, such as "0 deg, 90 deg".', "--theta"),
-]
-Output = Annotated[str | None, output("File to write (default: standard output).")]
-Settings = Annotated[
-    list[str] | None,
-    Parameter(
-        name="--set",
-        help='Change a value of the file, such as layout.bore_pitch="100 mm"; repeatable.',
-        negative=(),
-    ),
-]
-Json = Annotated[bool, flag("Print JSON.")]
-Csv = Annotated[bool, flag("Print CSV.")]
+Speed = Annotated[str | None, option("--speed")]
+Orders = Annotated[str | None, option("--orders", "Default: those up to 6 that occur.")]
+ReferencePoint = Annotated[str | None, option("--reference")]
+Theta = Annotated[str | None, option("--theta", "Also the sum of all orders there.")]
+Beside = Annotated[list[str] | None, option("--beside")]
+Output = Annotated[str | None, option("--output", "Default: standard output.")]
+Settings = Annotated[list[str] | None, option("--set")]
+Json = Annotated[bool, option("--json")]
+Csv = Annotated[bool, option("--csv")]
 
 
 def together(*readings: Callable[[], Any]) -> tuple[Any, ...]:

@@ -83,6 +83,21 @@ def write_bytes(content: bytes, place: str | None) -> None:
             _pour(place, content)
 
 
+def write_result(content: str | bytes, output: str | None, usual: str) -> None:
+    """Write to the file of -o; without one to the usual file, and say so on standard output."""
+    place = usual if output is None else output
+    there = is_file(place)
+    if isinstance(content, str):
+        write(content, place)
+    else:
+        write_bytes(content, place)
+    if output is None:
+        values = {"file": one_line(place)}
+        write(
+            (_("Replaced {file}", **values) if there else _("Wrote {file}", **values)) + "\n", None
+        )
+
+
 def writable(place: str) -> None:
     """Refuse, before long work, a place that cannot be written to; raises OutputError."""
     if place in STANDARD_OUTPUT:

@@ -11,7 +11,6 @@ from cyclopts import Parameter
 
 from crankstar.cli.application import app
 from crankstar.cli.options import (
-    ORDER_NAMES,
     Csv,
     EngineName,
     Json,
@@ -19,19 +18,17 @@ from crankstar.cli.options import (
     Settings,
     Speed,
     engine_and_speed,
-    flag,
     loaded_engine,
-    output,
-    text,
+    option,
     together,
 )
-from crankstar.cli.output import display, working, write_bytes
+from crankstar.cli.output import display, working, write_bytes, write_result
 from crankstar.cli.tabulating import give
 from crankstar.language.messages import _
 from crankstar.language.quoting import one_line
 from crankstar.options import charts as chart_request
 from crankstar.options import values as request
-from crankstar.options.forms import PICTURES, TABLES, form_of
+from crankstar.options.forms import PICTURES, TABLES, form_of, usual_place
 from crankstar.options.values import RequestError
 
 
@@ -49,30 +46,24 @@ def plot(
     *,
     beside: Annotated[
         list[str] | None,
-        Parameter(
-            help="Another engine on the same axes (without --speed in m r w^2); repeatable.",
-            negative=(),
-        ),
+        option("--beside", "On the same axes, without --speed in m r w^2; repeatable."),
     ] = None,
-    order: Annotated[
-        str | None,
-        text(
-            "Crank order, such as 2, or several for charts of several, such as 1,2.", *ORDER_NAMES
-        ),
-    ] = None,
+    orders: Annotated[str | None, option("--orders", "A chart of one order takes one.")] = None,
     quantity: Annotated[
-        str | None, Parameter(help="force or couple; for over-turn also roll or torque.")
+        str | None, option("--quantity", "For over-turn also roll or torque.")
     ] = None,
     theta: Annotated[
-        str | None, text('Crank angle of the drawing, such as "30 deg"; several for forces.')
+        str | None, option("--theta", "Of the drawing; several for the chart forces.")
     ] = None,
     speed: Speed = None,
     reference: ReferencePoint = None,
     settings: Settings = None,
     output: Annotated[
         str | None,
-        output(
-            "File to write: .svg, .png, .pdf, .html (with a slider for the crank angle) or .json."
+        option(
+            "--output",
+            ".svg, .png, .pdf, .html (with a slider for the crank angle) or .json; default: "
+            "ENGINE-CHART.svg.",
         ),
     ] = None,
 ) -> None:
@@ -93,7 +84,7 @@ def plot(
     options = chart_request.options(
         figure,
         loaded,
-        order=order,
+        orders=orders,
         quantity=quantity,
         theta=theta,
         speed=speed,
@@ -108,7 +99,7 @@ def plot(
         )
         title = _("{engine}: {chart}", engine=loaded.name, chart=_(figure.about))
         content = drawing.saved(made, suffix, title=title)
-    write_bytes(content, output)
+    write_result(content, output, usual_place(engine, chart, kind=suffix))
 
 
 @app.command
@@ -116,25 +107,12 @@ def sweep(
     engine: EngineName,
     /,
     *,
-    over: Annotated[
-        str,
-        Parameter(
-            help="Value of the engine file to vary, such as balance_factor=0..1, "
-            '"layout.banks[1].bearing=0..90 deg/91" (91 values) or "balance_factor=0, 0.5, 0.75".'
-        ),
-    ],
-    watch: Annotated[
-        str,
-        Parameter(
-            help="Quantities to compute: force, couple, roll, torque, couple.pitch, couple.yaw, "
-            "force.forward, ..., joined by commas."
-        ),
+    over: Annotated[str, option("--over")],
+    quantity: Annotated[
+        str, option("--quantity", "Also roll, torque, couple.pitch, couple.yaw, force.forward, ...")
     ] = "force",
-    order: Annotated[
-        str | None,
-        text("Crank orders, such as 1,2 (default: the sum of all orders).", *ORDER_NAMES),
-    ] = None,
-    greatest: Annotated[bool, flag("Find the greatest value instead of the least.")] = False,
+    orders: Annotated[str | None, option("--orders", "Default: the sum of all orders.")] = None,
+    greatest: Annotated[bool, option("--greatest")] = False,
     speed: Speed = None,
     reference: ReferencePoint = None,
     settings: Settings = None,
@@ -142,7 +120,7 @@ def sweep(
     csv: Csv = False,
     output: Annotated[
         str | None,
-        output("File to write: a chart (.svg, .png, .pdf, .html, .json), .csv, or the table."),
+        option("--output", "A chart (.svg, .png, .pdf, .html, .json), .csv, or the table."),
     ] = None,
 ) -> None:
     """Vary a value of an engine: force and couple over it, and the best value."""
@@ -155,14 +133,14 @@ def sweep(
     picture = kind in (*PICTURES, "json") and not (json or csv)
     drawing = chart_request.charts() if picture else None
     form = "" if drawing else form_of(output, TABLES, json=json, csv=csv)
-    wanted: Sequence[float | None] = request.orders(order, []) or [None]
-    if order is not None and wanted == [None]:
+    wanted: Sequence[float | None] = request.orders(orders, []) or [None]
+    if orders is not None and wanted == [None]:
         raise RequestError(
-            "--order all: omit --order for the sum of all orders, or give orders such as 1,2"
+            "--orders all: omit --orders for the sum of all orders, or give orders such as 1,2"
         )
-    names = request.listed(watch)
+    names = request.listed(quantity)
     if not names:
-        raise RequestError("--watch: give at least one quantity, such as force,couple")
+        raise RequestError("--quantity: give at least one quantity, such as force,couple")
     point = reference and request.reference(reference, loaded_engine(engine, settings))
     asked = over_request(over)
     with working(_("Sweeping {path} ...", path=one_line(asked.path))) as tell:

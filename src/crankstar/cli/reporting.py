@@ -5,26 +5,22 @@ from __future__ import annotations
 from functools import partial
 from typing import Annotated
 
-from cyclopts import Parameter
-
 from crankstar.cli.application import app
 from crankstar.cli.options import (
-    ORDER_NAMES,
     EngineName,
     Settings,
     Speed,
     changed_tree,
     command_text,
-    output,
-    text,
+    option,
     together,
 )
-from crankstar.cli.output import working, writable, write, write_bytes
+from crankstar.cli.output import working, writable, write_result
 from crankstar.files.catalog import load
 from crankstar.language.messages import _
 from crankstar.options import charts as chart_request
 from crankstar.options import values as request
-from crankstar.options.forms import form_of
+from crankstar.options.forms import form_of, refuse_terminal, usual_place
 
 KINDS = ("html", "pdf")
 
@@ -35,19 +31,20 @@ def write_report(
     /,
     *,
     output: Annotated[
-        str | None, output("File to write: .html, or .pdf, which needs Chromium.")
+        str | None,
+        option("--output", ".html, or .pdf, which needs Chromium; default: ENGINE-report.html."),
     ] = None,
     speed: Speed = None,
     orders: Annotated[
         str | None,
-        text(
-            "Crank orders to draw and derive in full, such as 1,2,4, or all (default: those up to "
-            "6 with the largest force or couple).",
-            *ORDER_NAMES,
+        option(
+            "--orders",
+            "They are drawn and derived in full. Default: those up to 6 with the largest force or "
+            "couple.",
         ),
     ] = None,
     beside: Annotated[
-        str | None, Parameter(help="Another engine, compared order by order.")
+        list[str] | None, option("--beside", "Compared order by order; one only.")
     ] = None,
     settings: Settings = None,
 ) -> None:
@@ -57,20 +54,22 @@ def write_report(
     from crankstar import report
     from crankstar.files import engine_of
 
-    if output is not None:
-        writable(output)
+    refuse_terminal(output, KINDS)
+    usual = usual_place(engine, "report", kind=kind)
+    writable(usual if output is None else output)
+    second = request.single("--beside", beside)
     (name, tree), other, turning = together(
         partial(changed_tree, engine, settings),
-        partial(load, beside) if beside is not None else lambda: None,
+        partial(load, second) if second is not None else lambda: None,
         partial(request.speed, speed),
     )
     loaded = engine_of(tree, name=name)
     options = {
         "--speed": speed and [speed],
         "--orders": orders and [orders],
-        "--beside": beside and [request.named(beside)],
+        "--beside": second and [request.named(second)],
         "--set": settings,
-        "-o": [f"report.{kind}"],
+        "-o": [usual],
     }
     command = command_text("report", request.named(engine), options)
     subject = report.Subject(loaded, tree, command, turning, None, other)
@@ -80,7 +79,7 @@ def write_report(
     with working(_("Writing the report ...")) as tell:
         page = report.report(subject, tell=tell)
         if kind == "html":
-            return write(page, output)
+            return write_result(page, output, usual)
         tell(_("Printing ..."))
         content = report.pdf(page, by=by)
-    return write_bytes(content, output)
+    return write_result(content, output, usual)

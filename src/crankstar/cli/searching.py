@@ -11,16 +11,17 @@ from cyclopts import Parameter
 
 from crankstar.cli.application import app
 from crankstar.cli.options import FLAT, Settings, Speed, engine_and_speed, engine_text
-from crankstar.cli.output import complain, display, working, writable, write, write_bytes
-from crankstar.cli.search_options import Form, Words, Work
+from crankstar.cli.output import complain, display, working, writable, write, write_result
+from crankstar.cli.search_options import Form, Work
 from crankstar.cli.tabulating import give
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
 from crankstar.language.quoting import one_line
 from crankstar.options import charts as chart_request
 from crankstar.options import values as request
-from crankstar.options.forms import PICTURES, STANDARD_OUTPUT, TABLES, form_of
+from crankstar.options.forms import PICTURES, STANDARD_OUTPUT, TABLES, form_of, usual_place
 from crankstar.options.values import RequestError, refusal
+from crankstar.options.words import SearchWords
 
 if TYPE_CHECKING:
     from crankstar.search.answer import Answer
@@ -36,7 +37,7 @@ def search(
     ],
     /,
     *,
-    words: Annotated[Words, FLAT] = Words(),  # noqa: B008  # it is frozen
+    words: Annotated[SearchWords, FLAT] = SearchWords(),  # noqa: B008  # it is frozen
     speed: Speed = None,
     settings: Settings = None,
     work: Annotated[Work, FLAT] = Work(),  # noqa: B008
@@ -45,8 +46,8 @@ def search(
     """Find better cranks: all arrangements of evenly spaced throws, searched with proof."""
     from crankstar.options import search as options
 
-    kind, row = _kind(form), request.whole("--row", form.row, most=GREATEST_ROW)
-    workers = request.whole("--workers", work.workers, most=GREATEST_WORKERS)
+    kind, row = _kind(form), request.within("--row", form.row, most=GREATEST_ROW)
+    workers = request.within("--workers", work.workers, most=GREATEST_WORKERS)
     deviations = options.deviations(form.uneven) if form.uneven is not None else None
     _check_work(work)
     pace, about = None, options.whole_number(cylinders)
@@ -68,7 +69,7 @@ def search(
     if row is not None:
         _show_row(answer, wanted.engine, row, deviations, pace, form.output)
     else:
-        _show(answer, wanted.engine, kind, form.chart, form.output)
+        _show(cylinders, answer, wanted.engine, kind, form.chart, form.output)
     return None
 
 
@@ -101,7 +102,7 @@ def _stopped(answer: Answer, engine: Engine | None, kind: str, output: str | Non
     from crankstar.tables.search_stars import certificate, search_stars
 
     if kind in TABLES[1:] and (answer.rows or output is None):
-        _show(answer, engine, kind, None, output)
+        _show("", answer, engine, kind, None, output)
         complain(f"crankstar: {certificate(answer)}")
         return 130
     display(search_stars(answer, engine=engine))
@@ -131,15 +132,21 @@ def _kind(form: Form) -> str:
 
 
 def _show(
-    answer: Answer, engine: Engine | None, kind: str, chart: str | None, output: str | None
+    about: str,
+    answer: Answer,
+    engine: Engine | None,
+    kind: str,
+    chart: str | None,
+    output: str | None,
 ) -> None:
-    """Writes the answer as what it is wanted."""
+    """Write the answer in the form asked for; `about` is the word for what was searched."""
     from crankstar.tables import search_stars as tables
 
     if kind in PICTURES:
         drawing = chart_request.charts()
         figure = drawing.best_stars(answer) if chart == "stars" else drawing.pareto_front(answer)
-        write_bytes(drawing.saved(figure, kind, title=tables.heading(answer.question)), output)
+        content = drawing.saved(figure, kind, title=tables.heading(answer.question))
+        write_result(content, output, usual_place(about, "search", chart or "front", kind=kind))
     else:
         limit = tables.ROWS if kind == "txt" else None
         give(tables.search_stars(answer, engine=engine, limit=limit), output, form=kind)

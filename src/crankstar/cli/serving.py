@@ -7,7 +7,7 @@ from typing import Annotated
 from cyclopts import Parameter
 
 from crankstar.cli.application import app
-from crankstar.cli.options import Settings, changed_tree, command_text
+from crankstar.cli.options import Settings, changed_tree, command_text, option
 from crankstar.cli.output import complain, working
 from crankstar.files import engine_of
 from crankstar.language.messages import _
@@ -24,17 +24,13 @@ def serve(
     ] = "v8-cross-plane",
     /,
     *,
-    host: Annotated[
-        str, Parameter(help="Address to listen on; any but 127.0.0.1 admits other machines.")
-    ] = "127.0.0.1",
-    port: Annotated[str, Parameter(help="Port to listen on; 0 takes a free one.")] = "8000",
-    open_: Annotated[
-        bool, Parameter(name="--open", help="Open the page in the browser.", negative=())
-    ] = False,
+    host: Annotated[str, option("--host")] = "127.0.0.1",
+    port: Annotated[int, option("--port")] = 8000,
+    open_: Annotated[bool, option("--open")] = False,
     settings: Settings = None,
 ) -> None:
     """Serve the page on this machine and recompute the engine at every edit."""
-    number = request.whole("--port", port, least=0, most=GREATEST_PORT) or 0
+    number = request.within("--port", port, least=0, most=GREATEST_PORT) or 0
     with working(_("Starting ...")):
         try:
             from crankstar.server import running

@@ -3,19 +3,16 @@
 from __future__ import annotations
 
 from functools import partial
-from pathlib import PurePath
 from typing import Annotated
 
-from cyclopts import Parameter
-
 from crankstar.cli.application import app
-from crankstar.cli.options import EngineName, Settings, changed_tree, command_text, output, together
-from crankstar.cli.output import progress, writable, write
+from crankstar.cli.options import EngineName, Settings, changed_tree, command_text, option, together
+from crankstar.cli.output import progress, writable, write_result
 from crankstar.files import engine_of
 from crankstar.files.catalog import tree_of
 from crankstar.language.messages import _
 from crankstar.options import values as request
-from crankstar.options.forms import form_of
+from crankstar.options.forms import form_of, refuse_terminal, usual_place
 
 
 @app.command
@@ -24,25 +21,27 @@ def page(
     /,
     *,
     beside: Annotated[
-        str | None, Parameter(help="Another engine, at the same crank angle beside it.")
+        list[str] | None, option("--beside", "At the same crank angle; one only.")
     ] = None,
     settings: Settings = None,
-    output: Annotated[str, output("File to write, such as v8.html.")],
+    output: Annotated[str | None, option("--output", ".html; default: ENGINE.html.")] = None,
 ) -> None:
     """Write a page on which the engine turns, with the whole analysis, as one HTML file."""
     from crankstar.page import standalone as pages
     from crankstar.page.library import held
 
-    writable(output)
+    usual = usual_place(engine, kind="html")
+    writable(usual if output is None else output)
     form_of(output, ("html", "htm"))
+    refuse_terminal(output, ("html",))
+    second = request.single("--beside", beside)
     given = together(
         partial(changed_tree, engine, settings),
-        *(partial(tree_of, name) for name in [beside] if name is not None),
+        *(partial(tree_of, name) for name in [second] if name is not None),
     )
     engines = [engine_of(tree, name=name) for name, tree in given]
-    names = [request.named(word) for word in (engine, beside) if word is not None]
-    place = "page.html" if names[0] == "-" else f"{PurePath(names[0]).stem}.html"
-    options = {"--beside": names[1:], "--set": settings, "-o": [place]}
+    names = [request.named(word) for word in (engine, second) if word is not None]
+    options = {"--beside": names[1:], "--set": settings, "-o": [usual]}
     pages.bundle()
     with progress(_("Drawing")) as tell:
         data = held(
@@ -53,4 +52,4 @@ def page(
             tell=tell,
         )
     content = pages.document(data)
-    write(content, output)
+    write_result(content, output, usual)

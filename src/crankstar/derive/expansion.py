@@ -272,7 +272,7 @@ def _exactly(engine: Engine, orders: range) -> Step:
         words.append(
             _(
                 "The first cylinder of this engine has an articulated rod or misses the crank "
-                "axis, so its own harmonics differ; `crankstar derive --order` encloses them."
+                "axis, so its own harmonics differ; `crankstar derive --orders` encloses them."
             )
         )
     for k in orders:

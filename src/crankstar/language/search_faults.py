@@ -53,7 +53,7 @@ SENTENCES: dict[str, str | Plural] = {
     ),
     "numbering": N_("Number the cylinders of {engine} 1, 2, 3 ... from the front."),
     "engine-cycle": N_("{engine} is a {own} engine; leave {cycle} out, or change its file."),
-    "engine-gaps": N_("The positions of the cylinders are in the engine file; leave {pitch} out."),
+    "engine-gaps": N_("The positions of the cylinders are in the engine file; leave {gaps} out."),
     "later": N_("{given} angles are given for {cylinders} cylinders; give one for each."),
     # objectives and limits
     "no-quantity": N_(

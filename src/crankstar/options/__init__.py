@@ -2,6 +2,7 @@
 
 | module, bottom to top | one line |
 |---|---|
+| `vocabulary` | every option of every command: what it takes, what it means |
 | `refusals` | requests that cannot be met |
 | `values` | speeds, orders, angles, points of reference, settings |
 | `forms` | the form in which a result is written |

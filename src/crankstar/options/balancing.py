@@ -7,6 +7,7 @@ from pydantic import BaseModel, ConfigDict, Field
 from crankstar.engine.engine import Engine
 from crankstar.options import values as request
 from crankstar.options.refusals import RequestError
+from crankstar.options.vocabulary import meaning
 from crankstar.remedy import fitting
 from crankstar.tables.remedies import Job
 
@@ -16,71 +17,35 @@ class BalanceOptions(BaseModel):
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
-    factor: float | None = Field(
-        default=None,
-        description="Share of the reciprocating mass on each pin that is balanced, 0 to 1.5 "
-        "(default: the file's, else 0.5).",
-    )
-    weights: str = Field(
-        default="pins",
-        description="Places of the counterweights: pins (the default), webs, ends (the end webs), "
-        'or positions along the shaft, such as "-200 mm, 200 mm".',
-    )
+    factor: float | None = Field(default=None, description=meaning("--factor"))
+    weights: str = Field(default="pins", description=meaning("--weights"))
     minimise: str | None = Field(
         default=None,
-        description="Instead of a factor, find the weights that minimise one of force, couple, "
-        "pitch, yaw, each also with rms in front, or bearing (the greatest load on a main "
-        "bearing).",
+        description=meaning(
+            "--minimise",
+            "Instead of a factor, find the weights for one of force, couple, pitch, yaw, each also "
+            "with rms in front, or bearing (the greatest load on a main bearing).",
+        ),
     )
-    pitch_share: float | None = Field(
-        default=None,
-        description="With --minimise couple: weight of pitch, 0 to 1; yaw has the rest (default: "
-        "equal).",
-    )
+    pitch_share: float | None = Field(default=None, description=meaning("--pitch-share"))
     limit: list[str] = Field(
         default=[],
-        description="With --minimise: upper limit, such as couple=50% (of bare crankshafts), "
-        'couple=1.5 (m r ω² a) or force="500 N"; repeatable.',
+        description=meaning(
+            "--limit",
+            "With --minimise, such as couple=50% (of bare crankshafts), couple=1.5 (m r ω² a) or "
+            'force="500 N".',
+        ),
     )
     greatest_unbalance: str | None = Field(
-        default=None,
-        description='With --minimise: greatest unbalance of one weight, such as "0.02 kg*m".',
+        default=None, description=meaning("--greatest-unbalance")
     )
-    radius: str | None = Field(
-        default=None,
-        description='Radius at which the masses of weights are given, such as "60 mm" (default: '
-        "the crank radius).",
-    )
-    shafts: str | None = Field(
-        default=None,
-        description="Add balance shafts: needed (the lowest order that remains; also without a "
-        'value), all (first and second order), or speed ratios, such as -1 or "2, -2".',
-    )
-    shaft_planes: str | None = Field(
-        default=None,
-        description="Positions of the weights along the balance shafts (default: beyond both "
-        "ends).",
-    )
-    shaft_place: str | None = Field(
-        default=None,
-        description='Up and right of the crankshaft, such as "-60 mm, 0 mm" (default: on its '
-        "axis).",
-    )
-    shaft_spacing: str | None = Field(
-        default=None,
-        description='Horizontal distance between the two shafts of a pair, such as "120 mm" '
-        "(default: 0).",
-    )
-    level: bool = Field(
-        default=False,
-        description="Move the two shafts of a pair to the heights at which the block does not "
-        "roll.",
-    )
-    recommended: bool = Field(
-        default=False,
-        description="Fit what `crankstar verdict` recommends: the counterweights that cancel what "
-        "turns with the crankshafts, then balance shafts for the lowest order that remains.",
-    )
+    radius: str | None = Field(default=None, description=meaning("--radius"))
+    shafts: str | None = Field(default=None, description=meaning("--shafts"))
+    shaft_planes: str | None = Field(default=None, description=meaning("--shaft-planes"))
+    shaft_place: str | None = Field(default=None, description=meaning("--shaft-place"))
+    shaft_spacing: str | None = Field(default=None, description=meaning("--shaft-spacing"))
+    level: bool = Field(default=False, description=meaning("--level"))
+    recommended: bool = Field(default=False, description=meaning("--recommended"))
 
 
 PARTS = {

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import sys
 from types import ModuleType
 from typing import Any
 
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.options import values as request
-from crankstar.options.forms import PICTURES, STANDARD_OUTPUT, form_of, require
-from crankstar.options.values import RequestError, refusal
+from crankstar.options.forms import PICTURES, form_of, refuse_terminal, require
+from crankstar.options.values import refusal
 
 GREATEST_ANGLES = 24
 """Panels of one figure."""
@@ -25,12 +24,8 @@ def charts() -> ModuleType:
 
 
 def suffix(place: str | None, possible: tuple[str, ...] = PICTURES) -> str:
-    """The format of a figure by the name of its file, SVG in a pipe. Raises RequestError."""
-    if place in STANDARD_OUTPUT[:3] and sys.stdout is not None and sys.stdout.isatty():
-        raise RequestError(
-            "a terminal cannot show charts; give a file with -o that ends in {endings}",
-            endings=", ".join(f".{kind}" for kind in possible),
-        )
+    """The format of a figure by the name of its file, SVG without one. Raises RequestError."""
+    refuse_terminal(place, possible)
     return form_of(place, possible)
 
 
@@ -38,7 +33,7 @@ def options(
     figure: Any,
     engine: Engine,
     *,
-    order: str | None,
+    orders: str | None,
     quantity: str | None,
     theta: str | None,
     speed: str | None,
@@ -51,7 +46,7 @@ def options(
     """
     takes = set(figure.options)
     given = {
-        "--order": (order, {"order", "orders"}),
+        "--orders": (orders, {"order", "orders"}),
         "--quantity": (quantity, {"quantity"}),
         "--theta": (theta, {"theta", "angles"}),
         "--speed": (speed, {"speed"}),
@@ -60,12 +55,16 @@ def options(
     unused = {option: text for option, (text, names) in given.items() if not names & takes}
     request.refuse_unused(unused, beside=_("the chart {chart}", chart=figure.name))
     out: dict[str, Any] = {}
-    if order is not None:
-        wanted = request.orders(order, [])
+    if orders is not None:
+        wanted = request.orders(orders, [])
         if "order" in takes and (not wanted or len(wanted) > 1):
-            raise refusal("--order", order, "{chart} takes one order, such as 2", chart=figure.name)
+            raise refusal(
+                "--orders", orders, "{chart} takes one order, such as 2", chart=figure.name
+            )
         if not wanted:
-            raise refusal("--order", order, "{chart} takes orders, such as 1,2", chart=figure.name)
+            raise refusal(
+                "--orders", orders, "{chart} takes orders, such as 1,2", chart=figure.name
+            )
         out |= {"order": wanted[0]} if "order" in takes else {"orders": wanted}
     if quantity is not None:
         out["quantity"] = request.choice("--quantity", quantity, figure.quantities)

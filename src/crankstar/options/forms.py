@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Sequence
 from importlib.util import find_spec
 from pathlib import PurePath
 
-from crankstar.options.values import RequestError, refusal
+from crankstar.options.values import RequestError, named, refusal
 
 STANDARD_OUTPUT = (None, "-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1")
 """Standard output is written to in place: another program may write to the same file."""
@@ -44,6 +45,25 @@ def form_of(
         raise refusal("-o", place, "the name must end in {names}", names=names)
     require(form)
     return form
+
+
+def usual_place(engine: str, *what: str, kind: str) -> str:
+    """The file in which a picture, a page or a report of an engine is kept where none is named.
+
+    >>> usual_place("/home/me/v8.toml", "spectrum", kind="svg"), usual_place("-", kind="html")
+    ('v8-spectrum.svg', 'engine.html')
+    """
+    stem = PurePath(named(engine)).stem
+    return f"{'-'.join(('engine' if stem == '-' else stem, *what))}.{kind}"
+
+
+def refuse_terminal(place: str | None, kinds: Sequence[str]) -> None:
+    """Refuse to fill a terminal with a picture or a page. Raises RequestError."""
+    if place in STANDARD_OUTPUT[1:3] and sys.stdout is not None and sys.stdout.isatty():
+        raise RequestError(
+            "a terminal cannot show this; name a file with -o that ends in {endings}",
+            endings=", ".join(f".{kind}" for kind in kinds),
+        )
 
 
 def require(form: str) -> None:

@@ -75,7 +75,7 @@ def _options(words: SearchWords, faults: Faults) -> SearchOptions:
                 all_with = order(words.all_with)
     return SearchOptions(
         cycle=words.cycle,
-        pitch=each("pitch", words.pitch, gap, every=True),
+        gaps=each("gaps", words.gaps, gap, every=True),
         fix=each("fix", words.fix, fixed_throw, every=True) or (),
         symmetric=words.symmetric,
         minimise=each("minimise", words.minimise, weighted) or None,

@@ -112,15 +112,20 @@ def speed(text: str | None) -> float | None:
     return turning
 
 
-def whole(option: str, text: str | None, *, least: int = 1, most: int) -> int | None:
-    """A whole number. Raises RequestError."""
-    if text is None:
-        return None
-    if not re.fullmatch(r"\d{1,9}", text.strip(), re.ASCII) or not least <= int(text) <= most:
+def single(option: str, texts: Sequence[str] | None) -> str | None:
+    """The one value of an option that may be repeated elsewhere. Raises RequestError."""
+    if texts and len(texts) > 1:
+        raise refusal(option, ", ".join(texts), "give it once; here it takes one engine")
+    return texts[0] if texts else None
+
+
+def within(option: str, number: int | None, *, least: int = 1, most: int) -> int | None:
+    """The whole number, if any, once it is between these two. Raises RequestError."""
+    if number is not None and not least <= number <= most:
         raise refusal(
-            option, text, "give a whole number from {least} to {most}", least=least, most=most
+            option, number, "give a whole number from {least} to {most}", least=least, most=most
         )
-    return int(text)
+    return number
 
 
 def orders(text: str | None, present: list[float]) -> list[float] | None:
@@ -142,11 +147,10 @@ def orders(text: str | None, present: list[float]) -> list[float] | None:
 
 
 def quantities(text: str | None) -> list[Derived]:
-    """The quantities to derive order by order: one, or force and couple; none for `motion`."""
-    if text is None:
-        return ["force", "couple"]
-    chosen = choice("--quantity", text, get_args(Derivable))
-    return [] if chosen == "motion" else [cast("Derived", chosen)]
+    """The quantities to derive order by order, force and couple by default; `motion` is none."""
+    names = ["force", "couple"] if text is None else (listed(text) or [text])
+    chosen = [choice("--quantity", name, get_args(Derivable)) for name in names]
+    return [cast("Derived", name) for name in chosen if name != "motion"]
 
 
 def _fractions(text: str, *, most: int) -> list[Fraction]:
@@ -168,7 +172,7 @@ def derived_orders(text: str) -> list[Fraction]:
     wanted = _fractions("1,2,4,6" if text.strip() == "all" else text, most=24)
     if not wanted:
         raise refusal(
-            "--order",
+            "--orders",
             text,
             "give up to 24 crank orders with commas, as in 2 or 1,2,4,6 or 29/31, or all",
         )

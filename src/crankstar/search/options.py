@@ -65,7 +65,7 @@ class NearValue(NamedTuple):
 class SearchOptions:
     """What a search is to find, and among which stars.
 
-    cycle: that of the engine, else four-stroke. pitch: gaps between cylinders from the front, in
+    cycle: that of the engine, else four-stroke. gaps: those between cylinders from the front, in
     pitches. fix: cylinders with the directions of their throws. minimise: quantities with weights;
     by default the couples M1 and M2. zero, limit: quantities that must vanish, or be at most so
     great. mode_shape: amplitude of a torsional mode at each cylinder. ask: by default a front of
@@ -74,7 +74,7 @@ class SearchOptions:
     """
 
     cycle: Cycle | None = None
-    pitch: tuple[Fraction, ...] | None = None
+    gaps: tuple[Fraction, ...] | None = None
     fix: tuple[tuple[int, int], ...] = ()
     symmetric: bool = False
     minimise: tuple[tuple[float, Measure], ...] | None = None
@@ -125,11 +125,11 @@ def _stars(about: int | Engine, options: SearchOptions, faults: Faults) -> Stars
         if isinstance(about, Engine):
             if options.cycle not in (None, about.cycle):
                 faults.add("cycle", "engine-cycle", engine=about.name, own=about.cycle)
-            if options.pitch is not None:
-                faults.add("pitch", "engine-gaps")
+            if options.gaps is not None:
+                faults.add("gaps", "engine-gaps")
             stars = engine_stars.stars_of(about)
         else:
-            places = _positions(about, options.pitch, faults)
+            places = _positions(about, options.gaps, faults)
             stars = Stars(about, options.cycle or "four-stroke", places)
         for change in (
             {"symmetric": options.symmetric},
@@ -146,7 +146,7 @@ def _positions(
     """Positions in pitches, measured from the middle."""
     if gaps is not None and len(gaps) != cylinders - 1:
         wrong = {"given": len(gaps), "cylinders": cylinders, "wanted": cylinders - 1}
-        faults.add("pitch", "gap-count", **wrong)
+        faults.add("gaps", "gap-count", **wrong)
         gaps = None
     places = [Fraction(0)]
     for gap in gaps or (Fraction(1),) * (cylinders - 1):

@@ -1,0 +1,296 @@
+"""The vocabulary of options: what each takes and what it means, the same in every command.
+
+A command adds at most how it uses the option. `OPTIONS` is in alphabetical order of the names.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from difflib import get_close_matches
+from typing import Literal, NamedTuple
+
+Takes = Literal["nothing", "text", "several texts", "whole number", "number"]
+"""What follows an option. `several texts`: it may be repeated."""
+
+
+class Option(NamedTuple):
+    """What an option takes, what it means, and other names under which people look for it."""
+
+    takes: Takes
+    meaning: str
+    also: tuple[str, ...] = ()
+
+
+OPTIONS = {
+    "--all": Option("nothing", "All stars within the limits."),
+    "--all-with": Option(
+        "text",
+        "All stars with the same moments as a firing order, as in 1-6-3-4-5-2-7, or with values, "
+        "as in M1=0.2673,M2=1.0056.",
+        ("--firing-order",),
+    ),
+    "--any": Option(
+        "nothing", "List every order that the dead centres allow, the most even first."
+    ),
+    "--avoid-adjacent": Option("nothing", "No cylinders side by side fire in succession."),
+    "--bank": Option(
+        "text",
+        'Bank angles, such as "60 deg, 90 deg" (default: the multiples of the firing interval up '
+        "to 180 deg).",
+        ("--banks", "--bank-angle", "--vee-angle"),
+    ),
+    "--beside": Option(
+        "several texts", "Another engine, shown beside this one.", ("--with", "--and", "--compare")
+    ),
+    "--best": Option("whole number", "List this many of the best stars."),
+    "--by": Option(
+        "text",
+        "Also the share of each cylinder, bank, shaft or kind (of part).",
+        ("--per", "--group-by"),
+    ),
+    "--chart": Option(
+        "text", "Chart to draw: the front, or the stars of the first rows.", ("--plot",)
+    ),
+    "--checkpoint": Option(
+        "text", "File in which the progress of the search is kept, to resume it.", ("--resume",)
+    ),
+    "--csv": Option("nothing", "Print CSV."),
+    "--cycle": Option(
+        "text",
+        "Working cycle: four-stroke or two-stroke.",
+        ("--two-stroke", "--four-stroke", "--strokes"),
+    ),
+    "--cylinders": Option("whole number", "Only engines with this number of cylinders."),
+    "--explicit": Option("nothing", "Print a complete engine file in the explicit form."),
+    "--factor": Option(
+        "number",
+        "Share of the reciprocating mass on each pin that is balanced, 0 to 1.5 (default: the "
+        "file's, else 0.5).",
+        ("--balance-factor", "--overbalance"),
+    ),
+    "--fix": Option(
+        "text",
+        "Fixed throws, as in 1=0,4=3: direction d is 360 d/n deg behind direction 0.",
+        ("--fixed", "--throws"),
+    ),
+    "--format": Option("text", "text, latex, markdown or html."),
+    "--front": Option(
+        "nothing",
+        "The Pareto front: where one quantity can improve only at the expense of another.",
+        ("--pareto",),
+    ),
+    "--gaps": Option(
+        "text",
+        "Gaps between cylinders from the front in pitches, as in 1,1,1.4; else equal.",
+        ("--pitch", "--spacing", "--bore-pitch"),
+    ),
+    "--greatest": Option(
+        "nothing", "Find the greatest value instead of the least.", ("--maximise", "--maximize")
+    ),
+    "--greatest-split": Option(
+        "text",
+        'Greatest pin split, such as "30 deg"; 0 forbids it (default: none). Without --bank, also '
+        "tries the usual bank angles that it makes possible.",
+        ("--split", "--max-split"),
+    ),
+    "--greatest-unbalance": Option(
+        "text",
+        'With --minimise: greatest unbalance of one weight, such as "0.02 kg*m".',
+        ("--max-unbalance",),
+    ),
+    "--host": Option(
+        "text", "Address to listen on; any but 127.0.0.1 admits other machines.", ("--address",)
+    ),
+    "--intervals": Option(
+        "text",
+        'Firing intervals, repeated to fill the cycle, such as "90, 150 deg"; 0 for cylinders that '
+        "fire together (default: even).",
+    ),
+    "--json": Option("nothing", "Print JSON."),
+    "--layout": Option(
+        "text",
+        "Only engines of this layout: inline, vee, boxer, tandem, opposed, radial, explicit.",
+    ),
+    "--level": Option(
+        "nothing", "Move the two shafts of a pair to the heights at which the block does not roll."
+    ),
+    "--limit": Option(
+        "several texts",
+        "Greatest permissible value of a quantity, as in QUANTITY=VALUE; repeatable.",
+        ("--max", "--at-most"),
+    ),
+    "--minimise": Option(
+        "text", "Quantity to minimise.", ("--minimize", "--least", "--objective", "--optimise")
+    ),
+    "--mode-shape": Option("text", "For torsion: amplitude of the mode at each cylinder."),
+    "--notation": Option(
+        "text",
+        "Symbols: crankstar (r, l, λ = r/l), stroke (S, L = l/S) or sinitsyn (P_R, C_I, C_II, l0).",
+        ("--symbols",),
+    ),
+    "--open": Option("nothing", "Open the page in the browser.", ("--browser",)),
+    "--orders": Option(
+        "text", "Crank orders with commas, such as 1,2,4, or all.", ("--order", "--harmonics")
+    ),
+    "--output": Option("text", "File to write.", ("--out", "--file", "--to")),
+    "--over": Option(
+        "text",
+        "Value of the engine file to vary, such as balance_factor=0..1, "
+        '"layout.banks[1].bearing=0..90 deg/91" (91 values) or "balance_factor=0, 0.5, 0.75".',
+        ("--vary", "--range"),
+    ),
+    "--overwrite": Option("nothing", "Replace an existing file.", ("--force", "--replace")),
+    "--pitch-share": Option(
+        "number",
+        "With --minimise couple: weight of pitch, 0 to 1; yaw has the rest (default: equal).",
+    ),
+    "--port": Option("whole number", "Port to listen on; 0 takes a free one."),
+    "--power": Option(
+        "whole number", "Highest power of λ in the series of each harmonic (default: 7)."
+    ),
+    "--prove": Option(
+        "nothing", "Print the exact weights and shafts and prove the cancellation.", ("--proof",)
+    ),
+    "--quantity": Option(
+        "text",
+        "Quantity, such as force or couple, or several with commas.",
+        ("--watch", "--quantities"),
+    ),
+    "--radius": Option(
+        "text",
+        'Radius at which the masses of weights are given, such as "60 mm" (default: the crank '
+        "radius).",
+    ),
+    "--recommended": Option(
+        "nothing",
+        "Fit what `crankstar verdict` recommends: the counterweights that cancel what turns with "
+        "the crankshafts, then balance shafts for the lowest order that remains.",
+    ),
+    "--reference": Option(
+        "text",
+        'Point about which couples and roll are taken: z, or z, up and right, such as "-120 mm" or '
+        '"0 mm, 35 mm, 0 mm", with z as in `crankstar show` (default: the middle of the '
+        "cylinders, on the crank axis).",
+        ("--about", "--origin"),
+    ),
+    "--row": Option(
+        "whole number",
+        "Write this row as an engine file, in the explicit form.",
+        ("--rows", "--write"),
+    ),
+    "--scheduler": Option(
+        "text", "A dask scheduler with workers, as in tcp://host:8786.", ("--cluster", "--dask")
+    ),
+    "--set": Option(
+        "several texts",
+        'Change a value of the file, such as layout.bore_pitch="100 mm"; repeatable.',
+        ("--change", "--settings"),
+    ),
+    "--shaft-place": Option(
+        "text",
+        'Up and right of the crankshaft, such as "-60 mm, 0 mm" (default: on its axis).',
+        ("--shaft-places",),
+    ),
+    "--shaft-planes": Option(
+        "text",
+        "Positions of the weights along the balance shafts (default: beyond both ends).",
+        ("--shaft-plane",),
+    ),
+    "--shaft-spacing": Option(
+        "text",
+        'Horizontal distance between the two shafts of a pair, such as "120 mm" (default: 0).',
+    ),
+    "--shafts": Option(
+        "text",
+        "Add balance shafts: needed (the lowest order that remains; also without a value), all "
+        '(first and second order), or speed ratios, such as -1 or "2, -2".',
+        ("--balance-shafts", "--balancers"),
+    ),
+    "--signs": Option(
+        "nothing", "Derive the six signs of balance instead: P_R, M_R, P_I, M_I, P_II, M_II."
+    ),
+    "--source": Option(
+        "text", "Only this source, by its key in the references, such as yamamoto2012."
+    ),
+    "--speed": Option(
+        "text",
+        'Crank speed, such as "6000 rpm", "628 rad/s" or "100 Hz" (default: the speed in the '
+        "file).",
+        ("--rpm",),
+    ),
+    "--star": Option(
+        "whole number",
+        "With --row: number of the star with this balance, mirror images and reverses not counted.",
+    ),
+    "--symbolic": Option(
+        "text",
+        "Keep a dimension as a symbol: alpha (half the bank angle), phi (crank phase of a twin) or "
+        "n (cylinders in a row).",
+    ),
+    "--symmetric": Option("nothing", "Only cranks whose rear half mirrors the front half."),
+    "--theta": Option(
+        "text",
+        'Crank angles with commas, such as "0 deg, 90 deg".',
+        ("--angle", "--angles", "--crank-angle"),
+    ),
+    "--together": Option(
+        "nothing", "With --any: cylinders may fire together at the same dead centre."
+    ),
+    "--tolerance": Option(
+        "text",
+        'Greatest deviation of a firing from its place in the cycle, such as "2 deg" (default: '
+        "0.0001 deg).",
+    ),
+    "--top": Option("whole number", "Number of rows to print; --csv and --json have all."),
+    "--uneven": Option(
+        "text",
+        "Refine the throw angles of --row, with firing intervals within so many degrees of even "
+        "ones, as in 1,2,5.",
+    ),
+    "--weights": Option(
+        "text",
+        "Places of the counterweights: pins (the default), webs, ends (the end webs), or positions "
+        'along the shaft, such as "-200 mm, 200 mm".',
+        ("--planes", "--counterweights"),
+    ),
+    "--workers": Option(
+        "whole number",
+        "Worker processes on this machine (default: one for each processor).",
+        ("--jobs", "--processes"),
+    ),
+    "--yes": Option("nothing", "Search even if it takes more than an hour."),
+    "--zero": Option("text", "Quantities that must vanish, as in M2."),
+}
+"""Every option by its name."""
+
+
+def meaning(name: str, more: str = "") -> str:
+    """The help of an option, and what it means in one command besides."""
+    return f"{OPTIONS[name].meaning} {more}".rstrip()
+
+
+def field_name(name: str) -> str:
+    """The field of a record that an option sets: `--mode-shape` sets `mode_shape`."""
+    return name.removeprefix("--").replace("-", "_")
+
+
+def meant(word: str, offered: list[str]) -> str | None:
+    """The option among those `offered` that an unknown word stands for; None if none is near.
+
+    >>> meant("--order", ["--orders", "--speed"]), meant("--rpm", ["--orders", "--speed"])
+    ('--orders', '--speed')
+    """
+    names = dict(_names(offered))
+    if word in names:
+        return names[word]
+    letters = {name.lstrip("-"): option for name, option in names.items()}
+    near = get_close_matches(word.lstrip("-"), letters, 1)
+    return letters[near[0]] if near else None
+
+
+def _names(offered: list[str]) -> Iterator[tuple[str, str]]:
+    """Each name under which an offered option is looked for; its own come last, and win."""
+    yield from (
+        (name, option) for option in offered if option in OPTIONS for name in OPTIONS[option].also
+    )
+    yield from ((option, option) for option in offered)
