@@ -304,7 +304,10 @@ def forces() -> str:
     engine = crankstar.load(SCHEMES["7-first"].file)
     return _figures(
         [
-            _drawn(charts.polygon(engine, order=k), f"Force polygon of order {k}, {engine.name}")
+            _drawn(
+                charts.polygon(engine, order=k, quantity="force"),
+                f"Force polygon of order {k}, {engine.name}",
+            )
             for k in (1, 2)
         ]
     )
@@ -535,7 +538,8 @@ def _pictures(file: str) -> list[str]:
     ]
     out += [
         _drawn(
-            charts.vector_star(engine, order=k), f"Star of the vectors of order {k}, {engine.name}"
+            charts.vector_star(engine, order=k, quantity="force"),
+            f"Star of the vectors of order {k}, {engine.name}",
         )
         for k in (1, 2)
     ]

@@ -17,8 +17,9 @@ from tests.methods.test_charts import BLUE, arrows, close, drawn, kind
 from tests.methods.test_charts_pictures import sound, words_of
 
 from crankstar import charts
-from crankstar.charts.drawing import GREY, SMALL, text_width
+from crankstar.charts.drawing import GREY
 from crankstar.charts.front_axes import Axis
+from crankstar.charts.letters import SMALL, text_width
 from crankstar.charts.search_values import order_lines
 from crankstar.language.numbers import number
 from crankstar.search.answer import Answer, AnswerRow, answer_to

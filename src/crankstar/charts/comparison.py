@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from crankstar.charts.drawing import ChartError, Panel, figure, folded, named, stacked
+from crankstar.charts.canvas import half_width
+from crankstar.charts.drawing import ChartError, Panel, figure, named, stacked
 from crankstar.charts.grammar import Chart
+from crankstar.charts.letters import folded
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
 
@@ -24,8 +26,9 @@ def compared(
         return figure(
             blocks[0], title=title, subtitle=[named(engines[0])], theta=theta, turns=turns
         )
+    width = half_width()
     columns = [
-        stacked([panel for row in block for panel in row], title=folded(named(engine), 30))
+        stacked([panel for row in block for panel in row], title=folded(named(engine), width=width))
         for engine, block in zip(engines, blocks, strict=True)
     ]
     if speed is None:

@@ -9,7 +9,8 @@ from math import lcm, pi
 
 import numpy as np
 
-from crankstar.charts.drawing import BLUE, GREY, WIDTH, Panel, figure, numbers_text
+from crankstar.charts.canvas import panel_width
+from crankstar.charts.drawing import BLUE, GREY, Panel, figure, numbers_text
 from crankstar.charts.grammar import Chart
 from crankstar.charts.labels import Label, gathered
 from crankstar.charts.plane import Arrow, Dot, Frame, Plane, Stroke, label_margin, picture
@@ -51,9 +52,10 @@ def crank_star(engine: Engine, *, theta: float = 0.0) -> Chart:
 
 
 def crank_panel(
-    engine: Engine, *, theta: float, width: float = WIDTH, room: float = ROOM, title: str = ""
+    engine: Engine, *, theta: float, width: float | None = None, room: float = ROOM, title: str = ""
 ) -> tuple[Panel, bool]:
     """The crank star as a panel, and whether its shafts are drawn closer together."""
+    width = panel_width() if width is None else width
     radius = max(throw.radius for shaft in engine.shafts for throw in shaft.throws)
     places, moved = _places(engine, radius)
     axes = _axes(engine, places, radius)

@@ -10,21 +10,13 @@ from typing import Any, NamedTuple, get_args
 import numpy as np
 
 from crankstar import spectra
+from crankstar.charts.canvas import half_width, panel_width
+from crankstar.charts.choices import quantity_shown
 from crankstar.charts.comparison import compared, same_unit
 from crankstar.charts.crank_angle import across, at_theta, waves
-from crankstar.charts.drawing import (
-    GREY,
-    HALF,
-    LINES,
-    PALETTE,
-    VERMILION,
-    WIDTH,
-    Panel,
-    checked_order,
-    layered,
-)
+from crankstar.charts.drawing import GREY, LINES, PALETTE, VERMILION, Panel, checked_order, layered
 from crankstar.charts.grammar import DISC, Chart, constant, field, of_rows, own, span
-from crankstar.charts.sums import Engines, Quantity, Signal, Sum, checked_quantity, several, sums
+from crankstar.charts.sums import Engines, Quantity, Signal, Sum, several, sums
 from crankstar.language.messages import N_, _
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.remains import NEGLIGIBLE, sizes
@@ -101,7 +93,7 @@ def _strongest(curves: Sequence[Curve]) -> list[float]:
 def over_turn(
     engine: Engines,
     *,
-    quantity: Signal = "force",
+    quantity: Signal | None = None,
     orders: Sequence[float] | None = None,
     speed: float | None = None,
     reference: Reference | None = None,
@@ -109,30 +101,35 @@ def over_turn(
 ) -> Chart:
     """A quantity over one period of the crank angle: by order (thin), sum (thick), rule at `theta`.
 
-    Force and couple have a panel for their upward and one for their rightward component. `orders`
-    names those drawn by themselves, else the strongest four; the sum is always of all. In units of
-    m r w^2 or, at a `speed` (rad/s), in N and N m. Several engines stand side by side on common
-    axes. Raises ChartError.
+    Without a `quantity` it is the first of force, couple, rolling moment and torque of which
+    something is left. Force and couple have a panel for their upward and one for their rightward
+    component. `orders` names those drawn by themselves, else the strongest four; the sum is always
+    of all. In units of m r w^2 or, at a `speed` (rad/s), in N and N m. Several engines stand side
+    by side on common axes. Raises ChartError.
     """
     engines = several(engine)
-    checked_quantity(quantity, Signal)
+    choice = quantity_shown(engines, quantity, among=Signal, reference=reference)
     asked = None if orders is None else [checked_order(order) for order in orders]
-    wholes = [sums(one, [quantity], speed=speed, reference=reference)[0] for one in engines]
+    wholes = [sums(one, [choice.quantity], speed=speed, reference=reference)[0] for one in engines]
     unit = same_unit(one.unit for one in wholes)
     turns = max(one.turns for one in wholes)
     curves = [_curves(whole) for whole in wholes]
     shown = [sorted(_strongest(each) if asked is None else asked) for each in curves]
     names = [*map(_name, sorted({*chain(*shown)})), _(TOTAL)]
     reach = max(_reach(each, turns) for each in curves) or 1.0
-    width = WIDTH if len(engines) == 1 else HALF - 30
+    width = panel_width() if len(engines) == 1 else half_width() - 30
     blocks = [
         [
-            [_panel(curve, quantity, _rows(curve, orders, turns), names, reach, turns, width)]
+            [
+                _panel(
+                    curve, choice.quantity, _rows(curve, orders, turns), names, reach, turns, width
+                )
+            ]
             for curve in each
         ]
         for each, orders in zip(curves, shown, strict=True)
     ]
-    title = _(TITLES[quantity], unit=unit)
+    title = _(TITLES[choice.quantity], unit=unit)
     return compared(engines, blocks, title=title, speed=speed, theta=theta, turns=turns)
 
 
@@ -151,7 +148,9 @@ def _panel(
 ) -> Panel:
     """A component from -`reach` to `reach`; `names` have a colour each, the sum is grey."""
     colours = {"domain": names, "range": [*islice(cycle(PALETTE), len(names) - 1), GREY]}
-    x = across(turns, ticks=(90 if width > HALF else 180) * turns, foot=curve.component != "up")
+    x = across(
+        turns, ticks=(90 if width > half_width() else 180) * turns, foot=curve.component != "up"
+    )
     title, none = (_(words) for words in COMPONENTS[quantity, curve.component])
     y = field("y:Q", scale=span(-1.08 * reach, 1.08 * reach), title=title, axis={"tickCount": 4})
     lines = (

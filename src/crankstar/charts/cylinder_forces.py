@@ -11,16 +11,14 @@ from typing import NamedTuple
 import numpy as np
 
 from crankstar import spectra
+from crankstar.charts.canvas import panel_width, relative_width
 from crankstar.charts.drawing import (
     BLUE,
     GREEN,
     GREY,
     ORANGE,
     PURPLE,
-    SMALL,
-    TEXT,
     VERMILION,
-    WIDTH,
     ChartError,
     Panel,
     brief,
@@ -32,6 +30,7 @@ from crankstar.charts.drawing import (
 )
 from crankstar.charts.grammar import COLOUR, Chart, field, of_rows, span
 from crankstar.charts.labels import Label
+from crankstar.charts.letters import SMALL, TEXT
 from crankstar.charts.plane import Arrow, Dot, Frame, Plane, picture
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
@@ -49,8 +48,10 @@ STEP, GREATEST_STEP = 13.0, 32.0
 """px between the feet of the arrows of a cylinder."""
 LONGEST_OBLIQUE = 44.0
 """px: the same where cylinders are not upright, so that it ends before their neighbours."""
-ROW, ROW_OBLIQUE = 6, 4
-"""Places in a row of cylinders, where all are upright and where they are not."""
+PLACE, PLACE_OBLIQUE = 55.0, 82.0
+"""px for a cylinder in a row, where all are upright and where they are not."""
+MOST_IN_ROW = 9
+"""Cylinders up to which a crank angle has one row; more have rows of equal length."""
 
 
 class Forces(NamedTuple):
@@ -122,18 +123,19 @@ def force_arrows(
     name = _rotating(engine) if any(np.any(one.rotating) for one in forces) else ""
     names = [_("order {order}", order=f"{order:g}") for order in sorted(set(orders))]
     key = [*zip(names, cycle(COLOURS), strict=False), (name, GREY), (_("net"), GREEN)]
-    places, longest = _places(engine, len(forces))
+    places, longest, wide = _places(engine, len(forces))
     vectors = [np.array([*one.orders, one.rotating, one.net]) for one in forces]
     scale = longest / (max(float(np.abs(each).max()) for each in vectors) or 1.0)
-    lowest = min(place.real for place in places)
-    bottom, top = (lowest - longest - 24) / scale, (longest + 40) / scale
-    frame = Frame(0.0, WIDTH / scale, bottom, top, scale)
     panels = []
     for at, angle in enumerate(angles):
         feet = [[*zip(each[:, at].tolist(), key, strict=True)] for each in vectors]
+        down, up = _reach([each[:, at] for each in vectors], places, longest / scale)
+        below = complex(down + 24 / scale)
+        lowest = min(place.real for place in places) / scale - below.real
+        frame = Frame(0.0, wide / scale, lowest - 10 / scale, up + 26 / scale, scale)
         plane = _plane(places, feet, frame)
         notes = [
-            Label(_foot_text(one.name, len(forces)), (place - longest - 14) / frame.scale, 0j)
+            Label(_foot_text(one.name, len(forces)), place / scale - below, 0j)
             for one, place in zip(forces, places, strict=True)
         ]
         title = _(
@@ -145,6 +147,16 @@ def force_arrows(
     title = _("Forces of each cylinder, in m r ω²")
     shown = [entry for entry in key if entry[0]]
     return figure([[_key(shown)], *panels], title=title, subtitle=[named(engine)])
+
+
+def _reach(
+    vectors: Sequence[Complex], places: Sequence[complex], longest: float
+) -> tuple[float, float]:
+    """How far vectors reach below and above their feet; rows in one panel all have the longest."""
+    if len({place.real for place in places}) > 1:
+        return longest, longest
+    ups = np.real(np.concatenate(vectors))
+    return max(0.0, -float(ups.min())), max(0.0, float(ups.max()))
 
 
 def _foot_text(name: str, count: int) -> str:
@@ -161,24 +173,27 @@ def _rotating(engine: Engine) -> str:
     return _("rotating mass") if masses else _("counterweight")
 
 
-def _places(engine: Engine, count: int) -> tuple[list[complex], float]:
-    """The middle of the feet of each group, as the shafts are placed or in rows; the longest arrow.
+def _places(engine: Engine, count: int) -> tuple[list[complex], float, float]:
+    """The middle of the feet of each group, as the shafts are placed or in rows.
 
-    All in px.
+    With the longest arrow and the width of the panel, all in px.
     """
     rights = [engine.shaft(cylinder.shaft).right for cylinder in engine.cylinders]
     heights = {engine.shaft(cylinder.shaft).up for cylinder in engine.cylinders}
-    left, room = min(rights), WIDTH - 140
+    left, room = min(rights), panel_width() - 140
     if len(set(rights)) == count > 1 and len(heights) == 1:
         span = max(rights) - left
         if min(b - a for a, b in pairwise(sorted(rights))) / span * room >= 50:
-            return [1j * ((right - left) / span * room + 70) for right in rights], LONGEST
+            places = [1j * ((right - left) / span * room + 70) for right in rights]
+            return places, LONGEST, panel_width()
     upright = all(abs(cylinder.bearing) < 1e-9 for cylinder in engine.cylinders)
-    row, longest = (ROW, LONGEST) if upright else (ROW_OBLIQUE, LONGEST_OBLIQUE)
-    step = WIDTH / min(count, row)
-    return [
-        complex(-(i // row) * 2.7 * longest, (i % row + 0.5) * step) for i in range(count)
-    ], longest
+    place, longest = (PLACE, LONGEST) if upright else (PLACE_OBLIQUE, LONGEST_OBLIQUE)
+    rows = -(-count // MOST_IN_ROW)
+    row = -(-count // rows)
+    wide = max(panel_width(), row * place * relative_width())
+    step = wide / row
+    places = [complex(-(i // row) * 2.7 * longest, (i % row + 0.5) * step) for i in range(count)]
+    return places, longest, wide
 
 
 def _plane(
@@ -191,7 +206,7 @@ def _plane(
     labels: list[Label] = []
     dots: list[Dot] = []
     rights = sorted({round(place.imag, 6) for place in places})
-    room = min([b - a for a, b in pairwise(rights)], default=WIDTH)
+    room = min([b - a for a, b in pairwise(rights)], default=frame.width)
     for place, each in zip(places, feet, strict=True):
         own = [(vector, colour) for vector, (name, colour) in each if name]
         # room for the lengths where neighbours leave it
@@ -236,9 +251,9 @@ def _key(entries: Sequence[tuple[str, str]]) -> Panel:
         {"x": start, "text": name, "colour": colour}
         for start, (name, colour) in zip(starts, entries, strict=True)
     ]
-    x, base = field("x:Q", scale=span(0, WIDTH), axis=None), of_rows(rows)
+    x, base = field("x:Q", scale=span(0, panel_width()), axis=None), of_rows(rows)
     marks = base.mark("point", shape="square", filled=True, size=90, opacity=1)
     words = base.mark("text", align="left", dx=9, fontSize=TEXT, baseline="middle")
     channels = {"x": x, "color": COLOUR}
     layers = [marks.encode(**channels), words.encode(**channels, text=field("text:N"))]
-    return layered(layers, width=WIDTH, height=14)
+    return layered(layers, width=panel_width(), height=14)

@@ -6,10 +6,11 @@ import re
 from collections.abc import Sequence
 from html import escape
 from math import degrees, isfinite
-from textwrap import wrap
 from typing import TYPE_CHECKING, Any
 
+from crankstar.charts.canvas import BETWEEN, curve_height, panel_width
 from crankstar.charts.grammar import Chart, Layer
+from crankstar.charts.letters import TEXT, folded
 from crankstar.language.messages import MessageError, _
 from crankstar.language.numbers import number
 
@@ -24,14 +25,10 @@ GREEN, ORANGE, PURPLE, SKY = "#009e73", "#e69f00", "#cc79a7", "#56b4e9"
 YELLOW = "#f0e442"
 PALETTE = (BLUE, GREEN, ORANGE, PURPLE, SKY)
 """For curves, after M. Okabe and K. Ito; vermilion marks the crank angle and optima."""
-WIDTH, HEIGHT = 330, 170
-"""Of the plotting area; with its axes a figure is about 400 pixels wide."""
-HALF = 190
-"""Width of a panel that has another one beside it."""
-SMALL, TEXT = 12, 13
-"""Sizes of letters, px."""
-LETTER = 0.56
-"""Mean width of a letter in its size; enough to keep labels apart."""
+HEIGHT = 170
+"""Of a panel of curves, px."""
+TITLE = 14
+"""Size of the letters of titles, px."""
 THETA = "theta"
 """The parameter of figures that depend on the crank angle, in degrees."""
 
@@ -48,7 +45,7 @@ Panel = dict[str, Any]
 
 def styled(*layers: Layer) -> Chart:
     """A chart of layers with a transparent ground, grey text and axes, and its legend above."""
-    panel = layered(layers, width=WIDTH, height=HEIGHT)
+    panel = layered(layers, width=panel_width(), height=curve_height(HEIGHT))
     return Chart({**panel, "background": "transparent", "config": STYLE})
 
 
@@ -69,7 +66,7 @@ STYLE = {
     "axis": {
         **{f"{part}Color": GREY for part in ("label", "title", "tick", "domain", "grid")},
         "labelFontSize": 13,
-        "titleFontSize": 14,
+        "titleFontSize": TITLE,
         "titleFontWeight": "normal",
         "gridOpacity": 0.25,
         "labelSeparation": 8,
@@ -80,7 +77,7 @@ STYLE = {
     "legend": {"labelColor": GREY, "labelFontSize": 13, "labelLimit": 200},
     "title": {
         "color": GREY,
-        "fontSize": 14,
+        "fontSize": TITLE,
         "fontWeight": "normal",
         "anchor": "start",
         "offset": 8,
@@ -99,7 +96,8 @@ def layered(layers: Sequence[Layer], *, width: float, height: float, title: str 
         "width": round(width, 3),
         "height": round(height, 3),
     }
-    return {**panel, "title": _head(title.split("\n"))} if title else panel
+    lines = [line for part in title.split("\n") for line in folded(part, width=width)]
+    return {**panel, "title": _head(lines)} if title else panel
 
 
 def stacked(panels: Sequence[Panel], *, title: Sequence[str]) -> Panel:
@@ -124,12 +122,14 @@ def figure(
     In HTML the parameter has a slider over `turns` of the crankshaft; in a picture it leaves no
     trace.
     """
-    below = [line for text in subtitle for line in folded(text)]
+    width = max(map(_row_width, rows))
+    below = [line for text in subtitle for line in folded(text, width=width)]
+    above = folded(title, width=width, size=TITLE)
     parts: dict[str, Any] = {
         "vconcat": [
-            {"hconcat": list(row), "spacing": 18} if len(row) > 1 else row[0] for row in rows
+            {"hconcat": list(row), "spacing": BETWEEN} if len(row) > 1 else row[0] for row in rows
         ],
-        "title": {"text": folded(title), **({"subtitle": below} if below else {})},
+        "title": {"text": above, **({"subtitle": below} if below else {})},
         "spacing": 14,
         "background": "transparent",
         "config": STYLE,
@@ -147,9 +147,13 @@ def figure(
     return Chart(parts)
 
 
-def folded(text: str, width: int = 48) -> list[str]:
-    """A text in lines as wide as a figure."""
-    return wrap(text, width, break_long_words=True) or [""]
+def _row_width(row: Sequence[Panel]) -> float:
+    """Of panels side by side, px."""
+    return sum(_width(panel) for panel in row) + BETWEEN * (len(row) - 1)
+
+
+def _width(panel: Panel) -> float:
+    return max(map(_width, panel["vconcat"])) if "vconcat" in panel else panel["width"]
 
 
 def named(engine: Engine) -> str:
@@ -200,11 +204,6 @@ def brief(value: float) -> str:
     ('1190', '0.254')
     """
     return number(float(f"{value:.3g}"))
-
-
-def text_width(text: str, size: float = TEXT) -> float:
-    """About how wide the longest line of a text is, px."""
-    return LETTER * size * max(map(len, text.split("\n")))
 
 
 def svg(chart: Chart, title: str) -> str:

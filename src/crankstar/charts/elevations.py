@@ -7,21 +7,11 @@ from itertools import pairwise
 from math import degrees, pi, radians
 from typing import Any, NamedTuple
 
+from crankstar.charts.canvas import panel_width
 from crankstar.charts.crank_stars import turns_together
-from crankstar.charts.drawing import (
-    BLUE,
-    GREY,
-    SMALL,
-    TEXT,
-    VERMILION,
-    WIDTH,
-    Panel,
-    figure,
-    layered,
-    numbers_text,
-    text_width,
-)
+from crankstar.charts.drawing import BLUE, GREY, VERMILION, Panel, figure, layered, numbers_text
 from crankstar.charts.grammar import COLOUR, Chart, field, of_rows, own, span
+from crankstar.charts.letters import SMALL, TEXT, text_width
 from crankstar.charts.plane import turning
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Cylinder, Shaft
@@ -34,6 +24,8 @@ ROW = 160.0
 """Height of the row of one shaft, px."""
 PIN, JOURNAL = 7.0, 7.0
 """Thickness of pins and journals, px."""
+LINE, LINES = 15.0, 4
+"""Height of a line of arms, px, and the greatest number of lines."""
 HIGH, DIMENSION, CYLINDER = 42.0, -64.0, 62.0
 """px above the axis: a pin that points up, the line of arms, the cylinder numbers."""
 
@@ -77,8 +69,8 @@ def shaft_elevation(
     places = [c.z for c in engine.cylinders]
     places += [item.z for shaft in engine.shafts for item in (*shaft.throws, *shaft.weights)]
     length, margin = max(places) - min(places), 40.0
-    scale = (WIDTH - 2 * margin) / length if length else 1.0
-    along = Along(max(places), scale, margin if length else WIDTH / 2)
+    scale = (panel_width() - 2 * margin) / length if length else 1.0
+    along = Along(max(places), scale, margin if length else panel_width() / 2)
     several = len(engine.shafts) > 1
     rows = [
         [_shaft_panel(engine, shaft, along, reference.z, name=shaft.name if several else "")]
@@ -101,12 +93,15 @@ def _askew(engine: Engine) -> float:
 
 def _shaft_panel(engine: Engine, shaft: Shaft, along: Along, zero: float, *, name: str) -> Panel:
     bars = _bars(engine, shaft, along)
-    texts = [*_cylinder_numbers(engine, shaft, along), *_arms(engine, shaft, along, zero)]
-    x = field("x:Q", scale=span(0, WIDTH) | {"zero": False}, axis=None)
-    upward = {"scale": span(DIMENSION - 24, ROW + DIMENSION - 24) | {"zero": False}, "axis": None}
+    arms, leaders = _arms(engine, shaft, along, zero)
+    texts = [*_cylinder_numbers(engine, shaft, along), *arms]
+    foot = min([DIMENSION - 24, *(text["y"] - 10 for text in arms)])
+    top = ROW + DIMENSION - 24
+    x = field("x:Q", scale=span(0, panel_width()) | {"zero": False}, axis=None)
+    upward = {"scale": span(foot, top) | {"zero": False}, "axis": None}
     height = field("y:Q", **upward)
     ends = {"x2": field("x2"), "y2": field("y2"), "color": COLOUR}
-    still = of_rows(_dimension(shaft, along, zero)).mark("rule", strokeWidth=1)
+    still = of_rows([*_dimension(shaft, along, zero), *leaders]).mark("rule", strokeWidth=1)
     moving = (
         turning(bars, {"h": "datum.vectorUp * datum.c - datum.vectorRight * datum.s"})
         .calculate(y1="datum.h * datum.lower", y2="datum.h * datum.upper")
@@ -119,8 +114,8 @@ def _shaft_panel(engine: Engine, shaft: Shaft, along: Along, zero: float, *, nam
             moving.encode(x=x, y=field("y1:Q", **upward), strokeWidth=own("width:Q"), **ends),
             words.encode(x=x, y=height, text=field("text:N"), size=own("size:Q")),
         ],
-        width=WIDTH,
-        height=ROW,
+        width=panel_width(),
+        height=top - foot,
         title=name,
     )
 
@@ -186,15 +181,26 @@ def _dimension(shaft: Shaft, along: Along, zero: float) -> list[dict[str, Any]]:
     ]
 
 
-def _arms(engine: Engine, shaft: Shaft, along: Along, zero: float) -> list[dict[str, Any]]:
-    """The arms below their ticks, where there is room."""
+def _arms(
+    engine: Engine, shaft: Shaft, along: Along, zero: float
+) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
+    """The arms below their ticks, lower where one would cover another, with lines down to them."""
     scale = 1.0 if "pitch" in engine.relative else 1000.0
-    out: list[dict[str, Any]] = []
-    taken = -1e9
+    texts: list[dict[str, Any]] = []
+    leaders: list[dict[str, Any]] = []
+    taken = [-1e9] * LINES
     for z in _stations(shaft):
         text = number(round((z - zero) * scale, 9), 1.0, digits=4).replace("-", "−")
         x, half = along.at(z), text_width(text, SMALL) / 2
-        if x - half > taken + 3:
-            out.append({"x": x, "y": DIMENSION - 14, "text": text, "size": SMALL})
-            taken = x + half
-    return out
+        line = next((at for at, end in enumerate(taken) if x - half > end + 4), None)
+        if line is None:
+            continue
+        taken[line] = x + half
+        y = DIMENSION - 14 - LINE * line
+        texts.append({"x": x, "y": y, "text": text, "size": SMALL})
+        if line:
+            # no number of a higher line may stand on the line down to this one
+            taken[:line] = [max(end, x) for end in taken[:line]]
+            thin = {"colour": GREY, "dash": [1, 0]}
+            leaders.append({"x": x, "x2": x, "y": DIMENSION - 4, "y2": y + 8, **thin})
+    return texts, leaders

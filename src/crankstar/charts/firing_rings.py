@@ -8,18 +8,11 @@ from math import pi, radians
 
 import numpy as np
 
-from crankstar.charts.drawing import (
-    GREY,
-    PALETTE,
-    TEXT,
-    VERMILION,
-    WIDTH,
-    figure,
-    numbers_text,
-    text_width,
-)
+from crankstar.charts.canvas import panel_width
+from crankstar.charts.drawing import GREY, PALETTE, VERMILION, figure, numbers_text
 from crankstar.charts.grammar import Chart
 from crankstar.charts.labels import Label
+from crankstar.charts.letters import TEXT, text_width
 from crankstar.charts.plane import Arrow, Dot, Frame, Plane, Stroke, empty, picture, round_frame
 from crankstar.charts.strokes import NO_ORDER, cycle_of, spacing
 from crankstar.engine.engine import Engine
@@ -58,13 +51,13 @@ def firing_ring(engine: Engine, *, theta: float = 0.0) -> Chart:
     cycle = cycle_of(engine)
     turns = round(engine.cycle_angle / 360)
     if cycle is None:
-        frame = round_frame(1.0, width=WIDTH, margin=MARGIN)
+        frame = round_frame(1.0, width=panel_width(), margin=MARGIN)
         note = empty(frame, _(NO_ORDER))._replace(anchor=-0.2 + 0j)
         plane, words = Plane((_pointer(1.0, turns),), (_arc(0.0, 360.0),), notes=(note,)), []
     else:
         groups = _groups(engine)
         below = LINE * (len(groups) + 0.5) if len(groups) > 1 else 0.0
-        frame = round_frame(1.0, width=WIDTH, margin=MARGIN, below=below)
+        frame = round_frame(1.0, width=panel_width(), margin=MARGIN, below=below)
         pairs = in_succession(cycle.firing, neighbours(engine))
         plane = _ring(cycle, groups, pairs, frame)
         words = [_evenness(cycle)]

@@ -5,10 +5,11 @@ from __future__ import annotations
 from itertools import accumulate
 from typing import TYPE_CHECKING, Any
 
-from crankstar.charts.drawing import GREY, SMALL, Panel, layered
+from crankstar.charts.drawing import GREY, Panel, layered
 from crankstar.charts.front_numbers import MOST_LISTED
 from crankstar.charts.grammar import field, of_rows, span
-from crankstar.charts.search_values import columns, digits_width, order_lines
+from crankstar.charts.letters import SMALL, text_width
+from crankstar.charts.search_values import columns, order_lines
 from crankstar.language.messages import _
 from crankstar.language.numbers import number
 
@@ -32,12 +33,12 @@ def front_key(answer: Answer) -> Panel:
         names.append(_("neighbours"))
         cells = [[*own, str(row.neighbours)] for own, row in zip(cells, listed, strict=True)]
     widths = [
-        max(digits_width(text) for text in column) + 16
+        max(text_width(text, SMALL) for text in column) + 16
         for column in zip(names, *cells, strict=True)
     ]
     room = max(KEY - sum(widths), 120.0)
     orders = [order_lines(answer.question.stars, row, width=room) for row in listed]
-    longest = max(digits_width(line) for order in orders for line in order)
+    longest = max(text_width(line, SMALL) for order in orders for line in order)
     ends = list(accumulate(widths, initial=longest))
     texts = [
         _text(_("firing order"), 0, 0),

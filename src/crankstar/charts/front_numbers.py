@@ -8,9 +8,10 @@ from itertools import pairwise
 from math import ceil, hypot, radians
 from typing import Any
 
-from crankstar.charts.drawing import SMALL, WIDTH, text_width
+from crankstar.charts.canvas import panel_width
 from crankstar.charts.front_axes import Axis
 from crankstar.charts.labels import Box, meets
+from crankstar.charts.letters import SMALL, text_width
 
 HEIGHT = 250
 """Of the plotting area, px."""
@@ -113,9 +114,10 @@ def _leader(spot: complex, place: Box) -> list[complex]:
 
 
 def _is_free(place: Box, taken: Sequence[Box]) -> bool:
-    off = place.middle - complex(HEIGHT, WIDTH) / 2
+    off = place.middle - complex(HEIGHT, panel_width()) / 2
     inside = (
-        abs(off.imag) + place.across <= WIDTH / 2 and abs(off.real) + place.upright <= HEIGHT / 2
+        abs(off.imag) + place.across <= panel_width() / 2
+        and abs(off.real) + place.upright <= HEIGHT / 2
     )
     return inside and not any(meets(place, other) for other in taken)
 

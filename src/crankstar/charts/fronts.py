@@ -6,22 +6,13 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
-from crankstar.charts.drawing import (
-    BLUE,
-    GREY,
-    PALETTE,
-    SMALL,
-    TEXT,
-    WIDTH,
-    ChartError,
-    Panel,
-    figure,
-    layered,
-)
+from crankstar.charts.canvas import panel_width
+from crankstar.charts.drawing import BLUE, GREY, PALETTE, ChartError, Panel, figure, layered
 from crankstar.charts.front_axes import Axis, axis_of, channel, spans_decades
 from crankstar.charts.front_keys import front_key
 from crankstar.charts.front_numbers import DOT, HEIGHT, point_numbers
 from crankstar.charts.grammar import DISC, Chart, constant, field, of_rows
+from crankstar.charts.letters import SMALL, TEXT
 from crankstar.charts.search_values import Column, columns, engine_text
 from crankstar.language.messages import _
 from crankstar.search.engines import firing_order
@@ -63,7 +54,7 @@ def pareto_front(
     if logarithmic is None:
         logarithmic = any(spans_decades([point[place] for point in points]) for place in measured)
     first, second = ([point[place] for point in (*points, *pale)] for place in (0, 1))
-    across = axis_of(first, WIDTH, powers=logarithmic and 0 in measured)
+    across = axis_of(first, panel_width(), powers=logarithmic and 0 in measured)
     upward = axis_of(second, HEIGHT, powers=logarithmic and 1 in measured)
     panel, every_number = _front_panel(answer, heads, across, upward, pale)
     names = {"objectives": ", ".join(head.name for head in heads[:-1]), "last": heads[-1].name}
@@ -109,7 +100,7 @@ def _front_panel(
         layers.append(lines.encode(x=x, y=y, x2=field("x2"), y2=field("y2")))
     texts = of_rows(numbers).mark("text", fontSize=SMALL, color=GREY, baseline="middle")
     layers.append(texts.encode(x=x, y=y, text=field("text:N")))
-    return layered(layers, width=WIDTH, height=HEIGHT), len(numbers) == len(answer.rows)
+    return layered(layers, width=panel_width(), height=HEIGHT), len(numbers) == len(answer.rows)
 
 
 def _row(
@@ -144,7 +135,7 @@ def _colour(heads: Sequence[Column], rows: Sequence[dict[str, Any]]) -> Any:
         return field(
             "value2:O", scale=colours, legend=legend | {"titleOrient": "left", "format": "d"}
         )
-    legend |= {"gradientLength": WIDTH, "gradientThickness": 10, "tickCount": 5}
+    legend |= {"gradientLength": panel_width(), "gradientThickness": 10, "tickCount": 5}
     return field("value2:Q", scale={"scheme": "viridis"}, legend=legend)
 
 

@@ -8,11 +8,14 @@ from math import degrees, pi
 import numpy as np
 
 from crankstar import spectra
+from crankstar.charts.canvas import half_width, panel_width
+from crankstar.charts.choices import Choice, quantity_shown
 from crankstar.charts.comparison import compared, same_unit
 from crankstar.charts.crank_angle import waves
-from crankstar.charts.drawing import BLUE, GREY, HALF, SMALL, VERMILION, WIDTH, Panel, checked_order
+from crankstar.charts.drawing import BLUE, GREY, VERMILION, Panel
 from crankstar.charts.grammar import DISC, Channel, Chart, Layer, field, of_rows, own
 from crankstar.charts.labels import Label, gathered
+from crankstar.charts.letters import SMALL
 from crankstar.charts.plane import (
     HEAD_STYLE,
     Axes,
@@ -25,7 +28,7 @@ from crankstar.charts.plane import (
     picture,
     round_frame,
 )
-from crankstar.charts.sums import Engines, Quantity, Sum, checked_quantity, present, several, sums
+from crankstar.charts.sums import Engines, Quantity, Sum, present, several, sums
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
 from crankstar.mechanics.excitation import Reference
@@ -44,12 +47,13 @@ NONE = {
     "force": (N_("no force of order {order}"), N_("no force")),
     "couple": (N_("no couple of order {order}"), N_("no couple")),
 }
+NEITHER = (N_("no force and no couple of order {order}"), N_("no force and no couple"))
 
 
 def hodograph(
     engine: Engines,
     *,
-    quantity: Quantity = "force",
+    quantity: Quantity | None = None,
     order: float | None = None,
     speed: float | None = None,
     reference: Reference | None = None,
@@ -57,28 +61,30 @@ def hodograph(
 ) -> Chart:
     """The path of force or couple over a period, marked every 90 degrees of the crank.
 
+    Without a `quantity` it is the force, or the couple where no force is left.
+
     A dot is at `theta` (radians). One order is an ellipse, drawn with its semi-axes; without an
     order the sum of all is drawn. Equal scales, in units of m r w^2 or, at a `speed` (rad/s), in N
     and N m. Several engines stand side by side on common axes. Raises ChartError.
     """
     engines = several(engine)
-    checked_quantity(quantity)
-    courses = [sums(one, [quantity], speed=speed, reference=reference)[0] for one in engines]
+    choice = quantity_shown(engines, quantity, order=order, reference=reference)
+    courses = [sums(one, [choice.quantity], speed=speed, reference=reference)[0] for one in engines]
     if order is not None:
-        chosen = (spectra.selected(one.spectrum, checked_order(order)) for one in courses)
+        chosen = (spectra.selected(one.spectrum, order) for one in courses)
         pairs = zip(courses, map(present, chosen), strict=True)
         courses = [one._replace(spectrum=spectrum) for one, spectrum in pairs]
     unit = same_unit(one.unit for one in courses)
     frame = round_frame(
         max(spectra.peak(one.spectrum).value for one in courses),
-        width=WIDTH - 10 if len(engines) == 1 else HALF - 10,
+        width=panel_width() - 10 if len(engines) == 1 else half_width() - 10,
         margin=34,
     )
-    axes = Axes(*(_(title, unit=unit) for title in AXES[quantity]))
+    axes = Axes(*(_(title, unit=unit) for title in AXES[choice.quantity]))
     return compared(
         engines,
-        [[[_panel(one, order, frame, axes, theta)]] for one in courses],
-        title=_of_order(TITLES[quantity], order),
+        [[[_panel(one, choice, frame, axes, theta)]] for one in courses],
+        title=_of_order(TITLES[choice.quantity], order),
         speed=speed,
         theta=theta,
         turns=max(one.turns for one in courses),
@@ -91,15 +97,15 @@ def _of_order(forms: tuple[str, str], order: float | None) -> str:
     return _(whole) if order is None else _(single, order=f"{order:g}")
 
 
-def _panel(shown: Sum, order: float | None, frame: Frame, axes: Axes, theta: float) -> Panel:
+def _panel(shown: Sum, choice: Choice, frame: Frame, axes: Axes, theta: float) -> Panel:
+    order = choice.order
     cross = [
         Stroke((1j * frame.left, 1j * frame.right), width=0.6),
         Stroke((frame.bottom + 0j, frame.top + 0j), width=0.6),
     ]
     if not shown.spectrum.orders.size:
-        note = empty(frame, _of_order(NONE[shown.quantity], order))._replace(
-            direction=1 + 0j, gap=8
-        )
+        words = _of_order(NEITHER if choice.nothing else NONE[shown.quantity], order)
+        note = empty(frame, words)._replace(direction=1 + 0j, gap=8)
         plane = Plane(strokes=tuple(cross), notes=(note,))
         return picture(plane, frame, theta=theta, axes=axes)
     path = spectra.value(shown.spectrum, np.linspace(0, 2 * pi * shown.turns, _samples(shown)))

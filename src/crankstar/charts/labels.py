@@ -3,21 +3,25 @@
 from __future__ import annotations
 
 from cmath import exp
-from collections.abc import Sequence
-from math import pi
+from collections.abc import Iterator, Sequence
+from math import copysign, pi
 from typing import NamedTuple
 
 import numpy as np
 
-from crankstar.charts.drawing import TEXT, text_width
+from crankstar.charts.letters import TEXT, text_width
 from crankstar.spectra import Complex, Real
 
-ASIDE = (0, 40, -40, 75, -75, 110, -110)
+ASIDE = (0, 25, -25, 50, -50, 80, -80, 115, -115, 150, -150, 180)
 """Degrees from the preferred direction of a label, in the order in which they are tried."""
-GREATEST_LABELS = 60
+FARTHER = (0.0, 9.0, 20.0, 32.0, 46.0, 62.0, 80.0, 100.0, 122.0, 146.0)
+"""px beyond the gap of a label, in the order in which they are tried."""
+BESIDE = 75
+"""Degrees aside from which a label has a leader, as it has where it is farther away."""
+ACROSS_TEXT, ACROSS_LINE = 4.0, 0.4
+"""The cost of a line through a text, and of a leader over a line, in steps of 14 px or 60 deg."""
+GREATEST_LABELS = 150
 """Greatest number of legible labels."""
-WIDER = 1.14
-"""Allowance for a font with wider letters."""
 GAP = 5.0
 """Between the tip of an arrow and its label, px."""
 
@@ -28,8 +32,8 @@ class Label(NamedTuple):
     The point is `place + anchor` at theta = 0, and `anchor` turns with `rate`.
 
     `direction` (a unit vector at theta = 0 that turns as well) is the side of the point on which
-    the text is, `gap` (px) times `away` its distance. All in the clock plane, up + i*right, in the
-    units of the figure.
+    the text is, `gap` (px) its distance; a label that is `led` has a line to its point. All in the
+    clock plane, up + i*right, in the units of the figure.
     """
 
     text: str
@@ -40,7 +44,7 @@ class Label(NamedTuple):
     colour: str = "#808080"
     size: int = TEXT
     gap: float = GAP
-    away: float = 1.0
+    led: bool = False
 
 
 class Box(NamedTuple):
@@ -53,18 +57,21 @@ class Box(NamedTuple):
 
 def extent(label: Label) -> tuple[float, float]:
     """Half the width and half the height of a text, px."""
-    return WIDER * text_width(label.text, label.size) / 2, 0.6 * label.size * (
-        1 + label.text.count("\n")
-    )
+    return text_width(label.text, label.size) / 2, 0.6 * label.size * (1 + label.text.count("\n"))
 
 
 def box(label: Label, *, theta: float, scale: float) -> Box:
     """Where a label stands at a crank angle (radians), px; `scale` in px per unit."""
     across, upright = extent(label)
-    phase = exp(1j * label.rate * theta)
-    point, way = (label.place + label.anchor * phase) * scale, label.direction * phase
-    shift = complex((upright + label.gap) * way.real, (across + label.gap) * way.imag) * label.away
+    point, way = _point(label, theta=theta, scale=scale)
+    shift = complex((upright + label.gap) * way.real, (across + label.gap) * way.imag)
     return Box(point + shift, across, upright)
+
+
+def _point(label: Label, *, theta: float, scale: float) -> tuple[complex, complex]:
+    """The point of a label, px, and the side of it on which the text is."""
+    phase = exp(1j * label.rate * theta)
+    return (label.place + label.anchor * phase) * scale, label.direction * phase
 
 
 def apart(
@@ -76,34 +83,57 @@ def apart(
     within: Box,
     around: Sequence[Box] = (),
 ) -> list[Label]:
-    """The labels, moved aside from other labels and strokes, without those that find no place.
+    """The labels, moved aside from other labels and strokes, with leaders where they are far.
 
     `strokes` are the lines drawn at `theta`, from and to, px; `within` is the rectangle for labels,
-    `around` the occupied rectangles.
+    `around` the occupied rectangles. Labels that find no place are left out.
     """
     taken: list[Box] = list(around)
-    points = _points(strokes)
+    lines: Complex = np.array(strokes, complex).reshape(-1, 2)
     out: list[Label] = []
     for label in labels[:GREATEST_LABELS]:
         best: tuple[float, Label, Box] | None = None
-        for away in (1.0, 1.7, 2.6):
-            for turn in ASIDE:
-                least = abs(turn) / 60 + 2 * (away - 1)
-                if best is not None and least >= best[0] - 1e-9:
-                    continue
-                tried = label._replace(
-                    direction=label.direction * exp(1j * turn * pi / 180), away=away
-                )
-                here = box(tried, theta=theta, scale=scale)
-                if any(meets(here, other) for other in taken) or not _inside(here, within):
-                    continue
-                cost = least + 4 * _crossed(here, points)
-                if best is None or cost < best[0] - 1e-9:
-                    best = (cost, tried, here)
+        point, _way = _point(label, theta=theta, scale=scale)
+        for tried, least in _places(label):
+            if best is not None and least >= best[0] - 1e-9:
+                continue
+            here = box(tried, theta=theta, scale=scale)
+            if not _inside(here, within) or any(meets(here, other) for other in taken):
+                continue
+            cost = least + ACROSS_TEXT * int(_hit(here, lines).sum())
+            if tried.led and (best is None or cost < best[0]):
+                leader = np.array([[point, leader_end(point, here)]])
+                cost += ACROSS_TEXT * sum(bool(_hit(other, leader)[0]) for other in taken)
+                cost += ACROSS_LINE * _crossings(leader[0], lines)
+            if best is None or cost < best[0] - 1e-9:
+                best = (cost, tried, here)
         if best is not None:
             out.append(best[1])
             taken.append(best[2])
+            if best[1].led:
+                leader = np.array([[point, leader_end(point, best[2])]])
+                lines = np.concatenate([lines, leader])
     return out
+
+
+def _places(label: Label) -> Iterator[tuple[Label, float]]:
+    """The places of a label, each with its cost: aside and farther away."""
+    for farther in FARTHER:
+        for turn in ASIDE:
+            direction = label.direction * exp(1j * turn * pi / 180)
+            led = farther > FARTHER[1] or abs(turn) > BESIDE
+            tried = label._replace(direction=direction, gap=label.gap + farther, led=led)
+            yield tried, abs(turn) / 60 + farther / 14
+
+
+def leader_end(point: complex, box: Box) -> complex:
+    """Where the leader of a point ends at the rectangle of its text, px."""
+    off = box.middle - point
+    across, up = off.imag, off.real
+    return point + complex(
+        copysign(max(abs(up) - box.upright, 0.0), up),
+        copysign(max(abs(across) - box.across, 0.0), across),
+    )
 
 
 def gathered(places: Sequence[complex], near: float) -> list[list[int]]:
@@ -131,22 +161,36 @@ def meets(box: Box, other: Box) -> bool:
 def _inside(box: Box, frame: Box) -> bool:
     off = box.middle - frame.middle
     return (
-        abs(off.imag) + box.across / WIDER <= frame.across + 1
+        abs(off.imag) + box.across <= frame.across + 1
         and abs(off.real) + box.upright <= frame.upright + 1
     )
 
 
-STEPS: Real = np.linspace(0, 1, 25)
+def _hit(box: Box, lines: Complex) -> Real:
+    """Which of the lines [line, end] run through a rectangle, whose height is taken tightly."""
+    start, step = lines[:, 0] - box.middle, lines[:, 1] - lines[:, 0]
+    enter, leave = np.zeros(len(lines)), np.ones(len(lines))
+    for at, along, half in (
+        (np.imag(start), np.imag(step), box.across),
+        (np.real(start), np.real(step), 0.8 * box.upright),
+    ):
+        still = np.abs(along) < 1e-9
+        safe = np.where(still, 1.0, along)
+        ends = np.stack([(-half - at) / safe, (half - at) / safe])
+        beside = still & (np.abs(at) >= half)
+        enter = np.maximum(enter, np.where(still, 0.0, ends.min(axis=0)) + 2.0 * beside)
+        leave = np.minimum(leave, np.where(still, 1.0, ends.max(axis=0)))
+    return enter < leave
 
 
-def _points(strokes: Sequence[tuple[complex, complex]]) -> Complex:
-    """Points along strokes [stroke, step]."""
-    ends = np.array(strokes, complex).reshape(-1, 2)
-    return ends[:, :1] + (ends[:, 1:] - ends[:, :1]) * STEPS
-
-
-def _crossed(box: Box, points: Complex) -> int:
-    """How many strokes run through a rectangle."""
-    along = points - box.middle
-    hit = (np.abs(along.imag) < box.across) & (np.abs(along.real) < 0.8 * box.upright)
-    return int(np.any(hit, axis=1).sum())
+def _crossings(leader: Complex, lines: Complex) -> int:
+    """How many lines [line, end] a leader crosses, its own ends aside."""
+    start, step = leader[0], leader[1] - leader[0]
+    if abs(step) < 1:
+        return 0
+    across = np.imag(np.conj(step) * (lines - start))
+    ways = lines[:, 1] - lines[:, 0]
+    ends = np.array([start + 0.08 * step, leader[1]])
+    sides = np.imag(np.conj(ways)[:, None] * (ends - lines[:, :1]))
+    hit: Real = (across[:, 0] * across[:, 1] < 0) & (sides[:, 0] * sides[:, 1] < 0)
+    return int(hit.sum())

@@ -14,12 +14,13 @@ from cmath import exp
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from math import floor, log10
+from math import ceil, floor, log10
 from typing import Any, NamedTuple
 
-from crankstar.charts.drawing import BLUE, GREY, Panel, checked_angle, layered, text_width
+from crankstar.charts.drawing import BLUE, GREY, Panel, checked_angle, layered
 from crankstar.charts.grammar import COLOUR, DISC, Channel, Layer, field, of_rows, own, span
 from crankstar.charts.labels import GAP, Box, Label, apart, box, extent
+from crankstar.charts.letters import text_width
 
 HEAD = "M0 0L-0.62 2L0.62 2Z"
 """An arrow head with its tip at the origin, pointing up."""
@@ -153,12 +154,12 @@ def picture(
     shown = [arrow for arrow in plane.arrows if abs(arrow.end - arrow.start) * scale > SHORTEST]
     segments = [_segment(arrow, theta) for arrow in shown]
     segments += [ends for stroke in plane.strokes for ends in pairwise(stroke.points)]
-    aside = 8 if axes is None else 0
+    aside = 3 if axes is None else 0
     moved = apart(
         plane.labels,
         theta=theta,
         scale=scale,
-        strokes=[(start * scale, end * scale) for start, end in segments[:400]],
+        strokes=[(start * scale, end * scale) for start, end in segments],
         within=Box(frame.middle * scale, frame.width / 2 + aside, frame.height / 2),
         around=[box(note, theta=theta, scale=scale) for note in plane.notes],
     )
@@ -170,7 +171,7 @@ def picture(
         layers.append(dots.encode(x=x, y=y, color=COLOUR, size=own("size:Q")))
     layers += more
     if labels or not layers:
-        layers.append(_texts(labels or [Label("", 0j, 0j)], scale, x, y))
+        layers += _texts(labels or [Label("", 0j, 0j)], scale, x, y)
     return layered(layers, width=frame.width, height=frame.height, title=title)
 
 
@@ -179,10 +180,25 @@ def coordinates(frame: Frame, axes: Axes | None) -> tuple[Channel, Channel]:
     across = {"scale": span(frame.left, frame.right) | {"zero": False}, "axis": None}
     upward = {"scale": span(frame.bottom, frame.top) | {"zero": False}, "axis": None}
     if axes is not None:
-        ticks = [{"tickCount": max(3, int(px))} for px in (frame.width / 70, frame.height / 60)]
-        across |= {"title": axes.right, "axis": ticks[0]}
-        upward |= {"title": axes.up, "axis": ticks[1]}
+        across |= {"title": axes.right, "axis": {"values": _ticks(frame)}}
+        upward |= {"title": axes.up, "axis": {"tickCount": max(3, int(frame.height / 60))}}
     return field("x2:Q", **across), field("y2:Q", **upward)
+
+
+def _ticks(frame: Frame) -> list[float]:
+    """Round values along the foot of a frame, as close as their numbers allow."""
+    power = 10.0 ** floor(log10((frame.right - frame.left) / 20))
+    for step in (power * factor for factor in (1, 2, 5, 10, 20, 50)):
+        places = range(ceil(frame.left / step), floor(frame.right / step) + 1)
+        values = [float(f"{place * step:.9g}") for place in places]
+        wide = max((text_width(f"−{value:.9g}") for value in values), default=0.0)
+        if step * frame.scale > wide + BETWEEN_TICKS or len(values) <= 3:
+            return values
+    return [0.0]
+
+
+BETWEEN_TICKS = 12.0
+"""px between the numbers of an axis."""
 
 
 def _segment(arrow: Arrow, theta: float) -> tuple[complex, complex]:
@@ -276,25 +292,45 @@ def _arrow_layers(arrows: Sequence[Arrow], scale: float, x: Channel, y: Channel)
     return [lines, heads.encode(x=x, y=y, **style)]
 
 
-def _texts(labels: Sequence[Label], scale: float, x: Channel, y: Channel) -> Layer:
-    """The labels away from their points, farther to the sides than up and down: text is wide."""
+def _texts(labels: Sequence[Label], scale: float, x: Channel, y: Channel) -> list[Layer]:
+    """The labels away from their points, farther to the sides than up and down: text is wide.
+
+    Those that are led have a thin line from the point to the nearest edge of the text.
+    """
 
     def room(label: Label) -> dict[str, float]:
-        across, upright = ((half + label.gap) * label.away / scale for half in extent(label))
-        return {"across": across, "upright": upright}
+        halves = [half / scale for half in extent(label)]
+        across, upright = (half + label.gap / scale for half in halves)
+        return {"across": across, "upright": upright, "wide": halves[0], "high": halves[1]}
 
     up, right = "datum.directionUp", "datum.directionRight"
-    base = turning(labels, _turned("2", "anchor"), room).calculate(
-        x3=f"datum.x2 + datum.across * ({up} * datum.s + {right} * datum.c)",
-        y3=f"datum.y2 + datum.upright * ({up} * datum.c - {right} * datum.s)",
-    )
-    return base.mark("text", baseline="middle", align="center", lineBreak="\n").encode(
+    moved = {
+        "offRight": f"datum.across * ({up} * datum.s + {right} * datum.c)",
+        "offUp": f"datum.upright * ({up} * datum.c - {right} * datum.s)",
+        "x3": "datum.x2 + datum.offRight",
+        "y3": "datum.y2 + datum.offUp",
+    }
+    edge = {"x4": _beyond("x2", "offRight", "wide"), "y4": _beyond("y2", "offUp", "high")}
+    base = turning(labels, _turned("2", "anchor"), room).calculate(**moved)
+    words = base.mark("text", baseline="middle", align="center", lineBreak="\n").encode(
         x={**x, "field": "x3"},
         y={**y, "field": "y3"},
         text=field("text:N"),
         color=COLOUR,
         size=own("size:Q"),
     )
+    led = [label for label in labels if label.led]
+    if not led:
+        return [words]
+    leaders = turning(led, _turned("2", "anchor"), room).calculate(**moved, **edge)
+    ends = {"x2": field("x4"), "y2": field("y4")}
+    return [leaders.mark("rule", strokeWidth=0.7).encode(x=x, y=y, **ends, color=COLOUR), words]
+
+
+def _beyond(point: str, off: str, half: str) -> str:
+    """An expression for a point that is moved off, but stops at the edge of a text."""
+    size = f"abs(datum.{off})"
+    return f"datum.{point} + datum.{off} / max({size}, 1e-12) * max({size} - datum.{half}, 0)"
 
 
 def label_margin(labels: Sequence[str]) -> float:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from crankstar.charts.canvas import half_width
 from crankstar.charts.crank_stars import crank_panel
-from crankstar.charts.drawing import HALF, ChartError, Panel, checked_angle, figure
+from crankstar.charts.drawing import ChartError, Panel, checked_angle, figure
 from crankstar.charts.grammar import Chart
 from crankstar.charts.search_values import columns, engine_text, order_lines, units_text
 from crankstar.language.messages import _
@@ -55,10 +56,10 @@ def _panel(answer: Answer, place: int, theta: float) -> Panel:
     ]
     if not any(head.counted for head in heads):
         values.append(_("neighbours {count}", count=row.neighbours))
-    order = order_lines(stars, row, width=HALF - 20)
+    order = order_lines(stars, row, width=half_width() - 20)
     words = [f"{place + 1}:  {order[0]}", *order[1:], *_pairs(values)]
     panel, _moved = crank_panel(
-        engine(stars, row.star), theta=theta, width=HALF, room=ROOM, title="\n".join(words)
+        engine(stars, row.star), theta=theta, width=half_width(), room=ROOM, title="\n".join(words)
     )
     return panel
 

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
-from crankstar.charts.drawing import LETTER, SMALL, numbers_text, text_width
-from crankstar.charts.labels import WIDER
+from crankstar.charts.drawing import numbers_text
+from crankstar.charts.letters import SMALL, text_width
 from crankstar.language.messages import _, _n
 from crankstar.language.numbers import unit_text
 from crankstar.search.engines import firing_order
@@ -15,9 +15,6 @@ from crankstar.search.stars import Stars
 
 if TYPE_CHECKING:
     from crankstar.search.answer import Answer, AnswerRow
-
-DASH = 0.33
-"""Width of a dash or a point in the size of the letters."""
 
 
 class Column(NamedTuple):
@@ -77,14 +74,7 @@ def order_lines(stars: Stars, row: AnswerRow, *, width: float) -> list[str]:
     lines = [""]
     for place, cylinder in enumerate(firing_order(stars, row.star), 1):
         piece = f"{cylinder}-" if place < stars.cylinders else str(cylinder)
-        if lines[-1] and digits_width(lines[-1] + piece) > width:
+        if lines[-1] and text_width(lines[-1] + piece, SMALL) > width:
             lines.append("")
         lines[-1] += piece
     return lines
-
-
-def digits_width(text: str) -> float:
-    """About how wide digits and dashes are, px."""
-    return WIDER * (
-        text_width(text, SMALL) - (LETTER - DASH) * SMALL * (text.count("-") + text.count("."))
-    )

@@ -8,21 +8,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from crankstar import spectra
+from crankstar.charts.canvas import half_width, panel_width
 from crankstar.charts.comparison import compared, same_unit
-from crankstar.charts.drawing import (
-    BLUE,
-    GREY,
-    HALF,
-    ORANGE,
-    SMALL,
-    WIDTH,
-    Panel,
-    brief,
-    layered,
-    text_width,
-)
+from crankstar.charts.drawing import BLUE, GREY, ORANGE, Panel, brief, layered
 from crankstar.charts.grammar import Chart, constant, field, of_rows, span
-from crankstar.charts.labels import WIDER, Box, meets
+from crankstar.charts.labels import Box, meets
+from crankstar.charts.letters import SMALL, text_width
 from crankstar.charts.sums import Engines, Sum, several, sums
 from crankstar.language.messages import N_, _
 from crankstar.mechanics.excitation import Reference
@@ -85,7 +76,7 @@ def spectrum(
     shown = [{order for one in column for order in one.visible()} for column in columns]
     names = [f"{order:g}" for order in sorted(set().union(*shown))] or ["1"]
     reaches = [max(one.reach for one in column) for column in columns]
-    width = WIDTH if len(engines) == 1 else HALF - 30
+    width = panel_width() if len(engines) == 1 else half_width() - 30
     blocks = [
         [
             [_panel(one.of(own), names, reach or 1.0, width)]
@@ -167,7 +158,7 @@ def tops(one: Bars, names: Sequence[str], *, reach: float, width: float) -> list
     out: list[dict[str, Any]] = []
     for at, size in sorted(lengths, key=lambda bar: -bar[1]):
         text = brief(size)
-        half = WIDER * text_width(text, SMALL) / 2
+        half = text_width(text, SMALL) / 2
         for lift in (8.0, 21.0, 34.0):
             here = Box(complex(size * px + lift, (at + 0.5) * slot), half, SMALL / 2)
             if here.middle.real + here.upright <= HEIGHT + 4 and not any(

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from math import degrees
 from typing import Any
 
+from crankstar.charts.canvas import panel_width
 from crankstar.charts.crank_angle import across, at_theta
 from crankstar.charts.drawing import (
     BLUE,
@@ -13,7 +14,6 @@ from crankstar.charts.drawing import (
     LINES,
     ORANGE,
     VERMILION,
-    WIDTH,
     YELLOW,
     ChartError,
     Panel,
@@ -197,7 +197,7 @@ def _panel(cycle: WorkingCycle, engine: Engine, group: ExhaustGroup, *, foot: bo
         bolts.encode(x=x, y=y),
         rule,
     ]
-    size = {"width": WIDTH, "height": height * len(chambers)}
+    size = {"width": panel_width(), "height": height * len(chambers)}
     return layered(layers, **size, title=_title(cycle, group))
 
 
@@ -218,4 +218,6 @@ def _crank_angle(turns: int, *, foot: bool) -> tuple[Channel, Layer]:
 def _empty(turns: int) -> Panel:
     x, rule = _crank_angle(turns, foot=True)
     words = of_rows([{"x": 180 * turns}]).mark("text", fontSize=13, color=GREY)
-    return layered([words.encode(x=x, text=constant(_(NO_ORDER))), rule], width=WIDTH, height=60)
+    return layered(
+        [words.encode(x=x, text=constant(_(NO_ORDER))), rule], width=panel_width(), height=60
+    )

@@ -6,19 +6,19 @@ from collections.abc import Sequence
 from itertools import cycle, islice
 from typing import Any
 
+from crankstar.charts.canvas import panel_width
 from crankstar.charts.drawing import (
     GREY,
     LINES,
     PALETTE,
     VERMILION,
-    WIDTH,
     ChartError,
     Panel,
     figure,
-    folded,
     layered,
 )
 from crankstar.charts.grammar import DISC, Chart, field, of_rows, span
+from crankstar.charts.letters import folded
 from crankstar.language.messages import _
 from crankstar.language.numbers import number, unit_text
 from crankstar.spectra import Real
@@ -77,7 +77,7 @@ def _panel(sweep: Sweep, pairs: Sequence[tuple[Curve, Best | None]], *, foot: bo
     x = field(
         "x:Q",
         scale=span(float(sweep.values.min()), float(sweep.values.max())),
-        title=folded(name, 44) if foot else None,
+        title=folded(name, width=panel_width()) if foot else None,
         axis={"tickCount": 5},
     )
     reach = max(float(curve.values.max()) for curve, _ in pairs) or 1.0
@@ -95,7 +95,7 @@ def _panel(sweep: Sweep, pairs: Sequence[tuple[Curve, Best | None]], *, foot: bo
         drop = of_rows(marks).mark("rule", color=GREY, strokeDash=[3, 3], strokeWidth=1)
         style = {**DISC, "filled": False, "size": 90, "strokeWidth": 2.2, "color": VERMILION}
         layers += [drop.encode(x=x), of_rows(marks).mark("point", **style).encode(x=x, y=y)]
-    return layered(layers, width=WIDTH, height=190)
+    return layered(layers, width=panel_width(), height=190)
 
 
 def _rows(values: Real, curve: Curve) -> list[dict[str, Any]]:

@@ -10,8 +10,10 @@ from typing import Any
 
 import numpy as np
 
+from crankstar.charts.canvas import half_width, panel_width
+from crankstar.charts.choices import order_shown
 from crankstar.charts.comparison import compared, same_unit
-from crankstar.charts.drawing import HALF, ORANGE, WIDTH, Panel, numbers_text
+from crankstar.charts.drawing import ORANGE, Panel, numbers_text
 from crankstar.charts.grammar import Chart
 from crankstar.charts.labels import Label, gathered
 from crankstar.charts.plane import (
@@ -35,6 +37,8 @@ from crankstar.language.numbers import number
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.remains import NEGLIGIBLE
 
+MANY, VERY_MANY, WIDER = 9, 20, 1.35
+"""Labels of a star above which it has a row for itself, and a wider one, by this factor."""
 TOGETHER = 3.0
 """px: tips closer than this share a label."""
 STARS = {
@@ -51,13 +55,15 @@ NONE = {"force": N_("no force of order {order}"), "couple": N_("no couple of ord
 def vector_star(
     engine: Engines,
     *,
-    order: float = 1.0,
-    quantity: Quantity = "force",
+    order: float | None = None,
+    quantity: Quantity | None = None,
     theta: float = 0.0,
     reference: Reference | None = None,
     speed: float | None = None,
 ) -> Chart:
     """The star of the vectors of an order at the crank angle `theta` (radians).
+
+    Without a name, order and quantity are the lowest of which something is left.
 
     One vector for each cylinder, throw and weight.
 
@@ -69,11 +75,14 @@ def vector_star(
     engines = several(engine)
     systems = _systems(engines, order=order, quantity=quantity, reference=reference, speed=speed)
     every = [star for shown in systems for star in shown.stars]
-    labels = [label.text for star in every for label in _tip_labels(star, TOGETHER / 1000)]
+    tips = [_tip_labels(star, TOGETHER / 1000) for star in every]
+    labels = [label.text for own in tips for label in own]
+    width = _width(systems, max(map(len, tips)))
+    share = 0.55 if width <= half_width() else 1.0
     frame = round_frame(
         max(abs(vector.value) for star in every for vector in star.vectors) if labels else 0.0,
-        width=_width(systems),
-        margin=max(0.55 * label_margin(labels), 26),
+        width=width,
+        margin=max(share * label_margin(labels), 26),
         below=BAR,
     )
     return _figure(engines, systems, _star_panel, frame, STARS, theta=theta, speed=speed)
@@ -82,13 +91,15 @@ def vector_star(
 def polygon(
     engine: Engines,
     *,
-    order: float = 1.0,
-    quantity: Quantity = "force",
+    order: float | None = None,
+    quantity: Quantity | None = None,
     theta: float = 0.0,
     reference: Reference | None = None,
     speed: float | None = None,
 ) -> Chart:
     """The polygon of the vectors of an order, by cylinder, at the crank angle `theta` (radians).
+
+    Without a name, order and quantity are the lowest of which something is left.
 
     Where it does not close, the resultant is drawn with its length and its plane at theta = 0: the
     angle from the cylinder axis (crank 1) in the direction of rotation for cylinders in a row, else
@@ -98,12 +109,27 @@ def polygon(
     engines = several(engine)
     systems = _systems(engines, order=order, quantity=quantity, reference=reference, speed=speed)
     reach = max(_circle(_corners(star))[1] for shown in systems for star in shown.stars)
-    frame = round_frame(reach, width=_width(systems), margin=24, below=BAR)
+    width = _width(systems, max(len(star.vectors) for shown in systems for star in shown.stars))
+    margin = 24 if width <= half_width() else 44
+    frame = round_frame(reach, width=width, margin=margin, below=BAR)
     return _figure(engines, systems, _polygon_panel, frame, POLYGONS, theta=theta, speed=speed)
 
 
-def _systems(engines: Sequence[Engine], *, speed: float | None, **options: Any) -> list[Stars]:
+def _systems(
+    engines: Sequence[Engine],
+    *,
+    order: float | None,
+    quantity: Quantity | None,
+    reference: Reference | None,
+    speed: float | None,
+) -> list[Stars]:
     """The vectors of each engine, all in one unit: in m r w^2 where only some have |A_k| = 1."""
+    choice = order_shown(engines, quantity, order, reference=reference)
+    options: dict[str, Any] = {
+        "order": choice.order,
+        "quantity": choice.quantity,
+        "reference": reference,
+    }
     systems = [stars(engine, speed=speed, **options) for engine in engines]
     if speed is None and len({shown.unit for shown in systems}) > 1:
         systems = [stars(engine, speed=speed, divided=False, **options) for engine in engines]
@@ -111,9 +137,12 @@ def _systems(engines: Sequence[Engine], *, speed: float | None, **options: Any) 
     return systems
 
 
-def _width(systems: Sequence[Stars]) -> float:
-    """Px of a panel."""
-    return WIDTH if len(systems) == len(systems[0].stars) == 1 else HALF
+def _width(systems: Sequence[Stars], labels: int) -> float:
+    """Px of a panel; of many labels one that has its own row, or more."""
+    if labels > VERY_MANY:
+        return WIDER * panel_width()
+    alone = len(systems) == len(systems[0].stars) == 1
+    return panel_width() if alone or labels > MANY else half_width()
 
 
 def _figure(
@@ -127,7 +156,9 @@ def _figure(
     speed: float | None,
 ) -> Chart:
     """A panel for every star."""
-    blocks = [[[panel(shown, star, frame, theta) for star in shown.stars]] for shown in systems]
+    rows = [[panel(shown, star, frame, theta) for star in shown.stars] for shown in systems]
+    below = frame.width > half_width() + 1
+    blocks = [[[one] for one in row] if below else [row] for row in rows]
     order, unit = systems[0].order, systems[0].unit
     return compared(
         engines,

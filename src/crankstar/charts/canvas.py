@@ -1,0 +1,63 @@
+"""The room for a figure: how wide its panels are, and how tall the panels of curves."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+from dataclasses import dataclass
+
+USUAL_WIDTH = 330.0
+BETWEEN, BESIDE = 18.0, 68.0
+"""px between two panels in a row; px of the axes beside a panel."""
+
+
+@dataclass(frozen=True)
+class Canvas:
+    """The width of a panel that stands alone, px; the height of curves in their usual height."""
+
+    width: float = USUAL_WIDTH
+    stretch: float = 1.0
+
+
+_USUAL = Canvas()
+_CANVAS: ContextVar[Canvas] = ContextVar("canvas", default=_USUAL)
+
+
+@contextmanager
+def drawn_on(canvas: Canvas) -> Iterator[None]:
+    """Within it, figures have this room."""
+    token = _CANVAS.set(canvas)
+    try:
+        yield
+    finally:
+        _CANVAS.reset(token)
+
+
+def panel_width() -> float:
+    """Of the plotting area of a panel that stands alone, px."""
+    return _CANVAS.get().width
+
+
+def figure_width() -> float:
+    """Of a figure with its axes, px.
+
+    >>> figure_width()
+    398.0
+    """
+    return panel_width() + BESIDE
+
+
+def half_width() -> float:
+    """Of a panel that has another one beside it, px."""
+    return (figure_width() - BETWEEN) / 2
+
+
+def curve_height(usual: float) -> float:
+    """Of a panel of curves or bars, whose scales may differ, px."""
+    return usual * _CANVAS.get().stretch
+
+
+def relative_width() -> float:
+    """Of panels, in their usual width."""
+    return panel_width() / USUAL_WIDTH
