@@ -21,7 +21,7 @@ from typing import Any, Literal, get_args, get_origin
 from pydantic.fields import FieldInfo
 
 from crankstar.engine import engine, layouts, records
-from crankstar.engine.basis import Override, Sizes
+from crankstar.engine.basis import BalanceShaft, Crankshaft, CrankWeight, Override, Sizes
 from crankstar.engine.records import Record
 from crankstar.files.forms import by_key, quantity_of, record_in, short_form
 
@@ -39,6 +39,9 @@ TABLES: dict[str, type[Record]] = {
     "short": short_form(None),
     "cylinder": Sizes,
     "override": Override,
+    "crankshaft": Crankshaft,
+    "crank weight": CrankWeight,
+    "balance shaft": BalanceShaft,
     "rod": records.Rod,
     "articulated": records.Articulation,
     "valves": records.Valves,
@@ -60,6 +63,9 @@ SECTIONS: dict[type[Record], str] = {
     layouts.Bank: "[a bank](#a-bank)",
     layouts.Crank: "[a crank](#a-crank)",
     layouts.Row: "[a row](#a-row)",
+    Crankshaft: "[a crankshaft](#crankshaft)",
+    CrankWeight: "[its weights](#crankshaft)",
+    BalanceShaft: "[a balance shaft](#balance_shaft)",
     records.Valves: "[valves](#valves)",
     records.Shaft: "[a shaft](#a-shaft)",
     records.Throw: "[a throw](#a-throw)",

@@ -131,7 +131,7 @@ def test_an_unknown_key_deep_inside_is_told_with_its_place() -> None:
     [
         ("cylinder.bor", ("provenance.misspelt", '"cylinder.bore"')),
         ("layout.bank[1].bearing", ("provenance.misspelt", '"layout.banks.bearing"')),
-        ("crankcase", ("provenance.unknown", None)),
+        ("moonphase", ("provenance.unknown", None)),
     ],
 )
 def test_a_source_of_a_value_that_no_file_has_is_refused(
@@ -183,8 +183,8 @@ def test_tables_of_a_list_are_called_by_one_name_only() -> None:
 def test_a_key_like_no_other_is_told_with_all_that_there_are() -> None:
     message = told("xyzzy = 1\n" + SHORT)["xyzzy"]
     assert message.startswith(
-        "is not a key of an engine file; there are: balance_factor, block, cycle, "
-        "cylinder, cylinders,"
+        "is not a key of an engine file; there are: balance_factor, balance_shaft, "
+        "block, crankshaft, cycle, cylinder, cylinders,"
     )
 
 

@@ -22,11 +22,11 @@ from crankstar.remedy import (
     RemedyError,
     best_weights,
     end_webs,
+    main_bearings,
     webs,
     without_counterweights,
 )
 from crankstar.remedy.aims import cones, measured, setting, with_unbalance
-from crankstar.remedy.planes import main_bearings
 from crankstar.remedy.programme import Ceiling, lower_bound, solved
 
 ENGINES = (

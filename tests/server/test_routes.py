@@ -98,7 +98,9 @@ def test_an_engine_is_fitted_with_what_is_asked_for(server: Server) -> None:
     shown = server.ask("api/fitted", {"engine": "triple-120", **asked}).json["exhibit"]
     weighted = fitting.by_factor(catalog.load("triple-120"), factor=1.0, weights="ends")
     after = fitting.with_shafts(weighted, ratios="all", places=fitting.ShaftPlaces())
-    assert shown["file"] == files.part_by_part(after)
+    given = catalog.tree_of("triple-120")[1]
+    assert shown["file"] == files.rewritten_by_parts(given, after)
+    assert shown["file"]["layout"] == given["layout"]
 
 
 def test_a_fitted_engine_that_cannot_be_had_is_refused_in_words(server: Server) -> None:

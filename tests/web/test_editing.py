@@ -431,16 +431,20 @@ def test_a_search_that_cannot_be_is_refused_in_a_sentence(editing: Page) -> None
 
 
 def test_fitting_puts_weights_on_and_undo_takes_them_off(editing: Page) -> None:
+    layout = on_stage(editing)["file"]["layout"]
     editing.get_by_label("Counterweights", exact=True).select_option("at the ends")
     editing.get_by_role("button", name="Fit", exact=True).click()
-    eventually(lambda: len(on_stage(editing)["file"].get("shaft", [{}])[0].get("weight", [])), 2)
-    expect(field(editing, "edit:shaft[1].weight[1].unbalance")).to_be_attached()
+    eventually(
+        lambda: len(on_stage(editing)["file"].get("crankshaft", [{}])[0].get("weight", [])), 2
+    )
+    assert on_stage(editing)["file"]["layout"] == layout
+    expect(field(editing, "edit:crankshaft[1].weight[1].unbalance")).to_be_attached()
     note = editing.locator(".editor .note")
     expect(note).to_contain_text("Fitted")
     expect(note).to_be_in_viewport()
     expect(note).to_be_focused()
     editing.get_by_role("button", name="Undo").click()
-    eventually(lambda: "layout" in on_stage(editing)["file"], True)
+    eventually(lambda: "crankshaft" in on_stage(editing)["file"], False)
 
 
 def test_the_editor_and_its_search_can_be_read_and_used(editing: Page) -> None:

@@ -12,7 +12,7 @@ from crankstar.cli.options import (
     Settings,
     Speed,
     engine_text,
-    loaded_engine,
+    engine_with_tree,
     option,
     together,
 )
@@ -31,18 +31,16 @@ def balance(
     prove: Annotated[bool, option("--prove")] = False,
     speed: Speed = None,
     settings: Settings = None,
-    output: Annotated[
-        str | None, option("--output", "The balanced engine, in the explicit form.")
-    ] = None,
+    output: Annotated[str | None, option("--output", "The balanced engine.")] = None,
 ) -> None:
     """Balance an engine with counterweights and balance shafts; print what remains."""
     from crankstar.derive import documents
     from crankstar.options.balancing import balanced
     from crankstar.tables.remedies import balancing_sheet
 
-    own, loaded, _turning = together(
+    own, (loaded, tree), _turning = together(
         partial(request.own_factor, engine, settings, otherwise=0.5),
-        partial(loaded_engine, engine, settings),
+        partial(engine_with_tree, engine, settings),
         partial(request.speed, speed),
     )
     with working(_("balancing ...")):
@@ -53,7 +51,7 @@ def balance(
 
             proof = proofs(job.before, job.after)
     if output is not None:
-        write(engine_text(job.after), output)
+        write(engine_text(job.after, tree), output)
     display(balancing_sheet(job))
     if proof:
         display(documents.rendered(proof))

@@ -14,7 +14,7 @@ from crankstar.cli.options import (
     Json,
     Settings,
     engine_text,
-    loaded_engine,
+    engine_with_tree,
     option,
     whole,
 )
@@ -68,7 +68,7 @@ def orders(
         request.refuse_unused({"--intervals": intervals, "--tolerance": tolerance}, beside="--any")
     else:
         request.refuse_unused({"--together": together}, without="--any")
-    loaded = loaded_engine(engine, settings)
+    loaded, tree = engine_with_tree(engine, settings)
     try:
         with working(_("Trying firing orders ...")):
             if any_:
@@ -91,7 +91,7 @@ def orders(
         give(tables.firing_orders(listing, limit=shown), output, form=form)
     else:
         fired = listing.orders[_index(row, listing.orders)].firing
-        write(engine_text(numbering.with_order(loaded, fired)), output)
+        write(engine_text(numbering.with_order(loaded, fired), tree), output)
 
 
 def _asked(engine: Engine, intervals: str | None, tolerance: str | None) -> Listing:

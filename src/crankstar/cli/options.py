@@ -13,7 +13,7 @@ from typing import Annotated, Any
 from cyclopts import Parameter, Token
 
 from crankstar.engine.engine import Engine
-from crankstar.files import EngineFileError, changed
+from crankstar.files import EngineFileError, changed, engine_of
 from crankstar.files.catalog import load, tree_of
 from crankstar.language.quoting import seen
 from crankstar.options import values as request
@@ -102,10 +102,21 @@ def command_text(verb: str, engine: str, options: Mapping[str, Sequence[str] | N
     return shlex.join(["crankstar", verb, engine, *(word for pair in pairs for word in pair)])
 
 
-def engine_text(engine: Engine) -> str:
-    """An engine file in the explicit form, never written where it could not be read again."""
-    from crankstar.files import engine_of, toml, tree_of
+def engine_with_tree(name: str, settings: Sequence[str] | None) -> tuple[Engine, dict[str, Any]]:
+    """The engine of a name or file with the values of --set, and the tree of its file with them."""
+    shown, tree = tree_of(name)
+    changes = request.settings(settings)
+    return engine_of(tree, name=shown, changes=changes), changed(tree, changes, name=shown)
 
-    content = toml(engine)
-    engine_of(tree_of(content))
+
+def engine_text(engine: Engine, tree: Mapping[str, Any] | None = None) -> str:
+    """An engine file, never written where it could not be read again.
+
+    In the form of the file it came from, whose tree is given, where that can say it; else explicit.
+    """
+    from crankstar.files import explicit, rewritten, tree_text
+    from crankstar.files import tree_of as tree_in
+
+    content = tree_text(explicit(engine) if tree is None else rewritten(tree, engine))
+    engine_of(tree_in(content))
     return content

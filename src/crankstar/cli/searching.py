@@ -5,12 +5,12 @@ from __future__ import annotations
 from functools import partial
 from pathlib import PurePath
 from types import ModuleType
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 from cyclopts import Parameter
 
 from crankstar.cli.application import app
-from crankstar.cli.options import FLAT, Settings, Speed, engine_and_speed, engine_text
+from crankstar.cli.options import FLAT, Settings, Speed, engine_text, engine_with_tree, together
 from crankstar.cli.output import complain, display, working, writable, write, write_result
 from crankstar.cli.search_options import Form, Work
 from crankstar.cli.tabulating import give
@@ -50,11 +50,13 @@ def search(
     workers = request.within("--workers", work.workers, most=GREATEST_WORKERS)
     deviations = options.deviations(form.uneven) if form.uneven is not None else None
     _check_work(work)
-    pace, about = None, options.whole_number(cylinders)
+    pace, tree, about = None, None, options.whole_number(cylinders)
     if about is not None:
         request.refuse_unused({"--set": settings, "--speed": speed}, without=_("an engine"))
     else:
-        about, turning = engine_and_speed(cylinders, settings, speed)
+        (about, tree), turning = together(
+            partial(engine_with_tree, cylinders, settings), partial(request.speed, speed)
+        )
         pace = turning or about.speed
     wanted = options.search_of(about, words, speed=pace)
     chart = form.chart or ("front" if kind in PICTURES else None)
@@ -67,7 +69,7 @@ def search(
     if answer.certificate.interrupted:
         return _stopped(answer, wanted.engine, kind, form.output)
     if row is not None:
-        _show_row(answer, wanted.engine, row, deviations, pace, form.output)
+        _show_row(answer, wanted.engine, row, deviations, pace, form.output, tree)
     else:
         _show(cylinders, answer, wanted.engine, kind, form.chart, form.output)
     return None
@@ -159,6 +161,7 @@ def _show_row(
     deviations: list[float] | None,
     speed: float | None,
     output: str | None,
+    tree: dict[str, Any] | None,
 ) -> None:
     """Write a row as an engine file; uneven angles as a table, or the engine of the last one."""
     from crankstar.search import engine_stars, engines
@@ -179,4 +182,4 @@ def _show_row(
             return
         later = curve[-1].later_deg
     build = engines.engine if engine is None else partial(engine_stars.with_star, engine)
-    write(engine_text(build(stars, star, later_deg=later)), output)
+    write(engine_text(build(stars, star, later_deg=later), tree), output)

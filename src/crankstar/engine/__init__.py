@@ -6,6 +6,7 @@
 | `records` | the frozen records: shafts, throws, weights, cylinders, rods, valves, block |
 | `assembly` | shafts and cylinders put together, and what follows without motion |
 | `basis` | what a layout needs besides angles: name, cycle, firing order, sizes |
+| `main_bearings` | main bearings and webs of a crankshaft, given or assumed |
 | `valves` | valve and port timing, given or assumed |
 | `checks` | sizes, numbers and references that must fit each other |
 | `copies` | changed copies of records, each checked again |
@@ -13,6 +14,7 @@
 | `dead_centres` | top and bottom dead centres of each chamber |
 | `firing_angles` | the crank angles at which a firing order fires |
 | `engine` | the Engine: an assembly that passed every check |
+| `crankshafts` | weights, bearings and balance shafts that a short file gives its crankshafts |
 | `arrangement` | cylinder places to an Engine: sizes, pins, counterweights |
 | `banks` | banks of cylinders and cranks as an engine file gives them |
 | `layouts` | in-line, vee, boxer, radial, tandem, opposed pistons |

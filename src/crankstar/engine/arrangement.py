@@ -18,6 +18,7 @@ from typing import Any
 from crankstar.engine import motion
 from crankstar.engine.basis import ASSUMED_ROD_RATIO, Basis, Sizes
 from crankstar.engine.copies import checked, turned_on, wrapped
+from crankstar.engine.crankshafts import equipped
 from crankstar.engine.dead_centres import dead_centres
 from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import Unknown
@@ -139,7 +140,7 @@ def assembled(
             "cylinders": tuple(sorted(cylinders, key=lambda cylinder: cylinder.number)),
         },
     )
-    return _timed(engine) if engine.first.articulated else engine
+    return equipped(_timed(engine) if engine.first.articulated else engine, basis)
 
 
 def _timed(engine: Engine) -> Engine:

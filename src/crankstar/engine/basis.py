@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+from math import pi
 from typing import Annotated
 
 from pydantic import Field
@@ -15,9 +17,24 @@ from crankstar.engine.quantities import (
     Ordinal,
     Position,
     Size,
+    SpeedRatio,
+    Unbalance,
     Unknown,
 )
-from crankstar.engine.records import GREATEST_CYLINDERS, Articulation, Identity, Record, Rod
+from crankstar.engine.records import (
+    GREATEST_CYLINDERS,
+    GREATEST_THROWS,
+    Articulation,
+    BearingCount,
+    Bearings,
+    BearingSupport,
+    CrankBending,
+    Identity,
+    Record,
+    Rod,
+    Webs,
+    Weight,
+)
 
 ASSUMED_ROD_RATIO = 4.0
 """Rod length over crank radius where a file gives neither; the output says so."""
@@ -69,6 +86,66 @@ class Override(Sizes):
     )
 
 
+class CrankWeight(Record):
+    """A weight of a crankshaft in a short file: it is placed from the pin it turns with."""
+
+    unbalance: Unbalance = Field(description="mass times radius of its centre")
+    angle: Angle = Field(
+        default=pi, description="from the pin of its throw, clockwise; opposite it if left out"
+    )
+    z: Position | None = Field(
+        default=None,
+        description="place along the shaft, positive to the front; at its throw's pin if left out",
+    )
+    throw: Ordinal | None = Field(
+        default=None,
+        description=(
+            "number of the throw it turns with, from front to rear; the nearest along the shaft if "
+            "left out"
+        ),
+    )
+
+
+class Crankshaft(Record):
+    """What a short file says of a crankshaft besides its throws."""
+
+    bearings: Bearings = ()
+    bearing_count: BearingCount = None
+    webs: Webs = ()
+    bending_stiffness: CrankBending = None
+    bearing_stiffness: BearingSupport = None
+    weights: tuple[CrankWeight, ...] = Field(
+        default=(),
+        validation_alias="weight",
+        serialization_alias="weight",
+        max_length=GREATEST_THROWS,
+        description="its counterweights, besides those of balance_factor",
+    )
+
+
+class BalanceShaft(Record):
+    """A shaft without throws, geared to the first crankshaft."""
+
+    name: Line = Field(default="balance shaft", description="by which results name it")
+    speed_ratio: SpeedRatio = Field(
+        default=Fraction(-1),
+        description="turns per turn of the first crankshaft; negative turns the other way",
+    )
+    up: Length = Field(default=0.0, description="height of its axis over the first crankshaft")
+    right: Length = Field(
+        default=0.0,
+        description="its axis to the right of the first crankshaft, seen from the front",
+    )
+    weights: tuple[Weight, ...] = Field(
+        default=(),
+        validation_alias="weight",
+        serialization_alias="weight",
+        max_length=GREATEST_THROWS,
+        description="its weights",
+    )
+    bearings: Bearings = ()
+
+
 class Basis(Identity):
     """Everything of a short engine file but its layout."""
 
@@ -89,4 +166,18 @@ class Basis(Identity):
             "a counterweight opposite each pin: all of its rotating mass and this share of "
             "its reciprocating mass"
         ),
+    )
+    crankshafts: tuple[Crankshaft, ...] = Field(
+        default=(),
+        validation_alias="crankshaft",
+        serialization_alias="crankshaft",
+        max_length=16,
+        description="main bearings, webs and weights of each crankshaft, the first one first",
+    )
+    balance_shafts: tuple[BalanceShaft, ...] = Field(
+        default=(),
+        validation_alias="balance_shaft",
+        serialization_alias="balance_shaft",
+        max_length=15,
+        description="shafts with weights only, geared to the first crankshaft",
     )

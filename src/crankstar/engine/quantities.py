@@ -93,6 +93,10 @@ BodyInertia = Annotated[
     Number, Field(gt=0), Quantity("moment of inertia", "9.5 kg*m^2", _MASS | _ACROSS)
 ]
 Unbalance = Annotated[Number, Field(ge=0), UNBALANCE]
+BendingStiffness = Annotated[
+    Number, Field(gt=0), Quantity("bending stiffness", "400 kN*m^2", _ALONG)
+]
+BearingStiffness = Annotated[Number, Field(gt=0), Quantity("stiffness", "500 kN/mm", _ALONG)]
 Speed = Annotated[Number, Field(gt=0), SPEED]
 Ordinal = Annotated[int, Field(strict=True, ge=1, le=10_000)]
 

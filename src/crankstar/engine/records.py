@@ -16,6 +16,8 @@ from pydantic_core import PydanticKnownError
 
 from crankstar.engine.quantities import (
     Angle,
+    BearingStiffness,
+    BendingStiffness,
     BodyInertia,
     Cycle,
     Inertia,
@@ -36,7 +38,46 @@ from crankstar.engine.quantities import (
 
 GREATEST_CYLINDERS = 256
 GREATEST_THROWS = 256
-"""Throws of one shaft; weights as well."""
+"""Throws of one shaft; weights, main bearings and webs as well."""
+
+Bearings = Annotated[
+    tuple[Position, ...],
+    Field(
+        max_length=GREATEST_THROWS + 1,
+        examples=[["0.19 m", "0 m", "-0.19 m"]],
+        description=(
+            "middles of the main bearings from front to rear, z; assumed beside the throws if left "
+            "out"
+        ),
+    ),
+]
+BearingCount = Annotated[
+    Annotated[int, Field(strict=True, ge=2, le=GREATEST_THROWS + 1)] | None,
+    Field(
+        description=(
+            "number of main bearings, where their places are not known; one more than throws if "
+            "left out"
+        )
+    ),
+]
+Webs = Annotated[
+    tuple[Position, ...],
+    Field(
+        max_length=2 * GREATEST_THROWS,
+        examples=[["0.12 m", "0.07 m"]],
+        description=(
+            "middles of the crank webs from front to rear, z; between pins and bearings if left out"
+        ),
+    ),
+]
+CrankBending = Annotated[
+    BendingStiffness | None,
+    Field(description="E I of the shaft as a beam, for bearing loads; with bearing_stiffness"),
+]
+BearingSupport = Annotated[
+    BearingStiffness | None,
+    Field(description="of each main bearing with its wall; with bending_stiffness; else rigid"),
+]
 
 
 class Record(BaseModel):
@@ -122,6 +163,11 @@ class Shaft(Record):
         max_length=GREATEST_THROWS,
         description="its counterweights and balance weights",
     )
+    bearings: Bearings = ()
+    bearing_count: BearingCount = None
+    webs: Webs = ()
+    bending_stiffness: CrankBending = None
+    bearing_stiffness: BearingSupport = None
 
 
 class Cylinder(Record):

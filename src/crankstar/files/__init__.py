@@ -10,6 +10,7 @@
 | `changes` | values of a tree set by key path |
 | `read` | a tree of keys to an Engine, with every fault at once |
 | `write` | Engines to TOML, the JSON Schema |
+| `rewritten` | a changed engine in the form of the file it came from |
 | `starters` | commented files to begin with |
 | `catalog` | the engines of the package, and a file or engine by its name |
 """
@@ -17,6 +18,7 @@
 from crankstar.files.changes import changed, keys_of
 from crankstar.files.errors import EngineFileError
 from crankstar.files.read import engine_of, read
+from crankstar.files.rewritten import rewritten, rewritten_by_parts
 from crankstar.files.source import STANDARD_INPUT, read_tree, tree_of
 from crankstar.files.write import explicit, part_by_part, schema, toml, tree_text
 
@@ -30,6 +32,8 @@ __all__ = [
     "part_by_part",
     "read",
     "read_tree",
+    "rewritten",
+    "rewritten_by_parts",
     "schema",
     "toml",
     "tree_of",

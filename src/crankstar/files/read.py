@@ -109,7 +109,7 @@ def _short(tree: Tree) -> _Draft:
     near = _near_layout(layout)
     if near and isinstance(layout, dict):  # read as what is meant, it may show more mistakes
         tree = {**tree, "layout": {**layout, "type": near}}
-    relative = _unknown(tree)
+    relative = unknown_scales(tree)
     draft = _built(
         tree,
         form_of(tree),
@@ -147,7 +147,7 @@ def _near_layout(layout: Any) -> str:
     return next(iter(get_close_matches(kind.lower()[:60], LAYOUTS, 1)), "")
 
 
-def _unknown(tree: Tree) -> frozenset[str]:
+def unknown_scales(tree: Tree) -> frozenset[str]:
     """What a short file does not tell, so that its numbers must be bare."""
     cylinder, layout = (
         table if isinstance(table := tree.get(key), dict) else {} for key in ("cylinder", "layout")
@@ -157,6 +157,12 @@ def _unknown(tree: Tree) -> frozenset[str]:
     along = along or any(
         isinstance(value, str)
         for value in (layout.get("bank_offset"), *(bank.get("set_back") for bank in banks))
+    )
+    cranks = [crank for crank in _listed(tree.get("crankshaft")) if isinstance(crank, dict)]
+    along = along or any(
+        isinstance(value, str)
+        for crank in cranks
+        for value in (*_listed(crank.get("bearings")), *_listed(crank.get("webs")))
     )
     unknown = {
         "mass": not _tells(cylinder, "reciprocating_mass"),
@@ -228,7 +234,15 @@ def _faults_behind(
     return more + _faults_behind(more, rest, model, context, then)
 
 
-_OPTIONAL = {"cylinders", "valves", "block", "firing_order", "firing_angles"}
+_OPTIONAL = {
+    "cylinders",
+    "valves",
+    "block",
+    "firing_order",
+    "firing_angles",
+    "crankshaft",
+    "balance_shaft",
+}
 """Keys of a short file without which an engine can still be built."""
 
 

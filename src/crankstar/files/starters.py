@@ -34,6 +34,16 @@ rotating_mass = "{rotating}"      # big end and unbalanced crank pin, at crank r
 """
 
 _TAIL = """
+# [[crankshaft]]                  # the first one's bearings, webs and weights; assumed if left out
+# bearing_count = 2               # number of main bearings; or their places, from front to rear:
+# bearings = ["120 mm", "0 mm", "-120 mm"]    # 0 is the middle of the cylinders, + the front
+# weight = [{ throw = 1, unbalance = "20 g*m" }]                     # opposite pin 1
+
+# [[balance_shaft]]
+# speed_ratio = -1                # turns per turn of the crankshaft; or teeth, "29/31"
+# right = "100 mm"                # seen from the front; up = "..." for height
+# weight = [{ angle = "180 deg", unbalance = "10 g*m", z = "0 mm" }]   # bearing at theta = 0
+
 # [[cylinders]]                   # what is different about one of them
 # number = 1
 # reciprocating_mass = "655 g"
@@ -190,6 +200,8 @@ weight = [                        # counterweights: unbalance is mass times radi
   { angle = "-60 deg", unbalance = "0.04228 kg*m", z = "0 mm" },
   { angle = "60 deg", unbalance = "0.04228 kg*m", z = "-91 mm" },
 ]
+# bearings = ["136 mm", "45 mm", "-45 mm", "-136 mm"]   # main bearings; or bearing_count = 4
+# webs = ["114 mm", "68 mm", "23 mm", "-23 mm", "-68 mm", "-114 mm"]
 
 [[shaft]]
 name = "balance shaft"

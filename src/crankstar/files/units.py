@@ -86,6 +86,8 @@ _KINDS = {
     "rotational speed": _Kind("radian/second", "rad/s", 0.0, 2e4),
     "force": _Kind("newton", "N", 1e12, 1e12),
     "couple": _Kind("newton*metre", "N m", 1e12, 1e12),
+    "stiffness": _Kind("newton/metre", "N/m", 1e13, 1e13),
+    "bending stiffness": _Kind("newton*metre^2", "N*m^2", 1e13, 1e13),
 }
 _OTHERS = {
     "area": "metre^2",
@@ -106,6 +108,8 @@ _SHOWN = {
     "rotational speed": (9.549296585513721, "rpm"),
     "force": (1.0, "N"),
     "couple": (1.0, "N m"),
+    "stiffness": (1.0, "N/m"),
+    "bending stiffness": (1.0, "N*m^2"),
 }
 
 

@@ -28,7 +28,7 @@ def explicit(engine: Engine) -> dict[str, Any]:
 
     What is not set is left out.
     """
-    return _tree(engine, relative=frozenset(engine.relative))
+    return written(engine, frozenset(engine.relative))
 
 
 def part_by_part(engine: Engine) -> dict[str, Any]:
@@ -89,7 +89,11 @@ def _on_one_line(match: re.Match[str]) -> str:
     return "[" + " ".join(items).rstrip(",") + "]"
 
 
-def _tree(record: Record, *, relative: frozenset[str]) -> dict[str, Any]:
+def written(record: Record, relative: frozenset[str]) -> dict[str, Any]:
+    """The tree of a record, quantities as text with units but those `relative` to what is unknown.
+
+    What has its default value is left out.
+    """
     out: dict[str, Any] = {}
     for name, info in type(record).model_fields.items():
         value = getattr(record, name)
@@ -101,7 +105,7 @@ def _tree(record: Record, *, relative: frozenset[str]) -> dict[str, Any]:
 
 def _written(value: Any, quantity: Any, relative: frozenset[str]) -> Any:
     if isinstance(value, Record):
-        return _tree(value, relative=relative)
+        return written(value, relative)
     if isinstance(value, tuple):
         return [_written(item, quantity, relative) for item in value]
     if isinstance(value, dict):

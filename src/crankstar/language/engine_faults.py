@@ -33,6 +33,66 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} is {value}, but the shaft has {count} throws; name one of them, or leave it out",
     ),
     "weight.no-throws": N_("{where} is {value}, but the shaft has no throws; leave it out"),
+    "weight.no-place": N_("{where} has neither throw nor z; say where along the shaft it is"),
+    "bearings.counted-twice": N_("{where} is given beside bearings; keep one of the two"),
+    "bearings.no-throws": N_(
+        "{where} is {value}, but the shaft has no throws; give the places of its bearings instead"
+    ),
+    "bearings.too-many": Plural(
+        "{where} is {value}, but a shaft with pins at {count} place has at most {most} main "
+        "bearings beside them; give their places as bearings",
+        "{where} is {value}, but a shaft with pins at {count} places has at most {most} main "
+        "bearings beside them; give their places as bearings",
+    ),
+    "bearings.too-few": N_(
+        "{where} has one place; a shaft runs in two main bearings or more, give them all or none"
+    ),
+    "bearings.one-stiffness": N_(
+        "{where} is given without {other}; give both, or neither for rigid bearings"
+    ),
+    "bearings.outside": N_(
+        "{where} is {value} {unit}, outside the crankshaft, whose pins lie between z = {rear} and "
+        "{front} {unit}; a main bearing may be up to {room} {unit} beyond them"
+    ),
+    "bearings.out-of-order": N_(
+        "{where} is {value} {unit}, in front of the {before} {unit} before it; list the main "
+        "bearings from front to rear"
+    ),
+    "bearings.overlap": N_(
+        "{where} is {value} {unit} and overlaps the main bearing at {before} {unit} before it; "
+        "they must be at least {least} {unit} apart"
+    ),
+    "bearings.on-a-pin": N_(
+        "{where} is {value}, the place of crank pin {throw}; a main bearing stands beside the pins"
+    ),
+    "webs.outside": N_(
+        "{where} is {value} {unit}, outside the crankshaft, whose pins lie between z = {rear} and "
+        "{front} {unit}; a web may be up to {room} {unit} beyond them"
+    ),
+    "webs.out-of-order": N_(
+        "{where} is {value} {unit}, in front of the {before} {unit} before it; list the webs from "
+        "front to rear"
+    ),
+    "webs.overlap": N_(
+        "{where} is {value} {unit} and overlaps the web at {before} {unit} before it; they must be "
+        "at least {least} {unit} apart"
+    ),
+    "webs.on-a-pin": N_(
+        "{where} is {value}, the place of crank pin {throw}; a web stands beside its pin"
+    ),
+    "webs.on-a-bearing": N_(
+        "{where} is {value}, the place of main bearing {bearing}; a web stands between a pin and a "
+        "bearing"
+    ),
+    "webs.missing": N_(
+        "{where}: throw {throw} has no web beside it; give the planes of all webs, or of none"
+    ),
+    "crankshaft.too-many": Plural(
+        "{where} has {size} tables, but the layout has {count} crankshaft; give at most one for "
+        "each",
+        "{where} has {size} tables, but the layout has {count} crankshafts; give at most one for "
+        "each",
+    ),
     "cylinder.no-mass": N_(
         '{where} is 0, and no other cylinder has a reciprocating mass; give one, such as "650 g"'
     ),

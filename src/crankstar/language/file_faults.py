@@ -14,6 +14,8 @@ _DIMENSIONS = {
     "rotational speed": N_("a rotational speed"),
     "force": N_("a force"),
     "couple": N_("a couple"),
+    "stiffness": N_("a stiffness"),
+    "bending stiffness": N_("a bending stiffness"),
     "area": N_("an area"),
     "volume": N_("a volume"),
     "time": N_("a time"),
@@ -27,7 +29,7 @@ NAMED: dict[str, dict[str, str]] = {
     "dimension": _DIMENSIONS,
     "measured": _DIMENSIONS,
     "side": {"intake": N_("intake"), "exhaust": N_("exhaust")},
-    "unit": {"crank radii": N_("crank radii")},
+    "unit": {"crank radii": N_("crank radii"), "bore pitches": N_("bore pitches")},
     "cycle_name": {"two-stroke": N_("two-stroke"), "four-stroke": N_("four-stroke")},
     "kind": {
         "whole-number": N_("a whole number"),

@@ -57,7 +57,9 @@ def exhibition(
     )
     return Exhibition(
         engines=shown,
-        fitted=tuple(fitted(engine) for engine in engines),
+        fitted=tuple(
+            fitted(engine, file=tree) for engine, tree in zip(engines, trees, strict=True)
+        ),
         stroke_colours=StrokeColours(**STROKE_COLOURS),
         sources=tuple(sources),
         command=command,
@@ -132,21 +134,35 @@ def exhibit(
     )
 
 
-def fitted(engine: Engine) -> Exhibit | None:
-    """The engine with the weights and shafts that the verdict recommends, None if it needs none."""
+def fitted(engine: Engine, *, file: Mapping[str, Any] | None = None) -> Exhibit | None:
+    """The engine with the weights and shafts that the verdict recommends, None if it needs none.
+
+    `file` is the tree of its engine file.
+    """
     remedy = fitting.recommended(engine)
     if remedy is None:
         return None
-    return fitted_with(engine, remedy.after, factor=remedy.factor, description=remedy.description)
+    return fitted_with(
+        engine, remedy.after, factor=remedy.factor, description=remedy.description, file=file
+    )
 
 
 def fitted_with(
-    engine: Engine, after: Engine, *, factor: float | None, description: str = ""
+    engine: Engine,
+    after: Engine,
+    *,
+    factor: float | None,
+    description: str = "",
+    file: Mapping[str, Any] | None = None,
 ) -> Exhibit:
-    """The exhibit of `after`, with the tables of its weights and shafts, `description` first."""
+    """The exhibit of `after`, with the tables of its weights and shafts, `description` first.
+
+    Its file keeps the form of the `file` of the engine, where that can say everything.
+    """
     job = remedies.Job(engine, after, factor, speed=engine.speed, description=description)
     tables = printed(tuple(remedies.parts(job)))
-    return exhibit(after, file=files.part_by_part(after), relatives=False, remedies=tables)
+    own = files.part_by_part(after) if file is None else files.rewritten_by_parts(file, after)
+    return exhibit(after, file=own, relatives=False, remedies=tables)
 
 
 def _scale(engine: Engine) -> Scale:

@@ -3,7 +3,6 @@
 | module, bottom to top | one line |
 |---|---|
 | `loads` | the rotating and reciprocating masses on each crank pin; bobweights |
-| `planes` | positions of webs, ends and main bearings along a crankshaft |
 | `counterweights` | weights from a balance factor: at the throws, on webs, in given planes |
 | `programme` | the second-order cone programme behind the best weights, and its lower bound |
 | `aims` | force, couple, pitch, yaw, bearing load to minimise; as numbers and as cones |
@@ -12,6 +11,7 @@
 | `fitting` | an engine fitted with all of these; the cure that its verdict recommends |
 """
 
+from crankstar.engine.main_bearings import end_planes, end_webs, main_bearings, webs
 from crankstar.remedy.aims import Aim, Plane
 from crankstar.remedy.best import Best, Limit, aim_name, bearing_load, best_weights, without_weights
 from crankstar.remedy.counterweights import (
@@ -21,7 +21,6 @@ from crankstar.remedy.counterweights import (
     without_counterweights,
 )
 from crankstar.remedy.loads import Load, bobweight, loads
-from crankstar.remedy.planes import end_planes, end_webs, main_bearings, webs
 from crankstar.remedy.shafts import (
     GREATEST_RATIO,
     Need,

@@ -28,10 +28,10 @@ import numpy as np
 
 from crankstar import spectra
 from crankstar.engine.engine import Engine
+from crankstar.engine.main_bearings import main_bearings
 from crankstar.mechanics.balance import default_reference, unit_unbalance
 from crankstar.mechanics.excitation import Reference, part_spectra
 from crankstar.mechanics.mechanism import mechanism
-from crankstar.remedy.planes import main_bearings
 from crankstar.remedy.programme import Cone
 from crankstar.spectra import Complex, Real, Spectrum
 

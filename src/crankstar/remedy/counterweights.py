@@ -21,10 +21,10 @@ import numpy as np
 
 from crankstar.engine.copies import with_weights
 from crankstar.engine.engine import Engine
+from crankstar.engine.main_bearings import end_webs, pin_groups
 from crankstar.engine.records import Shaft, Weight
 from crankstar.language.messages import MessageError
 from crankstar.remedy.loads import Load, bobweight, loads
-from crankstar.remedy.planes import end_webs, spans
 
 GREATEST_FACTOR = 1.5
 CLOSEST = 1e-3
@@ -75,12 +75,12 @@ def with_web_weights(engine: Engine, *, factor: float, ends_only: bool = False) 
             return _in_planes(own, factor, end_webs(engine, shaft))
         by_throw = [
             _in_planes(
-                [pin for pin in own if pin.throw in span.throws],
+                [pin for pin in own if pin.throw in group.throws],
                 factor,
-                span.webs,
-                throw=span.throws[0] if len(span.throws) == 1 else None,
+                tuple(dict.fromkeys(group.webs)),  # an overhung throw may have one web
+                throw=group.throws[0] if len(group.throws) == 1 else None,
             )
-            for span in spans(engine, shaft)
+            for group in pin_groups(engine, shaft)
         ]
         return [weight for pair in by_throw for weight in pair]
 
@@ -185,7 +185,7 @@ def least_weights(*, force: complex, moment: complex, planes: Sequence[float]) -
     """
     places = np.array(planes, float)
     middle = float(np.mean(places))  # with moments about it, both conditions count alike
-    reach = float(np.max(np.abs(places - middle)))
+    reach = float(np.max(np.abs(places - middle))) or 1.0  # one plane has no reach
     conditions = np.array([np.ones(places.size), (places - middle) / reach])
     wanted = np.array([force, (moment - middle * force) / reach])
     return [complex(unbalance) for unbalance in np.linalg.pinv(conditions) @ wanted]

@@ -29,13 +29,13 @@ from crankstar import spectra
 from crankstar.engine.assembly import GREATEST_SHAFTS
 from crankstar.engine.copies import with_shaft, with_values, with_weights
 from crankstar.engine.engine import Engine
+from crankstar.engine.main_bearings import end_webs
 from crankstar.engine.records import Shaft, Weight
 from crankstar.mechanics import remains
 from crankstar.mechanics.balance import default_reference
 from crankstar.mechanics.excitation import Totals, part_spectra, rolling_moment, total
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.remedy.counterweights import RemedyError, apart, least_weights, turned_weights
-from crankstar.remedy.planes import end_webs
 from crankstar.spectra import Spectrum
 
 GREATEST_RATIO = 8

@@ -124,13 +124,18 @@ def derivation(engine: str | Tree, key: str) -> bytes:
 def fitted(engine: str | Tree, options: dict[str, Any]) -> bytes:
     """An engine with weights and balance shafts as an exhibit, or null. Raises Refused."""
     with mistakes_refused():
-        made, _ = engine_of(engine)
-        exhibit = _fitted(made, **options) if options else exhibits.fitted(made)
+        made, tree = engine_of(engine)
+        exhibit = _fitted(made, tree, **options) if options else exhibits.fitted(made, file=tree)
         return b'{"exhibit":' + (b"null" if exhibit is None else _json(exhibit)) + b"}"
 
 
 def _fitted(
-    engine: Engine, *, factor: float | None = None, weights: Any = None, shafts: Any = "none"
+    engine: Engine,
+    tree: Tree,
+    *,
+    factor: float | None = None,
+    weights: Any = None,
+    shafts: Any = "none",
 ) -> Exhibit | None:
     """An engine with what was asked for.
 
@@ -147,7 +152,7 @@ def _fitted(
         after = fitting.with_shafts(after, ratios=shafts, places=fitting.ShaftPlaces())
     if after is engine:
         return None
-    return exhibits.fitted_with(engine, after, factor=factor)
+    return exhibits.fitted_with(engine, after, factor=factor, file=tree)
 
 
 def toml(engine: str | Tree) -> bytes:

@@ -9,6 +9,7 @@ from math import degrees
 from crankstar.engine import motion
 from crankstar.engine.dead_centres import dead_centres
 from crankstar.engine.engine import Engine
+from crankstar.engine.main_bearings import main_bearings, webs
 from crankstar.engine.records import Block, Shaft
 from crankstar.files.catalog import Summary
 from crankstar.language.messages import N_, _, _n
@@ -28,6 +29,7 @@ def description(engine: Engine) -> Document:
 def _parts(engine: Engine) -> Iterator[Table | Remarks]:
     yield from remarks(*(_(words) for name, words in RELATIVE.items() if name in engine.relative))
     yield rotors(engine)
+    yield supports(engine)
     yield cylinders(engine)
     yield from harmonics(engine)
     if engine.valves is not None:
@@ -89,6 +91,31 @@ def rotors(engine: Engine) -> Table:
             product = weight.unbalance * unbalance.factor
             rows.append((*cells, None, weight.z * along.factor, None, product))
     return Table(_("Shafts, throws and weights"), columns, tuple(rows), key="rotors")
+
+
+def supports(engine: Engine) -> Table:
+    """Main bearings and webs of the shafts, and which of their places are assumed."""
+    along = scales(engine).along
+    columns = (
+        Column(_("shaft"), kind="text", key="shaft", wraps=True, label=True),
+        Column(_("part"), kind="text", key="part", label=True),
+        Column(_("number"), key="number"),
+        Column("z", along.unit, kind="list", key="z", wraps=True),
+        Column(_("place"), kind="text", key="place"),
+    )
+    rows: list[tuple[Value, ...]] = []
+    for shaft in engine.shafts:
+        for words, places, given in (
+            (_("main bearings"), main_bearings(engine, shaft), shaft.bearings),
+            (_("webs"), webs(engine, shaft), shaft.webs),
+        ):
+            place = _("from the file") if given else _("assumed")
+            if places:
+                zs = tuple(along.of(z) for z in places)
+                rows.append((shaft.name, words, len(places), zs, place))
+    doubtful = frozenset(index for index, row in enumerate(rows) if row[-1] == _("assumed"))
+    title = _("Main bearings and webs")
+    return Table(title, columns, tuple(rows), key="supports", doubtful=doubtful)
 
 
 def _shaft_label(shaft: Shaft, across: Scale) -> str:

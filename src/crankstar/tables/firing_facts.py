@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from crankstar.engine.engine import Engine
+from crankstar.engine.main_bearings import main_bearings, pin_groups
 from crankstar.engine.records import Shaft
 from crankstar.firing.intervals import firing
 from crankstar.firing.strokes import exhaust_groups, exhaust_intervals, working_cycle
@@ -15,8 +16,6 @@ from crankstar.firing.succession import Follower, in_succession, neighbours, par
 from crankstar.language.faults import EngineError
 from crankstar.language.messages import _, _n
 from crankstar.language.numbers import number
-from crankstar.remedy import main_bearings
-from crankstar.remedy.planes import spans
 from crankstar.tables.headings import firing_text
 
 COMPARED = 4
@@ -69,8 +68,8 @@ def layout_sentence(engine: Engine) -> str:
 
 
 def _throws(engine: Engine, shaft: Shaft) -> str:
-    throws = spans(engine, shaft)
-    pins = sorted({len(span.throws) for span in throws})
+    throws = pin_groups(engine, shaft)
+    pins = sorted({len(group.throws) for group in throws})
     values = {
         "throws": _n("{count} throw", "{count} throws", len(throws), count=len(throws)),
         "pins": _(" or ").join(map(str, pins)),

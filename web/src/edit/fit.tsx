@@ -15,7 +15,7 @@ const SHAFTS = {
   all: message('for all remaining orders'),
 } as const satisfies Record<NonNullable<Fitting['shafts']>, string>
 
-/** Puts counterweights and balance shafts on the engine; its file is then in the explicit form. */
+/** Puts counterweights and balance shafts on the engine; its file keeps its form. */
 export function Fit() {
   const session = useSession()
   const id = useId()

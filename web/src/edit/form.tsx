@@ -24,7 +24,7 @@ const GROUPS: readonly Group[] = [
   { title: message('Layout'), keys: ['layout'], open: true },
   { title: message('Shafts, throws and weights'), keys: ['shaft', 'bore_pitch'], open: true },
   { title: message('Cylinder'), keys: ['cylinder'], open: true },
-  { title: COUNTERWEIGHTS, keys: ['balance_factor'], open: true },
+  { title: COUNTERWEIGHTS, keys: ['balance_factor', 'crankshaft', 'balance_shaft'], open: true },
   { title: message('Individual cylinders'), keys: ['cylinders'], open: false },
   { title: message('Block'), keys: ['block'], open: false },
   { title: message('Valves or ports'), keys: ['valves'], open: false },
