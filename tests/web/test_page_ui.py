@@ -273,7 +273,7 @@ def test_every_panel_names_the_engine_it_shows_and_shows_either(
 def test_two_engines_stand_side_by_side(built_page: Build, page: Page) -> None:
     opened(page, built_page(CROSS, FLAT), "a=40&tab=compare")
     heads = page.get_by_role("columnheader").all_text_contents()
-    assert heads == ["order", load(CROSS).name, load(FLAT).name]
+    assert heads == ["order", load(CROSS).name, load(FLAT).name, "of the first"]
     line = page.get_by_role("row", name=re.compile("^Force 2"))
     expect(line).to_contain_text("horizontal line")
     expect(page.locator(".stage canvas").first).to_be_visible()

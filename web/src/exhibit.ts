@@ -247,6 +247,8 @@ export interface Row {
   /** shape of the path as a phrase: none, circle with the crank, horizontal line */
   path: string
   greatest: string
+  /** greatest as a number, 0 where nothing remains of the order */
+  size: number
   /** whether anything remains of the order */
   remains: boolean
   /** of the ellipse (vectors only), in the unit of the quantity */

@@ -126,20 +126,37 @@ def compare(
     *others: EngineName,
     speed: Speed = None,
     orders: Orders = None,
+    reference: ReferencePoint = None,
+    settings: Annotated[
+        list[str] | None, option("--set", "2:KEY=VALUE changes the second engine only.")
+    ] = None,
+    json: Json = False,
+    csv: Csv = False,
     output: Output = None,
 ) -> None:
-    """Compare engines side by side: peak force, couple, roll and torque of each order."""
+    """Compare engines side by side: force, couple, roll and torque, absolute and relative."""
+    from crankstar.tables import comparison as tables
     from crankstar.tables.analysis import analysis
-    from crankstar.tables.comparison import comparison
 
-    turning, *engines = together(
-        partial(request.speed, speed),
-        *(partial(loaded_engine, name, None) for name in (first, second, *others)),
+    form = form_of(output, TABLES, json=json, csv=csv)
+    names = (first, second, *others)
+    turning, changes = together(
+        partial(request.speed, speed), partial(request.settings_of_each, settings, len(names))
     )
-    shown = [analysis(engine, speed=turning) for engine in engines]
+    engines = together(*map(partial(partial, loaded_engine), names, changes))
+    shown = [
+        analysis(engine, speed=turning, reference=request.reference(reference, engine))
+        for engine in engines
+    ]
     wanted = request.orders(orders, shown[0].normalised.force.orders.tolist()) or ()
-    document = comparison([analysed.of(wanted) for analysed in shown])
-    give(document, output, form=form_of(output, TABLES))
+    shown = [analysed.of(wanted) for analysed in shown]
+    own = tables.told_apart(
+        [engine.name for engine in engines],
+        [request.named(name) for name in names],
+        [", ".join(texts) for texts in changes],
+    )
+    made = tables.comparison if form in ("txt", "xlsx") else tables.answer
+    give(made(shown, own), output, form=form)
 
 
 @app.command

@@ -73,6 +73,25 @@ def settings(texts: Sequence[str] | None) -> dict[str, Any]:
     return dict(map(_setting, texts or ()))
 
 
+def settings_of_each(texts: Sequence[str] | None, count: int) -> list[list[str]]:
+    """The --set of each of several engines: KEY=VALUE is for all, 2:KEY=VALUE for the second.
+
+    >>> settings_of_each(["balance_factor=0.5", "2:balance_factor=0.6"], 2)
+    [['balance_factor=0.5'], ['balance_factor=0.5', 'balance_factor=0.6']]
+    """
+    out: list[list[str]] = [[] for _engine in range(count)]
+    for text in texts or ():
+        match = re.match(r"\s*(\d{1,3})\s*:", text, re.ASCII)
+        if match is None:
+            for own in out:
+                own.append(text)
+        elif not 1 <= int(match[1]) <= count:
+            raise refusal("--set", text, "there are {count} engines, 1 to {count}", count=count)
+        else:
+            out[int(match[1]) - 1].append(text[match.end() :])
+    return out
+
+
 def _setting(text: str) -> tuple[str, Any]:
     import tomllib
 

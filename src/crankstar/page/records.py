@@ -202,6 +202,7 @@ class Row(Shown):
         description="shape of the path as a phrase: none, circle with the crank, horizontal line"
     )
     greatest: str
+    size: float = Field(description="greatest as a number, 0 where nothing remains of the order")
     remains: bool = Field(description="whether anything remains of the order")
     semi_axes: Pair | None = Field(
         description="of the ellipse (vectors only), in the unit of the quantity"

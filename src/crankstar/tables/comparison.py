@@ -4,78 +4,177 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import pi
+from typing import NamedTuple
 
 from crankstar import spectra
 from crankstar.firing.intervals import firing
 from crankstar.language.messages import _
 from crankstar.language.numbers import NEGLIGIBLE, number, unit_text
+from crankstar.mechanics.balance import Balance
 from crankstar.mechanics.remains import Sums, size, summed
 from crankstar.tables.analysis import QUANTITIES, Analysis, none_line, sums_size, unverified
 from crankstar.tables.headings import firing_text
 from crankstar.tables.table import Column, Document, Table, Value
 
+PLANE = ("force", "couple")
+"""Vectors across the crankshaft; the others turn about it."""
 
-def comparison(shown: Sequence[Analysis]) -> Document:
-    """The orders of every quantity, a column for each engine, and what the engines are."""
+
+def told_apart(names: Sequence[str], *marks: Sequence[str]) -> list[str]:
+    """Names that differ: the same ones with the first of the marks by which they differ.
+
+    Those that differ in no mark are counted.
+
+    >>> told_apart(["V8", "V8", "I4"], ["a.toml", "b.toml", "c.toml"])
+    ['V8 (a.toml)', 'V8 (b.toml)', 'I4']
+    """
+    out: list[str] = []
+    for place, name in enumerate(names):
+        alike = [other for other, same in enumerate(names) if same == name]
+        count = str(alike.index(place) + 1)
+        differing = (mark for mark in marks if len({mark[i] for i in alike}) == len(alike))
+        mark = next(differing, None)
+        own = count if mark is None else mark[place] or _("as in the file")
+        out.append(name if len(alike) == 1 else f"{name} ({own})")
+    return out
+
+
+class _Compared(NamedTuple):
+    """What stands in the tables of a comparison: the engines, their names, results and sums."""
+
+    shown: Sequence[Analysis]
+    names: Sequence[str]
+    results: Sequence[Balance]
+    sums: Sequence[Sums]
+    real: bool
+
+
+def _compared(shown: Sequence[Analysis], names: Sequence[str] | None) -> _Compared:
+    """In newtons where all engines can be."""
     real = all(analysis.real is not None for analysis in shown)
     results = [analysis.best if real else analysis.normalised for analysis in shown]
-    sums = [summed(result) for result in results]
-    parts = [_quantity(name, shown, sums, results) for name in Sums._fields]
+    own = told_apart([analysis.engine.name for analysis in shown]) if names is None else names
+    return _Compared(shown, own, results, [summed(result) for result in results], real)
+
+
+def comparison(shown: Sequence[Analysis], names: Sequence[str] | None = None) -> Document:
+    """The orders of every quantity, engine by engine, absolute and as a share of the first.
+
+    `names` are those of the engines, by default their own, told apart.
+    """
+    compared = _compared(shown, names)
+    real = compared.real
+    parts = [_quantity(name, compared) for name in Sums._fields]
     title = (
         _("Greatest value of each order")
         if real
         else _("Greatest value of each order, each engine in its own m r ω²")
     )
-    return Document(title, (*parts, _engines(shown, real=real)))
+    return Document(title, (*parts, _engines(compared)))
 
 
-def _quantity(
-    name: str, shown: Sequence[Analysis], sums: Sequence[Sums], results: Sequence
-) -> Table:
-    plane = name in ("force", "couple")
-    units = dict.fromkeys(
-        unit_text(getattr(result.units, name if plane else "moment")) for result in results
-    )
-    wanted = sorted(
-        {order for analysis in shown for order in (analysis.orders if plane else analysis.turning)}
-    )
-    signals = [getattr(sums_, name) for sums_ in sums]
+def _sizes(name: str, compared: _Compared) -> list[tuple[float | None, list[float]]]:
+    """The greatest value of each order by engine, nought where negligible; None: over a turn."""
+    signals = [getattr(sums, name) for sums in compared.sums]
     least = [NEGLIGIBLE * sums_size(signal) for signal in signals]
-    rows: list[tuple[Value, ...]] = []
-    zero: list[float] = []
-    for order in wanted:
+    plane = name in PLANE
+    wanted = {
+        order
+        for analysis in compared.shown
+        for order in (analysis.orders if plane else analysis.turning)
+    }
+    rows: list[tuple[float | None, list[float]]] = []
+    for order in sorted(wanted):
         lengths = [size(signal, order) for signal in signals]
-        cells = [
-            length if length > floor else 0.0 for length, floor in zip(lengths, least, strict=True)
-        ]
-        if any(cells):
-            rows.append((number(order), *cells))
-        else:
-            zero.append(order)
+        pairs = zip(lengths, least, strict=True)
+        rows.append((order, [length if length > floor else 0.0 for length, floor in pairs]))
+    peaks = [spectra.peak(signal).value for signal in signals]
+    rows.append((None, [peak if peak > NEGLIGIBLE * max(peaks) else 0.0 for peak in peaks]))
+    return rows
+
+
+def _share(value: float, first: float) -> float | None:
+    """Of the value of the first engine [%]; None where that is nought."""
+    return 100 * value / first if first else None
+
+
+def _quantity(name: str, compared: _Compared) -> Table:
+    units = dict.fromkeys(unit_text(_unit(result, name)) for result in compared.results)
+    *orders, (_whole, peaks) = _sizes(name, compared)
+    rows = [(number(order or 0.0), cells) for order, cells in orders if any(cells)]
     if rows:
-        peaks = [spectra.peak(signal).value for signal in signals]
-        shown_peaks = (peak if peak > NEGLIGIBLE * max(peaks) else 0.0 for peak in peaks)
-        rows.append((_("peak"), *shown_peaks))
+        rows.append((_("peak"), peaks))
+    shares = [
+        Column(
+            _("{engine}, of the first", engine=name) if len(compared.names) > 2 else _("share"),
+            "%",
+            digits=4,
+            optional=1,
+        )
+        for name in compared.names[1:]
+    ]
     heads = (
         Column(_("order"), kind="text", key="order", label=True),
-        *(Column(analysis.engine.name, key=analysis.engine.name) for analysis in shown),
+        *(Column(name, key=name) for name in compared.names),
+        *shares,
     )
+    body: list[tuple[Value, ...]] = [
+        (label, *cells, *(_share(cell, cells[0]) for cell in cells[1:])) for label, cells in rows
+    ]
     title = f"{_(QUANTITIES[name]).capitalize()} [{_(' or ').join(units)}]"
-    return Table(title, heads, tuple(rows), notes=none_line(zero), key=name)
+    zero = [order for order, cells in orders if order is not None and not any(cells)]
+    return Table(title, heads, tuple(body), notes=none_line(zero), key=name)
 
 
-def _engines(shown: Sequence[Analysis], *, real: bool) -> Table:
+def _unit(result: Balance, name: str) -> str:
+    return getattr(result.units, name if name in PLANE else "moment")
+
+
+def answer(shown: Sequence[Analysis], names: Sequence[str] | None = None) -> Document:
+    """The comparison for machines: one row for a quantity, an order and an engine.
+
+    `share` is of the first engine, null where that has none; `order` is null for the peak over a
+    turn of all orders together.
+    """
+    compared = _compared(shown, names)
+    heads = (
+        Column("quantity", kind="text", key="quantity"),
+        Column("order", key="order"),
+        Column("engine", kind="text", key="engine"),
+        Column("speed_rpm", key="speed_rpm"),
+        Column("greatest", key="greatest"),
+        Column("unit", kind="text", key="unit"),
+        Column("share", key="share"),
+    )
+    rows: list[tuple[Value, ...]] = []
+    for name in Sums._fields:
+        for order, cells in _sizes(name, compared):
+            for engine, result, cell in zip(compared.names, compared.results, cells, strict=True):
+                share = _share(cell, cells[0])
+                share = None if share is None else share / 100
+                rows.append((name, order, engine, _rpm(result), cell, _unit(result, name), share))
+    title = ", ".join(compared.names)
+    return Document(title, (Table("", heads, tuple(rows), key="amplitudes"),))
+
+
+def _rpm(result: Balance) -> float | None:
+    return None if result.speed is None else float(f"{result.speed * 30 / pi:.12g}")
+
+
+def _engines(compared: _Compared) -> Table:
     heads = [
         Column(_("engine"), kind="text", wraps=True),
         Column(_("firing"), kind="text", wraps=True),
     ]
-    if real:
+    if compared.real:
         heads.append(Column(_("speed"), "rpm"))
     heads.append(Column(_("unverified values")))
     rows: list[tuple[Value, ...]] = []
-    for analysis in shown:
+    for name, analysis, result in zip(
+        compared.names, compared.shown, compared.results, strict=True
+    ):
         engine = analysis.engine
         fires = firing_text(firing(engine)) if engine.firing_order else _("no order given")
-        speed = ((analysis.best.speed or 0) * 30 / pi,) if real else ()
-        rows.append((engine.name, fires, *speed, len(unverified(engine))))
+        speed = (_rpm(result),) if compared.real else ()
+        rows.append((name, fires, *speed, len(unverified(engine))))
     return Table(_("Engines"), tuple(heads), tuple(rows))

@@ -64,6 +64,7 @@ function Both({ one, other }: { one: Exhibit; other: Exhibit }) {
               <th scope="col">{t('order')}</th>
               <th scope="col">{one.name}</th>
               <th scope="col">{other.name}</th>
+              <th scope="col">{t('of the first')}</th>
             </tr>
           </thead>
           <tbody>
@@ -72,6 +73,7 @@ function Both({ one, other }: { one: Exhibit; other: Exhibit }) {
                 <th scope="row">{line.label}</th>
                 <Cell row={line.rows[0]} unit={unitOf(one, line.quantity)} />
                 <Cell row={line.rows[1]} unit={unitOf(other, line.quantity)} />
+                <td>{same ? shareOf(line.rows[1], line.rows[0]) : ''}</td>
               </tr>
             ))}
           </tbody>
@@ -95,6 +97,11 @@ function Cell({ row, unit }: { row: Row | undefined; unit: string }) {
       </span>
     </td>
   )
+}
+
+/** The greatest value of an order as a share of that of the first engine, where this has one. */
+function shareOf(row: Row | undefined, first: Row | undefined): string {
+  return first?.size ? `${Number(((100 * (row?.size ?? 0)) / first.size).toPrecision(4))} %` : ''
 }
 
 /** The rows of two tables side by side, by quantity and order. */

@@ -1,0 +1,117 @@
+"""`crankstar compare`: absolute and relative values, names that differ, forms for machines."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from tests.commands import Run
+from tests.texts import SHORT
+
+from crankstar.tables.comparison import told_apart
+
+
+@pytest.fixture
+def file(tmp_path: Path) -> str:
+    """An engine with masses and sizes."""
+    (tmp_path / "mine.toml").write_text(SHORT, encoding="utf-8")
+    return "mine.toml"
+
+
+def amplitudes(run: Run, *words: str) -> list[dict[str, str]]:
+    return list(csv.DictReader(io.StringIO(run("compare", *words, "--csv").out)))
+
+
+def test_a_compared_amplitude_is_the_one_that_analyze_finds(run: Run) -> None:
+    rows = amplitudes(run, "triple-120", "i6", "--orders", "1,2", "--reference", "0.5")
+    for name in ("triple-120", "i6"):
+        answer = json.loads(
+            run("analyze", name, "--orders", "1,2", "--reference", "0.5", "--json").out
+        )
+        for order in answer["orders"]:
+            for quantity in ("force", "couple"):
+                (row,) = (
+                    row
+                    for row in rows
+                    if (row["quantity"], row["engine"]) == (quantity, answer["engine"])
+                    and row["order"] == str(order["order"])
+                )
+                expected = order[quantity]["greatest"]
+                assert math.isclose(float(row["greatest"]), expected, abs_tol=1e-9)
+
+
+def test_a_share_is_the_amplitude_over_that_of_the_first(run: Run) -> None:
+    rows = amplitudes(run, "single", "v2-90", "i4")
+    first = {
+        (row["quantity"], row["order"]): float(row["greatest"])
+        for row in rows
+        if row["engine"] == rows[0]["engine"]
+    }
+    assert len(rows) == 3 * len(first)
+    for row in rows:
+        base = first[row["quantity"], row["order"]]
+        assert bool(row["share"]) == bool(base)
+        if base:
+            assert math.isclose(float(row["share"]), float(row["greatest"]) / base)
+
+
+def test_newtons_of_a_comparison_grow_with_the_square_of_the_speed(run: Run, file: str) -> None:
+    low = amplitudes(run, file, file, "--speed", "3000 rpm")
+    high = amplitudes(run, file, file, "--speed", "100 Hz")
+    assert {row["unit"] for row in low} == {"N", "N*m"}
+    assert {row["speed_rpm"] for row in high} == {"6000.0"}
+    for slow, fast in zip(low, high, strict=True):
+        assert math.isclose(float(fast["greatest"]), 4 * float(slow["greatest"]), rel_tol=1e-9)
+        assert fast["share"] == slow["share"] or math.isclose(
+            float(fast["share"]), float(slow["share"])
+        )
+
+
+def test_a_change_of_the_second_engine_only_is_in_its_name_and_its_numbers(run: Run) -> None:
+    change = "balance_factor=0.5"
+    rows = amplitudes(run, "single", "single", "--set", f"2:{change}", "--orders", "1")
+    own, changed = dict.fromkeys(row["engine"] for row in rows)
+    assert own.endswith("(as in the file)")
+    assert changed.endswith(f"({change})")
+    forces = [float(row["greatest"]) for row in rows if row["quantity"] == "force" and row["order"]]
+    assert forces == pytest.approx([1.0, 0.5])
+    both = amplitudes(run, "single", "single", "--set", change, "--orders", "1")
+    assert {row["greatest"] for row in both if row["quantity"] == "force" and row["order"]} == {
+        "0.5"
+    }
+
+
+def test_the_printed_table_has_amplitudes_and_shares(run: Run) -> None:
+    out = run("compare", "single", "v2-90", "--orders", "1,2").out
+    heading = next(line for line in out.splitlines() if "order" in line)
+    assert "[%]" in out
+    assert "share" in heading or "share" in out
+    row = next(line for line in out.splitlines() if line.split()[:1] == ["2"])
+    own, other, share = map(float, row.split()[1:])
+    assert math.isclose(share, 100 * other / own, rel_tol=1e-3)
+
+
+def test_names_that_are_the_same_get_the_first_mark_that_tells_them_apart() -> None:
+    assert told_apart(["a", "a"], ["x", "x"], ["", "k=1"]) == ["a (as in the file)", "a (k=1)"]
+    assert told_apart(["a", "b", "a"]) == ["a (1)", "b", "a (2)"]
+
+
+@pytest.mark.parametrize(
+    ("words", "why"),
+    [
+        (["i4", "i6", "--set", "3:name=x"], "there are 2 engines"),
+        (["i4", "i6", "--set", "0:name=x"], "there are 2 engines"),
+        (["i4", "i6", "--set", "2:layout.nope=1"], "layout.nope is not a key"),
+        (["i4", "i6", "--json", "--csv"], "exclude each other"),
+        (["i4", "i6", "--speed", "5 kg"], "a mass; a rotational speed is needed"),
+    ],
+)
+def test_a_comparison_that_cannot_be_is_refused(
+    refused: Callable[..., str], words: list[str], why: str
+) -> None:
+    assert why in refused("compare", *words)
