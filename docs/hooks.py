@@ -75,11 +75,21 @@ SECTIONS: dict[type[Record], str] = {
 """Where the page describes the tables that other tables hold."""
 
 MARK = re.compile(
-    r"^<!-- (keys|options|figure|sources|errata|sinitsyn|kr250|orders|plot|search): ?"
-    r"([^\n]*?) ?-->$",
-    re.MULTILINE,
+    r"^<!-- (keys|options|figure|sources|errata|sinitsyn|kr250|orders|plot|search|glossary|"
+    r"commands): ?([^\n]*?) ?-->$(?:(?:(?!^<!-- ).)*?^<!-- end -->$)?",
+    re.MULTILINE | re.DOTALL,
 )
+"""A marker, with what `docs/tables.py` has put between it and its end for readers of the text."""
 CITATION = re.compile(r"\[(@[\w-]+(?:; ?@[\w-]+)*)\]")
+
+
+def on_config(config: Any) -> Any:
+    """Called by mkdocs before it builds: formulas between dollars, and in fences of kind `math`."""
+    mathematics = run_path(str(HERE / "mathematics.py"))
+    config.markdown_extensions.append(mathematics["Mathematics"]())
+    fence = {"name": "math", "class": "math", "format": mathematics["fence"]}
+    config.mdx_configs.setdefault("pymdownx.superfences", {})["custom_fences"] = [fence]
+    return config
 
 
 def on_page_markdown(markdown: str, *, page: Any, **_: Any) -> str:
@@ -89,6 +99,13 @@ def on_page_markdown(markdown: str, *, page: Any, **_: Any) -> str:
 
 def filled(markdown: str, place: str = "index.md") -> str:
     """A page with its markers replaced by what they stand for; `place` is its path in docs/."""
+    written = MARK.sub(lambda mark: made(*mark.groups()), markdown)
+    up = "../" * place.count("/")
+    return CITATION.sub(lambda found: cited(found, up), written)
+
+
+def made(kind: str, argument: str) -> str:
+    """What stands for a marker on the built page."""
     makers = {
         "keys": table,
         "options": option_table,
@@ -100,10 +117,10 @@ def filled(markdown: str, place: str = "index.md") -> str:
         "orders": orders,
         "plot": plot,
         "search": search,
+        "glossary": glossary,
+        "commands": commands,
     }
-    written = MARK.sub(lambda found: makers[found.group(1)](found.group(2)), markdown)
-    up = "../" * place.count("/")
-    return CITATION.sub(lambda found: cited(found, up), written)
+    return makers[kind](argument)
 
 
 def table(name: str) -> str:
@@ -202,6 +219,25 @@ def figure(path: str) -> str:
     """A drawing put into the page itself, so that it takes the colours of the page."""
     drawing = (HERE / path).read_text(encoding="utf-8")
     return f'<figure markdown="0">\n{drawing[drawing.index("<svg") :].strip()}\n</figure>'
+
+
+def glossary(_: str) -> str:
+    """The terms of the field, alphabetically, each with an anchor of its own."""
+    from crankstar.language.glossary import terms
+
+    lines = ["| term | symbol | Japanese | Russian | meaning |", "|---|---|---|---|---|"]
+    for term in sorted(terms(), key=lambda term: term.term.lower()):
+        others = [word for word in term.also if "{" not in word and word not in term.term]
+        also = f"; also: {', '.join(others)}" if others else ""
+        cells = (f"**{term.term}**", term.symbol or "-", term.japanese, term.russian)
+        lines.append(f"| {' | '.join(cells)} | {term.meaning}{also} |")
+    return "\n".join(lines)
+
+
+@lru_cache
+def commands(_: str) -> str:
+    """Every command with its arguments and options, from the help of the program itself."""
+    return run_path(str(HERE / "commands_page.py"))["page"]()
 
 
 @lru_cache

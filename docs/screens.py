@@ -2,8 +2,8 @@
 
 In a block of kind `console` a line `$ command` is what is typed, and the lines under it are what
 appears. The engine files of the page that have a title (```toml title="mine.toml") lie in the
-directory where the commands run. `python docs/screens.py` brings all pages up to date; a test
-compares them.
+directory where the commands run. `python docs/screens.py` brings all pages up to date, what
+`tables.py` makes for them included; a test compares them.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ import sys
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
+from runpy import run_path
 
 ROOT = Path(__file__).parent.parent
 WIDTH = "80"
@@ -90,6 +91,7 @@ def main() -> None:
         if alike(after) != alike(before):
             page.write_text(after, encoding="utf-8")
             print(f"changed: {page.relative_to(ROOT)}")
+    run_path(str(Path(__file__).with_name("tables.py")))["main"]()
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@ That the pages build is checked by `make docs`, strictly.
 
 from __future__ import annotations
 
+import ast
 import doctest
 import importlib.util
 import io
@@ -24,9 +25,11 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from markdown import Markdown
 
 import crankstar
 from crankstar import cli
+from crankstar.derive.expansion import cosine_coefficients, place_coefficients, root_coefficients
 from crankstar.engine import motion
 from crankstar.engine.engine import Engine
 from crankstar.engine.layouts import LAYOUTS
@@ -34,6 +37,7 @@ from crankstar.engine.quantities import ANGLE, LENGTH, POSITION, SPEED, Quantity
 from crankstar.engine.records import Record
 from crankstar.files import EngineFileError, engine_of, units
 from crankstar.files.forms import by_key, record_in, short_form
+from crankstar.language import glossary
 from crankstar.language.faults import ValueFaultError
 from crankstar.mechanics.balance import Grouping
 
@@ -53,6 +57,7 @@ def script(name: str) -> ModuleType:
 
 
 screens, hooks, doctests = script("screens"), script("hooks"), script("doctests")
+mathematics, tables = script("mathematics"), script("tables")
 PAGES: list[Path] = screens.pages()
 EVERY_PAGE = pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
 WRONG_ON_PURPOSE = {"mistakes.toml", "wrong-side.toml"}
@@ -219,6 +224,79 @@ def test_a_bare_number_nobody_can_have_meant_is_refused(bare: float) -> None:
         assert error.value.code in ("unit.missing", "unit.implausible")
 
 
+@EVERY_PAGE
+def test_what_the_program_makes_is_in_the_text_as_it_is_now(page: Path) -> None:
+    """If this fails: `python docs/tables.py` updates pages."""
+    if page.is_relative_to(DOCS):
+        written = page.read_text(encoding="utf-8")
+        place = page.relative_to(DOCS).as_posix()
+        assert tables.up_to_date(written, place) == written
+
+
+@EVERY_PAGE
+def test_no_page_is_empty_where_the_program_fills_it(page: Path) -> None:
+    """On a code host the text has tables where the built page has them."""
+    for mark in hooks.MARK.finditer(page.read_text(encoding="utf-8")):
+        lines = [line for line in mark[0].splitlines()[1:-1] if line.strip()]
+        assert lines, mark[0]
+        assert not any(re.search(r"<(?:svg|math|figure|div)\b", line) for line in lines)
+
+
+NO_TERMS = {
+    *("", "engine", "engines", "unverified values", "part", "name", "row", "cranks"),
+    *("quantity", "unit", "before", "now", "removes", "left", "order"),
+    *("{quantity}, order {order}", "{quantity}, resultant", "cylinders"),
+    "all orders together at these crank angles",
+    "shafts, throws and weights",
+}
+"""Headings that are plain words."""
+
+
+def headings() -> set[str]:
+    """The headings of all tables of the program, as they stand in the source."""
+    out: set[str] = set()
+    for path in (ROOT / "src" / "crankstar" / "tables").glob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            named = isinstance(node, ast.Call) and getattr(node.func, "id", "")
+            if isinstance(node, ast.Call) and named in ("Column", "Table") and node.args:
+                inner = [part for part in ast.walk(node.args[0]) if isinstance(part, ast.Constant)]
+                out |= {str(part.value).lower() for part in inner if isinstance(part.value, str)}
+    return out
+
+
+def test_every_heading_of_a_table_is_in_the_glossary() -> None:
+    known = {word.lower() for term in glossary.terms() for word in (term.term, *term.also)}
+    assert {"aₖ", "rolling moment", "balance shafts"} <= headings()
+    assert headings() - known - NO_TERMS == set()
+
+
+def test_every_term_has_its_names_in_three_languages_once() -> None:
+    names = [term.term for term in glossary.terms()]
+    assert len(names) == len(set(names)) >= 70
+    for term in glossary.terms():
+        assert re.search(r"[\u3040-\u30ff\u4e00-\u9fff]", term.japanese), term.term
+        assert re.search(r"[\u0400-\u04ff]", term.russian), term.term
+        assert not term.meaning.endswith("."), term.term
+
+
+def test_the_words_of_the_design_are_in_the_glossary() -> None:
+    wanted = ("二次", "ピッチング", "バランスシャフト", "すりこ木運動", "コンロッド長", "点火順序")
+    said = "".join(term.japanese for term in glossary.terms()).replace("バランサー", "バランス")
+    assert all(word in said for word in wanted)
+
+
+def test_the_page_of_commands_has_every_option_of_every_command() -> None:
+    page = text_of("docs/reference/commands.md")
+    for name in cli.app:
+        if name.startswith("-"):
+            continue
+        section = page.partition(f"\n## {name}\n")[2].partition("\n## ")[0]
+        arguments = cli.app[name].assemble_argument_collection()
+        for argument in arguments:
+            for option in argument.names:
+                assert option == "*" or f"`{option}`" in section, (name, option)
+
+
 @cache
 def filled(page: Path) -> str:
     """What stands on a page when all that is generated has been put in."""
@@ -304,31 +382,48 @@ def test_the_page_of_the_command_line_names_every_option_of_analyze() -> None:
     assert all(f"`{kind}`" in page or f"--by {kind}" in page for kind in get_args(Grouping))
 
 
-MINUS = "\N{MINUS SIGN}"
-SUPERSCRIPT = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789")
-
-
 def terms(series: str) -> dict[int, Fraction]:
-    """The powers of λ in a series as the page prints it, and their factors."""
-    overall = -1 if series.startswith(f"{MINUS}(") else 1
+    """The powers of lambda in a series as the page writes it in LaTeX, and their factors."""
     out: dict[int, Fraction] = {}
-    for sign, factor, power, below in re.findall(
-        rf"({MINUS}?)\s?(\d*)λ([⁰¹²³⁴-⁹]?)(?:/(\d+))?", series.removeprefix(f"{MINUS}(")
+    overall = -1 if series.startswith(r"-\left(") else 1
+    for sign, factor, power, below, alone in re.findall(
+        r"([-+]?) ?(?:\\frac\{(\d*) ?\\lambda\^?(\d*)\}\{(\d+)\}|(\\lambda))",
+        series.removeprefix(r"-\left("),
     ):
-        out[int(power.translate(SUPERSCRIPT) or 1)] = (
-            (-1 if sign else 1) * overall * Fraction(int(factor or 1), int(below or 1))
-        )
+        value = Fraction(1) if alone else Fraction(int(factor or 1), int(below))
+        out[int(power or 1)] = value * overall * (-1 if sign == "-" else 1)
     return out
 
 
 def test_the_series_on_the_page_of_theory_is_the_exact_one() -> None:
     rows = dict(
-        re.findall(r"^\| (\d) \| (.*λ.*) \|$", text_of("docs/explanation/theory.md"), re.MULTILINE)
+        re.findall(
+            r"^\| (\d) \| \$(.*lambda.*)\$ \|$", text_of("docs/explanation/theory.md"), re.MULTILINE
+        )
     )
     assert sorted(rows) == ["2", "4", "6", "8"]
     for order, series in rows.items():
         exact = {power: motion.series_coefficient(int(order), power) for power in range(8)}
         assert terms(series) == {power: value for power, value in exact.items() if value}
+
+
+def test_the_steps_before_the_series_are_the_exact_ones() -> None:
+    """The root, the powers of the sine, and x_2 of the page, against the derivation's numbers."""
+    page = text_of("docs/explanation/theory.md")
+    root = re.findall(r"- \\frac\{(\d*) ?u\^?(\d*)\}\{(\d+)\}", page)
+    written = {int(n or 1): -Fraction(int(above or 1), int(below)) for above, n, below in root}
+    assert written == dict(enumerate(root_coefficients(4)[1:], 1))
+    for half in range(1, 5):
+        (above, below) = re.findall(
+            rf"\\sin\^{2 * half}\\psi &= \\frac\{{(.*?)\}}\{{(\d+)\}}", page
+        )[0]
+        cosines = {0: Fraction(int(above.split()[0]), int(below))}
+        for sign, size, angle in re.findall(r"([-+]) (\d*) ?\\cos (\d)\\psi", above):
+            value = Fraction(int(size or 1), int(below))
+            cosines[int(angle) // 2] = -value if sign == "-" else value
+        assert cosines == dict(enumerate(cosine_coefficients(half)))
+    x2 = page[page.index("\nx_2 = ") :].partition("```")[0].rpartition("=")[2]
+    assert terms(x2) == dict(place_coefficients(2, 3))
 
 
 def test_the_numbers_on_the_page_of_theory_are_so() -> None:
@@ -351,6 +446,41 @@ def test_the_figure_can_be_read_by_those_who_do_not_see_it() -> None:
         if part is not None
     ]
     assert "report/frame.svg" in text_of("docs/explanation/conventions.md")
+
+
+@EVERY_PAGE
+def test_every_formula_becomes_mathematics(page: Path) -> None:
+    """Each is set alone, and the page has as many `math` elements as formulas, none in error."""
+    written = page.read_text(encoding="utf-8")
+    formulas = mathematics.formulas(written)
+    for formula in formulas:
+        root = ElementTree.fromstring(mathematics.mathml(formula))  # noqa: S314 - our own
+        tags = {node.tag.rpartition("}")[2] for node in root.iter()}
+        assert "merror" not in tags, formula
+        assert not any("\\" in (node.text or "") for node in root.iter()), formula
+        for node in root.iter():
+            parts = {"mfrac": 2, "msup": 2, "msub": 2, "msubsup": 3, "mover": 2}
+            tag = node.tag.rpartition("}")[2]
+            assert len(node) == parts.get(tag, len(node)), formula
+    fence = {"name": "math", "class": "math", "format": mathematics.fence}
+    html = Markdown(
+        extensions=["tables", "pymdownx.superfences", mathematics.Mathematics()],
+        extension_configs={"pymdownx.superfences": {"custom_fences": [fence]}},
+    ).convert(written)
+    assert html.count("<math ") == len(formulas)
+    assert not re.search(r"\$[^$<]*\\", re.sub(r"<(pre|code).*?</\1>", "", html, flags=re.DOTALL))
+
+
+@pytest.mark.parametrize("formula", [r"\nosuchthing x", r"\frac{1", r"x^"])
+def test_a_formula_that_cannot_be_set_stops_the_build(formula: str) -> None:
+    with pytest.raises(mathematics.MathematicsError):
+        mathematics.mathml(formula)
+
+
+def test_no_law_of_the_theory_is_left_as_code() -> None:
+    for name in ("theory", "conventions", "derivations"):
+        blocks = fences(DOCS / "explanation" / f"{name}.md", "text")
+        assert not any("=" in block or "exp(" in block for block in blocks), name
 
 
 def test_nothing_on_a_page_comes_from_another_place() -> None:
