@@ -3,16 +3,25 @@
 from __future__ import annotations
 
 import re
+import struct
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
 from typing import Any
 
 import pytest
 from playwright.sync_api import Page
-from tests.measured import Measured, measured
+from tests.commands import Run
+from tests.files.conftest import refused, run
+from tests.measured import Measured, contrast, measured
 
 import crankstar
 from crankstar import charts
+from crankstar.charts.themes import THEMES
 from crankstar.engine.engine import Engine
 from crankstar.remedy import with_counterweights
+
+__all__ = ["refused", "run"]
 
 OFTEN = (
     "single",
@@ -60,7 +69,7 @@ def assert_clear(drawings: dict[str, str], page: Page) -> list[Measured]:
         if picture.collisions() or picture.cut()
     }
     assert faults == {}
-    assert sum(len(picture.texts) for picture in seen) > 100
+    assert sum(len(picture.texts) for picture in seen) > 6 * len(seen)
     return seen
 
 
@@ -136,3 +145,84 @@ def test_a_chart_of_an_engine_without_force_and_couple_says_so(page: Page) -> No
     engine = crankstar.load("boxer-6")
     (picture,) = measured(page, [charts.svg(charts.hodograph(engine, order=1), "x")])
     assert "no force and no couple of order 1" in {text.text for text in picture.texts}
+
+
+PAPERS = [
+    charts.Paper("light"),
+    charts.Paper("dark", width=0.120),
+    charts.Paper("print", width=0.084, font_size=8.0),
+    charts.Paper("print", height=0.110, font_size=10.0),
+]
+TALL = ("stroke-chart", "spectrum", "forces")
+"""Charts that are taller than 110 mm with letters of 10 pt."""
+
+
+@pytest.mark.parametrize("paper", PAPERS, ids=str)
+@pytest.mark.parametrize("name", ["v8-cross-plane", "napier-deltic"])
+def test_text_on_paper_is_large_and_dark_enough(name: str, paper: charts.Paper, page: Page) -> None:
+    engine = crankstar.load(name)
+    drawings = {}
+    for kind, figure in charts.CHARTS.items():
+        if name == "napier-deltic" and kind in (*STARS, "shaft") and paper != PAPERS[0]:
+            continue  # needs a page of its own
+        if (paper.height is not None and kind in TALL) or (paper.width and kind == "forces"):
+            continue
+        made = charts.printed(partial(figure.draw, engine), paper, title=kind)
+        drawings[kind] = made.scaled("mm")
+    ground = bytes.fromhex(THEMES[paper.theme].ground[1:])
+    for kind, picture in zip(drawings, assert_clear(drawings, page), strict=True):
+        for text in picture.texts:
+            assert text.size * 72 / 96 >= paper.font_size - 0.01 >= 7.99, (kind, text)
+            assert text.opacity == 1
+            assert contrast(text.colour, (ground[0], ground[1], ground[2])) >= 4.5, (kind, text)
+        for side, stated in ((picture.width, paper.width), (picture.height, paper.height)):
+            assert stated is None or side == pytest.approx(stated / 0.0254 * 96, abs=0.1)
+
+
+def test_contrast_is_that_of_the_guideline() -> None:
+    assert contrast((0, 0, 0), (255, 255, 255)) == pytest.approx(21)
+    assert contrast((118, 118, 118), (255, 255, 255)) == pytest.approx(4.54, abs=0.01)
+    for name, theme in THEMES.items():
+        ground, *colours = (
+            (int(text[1:3], 16), int(text[3:5], 16), int(text[5:], 16))
+            for text in (theme.ground, *theme.colours.values())
+        )
+        assert min(contrast(colour, ground) for colour in colours) >= 4.5, name
+
+
+def test_a_picture_has_the_size_and_the_dots_that_are_asked_for(run: Run, tmp_path: Path) -> None:
+    sized = ("plot", "i4", "hodograph", "--width", "4 in", "--height", "90 mm")
+    assert run(*sized, "-o", "x.svg").code == 0
+    head = (tmp_path / "x.svg").read_text(encoding="utf-8")[:200]
+    assert 'width="101.6mm" height="90mm"' in head
+    assert run(*sized, "--dpi", "300", "-o", "x.png").code == 0
+    picture = (tmp_path / "x.png").read_bytes()
+    assert struct.unpack(">II", picture[16:24]) == (1200, 1062)  # whole dots of 1062.99
+    at = picture.index(b"pHYs")
+    assert struct.unpack(">I", picture[at + 4 : at + 8]) == (round(300 / 0.0254),)
+    assert run(*sized, "-o", "x.pdf").code == 0
+    box = re.search(rb"/MediaBox \[([^]]*)\]", (tmp_path / "x.pdf").read_bytes())
+    assert box is not None
+    assert [float(side) for side in box[1].split()] == pytest.approx(
+        [0, 0, 288, 90 / 25.4 * 72], abs=0.1
+    )
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        (["--width", "2"], "give a length from 20 mm to 2 m"),
+        (["--width", "1 kg"], "--width"),
+        (["--font-size", "6"], "give a number from 8 to 72"),
+        (["--width", "25 mm"], "the chart does not fit on this size with letters of 9 pt"),
+        (["--theme", "blue"], "choose from light, dark, print"),
+        (["--dpi", "300"], "--dpi has no effect with .svg"),
+        (["--width", "90 mm", "-o", "x.html"], "--width has no effect with .html"),
+    ],
+)
+def test_sizes_that_cannot_be_printed_are_refused(
+    options: list[str], words: str, refused: Callable[..., str], tmp_path: Path
+) -> None:
+    place = [] if "-o" in options else ["-o", "x.svg"]
+    assert words in refused("plot", "i4", "spectrum", *options, *place)
+    assert not [*tmp_path.iterdir()]

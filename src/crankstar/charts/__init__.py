@@ -16,6 +16,8 @@ Engines in, a chart out, and a chart as an SVG that needs no browser.
 | `choices` | the quantity and the order of a figure where none is named |
 | `labels` | where labels stand, and their leaders |
 | `plane` | the clock plane as a picture with equal scales |
+| `themes` | the colours of light and dark screens and of paper |
+| `paper` | a chart at a stated size, with letters of a stated size |
 | `saving` | a chart as SVG, PNG, PDF, HTML or JSON |
 | `vectors` | the vectors of one order, as numbers |
 | `crank_stars` | the throws of the crankshafts from the front |
@@ -55,8 +57,9 @@ from crankstar.charts.elevations import shaft_elevation
 from crankstar.charts.errata import judged, over_rods
 from crankstar.charts.firing_rings import firing_ring
 from crankstar.charts.hodographs import hodograph
+from crankstar.charts.paper import Paper, Print, printed
 from crankstar.charts.registry import CHARTS, Figure, side_by_side
-from crankstar.charts.saving import SUFFIXES, saved
+from crankstar.charts.saving import SUFFIXES, saved, saved_print
 from crankstar.charts.spectra import spectrum
 from crankstar.charts.strokes import stroke_chart
 from crankstar.charts.sweeps import swept
@@ -72,6 +75,8 @@ __all__ = [
     "SUFFIXES",
     "ChartError",
     "Figure",
+    "Paper",
+    "Print",
     "best_stars",
     "crank_star",
     "firing_ring",
@@ -82,7 +87,9 @@ __all__ = [
     "over_turn",
     "pareto_front",
     "polygon",
+    "printed",
     "saved",
+    "saved_print",
     "shaft_elevation",
     "side_by_side",
     "spectrum",

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple, get_args
 import numpy as np
 
 from crankstar import spectra
-from crankstar.charts.canvas import half_width, panel_width
+from crankstar.charts.canvas import curve_height, half_width, panel_width
 from crankstar.charts.choices import quantity_shown
 from crankstar.charts.comparison import compared, same_unit
 from crankstar.charts.crank_angle import across, at_theta, waves
@@ -170,7 +170,9 @@ def _panel(
     if not curve.orders.size:
         note = of_rows([{"x": 180 * turns, "y": 0}]).mark("text", dy=-12, fontSize=13, color=GREY)
         layers.append(note.encode(x=x, y=y, text=constant(none)))
-    return layered(layers, width=width, height=170 if curve.component == quantity else 120)
+    return layered(
+        layers, width=width, height=curve_height(170 if curve.component == quantity else 120)
+    )
 
 
 def _rows(curve: Curve, shown: Sequence[float], turns: int) -> list[dict[str, Any]]:

@@ -12,7 +12,7 @@ from crankstar.charts.canvas import panel_width
 from crankstar.charts.drawing import GREY, PALETTE, VERMILION, figure, numbers_text
 from crankstar.charts.grammar import Chart
 from crankstar.charts.labels import Label
-from crankstar.charts.letters import TEXT, text_width
+from crankstar.charts.letters import TEXT, folded, text_width
 from crankstar.charts.plane import Arrow, Dot, Frame, Plane, Stroke, empty, picture, round_frame
 from crankstar.charts.strokes import NO_ORDER, cycle_of, spacing
 from crankstar.engine.engine import Engine
@@ -56,7 +56,8 @@ def firing_ring(engine: Engine, *, theta: float = 0.0) -> Chart:
         plane, words = Plane((_pointer(1.0, turns),), (_arc(0.0, 360.0),), notes=(note,)), []
     else:
         groups = _groups(engine)
-        below = LINE * (len(groups) + 0.5) if len(groups) > 1 else 0.0
+        words = _key_texts(cycle, groups)
+        below = LINE * (sum(map(len, words)) + 0.5) if words else 0.0
         frame = round_frame(1.0, width=panel_width(), margin=MARGIN, below=below)
         pairs = in_succession(cycle.firing, neighbours(engine))
         plane = _ring(cycle, groups, pairs, frame)
@@ -200,14 +201,26 @@ def _labels(
     return out
 
 
-def _key(cycle: WorkingCycle, groups: Sequence[ExhaustGroup], frame: Frame) -> list[Label]:
-    """The groups in their colours below the ring, with the intervals between their exhausts."""
+def _key_texts(cycle: WorkingCycle, groups: Sequence[ExhaustGroup]) -> list[list[str]]:
+    """The name of each group and the intervals between its exhausts, in lines."""
     if len(groups) == 1:
         return []
-    out = []
-    for place, group in enumerate(groups):
+    texts = []
+    for group in groups:
         steps = exhaust_intervals(cycle, group.chambers)
         text = f"{group.name}: {spacing(steps)}" if len(steps) > 1 else group.name
-        height = frame.bottom + (LINE * (len(groups) - place - 0.5)) / frame.scale
-        out.append(Label(text, complex(height, 0.0), 0j, colour=_colour(place)))
+        texts.append(folded(text, width=panel_width()))
+    return texts
+
+
+def _key(cycle: WorkingCycle, groups: Sequence[ExhaustGroup], frame: Frame) -> list[Label]:
+    """The groups in their colours below the ring, with the intervals between their exhausts."""
+    texts = _key_texts(cycle, groups)
+    left = sum(map(len, texts))
+    out = []
+    for place, lines in enumerate(texts):
+        for line in lines:
+            left -= 1
+            height = frame.bottom + LINE * (left + 0.5) / frame.scale
+            out.append(Label(line, complex(height, 0.0), 0j, colour=_colour(place)))
     return out

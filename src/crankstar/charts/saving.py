@@ -9,6 +9,7 @@ from typing import Any
 
 from crankstar.charts.drawing import ChartError, svg
 from crankstar.charts.grammar import Chart
+from crankstar.charts.paper import Print
 from crankstar.language.messages import _
 
 SUFFIXES = ("svg", "png", "pdf", "html", "json")
@@ -48,6 +49,24 @@ def saved(chart: Chart, suffix: str, *, title: str) -> bytes:
             suffixes=", ".join(f".{name}" for name in SUFFIXES),
         )
     )
+
+
+def saved_print(made: Print, suffix: str, *, title: str) -> bytes:
+    """A figure for paper as the contents of a file with this suffix.
+
+    An HTML page and a description have its theme and layout, but no size on paper. Raises
+    ChartError for another suffix.
+    """
+    import vl_convert
+
+    kind = suffix.lower().removeprefix(".")
+    if kind == "svg":
+        return made.scaled("mm").encode()
+    if kind == "png":
+        return vl_convert.svg_to_png(made.scaled("px"), scale=72 / 96, ppi=made.paper.dpi)
+    if kind == "pdf":
+        return vl_convert.svg_to_pdf(made.scaled("pt"))
+    return saved(made.chart, suffix, title=title)
 
 
 def _page(chart: Chart, title: str) -> str:

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from crankstar import spectra
-from crankstar.charts.canvas import half_width, panel_width
+from crankstar.charts.canvas import curve_height, half_width, panel_width
 from crankstar.charts.comparison import compared, same_unit
 from crankstar.charts.drawing import BLUE, GREY, ORANGE, Panel, brief, layered
 from crankstar.charts.grammar import Chart, constant, field, of_rows, span
@@ -134,7 +134,7 @@ def _panel(one: Bars, names: Sequence[str], reach: float, width: float) -> Panel
         middle = of_rows([{"to": 0.6 * reach}]).mark("text", fontSize=13, color=GREY)
         words = constant(_(NONE[one.quantity]))
         layers.append(middle.encode(x=constant(width / 2), y=y, text=words))
-    return layered(layers, width=width, height=HEIGHT)
+    return layered(layers, width=width, height=curve_height(HEIGHT))
 
 
 def _breadth(names: Sequence[str], width: float) -> float:
@@ -150,7 +150,7 @@ def tops(one: Bars, names: Sequence[str], *, reach: float, width: float) -> list
     if slot <= NARROW:
         return []
     lengths = [(names.index(f"{order:g}"), sum(two)) for order, two in one.lengths.items()]
-    px = HEIGHT / (HEADROOM * reach)
+    px = curve_height(HEIGHT) / (HEADROOM * reach)
     taken: list[Box] = [
         Box(complex(size * px / 2, (at + 0.5) * slot), _breadth(names, width) / 2, size * px / 2)
         for at, size in lengths
@@ -161,7 +161,7 @@ def tops(one: Bars, names: Sequence[str], *, reach: float, width: float) -> list
         half = text_width(text, SMALL) / 2
         for lift in (8.0, 21.0, 34.0):
             here = Box(complex(size * px + lift, (at + 0.5) * slot), half, SMALL / 2)
-            if here.middle.real + here.upright <= HEIGHT + 4 and not any(
+            if here.middle.real + here.upright <= curve_height(HEIGHT) + 4 and not any(
                 meets(here, other) for other in taken
             ):
                 taken.append(here)

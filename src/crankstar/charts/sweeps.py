@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from itertools import cycle, islice
 from typing import Any
 
-from crankstar.charts.canvas import panel_width
+from crankstar.charts.canvas import curve_height, panel_width
 from crankstar.charts.drawing import (
     GREY,
     LINES,
@@ -95,7 +95,7 @@ def _panel(sweep: Sweep, pairs: Sequence[tuple[Curve, Best | None]], *, foot: bo
         drop = of_rows(marks).mark("rule", color=GREY, strokeDash=[3, 3], strokeWidth=1)
         style = {**DISC, "filled": False, "size": 90, "strokeWidth": 2.2, "color": VERMILION}
         layers += [drop.encode(x=x), of_rows(marks).mark("point", **style).encode(x=x, y=y)]
-    return layered(layers, width=panel_width(), height=190)
+    return layered(layers, width=panel_width(), height=curve_height(190))
 
 
 def _rows(values: Real, curve: Curve) -> list[dict[str, Any]]:

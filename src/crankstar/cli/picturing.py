@@ -58,6 +58,11 @@ def plot(
     speed: Speed = None,
     reference: ReferencePoint = None,
     settings: Settings = None,
+    theme: Annotated[str | None, option("--theme")] = None,
+    width: Annotated[str | None, option("--width")] = None,
+    height: Annotated[str | None, option("--height")] = None,
+    dpi: Annotated[float | None, option("--dpi")] = None,
+    font_size: Annotated[float | None, option("--font-size")] = None,
     output: Annotated[
         str | None,
         option(
@@ -71,6 +76,9 @@ def plot(
     drawing = chart_request.charts()
     figure = drawing.CHARTS[request.choice("chart", chart, drawing.CHARTS)]
     suffix = chart_request.suffix(output, drawing.SUFFIXES)
+    paper = chart_request.paper(
+        suffix, theme=theme, width=width, height=height, dpi=dpi, font_size=font_size
+    )
     (loaded, _turning), *others = together(
         partial(engine_and_speed, engine, settings, speed),
         *(partial(loaded_engine, name, None) for name in beside or ()),
@@ -92,13 +100,14 @@ def plot(
         alone=not others,
     )
     with working(_("Drawing {chart} ...", chart=chart)):
-        made = (
-            drawing.side_by_side([loaded, *others], chart, **options)
+        draw = (
+            partial(drawing.side_by_side, [loaded, *others], chart, **options)
             if others
-            else figure.draw(loaded, **options)
+            else partial(figure.draw, loaded, **options)
         )
         title = _("{engine}: {chart}", engine=loaded.name, chart=_(figure.about))
-        content = drawing.saved(made, suffix, title=title)
+        made = drawing.printed(draw, paper, title=title)
+        content = drawing.saved_print(made, suffix, title=title)
     write_result(content, output, usual_place(engine, chart, kind=suffix))
 
 

@@ -6,6 +6,8 @@ from types import ModuleType
 from typing import Any
 
 from crankstar.engine.engine import Engine
+from crankstar.engine.quantities import LENGTH
+from crankstar.files import units
 from crankstar.language.messages import N_, _
 from crankstar.options import values as request
 from crankstar.options.forms import PICTURES, form_of, refuse_terminal, require
@@ -88,3 +90,55 @@ def options(
     if reference is not None:
         out["reference"] = request.reference(reference, engine)
     return out
+
+
+def paper(
+    suffix: str,
+    *,
+    theme: str | None,
+    width: str | None,
+    height: str | None,
+    dpi: float | None,
+    font_size: float | None,
+) -> Any:
+    """The paper of a figure. Raises RequestError, also for sizes that the form does not have."""
+    from crankstar.charts.paper import Paper
+    from crankstar.charts.themes import THEMES
+
+    sized = suffix in ("svg", "png", "pdf")
+    texts = {"--width": width, "--height": height, "--font-size": font_size and f"{font_size:g}"}
+    request.refuse_unused({} if sized else texts, beside=f".{suffix}")
+    resolution = {"--dpi": dpi and f"{dpi:g}"}
+    request.refuse_unused({} if suffix == "png" else resolution, beside=f".{suffix}")
+    given: dict[str, Any] = {}
+    if theme is not None:
+        given["theme"] = request.choice("--theme", theme, THEMES)
+    for name, text in (("width", width), ("height", height)):
+        if text is not None:
+            given[name] = _side(f"--{name}", text)
+    for name, value, limits in (("dpi", dpi, DPI), ("font_size", font_size, LETTERS)):
+        if value is None:
+            continue
+        if not limits[0] <= value <= limits[1]:
+            raise refusal(
+                f"--{name.replace('_', '-')}",
+                f"{value:g}",
+                "give a number from {least} to {most}",
+                least=f"{limits[0]:g}",
+                most=f"{limits[1]:g}",
+            )
+        given[name] = value
+    return Paper(**given)
+
+
+def _side(option: str, text: str) -> float:
+    """A side of a picture, m."""
+    with request.reading(option, example="120 mm"):
+        side = 0.0 if units.is_bare(text) else units.si(text, LENGTH)
+    if not SIDES[0] <= side <= SIDES[1]:
+        raise refusal(option, text, "give a length from 20 mm to 2 m, such as 120 mm or 5 in")
+    return side
+
+
+DPI, LETTERS, SIDES = (36.0, 2400.0), (8.0, 72.0), (0.02, 2.0)
+"""The least and the greatest resolution, letters (pt) and side of a picture (m)."""

@@ -61,6 +61,7 @@ OPTIONS = {
         ("--two-stroke", "--four-stroke", "--strokes"),
     ),
     "--cylinders": Option("whole number", "Only engines with this number of cylinders."),
+    "--dpi": Option("number", "Dots of a PNG per inch (default: 192).", ("--resolution", "--ppi")),
     "--explicit": Option("nothing", "Print a complete engine file in the explicit form."),
     "--factor": Option(
         "number",
@@ -72,6 +73,11 @@ OPTIONS = {
         "text",
         "Fixed throws, as in 1=0,4=3: direction d is 360 d/n deg behind direction 0.",
         ("--fixed", "--throws"),
+    ),
+    "--font-size": Option(
+        "number",
+        "Size of the smallest letters on paper in points, 8 or more (default: 9).",
+        ("--letters", "--text-size"),
     ),
     "--format": Option("text", "text, latex, markdown or html."),
     "--front": Option(
@@ -97,6 +103,9 @@ OPTIONS = {
         "text",
         'With --minimise: greatest unbalance of one weight, such as "0.02 kg*m".',
         ("--max-unbalance",),
+    ),
+    "--height": Option(
+        "text", 'Height of the picture, such as "80 mm" (default: what the chart needs).'
     ),
     "--host": Option(
         "text", "Address to listen on; any but 127.0.0.1 admits other machines.", ("--address",)
@@ -228,6 +237,11 @@ OPTIONS = {
         "n (cylinders in a row).",
     ),
     "--symmetric": Option("nothing", "Only cranks whose rear half mirrors the front half."),
+    "--theme": Option(
+        "text",
+        "light, dark or print: the colours of the picture (default: light).",
+        ("--colours", "--colors", "--dark", "--style"),
+    ),
     "--theta": Option(
         "text",
         'Crank angles with commas, such as "0 deg, 90 deg".',
@@ -252,6 +266,9 @@ OPTIONS = {
         "Places of the counterweights: pins (the default), webs, ends (the end webs), or positions "
         'along the shaft, such as "-200 mm, 200 mm".',
         ("--planes", "--counterweights"),
+    ),
+    "--width": Option(
+        "text", 'Width of the picture, such as "120 mm" (default: what the chart needs).'
     ),
     "--workers": Option(
         "whole number",
