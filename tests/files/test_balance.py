@@ -215,9 +215,10 @@ def test_the_command_that_the_verdict_prints_fits_what_it_recommends(
         (["--weights", "0, x"], "--weights"),
         (["--weights", "0, 9"], "beyond the crankshaft"),
         (["--weights", "somewhere"], "pins, webs, ends"),
-        (["--factor", "2"], "from 0 to 1.5"),
-        (["--factor", "-0.1"], "from 0 to 1.5"),
-        (["--factor", "nan"], "from 0 to 1.5"),
+        (["--factor", "310%"], "from -1 to 3"),
+        (["--factor", "-1.1"], "from -1 to 3"),
+        (["--factor", "nan"], "as in 0.5 or 52%"),
+        (["--factor", "5 kg"], "as in 0.5 or 52%"),
         (["--factor", "0.5", "--minimise", "force"], "--factor has no effect with --minimise"),
         (["--limit", "force=1"], "--limit has no effect without --minimise"),
         (["--minimise", "noise"], "choose from force, couple"),
@@ -392,8 +393,9 @@ def test_peaks_of_a_period_too_long_to_follow_are_refused_and_rms_is_not(
 def test_weights_that_are_replaced_are_counted(run: Run, known: str, tmp_path: Path) -> None:
     weighted = str(tmp_path / "weighted.toml")
     run("balance", known, "--weights", "ends", "-o", weighted)
-    out = run("balance", weighted, "--factor", "0.3").out
+    out = run("balance", weighted, "--factor", "0.3", "--bare").out
     assert "2 counterweights of the file are replaced." in out
+    assert "replaced" not in run("balance", weighted, "--factor", "0.3").out
     assert "replaced" not in run("balance", known).out
 
 

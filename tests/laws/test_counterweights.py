@@ -106,9 +106,9 @@ def test_a_rigid_rod_is_shared_between_its_ends() -> None:
 @pytest.mark.parametrize(
     ("arguments", "told"),
     [
-        ({"factor": -0.1}, "from 0 to 1.5"),
-        ({"factor": 1.6}, "from 0 to 1.5"),
-        ({"factor": float("nan")}, "from 0 to 1.5"),
+        ({"factor": -1.1}, "from -1 to 3"),
+        ({"factor": 3.1}, "from -1 to 3"),
+        ({"factor": float("nan")}, "from -1 to 3"),
         ({"factor": 0.5, "planes": [0.0]}, "two planes or more"),
         ({"factor": 0.5, "planes": [1.0, 1.0]}, "all different"),
         ({"factor": 0.5, "planes": [0.0, 9.0]}, "beyond the crankshaft"),

@@ -100,7 +100,7 @@ def test_a_question_that_cannot_be_read_is_told_of_in_words(
         ("api/derivation", {"engine": "i4", "key": "force:1e9"}, "there is no such derivation"),
         ("api/derivation", {"engine": "i4", "key": "force:" + "9" * 19}, "key: "),
         ("api/fitted", {"engine": "i4", "factor": "a"}, 'factor: is "a"; a number is needed'),
-        ("api/fitted", {"engine": "i4", "factor": 1.6}, "factor: is 1.6; it must be at most 1.5"),
+        ("api/fitted", {"engine": "i4", "factor": 3.1}, "factor: is 3.1; it must be at most 3"),
         (
             "api/fitted",
             {"engine": "i4", "weights": "wings"},

@@ -362,6 +362,8 @@ export interface FittedQuestion {
   factor?: number | null
   /** where the counterweights go */
   weights?: ('pins' | 'webs' | 'ends') | null
+  /** replace the counterweights of the file instead of adding to them */
+  bare?: boolean
   /** which balance shafts */
   shafts?: ('none' | 'needed' | 'all') | null
 }

@@ -25,11 +25,11 @@ from crankstar.derive.algebra.wave import Amount
 from crankstar.derive.chapters import Chapter, Derivation
 from crankstar.derive.records import DerivationError, Line, Step, unit_symbol
 from crankstar.derive.steps import derivation
-from crankstar.engine.copies import with_values
+from crankstar.engine.copies import with_values, with_weights
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
 from crankstar.mechanics.balance import default_reference
-from crankstar.remedy import needs, without_counterweights
+from crankstar.remedy import changes, needs
 
 
 @dataclass(frozen=True)
@@ -248,16 +248,22 @@ def _vector(amount: Amount, *units: Formula) -> Formula:
 
 
 def proofs(before: Engine, after: Engine) -> list[Chapter]:
-    """The exact weights in the planes of the crankshaft and of each balance shaft of `after`.
+    """The exact new weights in the planes of the crankshaft and of each balance shaft of `after`.
 
     They are the least that balance all of their vector, as those of half the reciprocating mass do,
     and are proved to leave nothing; weights of the crankshafts that leave some of it are left out.
-    Raises DerivationError.
+    Weights of the file that were kept count as they are. Raises DerivationError.
     """
-    bare, crank, count = without_counterweights(before), after.shafts[0], len(before.shafts)
+    crank, count = after.shafts[0], len(before.shafts)
+    became = changes(before, after)
+    added = became[crank.name].added
+    bare = with_weights(
+        with_values(after, shafts=after.shafts[:count]),
+        {shaft.name: became[shaft.name].kept for shaft in before.shafts},
+    )
     chapters: list[Chapter] = []
-    if crank.weights and _turning_with_crank(bare) and not _turning_with_crank(after):
-        planes = sorted({weight.z for weight in crank.weights}, reverse=True)
+    if added and _turning_with_crank(bare) and not _turning_with_crank(after):
+        planes = sorted({weight.z for weight in added}, reverse=True)
         chapters.append(cure(bare, ratio=1, planes=planes).chapter)
     for place, shaft in enumerate(after.shafts[count:], count):
         # Only what turns as this shaft does adds to its vector; weights that do not would only

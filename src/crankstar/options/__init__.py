@@ -5,6 +5,7 @@
 | `vocabulary` | every option of every command: what it takes, what it means |
 | `refusals` | requests that cannot be met |
 | `values` | speeds, orders, angles, points of reference, settings |
+| `remedies` | weights, what they minimise, balance shafts |
 | `forms` | the form in which a result is written |
 | `words` | the options of a search as typed |
 | `balancing` | the options of a balance, and the balanced engine |

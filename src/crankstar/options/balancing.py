@@ -5,6 +5,7 @@ from __future__ import annotations
 from pydantic import BaseModel, ConfigDict, Field
 
 from crankstar.engine.engine import Engine
+from crankstar.options import remedies
 from crankstar.options import values as request
 from crankstar.options.refusals import RequestError
 from crankstar.options.vocabulary import meaning
@@ -17,7 +18,8 @@ class BalanceOptions(BaseModel):
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
-    factor: float | None = Field(default=None, description=meaning("--factor"))
+    factor: str | None = Field(default=None, description=meaning("--factor"))
+    bare: bool = Field(default=False, description=meaning("--bare"))
     weights: str = Field(default="pins", description=meaning("--weights"))
     minimise: str | None = Field(
         default=None,
@@ -66,25 +68,26 @@ def balanced(
         given = {f"--{part.replace('_', '-')}": getattr(options, part) for part in parts}
         if getattr(options, name) is None:
             request.refuse_unused(given, without=f"--{name}")
-    places = request.weights(options.weights, engine)
+    places = remedies.weights(options.weights, engine)
     radius = request.length("--radius", options.radius, engine, positive=True)
     turning = engine.speed if speed is None else request.speed(speed)
     if options.recommended:
         return _recommended(engine, options)._replace(radius=radius, speed=turning)
     if options.minimise is None:
-        factor = own_factor if options.factor is None else options.factor
-        after = fitting.by_factor(engine, factor=factor, weights=places)
+        factor = own_factor if options.factor is None else remedies.factor(options.factor)
+        after = fitting.by_factor(engine, factor=factor, weights=places, bare=options.bare)
         job = Job(engine, after, factor, radius=radius, speed=turning)
     else:
         request.refuse_unused({"--factor": options.factor}, beside="--minimise")
         best = fitting.best(
             engine,
             weights=places,
-            aim=request.aim("--minimise", options.minimise, pitch=options.pitch_share),
-            limits=request.limits(options.limit, engine, speed=turning),
-            greatest_unbalance=request.unbalance(
+            aim=remedies.aim("--minimise", options.minimise, pitch=options.pitch_share),
+            limits=remedies.limits(options.limit, engine, speed=turning),
+            greatest_unbalance=remedies.unbalance(
                 "--greatest-unbalance", options.greatest_unbalance, engine
             ),
+            bare=options.bare,
         )
         job = Job(engine, best.engine, None, best, radius, turning)
     return _with_shafts(job, options)
@@ -97,7 +100,7 @@ def _recommended(engine: Engine, options: BalanceOptions) -> Job:
     request.refuse_unused(
         {**others, "--weights": weights, "--shafts": options.shafts}, beside="--recommended"
     )
-    fitted = fitting.recommended(engine)
+    fitted = fitting.recommended(engine, bare=options.bare)
     if fitted is None:
         raise RequestError(
             "--recommended: no primary or secondary force or couple remains that weights or "
@@ -110,12 +113,12 @@ def _with_shafts(job: Job, options: BalanceOptions) -> Job:
     """The job with its balance shafts, if any."""
     if options.shafts is None:
         return job
-    places = request.shaft_places(
+    places = remedies.shaft_places(
         job.before,
         planes_text=options.shaft_planes,
         place=options.shaft_place,
         spacing=options.shaft_spacing,
     )
-    ratios = request.ratios(options.shafts)
+    ratios = remedies.ratios(options.shafts)
     after = fitting.with_shafts(job.after, ratios=ratios, places=places, level=options.level)
     return job._replace(after=after)

@@ -7,33 +7,21 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from fractions import Fraction
 from math import degrees as rad2deg
-from math import isfinite
 from pathlib import PurePath
 from typing import Any, Literal, cast, get_args
 
 from crankstar.engine.engine import Engine
-from crankstar.engine.quantities import (
-    ANGLE,
-    COUPLE,
-    FORCE,
-    LEAST,
-    LENGTH,
-    POSITION,
-    SPEED,
-    UNBALANCE,
-    Quantity,
-)
+from crankstar.engine.quantities import ANGLE, LEAST, LENGTH, POSITION, SPEED, Quantity
 from crankstar.files import STANDARD_INPUT, changed, units
 from crankstar.files.catalog import tree_of
 from crankstar.language.faults import ValueFaultError
 from crankstar.language.messages import _
 from crankstar.language.numbers import number as number_text
 from crankstar.language.quoting import one_line, seen
-from crankstar.mechanics.balance import Grouping, unit_unbalance
+from crankstar.mechanics.balance import Grouping
 from crankstar.mechanics.excitation import Reference
-from crankstar.options.refusals import RequestError, choice, refusal, refuse_unused
-from crankstar.remedy import Aim, Limit, Plane, without_weights
-from crankstar.remedy.fitting import Places, ShaftPlaces, Wanted
+from crankstar.options.refusals import RequestError, choice, refusal
+from crankstar.options.refusals import refuse_unused as refuse_unused  # with the other requests
 
 Derived = Literal["force", "couple", "torque"]
 Derivable = Literal["motion", "force", "couple", "torque"]
@@ -154,7 +142,7 @@ def orders(text: str | None, present: list[float]) -> list[float] | None:
     if text.strip() == "all":
         return present
     printed = {number_text(order): order for order in present}
-    values = zip(listed(text), _fractions(text, most=200), strict=False)
+    values = zip(listed(text), fractions(text, most=200), strict=False)
     wanted = [printed.get(part, float(order)) for part, order in values]
     if not wanted or not all(0 < order <= 1000 for order in wanted):
         raise refusal(
@@ -172,7 +160,7 @@ def quantities(text: str | None) -> list[Derived]:
     return [cast("Derived", name) for name in chosen if name != "motion"]
 
 
-def _fractions(text: str, *, most: int) -> list[Fraction]:
+def fractions(text: str, *, most: int) -> list[Fraction]:
     """Fractions with commas; none where one cannot be read, or there are too many."""
     parts = listed(text)
     try:
@@ -188,7 +176,7 @@ def _fractions(text: str, *, most: int) -> list[Fraction]:
 
 def derived_orders(text: str) -> list[Fraction]:
     """Crank orders to derive, whole, decimal or fractions; `all` is 1, 2, 4, 6 as in textbooks."""
-    wanted = _fractions("1,2,4,6" if text.strip() == "all" else text, most=24)
+    wanted = fractions("1,2,4,6" if text.strip() == "all" else text, most=24)
     if not wanted:
         raise refusal(
             "--orders",
@@ -243,7 +231,7 @@ def reference(text: str | None, engine: Engine) -> Reference | None:
     example = _('as in "-120 mm" (z) or "0 mm, 35 mm, 0 mm" (z, up, right)')
     if len(parts) not in (1, 3):
         raise refusal("--reference", text, "give z, or z, up and right, {example}", example=example)
-    return Reference(*_places("--reference", parts, [POSITION, LENGTH, LENGTH], engine, example))
+    return Reference(*places("--reference", parts, [POSITION, LENGTH, LENGTH], engine, example))
 
 
 def planes(option: str, text: str, engine: Engine) -> list[float]:
@@ -251,107 +239,7 @@ def planes(option: str, text: str, engine: Engine) -> list[float]:
     parts, example = listed(text), _('as in "-200 mm, 200 mm"')
     if not 1 <= len(parts) <= 64:
         raise refusal(option, text, "give places along the shaft, {example}", example=example)
-    return _places(option, parts, [POSITION] * len(parts), engine, example)
-
-
-def weights(text: str, engine: Engine) -> list[Plane] | Places:
-    """The place of counterweights: pins, all webs, end webs, or planes of every crankshaft."""
-    word = text.strip().lower()
-    if word in get_args(Places):
-        return cast("Places", word)
-    if not any(letter.isdigit() for letter in text):
-        raise refusal(
-            "--weights",
-            text,
-            'it can be pins, webs, ends, or places along the shaft as in "-200 mm, 200 mm"',
-        )
-    cranks = [shaft.name for shaft in engine.shafts if shaft.throws]
-    return [Plane(name, z) for name in cranks for z in planes("--weights", text, engine)]
-
-
-def aim(option: str, text: str, *, pitch: float | None = None) -> Aim:
-    """The quantity that weights minimise; `pitch` is its share in a couple, yaw has the rest."""
-    wanted = AIMS[choice(option, " ".join(text.lower().split()), AIMS)]
-    if pitch is None:
-        return wanted
-    if not 0 <= pitch <= 1:
-        raise refusal(
-            "--pitch-share",
-            f"{pitch:g}",
-            "give the share of pitch from 0 (only yaw counts) to 1 (only pitch)",
-        )
-    if wanted not in (AIMS["couple"], AIMS["rms couple"]):
-        refuse_unused({"--pitch-share": pitch}, beside=f"--minimise {text}")
-    return wanted._replace(up=2 * pitch, right=2 * (1 - pitch))
-
-
-AIMS = {
-    "force": Aim("force"),
-    "couple": Aim("couple"),
-    "rms force": Aim("force", rms=True),
-    "rms couple": Aim("couple", rms=True),
-    "pitch": Aim("couple", up=1.0, right=0.0),
-    "yaw": Aim("couple", up=0.0, right=1.0),
-    "rms pitch": Aim("couple", rms=True, up=1.0, right=0.0),
-    "rms yaw": Aim("couple", rms=True, up=0.0, right=1.0),
-    "bearing": Aim("bearing"),
-}
-
-
-def limits(texts: Sequence[str], engine: Engine, *, speed: float | None) -> list[Limit]:
-    """Limits such as couple=1.5 (m r w^2 a), couple=50% (of bare crankshafts) or force="500 N".
-
-    Newtons need a speed.
-    """
-    out: list[Limit] = []
-    for text in texts:
-        name, equals, value = text.partition("=")
-        if not equals or not value.strip():
-            raise refusal(
-                "--limit", text, 'give a quantity and its limit, as in couple=50% or force="500 N"'
-            )
-        wanted = aim("--limit", name)
-        out.append(Limit(wanted, _at_most(wanted, value.strip(), text, engine, speed)))
-    return out
-
-
-def _at_most(wanted: Aim, value: str, text: str, engine: Engine, speed: float | None) -> float:
-    """A limit in m r w^2 or m r w^2 a."""
-    percent = value.removesuffix("%").strip()
-    plain = r"[-+]?(\d+(\.\d*)?|\.\d+)(e[-+]?\d{1,3})?|nan|inf"
-    real = re.fullmatch(plain, percent, re.ASCII | re.IGNORECASE) is None
-    couple = wanted.quantity == "couple"
-    if real:
-        example = _("a bare number of m r ω² or a share in %")
-        with reading(f"--limit {one_line(text)}", example=example):
-            number = units.si(value, COUPLE if couple else FORCE)
-        if {"mass", "radius", *(["pitch"] if couple else [])} & {*engine.relative}:
-            raise refusal(
-                "--limit",
-                text,
-                "the masses and sizes of this engine are not known; give a number of m r ω²",
-            )
-        if speed is None:
-            raise refusal("--limit", text, "newtons need a speed, as in --speed '6000 rpm'")
-        number /= unit_unbalance(engine) * speed**2 * (engine.pitch if couple else 1.0)
-    else:
-        number = float(percent)
-        if "%" in value:
-            number *= without_weights(engine, wanted) / 100
-    if not (isfinite(number) and number >= 0):
-        raise refusal("--limit", text, "give a number from 0 up")
-    return number
-
-
-def unbalance(option: str, text: str | None, engine: Engine) -> float | None:
-    """An unbalance in m r of the first cylinder."""
-    if text is None:
-        return None
-    with reading(option):
-        value = units.reader(frozenset(engine.relative))(text, UNBALANCE)
-    if not value > 0:
-        raise _not_positive(option, text, UNBALANCE)
-    return value / unit_unbalance(engine)
+    return places(option, parts, [POSITION] * len(parts), engine, example)
 
 
 def length(
@@ -360,48 +248,20 @@ def length(
     """A length across the crankshaft in the units of the engine."""
     if text is None:
         return None
-    value = _places(option, [text.strip()], [LENGTH], engine, _('as in "60 mm"'))[0]
+    value = places(option, [text.strip()], [LENGTH], engine, _('as in "60 mm"'))[0]
     if positive and not value >= LEAST:
-        raise _not_positive(option, text, LENGTH)
+        raise not_positive(option, text, LENGTH)
     return value
 
 
-def _not_positive(option: str, text: str, quantity: Quantity) -> RequestError:
+def not_positive(option: str, text: str, quantity: Quantity) -> RequestError:
+    """The refusal of a value that is not above 0."""
     return refusal(
         option, text, 'it must be greater than 0, such as "{example}"', example=quantity.example
     )
 
 
-def ratios(text: str) -> list[Fraction] | Wanted:
-    """Speed ratios of balance shafts, or that those the engine needs are wanted."""
-    word = text.strip().lower()
-    if word in get_args(Wanted):
-        return cast("Wanted", word)
-    values = _fractions(text, most=8)
-    if not values:
-        raise refusal(
-            "--shafts",
-            text,
-            'give speed ratios with commas, negative against the crank, as in -1 or "2, -2"; or '
-            "needed, or all",
-        )
-    return values
-
-
-def shaft_places(
-    engine: Engine, *, planes_text: str | None, place: str | None, spacing: str | None
-) -> ShaftPlaces:
-    """Where balance shafts lie and their weights on them."""
-    along = None if planes_text is None else tuple(planes("--shaft-planes", planes_text, engine))
-    parts = [part.strip() for part in (place or "0, 0").split(",")]
-    example = _('as in "-60 mm, 0 mm"')
-    if len(parts) != 2:
-        raise refusal("--shaft-place", place, "give up and right, {example}", example=example)
-    up, right = _places("--shaft-place", parts, [LENGTH, LENGTH], engine, example)
-    return ShaftPlaces(along, up, right, length("--shaft-spacing", spacing, engine) or 0.0)
-
-
-def _places(
+def places(
     option: str, parts: list[str], marks: list[Quantity], engine: Engine, example: str
 ) -> list[float]:
     """Lengths with their units, or bare where the engine counts in units of its own."""

@@ -39,6 +39,11 @@ OPTIONS = {
         "to 180 deg).",
         ("--banks", "--bank-angle", "--vee-angle"),
     ),
+    "--bare": Option(
+        "nothing",
+        "Replace the counterweights of the file instead of adding to them.",
+        ("--replace-weights",),
+    ),
     "--beside": Option(
         "several texts", "Another engine, shown beside this one.", ("--with", "--and", "--compare")
     ),
@@ -64,10 +69,10 @@ OPTIONS = {
     "--dpi": Option("number", "Dots of a PNG per inch (default: 192).", ("--resolution", "--ppi")),
     "--explicit": Option("nothing", "Print a complete engine file in the explicit form."),
     "--factor": Option(
-        "number",
-        "Share of the reciprocating mass on each pin that is balanced, 0 to 1.5 (default: the "
-        "file's, else 0.5).",
-        ("--balance-factor", "--overbalance"),
+        "text",
+        "Share of the reciprocating mass on each pin that is balanced, such as 0.5 or 52% "
+        "(default: the file's, else 0.5).",
+        ("--balance-factor", "--overbalance", "--underbalance"),
     ),
     "--fix": Option(
         "text",

@@ -134,12 +134,15 @@ def exhibit(
     )
 
 
-def fitted(engine: Engine, *, file: Mapping[str, Any] | None = None) -> Exhibit | None:
+def fitted(
+    engine: Engine, *, file: Mapping[str, Any] | None = None, bare: bool = False
+) -> Exhibit | None:
     """The engine with the weights and shafts that the verdict recommends, None if it needs none.
 
-    `file` is the tree of its engine file.
+    `file` is the tree of its engine file. New counterweights stand beside those of the file or,
+    with `bare`, instead of them.
     """
-    remedy = fitting.recommended(engine)
+    remedy = fitting.recommended(engine, bare=bare)
     if remedy is None:
         return None
     return fitted_with(

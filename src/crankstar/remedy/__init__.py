@@ -3,6 +3,7 @@
 | module, bottom to top | one line |
 |---|---|
 | `loads` | the rotating and reciprocating masses on each crank pin; bobweights |
+| `kept` | the weights that crankshafts have: what they leave to new ones; taken away again |
 | `counterweights` | weights from a balance factor: at the throws, on webs, in given planes |
 | `programme` | the second-order cone programme behind the best weights, and its lower bound |
 | `aims` | force, couple, pitch, yaw, bearing load to minimise; as numbers and as cones |
@@ -20,6 +21,7 @@ from crankstar.remedy.counterweights import (
     with_web_weights,
     without_counterweights,
 )
+from crankstar.remedy.kept import changes, without_added
 from crankstar.remedy.loads import Load, bobweight, loads
 from crankstar.remedy.shafts import (
     GREATEST_RATIO,
@@ -43,6 +45,7 @@ __all__ = [
     "bearing_load",
     "best_weights",
     "bobweight",
+    "changes",
     "end_planes",
     "end_webs",
     "loads",
@@ -54,6 +57,7 @@ __all__ = [
     "with_roll_cancelled",
     "with_turning_cancelled",
     "with_web_weights",
+    "without_added",
     "without_counterweights",
     "without_weights",
 ]

@@ -64,20 +64,22 @@ class Limit(NamedTuple):
 class Best(NamedTuple):
     """The best weights: the engine with them, unbalances by plane, and the certificate.
 
-    `unbalance` in m r, up + i right at theta = 0. `value` is the `aim` with these weights, `bare`
-    without any; no weights within the limits make it smaller than `bound`. `limits` pairs each
-    limit with the value reached; `angles` (radians) are the crank angles of a peak.
+    `unbalance` in m r, up + i right at theta = 0, beside the weights of the file if they are
+    `kept`. `value` is the `aim` with these weights, `before` without them; no weights within the
+    limits make it smaller than `bound`. `limits` pairs each limit with the value reached; `angles`
+    (radians) are the crank angles of a peak.
     """
 
     engine: Engine
     planes: tuple[Plane, ...]
     unbalance: tuple[complex, ...]
     value: float
-    bare: float
+    before: float
     bound: float
     limits: tuple[tuple[Limit, float], ...]
     angles: tuple[float, ...]
     aim: Aim
+    kept: bool
 
 
 def best_weights(
@@ -88,8 +90,11 @@ def best_weights(
     limits: Sequence[Limit] = (),
     greatest_unbalance: float | None = None,
     reference: Reference | None = None,
+    bare: bool = False,
 ) -> Best:
-    """The weights in these planes that minimise `aim`; they replace those of the crankshafts.
+    """The weights in these planes that minimise `aim`, beside those of the crankshafts.
+
+    With `bare` they replace those of the crankshafts.
 
     `greatest_unbalance` (m r of the first cylinder) bounds each of them; the default is twice the
     unbalance of all pins. Raises RemedyError, also where the limits cannot be met, and by how much.
@@ -110,8 +115,8 @@ def best_weights(
             )
     for wanted in (aim, *(limit.aim for limit in limits)):
         _check_aim(wanted)
-    bare = without_counterweights(engine)
-    case = setting(bare, planes, reference=reference)
+    start = without_counterweights(engine) if bare else engine
+    case = setting(start, planes, reference=reference)
     try:
         x, bound = _least(case, aim, limits, most)
         if x is None:
@@ -123,11 +128,11 @@ def best_weights(
     x = _tidied(case, planes, x, [aim, *(limit.aim for limit in limits)], most)
     value = measured(case, aim, x)
     return Best(
-        engine=_with(bare, planes, x),
+        engine=_with(start, planes, x),
         planes=tuple(planes),
         unbalance=tuple(complex(up, right) for up, right in x.reshape(-1, 2)),
         value=value,
-        bare=measured(case, aim, np.zeros_like(x)),
+        before=measured(case, aim, np.zeros_like(x)),
         bound=min(max(bound, 0.0), value),
         limits=tuple((limit, measured(case, limit.aim, x)) for limit in limits),
         angles=tuple(
@@ -136,6 +141,7 @@ def best_weights(
             )
         ),
         aim=aim,
+        kept=any(shaft.weights for shaft in start.shafts if shaft.throws),
     )
 
 
@@ -154,9 +160,10 @@ def _check_aim(aim: Aim) -> None:
         )
 
 
-def without_weights(engine: Engine, aim: Aim) -> float:
-    """An aim on bare crankshafts, m r w^2 or m r w^2 a."""
-    return measured(setting(without_counterweights(engine), []), aim, np.zeros(0))
+def without_weights(engine: Engine, aim: Aim, *, bare: bool = True) -> float:
+    """An aim before weights are added, m r w^2 or m r w^2 a; `bare`: on bare crankshafts."""
+    start = without_counterweights(engine) if bare else engine
+    return measured(setting(start, []), aim, np.zeros(0))
 
 
 def bearing_load(engine: Engine) -> float:
@@ -193,20 +200,25 @@ def _most(engine: Engine, greatest: float | None) -> float:
     return min(greatest or np.inf, MOST * carried)
 
 
-def _with(engine: Engine, planes: Sequence[Plane], x: Real) -> Engine:
-    unit = unit_unbalance(engine)
-
+def _with(start: Engine, planes: Sequence[Plane], x: Real) -> Engine:
+    """The engine with weights of these unbalances beside those it has."""
+    unit = unit_unbalance(start)
     weights: dict[str, list[Weight]] = {}
     for name in {plane.shaft for plane in planes}:
+        kept = start.shaft(name).weights
         own = [
             (complex(*pair) * unit, p.z)
             for p, pair in zip(planes, x.reshape(-1, 2), strict=True)
             if p.shaft == name
         ]
-        weights[name] = turned_weights(
-            [u for u, place in own], [place for u, place in own], negligible=NOISE
+        more = turned_weights(
+            [u for u, place in own],
+            [place for u, place in own],
+            negligible=NOISE,
+            beside=max((weight.unbalance for weight in kept), default=0.0),
         )
-    return with_weights(engine, weights)
+        weights[name] = [*kept, *more]
+    return with_weights(start, weights)
 
 
 def _least(case: Setting, aim: Aim, limits: Sequence[Limit], most: float) -> Solution:

@@ -7,7 +7,8 @@ unbalances u_j and their moments agree:
     sum u_j = U,    sum z_j u_j = V,
 
 U and V those of weights at the throws. Of all solutions the one with the least sum of |u_j|^2 is
-taken; two planes are enough.
+taken; two planes are enough. Crankshafts keep the weights that they have, and the new ones take
+over what those leave (`kept`), unless they are to be bare.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from cmath import exp, phase
 from collections.abc import Callable, Sequence
 from itertools import pairwise
 from math import isfinite
+from typing import NamedTuple
 
 import numpy as np
 
@@ -24,9 +26,13 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.main_bearings import end_webs, pin_groups
 from crankstar.engine.records import Shaft, Weight
 from crankstar.language.messages import MessageError
+from crankstar.remedy.kept import Group, least_weights, relief, vectors
 from crankstar.remedy.loads import Load, bobweight, loads
 
-GREATEST_FACTOR = 1.5
+LEAST_FACTOR, GREATEST_FACTOR = -1.0, 3.0
+"""Of balance factors: beyond all that engines are built with."""
+BEYOND = 3.0
+"""Bore pitches from the last pin or cylinder to a plane, at most: a damper, a flywheel."""
 CLOSEST = 1e-3
 """Bore pitches between two planes, at least."""
 NEGLIGIBLE = 1e-12
@@ -37,15 +43,23 @@ class RemedyError(MessageError):
     """A remedy that is impossible; the message says what is possible."""
 
 
-def with_counterweights(
-    engine: Engine, *, factor: float, planes: Sequence[float] | None = None
-) -> Engine:
-    """The engine with counterweights instead of those that its crankshafts have.
+class Share(NamedTuple):
+    """What a group of throws needs: unbalances (up + i right) at its places z, and its throws."""
 
-    `factor` is the share of all the reciprocating mass on each pin, 0 to 1.5, that is balanced
-    besides all of the rotating mass. `planes` are places along the shaft (z, m or bore pitches as
-    the engine counts); without them a weight stands opposite every pin. Shafts without throws keep
-    their weights. Raises RemedyError.
+    needed: tuple[complex, ...]
+    group: Group
+
+
+def with_counterweights(
+    engine: Engine, *, factor: float, planes: Sequence[float] | None = None, bare: bool = False
+) -> Engine:
+    """The engine with counterweights beside those that its crankshafts have; `bare`: instead.
+
+    `factor` is the share of all the reciprocating mass on each pin that is balanced besides all of
+    the rotating mass, by the weights that are there and by the new ones together: one half for
+    most V8s, 0.52 with an overbalance of two per cent, from -1 to 3. `planes` are places along the
+    shaft (z, m or bore pitches as the engine counts); without them a weight stands opposite every
+    pin. Shafts without throws keep their weights. Raises RemedyError.
 
     >>> from crankstar import balance, load, spectra, total
     >>> weighted = with_counterweights(load("v2-90"), factor=0.5)
@@ -55,55 +69,103 @@ def with_counterweights(
 
     >>> bool(abs(first.forward[0]) + abs(first.backward[0]) < 1e-12)
     True
+
+    With these weights the crankshaft needs no more of them; for the whole of the mass it needs as
+    many again:
+
+    >>> with_counterweights(weighted, factor=0.5) == weighted
+    True
+    >>> more = with_counterweights(weighted, factor=1)
+    >>> [round(weight.unbalance, 9) for weight in more.shafts[0].weights]
+    [1.0, 1.0]
     """
     if planes is None:
-        return _balanced(engine, factor, lambda _shaft, own: _opposite(own, factor))
+        return _balanced(engine, factor, lambda _shaft, own: _opposite(own, factor), bare=bare)
     possible_planes(engine, planes)
-    return _balanced(engine, factor, lambda _shaft, own: _in_planes(own, factor, planes))
+    return _balanced(
+        engine, factor, lambda _shaft, own: [_in_planes(own, factor, planes)], bare=bare
+    )
 
 
-def with_web_weights(engine: Engine, *, factor: float, ends_only: bool = False) -> Engine:
+def with_web_weights(
+    engine: Engine, *, factor: float, ends_only: bool = False, bare: bool = False
+) -> Engine:
     """The engine with counterweights on the two webs of each throw; `ends_only`, on the end webs.
+
+    Crankshafts keep the weights that they have unless they are to be `bare`.
 
     >>> from crankstar.files.catalog import load
     >>> len(with_web_weights(load("v8-cross-plane"), factor=0.5).shafts[0].weights)  # two a throw
     8
     """
 
-    def weights(shaft: Shaft, own: Sequence[Load]) -> list[Weight]:
+    def shares(shaft: Shaft, own: Sequence[Load]) -> list[Share]:
         if ends_only:
-            return _in_planes(own, factor, end_webs(engine, shaft))
-        by_throw = [
+            return [_in_planes(own, factor, end_webs(engine, shaft))]
+        return [
             _in_planes(
                 [pin for pin in own if pin.throw in group.throws],
                 factor,
                 tuple(dict.fromkeys(group.webs)),  # an overhung throw may have one web
-                throw=group.throws[0] if len(group.throws) == 1 else None,
+                throws=group.throws,
             )
             for group in pin_groups(engine, shaft)
         ]
-        return [weight for pair in by_throw for weight in pair]
 
-    return _balanced(engine, factor, weights)
+    return _balanced(engine, factor, shares, bare=bare)
 
 
 def _balanced(
-    engine: Engine, factor: float, weights: Callable[[Shaft, list[Load]], list[Weight]]
+    engine: Engine, factor: float, shares: Callable[[Shaft, list[Load]], list[Share]], *, bare: bool
 ) -> Engine:
-    if not isfinite(factor) or not 0 <= factor <= GREATEST_FACTOR:
+    if not isfinite(factor) or not LEAST_FACTOR <= factor <= GREATEST_FACTOR:
         raise RemedyError(
-            "the balance factor is {factor}; give a share of the reciprocating mass from 0 to "
-            "{greatest}",
+            "the balance factor is {factor}; give a share of the reciprocating mass from {least} "
+            "to {greatest}",
             factor=f"{factor:g}",
+            least=f"{LEAST_FACTOR:g}",
             greatest=f"{GREATEST_FACTOR:g}",
         )
     pins = loads(engine)
-    own = {
-        shaft.name: [pin for pin in pins if pin.shaft == shaft.name]
-        for shaft in engine.shafts
-        if shaft.throws
-    }
-    return with_weights(engine, {name: weights(engine.shaft(name), on) for name, on in own.items()})
+    weights: dict[str, list[Weight]] = {}
+    for shaft in engine.shafts:
+        if shaft.throws:
+            own = shares(shaft, [pin for pin in pins if pin.shaft == shaft.name])
+            weights[shaft.name] = (
+                _bare(own) if bare else [*shaft.weights, *_more(engine, shaft, own)]
+            )
+    return with_weights(engine, weights)
+
+
+def _bare(shares: Sequence[Share]) -> list[Weight]:
+    """The weights of a crankshaft without any: those negligible in their group are left out."""
+    return [
+        weight
+        for needed, group in shares
+        for weight in turned_weights(
+            needed, group.places, throws=[_throw(group)] * len(group.places)
+        )
+    ]
+
+
+def _more(engine: Engine, shaft: Shaft, shares: Sequence[Share]) -> list[Weight]:
+    """The weights that a crankshaft needs beside its own."""
+    if not shaft.weights:
+        return _bare(shares)
+    groups = [group for _needed, group in shares]
+    needed = [vector for share in shares for vector in share.needed]
+    relieved = relief(engine, shaft, groups)
+    return turned_weights(
+        [vector - less for vector, less in zip(needed, relieved, strict=True)],
+        [place for group in groups for place in group.places],
+        throws=[_throw(group) for group in groups for _place in group.places],
+        beside=max(map(abs, [*needed, *vectors(shaft.weights)])),
+    )
+
+
+def _throw(group: Group) -> int | None:
+    """The throw of the weights of a group, if it is of one."""
+    return group.throws[0] if group.throws is not None and len(group.throws) == 1 else None
 
 
 def without_counterweights(engine: Engine) -> Engine:
@@ -120,28 +182,27 @@ def possible_planes(engine: Engine, planes: Sequence[float]) -> None:
 
 
 def on_the_shaft(engine: Engine, planes: Sequence[float]) -> None:
-    """Refuse places beyond the crankshaft. Raises RemedyError."""
+    """Refuse places far beyond the crankshaft, its damper and its flywheel. Raises RemedyError."""
     places = [throw.z for shaft in engine.shafts for throw in shaft.throws] + [
         cylinder.z for cylinder in engine.cylinders
     ]
     front, rear = max(places), min(places)
-    room = engine.pitch
+    room = BEYOND * engine.pitch
     beyond = [
         plane for plane in planes if not isfinite(plane) or not rear - room <= plane <= front + room
     ]
     if beyond:
         unit = "bore pitches" if "pitch" in engine.relative else "m"
         raise RemedyError(
-            "the plane z = {plane} {unit} is beyond the crankshaft, whose pins and "
-            "cylinders lie "
-            "between z = {rear} and {front} {unit}; a plane may be up to one bore pitch "
-            "({pitch} "
-            "{unit}) beyond them",
+            "the plane z = {plane} {unit} is beyond the crankshaft, whose pins and cylinders lie "
+            "between z = {rear} and {front} {unit}; a plane may be up to {beyond} bore pitches "
+            "({room} {unit}) beyond them, as on a vibration damper or flywheel",
             plane=f"{beyond[0]:g}",
             unit=unit,
             rear=f"{rear:g}",
             front=f"{front:g}",
-            pitch=f"{room:g}",
+            beyond=f"{BEYOND:g}",
+            room=f"{room:g}",
         )
 
 
@@ -160,35 +221,27 @@ def apart(engine: Engine, planes: Sequence[float]) -> None:
         )
 
 
-def _opposite(pins: Sequence[Load], factor: float) -> list[Weight]:
-    vectors = [-bobweight(pin, factor) * pin.radius * exp(1j * pin.angle) for pin in pins]
-    return turned_weights(vectors, [pin.z for pin in pins], throws=[pin.throw for pin in pins])
+def _opposite(pins: Sequence[Load], factor: float) -> list[Share]:
+    """A weight opposite every pin."""
+    return [Share((_needed(pin, factor),), Group((pin.z,), (pin.throw,))) for pin in pins]
+
+
+def _needed(pin: Load, factor: float) -> complex:
+    return -bobweight(pin, factor) * pin.radius * exp(1j * pin.angle)
 
 
 def _in_planes(
-    pins: Sequence[Load], factor: float, planes: Sequence[float], *, throw: int | None = None
-) -> list[Weight]:
-    """Weights in these planes, of this throw if they are all its own."""
-    vectors = np.array([-bobweight(pin, factor) * pin.radius * exp(1j * pin.angle) for pin in pins])
-    moment = complex((vectors * [pin.z for pin in pins]).sum())
-    return turned_weights(
-        least_weights(force=complex(vectors.sum()), moment=moment, planes=planes),
-        planes,
-        throws=[throw] * len(planes),
-    )
-
-
-def least_weights(*, force: complex, moment: complex, planes: Sequence[float]) -> list[complex]:
-    """Unbalances u_j in planes z_j with sum u_j = force, sum z_j u_j = moment, least sum |u_j|^2.
-
-    They are the pseudo-inverse of the two conditions; z and the moment count from one point.
-    """
-    places = np.array(planes, float)
-    middle = float(np.mean(places))  # with moments about it, both conditions count alike
-    reach = float(np.max(np.abs(places - middle))) or 1.0  # one plane has no reach
-    conditions = np.array([np.ones(places.size), (places - middle) / reach])
-    wanted = np.array([force, (moment - middle * force) / reach])
-    return [complex(unbalance) for unbalance in np.linalg.pinv(conditions) @ wanted]
+    pins: Sequence[Load],
+    factor: float,
+    planes: Sequence[float],
+    *,
+    throws: tuple[int, ...] | None = None,
+) -> Share:
+    """The least weights in these planes, of these throws if they are all their own."""
+    needed = np.array([_needed(pin, factor) for pin in pins])
+    moment = complex((needed * [pin.z for pin in pins]).sum())
+    least = least_weights(force=complex(needed.sum()), moment=moment, planes=planes)
+    return Share(tuple(least), Group(tuple(planes), throws))
 
 
 def turned_weights(
@@ -197,12 +250,13 @@ def turned_weights(
     *,
     throws: Sequence[int | None] | None = None,
     negligible: float = NEGLIGIBLE,
+    beside: float = 0.0,
 ) -> list[Weight]:
     """Weights from their unbalance vectors (up + i right at theta = 0), and the throws they have.
 
-    Those negligible beside the greatest are left out.
+    Those negligible beside the greatest, or `beside` an unbalance, are left out.
     """
-    greatest = max(map(abs, vectors), default=0.0)
+    greatest = max(map(abs, [*vectors, beside]))
     return [
         Weight(unbalance=abs(vector), angle=phase(vector), z=place, throw=throw)
         for vector, place, throw in zip(

@@ -114,28 +114,32 @@ class ShaftPlaces:
     apart: float = 0.0
 
 
-def by_factor(engine: Engine, *, factor: float, weights: Places | Sequence[Plane]) -> Engine:
+def by_factor(
+    engine: Engine, *, factor: float, weights: Places | Sequence[Plane], bare: bool = False
+) -> Engine:
     """The engine with counterweights of a balance factor at its pins, on its webs, or in planes.
 
-    Raises RemedyError.
+    They stand beside those of its crankshafts, which count; `bare`: instead of them. Raises
+    RemedyError.
     """
     if weights == "pins":
-        return with_counterweights(engine, factor=factor)
+        return with_counterweights(engine, factor=factor, bare=bare)
     if weights in ("webs", "ends"):
-        return with_web_weights(engine, factor=factor, ends_only=weights == "ends")
+        return with_web_weights(engine, factor=factor, ends_only=weights == "ends", bare=bare)
     return with_counterweights(
         engine,
         factor=factor,
         planes=sorted({plane.z for plane in _planes(engine, weights)}, reverse=True),
+        bare=bare,
     )
 
 
-def recommended(engine: Engine) -> Fitted | None:
+def recommended(engine: Engine, *, bare: bool = False) -> Fitted | None:
     """The engine with the cure that its verdict proposes; None where order 1 and 2 are balanced.
 
-    Counterweights (`quiet_cranks`) cancel what turns with a crankshaft in order 1 and 2. The rest
-    needs balance shafts, of which those of the lowest remaining order are added, clear of the crank
-    (`clear_places`).
+    Counterweights (`quiet_cranks`) cancel what turns with a crankshaft in order 1 and 2, beside
+    those that it has or, with `bare`, instead of them. The rest needs balance shafts, of which
+    those of the lowest remaining order are added, clear of the crank (`clear_places`).
 
     >>> from crankstar.files.catalog import load
     >>> recommended(load("v8-cross-plane")).description
@@ -146,7 +150,7 @@ def recommended(engine: Engine) -> Fitted | None:
     after, weights, factor = engine, None, None
     cranks = {shaft.speed_ratio for shaft in engine.shafts if shaft.throws}
     if any(need.ratio in cranks for need in needs(engine)):
-        after, factor = quiet_cranks(engine)
+        after, factor = quiet_cranks(engine, bare=bare)
         weighted = any(shaft.weights for shaft in after.shafts if shaft.throws)
         weights = "removed" if not weighted else "webs" if factor is not None else "ends"
     ratios = _ratios_of(after, lowest=True) if needs(after) else []
@@ -186,21 +190,24 @@ def _rounded(length: float) -> float:
     return float(f"{length:.2g}")
 
 
-def quiet_cranks(engine: Engine) -> tuple[Engine, float | None]:
+def quiet_cranks(engine: Engine, *, bare: bool = False) -> tuple[Engine, float | None]:
     """The engine with counterweights that cancel what turns with a crankshaft, and their factor.
 
     This holds for force and couple up to order 2. They are on all webs if a balance factor is
     enough, else on the end webs (factor None): where cylinder axes miss the crank axis (VR
-    engines), or counter-rotating crankshafts share unevenly (Deltic).
+    engines), or counter-rotating crankshafts share unevenly (Deltic). The crankshafts keep the
+    weights that they have unless they are to be `bare`, or need none at all.
     """
     cranks = {shaft.speed_ratio for shaft in engine.shafts if shaft.throws}
     for factor in FACTORS:
-        weighted = with_web_weights(engine, factor=factor)
+        weighted = with_web_weights(engine, factor=factor, bare=bare)
         if not any(need.ratio in cranks for need in needs(weighted)):
-            return weighted, factor
-    bare = without_counterweights(engine)
+            instead = with_web_weights(engine, factor=factor, bare=True)
+            needless = not any(shaft.weights for shaft in instead.shafts if shaft.throws)
+            return instead if needless else weighted, factor
+    start = without_counterweights(engine) if bare else engine
     return reduce(
-        lambda weighted, ratio: with_turning_cancelled(weighted, ratio=ratio), sorted(cranks), bare
+        lambda weighted, ratio: with_turning_cancelled(weighted, ratio=ratio), sorted(cranks), start
     ), None
 
 
@@ -211,16 +218,18 @@ def best(
     aim: Aim,
     limits: Sequence[Limit] = (),
     greatest_unbalance: float | None = None,
+    bare: bool = False,
 ) -> Best:
-    """The best weights in these places.
+    """The best weights in these places, beside those of the crankshafts; `bare`: instead.
 
     A smaller couple must not cost a greater force, nor the reverse: unless a limit or the aim names
-    the other quantity, its rms stays at most that of bare crankshafts.
+    the other quantity, its rms stays at most that of the crankshafts as they are, or bare.
     """
     named = {limit.aim.quantity for limit in limits} | {aim.quantity}
     others = [Aim(other, rms=True) for other in ("force", "couple") if other not in named]
     implied = [
-        Limit(other, without_weights(engine, other) * (1 + 1e-9), implied=True) for other in others
+        Limit(other, without_weights(engine, other, bare=bare) * (1 + 1e-9), implied=True)
+        for other in others
     ]
     return best_weights(
         engine,
@@ -228,6 +237,7 @@ def best(
         aim=aim,
         limits=[*limits, *implied],
         greatest_unbalance=greatest_unbalance,
+        bare=bare,
     )
 
 

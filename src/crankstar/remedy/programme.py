@@ -26,6 +26,8 @@ import numpy as np
 
 from crankstar.spectra import Real
 
+ROUNDING = 1e-10
+"""Share of the greatest unbalance below which what is to be balanced is rounding."""
 PRECISION = 1e-11
 
 
@@ -158,7 +160,9 @@ def _interior_point(
         raise MissingSolverError(str(error)) from None
     # The solver sees numbers of order one, whatever the masses are.
     every = [*aim, *(cone for ceiling in ceilings for cone in ceiling.cones)]
-    unit = max(float(np.linalg.norm(cone.shift)) for cone in every) or 1.0
+    unit = max(float(np.linalg.norm(cone.shift)) for cone in every)
+    if unit < ROUNDING * greatest:  # what there was has balanced it: only rounding is left
+        unit = 1.0
     rows: list[Real] = []
     right: list[Real] = []
     sizes: list[int] = []

@@ -35,7 +35,8 @@ from crankstar.mechanics import remains
 from crankstar.mechanics.balance import default_reference
 from crankstar.mechanics.excitation import Totals, part_spectra, rolling_moment, total
 from crankstar.mechanics.mechanism import mechanism
-from crankstar.remedy.counterweights import RemedyError, apart, least_weights, turned_weights
+from crankstar.remedy.counterweights import RemedyError, apart, turned_weights
+from crankstar.remedy.kept import least_weights
 from crankstar.spectra import Spectrum
 
 GREATEST_RATIO = 8
@@ -167,9 +168,9 @@ def _unbalances(engine: Engine, ratio: Fraction, planes: Sequence[float]) -> lis
 def with_turning_cancelled(engine: Engine, *, ratio: Fraction | int) -> Engine:
     """The engine with the vector of this ratio cancelled on the end webs of its crankshafts.
 
-    The least unbalance that does it is added to the weights there. A balance factor cannot always
-    do it: where cylinder axes miss the crank axis, no share of the reciprocating masses turns with
-    the crank. Raises RemedyError if no crankshaft has this ratio.
+    The least unbalance that does it stands there beside the weights that the crankshafts have. A
+    balance factor cannot always do it: where cylinder axes miss the crank axis, no share of the
+    reciprocating masses turns with the crank. Raises RemedyError if no crankshaft has this ratio.
 
     >>> from crankstar.files.catalog import load
     >>> quiet = with_turning_cancelled(load("vw-vr6"), ratio=1)
@@ -182,21 +183,18 @@ def with_turning_cancelled(engine: Engine, *, ratio: Fraction | int) -> Engine:
         raise RemedyError(
             "no crankshaft has the speed ratio {ratio}; use a balance shaft", ratio=ratio
         )
-    at = [(shaft.name, plane) for shaft in shafts for plane in end_webs(engine, shaft)]
+    at = [(shaft, plane) for shaft in shafts for plane in end_webs(engine, shaft)]
     added = list(zip(at, _unbalances(engine, ratio, [plane for _, plane in at]), strict=False))
-    if not added:
-        return engine
     weights: dict[str, Sequence[Weight]] = {}
     for shaft in shafts:
-        sums: dict[float, complex] = {}
-        there = [(w.z, complex(w.unbalance * np.exp(1j * w.angle))) for w in shaft.weights]
-        there += [(plane, vector) for (name, plane), vector in added if name == shaft.name]
-        for plane, vector in there:
-            sums[plane] = sums.get(plane, 0j) + vector
+        own = [(plane, vector) for (home, plane), vector in added if home is shaft]
         throws = {weight.z: weight.throw for weight in shaft.weights}
-        weights[shaft.name] = turned_weights(
-            list(sums.values()), list(sums), throws=[throws.get(plane) for plane in sums]
+        more = turned_weights(
+            [vector for _plane, vector in own],
+            [plane for plane, _vector in own],
+            throws=[throws.get(plane) for plane, _vector in own],
         )
+        weights[shaft.name] = [*shaft.weights, *more]
     return with_weights(engine, weights)
 
 

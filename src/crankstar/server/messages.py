@@ -13,7 +13,7 @@ from crankstar.language.faults import ValueFaultError
 from crankstar.language.quoting import seen
 from crankstar.options.words import SearchWords
 from crankstar.page.records import Exhibit, Problem
-from crankstar.remedy.counterweights import GREATEST_FACTOR
+from crankstar.remedy.counterweights import GREATEST_FACTOR, LEAST_FACTOR
 from crankstar.search.stars import GREATEST_CYLINDERS
 
 LONGEST_NAME = 100
@@ -100,11 +100,15 @@ class DerivationQuestion(EngineQuestion):
 class FittedQuestion(EngineQuestion):
     """The weights and balance shafts to fit an engine with; by default the verdict's advice."""
 
-    factor: Annotated[float, Field(ge=0, le=GREATEST_FACTOR)] | None = Field(
+    factor: Annotated[float, Field(ge=LEAST_FACTOR, le=GREATEST_FACTOR)] | None = Field(
         default=None, description="balance factor of the counterweights"
     )
     weights: Literal["pins", "webs", "ends"] | None = Field(
         default=None, description="where the counterweights go"
+    )
+    bare: bool = Field(
+        default=False,
+        description="replace the counterweights of the file instead of adding to them",
     )
     shafts: Literal["none", "needed", "all"] | None = Field(
         default=None, description="which balance shafts"

@@ -212,7 +212,9 @@ async def fitted(request: Request, question: messages.FittedQuestion) -> Respons
 
     Null where there is nothing to do.
     """
-    options = question.model_dump(include={"factor", "weights", "shafts"}, exclude_none=True)
+    options = question.model_dump(
+        include={"factor", "weights", "shafts", "bare"}, exclude_none=True
+    )
     return await _answer(request, tasks.fitted, bounded(question.engine), options)
 
 

@@ -125,7 +125,13 @@ def fitted(engine: str | Tree, options: dict[str, Any]) -> bytes:
     """An engine with weights and balance shafts as an exhibit, or null. Raises Refused."""
     with mistakes_refused():
         made, tree = engine_of(engine)
-        exhibit = _fitted(made, tree, **options) if options else exhibits.fitted(made, file=tree)
+        bare = bool(options.get("bare"))
+        chosen = {name: value for name, value in options.items() if name != "bare"}
+        exhibit = (
+            _fitted(made, tree, bare=bare, **chosen)
+            if chosen
+            else exhibits.fitted(made, file=tree, bare=bare)
+        )
         return b'{"exhibit":' + (b"null" if exhibit is None else _json(exhibit)) + b"}"
 
 
@@ -133,6 +139,7 @@ def _fitted(
     engine: Engine,
     tree: Tree,
     *,
+    bare: bool,
     factor: float | None = None,
     weights: Any = None,
     shafts: Any = "none",
@@ -147,6 +154,7 @@ def _fitted(
             after,
             factor=fitting.FACTORS[0] if factor is None else factor,
             weights=weights or "webs",
+            bare=bare,
         )
     if shafts != "none":
         after = fitting.with_shafts(after, ratios=shafts, places=fitting.ShaftPlaces())

@@ -108,7 +108,7 @@ def _base(shown: str, tree: dict[str, Any]) -> Engine | None:
 
 
 def _with_factor(base: Engine) -> Make:
-    return lambda number: with_counterweights(base, factor=number)
+    return lambda number: with_counterweights(base, factor=number, bare=True)
 
 
 def _leaf(annotation: Any) -> Any:

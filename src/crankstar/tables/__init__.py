@@ -26,6 +26,7 @@
 | `sweeps` | a sweep and its best value |
 | `certificate` | the best weights and their lower bound |
 | `cures` | what removes the remaining forces and couples |
+| `turning` | what turns with the crankshaft: moving parts, weights of the file, new ones |
 | `remedies` | the balancing sheet |
 | `firing_facts` | layout, firing and exhaust pulses as sentences of the verdict |
 | `relatives` | engines of the catalog with the same balance |

@@ -21,12 +21,16 @@ def certificate(best: Best) -> list[str]:
     unit = _unit(best.aim)
     values = {
         "aim": f"{aim[:1].upper()}{aim[1:]}",
-        "value": number(best.value, best.bare),
-        "bare": number(best.bare),
-        "bound": number(best.bound, best.bare, digits=7),
+        "value": number(best.value, best.before),
+        "before": number(best.before),
+        "bound": number(best.bound, best.before, digits=7),
         "unit": unit,
     }
-    lines = [_("{aim}: {value} {unit}; {bare} {unit} with bare crankshafts.", **values)]
+    lines = [
+        _("{aim}: {value} {unit}; {before} {unit} with the weights of the file alone.", **values)
+        if best.kept
+        else _("{aim}: {value} {unit}; {before} {unit} with bare crankshafts.", **values)
+    ]
     if best.limits:
         lines.append(
             _(
@@ -49,6 +53,12 @@ def certificate(best: Best) -> list[str]:
 
 
 def _limit(best: Best, limit: Limit, value: float) -> str:
+    if limit.implied and best.kept:
+        return _(
+            "The {aim} is kept at or below that with the weights of the file alone; --limit allows "
+            "more.",
+            aim=aim_name(limit.aim),
+        )
     if limit.implied:
         return _(
             "The {aim} is kept at or below that of bare crankshafts; --limit allows more.",
@@ -56,8 +66,8 @@ def _limit(best: Best, limit: Limit, value: float) -> str:
         )
     values = {
         "aim": aim_name(limit.aim),
-        "found": number(value, best.bare),
-        "limit": number(limit.at_most, best.bare),
+        "found": number(value, best.before),
+        "limit": number(limit.at_most, best.before),
         "unit": _unit(limit.aim),
     }
     if value > limit.at_most * (1 - 1e-5) - 1e-9:

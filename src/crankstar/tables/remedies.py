@@ -4,25 +4,28 @@ from __future__ import annotations
 
 from cmath import phase
 from collections.abc import Iterator, Sequence
-from math import degrees, pi
+from math import pi
 from typing import NamedTuple
 
 import numpy as np
 
 from crankstar import spectra
 from crankstar.engine.engine import Engine
-from crankstar.engine.records import Shaft
+from crankstar.engine.records import Shaft, Weight
 from crankstar.language.messages import _, _n
 from crankstar.language.numbers import number, unit_text
 from crankstar.mechanics.balance import Balance, Units, balance, total
 from crankstar.mechanics.balance import scales as scales_of
 from crankstar.mechanics.excitation import rolling_moment
 from crankstar.mechanics.remains import OPTIMISED, Sums, size, summed
-from crankstar.remedy import Best, bearing_load, bobweight, loads, needs
+from crankstar.remedy import Best, bearing_load, bobweight, changes, loads, needs
+from crankstar.remedy.kept import Changes
+from crankstar.remedy.loads import Load
 from crankstar.tables.certificate import certificate
 from crankstar.tables.cures import cure_lines
 from crankstar.tables.scales import pin_masses, scales
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
+from crankstar.tables.turning import bearing, turning
 
 
 class Job(NamedTuple):
@@ -54,6 +57,7 @@ def parts(job: Job) -> Iterator[Table | Remarks]:
     if job.best is not None:
         yield Remarks(tuple(certificate(job.best)), _("Best weights"))
     yield _weights(job)
+    yield from turning(job.before, job.after, speed=job.speed)
     if any(shaft.weights and not shaft.throws for shaft in job.after.shafts):
         yield _shafts(job)
     yield _remaining(job)
@@ -91,6 +95,7 @@ def _bobweights(job: Job) -> Table:
             )
             for count in sorted({len(pin.cylinders) for pin in pins} - {0, 1})
         ),
+        *_overbalance(pins, factor),
     ]
     if job.factor is None and any(shaft.weights for shaft in job.after.shafts if shaft.throws):
         notes.append(
@@ -102,13 +107,42 @@ def _bobweights(job: Job) -> Table:
     return Table(_("Bobweights"), columns, tuple(rows), notes=tuple(notes), key="bobweights")
 
 
+def _overbalance(pins: Sequence[Load], factor: float) -> list[str]:
+    """By how much a factor is above or below one half, in both ways in which shops count it."""
+    own = [pin for pin in pins if pin.reciprocating and len(pin.cylinders) > 1]
+    usual = sum(bobweight(pin, 0.5) for pin in own)
+    if not own or factor == 0.5 or not usual:
+        return []
+    heavier = sum(bobweight(pin, factor) for pin in own) / usual - 1
+    values = {
+        "points": number(abs(factor - 0.5) * 100, digits=4),
+        "share": number(abs(heavier) * 100, digits=4),
+    }
+    if factor > 0.5:
+        over = _(
+            "This is an overbalance of {points} % of the reciprocating mass; the bobweight is "
+            "{share} % heavier than with 50 %.",
+            **values,
+        )
+        return [over]
+    under = _(
+        "This is an underbalance of {points} % of the reciprocating mass; the bobweight is "
+        "{share} % lighter than with 50 %.",
+        **values,
+    )
+    return [under]
+
+
 def _weights(job: Job) -> Table:
     engine = job.after
     across, along, _mass, unbalance = scales(engine)
     mass = pin_masses(engine)
     radius = engine.throw(engine.first).radius if job.radius is None else job.radius
+    became = changes(job.before, job.after)
+    kept = any(each.kept for each in became.values())
     columns = (
         Column(_("shaft"), kind="text", key="shaft", wraps=True, label=True),
+        Column(_("weight"), kind="text", key="origin", machine=not kept),
         Column("z", along.unit, key="z"),
         Column(_("bearing at θ = 0"), "deg", key="bearing_deg"),
         Column(_("unbalance"), unbalance.unit, key="unbalance"),
@@ -117,24 +151,22 @@ def _weights(job: Job) -> Table:
     rows = tuple(
         (
             shaft.name,
+            origin,
             along.of(weight.z),
-            _bearing(weight.angle),
+            bearing(weight.angle),
             weight.unbalance * unbalance.factor,
             weight.unbalance / radius * mass.factor,
         )
         for shaft in engine.shafts
-        for weight in shaft.weights
+        for origin, weights in _by_origin(became[shaft.name])
+        for weight in weights
     )
     at = _("the crank radius") if job.radius is None else across.text(radius)
     note = _(
         "Mass: that of a lump, or that missing from a ring, with its centre at {radius}.", radius=at
     )
     notes = [note] if rows else [_("No weights.")]
-    before, after = (
-        [weight for shaft in engine.shafts if shaft.throws for weight in shaft.weights]
-        for engine in (job.before, job.after)
-    )
-    if gone := sum(weight not in after for weight in before):
+    if gone := sum(len(each.replaced) for each in became.values()):
         notes.append(
             _n(
                 "{count} counterweight of the file is replaced.",
@@ -143,12 +175,14 @@ def _weights(job: Job) -> Table:
                 count=gone,
             )
         )
+    if kept and not any(each.added for each in became.values()):
+        notes.append(_("The weights of the file suffice; none are added."))
     return Table(_("Weights"), columns, rows, notes=tuple(notes), key="weights")
 
 
-def _bearing(angle: float) -> float:
-    bearing = round(degrees(phase(complex(np.exp(1j * angle)))), 3)
-    return 180.0 if bearing == -180 else bearing + 0.0
+def _by_origin(own: Changes) -> tuple[tuple[str, tuple[Weight, ...]], ...]:
+    """The weights of a shaft with the word that says where they come from."""
+    return (_("file"), own.kept), (_("new"), own.added)
 
 
 def _shafts(job: Job) -> Table:

@@ -1,6 +1,7 @@
 import { useId, useRef, useState } from 'preact/hooks'
 import type { Fitting } from '../host/host'
 import { message, t } from '../language/messages'
+import { Switch } from '../Switch'
 import { useSession } from './context'
 import { answered } from './session'
 
@@ -22,6 +23,7 @@ export function Fit() {
   const [factor, setFactor] = useState('')
   const [weights, setWeights] = useState<keyof typeof WEIGHTS | ''>('')
   const [shafts, setShafts] = useState<keyof typeof SHAFTS | ''>('')
+  const [bare, setBare] = useState(false)
   const [busy, setBusy] = useState(false)
   const root = useRef<HTMLDivElement>(null)
 
@@ -39,6 +41,7 @@ export function Fit() {
       ...(factor.trim() && { factor: share }),
       ...(weights && { weights }),
       ...(shafts && { shafts }),
+      ...(bare && { bare }),
     }
     setBusy(true)
     const answer = await answered(session.service.fitted(session.tree.value, options))
@@ -58,7 +61,9 @@ export function Fit() {
   return (
     <div class="fit" ref={root}>
       <p class="help">
-        {t('Fits counterweights and balance shafts. The engine file then lists every weight.')}
+        {t(
+          'Fits counterweights, beside those that the engine has, and balance shafts. The engine file then lists every weight.',
+        )}
       </p>
       <div>
         <label for={id}>{t('Balance factor')}</label>
@@ -73,6 +78,7 @@ export function Fit() {
         />
       </div>
       <Choice label={t('Counterweights')} names={WEIGHTS} value={weights} choose={setWeights} />
+      <Switch label={t('Replace the counterweights of the engine')} on={bare} change={setBare} />
       <Choice label={t('Balance shafts')} names={SHAFTS} value={shafts} choose={setShafts} />
       <button type="button" disabled={busy} onClick={() => void fit()}>
         {t('Fit')}

@@ -1,0 +1,161 @@
+"""The options of a balance, read from text: weights, what they minimise, balance shafts."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from fractions import Fraction
+from math import isfinite
+from typing import cast, get_args
+
+from crankstar.engine.engine import Engine
+from crankstar.engine.quantities import COUPLE, FORCE, LENGTH, UNBALANCE
+from crankstar.files import units
+from crankstar.language.messages import _
+from crankstar.language.quoting import one_line
+from crankstar.mechanics.balance import unit_unbalance
+from crankstar.options.refusals import choice, refusal, refuse_unused
+from crankstar.options.values import fractions, length, not_positive, places, planes, reading
+from crankstar.remedy import Aim, Limit, Plane, without_weights
+from crankstar.remedy.fitting import Places, ShaftPlaces, Wanted
+
+
+def weights(text: str, engine: Engine) -> list[Plane] | Places:
+    """The place of counterweights: pins, all webs, end webs, or planes of every crankshaft."""
+    word = text.strip().lower()
+    if word in get_args(Places):
+        return cast("Places", word)
+    if not any(letter.isdigit() for letter in text):
+        raise refusal(
+            "--weights",
+            text,
+            'it can be pins, webs, ends, or places along the shaft as in "-200 mm, 200 mm"',
+        )
+    cranks = [shaft.name for shaft in engine.shafts if shaft.throws]
+    return [Plane(name, z) for name in cranks for z in planes("--weights", text, engine)]
+
+
+def aim(option: str, text: str, *, pitch: float | None = None) -> Aim:
+    """The quantity that weights minimise; `pitch` is its share in a couple, yaw has the rest."""
+    wanted = AIMS[choice(option, " ".join(text.lower().split()), AIMS)]
+    if pitch is None:
+        return wanted
+    if not 0 <= pitch <= 1:
+        raise refusal(
+            "--pitch-share",
+            f"{pitch:g}",
+            "give the share of pitch from 0 (only yaw counts) to 1 (only pitch)",
+        )
+    if wanted not in (AIMS["couple"], AIMS["rms couple"]):
+        refuse_unused({"--pitch-share": pitch}, beside=f"--minimise {text}")
+    return wanted._replace(up=2 * pitch, right=2 * (1 - pitch))
+
+
+AIMS = {
+    "force": Aim("force"),
+    "couple": Aim("couple"),
+    "rms force": Aim("force", rms=True),
+    "rms couple": Aim("couple", rms=True),
+    "pitch": Aim("couple", up=1.0, right=0.0),
+    "yaw": Aim("couple", up=0.0, right=1.0),
+    "rms pitch": Aim("couple", rms=True, up=1.0, right=0.0),
+    "rms yaw": Aim("couple", rms=True, up=0.0, right=1.0),
+    "bearing": Aim("bearing"),
+}
+
+
+def limits(texts: Sequence[str], engine: Engine, *, speed: float | None) -> list[Limit]:
+    """Limits such as couple=1.5 (m r w^2 a), couple=50% (of bare crankshafts) or force="500 N".
+
+    Newtons need a speed.
+    """
+    out: list[Limit] = []
+    for text in texts:
+        name, equals, value = text.partition("=")
+        if not equals or not value.strip():
+            raise refusal(
+                "--limit", text, 'give a quantity and its limit, as in couple=50% or force="500 N"'
+            )
+        wanted = aim("--limit", name)
+        out.append(Limit(wanted, _at_most(wanted, value.strip(), text, engine, speed)))
+    return out
+
+
+def _at_most(wanted: Aim, value: str, text: str, engine: Engine, speed: float | None) -> float:
+    """A limit in m r w^2 or m r w^2 a."""
+    percent = value.removesuffix("%").strip()
+    plain = r"[-+]?(\d+(\.\d*)?|\.\d+)(e[-+]?\d{1,3})?|nan|inf"
+    real = re.fullmatch(plain, percent, re.ASCII | re.IGNORECASE) is None
+    couple = wanted.quantity == "couple"
+    if real:
+        example = _("a bare number of m r ω² or a share in %")
+        with reading(f"--limit {one_line(text)}", example=example):
+            number = units.si(value, COUPLE if couple else FORCE)
+        if {"mass", "radius", *(["pitch"] if couple else [])} & {*engine.relative}:
+            raise refusal(
+                "--limit",
+                text,
+                "the masses and sizes of this engine are not known; give a number of m r ω²",
+            )
+        if speed is None:
+            raise refusal("--limit", text, "newtons need a speed, as in --speed '6000 rpm'")
+        number /= unit_unbalance(engine) * speed**2 * (engine.pitch if couple else 1.0)
+    else:
+        number = float(percent)
+        if "%" in value:
+            number *= without_weights(engine, wanted) / 100
+    if not (isfinite(number) and number >= 0):
+        raise refusal("--limit", text, "give a number from 0 up")
+    return number
+
+
+def factor(text: str) -> float:
+    """A balance factor: a number, or a percentage.
+
+    >>> factor("0.52") == factor("52%") == factor("52 %")
+    True
+    """
+    share = text.strip().removesuffix("%").strip()
+    if re.fullmatch(r"[-+]?(\d{1,9}(\.\d*)?|\.\d+)", share, re.ASCII) is None:
+        raise refusal("--factor", text, "give a share of the reciprocating mass, as in 0.5 or 52%")
+    return float(share) / (100 if "%" in text else 1)
+
+
+def unbalance(option: str, text: str | None, engine: Engine) -> float | None:
+    """An unbalance in m r of the first cylinder."""
+    if text is None:
+        return None
+    with reading(option):
+        value = units.reader(frozenset(engine.relative))(text, UNBALANCE)
+    if not value > 0:
+        raise not_positive(option, text, UNBALANCE)
+    return value / unit_unbalance(engine)
+
+
+def ratios(text: str) -> list[Fraction] | Wanted:
+    """Speed ratios of balance shafts, or that those the engine needs are wanted."""
+    word = text.strip().lower()
+    if word in get_args(Wanted):
+        return cast("Wanted", word)
+    values = fractions(text, most=8)
+    if not values:
+        raise refusal(
+            "--shafts",
+            text,
+            'give speed ratios with commas, negative against the crank, as in -1 or "2, -2"; or '
+            "needed, or all",
+        )
+    return values
+
+
+def shaft_places(
+    engine: Engine, *, planes_text: str | None, place: str | None, spacing: str | None
+) -> ShaftPlaces:
+    """Where balance shafts lie and their weights on them."""
+    along = None if planes_text is None else tuple(planes("--shaft-planes", planes_text, engine))
+    parts = [part.strip() for part in (place or "0, 0").split(",")]
+    example = _('as in "-60 mm, 0 mm"')
+    if len(parts) != 2:
+        raise refusal("--shaft-place", place, "give up and right, {example}", example=example)
+    up, right = places("--shaft-place", parts, [LENGTH, LENGTH], engine, example)
+    return ShaftPlaces(along, up, right, length("--shaft-spacing", spacing, engine) or 0.0)
