@@ -30,7 +30,7 @@ LEAST_WIDTH = 20
 app = App(
     name="crankstar",
     help="Compute how a piston engine shakes, why, and what to do about it. ENGINE is a name from "
-    "the catalog or a file in TOML or JSON; - reads standard input. --lang (or "
+    "the catalog or a file in TOML, JSON or Excel (.xlsx); - reads standard input. --lang (or "
     "CRANKSTAR_LANG) sets "
     "the language: en, ja or ru.",
     version=lambda: version("crankstar"),

@@ -11,12 +11,12 @@ from crankstar.cli.options import (
     EngineName,
     Settings,
     Speed,
-    engine_text,
     engine_with_tree,
     option,
     together,
+    write_engine,
 )
-from crankstar.cli.output import display, working, write
+from crankstar.cli.output import display, working
 from crankstar.language.messages import _
 from crankstar.options import values as request
 from crankstar.options.balancing import BalanceOptions
@@ -51,7 +51,7 @@ def balance(
 
             proof = proofs(job.before, job.after)
     if output is not None:
-        write(engine_text(job.after, tree), output)
+        write_engine(job.after, tree, output)
     display(balancing_sheet(job))
     if proof:
         display(documents.rendered(proof))

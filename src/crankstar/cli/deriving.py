@@ -16,8 +16,10 @@ from crankstar.cli.options import (
     option,
 )
 from crankstar.cli.output import display, working, write
+from crankstar.cli.tabulating import give
 from crankstar.language.messages import _
 from crankstar.options import values as request
+from crankstar.options.forms import form_of
 from crankstar.options.values import refusal
 
 
@@ -119,4 +121,4 @@ def errata(
         wanted = errata_of(source)
     except ErrataError as error:
         raise refusal("--source", source, str(error)) from None
-    display(errata_document(wanted), output)
+    give(errata_document(wanted), output, form=form_of(output, ("txt", "xlsx")))

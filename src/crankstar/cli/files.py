@@ -8,12 +8,13 @@ from cyclopts import Parameter
 
 from crankstar.cli.application import app
 from crankstar.cli.options import Output, option
-from crankstar.cli.output import complain, display, is_file, write
+from crankstar.cli.output import complain, display, is_file, write, write_bytes
 from crankstar.engine.engine import Engine
-from crankstar.files import STANDARD_INPUT, EngineFileError
+from crankstar.files import STANDARD_INPUT, EngineFileError, tree_of
 from crankstar.files.catalog import load
 from crankstar.language.messages import _, _n
 from crankstar.language.quoting import one_line
+from crankstar.options.forms import form_of
 from crankstar.options.values import RequestError, choice, refusal
 
 
@@ -64,13 +65,19 @@ def new(
     output: Output = None,
     overwrite: Annotated[bool, option("--overwrite")] = False,
 ) -> None:
-    """Write a commented engine file to start from."""
+    """Write a commented engine file to start from, in TOML or as a spreadsheet (.xlsx)."""
     from crankstar.files.starters import STARTERS
 
     choice("layout", layout, STARTERS)
     if output is not None and not overwrite and is_file(output):
         raise refusal("-o", output, "it already exists; --overwrite replaces it")
-    write(STARTERS[layout], output)
+    if form_of(output, ("toml", "xlsx")) == "toml":
+        write(STARTERS[layout], output)
+        return
+    from crankstar.files.sheets import sheets_of
+    from crankstar.files.workbook import workbook_bytes
+
+    write_bytes(workbook_bytes(sheets_of(tree_of(STARTERS[layout]), blank=True)), output)
 
 
 @app.command

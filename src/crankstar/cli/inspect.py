@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import partial
-from typing import Annotated
+from typing import Annotated, Any
 
 from crankstar.cli.application import app
 from crankstar.cli.options import (
@@ -19,6 +19,7 @@ from crankstar.cli.options import (
     Theta,
     command_text,
     engine_and_speed,
+    engine_tree,
     loaded_engine,
     option,
     together,
@@ -70,7 +71,8 @@ def show(
     if explicit:
         write(toml(loaded), output)
     else:
-        give(description(loaded), output, form=form_of(output, TABLES))
+        tree = engine_tree(engine, settings, loaded)
+        give(description(loaded), output, form=form_of(output, TABLES), tree=tree)
 
 
 @app.command
@@ -95,9 +97,9 @@ def analyze(
     from crankstar.tables.balance_orders import answer
 
     form = form_of(output, TABLES, json=json, csv=csv)
-    tidy = form in ("csv", "parquet")
-    if form != "txt":
-        unused = {"--theta": theta} if tidy else {"--theta": theta, "--by": by}
+    rows: tuple[Any, ...] = ()
+    if form not in ("txt", "xlsx"):
+        unused = {"--theta": theta, "--by": by if form == "json" else None}
         request.refuse_unused(unused, beside=f"--{form}")
     loaded, turning = engine_and_speed(engine, settings, speed)
     point = request.reference(reference, loaded)
@@ -106,16 +108,23 @@ def analyze(
             loaded, speed=loaded.speed if turning is None else turning, reference=point
         )
         wanted = request.orders(orders, result.force.orders.tolist())
-        if tidy:
+        if form != "json":
             document = amplitudes(loaded, result, orders=wanted, by=request.grouping(by))
         else:
             document = answer(loaded, result, orders=wanted)
-        give(document, output, form=form)
-        return
+        if form != "xlsx":
+            give(document, output, form=form)
+            return
+        rows = document.parts
     shown = tables.analysis(loaded, speed=turning, reference=point)
     shown = shown.of(request.orders(orders, shown.normalised.force.orders.tolist()) or ())
     angles, grouping = request.angles(theta), request.grouping(by)
-    display(tables.document(shown, angles=angles, by=grouping), output)
+    document = tables.document(shown, angles=angles, by=grouping)
+    if form == "xlsx":
+        tree = engine_tree(engine, settings, loaded)
+        give(replace(document, parts=(*document.parts, *rows)), output, form=form, tree=tree)
+    else:
+        display(document, output)
 
 
 @app.command
@@ -177,7 +186,7 @@ def verdict(
             command=f"{command_text('balance', engine, {'--set': settings})} --recommended",
         )
         document = replace(document, parts=(*document.parts, *remarks(how)))
-    display(document, output)
+    give(document, output, form=form_of(output, ("txt", "xlsx")))
 
 
 @app.command

@@ -120,3 +120,28 @@ def engine_text(engine: Engine, tree: Mapping[str, Any] | None = None) -> str:
     content = tree_text(explicit(engine) if tree is None else rewritten(tree, engine))
     engine_of(tree_in(content))
     return content
+
+
+def engine_tree(name: str, settings: Sequence[str] | None, engine: Engine) -> dict[str, Any]:
+    """The tree of an engine: that of its file, or the explicit form where values were set."""
+    from crankstar.files import STANDARD_INPUT, explicit
+
+    return explicit(engine) if settings or name == STANDARD_INPUT else tree_of(name)[1]
+
+
+def write_engine(engine: Engine, tree: Mapping[str, Any], place: str) -> None:
+    """Write an engine file in the form of its `tree`: TOML, or a spreadsheet by the file's name."""
+    from crankstar.cli.output import write, write_bytes
+    from crankstar.options.forms import require
+
+    if not place.lower().endswith(".xlsx"):
+        write(engine_text(engine, tree), place)
+        return
+    require("xlsx")
+    from crankstar.files import rewritten
+    from crankstar.files.sheets import sheets_of
+    from crankstar.files.workbook import workbook_bytes, workbook_tree
+
+    content = workbook_bytes(sheets_of(rewritten(tree, engine)))
+    engine_of(workbook_tree(content, place))
+    write_bytes(content, place)

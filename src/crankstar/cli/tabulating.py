@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
 
 from crankstar.cli.output import display, write, write_bytes
 
@@ -10,10 +11,12 @@ if TYPE_CHECKING:
     from crankstar.tables.table import Document
 
 
-def give(document: Document, place: str | None, *, form: str) -> None:
+def give(
+    document: Document, place: str | None, *, form: str, tree: Mapping[str, Any] | None = None
+) -> None:
     """Write a document in a form of TABLES to a file or to standard output.
 
-    CSV and Parquet hold its first table for machines.
+    CSV and Parquet hold its first table for machines; a spreadsheet also the engine file `tree`.
     """
     if form == "txt":
         display(document, place)
@@ -24,9 +27,11 @@ def give(document: Document, place: str | None, *, form: str) -> None:
     if form == "json":
         write(machine.json_text(machine.tree(document)), place)
     elif form == "xlsx":
+        from crankstar.files.sheets import sheets_of
         from crankstar.tables.spreadsheet import spreadsheet_bytes
 
-        write_bytes(spreadsheet_bytes(document), place)
+        engine = [] if tree is None else sheets_of(tree)
+        write_bytes(spreadsheet_bytes(document, engine), place)
     elif table is not None and form == "parquet":
         from crankstar.tables.arrow import parquet_bytes
 

@@ -6,6 +6,8 @@
 | `forms` | the short and the explicit form as records |
 | `errors` | the error of a file |
 | `mistakes` | validation errors as faults; a corrected copy of a tree |
+| `sheets` | a tree of keys as the form of a spreadsheet, and back |
+| `workbook` | that form in an .xlsx file, written and read |
 | `source` | a file to its text and its tree of keys |
 | `changes` | values of a tree set by key path |
 | `read` | a tree of keys to an Engine, with every fault at once |

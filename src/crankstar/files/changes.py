@@ -13,7 +13,7 @@ from crankstar.engine.copies import throws_of_weights, with_values, wrapped
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Shaft
 from crankstar.files.errors import EngineFileError, refused
-from crankstar.files.mistakes import Tree, copied
+from crankstar.files.mistakes import SpreadsheetTree, Tree, copied
 from crankstar.files.source import GREATEST_DEPTH
 from crankstar.language.faults import Fault, where
 from crankstar.language.quoting import one_line, seen
@@ -61,7 +61,8 @@ def changed(tree: Tree, changes: Mapping[str, Any], *, name: str = "the engine")
                 table[key] = value
             else:
                 table = table[key] if isinstance(key, int) else table.setdefault(key, {})
-    return bounded(out, name)
+    bounded(out, name)
+    return tree.without(map(keys_of, changes), out) if isinstance(tree, SpreadsheetTree) else out
 
 
 def keys_of(path: str) -> list[str | int]:

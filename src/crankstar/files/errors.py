@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
-from crankstar.language.faults import Fault
+from crankstar.language.faults import Fault, sentence, where
 from crankstar.language.messages import MessageError, _, _n
 
 GREATEST_SHOWN = 20
@@ -15,15 +15,23 @@ SCREEN = 20
 
 
 class EngineFileError(MessageError):
-    """An engine file that cannot be used; `faults` have the key paths of the file."""
+    """An engine file that cannot be used; `faults` have the key paths of the file.
 
-    def __init__(self, name: str, faults: Sequence[Fault]) -> None:
-        self.name, self.faults = name, list(faults)
+    `cells` has the cells of a spreadsheet by key path.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        faults: Sequence[Fault],
+        cells: Mapping[tuple[str | int, ...], str] | None = None,
+    ) -> None:
+        self.name, self.faults, self.cells = name, list(faults), dict(cells or {})
         count = len(self.faults)
         lines: list[str] = []
         for fault in self.faults[:GREATEST_SHOWN]:
             if sum(1 + len(line) // 80 for line in lines) < SCREEN:
-                lines.append(fault.sentence)
+                lines.append(sentence(fault.code, fault.values, place=self._place(fault.path)))
         if count > len(lines):
             lines.append(_("... and {count} more", count=count - len(lines)))
         head = _n(
@@ -31,9 +39,15 @@ class EngineFileError(MessageError):
         )
         super().__init__("\n".join([head, *(f"  {line}" for line in lines)]))
 
+    def _place(self, path: tuple[str | int, ...]) -> str:
+        """A key path, and the cell where it is, or that of the table it is missing in."""
+        sizes = range(len(path), 0, -1)
+        cell = next((self.cells[path[:size]] for size in sizes if path[:size] in self.cells), "")
+        return f"{cell} ({where(path)})" if cell else where(path)
+
     def __reduce__(self) -> tuple[Any, ...]:
         """It goes from process to process."""
-        return EngineFileError, (self.name, self.faults)
+        return EngineFileError, (self.name, self.faults, self.cells)
 
 
 def refused(name: str, code: str, **values: Any) -> EngineFileError:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from difflib import get_close_matches
 from itertools import takewhile
 from typing import Any
@@ -17,6 +17,25 @@ from crankstar.language.quoting import seen
 
 Tree = dict[str, Any]
 Path = tuple[str | int, ...]
+
+
+class SpreadsheetTree(dict[str, Any]):
+    """A tree of keys read from a spreadsheet: the cell of each key path, and faults of cells."""
+
+    def __init__(self, tree: Tree, cells: Mapping[Path, str], faults: Sequence[Fault]) -> None:
+        super().__init__(tree)
+        self.cells, self.faults = dict(cells), list(faults)
+
+    def without(self, paths: Iterable[Sequence[str | int]], tree: Tree) -> SpreadsheetTree:
+        """The changed tree, the values at these paths no longer those of cells."""
+        gone = [tuple(path) for path in paths]
+
+        def kept(path: Path) -> bool:
+            return not any(path[: len(way)] == way for way in gone)
+
+        cells = {path: cell for path, cell in self.cells.items() if kept(path)}
+        return SpreadsheetTree(tree, cells, [fault for fault in self.faults if kept(fault.path)])
+
 
 _KINDS = {
     "int_type": "whole-number",

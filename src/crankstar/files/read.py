@@ -26,7 +26,8 @@ from crankstar.files import units
 from crankstar.files.changes import changed, throw_angles, with_weights_along
 from crankstar.files.errors import EngineFileError
 from crankstar.files.forms import form_of, is_explicit, short_form
-from crankstar.files.mistakes import Tree, faults_of, mended, unknown_sources
+from crankstar.files.mistakes import Path as KeyPath
+from crankstar.files.mistakes import SpreadsheetTree, Tree, faults_of, mended, unknown_sources
 from crankstar.files.source import read_tree
 from crankstar.language.faults import EngineError, Fault
 from crankstar.language.quoting import seen
@@ -82,8 +83,13 @@ def _engine_of(tree: Tree, name: str) -> Engine:
     layouts = LAYOUTS if explicit or _layout_faults(tree.get("layout")) else ()
     forms = chain([form_of(tree)], map(short_form, layouts))
     faults = [*draft.faults, *_elsewhere([*unknown_sources(tree, forms)], draft.faults)]
+    faults = _in_file(tree, faults, explicit=explicit)
+    cells: Mapping[KeyPath, str] = {}
+    if isinstance(tree, SpreadsheetTree):
+        known = [fault for fault in tree.faults if fault.path]
+        faults, cells = [*tree.faults, *_elsewhere(faults, known)], tree.cells
     if faults or draft.engine is None:
-        raise EngineFileError(name, _in_file(tree, faults, explicit=explicit))
+        raise EngineFileError(name, faults, cells)
     return draft.engine
 
 

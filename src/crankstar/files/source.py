@@ -13,6 +13,7 @@ from typing import Any
 
 from crankstar.files.errors import EngineFileError, refused
 from crankstar.files.mistakes import Tree
+from crankstar.files.workbook import PROTECTED, ZIP, workbook_tree
 from crankstar.language.quoting import one_line, seen
 
 GREATEST_FILE = 1_000_000
@@ -28,7 +29,10 @@ def read_tree(path: str | Path, *, name: str | None = None) -> tuple[str, Tree]:
     Raises EngineFileError.
     """
     name = name or ("standard input" if str(path) in _STANDARD_INPUTS else _shown_name(path))
-    return name, tree_of(_text(path, name), name=name)
+    raw = _content(path, name)
+    if raw[:4] in (ZIP, PROTECTED) or str(path).lower().endswith(".xlsx"):
+        return name, workbook_tree(raw, name)
+    return name, tree_of(_text(raw, name), name=name)
 
 
 def _shown_name(path: str | Path) -> str:
@@ -36,7 +40,7 @@ def _shown_name(path: str | Path) -> str:
     return one_line(name if len(name) <= 200 else "..." + name[-197:])
 
 
-def _text(path: str | Path, name: str) -> str:
+def _content(path: str | Path, name: str) -> bytes:
     try:
         raw = _standard_input(name) if str(path) in _STANDARD_INPUTS else _bytes(Path(path), name)
     except FileNotFoundError:
@@ -47,6 +51,10 @@ def _text(path: str | Path, name: str) -> str:
         raise refused(name, "too-large", greatest=GREATEST_FILE // 1_000_000)
     if not raw.strip():
         raise refused(name, "empty")
+    return raw
+
+
+def _text(raw: bytes, name: str) -> str:
     try:
         text = raw.decode("utf-8-sig")
     except UnicodeDecodeError:

@@ -158,6 +158,45 @@ SENTENCES: dict[str, str | Plural] = {
     "file.too-large": N_("{where} is larger than {greatest} MB; an engine file has a few kB"),
     "file.empty": N_("{where} is empty; `crankstar new vee` writes one to start from"),
     "file.not-text": N_("{where} is not a text file in UTF-8; an engine file is TOML or JSON"),
+    "file.no-openpyxl": N_(
+        "to read a spreadsheet openpyxl is needed; install it with: pip install "
+        '"crankstar[spreadsheet]"'
+    ),
+    "file.spreadsheet-protected": N_(
+        "{where} is protected by a password, or an old .xls; save it as .xlsx without a password"
+    ),
+    "file.not-spreadsheet": N_(
+        "{where} is not a spreadsheet in the form .xlsx; `crankstar new vee -o mine.xlsx` writes "
+        "one to start from"
+    ),
+    "file.spreadsheet-large": N_(
+        "{where} unpacks to more than {greatest} MB; an engine file has a few kB"
+    ),
+    "sheet.missing": N_(
+        "there is no sheet {sheet}; the sheets are: {sheets}. `crankstar new vee -o mine.xlsx` "
+        "writes one to start from"
+    ),
+    "sheet.unknown": N_("the sheet {sheet} is no table of an engine; there are: {sheets}"),
+    "sheet.unknown-near": N_("the sheet {sheet} is no table of an engine; did you mean {meant}?"),
+    "sheet.too-long": N_("the sheet {sheet} has more than {greatest} rows or columns"),
+    "sheet.heading-missing": N_(
+        "{cell}: the first row must have the heading {heading}; the headings are: {headings}"
+    ),
+    "sheet.heading-twice": N_("{cell}: the heading {heading} stands twice"),
+    "cell.merged": N_("the cells {cell} are merged; unmerge them and fill each cell"),
+    "cell.key-twice": N_("{cell}: the key {key} stands twice; leave one of them out"),
+    "cell.no-key": N_("{cell} is {value}, but the row has no key in the column {heading}"),
+    "cell.no-row": N_(
+        "{cell} is {value}; it must be the number of a row of the sheet {sheet}, from 1 to {count}"
+    ),
+    "cell.formula": N_(
+        "{where} is a formula without a stored value; open the file in a spreadsheet program and "
+        "save it, or write the number"
+    ),
+    "cell.error": N_("{where} is {value}, an error of a formula; write the value"),
+    "cell.date": N_(
+        "{where} is a date; format the cell as text or as a number and write the value again"
+    ),
     "file.input-closed": N_("standard input is closed; pipe an engine file into it, or name one"),
     "file.name-impossible": N_(
         "this is not a name a file can have; name an engine of the catalog or a file"

@@ -81,7 +81,7 @@ def columns(table: Table) -> tuple[list[str], list[list[Any]]]:
     wanted = [place for place, column in enumerate(table.columns) if column.key]
     heads = [head for place in wanted for head in _heads(table.columns[place])]
     rows = [
-        [cell for place in wanted for cell in _values(table.columns[place], row[place])]
+        [cell for place in wanted for cell in plain_values(table.columns[place], row[place])]
         for row in table.rows
     ]
     return heads, rows
@@ -97,7 +97,8 @@ def _heads(column: Column) -> Iterator[str]:
         yield f"{name}_{part} [deg]" if part == "phase" else f"{name}{part and '_'}{part}{unit}"
 
 
-def _values(column: Column, value: Value) -> list[Any]:
+def plain_values(column: Column, value: Value) -> list[Any]:
+    """A value as numbers and text: one cell, or the two of a complex number."""
     if column.kind in PARTS:
         if value is None or isinstance(value, str | tuple):
             return [None, None]

@@ -82,7 +82,7 @@ def _looks_like_a_file(name: str | Path) -> bool:
         or text == "-"
         or "/" in text
         or "\\" in text
-        or text.endswith((".toml", ".json"))
+        or text.lower().endswith((".toml", ".json", ".xlsx"))
     ):
         return True
     try:

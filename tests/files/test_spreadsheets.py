@@ -1,0 +1,245 @@
+"""Engine files as spreadsheets: written, read back the same, refused cell by cell."""
+
+from __future__ import annotations
+
+import io
+import zipfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import openpyxl
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from tests.strategies import OF_ANY_KIND
+
+import crankstar
+import crankstar.spectra
+from crankstar.engine.engine import Engine
+from crankstar.files import EngineFileError, engine_of, explicit, read
+from crankstar.files.catalog import load, names, tree_of
+from crankstar.files.sheets import sheets_of
+from crankstar.files.source import tree_of as text_tree
+from crankstar.files.starters import STARTERS
+from crankstar.files.workbook import workbook_bytes, workbook_tree
+
+
+def back(tree: dict[str, Any]) -> Engine:
+    return engine_of(workbook_tree(workbook_bytes(sheets_of(tree)), "engine.xlsx"))
+
+
+@settings(deadline=None, max_examples=25)
+@given(st.one_of(*OF_ANY_KIND.values()))
+def test_any_engine_comes_back_from_a_spreadsheet(engine: Engine) -> None:
+    assert back(explicit(engine)) == engine_of(explicit(engine))
+
+
+@pytest.mark.parametrize("name", names())
+def test_every_file_of_the_catalog_comes_back_in_its_own_form(name: str) -> None:
+    _shown, tree = tree_of(name)
+    assert back(tree) == load(name)
+
+
+@pytest.mark.parametrize("layout", STARTERS)
+def test_a_starter_with_all_its_blanks_is_the_engine_of_the_text(layout: str) -> None:
+    tree = text_tree(STARTERS[layout])
+    form = workbook_bytes(sheets_of(tree, blank=True))
+    assert engine_of(workbook_tree(form, "mine.xlsx")) == engine_of(tree)
+    book = openpyxl.load_workbook(io.BytesIO(form))
+    keys = {row[0].value: row for row in book["engine"].iter_rows(min_row=2)}
+    assert keys["name"][1].value
+    assert all(row[5].value for row in keys.values())  # every key says what it means
+
+
+Change = Callable[[Any], None]
+
+
+def spoilt(name: str, *changes: Change) -> bytes:
+    """The spreadsheet of a catalog engine after changes by hand."""
+    book = openpyxl.load_workbook(io.BytesIO(workbook_bytes(sheets_of(tree_of(name)[1]))))
+    for change in changes:
+        change(book)
+    out = io.BytesIO()
+    book.save(out)
+    return out.getvalue()
+
+
+def row_of(book: Any, key: str) -> int:
+    return next(row[0].row for row in book["engine"].iter_rows() if row[0].value == key)
+
+
+def put(key: str, value: Any, column: str = "B") -> Change:
+    def change(book: Any) -> None:
+        book["engine"][f"{column}{row_of(book, key)}"].value = value
+
+    return change
+
+
+def faults(raw: bytes) -> list[str]:
+    with pytest.raises(EngineFileError) as error:
+        engine_of(workbook_tree(raw, "mine.xlsx"), name="mine.xlsx")
+    return [line.strip() for line in str(error.value).splitlines()[1:]]
+
+
+STROKE = "cylinder.stroke"
+MISTAKES: dict[str, tuple[Change, str]] = {
+    "missing": (put("name", None), "name is missing"),
+    "renamed": (put(STROKE, "cylinder.strok", "A"), "(cylinder.strok) is not a key"),
+    "textual": (put(STROKE, "long"), '(cylinder.stroke) is "long mm", not a number with a unit'),
+    "comma decimals": (put(STROKE, "82,5"), '(cylinder.stroke) is "82,5 mm"; write numbers with a'),
+    "wrong dimension": (put(STROKE, "kg", "C"), 'kg", a mass; a length is needed'),
+    "no unit": (put(STROKE, None, "C"), "Did you mean"),
+    "formula": (put(STROKE, "=80+2"), "(cylinder.stroke) is a formula without a stored value"),
+    "error": (put(STROKE, "#DIV/0!"), '(cylinder.stroke) is "#DIV/0!", an error of a formula'),
+    "key twice": (put("cylinder.bore", STROKE, "A"), "the key cylinder.stroke stands twice"),
+    "key away": (put(STROKE, None, "A"), "but the row has no key"),
+    "merged": (
+        lambda book: book["engine"].merge_cells("A4:B5"),
+        "the cells engine!A4:B5 are merged; unmerge them",
+    ),
+    "heading away": (
+        lambda book: book["engine"].__setitem__("B1", "val"),
+        'engine!1:1: the first row must have the heading "value"',
+    ),
+    "heading twice": (
+        lambda book: book["engine"].__setitem__("F1", "value"),
+        'engine!F1: the heading "value" stands twice',
+    ),
+    "sheet renamed": (
+        lambda book: setattr(book["engine"], "title", "motor"),
+        "there is no sheet engine; the sheets are: motor",
+    ),
+    "table renamed": (
+        lambda book: setattr(book["engine.layout.banks"], "title", "engine.layout.bank"),
+        "the sheet engine.layout.bank is no table of an engine; did you mean engine.layout.banks?",
+    ),
+    "bearing textual": (
+        lambda book: book["engine.layout.banks"].__setitem__("B2", "left"),
+        "engine.layout.banks!B2 (layout.banks[1].bearing) is",
+    ),
+}
+
+
+@pytest.mark.parametrize("kind", MISTAKES)
+def test_a_mistake_in_a_spreadsheet_is_one_sentence_with_its_cell(kind: str) -> None:
+    change, sentence = MISTAKES[kind]
+    said = faults(spoilt("toyota-1uz-fe", change))
+    assert any(sentence in line for line in said), said
+
+
+def test_a_mistake_names_the_very_cell_and_all_come_at_once() -> None:
+    raw = spoilt(
+        "toyota-1uz-fe", put(STROKE, "82,5"), put("cylinder.bore", "=1+"), put("cycle", "left")
+    )
+    book = openpyxl.load_workbook(io.BytesIO(raw))
+    said = faults(raw)
+    for key in (STROKE, "cylinder.bore", "cycle"):
+        assert any(line.startswith(f"engine!B{row_of(book, key)} ({key}) is ") for line in said)
+
+
+def test_a_row_of_a_table_names_the_row_it_is_in() -> None:
+    def astray(book: Any) -> None:
+        book["engine.shaft.throw"]["A2"].value = 7
+
+    raw = workbook_bytes(sheets_of(explicit(load("i4"))))
+    book = openpyxl.load_workbook(io.BytesIO(raw))
+    astray(book)
+    out = io.BytesIO()
+    book.save(out)
+    said = faults(out.getvalue())
+    assert said[0] == (
+        "engine.shaft.throw!A2 is 7; it must be the number of a row of the sheet engine.shaft, "
+        "from 1 to 1"
+    )
+
+
+def zipped(**files: bytes) -> bytes:
+    out = io.BytesIO()
+    with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as packed:
+        for name, content in files.items():
+            packed.writestr(name, content)
+    return out.getvalue()
+
+
+WHOLE = {
+    "another zip": (zipped(readme=b"hello"), "is not a spreadsheet in the form .xlsx"),
+    "a bomb": (
+        zipped(**{"xl/workbook.xml": b" " * 40_000_000, "[Content_Types].xml": b""}),
+        "unpacks to more than 30 MB",
+    ),
+    "half a spreadsheet": (
+        zipped(**{"xl/workbook.xml": b"<a", "[Content_Types].xml": b"<b/>"}),
+        "is not a spreadsheet in the form .xlsx",
+    ),
+    "cut off": (
+        workbook_bytes(sheets_of(STARTERS and {"name": "x"}))[:900],
+        "is not a spreadsheet",
+    ),
+    "with a password": (
+        b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1" + bytes(2000),
+        "protected by a password",
+    ),
+    "text": (b"name = 'x'\n", "is not a spreadsheet in the form .xlsx"),
+}
+
+
+@pytest.mark.parametrize("kind", WHOLE)
+def test_what_is_no_spreadsheet_is_refused_in_one_line(kind: str, tmp_path: Path) -> None:
+    content, sentence = WHOLE[kind]
+    file = tmp_path / "mine.xlsx"
+    file.write_bytes(content)
+    with pytest.raises(EngineFileError) as error:
+        read(file)
+    assert sentence in str(error.value)
+    assert len(str(error.value).splitlines()) == 2
+
+
+@pytest.mark.parametrize("name", ["analysis.xlsx", "ANALYSIS.XLSX"])
+def test_the_spreadsheet_of_an_analysis_is_an_engine_and_its_numbers(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from crankstar import cli
+
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(SystemExit) as ended:
+        cli.main(["analyze", "audi-25-tfsi", "-o", name])
+    assert not ended.value.code
+    assert load(tmp_path / name) == load("audi-25-tfsi")
+    book = openpyxl.load_workbook(tmp_path / name)
+    heads, *rows = book["amplitudes"].iter_rows(values_only=True)
+    engine = load("audi-25-tfsi")
+    sums = crankstar.total(crankstar.balance(engine, speed=engine.speed))
+    second = crankstar.spectra.selected(sums.couple, 2)
+    row = next(
+        dict(zip(heads, row, strict=True)) for row in rows if row[3:6] == (2, "couple", "vertical")
+    )
+    assert row["amplitude"] == pytest.approx(abs(crankstar.spectra.vertical(second)[0]), rel=1e-14)
+    assert "vertical, phase [deg]" in [cell.value for cell in book["Couple on the block"][1]]
+
+
+def test_a_bad_spreadsheet_on_the_command_line_ends_with_two_and_writes_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    from crankstar import cli
+
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "mine.xlsx").write_bytes(spoilt("toyota-1uz-fe", put(STROKE, "82,5")))
+    with pytest.raises(SystemExit) as ended:
+        cli.main(["analyze", "mine.xlsx", "-o", "out.xlsx"])
+    assert ended.value.code == 2
+    assert "engine!B" in capsys.readouterr().err
+    assert [path.name for path in tmp_path.iterdir()] == ["mine.xlsx"]
+
+
+def test_a_starter_offers_words_and_units_to_choose_from() -> None:
+    form = workbook_bytes(sheets_of(text_tree(STARTERS["vee"]), blank=True))
+    sheet = openpyxl.load_workbook(io.BytesIO(form))["engine"]
+    offers = {str(offer.sqref): offer.formula1 for offer in sheet.data_validations.dataValidation}
+    where = {row[0].value: row[0].row for row in sheet.iter_rows(min_row=2)}
+
+    def offered(cell: str) -> str:
+        return next(words for cells, words in offers.items() if cell in cells.split())
+
+    assert offered(f"B{where['cycle']}") == '"two-stroke,four-stroke"'
+    assert offered(f"C{where['cylinder.stroke']}") == '"mm,cm,m,in"'
