@@ -76,6 +76,7 @@ MESSAGE_ERRORS = [
     "RemedyError",
     "RequestError",
     "SweepError",
+    "UnitsError",
 ]
 """Errors that are raised with a sentence and its values."""
 PYTHON = Domain(

@@ -86,7 +86,8 @@ def test_the_card_says_both_ways_of_counting_a_factor(run: Run) -> None:
 def test_weights_are_told_as_masses_at_a_radius(run: Run, known: str) -> None:
     out = run("balance", known, "--factor", "0.5", "--radius", "60 mm").out
     unbalance = (0.4 + 0.25) * 0.040
-    assert f"{unbalance:.5g}" in out
+    assert f"{unbalance * 1000:.5g}" in out
+    assert "[kg mm]" in out
     assert f"{unbalance / 0.06 * 1000:.5g}" in out
     assert "with its centre at 60 mm" in out
 

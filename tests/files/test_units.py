@@ -15,9 +15,19 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from crankstar.engine.quantities import ANGLE, LEAST, LENGTH, POSITION, SPEED, Quantity
+from crankstar.engine.quantities import (
+    ANGLE,
+    COUPLE,
+    FORCE,
+    LEAST,
+    LENGTH,
+    POSITION,
+    SPEED,
+    Quantity,
+)
 from crankstar.files import units
 from crankstar.language.faults import ValueFaultError
+from crankstar.language.units import DEFINITIONS, definitions, measured
 
 SIZE = replace(LENGTH, least=LEAST)
 MASS = Quantity("mass", "650 g", frozenset({"mass"}))
@@ -26,6 +36,8 @@ UNBALANCE = Quantity("unbalance", "0.02 kg*m", frozenset({"mass", "radius"}))
 QUANTITIES = [ANGLE, LENGTH, POSITION, SPEED, MASS, INERTIA, UNBALANCE]
 INCH, POUND = 0.0254, 0.45359237
 """Metres, kilograms: exact by the international agreement of 1959."""
+GRAVITY = 9.80665
+"""m/s^2: the standard value of the third General Conference on Weights and Measures, 1901."""
 TURN = 2 * math.pi
 
 UNITS = [
@@ -119,6 +131,38 @@ UNITS = [
             "g mm": 1e-6,
             "kg\u22c5mm": 1e-3,
             "oz*in": POUND / 16 * INCH,
+            "oz in": POUND / 16 * INCH,
+            "oz-in": POUND / 16 * INCH,
+            "g cm": 1e-5,
+        },
+    ),
+    (
+        FORCE,
+        {
+            "N": 1,
+            "kN": 1e3,
+            "MN": 1e6,
+            "kgf": GRAVITY,
+            "lbf": POUND * GRAVITY,
+            "lb": POUND * GRAVITY,
+            "ozf": POUND / 16 * GRAVITY,
+        },
+    ),
+    (
+        COUPLE,
+        {
+            "N m": 1,
+            "Nm": 1,
+            "kN m": 1e3,
+            "kN\u00b7m": 1e3,
+            "MN m": 1e6,
+            "kgf m": GRAVITY,
+            "lbf ft": POUND * GRAVITY * 12 * INCH,
+            "lb ft": POUND * GRAVITY * 12 * INCH,
+            "lb-ft": POUND * GRAVITY * 12 * INCH,
+            "ft lb": POUND * GRAVITY * 12 * INCH,
+            "in-lb": POUND * GRAVITY * INCH,
+            "oz in": POUND / 16 * GRAVITY * INCH,
         },
     ),
 ]
@@ -134,8 +178,8 @@ def test_every_unit_is_what_it_is(quantity: Quantity, unit: str, factor: float) 
 
 def test_pint_reads_every_product_of_two_units_alike() -> None:
     registry: pint.UnitRegistry = pint.UnitRegistry(None)  # pyright: ignore[reportArgumentType]
-    registry.load_definitions(units._DEFINITIONS.strip().splitlines())
-    names = [name for name in units._definitions() if len(name) <= 12]  # no longer one is read
+    registry.load_definitions(DEFINITIONS.strip().splitlines())
+    names = [name for name in definitions() if len(name) <= 12]  # no longer one is read
     single = [name + end for name in names for end in ("", "s", "ss", "^2", "^-3", "x")]
     kinds: dict[str, object] = {}
     for unit in [*single, *(f"{a}{sign}{b}" for a in names for b in names for sign in ("*", "/"))]:
@@ -143,9 +187,9 @@ def test_pint_reads_every_product_of_two_units_alike() -> None:
             base: Any = registry.Quantity(1.0, registry.parse_units(unit)).to_base_units()
         except AttributeError:  # what pint raises for an unknown unit is one
             with pytest.raises(ValueError, match=re.escape(unit[:2])):
-                units._unit(unit)
+                measured(unit)
             continue
-        dimensions, factor = units._unit(unit)
+        dimensions, factor = measured(unit)
         assert factor == pytest.approx(base.magnitude, rel=1e-15), unit
         assert kinds.setdefault(str(base.units), dimensions) == dimensions, unit
     assert len(set(kinds.values())) == len(kinds)

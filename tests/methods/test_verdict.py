@@ -213,14 +213,18 @@ def test_crankshafts_of_different_speed_have_no_verdict_on_their_strokes() -> No
     slow = Crank(banks=(second,), throws=(0.0, 1.0), right=3.0, speed_ratio=Fraction(1, 2), lag=0.5)
     cranks = (Crank(banks=(first,), throws=(0.0, 1.0)), slow)
     engine = tandem(Basis(name="x", firing_order=(1, 3, 2, 4)), cranks=cranks)
-    assert [fact.about for fact in verdict(engine, relatives=False)][:2] == ["layout", "force"]
+    assert [fact.about for fact in verdict(engine, relatives=False)][:3] == [
+        "layout",
+        "units",
+        "force",
+    ]
 
 
 def test_the_verdict_is_in_newtons_at_the_speed_of_the_file_or_the_one_asked_for() -> None:
     engine = load("subaru-ej25")
     assert engine.speed is not None
     own = {fact.about: fact.sentence for fact in verdict(engine, relatives=False)}
-    assert own["units"] == f"Forces in N at {number(engine.speed * 30 / np.pi)} rpm."
+    assert own["units"] == f"Forces and moments at {number(engine.speed * 30 / np.pi)} rpm."
     for share in (1.0, 0.5):
         speed = share * engine.speed
         sums = total(balance(engine, speed=speed))

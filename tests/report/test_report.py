@@ -264,7 +264,7 @@ def test_the_running_title_cannot_leave_its_string() -> None:
 def test_another_engine_stands_beside_it() -> None:
     page = report(subject("i4", beside=crankstar.load("v8-flat-plane")))
     read = Reader(page)
-    rows = read.table("Force [")
+    rows = read.tables["Force"]
     assert rows[0][2].startswith("V8, flat-plane")
     second = next(row for row in rows if row[0] == "2")
     assert float(second[2]) == pytest.approx(

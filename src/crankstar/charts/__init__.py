@@ -11,8 +11,8 @@ Engines in, a chart out, and a chart as an SVG that needs no browser.
 | `canvas` | the room for a figure |
 | `drawing` | colours, panels, the crank angle as a parameter |
 | `crank_angle` | the axis of the crank angle, and the rule at `theta` |
-| `sums` | what remains of force, couple, rolling moment and torque |
 | `comparison` | one engine, or several side by side on common axes |
+| `sums` | what remains of force, couple, rolling moment and torque |
 | `choices` | the quantity and the order of a figure where none is named |
 | `labels` | where labels stand, and their leaders |
 | `plane` | the clock plane as a picture with equal scales |

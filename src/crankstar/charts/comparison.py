@@ -10,6 +10,7 @@ from crankstar.charts.grammar import Chart
 from crankstar.charts.letters import folded
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
+from crankstar.language.numbers import unit_text
 
 
 def compared(
@@ -44,7 +45,7 @@ def same_unit(units: Iterable[str]) -> str:
         raise ChartError(
             _(
                 "the engines have different units ({units}); omit the speed to compare them",
-                units=", ".join(different),
+                units=", ".join(map(unit_text, different)),
             )
         )
     return different[0]

@@ -12,11 +12,11 @@ import numpy as np
 from crankstar import spectra
 from crankstar.charts.canvas import curve_height, half_width, panel_width
 from crankstar.charts.choices import quantity_shown
-from crankstar.charts.comparison import compared, same_unit
+from crankstar.charts.comparison import compared
 from crankstar.charts.crank_angle import across, at_theta, waves
 from crankstar.charts.drawing import GREY, LINES, PALETTE, VERMILION, Panel, checked_order, layered
 from crankstar.charts.grammar import DISC, Chart, constant, field, of_rows, own, span
-from crankstar.charts.sums import Engines, Quantity, Signal, Sum, several, sums
+from crankstar.charts.sums import Engines, Quantity, Signal, Sum, in_one_unit, several, sums
 from crankstar.language.messages import N_, _
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.remains import NEGLIGIBLE, sizes
@@ -110,8 +110,9 @@ def over_turn(
     engines = several(engine)
     choice = quantity_shown(engines, quantity, among=Signal, reference=reference)
     asked = None if orders is None else [checked_order(order) for order in orders]
-    wholes = [sums(one, [choice.quantity], speed=speed, reference=reference)[0] for one in engines]
-    unit = same_unit(one.unit for one in wholes)
+    wholes = in_one_unit(
+        [sums(one, [choice.quantity], speed=speed, reference=reference)[0] for one in engines]
+    )
     turns = max(one.turns for one in wholes)
     curves = [_curves(whole) for whole in wholes]
     shown = [sorted(_strongest(each) if asked is None else asked) for each in curves]
@@ -129,7 +130,7 @@ def over_turn(
         ]
         for each, orders in zip(curves, shown, strict=True)
     ]
-    title = _(TITLES[choice.quantity], unit=unit)
+    title = _(TITLES[choice.quantity], unit=wholes[0].unit)
     return compared(engines, blocks, title=title, speed=speed, theta=theta, turns=turns)
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from crankstar import spectra
 from crankstar.charts.canvas import half_width, panel_width
 from crankstar.charts.choices import Choice, quantity_shown
-from crankstar.charts.comparison import compared, same_unit
+from crankstar.charts.comparison import compared
 from crankstar.charts.crank_angle import waves
 from crankstar.charts.drawing import BLUE, GREY, VERMILION, Panel
 from crankstar.charts.grammar import DISC, Channel, Chart, Layer, field, of_rows, own
@@ -28,7 +28,7 @@ from crankstar.charts.plane import (
     picture,
     round_frame,
 )
-from crankstar.charts.sums import Engines, Quantity, Sum, present, several, sums
+from crankstar.charts.sums import Engines, Quantity, Sum, in_one_unit, present, several, sums
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
 from crankstar.mechanics.excitation import Reference
@@ -74,13 +74,13 @@ def hodograph(
         chosen = (spectra.selected(one.spectrum, order) for one in courses)
         pairs = zip(courses, map(present, chosen), strict=True)
         courses = [one._replace(spectrum=spectrum) for one, spectrum in pairs]
-    unit = same_unit(one.unit for one in courses)
+    courses = in_one_unit(courses)
     frame = round_frame(
         max(spectra.peak(one.spectrum).value for one in courses),
         width=panel_width() - 10 if len(engines) == 1 else half_width() - 10,
         margin=34,
     )
-    axes = Axes(*(_(title, unit=unit) for title in AXES[choice.quantity]))
+    axes = Axes(*(_(title, unit=courses[0].unit) for title in AXES[choice.quantity]))
     return compared(
         engines,
         [[[_panel(one, choice, frame, axes, theta)]] for one in courses],

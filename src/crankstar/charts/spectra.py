@@ -9,12 +9,12 @@ import numpy as np
 
 from crankstar import spectra
 from crankstar.charts.canvas import curve_height, half_width, panel_width
-from crankstar.charts.comparison import compared, same_unit
+from crankstar.charts.comparison import compared
 from crankstar.charts.drawing import BLUE, GREY, ORANGE, Panel, brief, layered
 from crankstar.charts.grammar import Chart, constant, field, of_rows, span
 from crankstar.charts.labels import Box, meets
 from crankstar.charts.letters import SMALL, text_width
-from crankstar.charts.sums import Engines, Sum, several, sums
+from crankstar.charts.sums import Engines, Sum, in_one_unit, several, sums
 from crankstar.language.messages import N_, _
 from crankstar.mechanics.excitation import Reference
 
@@ -69,10 +69,9 @@ def spectrum(
     them.
     """
     engines = several(engine)
-    bars = [list(map(_bars, sums(one, AXES, speed=speed, reference=reference))) for one in engines]
-    columns = list(zip(*bars, strict=True))
-    for column in columns:
-        same_unit(one.unit for one in column)
+    wholes = [sums(one, AXES, speed=speed, reference=reference) for one in engines]
+    columns = [list(map(_bars, in_one_unit(column))) for column in zip(*wholes, strict=True)]
+    bars = list(zip(*columns, strict=True))
     shown = [{order for one in column for order in one.visible()} for column in columns]
     names = [f"{order:g}" for order in sorted(set().union(*shown))] or ["1"]
     reaches = [max(one.reach for one in column) for column in columns]

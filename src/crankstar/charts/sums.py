@@ -6,10 +6,12 @@ from collections.abc import Iterable, Sequence
 from typing import Literal, NamedTuple, TypeVar, get_args
 
 from crankstar import spectra
+from crankstar.charts.comparison import same_unit
 from crankstar.charts.drawing import ChartError
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
 from crankstar.language.numbers import unit_text
+from crankstar.language.shown_units import shown
 from crankstar.mechanics.balance import Balance, balance
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.remains import NEGLIGIBLE, pushed, sizes, summed
@@ -27,7 +29,10 @@ MOST_TURNS = 12
 
 
 class Sum(NamedTuple):
-    """A quantity of the whole engine: the orders that remain of it, and its unit."""
+    """A quantity of the whole engine: the orders that remain of it, and its unit.
+
+    The unit is that of a Balance until `in_one_unit` writes it as readers see it.
+    """
 
     quantity: str
     unit: str
@@ -61,9 +66,24 @@ def present(spectrum: Spectrum, least: float = 0.0) -> Spectrum:
 
 
 def unit_of(result: Balance, quantity: str) -> str:
-    """The unit of a quantity as it is written."""
+    """The unit of a quantity, as a Balance has it."""
     units = result.units._asdict()
-    return unit_text(units.get(quantity, units["moment"]))
+    return units.get(quantity, units["moment"])
+
+
+def in_one_unit(courses: Sequence[Sum]) -> list[Sum]:
+    """The same quantity of several engines, in the one unit that the greatest of all is shown in.
+
+    Raises ChartError where the engines are not counted in the same unit.
+    """
+    largest = max(spectra.peak(each.spectrum).value for each in courses)
+    said = shown(same_unit(each.unit for each in courses), largest)
+    return [
+        each._replace(
+            unit=unit_text(said.unit), spectrum=spectra.scaled(each.spectrum, said.factor)
+        )
+        for each in courses
+    ]
 
 
 def several(engines: Engines) -> Sequence[Engine]:

@@ -21,12 +21,15 @@ from crankstar.charts.grammar import DISC, Chart, field, of_rows, span
 from crankstar.charts.letters import folded
 from crankstar.language.messages import _
 from crankstar.language.numbers import number, unit_text
+from crankstar.language.shown_units import quantity_text, shown
 from crankstar.spectra import Real
 from crankstar.studies.best_value import Best
 from crankstar.studies.sweep import Curve, Sweep
 
 MOST_POINTS = 2000
 """Greatest number of drawn values of a curve."""
+ROUNDED = 1e-7
+"""Share of the greatest value of a curve below which its best value is zero."""
 
 
 def swept(sweep: Sweep, curves: Sequence[Curve], *, best: Sequence[Best] = ()) -> Chart:
@@ -39,7 +42,7 @@ def swept(sweep: Sweep, curves: Sequence[Curve], *, best: Sequence[Best] = ()) -
     pairs = list(zip(curves, best or [None] * len(curves), strict=True))
     units = list(dict.fromkeys(curve.unit for curve in curves))
     panels = [
-        _panel(sweep, [pair for pair in pairs if pair[0].unit == unit], foot=unit == units[-1])
+        _panel(sweep, _scaled([p for p in pairs if p[0].unit == unit]), foot=unit == units[-1])
         for unit in units
     ]
     labels = ", ".join(curve.label for curve in curves)
@@ -55,8 +58,9 @@ def _words(pairs: Sequence[tuple[Curve, Best | None]], sweep: Sweep) -> list[str
     for curve, optimum in pairs:
         if optimum is None:
             continue
-        size = number(optimum.result, 100 * float(curve.values.max()))
-        result = {"quantity": curve.label, "result": f"{size} {unit_text(curve.unit)}"}
+        top = float(curve.values.max())
+        least = optimum.result if optimum.result > ROUNDED * top else 0.0
+        result = {"quantity": curve.label, "result": quantity_text(least, curve.unit, beside=top)}
         lines.append(
             _("{quantity}: {result} at every value", **result)
             if optimum.flat
@@ -67,6 +71,18 @@ def _words(pairs: Sequence[tuple[Curve, Best | None]], sweep: Sweep) -> list[str
             )
         )
     return lines
+
+
+def _scaled(pairs: Sequence[tuple[Curve, Best | None]]) -> list[tuple[Curve, Best | None]]:
+    """Curves of one unit with their best values, in the unit that they are shown in."""
+    said = shown(pairs[0][0].unit, max(float(curve.values.max()) for curve, _ in pairs))
+    return [
+        (
+            curve._replace(values=curve.values * said.factor, unit=said.unit),
+            best and best._replace(result=best.result * said.factor),
+        )
+        for curve, best in pairs
+    ]
 
 
 def _panel(sweep: Sweep, pairs: Sequence[tuple[Curve, Best | None]], *, foot: bool) -> Panel:

@@ -12,7 +12,7 @@ import numpy as np
 
 from crankstar.charts.canvas import half_width, panel_width
 from crankstar.charts.choices import order_shown
-from crankstar.charts.comparison import compared, same_unit
+from crankstar.charts.comparison import compared
 from crankstar.charts.drawing import ORANGE, Panel, numbers_text
 from crankstar.charts.grammar import Chart
 from crankstar.charts.labels import Label, gathered
@@ -30,7 +30,7 @@ from crankstar.charts.plane import (
     scale_bar,
 )
 from crankstar.charts.sums import Engines, Quantity, several
-from crankstar.charts.vectors import COLOURS, Star, Stars, Vector, angle_text, stars
+from crankstar.charts.vectors import COLOURS, Star, Stars, Vector, angle_text, in_one_unit, stars
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
@@ -133,8 +133,7 @@ def _systems(
     systems = [stars(engine, speed=speed, **options) for engine in engines]
     if speed is None and len({shown.unit for shown in systems}) > 1:
         systems = [stars(engine, speed=speed, divided=False, **options) for engine in engines]
-    same_unit(shown.unit for shown in systems)
-    return systems
+    return in_one_unit(systems)
 
 
 def _width(systems: Sequence[Stars], labels: int) -> float:

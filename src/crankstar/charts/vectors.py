@@ -8,18 +8,21 @@ the crank and those that turn against it.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import degrees
 from typing import NamedTuple
 
 import numpy as np
 
 from crankstar import spectra
+from crankstar.charts.comparison import same_unit
 from crankstar.charts.drawing import BLUE, GREY, VERMILION, checked_order
 from crankstar.charts.sums import Quantity, checked_quantity, unit_of
 from crankstar.engine import motion
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import number
+from crankstar.language.numbers import number, unit_text
+from crankstar.language.shown_units import shown
 from crankstar.mechanics.balance import Balance, balance, total
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.remains import NEGLIGIBLE
@@ -48,7 +51,10 @@ class Star(NamedTuple):
 
 
 class Stars(NamedTuple):
-    """All vectors of one order: one star along the `axis` of the cylinders, else two stars."""
+    """All vectors of one order: one star along the `axis` of the cylinders, else two stars.
+
+    The unit is written as in a Balance until `in_one_unit` writes it as readers see it.
+    """
 
     quantity: Quantity
     order: float
@@ -78,7 +84,7 @@ def stars(
     unit, factor = unit_of(result, quantity), 1.0
     if result.speed is None and divided:
         factor, subscript = harmonic(engine, order)
-        unit = unit.replace("m r ω²", f"m r ω² {subscript}") if subscript else unit
+        unit = unit.replace("m*r*w^2", f"m*r*w^2*{subscript}") if subscript else unit
     shares = spectra.scaled(spectra.selected(getattr(result, quantity), order), 1 / factor)
     whole = spectra.scaled(spectra.selected(getattr(total(result), quantity), order), 1 / factor)
     names, axis = _names(engine, result), _axis(engine, shares)
@@ -99,6 +105,27 @@ def stars(
     from_crank = axis is not None and abs(np.exp(1j * (first.angle - axis)) - 1) < 1e-9
     drawn = tuple(out if axis is None else out[:1])
     return Stars(quantity, order, unit, drawn, axis, engine.sense, from_crank)
+
+
+def in_one_unit(systems: Sequence[Stars]) -> list[Stars]:
+    """The stars of several engines, in the one unit that the longest vector of all is shown in.
+
+    Raises ChartError where the engines are not counted in the same unit.
+    """
+    values = [star.resultant for each in systems for star in each.stars]
+    values += [v.value for each in systems for star in each.stars for v in star.vectors]
+    said = shown(same_unit(each.unit for each in systems), max(map(abs, values), default=0.0))
+    return [
+        each._replace(
+            unit=unit_text(said.unit), stars=tuple(_times(star, said.factor) for star in each.stars)
+        )
+        for each in systems
+    ]
+
+
+def _times(star: Star, factor: float) -> Star:
+    vectors = tuple(vector._replace(value=factor * vector.value) for vector in star.vectors)
+    return star._replace(vectors=vectors, resultant=factor * star.resultant)
 
 
 def harmonic(engine: Engine, order: float) -> tuple[float, str]:

@@ -17,6 +17,7 @@ from crankstar.files import STANDARD_INPUT
 from crankstar.language import spelling
 from crankstar.language.messages import LANGUAGES, MessageError, _, spoken
 from crankstar.language.quoting import one_line, seen
+from crankstar.language.shown_units import SYSTEMS, Choice, UnitsError, read_choice, shown_in
 from crankstar.options.refusals import RequestError, refusal
 from crankstar.options.values import NEEDED
 from crankstar.options.vocabulary import meant
@@ -32,7 +33,8 @@ app = App(
     help="Compute how a piston engine shakes, why, and what to do about it. ENGINE is a name from "
     "the catalog or a file in TOML, JSON or Excel (.xlsx); - reads standard input. --lang (or "
     "CRANKSTAR_LANG) sets "
-    "the language: en, ja or ru.",
+    "the language: en, ja or ru; --units (or CRANKSTAR_UNITS) the units: si, us, or units with "
+    "commas, as in kN, kN m.",
     version=lambda: version("crankstar"),
     help_format="plaintext",
     result_action="return_value",
@@ -50,7 +52,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
             stream.reconfigure(errors=spelling.register())  # pyright: ignore[reportAttributeAccessIssue]
     words = list(sys.argv[1:] if arguments is None else arguments)
     try:
-        with spoken(_language(words)):
+        with spoken(_language(words)), shown_in(_units(words)):
             if not words or {"--help", "-h"} & set(words):  # only help needs its libraries
                 from crankstar.cli.help import TranslatedHelp
 
@@ -82,15 +84,8 @@ def main(arguments: Sequence[str] | None = None) -> None:
 
 def _language(words: list[str]) -> str:
     """The language of --lang, which is taken out of the words, or of CRANKSTAR_LANG, or English."""
-    language = os.environ.get("CRANKSTAR_LANG") or LANGUAGES[0]
-    asked = "CRANKSTAR_LANG"
-    for place, word in enumerate(words):
-        option, equals, value = word.partition("=")
-        if option == "--lang":
-            language = value if equals else "".join(words[place + 1 : place + 2])
-            asked = "--lang"
-            del words[place : place + (1 if equals else 2)]
-            break
+    asked, language = _taken(words, "--lang", "CRANKSTAR_LANG")
+    language = LANGUAGES[0] if language is None else language
     if language not in LANGUAGES:
         raise RequestError(
             _(
@@ -101,6 +96,26 @@ def _language(words: list[str]) -> str:
             )
         )
     return language
+
+
+def _units(words: list[str]) -> Choice:
+    """The units of --units, which is taken out of the words, or of CRANKSTAR_UNITS, or SI."""
+    asked, text = _taken(words, "--units", "CRANKSTAR_UNITS")
+    try:
+        return SYSTEMS["si"] if text is None else read_choice(text)
+    except UnitsError as error:
+        raise RequestError(f"{asked}: {error}") from None
+
+
+def _taken(words: list[str], name: str, variable: str) -> tuple[str, str | None]:
+    """An option for all commands, taken out of the words, or its variable: which, and its value."""
+    for place, word in enumerate(words):
+        option, equals, value = word.partition("=")
+        if option == name:
+            value = value if equals else "".join(words[place + 1 : place + 2])
+            del words[place : place + (1 if equals else 2)]
+            return name, value
+    return variable, os.environ.get(variable) or None
 
 
 def _spelt_out(arguments: Sequence[str]) -> list[str]:

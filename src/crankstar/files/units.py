@@ -1,66 +1,23 @@
 """Text with a unit to an SI number, and back.
 
 A bare number is SI (radians for angles), and is refused where nobody can have meant that: a stroke
-of 82.5 m, an angle of 90 rad, a speed without unit. The definitions are written as pint reads them:
-it would do the same, but takes longer to load than all that follows; the tests ask it.
+of 82.5 m, an angle of 90 rad, a speed without unit. The units are those of `language.units`; where
+a force or a moment is wanted, pounds and ounces are their weight.
 """
 
 from __future__ import annotations
 
 import re
-from collections import Counter
 from collections.abc import Callable
-from functools import lru_cache
 from typing import Any, Literal, NamedTuple
 
 from crankstar.engine.quantities import GREATEST_LENGTH, GREATEST_RELATIVE, Quantity
 from crankstar.language.faults import ValueFaultError
 from crankstar.language.quoting import seen
-
-_DEFINITIONS = """
-metre = [length] = m
-kilogram = [mass] = kg
-second = [time] = s
-radian = [] = rad
-degree = 0.017453292519943295 * radian = deg = degrees
-turn = 6.283185307179586 * radian = rev = revolution = turns
-millimetre = 0.001 * metre = mm = millimeter
-centimetre = 0.01 * metre = cm = centimeter
-micrometre = 1e-6 * metre = um
-inch = 0.0254 * metre = in = inches
-foot = 0.3048 * metre = ft = feet
-gram = 0.001 * kilogram = g = grams
-milligram = 1e-6 * kilogram = mg
-tonne = 1000 * kilogram = t
-pound = 0.45359237 * kilogram = lb = lbs
-ounce = 0.028349523125 * kilogram = oz
-minute = 60 * second = min
-rpm = 0.10471975511965977 * radian / second
-hertz = 6.283185307179586 * radian / second = Hz
-newton = kilogram * metre / second^2 = N
-kilonewton = 1000 * newton = kN
-newtonmetre = newton * metre = Nm
-kilonewtonmetre = 1000 * newton * metre = kNm
-"""
+from crankstar.language.units import SIGNS, as_weight, definitions, measured
 
 _NUMBER = re.compile(
     r"\s*([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d{1,3})?)\s*(.*?)\s*", re.DOTALL
-)
-_FACTOR = re.compile(r"([*/]?)\s*(?:([\d.]+(?:e-?\d+)?)|([A-Za-z]+))(?:\^(-?\d))?")
-_UNIT = re.compile(r"[A-Za-z]{1,12}(?:\^-?[1-4])?(?:[*/][A-Za-z]{1,12}(?:\^-?[1-4])?){0,3}")
-_REVOLUTIONS = {"1/min", "/min", "r/min", "min^-1"}
-"""What a rotational speed in revolutions per minute is also written in."""
-
-_SPELLINGS = str.maketrans(
-    {
-        "\u00b0": " deg",
-        "\u00b2": "^2",
-        "\u00b7": "*",
-        "\u22c5": "*",
-        "\u00b5": "u",
-        "\u03bc": "u",
-        "\u2212": "-",
-    }
 )
 _LONGEST = 60
 """Letters: a longer text is no number with a unit."""
@@ -189,7 +146,7 @@ def _read(value: Any, quantity: Quantity) -> tuple[float, bool]:
         if not abs(value) <= _GREATEST_NUMBER:
             raise _fault("unit.needed", value, quantity)
         return float(value), False
-    text = value.translate(_SPELLINGS).replace("**", "^")
+    text = value.translate(SIGNS).replace("**", "^")
     match = _NUMBER.fullmatch(text) if len(text) <= _LONGEST else None
     if match is None:
         raise _fault("unit.not-a-number", value, quantity)
@@ -206,65 +163,23 @@ def _factor(unit: str, value: str, quantity: Quantity) -> float:
 
     Raises ValueFaultError where it is not known or measures something else.
     """
+    wanted = measured(_KINDS[quantity.dimension].unit).dimensions
     try:
-        dimensions, factor = _unit(unit)
+        unit_given = measured(unit)
+        if unit_given.dimensions != wanted and measured(as_weight(unit)).dimensions == wanted:
+            unit_given = measured(as_weight(unit))
     except ValueError:
-        near = {name.lower(): name for name in _definitions()}.get(unit.lower())
+        near = {name.lower(): name for name in definitions()}.get(unit.lower())
         if near:
             raise _fault(
                 "unit.misspelt", value, quantity, unit=seen(unit), meant=f'"{near}"'
             ) from None
         raise _fault("unit.unknown", value, quantity, unit=seen(unit)) from None
-    if dimensions != _unit(_KINDS[quantity.dimension].unit)[0]:
+    if unit_given.dimensions != wanted:
         named = [(name, kind.unit) for name, kind in _KINDS.items()] + list(_OTHERS.items())
-        measured = next((name for name, of in named if _unit(of)[0] == dimensions), "other")
-        raise _fault("unit.other-dimension", value, quantity, measured=measured)
-    return factor
-
-
-@lru_cache(maxsize=1)
-def _definitions() -> dict[str, str]:
-    """The definition of every unit by each of its names."""
-    lines = (line.split(" = ") for line in _DEFINITIONS.strip().splitlines())
-    return {name: parts[1] for parts in lines for name in (parts[0], *parts[2:])}
-
-
-@lru_cache(maxsize=512)
-def _unit(unit: str) -> tuple[frozenset[tuple[str, int]], float]:
-    """Dimensions and factor to SI of a unit; angles are distinguished from plain numbers."""
-    spelt = re.sub(r"\s*([*/^])\s*", r"\1", unit)
-    spelt = re.sub(
-        r"([A-Za-z])(-?[1-4])", r"\1^\2", re.sub(r"\s+", "*", spelt)
-    )  # "kg m2" is kg*m^2
-    spelt = "rpm" if spelt in _REVOLUTIONS else spelt
-    if not _UNIT.fullmatch(spelt):
-        raise ValueError(unit)
-    return _product(spelt)
-
-
-def _product(expression: str) -> tuple[frozenset[tuple[str, int]], float]:
-    """Dimensions with their powers, and factor to SI, of a product of numbers and units."""
-    powers: Counter[str] = Counter()
-    factor = 1.0
-    for divided, number, name, power in _FACTOR.findall(expression):
-        exponent = int(power or 1) * (-1 if divided == "/" else 1)
-        own, size = (frozenset(), float(number)) if number else _named(name)
-        factor *= size**exponent
-        powers.update({kind: exponent * each for kind, each in own})
-    return frozenset((kind, power) for kind, power in powers.items() if power), factor
-
-
-@lru_cache(maxsize=128)
-def _named(name: str) -> tuple[frozenset[tuple[str, int]], float]:
-    """What a single unit is; "kilograms" are kilogram. Raises ValueError."""
-    known = _definitions()
-    plural = len(name) > 2 and name.endswith("s")  # but "ms" is no metres
-    definition = known.get(name) or (known.get(name[:-1]) if plural else None)
-    if definition is None:
-        raise ValueError(name)
-    if definition.startswith("["):
-        return frozenset({(definition, 1)}), 1.0
-    return _product(definition)
+        kinds = (name for name, of in named if measured(of).dimensions == unit_given.dimensions)
+        raise _fault("unit.other-dimension", value, quantity, measured=next(kinds, "other"))
+    return unit_given.factor
 
 
 def text(number: float, quantity: Quantity, *, digits: int = 15) -> str:

@@ -4,7 +4,9 @@
 |---|---|
 | `messages` | sentences in the reader's language, from gettext catalogs |
 | `numbers` | numbers, amplitudes, units and durations as text |
+| `units` | the units that are read and shown, with their factors |
 | `quoting` | text from outside, quoted on one printable line |
+| `shown_units` | the units in which results are shown, and quantities as text |
 | `spelling` | signs that an encoding lacks, in ASCII |
 | `engine_faults` | the sentence of each fault of an engine |
 | `file_faults` | the sentence of each fault of an engine file |

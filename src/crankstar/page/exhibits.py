@@ -33,7 +33,8 @@ from crankstar.page.records import (
 )
 from crankstar.page.scene import scene
 from crankstar.remedy import fitting
-from crankstar.tables import analysis, headings, remedies, strokes
+from crankstar.tables import headings, remedies, strokes
+from crankstar.tables.conditions import unit_sentence, unit_sizes, unverified
 from crankstar.tables.verdict import subjects, verdict
 
 
@@ -113,7 +114,7 @@ def exhibit(
         ),
         scale=_scale(engine),
         heading=_heading(engine, result),
-        unverified=tuple(analysis.unverified(engine)),
+        unverified=tuple(unverified(engine)),
         reference_z=result.reference.z * along,
         couple_length=along,
         orders=orders,
@@ -186,7 +187,7 @@ def _turns(engine: Engine) -> int:
 
 def _heading(engine: Engine, result: Balance) -> tuple[str, ...]:
     """The lines under the name: cycle, firing, units."""
-    units = (analysis.unit_sentence(engine, result), analysis.unit_sizes(engine))
+    units = (unit_sentence(engine, result), unit_sizes(engine))
     return tuple(filter(None, [*headings.heading_lines(engine), *units]))
 
 

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 
 from crankstar.page.records import Table
 from crankstar.tables.cells import cells, head
+from crankstar.tables.conversion import in_units
 from crankstar.tables.html import MINUS
 from crankstar.tables.table import Remarks
 from crankstar.tables.table import Table as Values
@@ -25,7 +26,7 @@ def printed(parts: Iterable[Values | Remarks]) -> tuple[Table, ...]:
 def _table(part: Values | Remarks) -> Table:
     if isinstance(part, Remarks):
         return Table(title=part.title, heads=(), rows=(), notes=part.lines)
-    table = part.readable
+    table = in_units(part.readable)
     return Table(
         title=table.title,
         heads=tuple(head(column) for column in table.columns) if table.rows else (),

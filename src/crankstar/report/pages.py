@@ -18,6 +18,7 @@ from crankstar.report.markup import figure, figures, parts_html, section
 from crankstar.report.subject import Quantity, Subject
 from crankstar.report.views import views
 from crankstar.tables import analysis, comparison, engines, strokes
+from crankstar.tables.conditions import conditions
 from crankstar.tables.headings import timing_lines
 from crankstar.tables.html import paragraph
 
@@ -121,7 +122,9 @@ def orders(subject: Subject, gallery: Gallery) -> str:
             caption = _(PATHS[quantity], order=number(order))
             options = {"order": order, "quantity": quantity, "speed": at}
             drawn.append(gallery.figure("hodograph", caption, **options))
-    notes = "".join(paragraph(line, "note") for line in analysis.conditions(subject.shown))
+    notes = "".join(
+        paragraph(line, "note") for line in conditions(subject.engine, subject.shown.best)
+    )
     tables = parts_html(analysis.tables(subject.shown))
     return section(_("Orders"), notes + tables + figures(drawn), name="orders")
 

@@ -13,6 +13,7 @@ from multiprocessing.connection import Connection
 from typing import Any
 
 from crankstar.language.messages import language, speak
+from crankstar.language.shown_units import Choice, choice, show_in
 from crankstar.search.interrupts import held_back
 
 END_SECONDS = 2.0
@@ -20,7 +21,7 @@ END_SECONDS = 2.0
 
 
 class Child:
-    """A process and the pipe to it, in the language of its maker.
+    """A process and the pipe to it, in the language and the units of its maker.
 
     It ends itself when it reads the end of the pipe.
     """
@@ -29,7 +30,7 @@ class Child:
         context = multiprocessing.get_context("spawn")
         self.pipe, far = context.Pipe()
         self._process = context.Process(
-            target=_begun, args=(language(), target, far, *arguments), daemon=True
+            target=_begun, args=(language(), dict(choice()), target, far, *arguments), daemon=True
         )
         with held_back():
             self._process.start()
@@ -54,8 +55,9 @@ class Child:
             self._process.join(END_SECONDS)
 
 
-def _begun(language: str, target: Callable[..., None], *arguments: Any) -> None:
+def _begun(language: str, units: Choice, target: Callable[..., None], *arguments: Any) -> None:
     speak(language)
+    show_in(units)
     target(*arguments)
 
 

@@ -21,6 +21,7 @@ from multiprocessing.connection import Connection
 from typing import Any
 
 from crankstar.language.messages import language, speak
+from crankstar.language.shown_units import Choice, choice, show_in
 from crankstar.server.processes import Child, messages
 from crankstar.server.refusal import Refused, refused
 
@@ -43,7 +44,10 @@ class Workers:
         self.seconds = seconds
         self.workers = [_Worker() for _ in range(count)]
         self.threads = ThreadPoolExecutor(
-            count, thread_name_prefix="worker", initializer=speak, initargs=(language(),)
+            count,
+            thread_name_prefix="worker",
+            initializer=_prepare,
+            initargs=(language(), choice()),
         )
         self.idle: asyncio.LifoQueue[_Worker] = asyncio.LifoQueue()
         self.waiting = 0
@@ -109,6 +113,12 @@ def _done(task: Task, arguments: tuple[Any, ...]) -> bytes | Refused:
     except Exception:
         log.exception("a task failed")
         return refused(500, "question.failed")
+
+
+def _prepare(language: str, units: Choice) -> None:
+    """Have a thread speak this language and show these units."""
+    speak(language)
+    show_in(units)
 
 
 class _Worker:

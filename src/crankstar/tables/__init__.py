@@ -4,6 +4,7 @@
 |---|---|
 | `table` | the records: Column, Table, Remarks, Document |
 | `cells` | values and headings as text |
+| `conversion` | a Table in the units of the context |
 | `terminal` | a Document in a terminal of a given width |
 | `html` | a Document as HTML |
 | `machine` | a Document as JSON, a Table as CSV |
@@ -11,6 +12,7 @@
 | `arrow` | a Table as an Apache Arrow table |
 | `headings` | an engine's lines: cycle, cylinders, rotation, firing order |
 | `scales` | the units in which an engine is written |
+| `conditions` | speed, units and point of reference of an analysis |
 | `paths` | names of vectors and of their paths |
 | `peaks` | peaks over a turn, and what counterweights can remove |
 | `analysis` | force, couple and moments by order, as `analyze` shows them |

@@ -17,11 +17,11 @@ from crankstar.mechanics.balance import Balance, Grouping, grouped, total
 from crankstar.mechanics.excitation import Totals
 from crankstar.mechanics.labelled import columns
 from crankstar.mechanics.remains import orders_pushed
-from crankstar.tables.table import Column, Document, Kind, Table
+from crankstar.tables.table import ROW_UNIT, Column, Document, Kind, Table
 
 WHOLE = "engine"
 """Name of the part that is all of them; `no bank` are parts that belong to none."""
-TEXTS = ("engine", "part", "quantity", "direction", "unit")
+TEXTS = ("engine", "part", "quantity", "direction")
 
 
 def amplitudes(
@@ -60,5 +60,5 @@ def amplitudes(
 
 
 def _column(name: str) -> Column:
-    kind: Kind = "text" if name in TEXTS else "number"
-    return Column(name, kind=kind, key=name)
+    kind: Kind = "unit" if name == "unit" else "text" if name in TEXTS else "number"
+    return Column(name, ROW_UNIT if name == "amplitude" else "", kind=kind, key=name)

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from math import degrees, pi
+from math import degrees
 from typing import NamedTuple
 
 import numpy as np
@@ -24,10 +24,10 @@ from crankstar.mechanics.balance import Balance, Grouping, balance, grouped
 from crankstar.mechanics.excitation import Reference, rolling_moment
 from crankstar.mechanics.remains import Sums, orders_pushed, orders_turning, ranked, size, summed
 from crankstar.spectra import Spectrum
+from crankstar.tables.conditions import conditions, unverified
 from crankstar.tables.headings import heading
 from crankstar.tables.paths import shape
 from crankstar.tables.peaks import peak_lines
-from crankstar.tables.scales import scales
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
 QUANTITIES = {
@@ -91,7 +91,7 @@ def document(
     doubt = _("Unverified: {paths}.", paths=", ".join(doubtful)) if doubtful else ""
     heads = (
         heading(shown.engine),
-        *remarks(*conditions(shown), kind="note"),
+        *remarks(*conditions(shown.engine, shown.best), kind="note"),
         *remarks(doubt, kind="doubt"),
     )
     return Document(shown.engine.name, (*heads, *tables(shown, angles=angles, by=by)))
@@ -111,73 +111,6 @@ def tables(
         *([_at_angles(shown, real, angles)] if angles else []),
         Remarks(tuple(peak_lines(shown.engine, shown.best, real)), _("Peaks")),
     )
-
-
-def conditions(shown: Analysis) -> list[str]:
-    """Reference point, meaning of a phase, speed and units."""
-    engine = shown.engine
-    point = _("Couples and moments about {point}; a ∠ p means a cos(kθ + p).", point=_point(shown))
-    return [point, unit_sentence(engine, shown.best), unit_sizes(engine)]
-
-
-UNITS = {
-    "mass radius": N_(
-        "The file gives neither masses nor the stroke: forces in m r ω², the same at every speed."
-    ),
-    "mass": N_("The file gives no masses: forces in m r ω², the same at every speed."),
-    "radius": N_("The file gives no stroke: forces in m r ω², the same at every speed."),
-    "": N_('Forces in m r ω². For newtons, add a speed to the file, as in speed = "6000 rpm".'),
-}
-"""Why forces are not in newtons, by which of masses and radius the file leaves out."""
-
-
-def unit_sentence(engine: Engine, result: Balance) -> str:
-    """The unit of forces, and the reason where it is not newtons."""
-    if result.speed is not None:
-        return _("Forces in N at {speed} rpm.", speed=number(result.speed * 30 / pi))
-    return _(UNITS[" ".join(name for name in ("mass", "radius") if name in engine.relative)])
-
-
-def unverified(engine: Engine) -> list[str]:
-    """The key paths of values whose status is unverified or placeholder."""
-    return [
-        path
-        for path, origin in engine.provenance.items()
-        if origin.status in ("unverified", "placeholder")
-    ]
-
-
-def _point(shown: Analysis) -> str:
-    """The reference point: its z, and its place in the clock plane where that matters."""
-    engine, point = shown.engine, shown.normalised.reference
-    across, along = scales(engine)[:2]
-    place = f"z = {along.text(point.z)}"
-    if point.up or point.right:
-        return _(
-            "{place}, {up} up, {right} right of the crank axis",
-            place=place,
-            up=across.text(point.up),
-            right=across.text(point.right),
-        )
-    if len({cylinder.shaft for cylinder in engine.cylinders}) > 1:
-        return _("{place} on the axis of shaft {name}", place=place, name=engine.shafts[0].name)
-    return place
-
-
-def unit_sizes(engine: Engine) -> str:
-    """The sizes of m, r and a, as far as they are known."""
-    first = engine.first
-    across, along, mass, _unbalance = scales(engine)
-    several = len({cylinder.z for cylinder in engine.cylinders}) > 1
-    sizes = {
-        "m": ("mass", mass.text(first.reciprocating_mass)),
-        "r": ("radius", across.text(engine.throw(first).radius)),
-        "a": ("pitch" if several else "mass", along.text(engine.pitch)),
-    }
-    known = [
-        f"{letter} = {size}" for letter, (key, size) in sizes.items() if key not in engine.relative
-    ]
-    return f"{', '.join(known)}." if known else ""
 
 
 def _vectors(quantity: str, shown: Analysis, plain: Spectrum, real: Spectrum) -> Table:

@@ -7,7 +7,7 @@ from typing import Any
 
 from crankstar.language.messages import _
 from crankstar.language.numbers import number, unit_text, wave
-from crankstar.tables.table import Column, Table, Value
+from crankstar.tables.table import ROW_UNIT, Column, Table, Value
 
 
 def cell(column: Column, value: Value) -> str:
@@ -23,7 +23,7 @@ def cell(column: Column, value: Value) -> str:
     if value is None:
         return ""
     if isinstance(value, str):
-        return value
+        return unit_text(value) if column.kind == "unit" else value
     if isinstance(value, tuple):
         return _row(column, value)
     if isinstance(value, complex):
@@ -50,7 +50,8 @@ def heading(column: Column) -> tuple[str, str]:
     >>> heading(Column("couple", "m*r*w^2*a"))
     ('couple', '[m r ω² a]')
     """
-    return column.heading, f"[{unit_text(column.unit)}]" if column.unit else ""
+    unit = "" if column.unit == ROW_UNIT else unit_text(column.unit)
+    return column.heading, f"[{unit}]" if unit else ""
 
 
 def head(column: Column) -> str:

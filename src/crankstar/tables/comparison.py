@@ -9,12 +9,13 @@ from typing import NamedTuple
 from crankstar import spectra
 from crankstar.firing.intervals import firing
 from crankstar.language.messages import _
-from crankstar.language.numbers import NEGLIGIBLE, number, unit_text
+from crankstar.language.numbers import NEGLIGIBLE, number
 from crankstar.mechanics.balance import Balance
 from crankstar.mechanics.remains import Sums, size, summed
-from crankstar.tables.analysis import QUANTITIES, Analysis, none_line, sums_size, unverified
+from crankstar.tables.analysis import QUANTITIES, Analysis, none_line, sums_size
+from crankstar.tables.conditions import unverified
 from crankstar.tables.headings import firing_text
-from crankstar.tables.table import Column, Document, Table, Value
+from crankstar.tables.table import ROW_UNIT, Column, Document, Table, Value
 
 PLANE = ("force", "couple")
 """Vectors across the crankshaft; the others turn about it."""
@@ -99,7 +100,6 @@ def _share(value: float, first: float) -> float | None:
 
 
 def _quantity(name: str, compared: _Compared) -> Table:
-    units = dict.fromkeys(unit_text(_unit(result, name)) for result in compared.results)
     *orders, (_whole, peaks) = _sizes(name, compared)
     rows = [(number(order or 0.0), cells) for order, cells in orders if any(cells)]
     if rows:
@@ -115,13 +115,16 @@ def _quantity(name: str, compared: _Compared) -> Table:
     ]
     heads = (
         Column(_("order"), kind="text", key="order", label=True),
-        *(Column(name, key=name) for name in compared.names),
+        *(
+            Column(engine, _unit(result, name), key=engine)
+            for engine, result in zip(compared.names, compared.results, strict=True)
+        ),
         *shares,
     )
     body: list[tuple[Value, ...]] = [
         (label, *cells, *(_share(cell, cells[0]) for cell in cells[1:])) for label, cells in rows
     ]
-    title = f"{_(QUANTITIES[name]).capitalize()} [{_(' or ').join(units)}]"
+    title = _(QUANTITIES[name]).capitalize()
     zero = [order for order, cells in orders if order is not None and not any(cells)]
     return Table(title, heads, tuple(body), notes=none_line(zero), key=name)
 
@@ -142,8 +145,8 @@ def answer(shown: Sequence[Analysis], names: Sequence[str] | None = None) -> Doc
         Column("order", key="order"),
         Column("engine", kind="text", key="engine"),
         Column("speed_rpm", key="speed_rpm"),
-        Column("greatest", key="greatest"),
-        Column("unit", kind="text", key="unit"),
+        Column("greatest", ROW_UNIT, key="greatest"),
+        Column("unit", kind="unit", key="unit"),
         Column("share", key="share"),
     )
     rows: list[tuple[Value, ...]] = []

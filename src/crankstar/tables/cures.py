@@ -7,13 +7,13 @@ from collections.abc import Sequence
 from crankstar import spectra
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import number, unit_text
+from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.balance import Balance, balance
 from crankstar.mechanics.remains import EQUAL, Sums, size, summed
 from crankstar.remedy import Need, bobweight, loads, needs
 from crankstar.remedy.fitting import quiet_cranks
 from crankstar.tables.paths import vector_name
-from crankstar.tables.scales import pin_masses
+from crankstar.tables.scales import scales
 
 COURSES = {
     "pair": N_("{vector}: removed by {cure}."),
@@ -103,7 +103,7 @@ def proposal(engine: Engine, *, speed: float | None = None) -> str:
         "Counterweights with a balance factor of {factor} (heaviest bobweight {bobweight}) leave "
         "{left}.",
         factor=f"{factor:g}",
-        bobweight=pin_masses(engine).text(heaviest),
+        bobweight=scales(engine).mass.text(heaviest),
         left=left,
     )
 
@@ -126,7 +126,6 @@ def _left(result: Balance) -> str:
         for name in ("force", "couple")
     }
     values = {
-        name: f"{number(vector)} {unit_text(getattr(result.units, name))}"
-        for name, vector in vectors.items()
+        name: quantity_text(vector, getattr(result.units, name)) for name, vector in vectors.items()
     }
     return _(LEFT[" ".join(name for name in vectors if vectors[name])], **values)

@@ -14,6 +14,7 @@ from crankstar.engine.records import Block, Shaft
 from crankstar.files.catalog import Summary
 from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import number
+from crankstar.language.shown_units import quantity_text
 from crankstar.tables.headings import heading, timing_lines
 from crankstar.tables.scales import Scale, scales
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
@@ -184,8 +185,8 @@ def _block(engine: Engine, block: Block) -> str:
     )
     if block.inertia is None:
         return words
-    unit = f"{mass.unit} {'m' if across.unit == 'mm' and mass.unit == 'kg' else 'r'}²"
-    yaw, pitch, roll = (f"{number(size)} {unit}" for size in block.inertia)
+    unit = f"{mass.unit}*{'m' if across.unit == 'mm' and mass.unit == 'kg' else 'r'}^2"
+    yaw, pitch, roll = (quantity_text(size, unit) for size in block.inertia)
     moments = _(
         "Moments of inertia: {yaw} in yaw, {pitch} in pitch, {roll} in roll.",
         yaw=yaw,

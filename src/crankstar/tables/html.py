@@ -8,6 +8,7 @@ from html import escape
 
 from crankstar.language.quoting import CONTROL
 from crankstar.tables.cells import cells, heading
+from crankstar.tables.conversion import in_units
 from crankstar.tables.table import Document, Remarks, Table
 
 MINUS = re.compile(r"(?<![\w.\])°-])-(?=\d)")
@@ -76,7 +77,7 @@ def part_html(part: Table | Remarks) -> str:
 
 
 def _table(table: Table) -> str:
-    table = table.readable
+    table = in_units(table.readable)
     # A caption would be as narrow as the table.
     above = f"<h3>{typeset(table.title)}</h3>" if table.title else ""
     notes = "".join(map(paragraph, table.notes))

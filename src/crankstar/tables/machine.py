@@ -14,7 +14,8 @@ from collections.abc import Iterator, Mapping
 from math import degrees
 from typing import Any
 
-from crankstar.tables.table import Column, Document, Table, Value
+from crankstar.tables.conversion import in_units
+from crankstar.tables.table import ROW_UNIT, Column, Document, Table, Value
 
 FORMAT = 2
 """Version of the JSON objects."""
@@ -76,8 +77,10 @@ def columns(table: Table) -> tuple[list[str], list[list[Any]]]:
     """Heads with units and rows of plain values, for CSV, spreadsheets and data frames.
 
     A vector takes two columns, up and right; a wave its amplitude and phase; a signal its real and
-    imaginary part; a row of numbers stands in one cell.
+    imaginary part; a row of numbers stands in one cell. Numbers are in the units that the context
+    chooses, else in those of the table, so that programs find the same unit in every file.
     """
+    table = in_units(table, prefixed=False)
     wanted = [place for place, column in enumerate(table.columns) if column.key]
     heads = [head for place in wanted for head in _heads(table.columns[place])]
     rows = [
@@ -92,7 +95,7 @@ PARTS = {"vector": ("up", "right"), "wave": ("amplitude", "phase"), "signal": ("
 
 def _heads(column: Column) -> Iterator[str]:
     name = column.key.replace("/", "_")
-    unit = f" [{column.unit}]" if column.unit else ""
+    unit = "" if column.unit in ("", ROW_UNIT) else f" [{column.unit}]"
     for part in PARTS.get(column.kind, ("",)):
         yield f"{name}_{part} [deg]" if part == "phase" else f"{name}{part and '_'}{part}{unit}"
 

@@ -7,7 +7,8 @@ from math import degrees
 from crankstar import spectra
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import NEGLIGIBLE, bearing_text, number, unit_text
+from crankstar.language.numbers import NEGLIGIBLE, bearing_text, number
+from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.balance import Balance
 from crankstar.mechanics.remains import Sums, remains, sizes
 from crankstar.tables.paths import vector_name
@@ -18,28 +19,25 @@ NONE = {
     "torque": N_("No inertia torque of any order."),
 }
 PEAKS = {
-    "force": N_("Peak force: {size} {unit} at θ = {angle} deg, bearing {bearing} deg."),
-    "couple": N_("Peak couple: {size} {unit} at θ = {angle} deg, bearing {bearing} deg."),
-    "torque": N_("Peak inertia torque: {size} {unit}."),
-    "roll": N_("Peak rolling moment: {size} {unit}."),
+    "force": N_("Peak force: {size} at θ = {angle} deg, bearing {bearing} deg."),
+    "couple": N_("Peak couple: {size} at θ = {angle} deg, bearing {bearing} deg."),
+    "torque": N_("Peak inertia torque: {size}."),
+    "roll": N_("Peak rolling moment: {size}."),
 }
 REMOVABLE = {
-    "all": N_("{vector}: counterweights remove all of it ({forward} {unit})."),
+    "all": N_("{vector}: counterweights remove all of it ({forward})."),
     "part": N_(
-        "{vector}: counterweights remove {forward} {unit}; {backward} {unit} remains, rotating "
+        "{vector}: counterweights remove {forward}; {backward} remains, rotating "
         "against the crankshaft."
     ),
     "none": N_(
-        "{vector}: {backward} {unit} rotates against the crankshaft; no crank counterweight can "
-        "remove it."
+        "{vector}: {backward} rotates against the crankshaft; no crank counterweight can remove it."
     ),
     "both": N_(
-        "{vector}: counterweights on both crankshafts remove {forward} and {backward} {unit}, all "
-        "of it."
+        "{vector}: counterweights on both crankshafts remove {forward} and {backward}, all of it."
     ),
     "other": N_(
-        "{vector}: counterweights on the counter-rotating crankshaft remove all of it ({backward} "
-        "{unit})."
+        "{vector}: counterweights on the counter-rotating crankshaft remove all of it ({backward})."
     ),
 }
 """What counterweights cancel of a vector that turns forward and backward."""
@@ -63,8 +61,7 @@ def _peak(result: Balance, sums: Sums, name: str) -> str:
     unit = getattr(result.units, name, result.units.moment)
     return _(
         PEAKS[name],
-        size=number(top.value),
-        unit=unit_text(unit),
+        size=quantity_text(top.value, unit),
         angle=number(round(degrees(top.theta), 9)),
         bearing=bearing_text(top.vector),
     )
@@ -86,10 +83,10 @@ def _removable(result: Balance, sums: Sums, name: str, *, counter: bool) -> str:
         kind = "other" if counter else "none"
     elif backward <= least:
         kind = "all"
+    unit = getattr(result.units, name)
     return _(
         REMOVABLE[kind],
         vector=vector_name(1, force=name == "force", couple=name == "couple"),
-        forward=number(forward),
-        backward=number(backward),
-        unit=unit_text(getattr(result.units, name)),
+        forward=quantity_text(forward, unit, beside=backward),
+        backward=quantity_text(backward, unit, beside=forward),
     )

@@ -13,7 +13,7 @@ from crankstar import spectra
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Shaft, Weight
 from crankstar.language.messages import _, _n
-from crankstar.language.numbers import number, unit_text
+from crankstar.language.numbers import number
 from crankstar.mechanics.balance import Balance, Units, balance, total
 from crankstar.mechanics.balance import scales as scales_of
 from crankstar.mechanics.excitation import rolling_moment
@@ -23,8 +23,8 @@ from crankstar.remedy.kept import Changes
 from crankstar.remedy.loads import Load
 from crankstar.tables.certificate import certificate
 from crankstar.tables.cures import cure_lines
-from crankstar.tables.scales import pin_masses, scales
-from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
+from crankstar.tables.scales import scales
+from crankstar.tables.table import ROW_UNIT, Column, Document, Remarks, Table, Value, remarks
 from crankstar.tables.turning import bearing, turning
 
 
@@ -66,7 +66,7 @@ def parts(job: Job) -> Iterator[Table | Remarks]:
 
 def _bobweights(job: Job) -> Table:
     engine, factor = job.before, 0.5 if job.factor is None else job.factor
-    scale, pins = pin_masses(engine), loads(engine)
+    scale, pins = scales(engine).mass, loads(engine)
     columns = (
         Column(_("pin"), kind="text", key="pin", label=True),
         Column(_("cylinders"), kind="list", key="cylinders"),
@@ -135,8 +135,7 @@ def _overbalance(pins: Sequence[Load], factor: float) -> list[str]:
 
 def _weights(job: Job) -> Table:
     engine = job.after
-    across, along, _mass, unbalance = scales(engine)
-    mass = pin_masses(engine)
+    across, along, mass, unbalance = scales(engine)
     radius = engine.throw(engine.first).radius if job.radius is None else job.radius
     became = changes(job.before, job.after)
     kept = any(each.kept for each in became.values())
@@ -247,7 +246,7 @@ def _remaining(job: Job) -> Table:
     for order in orders:
         for name, word in (("force", _("force")), ("couple", _("couple"))):
             old, new = _vectors(sums, name, order, after.units)
-            unit = unit_text(getattr(after.units, name))
+            unit = getattr(after.units, name)
             rows.append((order, word, unit, sum(old), sum(new), *new))
             if sum(new) > sum(old) * (1 + OPTIMISED):
                 worse.append(
@@ -257,7 +256,7 @@ def _remaining(job: Job) -> Table:
                         order=number(order),
                     )
                 )
-    unit = unit_text(after.units.moment)
+    unit = after.units.moment
     for order in orders:
         rolls = [size(rolling_moment(total(result)), order) for result in (before, after)]
         if any(rolls):
@@ -266,15 +265,15 @@ def _remaining(job: Job) -> Table:
     (scale, _couple, _moment), units = scales_of(job.after, job.speed)
     newtons = scale / scales_of(job.after, None)[0].force
     loaded = [bearing_load(engine) * newtons for engine in (job.before, job.after)]
-    rows.append((1.0, load, unit_text(units.force), *_cleared(loaded), None, None))
+    rows.append((1.0, load, units.force, *_cleared(loaded), None, None))
     columns = (
         Column(_("order"), key="order", label=True),
         Column(_("quantity"), kind="text", key="quantity", wraps=True),
-        Column(_("unit"), kind="text", key="unit"),
-        Column(_("before"), key="before"),
-        Column(_("now"), key="now"),
-        Column(_("with the crank"), key="forward", optional=2),
-        Column(_("against the crank"), key="backward", optional=1),
+        Column(_("unit"), kind="unit", key="unit"),
+        Column(_("before"), ROW_UNIT, key="before"),
+        Column(_("now"), ROW_UNIT, key="now"),
+        Column(_("with the crank"), ROW_UNIT, key="forward", optional=2),
+        Column(_("against the crank"), ROW_UNIT, key="backward", optional=1),
     )
     title = _("Remaining unbalance")
     if after.speed is not None:

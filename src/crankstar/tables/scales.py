@@ -1,4 +1,4 @@
-"""The units in which lengths, masses and unbalances of an engine are written.
+"""The units in which lengths, masses and unbalances of an engine are counted.
 
 Where the file gives no sizes or masses, they are counted in m, r and a, as the engine has them.
 """
@@ -8,11 +8,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from crankstar.engine.engine import Engine
-from crankstar.language.numbers import number
-from crankstar.remedy import loads
-
-HEAVY = 20.0
-"""Masses on a pin (kg) from which weights are given in kilograms, else in grams."""
+from crankstar.language.shown_units import quantity_text
 
 
 class Scale(NamedTuple):
@@ -26,8 +22,8 @@ class Scale(NamedTuple):
         return round(value * self.factor, 9) + 0.0
 
     def text(self, value: float) -> str:
-        """A value with its unit."""
-        return f"{number(value * self.factor)} {self.unit}"
+        """A value in the unit that it is shown in."""
+        return quantity_text(value * self.factor, self.unit)
 
 
 class Scales(NamedTuple):
@@ -58,11 +54,3 @@ def scales(engine: Engine) -> Scales:
         if weighed
         else Scale(1 / engine.throw(engine.first).radius, "m*r"),
     )
-
-
-def pin_masses(engine: Engine) -> Scale:
-    """The scale of bobweights and counterweights."""
-    if "mass" in engine.relative:
-        return scales(engine).mass
-    greatest = max(max(pin.rotating, pin.reciprocating) for pin in loads(engine))
-    return Scale(1.0, "kg") if greatest >= HEAVY else Scale(1000.0, "g")

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from crankstar.language.messages import _
-from crankstar.language.numbers import NEGLIGIBLE, number, unit_text
+from crankstar.language.numbers import NEGLIGIBLE, number
+from crankstar.language.shown_units import quantity_text
 from crankstar.studies.best_value import Best
 from crankstar.studies.sweep import Curve, Sweep, rows
-from crankstar.tables.table import Column, Document, Remarks, Table, Value
+from crankstar.tables.table import ROW_UNIT, Column, Document, Kind, Remarks, Table, Value
 
 FOUND = 1e-7
 """Share of the greatest value of a curve to which its best value is found; less is zero."""
@@ -40,8 +41,9 @@ def sweep_document(
 
 def answer(sweep: Sweep, curves: Sequence[Curve], found: Sequence[Best]) -> Document:
     """All values of a sweep with its curves, and where each is best."""
+    kinds: dict[str, Kind] = {"curve": "text", "unit": "unit"}
     heads = tuple(
-        Column(name, kind="text" if name in ("curve", "unit") else "number", key=name)
+        Column(name, ROW_UNIT if name == "result" else "", kinds.get(name, "number"), key=name)
         for name in ("curve", "unit", "value", "result", "at_edge", "flat")
     )
     bests = tuple(
@@ -54,7 +56,7 @@ def answer(sweep: Sweep, curves: Sequence[Curve], found: Sequence[Best]) -> Docu
 
 
 def _table(sweep: Sweep, curves: Sequence[Curve], title: str, *, count: int) -> Table:
-    heads = [Column(sweep.path, sweep.unit, key=sweep.path, label=True)]
+    heads = [Column(sweep.path, sweep.unit, key=sweep.path, label=True, fixed=True)]
     heads += [Column(curve.label, curve.unit, key=curve.label) for curve in curves]
     tops = [NEGLIGIBLE * float(curve.values.max()) for curve in curves]
     body: list[tuple[Value, ...]] = []
@@ -86,16 +88,17 @@ def best_sentence(sweep: Sweep, curve: Curve, found: Best, *, greatest: bool = F
     top = float(curve.values.max())
     values = {
         "curve": curve.label,
-        "result": number(found.result, FOUND / NEGLIGIBLE * top),
-        "unit": unit_text(curve.unit),
+        "result": quantity_text(
+            found.result if found.result > FOUND * top else 0.0, curve.unit, beside=top
+        ),
         "path": sweep.path,
         "value": f"{number(found.value)}{unit}",
     }
     if found.flat:
-        return _("{curve}: {result} {unit} at every value; {path} has no effect.", **values)
-    best = _("Least {curve}: {result} {unit} at {path} = {value}.", **values)
+        return _("{curve}: {result} at every value; {path} has no effect.", **values)
+    best = _("Least {curve}: {result} at {path} = {value}.", **values)
     if greatest:
-        best = _("Greatest {curve}: {result} {unit} at {path} = {value}.", **values)
+        best = _("Greatest {curve}: {result} at {path} = {value}.", **values)
     also = ""
     if found.stretch is not None:
         low, high = found.stretch

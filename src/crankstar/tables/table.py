@@ -13,18 +13,24 @@ from typing import Any, Literal
 Value = str | int | float | complex | tuple[Any, ...] | None
 """What a cell holds. None is a value that does not exist, and an empty cell."""
 
-Kind = Literal["text", "number", "wave", "vector", "signal", "order", "list", "span"]
+Kind = Literal["text", "number", "wave", "vector", "signal", "order", "list", "span", "unit"]
 """How the values of a column are written.
 
 text, number; wave: a complex amplitude, `a ∠ p°`; vector: up + i right; signal: the c of
 Re(c exp(i k theta)); order: numbers joined by hyphens, as firing orders and intervals are; list:
-numbers with commas; span: two crank angles.
+numbers with commas; span: two crank angles; unit: the unit of the row's numbers in the columns
+whose unit is ROW_UNIT.
 """
+ROW_UNIT = "row"
+"""The unit of a Column whose unit stands in each row, in the column of the kind unit."""
 
 
 @dataclass(frozen=True)
 class Column:
     """A column: its heading, its unit as in a Balance (`m*r*w^2`), how its values are written.
+
+    A lone `m` is the mass that others are counted in, not the metre; lengths are in `mm`. Renderers
+    show numbers in the units of the context (`conversion`), those of a `fixed` column as they are.
 
     `key` is its name in JSON and CSV, slashes nest (`force/forward`); without one it is for readers
     only. `optional`
@@ -42,11 +48,12 @@ class Column:
     wraps: bool = False
     label: bool = False
     machine: bool = False
+    fixed: bool = False
 
     @property
     def left(self) -> bool:
         """Whether it is aligned to the left: words, and rows of numbers."""
-        return self.kind in ("text", "order", "list")
+        return self.kind in ("text", "order", "list", "unit")
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from crankstar.language.messages import _
 from crankstar.language.quoting import CONTROL
 from crankstar.tables.cells import cells, heading
+from crankstar.tables.conversion import in_units
 from crankstar.tables.table import Column, Document, Remarks, Table
 
 if TYPE_CHECKING:
@@ -70,7 +71,7 @@ def _remarks(part: Remarks) -> list[RenderableType]:
 def _table(table: Table, width: int) -> list[RenderableType]:
     from rich.text import Text
 
-    table = table.readable
+    table = in_units(table.readable)
     parts: list[RenderableType] = [Text()]
     if table.title:
         parts.append(Text(CONTROL.sub("?", table.title), style="bold"))

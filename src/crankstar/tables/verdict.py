@@ -11,7 +11,8 @@ import numpy as np
 from crankstar import spectra
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import number, unit_text
+from crankstar.language.numbers import number
+from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.balance import Balance, balance
 from crankstar.mechanics.remains import (
     MINOR,
@@ -24,7 +25,7 @@ from crankstar.mechanics.remains import (
     summed,
 )
 from crankstar.remedy import needs
-from crankstar.tables.analysis import unit_sentence
+from crankstar.tables.conditions import unit_sentence
 from crankstar.tables.cures import cure_lines, proposal
 from crankstar.tables.firing_facts import layout_sentence, succession_lines
 from crankstar.tables.paths import course, vector_name
@@ -46,10 +47,10 @@ FREE = {
 MOMENTS = {
     "roll": N_(
         "Rolling moment on the block, with the flywheel taking the inertia torque: largest at "
-        "order {order}, {size} {unit}."
+        "order {order}, {size}."
     ),
     "axis_moment": N_(
-        "Moment of the forces about the crank axis: largest at order {order}, {size} {unit}."
+        "Moment of the forces about the crank axis: largest at order {order}, {size}."
     ),
 }
 
@@ -71,7 +72,7 @@ def verdict(
     with.
 
     >>> from crankstar.files.catalog import load
-    >>> verdict(load("i4"), relatives=False)[2].sentence.partition(" Order 4")[0]
+    >>> verdict(load("i4"), relatives=False)[3].sentence.partition(" Order 4")[0]
     'No primary force. Secondary force: 1.0161 m r ω², vertical.'
     """
     speed = engine.speed if speed is None else speed
@@ -80,7 +81,7 @@ def verdict(
     facts = [
         ("layout", layout_sentence(engine)),
         *(("firing", sentence) for sentence in succession_lines(engine)),
-        ("units", unit_sentence(engine, result) if result.speed is not None else ""),
+        ("units", unit_sentence(engine, result)),
         ("force", _vector_sentences("force", result, sums)),
         ("couple", _vector_sentences("couple", result, sums)),
         ("roll", _moment_sentences(result, sums)),
@@ -135,10 +136,9 @@ def _vector_sentences(name: str, result: Balance, sums: Sums) -> str:
         if size < MINOR * largest:
             minor.append(
                 _(
-                    "order {order}: {size} {unit}",
+                    "order {order}: {size}",
                     order=number(order),
-                    size=number(size),
-                    unit=unit_text(getattr(result.units, name)),
+                    size=quantity_text(size, getattr(result.units, name)),
                 )
             )
             continue
@@ -146,10 +146,9 @@ def _vector_sentences(name: str, result: Balance, sums: Sums) -> str:
         ratio = Fraction(order).limit_denominator(1000)
         out.append(
             _(
-                "{vector}: {size} {unit}, {course}.",
+                "{vector}: {size}, {course}.",
                 vector=vector_name(ratio, force=name == "force", couple=name == "couple"),
-                size=number(size),
-                unit=unit_text(getattr(result.units, name)),
+                size=quantity_text(size, getattr(result.units, name)),
                 course=course(path),
             )
         )
@@ -168,8 +167,8 @@ def _moment_sentences(result: Balance, sums: Sums) -> str:
         amplitudes = np.abs(spectra.amplitude(signal))
         place = int(np.argmax(amplitudes))
         if there[name] and amplitudes[place]:
-            order, size = number(signal.orders[place]), number(amplitudes[place])
-            out.append(_(sentence, order=order, size=size, unit=unit_text(result.units.moment)))
+            size = quantity_text(amplitudes[place], result.units.moment)
+            out.append(_(sentence, order=number(signal.orders[place]), size=size))
     return " ".join(out) or _("No rolling moment from inertia.")
 
 

@@ -1,0 +1,246 @@
+"""The units in which results are shown: a choice of the context, beside that of the language.
+
+Records stay in SI. A dimension without a chosen unit has its SI unit with the prefix that fits the
+greatest value beside it. Where several values are read together, as in a table, all have one unit.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
+from functools import lru_cache
+from typing import NamedTuple
+
+from crankstar.language.messages import N_, MessageError, _
+from crankstar.language.numbers import number, unit_text
+from crankstar.language.quoting import seen
+from crankstar.language.units import as_weight, measured, spelt
+
+PREFIXED = {
+    "force": ("N", "kN", "MN"),
+    "moment": ("N*m", "kN*m", "MN*m"),
+    "mass": ("g", "kg", "t"),
+    "length": ("mm", "m"),
+    "unbalance": ("g*mm", "kg*mm", "kg*m"),
+    "moment of inertia": ("kg*m^2",),
+    "angle": ("deg",),
+    "rotational speed": ("rpm",),
+}
+"""The SI units of each dimension, smallest first."""
+NAMES = {
+    "force": N_("force"),
+    "moment": N_("moment"),
+    "mass": N_("mass"),
+    "length": N_("length"),
+    "unbalance": N_("unbalance"),
+    "moment of inertia": N_("moment of inertia"),
+    "angle": N_("angle"),
+    "rotational speed": N_("rotational speed"),
+}
+"""The dimensions as readers know them."""
+OTHERS = {
+    "force": ("kgf", "lbf"),
+    "moment": ("kgf*m", "lbf*ft", "lbf*in"),
+    "mass": ("lb", "oz"),
+    "length": ("cm", "in", "ft"),
+    "unbalance": ("g*cm", "oz*in"),
+    "moment of inertia": ("kg*cm^2", "lb*in^2"),
+}
+"""Units outside PREFIXED that a refusal names; any unit of the dimension is understood."""
+SYSTEMS: dict[str, dict[str, str]] = {
+    "si": {},
+    "us": {
+        "force": "lbf",
+        "moment": "lbf*ft",
+        "mass": "lb",
+        "length": "in",
+        "unbalance": "oz*in",
+        "moment of inertia": "lb*in^2",
+    },
+}
+"""Sets of units by their short names; what a set leaves out has an SI prefix."""
+LARGER = 10.0
+"""How many of a unit the greatest value must reach for it to be preferred to a smaller one."""
+FIXED = ("angle", "rotational speed")
+"""Dimensions that have one unit everywhere: sentences and crank angles name it."""
+_RELATIVE = ("a", "r")
+"""Factors of a unit that stand for a size which the engine file does not give."""
+
+Choice = Mapping[str, str]
+"""A unit for each dimension that has a chosen one."""
+_choice: ContextVar[Choice] = ContextVar("units", default=SYSTEMS["si"])
+
+
+class UnitsError(MessageError):
+    """A choice of units that cannot be met, as one sentence that names those that fit."""
+
+
+class Shown(NamedTuple):
+    """The unit in which values are shown, and the factor from the unit that they have."""
+
+    unit: str
+    factor: float
+
+
+@contextmanager
+def shown_in(choice: Choice) -> Iterator[None]:
+    """Have results in these units while the context lasts."""
+    token = _choice.set(choice)
+    try:
+        yield
+    finally:
+        _choice.reset(token)
+
+
+def show_in(choice: Choice) -> None:
+    """Have results in these units from now on, in a process or thread that begins."""
+    _choice.set(choice)
+
+
+def choice() -> Choice:
+    """The units chosen in the context."""
+    return _choice.get()
+
+
+def read_choice(text: str) -> Choice:
+    """The choice that a text names: a system, units with commas, or both. Raises UnitsError.
+
+    A pound is a unit of mass and of force, and with a length one of moment.
+
+    >>> read_choice("kN, kN m"), read_choice("lb ft")
+    ({'force': 'kN', 'moment': 'kN*m'}, {'moment': 'lbf*ft'})
+    """
+    words = [word.strip() for word in text.split(",") if word.strip()]
+    if not words:
+        raise UnitsError("no unit is named; {fit}", fit=_fitting())
+    systems = [word.lower() for word in words if word.lower() in SYSTEMS]
+    if len(systems) > 1:
+        raise UnitsError(
+            "{first} and {second} exclude each other; name one of them",
+            first=systems[0],
+            second=systems[1],
+        )
+    named: dict[str, str] = {}
+    for word in words:
+        if word.lower() in SYSTEMS:
+            continue
+        for dimension, unit in _of_word(word):
+            if dimension in named:
+                raise UnitsError(
+                    "{first} and {second} are both units of {dimension}; name one of them",
+                    first=unit_text(named[dimension]),
+                    second=unit_text(unit),
+                    dimension=_(NAMES[dimension]),
+                )
+            named[dimension] = unit
+    lone_pound = named.get("mass") in ("lb", "lbs", "pound")
+    weights = {"force": "lbf"} if lone_pound and "force" not in named else {}
+    return {**(SYSTEMS[systems[0]] if systems else {}), **weights, **named}
+
+
+def _of_word(word: str) -> Iterator[tuple[str, str]]:
+    """The dimension of a unit and the unit. Raises UnitsError."""
+    unit = spelt(word)
+    try:
+        dimension = _dimension(unit)
+    except ValueError:
+        raise UnitsError(
+            "{unit} is not known as a unit; {fit}", unit=seen(word), fit=_fitting()
+        ) from None
+    if dimension == "unbalance" and unit.startswith(("lb", "pound", "ft*", "in*")):
+        dimension, unit = "moment", as_weight(unit)
+    if dimension is None:
+        raise UnitsError(
+            "{unit} measures nothing that is shown; {fit}", unit=seen(word), fit=_fitting()
+        )
+    if dimension in FIXED and unit not in PREFIXED[dimension]:
+        raise UnitsError(
+            "{unit}: the unit of {dimension} is always {fixed}",
+            unit=seen(word),
+            dimension=_(NAMES[dimension]),
+            fixed=PREFIXED[dimension][0],
+        )
+    yield dimension, unit
+
+
+def _fitting() -> str:
+    """The systems and the units that can be chosen."""
+    lists = [
+        f"{_(name)}: {', '.join(map(unit_text, (*PREFIXED[key], *OTHERS.get(key, ()))))}"
+        for key, name in NAMES.items()
+        if key not in FIXED
+    ]
+    return _(
+        "choose from {systems}, or {units}", systems=", ".join(SYSTEMS), units="; ".join(lists)
+    )
+
+
+@lru_cache(maxsize=256)
+def _dimension(unit: str) -> str | None:
+    """The dimension of a unit, None if results have none of it. Raises ValueError."""
+    dimensions = measured(unit).dimensions
+    named = ((name, measured(units[0]).dimensions) for name, units in PREFIXED.items())
+    return next((name for name, own in named if own == dimensions), None)
+
+
+@lru_cache(maxsize=256)
+def dimension(unit: str) -> tuple[str, str]:
+    """The dimension of a Column's unit, and the relative length that it is multiplied with.
+
+    Both are empty where the unit is not converted: m r w^2 and its like, a lone m (the relative
+    mass), a unit that nothing else is shown in.
+
+    >>> dimension("N*m"), dimension("N*a"), dimension("m*r*w^2")
+    (('moment', ''), ('force', 'a'), ('', ''))
+    """
+    head, _star, tail = unit.rpartition("*")
+    known, relative = (head, tail) if tail in _RELATIVE else (unit, "")
+    if known in ("", "m"):
+        return "", ""
+    try:
+        name = _dimension(known)
+    except ValueError:
+        return "", ""
+    return (name, relative) if name else ("", "")
+
+
+def shown(unit: str, largest: float, *, prefixed: bool = True) -> Shown:
+    """The unit for values that are counted in `unit`, `largest` being the greatest of them.
+
+    `prefixed`: without a chosen unit, SI with a prefix that fits; else they stay as they are.
+
+    >>> shown("N", 25_000.0), shown("m*r*w^2", 25_000.0)
+    (Shown(unit='kN', factor=0.001), Shown(unit='m*r*w^2', factor=1.0))
+    """
+    name, relative = dimension(unit)
+    chosen = choice().get(name)
+    if not name or not (chosen or prefixed):
+        return Shown(unit, 1.0)
+    own = unit.removesuffix(f"*{relative}") if relative else unit
+    wanted = chosen or _prefixed(own, largest, PREFIXED[name])
+    end = f"*{relative}" if relative else ""
+    same = spelt(wanted) == own
+    return Shown(f"{wanted}{end}", 1.0 if same else _ratio(own, wanted))
+
+
+def _prefixed(unit: str, largest: float, units: tuple[str, ...]) -> str:
+    size = abs(largest) * measured(unit).factor
+    fitting = (each for each in units[:0:-1] if size >= LARGER * measured(each).factor * (1 - 1e-9))
+    return next(fitting, units[0])
+
+
+@lru_cache(maxsize=256)
+def _ratio(unit: str, wanted: str) -> float:
+    return float(f"{measured(unit).factor / measured(wanted).factor:.15g}")
+
+
+def quantity_text(value: float, unit: str, *, beside: float = 0.0) -> str:
+    """A value with its unit as it is shown; 0 where it is negligible to `beside`.
+
+    >>> quantity_text(25_321.0, "N"), quantity_text(5.6569, "m*r*w^2")
+    ('25.321 kN', '5.6569 m r ω²')
+    """
+    said = shown(unit, max(abs(value), abs(beside)))
+    words = number(value * said.factor, beside * said.factor)
+    return f"{words} {unit_text(said.unit)}" if said.unit else words

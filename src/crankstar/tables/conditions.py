@@ -1,0 +1,119 @@
+"""What the numbers of an analysis are counted in and about: point, speed, units, sizes, doubts."""
+
+from __future__ import annotations
+
+from collections import Counter
+from math import pi
+
+from crankstar.engine.engine import Engine
+from crankstar.language.messages import N_, _
+from crankstar.language.numbers import number
+from crankstar.mechanics.balance import Balance
+from crankstar.tables.scales import scales
+
+RADIAL = 5
+"""Cylinders on one throw from which it is the throw of a radial engine."""
+KEYS = {"radius": "cylinder.stroke", "mass": "cylinder.reciprocating_mass"}
+"""The keys of a short file that give what is missing."""
+UNITS = {
+    "short": N_("Forces in m r ω², the same at every speed. For newtons, add to the file: {keys}."),
+    "speed": N_('Forces in m r ω². For newtons, add speed to the file, as in speed = "6000 rpm".'),
+    "explicit": N_(
+        "Forces in m r ω², the same at every speed. For newtons, give the file real values, take "
+        "{keys} out of relative, and add speed."
+    ),
+    "pitch": N_("For couples in N m, add to the file: {keys}."),
+    "explicit pitch": N_("For couples in N m, give real positions and take pitch out of relative."),
+}
+"""What to add to a file so that forces are in newtons."""
+
+
+def conditions(engine: Engine, result: Balance) -> list[str]:
+    """Reference point, meaning of a phase, speed and units."""
+    point = _(
+        "Couples and moments about {point}; a ∠ p means a cos(kθ + p).",
+        point=_point(engine, result),
+    )
+    return [point, unit_sentence(engine, result), unit_sizes(engine)]
+
+
+def unit_sentence(engine: Engine, result: Balance) -> str:
+    """The speed of the forces; where they are not in newtons, what the file lacks.
+
+    >>> from crankstar.files.catalog import load
+    >>> from crankstar.mechanics.balance import balance
+    >>> engine = load("man-s50mc-c")
+    >>> unit_sentence(engine, balance(engine)).partition("add to the file: ")[2]
+    'cylinder.reciprocating_mass, layout.bore_pitch.'
+    """
+    if result.speed is not None:
+        speed = _("Forces and moments at {speed} rpm.", speed=number(result.speed * 30 / pi))
+        return " ".join(filter(None, (speed, _pitch_sentence(engine))))
+    if not {*KEYS} & {*engine.relative}:
+        return _(UNITS["speed"])
+    if _is_explicit(engine):
+        return _(UNITS["explicit"], keys=", ".join(engine.relative))
+    keys = [key for name, key in KEYS.items() if name in engine.relative]
+    keys += [pitch_key(engine)] if "pitch" in engine.relative else []
+    return _(UNITS["short"], keys=", ".join(keys + (["speed"] if engine.speed is None else [])))
+
+
+def _pitch_sentence(engine: Engine) -> str:
+    if "pitch" not in engine.relative:
+        return ""
+    if _is_explicit(engine):
+        return _(UNITS["explicit pitch"])
+    return _(UNITS["pitch"], keys=pitch_key(engine))
+
+
+def pitch_key(engine: Engine) -> str:
+    """The key of a short file for the distance of cylinders, or of the rows of a radial engine."""
+    on_throw = Counter((cylinder.shaft, cylinder.throw) for cylinder in engine.cylinders)
+    return "layout.row_pitch" if max(on_throw.values()) >= RADIAL else "layout.bore_pitch"
+
+
+def _is_explicit(engine: Engine) -> bool:
+    """Whether the values come from a file in the explicit form, as far as their origins say."""
+    return any(path.startswith(("shaft", "cylinders.throw")) for path in engine.provenance)
+
+
+def unverified(engine: Engine) -> list[str]:
+    """The key paths of values whose status is unverified or placeholder."""
+    return [
+        path
+        for path, origin in engine.provenance.items()
+        if origin.status in ("unverified", "placeholder")
+    ]
+
+
+def _point(engine: Engine, result: Balance) -> str:
+    """The reference point: its z, and its place in the clock plane where that matters."""
+    point = result.reference
+    across, along = scales(engine)[:2]
+    place = f"z = {along.text(point.z)}"
+    if point.up or point.right:
+        return _(
+            "{place}, {up} up, {right} right of the crank axis",
+            place=place,
+            up=across.text(point.up),
+            right=across.text(point.right),
+        )
+    if len({cylinder.shaft for cylinder in engine.cylinders}) > 1:
+        return _("{place} on the axis of shaft {name}", place=place, name=engine.shafts[0].name)
+    return place
+
+
+def unit_sizes(engine: Engine) -> str:
+    """The sizes of m, r and a, as far as they are known."""
+    first = engine.first
+    across, along, mass, _unbalance = scales(engine)
+    several = len({cylinder.z for cylinder in engine.cylinders}) > 1
+    sizes = {
+        "m": ("mass", mass.text(first.reciprocating_mass)),
+        "r": ("radius", across.text(engine.throw(first).radius)),
+        "a": ("pitch" if several else "mass", along.text(engine.pitch)),
+    }
+    known = [
+        f"{letter} = {size}" for letter, (key, size) in sizes.items() if key not in engine.relative
+    ]
+    return f"{', '.join(known)}." if known else ""
