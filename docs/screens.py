@@ -84,14 +84,16 @@ def alike(text: str) -> str:
 
 
 def main() -> None:
-    """Bring every page up to date, and say which have changed."""
-    for page in pages():
+    """Bring every page up to date, or those named, and say which have changed."""
+    wanted = [Path(name).resolve() for name in sys.argv[1:]]
+    for page in wanted or pages():
         before = page.read_text(encoding="utf-8")
         after = up_to_date(before)
         if alike(after) != alike(before):
             page.write_text(after, encoding="utf-8")
             print(f"changed: {page.relative_to(ROOT)}")
-    run_path(str(Path(__file__).with_name("tables.py")))["main"]()
+    if not wanted:
+        run_path(str(Path(__file__).with_name("tables.py")))["main"]()
 
 
 if __name__ == "__main__":

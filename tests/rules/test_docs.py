@@ -78,9 +78,13 @@ def printed(command: str, folder: Path) -> str:
 
     In this process nothing has to be imported again.
     """
-    name, *words = [command] if re.search(r"[|<>&;$*?~`]", command) else shlex.split(command)
+    own, pipe, rest = command.partition(" | ")
+    name, *words = [command] if re.search(r"[|<>&;$*?~`]", own) else shlex.split(own)
     if name != "crankstar":
         return screens.shown(command, folder)
+    if pipe:
+        (folder / ".screen").write_text(printed(own, folder), encoding="utf-8")
+        return screens.shown(f"cat .screen | {rest}", folder)
     out = io.StringIO()
     with (
         pytest.MonkeyPatch.context() as patch,
