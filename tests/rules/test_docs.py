@@ -252,6 +252,7 @@ NO_TERMS = {
     *("{quantity}, order {order}", "{quantity}, resultant", "cylinders"),
     "all orders together at these crank angles",
     "shafts, throws and weights",
+    *("number", "place", "share", "speed_rpm", "{engine}, of the first"),
 }
 """Headings that are plain words."""
 
@@ -468,7 +469,7 @@ def test_every_formula_becomes_mathematics(page: Path) -> None:
             assert len(node) == parts.get(tag, len(node)), formula
     fence = {"name": "math", "class": "math", "format": mathematics.fence}
     html = Markdown(
-        extensions=["tables", "pymdownx.superfences", mathematics.Mathematics()],
+        extensions=["tables", "md_in_html", "pymdownx.superfences", mathematics.Mathematics()],
         extension_configs={"pymdownx.superfences": {"custom_fences": [fence]}},
     ).convert(written)
     assert html.count("<math ") == len(formulas)

@@ -19,6 +19,15 @@ class Engine(Assembly):
     `relative` names what is not known and therefore counted in its own unit: masses in the first
     cylinder's reciprocating mass, lengths across the crankshaft in its crank radius, lengths along
     it in bore pitches.
+
+    >>> from crankstar.engine.records import Cylinder, Shaft, Throw
+    >>> crank = Shaft(name="crank", throws=(Throw(angle=0.0, radius=0.04),))
+    >>> piston = Cylinder(number=1, shaft="crank", throw=1, rod_length=0.14, reciprocating_mass=0.5)
+    >>> single = Engine(
+    ...     name="single", cycle="four-stroke", shafts=(crank,), cylinders=(piston,)
+    ... )
+    >>> single.throw(single.first).radius
+    0.04
     """
 
     @model_validator(mode="after")

@@ -92,6 +92,9 @@ class Rod(Record):
     """A connecting rod as a rigid body.
 
     Its mass, the distance of its centre of mass from the big end, its inertia about that centre.
+
+    >>> Rod(mass=0.6, centre=0.04, inertia=0.002).mass
+    0.6
     """
 
     mass: MovingMass = Field(description="mass of the whole rod")
@@ -99,7 +102,11 @@ class Rod(Record):
     inertia: Inertia = Field(default=0.0, description="moment of inertia about the centre of mass")
 
     def shares(self, rod_length: float) -> tuple[float, float]:
-        """Its mass divided between crank pin and piston pin as its centre of mass divides it."""
+        """Its mass divided between crank pin and piston pin as its centre of mass divides it.
+
+        >>> [round(share, 3) for share in Rod(mass=0.6, centre=0.05).shares(0.15)]
+        [0.4, 0.2]
+        """
         share = self.centre / rod_length
         return self.mass * (1 - share), self.mass * share
 
@@ -115,7 +122,11 @@ class Articulation(Record):
 
 
 class Throw(Record):
-    """A crank throw: pin bearing at theta = 0, crank radius, z, rotating mass at the radius."""
+    """A crank throw: pin bearing at theta = 0, crank radius, z, rotating mass at the radius.
+
+    >>> Throw(angle=0.0, radius=0.04).rotating_mass
+    0.0
+    """
 
     angle: Angle = Field(description="bearing of the pin at theta = 0, clockwise from up")
     radius: Size = Field(description="crank radius, half the stroke")
@@ -126,7 +137,11 @@ class Throw(Record):
 
 
 class Weight(Record):
-    """A counterweight, eccentric or balance weight on a shaft; unbalance is mass times radius."""
+    """A counterweight, eccentric or balance weight on a shaft; unbalance is mass times radius.
+
+    >>> Weight(unbalance=0.02, angle=3.14, z=0.1).throw is None
+    True
+    """
 
     unbalance: Unbalance = Field(description="mass times radius of its centre")
     angle: Angle = Field(description="bearing at theta = 0, clockwise from up")
@@ -138,7 +153,12 @@ class Weight(Record):
 
 
 class Shaft(Record):
-    """A shaft parallel to the reference crankshaft, the first of all, and geared to it."""
+    """A shaft parallel to the reference crankshaft, the first of all, and geared to it.
+
+    >>> balancer = Shaft(name="balancer", speed_ratio=-1)
+    >>> str(balancer.speed_ratio), len(balancer.throws)
+    ('-1', 0)
+    """
 
     name: Line = Field(description="by which cylinders refer to it")
     speed_ratio: SpeedRatio = Field(
@@ -171,7 +191,14 @@ class Shaft(Record):
 
 
 class Cylinder(Record):
-    """A cylinder with its piston and rod; `throw` counts from one on `shaft`."""
+    """A cylinder with its piston and rod; `throw` counts from one on `shaft`.
+
+    >>> cylinder = Cylinder(
+    ...     number=1, shaft="crank", throw=1, rod_length=0.14, reciprocating_mass=0.5
+    ... )
+    >>> cylinder.bearing, cylinder.offset
+    (0.0, 0.0)
+    """
 
     number: Ordinal = Field(description="unique; cylinder 1 is the frontmost")
     shaft: Line = Field(description="name of the shaft its rod works on")

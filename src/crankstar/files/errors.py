@@ -18,6 +18,13 @@ class EngineFileError(MessageError):
     """An engine file that cannot be used; `faults` have the key paths of the file.
 
     `cells` has the cells of a spreadsheet by key path.
+
+    >>> import crankstar
+    >>> try:
+    ...     crankstar.load("i4", changes={"cylinder.stroke": "-1 mm"})
+    ... except crankstar.EngineFileError as error:
+    ...     [fault.path for fault in error.faults]
+    [('cylinder', 'stroke')]
     """
 
     def __init__(

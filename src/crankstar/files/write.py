@@ -125,8 +125,20 @@ def schema() -> dict[str, Any]:
         "$schema": SCHEMA_DIALECT,
         "title": "crankstar engine file",
         "description": DESCRIPTION,
-        **whole,
+        **_without_examples(whole),
     }
+
+
+def _without_examples(tree: Any) -> Any:
+    """A schema whose descriptions end before the examples in Python."""
+    if isinstance(tree, dict):
+        return {
+            key: value.partition("\n\n>>>")[0]
+            if key == "description" and isinstance(value, str)
+            else _without_examples(value)
+            for key, value in tree.items()
+        }
+    return [_without_examples(item) for item in tree] if isinstance(tree, list) else tree
 
 
 def _union(models: list[type[Record]]) -> Any:

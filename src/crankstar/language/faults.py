@@ -48,7 +48,18 @@ class Fault(NamedTuple):
 
 
 class EngineError(MessageError):
-    """An engine that cannot be; carries every fault found, not only the first."""
+    """An engine that cannot be; carries every fault found, not only the first.
+
+    >>> import crankstar
+    >>> from crankstar.engine.copies import with_values
+    >>> engine = crankstar.load("i4")
+    >>> weight = crankstar.Weight(unbalance=1, angle=0, throw=5)
+    >>> try:
+    ...     with_values(engine, shafts=(with_values(engine.shafts[0], weights=[weight]),))
+    ... except crankstar.EngineError as error:
+    ...     error.faults[0].path
+    ('shaft', 0, 'weight', 0, 'throw')
+    """
 
     def __init__(self, faults: Sequence[Fault]) -> None:
         self.faults = list(faults)

@@ -48,6 +48,11 @@ class Balance:
 
     `force` (units.force) and `couple` (units.couple) in the clock plane, `axis_moment` (about the
     crank axis) and `torque` (units.moment) as real signals.
+
+    >>> from crankstar.files.catalog import load
+    >>> result = balance(load("i4"))
+    >>> len(result.parts), result.units.force
+    (8, 'm*r*w^2')
     """
 
     parts: tuple[Part, ...]
@@ -213,12 +218,24 @@ def parts(engine: Engine) -> tuple[Part, ...]:
 
 
 def total(result: Balance) -> Totals:
-    """The sum over the whole engine, rounding errors set to zero."""
+    """The sum over the whole engine, rounding errors set to zero.
+
+    >>> from crankstar.files.catalog import load
+    >>> second = spectra.selected(total(balance(load("i4"))).force, [2.0])
+    >>> round(float(spectra.peak(second).value), 4)
+    1.0161
+    """
     return of_parts(result)
 
 
 def of_parts(result: Balance, **wanted: object) -> Totals:
-    """The sum over the parts with these labels: `kind=`, `cylinder=`, `bank=`, `shaft=`."""
+    """The sum over the parts with these labels: `kind=`, `cylinder=`, `bank=`, `shaft=`.
+
+    >>> from crankstar.files.catalog import load
+    >>> front = of_parts(balance(load("v8-flat-plane")), cylinder=1).force
+    >>> round(float(spectra.peak(spectra.selected(front, [1.0])).value), 6)
+    1.0
+    """
     rows = [
         row
         for row, part in enumerate(result.parts)
@@ -228,6 +245,11 @@ def of_parts(result: Balance, **wanted: object) -> Totals:
 
 
 def grouped(result: Balance, by: Grouping) -> dict[object, Totals]:
-    """The sums by one label, in order of first appearance; None collects parts without it."""
+    """The sums by one label, in order of first appearance; None collects parts without it.
+
+    >>> from crankstar.files.catalog import load
+    >>> list(grouped(balance(load("v4-90")), "bank"))[:2]
+    ['left', 'right']
+    """
     labels = dict.fromkeys(getattr(part, by) for part in result.parts)
     return {label: of_parts(result, **{by: label}) for label in labels}

@@ -40,7 +40,11 @@ from crankstar.spectra import Complex, Real, Spectrum
 
 
 class Reference(NamedTuple):
-    """The point about which couple (z) and roll (up, right) are taken, m or relative units."""
+    """The point about which couple (z) and roll (up, right) are taken, m or relative units.
+
+    >>> Reference(0.05)
+    Reference(z=0.05, up=0.0, right=0.0)
+    """
 
     z: float
     up: float = 0.0
@@ -48,7 +52,11 @@ class Reference(NamedTuple):
 
 
 class Totals(NamedTuple):
-    """Force, couple, moment about the axis and torque of a whole engine or of some of its parts."""
+    """Force, couple, moment about the axis and torque of a whole engine or of some of its parts.
+
+    >>> Totals._fields
+    ('force', 'couple', 'axis_moment', 'torque')
+    """
 
     force: Spectrum
     couple: Spectrum

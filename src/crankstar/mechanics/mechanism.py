@@ -19,6 +19,10 @@ class Mechanism:
     root, `z`, and the index of the shaft. Per rotor [..., R], the throws first and then the
     weights: unbalance (kg m), angle, z, index of the shaft. Per shaft [S]: signed speed ratio
     numerators and denominators; [..., S]: place `up + i*right`.
+
+    >>> from crankstar.files.catalog import load
+    >>> mechanism(load("i4")).throw_angle.shape
+    (4,)
     """
 
     links: motion.Linkage

@@ -21,7 +21,11 @@ MOST_NAMED = 5
 
 @cache
 def names() -> tuple[str, ...]:
-    """The names of all engines in the catalog, in alphabetical order."""
+    """The names of all engines in the catalog, in alphabetical order.
+
+    >>> "v8-flat-plane" in names()
+    True
+    """
     return tuple(sorted(path.stem for path in _FOLDER.glob("*.toml")))
 
 
@@ -35,6 +39,9 @@ def load(name: str | Path, *, changes: Mapping[str, Any] | None = None) -> Engin
 
     A catalog name comes first; say ./NAME for a file that is called the same. `changes` sets values
     by key path. Raises EngineFileError.
+
+    >>> load("i4", changes={"cylinder.stroke": "90 mm"}).first.number
+    1
     """
     shown, tree = tree_of(name)
     return engine_of(tree, name=shown, changes=changes)
