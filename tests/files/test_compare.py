@@ -6,6 +6,7 @@ import csv
 import io
 import json
 import math
+import tomllib
 from collections.abc import Callable
 from pathlib import Path
 
@@ -115,3 +116,46 @@ def test_a_comparison_that_cannot_be_is_refused(
     refused: Callable[..., str], words: list[str], why: str
 ) -> None:
     assert why in refused("compare", *words)
+
+
+@pytest.mark.parametrize(
+    ("words", "name"),
+    [
+        (["balance", "i6", "--factor", "0.3"], "Six in line, balance factor 0.3"),
+        (
+            ["balance", "triple-120", "--shafts", "-1"],
+            "Three in line, 120 deg, balance factor 0.5, balance shafts: -1",
+        ),
+        (
+            ["balance", "triple-120", "--minimise", "couple"],
+            "Three in line, 120 deg, weights for least couple",
+        ),
+        (["balance", "v2-90", "--recommended"], "V-twin, 90 deg, one crank pin, balanced as"),
+        (["orders", "i4", "--row", "2"], "Four in line, flat crank, fires 1-3-4-2"),
+    ],
+)
+def test_a_written_engine_is_named_after_what_was_changed(
+    run: Run, tmp_path: Path, words: list[str], name: str
+) -> None:
+    run(*words, "-o", "new.toml")
+    tree = tomllib.loads((tmp_path / "new.toml").read_text(encoding="utf-8"))
+    assert tree["name"].startswith(name)
+    assert list(tree)[1] == "name"
+
+
+@pytest.mark.parametrize("order", ["1-6-3-4-5-2-7", "1-7-2-5-4-3-6"])
+def test_the_firing_order_asked_for_is_row_1_and_not_its_mirror_image(run: Run, order: str) -> None:
+    out = run("search", "7", "--cycle", "two-stroke", "--all-with", order).out
+    (first,) = (line.split() for line in out.splitlines() if line.split()[:1] == ["1"])
+    assert first[1] == order
+
+
+@pytest.mark.parametrize(
+    ("setting", "path"), [("bore=90mm", "cylinder.bore"), ("bore_pitch=90mm", "layout.bore_pitch")]
+)
+def test_a_key_without_its_table_is_refused_with_its_path(
+    refused: Callable[..., str], setting: str, path: str
+) -> None:
+    message = refused("analyze", "i4", "--set", setting)
+    assert path in message
+    assert "source" not in message

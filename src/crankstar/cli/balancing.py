@@ -17,6 +17,7 @@ from crankstar.cli.options import (
     write_engine,
 )
 from crankstar.cli.output import display, working
+from crankstar.engine.copies import with_values
 from crankstar.language.messages import _
 from crankstar.options import values as request
 from crankstar.options.balancing import BalanceOptions
@@ -35,7 +36,7 @@ def balance(
 ) -> None:
     """Balance an engine with counterweights and balance shafts; print what remains."""
     from crankstar.derive import documents
-    from crankstar.options.balancing import balanced
+    from crankstar.options.balancing import balanced, new_name
     from crankstar.tables.remedies import balancing_sheet
 
     own, (loaded, tree), _turning = together(
@@ -51,7 +52,7 @@ def balance(
 
             proof = proofs(job.before, job.after)
     if output is not None:
-        write_engine(job.after, tree, output)
+        write_engine(with_values(job.after, name=new_name(job, options)), tree, output)
     display(balancing_sheet(job))
     if proof:
         display(documents.rendered(proof))

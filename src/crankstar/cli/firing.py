@@ -20,6 +20,7 @@ from crankstar.cli.options import (
 )
 from crankstar.cli.output import working, write
 from crankstar.cli.tabulating import give
+from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import Cycle
 from crankstar.language.messages import _, _n
@@ -91,7 +92,9 @@ def orders(
         give(tables.firing_orders(listing, limit=shown), output, form=form)
     else:
         fired = listing.orders[_index(row, listing.orders)].firing
-        write(engine_text(numbering.with_order(loaded, fired), tree), output)
+        other = numbering.with_order(loaded, fired)
+        words = _("fires {order}", order="-".join(map(str, fired.order)))
+        write(engine_text(with_values(other, name=f"{loaded.name}, {words}"), tree), output)
 
 
 def _asked(engine: Engine, intervals: str | None, tolerance: str | None) -> Listing:

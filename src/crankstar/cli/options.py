@@ -117,7 +117,8 @@ def engine_text(engine: Engine, tree: Mapping[str, Any] | None = None) -> str:
     from crankstar.files import explicit, rewritten, tree_text
     from crankstar.files import tree_of as tree_in
 
-    content = tree_text(explicit(engine) if tree is None else rewritten(tree, engine))
+    own = None if tree is None else {**tree, "name": engine.name}  # at its place in the file
+    content = tree_text(explicit(engine) if own is None else rewritten(own, engine))
     engine_of(tree_in(content))
     return content
 

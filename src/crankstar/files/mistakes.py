@@ -152,16 +152,23 @@ def _unknown_key(path: Path, model: type[Record]) -> Fault:
     """The probable meaning of an unknown key: similar, or the same key in another table."""
     key, table = str(path[-1]), path[:-1]
     keys = _keys_at(model, table)
+    if table and key in by_key(model):
+        return Fault(path, "key.belongs-at-top")
+    home = _home(key, model)
+    if home and not table:  # a key as it stands in a table is no slip of another
+        return Fault(path, "key.belongs-in", {"table": home, "path": f"{home}.{key}"})
     near = _near(key, keys)
     if near:
         return Fault(path, "key.misspelt", {"meant": f'"{near}"'})
-    if table and key in by_key(model):
-        return Fault(path, "key.belongs-at-top")
-    tables = {name: record_in(info.annotation) for name, info in by_key(model).items()}
-    home = next((name for name, held in tables.items() if held and key in by_key(held)), None)
     if home:
-        return Fault(path, "key.belongs-in", {"table": home})
+        return Fault(path, "key.belongs-in", {"table": home, "path": f"{home}.{key}"})
     return Fault(path, "key.unknown", {"keys": keys})
+
+
+def _home(key: str, model: type[Record]) -> str | None:
+    """The table of a file that has this key."""
+    tables = {name: record_in(info.annotation) for name, info in by_key(model).items()}
+    return next((name for name, held in tables.items() if held and key in by_key(held)), None)
 
 
 def unknown_sources(tree: Tree, forms: Iterable[type[Record]]) -> Iterator[Fault]:
@@ -214,6 +221,8 @@ def mended(tree: Tree, error: ValidationError, model: type[Record], *, number: i
         measured = quantity is not None and quantity.dimension != "rotational speed"
         if isinstance(table, dict) and (info is None or not (info.is_required() or measured)):
             value, meant = table.pop(last, None), _near(str(last), _keys_at(model, path[:-1]))
+            if len(path) == 1 and _home(str(last), model):
+                continue
             if mistake["type"] == "extra_forbidden" and meant is not None:
                 table.setdefault(meant, value)
         elif isinstance(table, dict) or _has(table, last):

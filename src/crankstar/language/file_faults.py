@@ -112,7 +112,7 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} is not a key of this table; it belongs at the top of the file, above the first "
         "[table]"
     ),
-    "key.belongs-in": N_("{where} is not a key of this table; it belongs in {table}"),
+    "key.belongs-in": N_("{where} is not a key of this table; it belongs in {table}: {path}"),
     "key.unknown": N_("{where} is not a key of an engine file; there are: {keys}"),
     "key.no-text": N_("{where} has the key {value}; keys are text of whole characters"),
     "provenance.misspelt": N_("{where} names no value of this file; did you mean {meant}?"),

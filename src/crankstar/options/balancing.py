@@ -5,6 +5,7 @@ from __future__ import annotations
 from pydantic import BaseModel, ConfigDict, Field
 
 from crankstar.engine.engine import Engine
+from crankstar.language.messages import _
 from crankstar.options import remedies
 from crankstar.options import values as request
 from crankstar.options.refusals import RequestError
@@ -122,3 +123,16 @@ def _with_shafts(job: Job, options: BalanceOptions) -> Job:
     ratios = remedies.ratios(options.shafts)
     after = fitting.with_shafts(job.after, ratios=ratios, places=places, level=options.level)
     return job._replace(after=after)
+
+
+def new_name(job: Job, options: BalanceOptions) -> str:
+    """The name of the balanced engine: that of the file, and what was done to it."""
+    if options.recommended:
+        done = [_("balanced as recommended")]
+    elif options.minimise is not None:
+        done = [_("weights for least {quantity}", quantity=_(options.minimise))]
+    else:
+        done = [_("balance factor {factor}", factor=f"{job.factor or 0.0:.6g}")]
+    if options.shafts is not None:
+        done.append(_("balance shafts: {ratios}", ratios=options.shafts))
+    return ", ".join((job.before.name, *done))

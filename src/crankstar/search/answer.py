@@ -147,15 +147,7 @@ def _finding(
 
 def images(question: Question, star: Star) -> int:
     """How many stars a star of the answer stands for: itself, mirrored, from the rear."""
-    places = question.stars.places
-    row = tuple(star[members[0]] for members in places)
-    n = question.stars.directions
-    out = set()
-    for mirrored, back in question.symmetries:
-        image = row[::-1] if back else row
-        zero = 0 if question.stars.fixed else image[0]
-        out.add(tuple((-1 if mirrored else 1) * (d - zero) % n for d in image))
-    return len(out)
+    return len(question.images(star))
 
 
 def succeeding(stars: Stars, star: Star) -> int:

@@ -56,11 +56,15 @@ def question(stars: Stars, wanted_sums: Equivalence, objectives: Sequence[Object
 
 
 def equivalent(answer: Answer, wanted_sums: Equivalence) -> Answer:
-    """The answer with only the equivalent stars."""
+    """The answer with only the equivalent stars: first the one asked for, not its mirror image."""
     rows = [row for row in answer.rows if _near(row.star, wanted_sums)]
     if wanted_sums.star is not None and rows:
         kinds = proof.alike(wanted_sums.sums, [wanted_sums.star, *(row.star for row in rows)])
         rows = [row for row, kind in zip(rows, kinds[1:], strict=True) if kind == kinds[0]]
+        own, images = wanted_sums.star, answer.question.images
+        asked = images(own)
+        rows = [replace(row, star=own) if images(row.star) == asked else row for row in rows]
+        rows.sort(key=lambda row: row.star != own)
     return replace(answer, rows=tuple(rows), stars=sum(row.stars for row in rows))
 
 

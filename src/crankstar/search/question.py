@@ -131,6 +131,20 @@ class Question:
             return ((0, 0), (1, 0), (0, 1), (1, 1))
         return ((0, 0), (1, 0))
 
+    def images(self, star: Star) -> set[tuple[int, ...]]:
+        """A star, mirrored, from the rear, where that keeps its values: the first of each place.
+
+        Two stars with the same images are one in the answer.
+        """
+        row = tuple(star[members[0]] for members in self.stars.places)
+        n = self.stars.directions
+        out: set[tuple[int, ...]] = set()
+        for mirrored, back in self.symmetries:
+            image = row[::-1] if back else row
+            zero = 0 if self.stars.fixed else image[0]
+            out.add(tuple((-1 if mirrored else 1) * (d - zero) % n for d in image))
+        return out
+
 
 def _even(vector: VectorSum) -> bool:
     """Whether a sum is as long for a star taken from the rear."""
