@@ -129,6 +129,32 @@ def test_every_python_example_prints_what_it_says(
     assert "".join(said) == ""
 
 
+QUESTION = re.compile(r"^## (How do I [^\n]+\?)$\n(.*?)(?=^## |\Z)", re.MULTILINE | re.DOTALL)
+
+
+def test_questions_are_asked_once_and_answered_with_something_that_runs() -> None:
+    asked: list[str] = []
+    for page in sorted((DOCS / "how-to").glob("*.md")):
+        for question, answer in QUESTION.findall(page.read_text(encoding="utf-8")):
+            asked.append(question)
+            assert re.search(r"^```(?:console|pycon|html)$", answer, re.MULTILINE), question
+    assert len(asked) == len(set(asked)) >= 25
+
+
+@pytest.mark.parametrize(
+    "page",
+    [
+        page
+        for page in PAGES
+        if page.parent.name == "tutorials" or "## How do I" in page.read_text("utf-8")
+    ],
+    ids=lambda page: page.name,
+)
+def test_no_command_of_a_lesson_or_an_answer_fails(page: Path) -> None:
+    for screen in fences(page, "console"):
+        assert not re.search(r"^crankstar: |^See: crankstar|Traceback", screen, re.MULTILINE)
+
+
 def test_readme_has_python_and_a_screen() -> None:
     readme = ROOT / "README.md"
     assert (
