@@ -40,6 +40,7 @@ VERBS = [
     "search",
     "balance",
     "compare",
+    "export",
     "errata",
     "check",
     "new",

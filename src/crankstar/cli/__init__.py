@@ -18,12 +18,14 @@
 | `showing` | page |
 | `reporting` | report |
 | `serving` | serve |
+| `exporting` | export |
 | `files` | check, new, schema |
 """
 
 from crankstar.cli import (
     balancing,
     deriving,
+    exporting,
     files,
     firing,
     inspect,
@@ -40,6 +42,7 @@ __all__ = [
     "app",
     "balancing",
     "deriving",
+    "exporting",
     "files",
     "firing",
     "inspect",
