@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 from pydantic import BaseModel, ConfigDict, Field
 
 from crankstar.engine.engine import Engine
@@ -47,13 +49,14 @@ class BalanceOptions(BaseModel):
     shaft_planes: str | None = Field(default=None, description=meaning("--shaft-planes"))
     shaft_place: str | None = Field(default=None, description=meaning("--shaft-place"))
     shaft_spacing: str | None = Field(default=None, description=meaning("--shaft-spacing"))
+    box: list[str] = Field(default=[], description=meaning("--box"))
     level: bool = Field(default=False, description=meaning("--level"))
     recommended: bool = Field(default=False, description=meaning("--recommended"))
 
 
 PARTS = {
     "minimise": ("pitch_share", "limit", "greatest_unbalance"),
-    "shafts": ("shaft_planes", "shaft_place", "shaft_spacing", "level"),
+    "shafts": ("shaft_planes", "shaft_place", "shaft_spacing", "box", "level"),
 }
 """Options that have an effect only with another one."""
 
@@ -114,13 +117,15 @@ def _with_shafts(job: Job, options: BalanceOptions) -> Job:
     """The job with its balance shafts, if any."""
     if options.shafts is None:
         return job
+    ratios = remedies.ratios(options.shafts)
+    if options.box:
+        return _with_placed_shafts(job, options, ratios)
     places = remedies.shaft_places(
         job.before,
         planes_text=options.shaft_planes,
         place=options.shaft_place,
         spacing=options.shaft_spacing,
     )
-    ratios = remedies.ratios(options.shafts)
     after = fitting.with_shafts(job.after, ratios=ratios, places=places, level=options.level)
     return job._replace(after=after)
 
@@ -136,3 +141,21 @@ def new_name(job: Job, options: BalanceOptions) -> str:
     if options.shafts is not None:
         done.append(_("balance shafts: {ratios}", ratios=options.shafts))
     return ", ".join((job.before.name, *done))
+
+
+def _with_placed_shafts(
+    job: Job, options: BalanceOptions, ratios: list[Fraction] | fitting.Wanted
+) -> Job:
+    """The job with its balance shafts where they leave the least roll in their boxes."""
+    fixed = {
+        "--shaft-place": options.shaft_place,
+        "--shaft-spacing": options.shaft_spacing,
+        "--level": options.level,
+    }
+    request.refuse_unused(fixed, beside="--box")
+    along = remedies.shaft_planes(options.shaft_planes, job.before)
+    boxes = [remedies.box(text, job.before) for text in options.box]
+    after, placings = fitting.with_placed_shafts(
+        job.after, ratios=ratios, boxes=boxes, planes=along
+    )
+    return job._replace(after=after, placings=placings)

@@ -16,7 +16,7 @@ from crankstar.language.quoting import one_line
 from crankstar.mechanics.balance import unit_unbalance
 from crankstar.options.refusals import choice, refusal, refuse_unused
 from crankstar.options.values import fractions, length, not_positive, places, planes, reading
-from crankstar.remedy import Aim, Limit, Plane, without_weights
+from crankstar.remedy import Aim, Box, Limit, Plane, without_weights
 from crankstar.remedy.fitting import Places, ShaftPlaces, Wanted
 
 
@@ -148,11 +148,37 @@ def ratios(text: str) -> list[Fraction] | Wanted:
     return values
 
 
+def shaft_planes(text: str | None, engine: Engine) -> tuple[float, ...] | None:
+    """Where the weights of balance shafts stand along them, if that is given."""
+    return None if text is None else tuple(planes("--shaft-planes", text, engine))
+
+
+def box(text: str, engine: Engine) -> Box:
+    """The places open to a balance shaft: up and right of the crankshaft, each from .. to."""
+    parts = [part.strip() for part in text.split(",")]
+    example = _('as in "-120..-60 mm, -80..80 mm"')
+    if len(parts) != 2:
+        raise refusal("--box", text, "give up and right, {example}", example=example)
+    up, right = (_reach(part, engine, example) for part in parts)
+    return Box(up, right)
+
+
+def _reach(text: str, engine: Engine, example: str) -> tuple[float, float]:
+    """Two lengths, or one for both; the first may have the unit of the second."""
+    first, dots, second = (part.strip() for part in text.partition(".."))
+    if not dots:
+        second = first
+    elif units.is_bare(first) and not units.is_bare(second):
+        first = f"{first} {second.lstrip('+-.0123456789').strip()}"
+    least, most = places("--box", [first, second], [LENGTH, LENGTH], engine, example)
+    return least, most
+
+
 def shaft_places(
     engine: Engine, *, planes_text: str | None, place: str | None, spacing: str | None
 ) -> ShaftPlaces:
     """Where balance shafts lie and their weights on them."""
-    along = None if planes_text is None else tuple(planes("--shaft-planes", planes_text, engine))
+    along = shaft_planes(planes_text, engine)
     parts = [part.strip() for part in (place or "0, 0").split(",")]
     example = _('as in "-60 mm, 0 mm"')
     if len(parts) != 2:

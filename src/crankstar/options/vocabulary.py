@@ -48,6 +48,13 @@ OPTIONS = {
         "several texts", "Another engine, shown beside this one.", ("--with", "--and", "--compare")
     ),
     "--best": Option("whole number", "List this many of the best stars."),
+    "--box": Option(
+        "several texts",
+        "Box in which balance shafts may lie, up and right of the crankshaft, such as "
+        '"-120..-60 mm, -80..80 mm"; they stand where the block rolls least. Repeatable, one for '
+        "each shaft.",
+        ("--shaft-box", "--within"),
+    ),
     "--by": Option(
         "text",
         "Also the share of each cylinder, bank, shaft or kind (of part).",

@@ -8,6 +8,7 @@
 | `programme` | the second-order cone programme behind the best weights, and its lower bound |
 | `aims` | force, couple, pitch, yaw, bearing load to minimise; as numbers and as cones |
 | `best` | the best weights in given planes, within limits, with a certificate |
+| `placing` | where balance shafts must lie so that the block rolls least |
 | `shafts` | balance shafts that an engine needs, and the place of a pair without roll |
 | `fitting` | an engine fitted with all of these; the cure that its verdict recommends |
 """
@@ -23,6 +24,7 @@ from crankstar.remedy.counterweights import (
 )
 from crankstar.remedy.kept import changes, without_added
 from crankstar.remedy.loads import Load, bobweight, loads
+from crankstar.remedy.placing import Box, Placing, placed, roll_reference
 from crankstar.remedy.shafts import (
     GREATEST_RATIO,
     Need,
@@ -36,9 +38,11 @@ __all__ = [
     "GREATEST_RATIO",
     "Aim",
     "Best",
+    "Box",
     "Limit",
     "Load",
     "Need",
+    "Placing",
     "Plane",
     "RemedyError",
     "aim_name",
@@ -51,6 +55,8 @@ __all__ = [
     "loads",
     "main_bearings",
     "needs",
+    "placed",
+    "roll_reference",
     "webs",
     "with_balance_shaft",
     "with_counterweights",

@@ -17,13 +17,16 @@ from crankstar.remedy import (
     GREATEST_RATIO,
     Aim,
     Best,
+    Box,
     Limit,
+    Placing,
     Plane,
     RemedyError,
     best_weights,
     end_planes,
     end_webs,
     needs,
+    placed,
     webs,
     with_balance_shaft,
     with_counterweights,
@@ -263,31 +266,30 @@ def with_shafts(
     """The engine with balance shafts of these speed ratios, or with those that it needs.
 
     `needed` are those of the lowest order that remains, as engines are built; `all` those of the
-    first and the second. With `level` the two shafts of a pair are moved to the
-    heights at which the block does not roll. Raises RemedyError.
+    first and the second. Shafts of the same ratio share the task equally. With `level` the two
+    shafts of a pair are moved to the heights at which the block does not roll. Raises RemedyError.
     """
     wanted = (
         list(ratios)
         if not isinstance(ratios, str)
         else _ratios_of(engine, lowest=ratios == "needed")
     )
-    twice = next((ratio for ratio in wanted if wanted.count(ratio) > 1), None)
-    if twice is not None:
-        raise RemedyError(
-            "the speed ratio {ratio} is given twice; one shaft cancels all that turns at its speed",
-            ratio=twice,
-        )
     if places.apart and not any(-ratio in wanted for ratio in wanted):
         raise RemedyError(
             "there is no pair of balance shafts to space; --shaft-place places a single shaft"
         )
-    for ratio in wanted:
+    for place, ratio in enumerate(wanted):
         if isinstance(ratios, str) and ratio not in {need.ratio for need in needs(engine)}:
             continue  # the shafts before it have cancelled it
         planes = _along(engine, ratio) if places.planes is None else places.planes
         aside = (places.apart / 2 if ratio > 0 else -places.apart / 2) if -ratio in wanted else 0.0
         engine = with_balance_shaft(
-            engine, ratio=ratio, planes=planes, up=places.up, right=places.right + aside
+            engine,
+            ratio=ratio,
+            planes=planes,
+            up=places.up,
+            right=places.right + aside,
+            share=1 / wanted[place:].count(ratio),
         )
     if level:
         pairs = sorted({abs(ratio) for ratio in wanted if -ratio in wanted})
@@ -298,6 +300,22 @@ def with_shafts(
         for order in pairs:
             engine = with_roll_cancelled(engine, order=order)
     return engine
+
+
+def with_placed_shafts(
+    engine: Engine,
+    *,
+    ratios: Sequence[Fraction] | Wanted,
+    boxes: Sequence[Box],
+    planes: tuple[float, ...] | None = None,
+) -> tuple[Engine, tuple[Placing, ...]]:
+    """The engine with balance shafts where they leave the least roll in their boxes.
+
+    `planes` are those of their weights. Raises RemedyError.
+    """
+    after = with_shafts(engine, ratios=ratios, places=ShaftPlaces(planes))
+    new = [shaft.name for shaft in after.shafts[len(engine.shafts) :]]
+    return placed(after, shafts=new, boxes=boxes)
 
 
 def _along(engine: Engine, ratio: Fraction) -> tuple[float, ...]:

@@ -33,10 +33,11 @@ from crankstar.engine.main_bearings import end_webs
 from crankstar.engine.records import Shaft, Weight
 from crankstar.mechanics import remains
 from crankstar.mechanics.balance import default_reference
-from crankstar.mechanics.excitation import Totals, part_spectra, rolling_moment, total
+from crankstar.mechanics.excitation import Totals, part_spectra, total
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.remedy.counterweights import RemedyError, apart, turned_weights
 from crankstar.remedy.kept import least_weights
+from crankstar.remedy.placing import push, roll, roll_of
 from crankstar.spectra import Spectrum
 
 GREATEST_RATIO = 8
@@ -99,11 +100,13 @@ def with_balance_shaft(
     planes: Sequence[float],
     up: float = 0.0,
     right: float = 0.0,
+    share: float = 1.0,
 ) -> Engine:
     """The engine with one more shaft at `up`, `right` of the crankshaft, weights in these planes.
 
     `ratio` is its speed per turn of the crankshaft, negative against it; `planes` are places along
-    it: two or more, or one in which the force alone acts. Raises RemedyError, also where there is
+    it: two or more, or one in which the force alone acts. `share` is the part of force and couple
+    that it cancels, the rest being left to other shafts. Raises RemedyError, also where there is
     nothing for it to balance.
 
     >>> from crankstar import balance, load, spectra, total
@@ -142,7 +145,7 @@ def with_balance_shaft(
             order=abs(ratio),
             ratio=ratio,
         )
-    weights = tuple(turned_weights(vectors, planes))
+    weights = tuple(turned_weights([share * vector for vector in vectors], planes))
     shaft = Shaft(name=_name(engine, ratio), speed_ratio=ratio, up=up, right=right, weights=weights)
     return with_shaft(engine, shaft)
 
@@ -227,17 +230,10 @@ def with_roll_cancelled(engine: Engine, *, order: Fraction | int) -> Engine:
     columns: list[complex] = []
     for place in pair:
         shaft = engine.shafts[place]
-        push = float(order) ** 2 * sum(
-            weight.unbalance * np.exp(1j * weight.angle) for weight in shaft.weights
-        )
         # Re(c exp(i k theta)) of Im(conj(P) F) for P = 1 (up) and P = i (right)
-        up, right = (
-            _roll_of(engine, push, shaft.speed_ratio, 1.0),
-            _roll_of(engine, push, shaft.speed_ratio, 1j),
-        )
-        columns += [up, right]
+        columns += [roll_of(engine, push(shaft), shaft.speed_ratio, place) for place in (1.0, 1j)]
     matrix = np.array([np.real(columns), np.imag(columns)])
-    rest = complex(spectra.amplitude(spectra.selected(_roll(engine), [float(order)]))[0])
+    rest = roll(engine, order, default_reference(engine))
     move = np.linalg.pinv(matrix, rcond=1e-9) @ -np.array([rest.real, rest.imag])
     shafts = list(engine.shafts)
     for place, (up, right) in zip(pair, move.reshape(2, 2), strict=True):
@@ -247,7 +243,7 @@ def with_roll_cancelled(engine: Engine, *, order: Fraction | int) -> Engine:
             right=_rounded(shafts[place].right + right, move),
         )
     moved = with_values(engine, shafts=tuple(shafts))
-    left = complex(spectra.amplitude(spectra.selected(_roll(moved), [float(order)]))[0])
+    left = roll(moved, order, default_reference(moved))
     if abs(left) > ZERO * max(abs(rest), _pushed(part_spectra(mechanism(engine)).axis_moment)):
         raise RemedyError(
             "the forces of the pair of ratios {order} and -{order} cannot cancel the rolling "
@@ -271,25 +267,6 @@ def _fraction(ratio: Fraction | int) -> Fraction:
 def _rounded(value: float, among: np.ndarray) -> float:
     """A place without the rounding error of the move."""
     return 0.0 if abs(value) < 1e-12 * float(np.abs(among).max(initial=0.0)) else float(value)
-
-
-def _roll(engine: Engine) -> Spectrum:
-    return rolling_moment(
-        total(part_spectra(mechanism(engine), reference=default_reference(engine)))
-    )
-
-
-def _roll_of(engine: Engine, push: complex, ratio: Fraction, place: complex) -> complex:
-    """Amplitude of the roll about the crankshaft of a force that turns at a ratio, at a place."""
-    vector, none = np.array([push]), np.zeros(1, complex)
-    ahead = ratio > 0
-    force = Spectrum(
-        np.array([abs(float(ratio))]),
-        vector if ahead else none,
-        none if ahead else vector,
-        engine.sense,
-    )
-    return complex(spectra.horizontal(spectra.scaled(force, np.conj(place)))[0])
 
 
 def _name(engine: Engine, ratio: Fraction) -> str:

@@ -29,6 +29,7 @@
 | `certificate` | the best weights and their lower bound |
 | `cures` | what removes the remaining forces and couples |
 | `turning` | what turns with the crankshaft: moving parts, weights of the file, new ones |
+| `placings` | the places of balance shafts, and what they leave of the roll |
 | `remedies` | the balancing sheet |
 | `firing_facts` | layout, firing and exhaust pulses as sentences of the verdict |
 | `relatives` | engines of the catalog with the same balance |

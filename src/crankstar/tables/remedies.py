@@ -18,12 +18,13 @@ from crankstar.mechanics.balance import Balance, Units, balance, total
 from crankstar.mechanics.balance import scales as scales_of
 from crankstar.mechanics.excitation import rolling_moment
 from crankstar.mechanics.remains import OPTIMISED, Sums, size, summed
-from crankstar.remedy import Best, bearing_load, bobweight, changes, loads, needs
-from crankstar.remedy.kept import Changes
+from crankstar.remedy import Best, Placing, bearing_load, bobweight, changes, loads, needs
+from crankstar.remedy.kept import Changes, vectors
 from crankstar.remedy.loads import Load
 from crankstar.tables.certificate import certificate
 from crankstar.tables.cures import cure_lines
-from crankstar.tables.scales import scales
+from crankstar.tables.placings import placing_lines
+from crankstar.tables.scales import Scale, scales
 from crankstar.tables.table import ROW_UNIT, Column, Document, Remarks, Table, Value, remarks
 from crankstar.tables.turning import bearing, turning
 
@@ -43,6 +44,7 @@ class Job(NamedTuple):
     radius: float | None = None
     speed: float | None = None
     description: str = ""
+    placings: tuple[Placing, ...] = ()
 
 
 def balancing_sheet(job: Job) -> Document:
@@ -60,6 +62,7 @@ def parts(job: Job) -> Iterator[Table | Remarks]:
     yield from turning(job.before, job.after, speed=job.speed)
     if any(shaft.weights and not shaft.throws for shaft in job.after.shafts):
         yield _shafts(job)
+        yield from placing_lines(job.after, job.placings, speed=job.speed)
     yield _remaining(job)
     yield from _needed(job)
 
@@ -188,11 +191,13 @@ def _shafts(job: Job) -> Table:
     """The balance shafts: what each removes, where it lies, the moment that its place adds."""
     engine = job.after
     result = balance(engine, speed=job.speed)
-    across = scales(engine).across
+    across, _along, _mass, unbalance = scales(engine)
     columns = (
         Column(_("shaft"), kind="text", key="shaft", wraps=True, label=True),
         Column(_("speed ratio"), kind="text", key="ratio"),
         Column(_("removes"), kind="text", key="removes"),
+        Column(_("unbalance"), unbalance.unit, key="unbalance", optional=1),
+        Column(_("bearing at θ = 0"), "deg", key="bearing_deg", optional=1),
         Column(_("up"), across.unit, key="up"),
         Column(_("right"), across.unit, key="right"),
         Column(_("rolling moment added"), result.units.moment, key="roll_added"),
@@ -203,6 +208,7 @@ def _shafts(job: Job) -> Table:
             shaft.name,
             str(shaft.speed_ratio),
             _task(shaft),
+            *_net(shaft, unbalance),
             across.of(shaft.up),
             across.of(shaft.right),
             _roll_added(result, shaft),
@@ -224,6 +230,13 @@ def _task(shaft: Shaft) -> str:
         return _("couple")
     one_way = len({round(phase(vector), 9) for vector in vectors}) == 1
     return _("force") if one_way else _("force and couple")
+
+
+def _net(shaft: Shaft, scale: Scale) -> tuple[float, float]:
+    """The unbalance of a shaft and its bearing; of a couple, those of the first weight."""
+    own = vectors(shaft.weights)
+    net = sum(own, 0j) if _task(shaft) != _("couple") else own[0]
+    return abs(net) * scale.factor, bearing(phase(net))
 
 
 def _roll_added(result: Balance, shaft: Shaft) -> float:

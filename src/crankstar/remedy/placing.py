@@ -1,0 +1,263 @@
+"""Where balance shafts must lie so that the block rolls least, or not at all.
+
+A balance shaft at the place P (up + i right of the crankshaft) with the force f that turns at s k
+theta, s = 1 with the reference crankshaft and -1 against it, has the moment about the crank axis
+
+    Im(conj(P) f exp(i s k theta)) = Re(c exp(i k theta)),    c = -i conj(P) f  for s = 1,
+                                                              c = i P conj(f)   for s = -1,
+
+clockwise, of a reference crankshaft that turns clockwise. So the rolling moment of order k is
+affine in the places of the shafts of speed ratio k and -k. One shaft with a force can have any
+moment: there is exactly one place P* at which order k has no roll, and everywhere else
+
+    |roll of order k| = |f| |P - P*|.
+
+In a box that does not contain P* the best place is the point of the box nearest to it. Shafts of
+one ratio that share the force equally count as one at the mean of their places. A pair of ratios k
+and -k has a line of such places for each of the two: of all that leave the least roll in their
+boxes, the ones nearest to the places they had are taken.
+
+The roll is taken about the centre of mass of the block where the file gives one, else about the
+crank axis; where no force of the order is left, it is the same about every axis.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from itertools import product
+from math import isfinite
+from typing import NamedTuple
+
+import numpy as np
+
+from crankstar import spectra
+from crankstar.engine.copies import with_values
+from crankstar.engine.engine import Engine
+from crankstar.engine.records import Shaft
+from crankstar.mechanics.balance import default_reference
+from crankstar.mechanics.excitation import Reference, part_spectra, rolling_moment, total
+from crankstar.mechanics.mechanism import mechanism
+from crankstar.remedy.counterweights import RemedyError
+from crankstar.remedy.kept import vectors
+from crankstar.spectra import Real, Spectrum
+
+MOST_SHAFTS = 4
+"""Shafts of one order that can be placed together: 3^8 faces of their boxes."""
+ZERO = 1e-9
+"""Share of the roll without shafts, or of a box, that is rounding."""
+
+
+class Box(NamedTuple):
+    """The places open to a shaft: least and greatest `up` and `right` of the crankshaft."""
+
+    up: tuple[float, float]
+    right: tuple[float, float]
+
+
+class Placing(NamedTuple):
+    """The places of the shafts of one order, up + i right, and the roll that they leave.
+
+    `on_axis` is the roll with the shafts on the crank axis, which a symmetric pair leaves too,
+    `roll` that in these places, kg m^2 at 1 rad/s. `without_roll` is the place at which the mean
+    of the shafts' places would leave none; None for shafts of both senses, or without force.
+    """
+
+    order: Fraction
+    shafts: tuple[str, ...]
+    places: tuple[complex, ...]
+    without_roll: complex | None
+    on_axis: float
+    roll: float
+
+
+def roll_reference(engine: Engine) -> Reference:
+    """The centre of mass of the block where the file gives one, else the crank axis."""
+    middle = default_reference(engine)
+    if engine.block is None:
+        return middle
+    z = middle.z if engine.block.z is None else engine.block.z
+    return Reference(z, engine.block.up, engine.block.right)
+
+
+def placed(
+    engine: Engine,
+    *,
+    shafts: Sequence[str],
+    boxes: Sequence[Box],
+    reference: Reference | None = None,
+) -> tuple[Engine, tuple[Placing, ...]]:
+    """The engine with these balance shafts at the places in their boxes that leave least roll.
+
+    One box is for all of them, else each has its own. Raises RemedyError.
+
+    >>> from crankstar.files.catalog import load
+    >>> from crankstar.remedy import with_balance_shaft, with_web_weights
+    >>> half = with_web_weights(load("i2-360"), factor=0.5)
+    >>> twin = with_balance_shaft(half, ratio=-1, planes=[0])
+    >>> room = Box(up=(-3, -2), right=(-1, 1))
+    >>> after, (order,) = placed(twin, shafts=["balancer -1"], boxes=[room])
+    >>> order.places[0], round(order.without_roll.real, 4)  # the latter amid the crank
+    ((-2+0j), 0.127)
+    >>> round(order.roll / abs(order.places[0] - order.without_roll), 9)  # the force of the shaft
+    1.0
+    """
+    own = [Box(*box) for box in boxes] * (len(shafts) if len(boxes) == 1 else 1)
+    if len(own) != len(shafts):
+        raise RemedyError(
+            "{boxes} boxes for {count} balance shafts; give one for all, or one for each",
+            boxes=len(boxes),
+            count=len(shafts),
+        )
+    for box in own:
+        _possible(box)
+    by_order: dict[Fraction, list[tuple[Shaft, Box]]] = {}
+    for name, box in zip(shafts, own, strict=True):
+        shaft = engine.shaft(name)
+        by_order.setdefault(abs(shaft.speed_ratio), []).append((shaft, box))
+    placings: list[Placing] = []
+    for order, group in by_order.items():
+        if len(group) > MOST_SHAFTS:
+            raise RemedyError(
+                "{count} balance shafts of order {order} are too many to place together; the "
+                "greatest number is {greatest}",
+                count=len(group),
+                order=order,
+                greatest=MOST_SHAFTS,
+            )
+        engine, placing = _placed(engine, order, group, reference or roll_reference(engine))
+        placings.append(placing)
+    return engine, tuple(placings)
+
+
+def _possible(box: Box) -> None:
+    for least, most in box:
+        if not (isfinite(least) and isfinite(most) and least <= most):
+            raise RemedyError(
+                "a box reaches from {least} to {most}; give the smaller length first",
+                least=f"{least:g}",
+                most=f"{most:g}",
+            )
+
+
+def _placed(
+    engine: Engine, order: Fraction, group: Sequence[tuple[Shaft, Box]], reference: Reference
+) -> tuple[Engine, Placing]:
+    low = np.array([edge for _, box in group for edge in (box.up[0], box.right[0])])
+    high = np.array([edge for _, box in group for edge in (box.up[1], box.right[1])])
+    there = np.clip([edge for shaft, _ in group for edge in (shaft.up, shaft.right)], low, high)
+    columns = [
+        roll_of(engine, push(shaft), shaft.speed_ratio, place)
+        for shaft, _ in group
+        for place in (1.0, 1j)
+    ]
+    matrix = np.array([np.real(columns), np.imag(columns)])
+    names = [shaft.name for shaft, _ in group]
+
+    def roll_at(at: Real) -> complex:
+        moved = with_places(engine, dict(zip(names, at.reshape(-1, 2), strict=True)))
+        return roll(moved, order, reference)
+
+    on_axis = roll_at(np.zeros_like(there))
+    start = roll_at(there)
+    best = there + _least(matrix, start, low - there, high - there)
+    after = with_places(engine, dict(zip(names, best.reshape(-1, 2), strict=True)))
+    free = _without_roll(matrix, start, there, {shaft.speed_ratio for shaft, _ in group})
+    left = abs(roll_at(best))
+    scale = max(abs(on_axis), float(np.abs(matrix).max() * np.abs(np.append(low, high)).max()))
+    return after, Placing(
+        order,
+        tuple(names),
+        tuple(map(_cleared, best.reshape(-1, 2))),
+        free,
+        abs(on_axis),
+        left if left > ZERO * scale else 0.0,
+    )
+
+
+def _without_roll(
+    matrix: Real, start: complex, there: Real, ratios: set[Fraction]
+) -> complex | None:
+    """The place at which the mean of shafts of one ratio and equal forces leaves no roll."""
+    forces = np.abs(matrix[0, 0::2] + 1j * matrix[1, 0::2])
+    if len(ratios) > 1 or not forces.min() > ZERO * forces.max() > 0:
+        return None
+    if float(np.ptp(forces)) > ZERO * forces.max():
+        return None
+    move = np.linalg.solve(forces.size * matrix[:, :2], -np.array([start.real, start.imag]))
+    return _cleared(there.reshape(-1, 2).mean(axis=0) + move)
+
+
+def _cleared(place: Real) -> complex:
+    """A place, up + i right, without rounding errors."""
+    return complex(
+        *(value if abs(value) > ZERO * np.abs(place).max() else 0.0 for value in place.tolist())
+    )
+
+
+def _least(matrix: Real, start: complex, low: Real, high: Real) -> Real:
+    """The shortest move d between `low` and `high` of those with the least |start + matrix d|.
+
+    The best move has some coordinates at their limits; the others are the least-squares solution
+    of the shortest length. All choices of limits are tried, so the least is global.
+    """
+    wanted = -np.array([start.real, start.imag])
+    room = ZERO * float(max((high - low).max(), np.abs(np.append(low, high)).max()))
+    moves: list[Real] = []
+    for ends in product((None, 0, 1), repeat=low.size):
+        free = np.array([end is None for end in ends])
+        move = np.where([end == 1 for end in ends], high, low)
+        move[free] = 0.0
+        if free.any():
+            inner = matrix[:, free]
+            move[free] = np.linalg.pinv(inner, rcond=1e-9) @ (wanted - matrix @ move)
+        if np.all(move >= low - room) and np.all(move <= high + room):
+            moves.append(np.clip(move, low, high))
+    left = np.array([np.linalg.norm(matrix @ move - wanted) for move in moves])
+    size = float(np.abs(matrix).max(initial=0.0) * np.abs(np.append(low, high)).max())
+    best = np.flatnonzero(left <= left.min() + ZERO * (abs(start) + size))
+    return min((moves[index] for index in best), key=lambda move: float(np.linalg.norm(move)))
+
+
+def with_places(engine: Engine, places: Mapping[str, Sequence[float] | Real]) -> Engine:
+    """The engine with the shafts of these names at these places, up and right."""
+    return with_values(
+        engine,
+        shafts=tuple(
+            with_values(shaft, up=float(places[shaft.name][0]), right=float(places[shaft.name][1]))
+            if shaft.name in places
+            else shaft
+            for shaft in engine.shafts
+        ),
+    )
+
+
+def push(shaft: Shaft) -> complex:
+    """The force of the weights of a shaft at 1 rad/s of the reference crankshaft, N, at theta = 0.
+
+    Up + i right.
+    """
+    own = vectors(shaft.weights)
+    net = sum(own, 0j)
+    if abs(net) <= ZERO * sum(map(abs, own)):
+        return 0j  # a couple
+    return float(shaft.speed_ratio) ** 2 * net
+
+
+def roll(engine: Engine, order: Fraction, reference: Reference) -> complex:
+    """The rolling moment of an order on the block at 1 rad/s: the c of Re(c exp(i k theta))."""
+    whole = rolling_moment(total(part_spectra(mechanism(engine), reference=reference)))
+    return complex(spectra.amplitude(spectra.selected(whole, [float(order)]))[0])
+
+
+def roll_of(engine: Engine, force: complex, ratio: Fraction, place: complex) -> complex:
+    """Amplitude of the roll about the crankshaft of a force that turns at a ratio, at a place."""
+    vector, none = np.array([force]), np.zeros(1, complex)
+    ahead = ratio > 0
+    turning = Spectrum(
+        np.array([abs(float(ratio))]),
+        vector if ahead else none,
+        none if ahead else vector,
+        engine.sense,
+    )
+    return complex(spectra.horizontal(spectra.scaled(turning, np.conj(place)))[0])

@@ -1,0 +1,64 @@
+"""Where balance shafts were placed, what they leave of the roll, where they would leave none."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from crankstar.engine.engine import Engine
+from crankstar.language.messages import _
+from crankstar.language.shown_units import quantity_text
+from crankstar.mechanics.balance import scales as scales_of
+from crankstar.remedy import Placing
+from crankstar.tables.scales import scales
+from crankstar.tables.table import Remarks, remarks
+
+
+def placing_lines(
+    engine: Engine, placings: Sequence[Placing], *, speed: float | None
+) -> Iterator[Remarks]:
+    """The sentences on the places of balance shafts, order by order."""
+    lines = [line for placing in placings for line in _lines(engine, placing, speed)]
+    if lines and engine.block is not None:
+        lines.append(_("The rolling moment is taken about the centre of mass of the block."))
+    yield from remarks(*lines, title=_("Places of the balance shafts"))
+
+
+def _lines(engine: Engine, placing: Placing, speed: float | None) -> Iterator[str]:
+    (_force, _couple, moment), units = scales_of(engine, speed)
+    across = scales(engine).across
+
+    def place(at: complex) -> str:
+        return _("{up} up, {right} right", up=across.text(at.real), right=across.text(at.imag))
+
+    values = {
+        "order": str(placing.order),
+        "roll": quantity_text(placing.roll * moment, units.moment),
+        "on_axis": quantity_text(placing.on_axis * moment, units.moment),
+        "places": "; ".join(map(place, placing.places)),
+    }
+    if placing.roll:
+        yield _(
+            "Order {order}: the least rolling moment in the box is {roll}, with {places}.", **values
+        )
+    else:
+        yield _("Order {order}: no rolling moment remains with {places}.", **values)
+    yield _(
+        "On the crank axis, or as a pair symmetric about it, the shafts would leave {on_axis}.",
+        **values,
+    )
+    free = placing.without_roll
+    if free is None or not placing.roll:
+        return
+    mean = sum(placing.places) / len(placing.places)
+    values |= {"free": place(free), "distance": across.text(abs(mean - free))}
+    if len(placing.places) > 1:
+        yield _(
+            "None would remain with the middle of the shafts at {free}, {distance} away.", **values
+        )
+        return
+    yield _(
+        "None would remain with the shaft at {free}, {distance} away: the rest is the force of the "
+        "shaft times this distance. Two shafts with half of the unbalance each leave none where "
+        "they are symmetric about that place.",
+        **values,
+    )
