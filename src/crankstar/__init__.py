@@ -13,7 +13,7 @@ Rooms, top to bottom; a room imports only from rooms below it, and lists its mod
 | `cli/` | the commands of the command line and their options; no logic |
 | `server/` | that page live on this machine, over HTTP |
 | `report/` | one document with tables and figures, for print |
-| `exports/` | an engine for other tools: EXUDYN |
+| `exports/` | an engine for other tools: EXUDYN, glTF, STL |
 | `page/` | the page on which the engine turns: its data, one file, the notebook widget |
 | `options/` | what is typed in a command line or a dialog, read as checked values |
 | `charts/` | figures, one function each |

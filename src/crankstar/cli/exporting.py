@@ -15,9 +15,11 @@ from crankstar.cli.options import (
     option,
     together,
 )
-from crankstar.cli.output import write
+from crankstar.cli.output import write, write_bytes
+from crankstar.language.messages import N_
 from crankstar.options import values as request
 from crankstar.options.forms import form_of
+from crankstar.options.values import refusal
 
 
 @app.command
@@ -27,15 +29,30 @@ def export(
     *,
     speed: Speed = None,
     reference: ReferencePoint = None,
+    theta: Annotated[
+        str | None, option("--theta", "Of the parts in .glb and .stl (default: 0 deg).")
+    ] = None,
     settings: Settings = None,
     output: Annotated[
-        str | None, option("--output", "model.py: a multibody model for EXUDYN, as a script.")
+        str | None,
+        option("--output", "A model for EXUDYN (.py), or the moving parts (.glb, .stl)."),
     ] = None,
 ) -> None:
-    """Write an engine for another tool: a multibody model for EXUDYN (.py)."""
-    from crankstar.exports.exudyn import exudyn_script
-
-    form_of(output, ("py",))
+    """Write an engine for another tool: a model for EXUDYN (.py), solids (.glb, .stl)."""
+    form = form_of(output, ("py", "glb", "stl"))
+    other = {"--theta": theta} if form == "py" else {"--speed": speed, "--reference": reference}
+    request.refuse_unused(other, beside=f"-o .{form}")
     ((loaded, turning),) = together(partial(engine_and_speed, engine, settings, speed))
-    point = request.reference(reference, loaded)
-    write(exudyn_script(loaded, speed=turning, reference=point), output)
+    if form == "py":
+        from crankstar.exports.exudyn import exudyn_script
+
+        point = request.reference(reference, loaded)
+        write(exudyn_script(loaded, speed=turning, reference=point), output)
+        return
+    from crankstar.exports.solids import glb_bytes, stl_bytes
+
+    angles = request.angles(theta)
+    if len(angles) > 1:
+        raise refusal("--theta", theta, N_('give one crank angle, such as "30 deg"'))
+    content = glb_bytes if form == "glb" else stl_bytes
+    write_bytes(content(loaded, theta=angles[0] if angles else 0.0), output)

@@ -2,5 +2,6 @@
 
 | module, bottom to top | one line |
 |---|---|
+| `solids` | the moving parts at a crank angle: glTF (.glb) and STL |
 | `exudyn` | a multibody model as a script for EXUDYN, with the reactions on the block |
 """

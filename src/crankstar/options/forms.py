@@ -17,6 +17,8 @@ PICTURES = ("svg", "png", "pdf", "html")
 EXTRAS = {
     "xlsx": ("openpyxl", "spreadsheet"),
     "parquet": ("pyarrow", "parquet"),
+    "glb": ("trimesh", "solids"),
+    "stl": ("trimesh", "solids"),
     "chart": ("vl_convert", "charts"),
 }
 """The library that a form needs, and the extra of this package that brings it."""
