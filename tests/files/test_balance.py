@@ -64,10 +64,9 @@ def test_shafts_alone_are_those_of_the_lowest_order_that_is_left(run: Run) -> No
         re.MULTILINE,
     ) == ["-1"]
     out = run("balance", "i4", "--shafts", "--shaft-spacing", "3", "--level").out
-    assert re.findall(r"^balancer (\S+) +\S+ +force +(\S+) +(\S+)", out, re.MULTILINE) == [
-        ("2", "1.9688", "1.5"),
-        ("-2", "-1.9688", "-1.5"),
-    ]
+    assert re.findall(
+        r"^balancer (\S+) +\S+ +force +\S+ +\S+ +(\S+) +(\S+)", out, re.MULTILINE
+    ) == [("2", "1.9688", "1.5"), ("-2", "-1.9688", "-1.5")]
     assert left(out, "2", "rolling moment")[-1] == "0"
     assert "No primary or secondary force or couple remains." in out
     assert "balancer -2" in run("balance", "triple-120", "--shafts", "all").out

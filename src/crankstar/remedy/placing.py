@@ -147,7 +147,7 @@ def _placed(
     high = np.array([edge for _, box in group for edge in (box.up[1], box.right[1])])
     there = np.clip([edge for shaft, _ in group for edge in (shaft.up, shaft.right)], low, high)
     columns = [
-        roll_of(engine, push(shaft), shaft.speed_ratio, place)
+        roll_of(engine, force=push(shaft), ratio=shaft.speed_ratio, place=place)
         for shaft, _ in group
         for place in (1.0, 1j)
     ]
@@ -250,7 +250,7 @@ def roll(engine: Engine, order: Fraction, reference: Reference) -> complex:
     return complex(spectra.amplitude(spectra.selected(whole, [float(order)]))[0])
 
 
-def roll_of(engine: Engine, force: complex, ratio: Fraction, place: complex) -> complex:
+def roll_of(engine: Engine, *, force: complex, ratio: Fraction, place: complex) -> complex:
     """Amplitude of the roll about the crankshaft of a force that turns at a ratio, at a place."""
     vector, none = np.array([force]), np.zeros(1, complex)
     ahead = ratio > 0

@@ -231,7 +231,10 @@ def with_roll_cancelled(engine: Engine, *, order: Fraction | int) -> Engine:
     for place in pair:
         shaft = engine.shafts[place]
         # Re(c exp(i k theta)) of Im(conj(P) F) for P = 1 (up) and P = i (right)
-        columns += [roll_of(engine, push(shaft), shaft.speed_ratio, place) for place in (1.0, 1j)]
+        columns += [
+            roll_of(engine, force=push(shaft), ratio=shaft.speed_ratio, place=at)
+            for at in (1.0, 1j)
+        ]
     matrix = np.array([np.real(columns), np.imag(columns)])
     rest = roll(engine, order, default_reference(engine))
     move = np.linalg.pinv(matrix, rcond=1e-9) @ -np.array([rest.real, rest.imag])
