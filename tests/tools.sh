@@ -1,6 +1,6 @@
 #!/bin/sh
 # The programs that tests need besides Python: `sh tests/tools.sh where TOOL` prints the path of one,
-# `sh tests/tools.sh install TOOL` installs it from Debian's packages if it is not there. TOOL is chromium or latex.
+# `sh tests/tools.sh install TOOL` installs it from Debian's packages if it is not there. TOOL is chromium, poppler or latex.
 set -u
 tool=$2
 case $tool in
@@ -10,6 +10,12 @@ chromium)
     missing="There is no Chromium, and the tests in tests/web fail without one"
     remedy=", or skip them with CRANKSTAR_NO_BROWSER=1"
     ;;
+poppler)
+    commands="pdftoppm"
+    packages="poppler-utils"
+    missing="There is no Poppler, and the tests that read printed reports fail without it"
+    remedy=""
+    ;;
 latex)
     commands="pdflatex"
     packages="texlive-latex-base texlive-latex-recommended lmodern"
@@ -17,7 +23,7 @@ latex)
     remedy=""
     ;;
 *)
-    echo "sh tests/tools.sh: chromium or latex, not $tool" >&2
+    echo "sh tests/tools.sh: chromium, poppler or latex, not $tool" >&2
     exit 2
     ;;
 esac

@@ -12,7 +12,7 @@ import crankstar
 from crankstar.engine.copies import with_values
 from crankstar.page.scene import scene
 from crankstar.report.projections import FRONT, PLAN, SIDE
-from crankstar.report.views import placed, views
+from crankstar.report.views import orthographic, placed, small_views
 
 ENGINES = (
     "v8-cross-plane",
@@ -43,22 +43,56 @@ def test_rods_have_their_length_and_pistons_are_on_their_axes(name: str) -> None
 @pytest.mark.parametrize("name", ENGINES)
 def test_nothing_is_cut_off_and_numbers_are_there(name: str) -> None:
     engine = crankstar.load(name)
-    for drawing in views(engine, scene(engine)):
+    for draw, axes in (
+        (orthographic, [["up", "right"], ["up", "z"], ["right", "z"]]),
+        (small_views, [["up", "right"], ["up", "z"]]),
+    ):
+        drawing = draw(engine, scene(engine))
         root = ElementTree.fromstring(drawing)  # noqa: S314 - our own
         _, _, width, height = map(float, (root.get("viewBox") or "").split())
-        for path in root.iter(f"{SPACE}path"):
-            for x, y in re.findall(r"(-?[\d.]+) (-?[\d.]+)", path.get("d") or ""):
-                assert -0.5 <= float(x) <= width + 0.5
-                assert -0.5 <= float(y) <= height + 0.5
-        title = root.find(f"{SPACE}title")
-        assert title is not None
-        assert (title.text or "").startswith(engine.name)
         assert "nan" not in drawing
-        assert [text.text for text in root.iter(f"{SPACE}text")][-2:] in (
-            ["up", "right"],
-            ["up", "z"],
-            ["right", "z"],
-        )
+        views = [group for group in root.iter(f"{SPACE}g") if group.get("class") == "view"]
+        for view in views:
+            left, top = places(view)
+            for path in view.iter(f"{SPACE}path"):
+                for x, y in re.findall(r"(-?[\d.]+) (-?[\d.]+)", path.get("d") or ""):
+                    assert -0.5 <= left + float(x) <= width + 0.5
+                    assert -0.5 <= top + float(y) <= height + 0.5
+            title = view.find(f"{SPACE}title")
+            assert title is not None
+            assert (title.text or "").startswith(engine.name)
+        assert [[text.text for text in view.iter(f"{SPACE}text")][-2:] for view in views] == axes
+
+
+def places(view: ElementTree.Element) -> tuple[float, float]:
+    """Where the upper left corner of a view is."""
+    numbers = re.findall(r"-?[\d.]+", view.get("transform") or "")
+    return float(numbers[0]), float(numbers[1])
+
+
+def test_views_are_in_third_angle_projection_and_aligned() -> None:
+    """The view from the right is at the right, the one from above is above; edges correspond."""
+    engine = crankstar.load("v8-cross-plane")
+    shown = scene(engine)
+    root = ElementTree.fromstring(orthographic(engine, shown))  # noqa: S314 - our own
+    front, side, plan = (group for group in root.iter(f"{SPACE}g") if group.get("class") == "view")
+    assert places(side)[0] > places(front)[0]
+    assert places(side)[1] == places(front)[1]
+    assert places(plan)[0] == places(front)[0]
+    assert places(plan)[1] < places(front)[1]
+    # the same point has one height in front and side view, and one place across in plan and front
+    for point in ((0.1, 0.2, 0.3), shown.low, shown.high):
+        assert FRONT.turned(*point)[1] == SIDE.turned(*point)[1]
+        assert FRONT.turned(*point)[0] == PLAN.turned(*point)[0]
+    # what is nearest to the front view is the front of the engine
+    assert SIDE.turned(0, 0, 1)[0] < SIDE.turned(0, 0, 0)[0]
+    assert PLAN.turned(0, 0, 1)[1] < PLAN.turned(0, 0, 0)[1]
+    (symbol,) = (g for g in root.iter(f"{SPACE}g") if g.get("class") == "projection")
+    circles = [float(circle.get("cx") or 0) for circle in symbol.iter(f"{SPACE}circle")]
+    cone = next(symbol.iter(f"{SPACE}path")).get("d") or ""
+    corners = [(float(x), float(y)) for x, y in re.findall(r"[ML](\d+) (\d+)", cone)]
+    assert max(circles) < min(x for x, _ in corners)  # third angle: circles at the left
+    assert abs(corners[0][1] - 14) < abs(corners[1][1] - 14)  # of the small end, which faces them
 
 
 def test_the_views_look_along_the_axes_of_the_frame() -> None:
@@ -89,5 +123,5 @@ def test_the_pistons_of_a_v8_are_drawn_at_the_heights_of_the_cosine() -> None:
 
 def test_the_name_of_an_engine_is_text_in_a_drawing() -> None:
     engine = with_values(crankstar.load("single"), name="</title><script>")
-    for drawing in views(engine, scene(engine)):
-        assert "<script" not in drawing
+    for draw in (orthographic, small_views):
+        assert "<script" not in draw(engine, scene(engine))

@@ -153,14 +153,15 @@ def test_a_report_that_is_there_is_replaced_whole_and_the_command_in_it_names_no
     (tmp_path / "r.html").write_text("before", encoding="utf-8")
     (tmp_path / "mine.toml").write_text(run("new", "vee").out, encoding="utf-8")
     ran = run(
-        "report", str(tmp_path / "mine.toml"), "--set", "layout.bore_pitch=100 mm", "-o", "r.html"
+        *("report", str(tmp_path / "mine.toml"), "--full"),
+        *("--set", "layout.bore_pitch=100 mm", "-o", "r.html"),
     )
     assert (ran.code, ran.err) == (0, "")
     page = (tmp_path / "r.html").read_text(encoding="utf-8")
     assert page.endswith("</html>\n")
     assert (
-        "crankstar report mine.toml --set &#x27;layout.bore_pitch=100 mm&#x27; -o mine-report.html"
-        in page
+        "crankstar report mine.toml --full --set &#x27;layout.bore_pitch=100 mm&#x27; "
+        "-o mine-report.html" in page
     )
     assert str(tmp_path) not in page
     assert "bore_pitch = &quot;100 mm&quot;" in page

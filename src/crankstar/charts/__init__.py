@@ -18,6 +18,7 @@ Engines in, a chart out, and a chart as an SVG that needs no browser.
 | `plane` | the clock plane as a picture with equal scales |
 | `themes` | the colours of light and dark screens and of paper |
 | `paper` | a chart at a stated size, with letters of a stated size |
+| `fonts` | free fonts for Japanese and Cyrillic letters |
 | `saving` | a chart as SVG, PNG, PDF, HTML or JSON |
 | `vectors` | the vectors of one order, as numbers |
 | `crank_stars` | the throws of the crankshafts from the front |

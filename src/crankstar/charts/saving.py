@@ -8,6 +8,7 @@ from importlib.resources import files
 from typing import Any
 
 from crankstar.charts.drawing import ChartError, svg
+from crankstar.charts.fonts import registered
 from crankstar.charts.grammar import Chart
 from crankstar.charts.paper import Print
 from crankstar.language.messages import _
@@ -29,6 +30,7 @@ def saved(chart: Chart, suffix: str, *, title: str) -> bytes:
     """
     import vl_convert
 
+    registered()
     kind = suffix.lower().removeprefix(".")
     if kind == "svg":
         return svg(chart, title).encode()
@@ -59,6 +61,7 @@ def saved_print(made: Print, suffix: str, *, title: str) -> bytes:
     """
     import vl_convert
 
+    registered()
     kind = suffix.lower().removeprefix(".")
     if kind == "svg":
         return made.scaled("mm").encode()

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from math import degrees
 from typing import Any
 
-from crankstar.charts.canvas import panel_width
+from crankstar.charts.canvas import curve_height, panel_width
 from crankstar.charts.crank_angle import across, at_theta
 from crankstar.charts.drawing import (
     BLUE,
@@ -168,7 +168,7 @@ def span_rows(cycle: WorkingCycle, chambers: Sequence[int]) -> list[dict[str, An
 
 def _panel(cycle: WorkingCycle, engine: Engine, group: ExhaustGroup, *, foot: bool) -> Panel:
     chambers = _front_to_rear(engine, group.chambers)
-    height = TALL if len(cycle.chambers) <= MOST_TALL else LOW
+    height = max(LOW, curve_height(TALL)) if len(cycle.chambers) <= MOST_TALL else LOW
     x, rule = _crank_angle(round(cycle.cycle_deg / 360), foot=foot)
     names = "[" + ", ".join(f"'{chamber}'" for chamber in chambers) + "]"
     axis = {

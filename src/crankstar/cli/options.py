@@ -97,9 +97,11 @@ def changed_tree(name: str, settings: Sequence[str] | None) -> tuple[str, dict[s
 
 
 def command_text(verb: str, engine: str, options: Mapping[str, Sequence[str] | None]) -> str:
-    """A command line: each option with each of its values."""
+    """A command line: each option with each of its values; a flag has one that is empty."""
     pairs = [(option, value) for option, values in options.items() for value in values or ()]
-    return shlex.join(["crankstar", verb, engine, *(word for pair in pairs for word in pair)])
+    return shlex.join(
+        ["crankstar", verb, engine, *(word for pair in pairs for word in pair if word)]
+    )
 
 
 def engine_with_tree(name: str, settings: Sequence[str] | None) -> tuple[Engine, dict[str, Any]]:

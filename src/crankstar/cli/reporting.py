@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import partial
 from typing import Annotated
 
+from crankstar.charts.fonts import missing_letters
 from crankstar.cli.application import app
 from crankstar.cli.options import (
     EngineName,
@@ -15,7 +16,7 @@ from crankstar.cli.options import (
     option,
     together,
 )
-from crankstar.cli.output import working, writable, write_result
+from crankstar.cli.output import complain, working, writable, write_result
 from crankstar.files.catalog import load
 from crankstar.language.messages import _
 from crankstar.options import charts as chart_request
@@ -23,6 +24,8 @@ from crankstar.options import values as request
 from crankstar.options.forms import form_of, refuse_terminal, usual_place
 
 KINDS = ("html", "pdf")
+SHOWN = 12
+"""Letters without a font that are named."""
 
 
 @app.command(name="report")
@@ -46,6 +49,7 @@ def write_report(
     beside: Annotated[
         list[str] | None, option("--beside", "Compared order by order; one only.")
     ] = None,
+    full: Annotated[bool, option("--full")] = False,
     settings: Settings = None,
 ) -> None:
     """Write a report: data, verdict, views, strokes, orders, diagrams, remedies, derivations."""
@@ -68,18 +72,27 @@ def write_report(
         "--speed": speed and [speed],
         "--orders": orders and [orders],
         "--beside": second and [request.named(second)],
+        "--full": [""] if full else None,
         "--set": settings,
         "-o": [usual],
     }
     command = command_text("report", request.named(engine), options)
-    subject = report.Subject(loaded, tree, command, turning, None, other)
+    subject = report.Subject(loaded, tree, command, turning, None, other, full)
     wanted = request.orders(orders, list(subject.shown.normalised.force.orders.tolist()))
     subject = subject.with_orders(tuple(wanted) if wanted else None)
     by = report.browser() if kind == "pdf" else ""
     with working(_("Writing the report ...")) as tell:
         page = report.report(subject, tell=tell)
-        if kind == "html":
-            return write_result(page, output, usual)
-        tell(_("Printing ..."))
-        content = report.pdf(page, by=by)
-    return write_result(content, output, usual)
+        content = page
+        if kind == "pdf":
+            tell(_("Printing ..."))
+            content = report.printed(page, by=by)
+    write_result(content, output, usual)
+    for letters in missing_letters(page):
+        complain(
+            _(
+                "No font here has the letters {letters}, so they do not print; install one, or "
+                'pip install "crankstar[fonts]".',
+                letters=letters if len(letters) <= SHOWN else f"{letters[:SHOWN]} ...",
+            )
+        )

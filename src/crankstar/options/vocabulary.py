@@ -97,6 +97,12 @@ OPTIONS = {
         "The Pareto front: where one quantity can improve only at the expense of another.",
         ("--pareto",),
     ),
+    "--full": Option(
+        "nothing",
+        "Also the derivations step by step, tables by cylinder, the source of each value and the "
+        "engine file.",
+        ("--long", "--verbose", "--complete"),
+    ),
     "--gaps": Option(
         "text",
         "Gaps between cylinders from the front in pitches, as in 1,1,1.4; else equal.",

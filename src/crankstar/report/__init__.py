@@ -5,19 +5,24 @@
 | `markup` | sections, figures and tables as HTML |
 | `subject` | the engine, its speed and orders |
 | `projections` | directions of sight, solids drawn along them |
-| `views` | the engine from the front, the side and above |
+| `views` | the engine from the front, the side and above, in third-angle projection |
 | `gallery` | the figures, drawn in threads |
-| `title` | the first page: data and verdict |
+| `title` | the data sheet, and what the verdict says besides the front page |
+| `front` | the front page for a reader in a hurry, and the contents |
 | `pages` | crankshaft, strokes, orders, vectors, derivations, comparison |
 | `whirling` | the paths of the crankshaft's ends in an unmounted engine |
 | `remedies` | counterweights and balance shafts: before and after |
 | `sources` | the last pages: sources, conventions, the command |
+| `numbering` | the numbers of sections, figures and tables, and references to them |
+| `lettering` | parts of free fonts for Japanese and Cyrillic letters |
 | `document` | all sections, with the style sheet and its hash |
 | `printing` | the PDF, printed by an installed Chromium |
+| `paging` | the PDF with pages in its contents |
 """
 
 from crankstar.report.document import report
+from crankstar.report.paging import printed
 from crankstar.report.printing import PrintingError, browser, pdf
 from crankstar.report.subject import Subject
 
-__all__ = ["PrintingError", "Subject", "browser", "pdf", "report"]
+__all__ = ["PrintingError", "Subject", "browser", "pdf", "printed", "report"]

@@ -10,9 +10,19 @@ from importlib.resources import files
 from crankstar import __version__
 from crankstar.derive.documents import ALIGNED
 from crankstar.language.messages import N_, _, language
-from crankstar.report import gallery, pages, remedies, sources, title, whirling
+from crankstar.report import (
+    front,
+    gallery,
+    lettering,
+    numbering,
+    pages,
+    remedies,
+    sources,
+    title,
+    whirling,
+)
 from crankstar.report.subject import Subject
-from crankstar.tables.html import text
+from crankstar.tables.html import paragraph, text
 
 PAGES: tuple[tuple[str, pages.Page], ...] = (
     (N_("Writing the views ..."), pages.drawings),
@@ -40,18 +50,36 @@ def report(subject: Subject, *, tell: Callable[[str], None] = lambda _: None) ->
             tell(_(progress))
             body.append(page(subject, drawings))
         tell(_("Writing the verdict ..."))
-        front = title.title(subject) + title.verdict_section(subject)
+        body.insert(1, title.data_section(subject) + title.verdict_section(subject))
+        first = front.front(subject)
         tell(_("Drawing ..."))
-        inner = drawings.filled("\n".join([front, *body]))
+        sections = numbering.numbered(drawings.filled("\n".join(body)), figures=1)
+    first = first.replace("<figcaption>", f'<figcaption id="figure-1"><b>{_figure_one()}</b> ', 1)
+    first += front.contents(numbering.entries(sections))
+    note = "" if subject.full else paragraph(_(SHORT), "note")
+    inner = "\n".join([first + note, *(section.html for section in sections)])
     return _page(subject.engine.name, inner)
+
+
+def _figure_one() -> str:
+    return text(_("Figure {number}.", number=1))
+
+
+SHORT = N_(
+    "This is the short report. `crankstar report --full` adds the derivations step by step, the "
+    "tables by cylinder, the source of each value and the engine file."
+)
 
 
 def _page(name: str, inner: str) -> str:
     sheet = files("crankstar.report").joinpath("sheet.css").read_text(encoding="utf-8")
-    style = f"\n{sheet}{ALIGNED}{sources.frame_style()}\n{_running(name)}"
+    rules, families = lettering.faces(inner + name)
+    lettered = rules + lettering.rules_of(families)
+    style = f"\n{sheet}{ALIGNED}{sources.frame_style()}\n{lettered}{_running(name)}"
     allowed = f"sha256-{b64encode(sha256(style.encode()).digest()).decode()}"
+    fonts = "font-src data:; " if families else ""
     policy = (
-        f"default-src 'none'; style-src '{allowed}'; img-src data:; base-uri 'none'; "
+        f"default-src 'none'; style-src '{allowed}'; img-src data:; {fonts}base-uri 'none'; "
         "form-action 'none'"
     )
     return (

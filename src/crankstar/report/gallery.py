@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from typing import Any
 
 from crankstar.charts import CHARTS, GREY, ChartError, side_by_side, svg
+from crankstar.charts.canvas import Canvas, drawn_on
 from crankstar.charts.grammar import Chart
 from crankstar.engine.engine import Engine
 from crankstar.report.markup import figure
@@ -16,6 +17,8 @@ from crankstar.report.subject import Subject
 
 NAMED = re.compile(r'(\bid="|url\(#|href="#)')
 """The names of parts in a drawing, which must differ from those of other drawings on the page."""
+COLUMN = Canvas(width=244.0, stretch=0.75)
+"""A figure is as wide as half a page of A4, where its letters have 9 pt."""
 PLACE = re.compile(r"<!--figure (\d+)-->")
 
 
@@ -50,9 +53,10 @@ class Gallery:
 
     def _chart(self, name: str, *, beside: Engine | None = None, **options: Any) -> Chart:
         engine = self._matter.engine
-        if beside is not None:
-            return side_by_side([engine, beside], name, **options)
-        return CHARTS[name].draw(engine, **options)
+        with drawn_on(COLUMN):
+            if beside is not None:
+                return side_by_side([engine, beside], name, **options)
+            return CHARTS[name].draw(engine, **options)
 
 
 @contextmanager

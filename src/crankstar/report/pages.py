@@ -16,7 +16,7 @@ from crankstar.language.numbers import number
 from crankstar.report.gallery import Gallery
 from crankstar.report.markup import figure, figures, parts_html, section
 from crankstar.report.subject import Quantity, Subject
-from crankstar.report.views import views
+from crankstar.report.views import orthographic
 from crankstar.tables import analysis, comparison, engines, strokes
 from crankstar.tables.conditions import conditions
 from crankstar.tables.headings import timing_lines
@@ -25,6 +25,8 @@ from crankstar.tables.html import paragraph
 BOTH: tuple[Quantity, Quantity] = ("force", "couple")
 STEP_BY_STEP = (1.0, 2.0)
 """The orders that are derived step by step unless orders are named; of others the result."""
+LONG_TABLE = 12
+"""Rows above which a table by throw or by cylinder is in the full report only."""
 MANY = 16
 """Pistons above which only results are given; the steps of an order of a Deltic take ten pages."""
 LEVEL = re.compile(r"(?<=<h)[23](?=>)|(?<=</h)[23](?=>)")
@@ -61,17 +63,14 @@ Page = Callable[[Subject, Gallery], str]
 
 
 def drawings(subject: Subject, gallery: Gallery) -> str:  # noqa: ARG001 - one signature for all
-    """The engine from the front, the side and above, and the assumed proportions."""
-    captions = (
-        _("From the front."),
-        _("From the right side; the front is at the left."),
-        _("From above; the front is at the left."),
+    """The engine from the front, the right side and above, and the assumed proportions."""
+    caption = _(
+        "Third-angle projection: from the front, at its right from the right side, above it from "
+        "above. All at θ = 0 and to one scale; the crankshaft is red."
     )
-    pairs = zip(views(subject.engine, subject.scene), captions, strict=True)
-    lead = paragraph(_("All views at θ = 0 and to one scale; the crankshaft is red."))
     assumed = "".join(paragraph(line, "note") for line in subject.scene.assumed)
-    drawn = figures([figure(drawing, caption) for drawing, caption in pairs], "views")
-    return section(_("Views"), lead + drawn + assumed, name="views")
+    drawn = figures([figure(orthographic(subject.engine, subject.scene), caption)], "views")
+    return section(_("Views"), drawn + assumed, name="views")
 
 
 def crankshaft(subject: Subject, gallery: Gallery) -> str:
@@ -83,9 +82,11 @@ def crankshaft(subject: Subject, gallery: Gallery) -> str:
         ),
         gallery.figure("shaft", _("The shaft from the side, with the lever arms of the forces.")),
     ]
-    tables = parts_html(
-        [engines.rotors(engine), engines.cylinders(engine), *engines.harmonics(engine)]
-    )
+    rotors = engines.rotors(engine)
+    parts = [rotors] if subject.full or len(rotors.rows) <= LONG_TABLE else []
+    if subject.full:
+        parts += [engines.cylinders(engine), *engines.harmonics(engine)]
+    tables = parts_html(parts)
     return section(_("Crankshaft and cylinders"), figures(drawn) + tables, name="crankshaft")
 
 
@@ -105,8 +106,9 @@ def strokes_page(subject: Subject, gallery: Gallery) -> str:
         gallery.figure("stroke-chart", _("Open intake and exhaust, and ignition.")),
         gallery.figure("firing-ring", _("The cylinders around the working cycle.")),
     ]
-    tables = parts_html(strokes.tables(engine, cycle))
-    return section(_("Strokes"), figures(drawn) + tables, name=name)
+    parts = list(strokes.tables(engine, cycle))
+    tables = parts_html(parts if subject.full else parts[:1])
+    return section(_("Strokes"), tables + figures(drawn), name=name)
 
 
 def orders(subject: Subject, gallery: Gallery) -> str:
@@ -117,23 +119,25 @@ def orders(subject: Subject, gallery: Gallery) -> str:
             "spectrum", _("Peak force, couple and rolling moment of each order."), speed=at
         )
     ]
-    for quantity in BOTH:
-        for order in subject.remaining(quantity):
-            caption = _(PATHS[quantity], order=number(order))
-            options = {"order": order, "quantity": quantity, "speed": at}
-            drawn.append(gallery.figure("hodograph", caption, **options))
+    paths = [(order, quantity) for quantity in BOTH for order in subject.remaining(quantity)]
+    if not (subject.full or subject.orders):
+        paths = sorted(paths)[:1]
+    for order, quantity in paths:
+        caption = _(PATHS[quantity], order=number(order))
+        options = {"order": order, "quantity": quantity, "speed": at}
+        drawn.append(gallery.figure("hodograph", caption, **options))
     notes = "".join(
         paragraph(line, "note") for line in conditions(subject.engine, subject.shown.best)
     )
     tables = parts_html(analysis.tables(subject.shown))
-    return section(_("Orders"), notes + tables + figures(drawn), name="orders")
+    return section(_("Orders"), notes + figures(drawn) + tables, name="orders")
 
 
 def vectors(subject: Subject, gallery: Gallery) -> str:
     """The vector star and the polygon of every drawn order."""
     pairs: list[str] = []
     for quantity in BOTH:
-        for order in subject.drawn(quantity):
+        for order in _starred(subject, quantity):
             options = {"order": order, "quantity": quantity, "speed": subject.at}
             named = {"order": number(order)}
             remaining = order in subject.remaining(quantity)
@@ -142,6 +146,16 @@ def vectors(subject: Subject, gallery: Gallery) -> str:
             polygon = gallery.figure("polygon", caption, **options)
             pairs.append(f'<div class="pair">{star}{polygon}</div>')
     return section(_("Vector stars and polygons"), "".join(pairs), name="vectors")
+
+
+def _starred(subject: Subject, quantity: Quantity) -> tuple[float, ...]:
+    """The orders with a star; in a short report two of which some is left, of many pistons none."""
+    if subject.full or subject.orders:
+        return subject.drawn(quantity)
+    left = subject.remaining(quantity)
+    if len(subject.engine.cylinders) > MANY:  # each star fills half a page
+        return ()
+    return left[:2]
 
 
 def over_the_turn(subject: Subject, gallery: Gallery) -> str:
@@ -156,6 +170,8 @@ def over_the_turn(subject: Subject, gallery: Gallery) -> str:
 
 def derivations(subject: Subject, gallery: Gallery) -> str:  # noqa: ARG001 - one signature for all
     """The exact derivation of each order: step by step, or the result alone."""
+    if not (subject.full or subject.orders):
+        return ""
     many = len(subject.engine.cylinders) > MANY
     chapters: list[derive.Chapter] = []
     zero: list[str] = []

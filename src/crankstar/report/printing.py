@@ -41,6 +41,7 @@ OPTIONS = (
     "--no-first-run",
     "--no-default-browser-check",
     "--no-pdf-header-footer",
+    "--virtual-time-budget=5000",  # until the fonts of the page are there
     "--host-resolver-rules=MAP * ~NOTFOUND",
 )
 DATES = re.compile(rb"/(?:CreationDate|ModDate) \([^)]*\)")

@@ -37,9 +37,9 @@ SIDE = Look(
     (("up", 0, 1), ("z", -1, 0)),
 )
 PLAN = Look(
-    N_("{engine} from above, the front at the left"),
-    lambda up, right, z: (-z, -right, up),
-    (("right", 0, -1), ("z", -1, 0)),
+    N_("{engine} from above, the front at the foot"),
+    lambda up, right, z: (right, -z, up),
+    (("right", 1, 0), ("z", 0, -1)),
 )
 
 
@@ -135,6 +135,21 @@ def axes(look: Look, height: float) -> str:
         )
         drawn += f'<text {side} font-size="11" fill="currentColor">{_(name)}</text>'
     return drawn
+
+
+def third_angle(*, x: float, y: float) -> str:
+    """The symbol of third-angle projection after ISO 5456-2, its upper left corner at a place, px.
+
+    A truncated cone from its small end, at the left, and from the side: the view from the left is
+    at the left.
+    """
+    line = 'fill="none" stroke="currentColor" stroke-width="1.4"'
+    thin = 'fill="none" stroke="currentColor" stroke-width="0.6" stroke-dasharray="7 2 1 2"'
+    rings = "".join(f'<circle cx="14" cy="14" r="{radius}" {line}/>' for radius in (6, 12))
+    return (
+        f'<g class="projection" transform="translate({x:.1f} {y:.1f})">{rings}'
+        f'<path d="M36 8L64 2V26L36 20Z" {line}/><path d="M-2 14H70M14 -2V30" {thin}/></g>'
+    )
 
 
 def hull(points: Real) -> list[tuple[float, float]]:

@@ -27,5 +27,6 @@ def remedies(subject: Subject, gallery: Gallery) -> str:
         beside=with_values(fitted.after, name=_("with weights and shafts")),
         speed=subject.at,
     )
-    body = paragraph(fitted.description) + figures([spectra]) + parts_html(parts(job))
+    tables = parts_html(parts(job))
+    body = paragraph(fitted.description) + tables + figures([spectra])
     return section(title, body, name="remedies")

@@ -31,6 +31,8 @@ CONVENTIONS = (
         "of the first order."
     ),
 )
+MOST_ORIGINS = 12
+"""Sources of values that a short report lists."""
 STYLE = re.compile(r"\s*<style>(.*?)</style>", re.DOTALL)
 
 
@@ -41,7 +43,11 @@ def sources(subject: Subject, gallery: Gallery) -> str:  # noqa: ARG001 - one si
     heading = _("Notes")
     notes = f"<h3>{text(heading)}</h3>{paragraph(engine.notes)}" if engine.notes else ""
     origins = paragraph(_("The engine file gives no source for single values."))
-    if engine.provenance:
+    if engine.provenance and not subject.full and len(engine.provenance) > MOST_ORIGINS:
+        origins = paragraph(
+            _("The engine file gives {count} sources of values.", count=len(engine.provenance))
+        )
+    elif engine.provenance:
         origins = parts_html([engines.origins(engine)])
     return section(_("Sources"), source + notes + origins, name="sources")
 
@@ -65,9 +71,8 @@ def again(subject: Subject, gallery: Gallery) -> str:  # noqa: ARG001
     command = f"<pre><code>{text(subject.command)}</code></pre>"
     file = f'<pre class="file"><code>{_shown(_file(subject))}</code></pre>'
     heading = _("The engine file")
-    return section(
-        _("Reproduction"), f"{made}{command}<h3>{text(heading)}</h3>{file}", name="again"
-    )
+    listing = f"<h3>{text(heading)}</h3>{file}" if subject.full else ""
+    return section(_("Reproduction"), f"{made}{command}{listing}", name="again")
 
 
 def _file(subject: Subject) -> str:

@@ -24,7 +24,8 @@ class Subject:
     """The subject of a report.
 
     `tree` is the engine file as it was read, with changed values; `speed` in rad/s, by default that
-    of the engine; `orders` are named ones; `command` writes the report again.
+    of the engine; `orders` are named ones; `command` writes the report again. A report that is not
+    `full` leaves out long derivations, tables by cylinder, single sources and the engine file.
     """
 
     engine: Engine
@@ -33,6 +34,7 @@ class Subject:
     speed: float | None = None
     orders: tuple[float, ...] | None = None
     beside: Engine | None = None
+    full: bool = False
 
     def with_orders(self, orders: tuple[float, ...] | None) -> Subject:
         """The subject with these named orders."""

@@ -1,4 +1,4 @@
-"""The first page of a report: the data of the engine, unverified values marked, and the verdict."""
+"""The data of the engine, unverified values marked, and the verdict."""
 
 from __future__ import annotations
 
@@ -18,6 +18,8 @@ from crankstar.tables.verdict import verdict, verdict_rows
 
 DOUBTFUL = {"placeholder": N_("placeholder"), "unverified": N_("unverified")}
 """The states of values that are marked, the worst first."""
+BESIDES = ("firing", "relatives")
+"""The topics of the verdict that the front page does not have."""
 LONG = 40
 """Letters from which a value has a line of its own."""
 
@@ -30,19 +32,12 @@ class Datum(NamedTuple):
     keys: tuple[str, ...] = ()
 
 
-def title(subject: Subject) -> str:
-    """The head of the report, with the data of the engine."""
+def data_section(subject: Subject) -> str:
+    """The data sheet of the engine."""
     engine = subject.engine
-    beside = ""
-    if subject.beside is not None:
-        beside = paragraph(_("compared with {engine}", engine=subject.beside.name))
     rows = "".join(_row(engine, datum) for datum in data(subject) if datum.value)
-    kind, heading = _("Inertia forces of a piston engine"), _("Data of the engine")
-    return (
-        f'<header><p class="kind">{text(kind)}</p><h1>{text(engine.name)}</h1>{beside}</header>'
-        f'<section id="data"><h2 class="hidden">{text(heading)}</h2>'
-        f'<dl class="data">{rows}</dl>{_doubt(engine)}</section>'
-    )
+    body = f'<dl class="data">{rows}</dl>{_doubt(engine)}'
+    return section(_("Data of the engine"), body, name="data")
 
 
 def _row(engine: Engine, datum: Datum) -> str:
@@ -154,9 +149,11 @@ def _span(values: Iterable[float]) -> str:
 
 
 def verdict_section(subject: Subject) -> str:
-    """The verdict, each sentence beside its topic."""
+    """What the verdict says besides the front page, each sentence beside its topic."""
+    facts = verdict(subject.engine, speed=subject.speed)
     rows = "".join(
         f"<div><dt>{text(about)}</dt><dd>{typeset(sentence)}</dd></div>"
-        for about, sentence in verdict_rows(verdict(subject.engine, speed=subject.speed))
+        for about, sentence in verdict_rows([fact for fact in facts if fact.about in BESIDES])
     )
-    return section(_("Verdict"), f'<dl class="facts">{rows}</dl>', name="verdict")
+    body = f'<dl class="facts">{rows}</dl>' if rows else ""
+    return section(_("Firing, and engines like it"), body, name="verdict")

@@ -24,13 +24,24 @@ from crankstar.page.records import (
     ThrowShown,
     WeightShown,
 )
-from crankstar.report.projections import FRONT, PLAN, RING, SIDE, Look, Part, Pen, axes, style
+from crankstar.report.projections import (
+    FRONT,
+    PLAN,
+    RING,
+    SIDE,
+    Look,
+    Part,
+    Pen,
+    axes,
+    style,
+    third_angle,
+)
 from crankstar.spectra import Complex
 
 RED, GREEN = "#d1382a", "#009e73"
 """Crankshafts, as in the documents; balance shafts."""
-WIDTH, HEIGHT = 650.0, 400.0
-"""px: width of the front and the side view together, and greatest height of a view."""
+WIDTH, HEIGHT, SMALL_HEIGHT = 660.0, 400.0, 260.0
+"""px: greatest width and height of all views, and the height of two."""
 MARGIN, GAP, LETTERS = 32.0, 20.0, 13
 """px around a view, between two, and the size of letters."""
 ROD = (1.45, 0.75)
@@ -63,31 +74,63 @@ def placed(engine: Engine) -> tuple[Placed, ...]:
     return tuple(out)
 
 
-def views(engine: Engine, scene: Scene) -> tuple[str, str, str]:
-    """The engine from the front, from the right side and from above at theta = 0, as SVGs."""
-    spans = [high - low for low, high in zip(scene.low, scene.high, strict=True)]
-    tall = max(spans[0], spans[1])
-    scale = min((WIDTH - GAP - 4 * MARGIN) / (spans[1] + spans[2]), (HEIGHT - 2 * MARGIN) / tall)
+def orthographic(engine: Engine, scene: Scene) -> str:
+    """The engine in third-angle projection at theta = 0 as an SVG, with the symbol of it.
+
+    From the front; from the right side at its right; from above, above it: edges are aligned.
+    """
+    return _aligned(engine, scene, (FRONT, SIDE, PLAN), WIDTH, HEIGHT)
+
+
+def small_views(engine: Engine, scene: Scene) -> str:
+    """The engine from the front and from the right side, aligned, for a front page."""
+    return _aligned(engine, scene, (FRONT, SIDE), WIDTH, SMALL_HEIGHT)
+
+
+def _aligned(
+    engine: Engine, scene: Scene, looks: Sequence[Look], width: float, height: float
+) -> str:
+    """Views in third-angle projection to one scale; the side view right of, the plan above."""
+    up, right, along = (high - low for low, high in zip(scene.low, scene.high, strict=True))
+    margins = 4 * MARGIN + GAP
+    tall = up + along if PLAN in looks else up
+    scale = min((width - margins) / (right + along), (height - margins) / tall)
     moving = placed(engine)
-    front, side, plan = (
-        _view(scene, moving, look, scale, engine.name) for look in (FRONT, SIDE, PLAN)
+    across = right * scale + 2 * MARGIN
+    above = along * scale + 2 * MARGIN + GAP if PLAN in looks else 0.0
+    places = {FRONT: (0.0, above), SIDE: (across + GAP, above), PLAN: (0.0, 0.0)}
+    drawn = [_view(scene, moving, look, scale, engine.name, places[look]) for look in looks]
+    size = (across + GAP + along * scale + 2 * MARGIN, above + up * scale + 2 * MARGIN)
+    if PLAN in looks:
+        drawn.append(third_angle(x=across + GAP + MARGIN, y=MARGIN))
+    name = escape(_("{engine} from the front, the right side and above", engine=engine.name))
+    return (
+        f'<svg role="img" xmlns="http://www.w3.org/2000/svg" width="{size[0]:.0f}" '
+        f'height="{size[1]:.0f}" viewBox="0 0 {size[0]:.0f} {size[1]:.0f}" '
+        f'font-family="sans-serif" font-size="{LETTERS}" stroke-linejoin="round">'
+        f"<title>{name}</title>{''.join(drawn)}</svg>"
     )
-    return front, side, plan
 
 
-def _view(scene: Scene, moving: Sequence[Placed], look: Look, scale: float, name: str) -> str:
+def _view(
+    scene: Scene,
+    moving: Sequence[Placed],
+    look: Look,
+    scale: float,
+    name: str,
+    place: tuple[float, float],
+) -> str:
+    """A view as a group whose upper left corner is at `place`, px."""
     corners = [look.turned(*scene.low), look.turned(*scene.high)]
-    (left, right), (bottom, top) = (sorted(corner[place] for corner in corners) for place in (0, 1))
-    width, height = (right - left) * scale + 2 * MARGIN, (top - bottom) * scale + 2 * MARGIN
+    (left, _right), (bottom, top) = (sorted(corner[at] for corner in corners) for at in (0, 1))
+    height = (top - bottom) * scale + 2 * MARGIN
     pen = Pen(look, scale, MARGIN - left * scale, MARGIN + top * scale)
     parts = sorted(_parts(scene, moving, pen), key=lambda part: part.near)
-    size = f'width="{width:.0f}" height="{height:.0f}" viewBox="0 0 {width:.0f} {height:.0f}"'
     title = escape(_(look.title, engine=name))
     return (
-        f'<svg role="img" xmlns="http://www.w3.org/2000/svg" {size} font-family="sans-serif" '
-        f'font-size="{LETTERS}" stroke-linejoin="round">'
+        f'<g class="view" transform="translate({place[0]:.1f} {place[1]:.1f})">'
         f"<title>{title}</title>{''.join(part.svg for part in parts)}"
-        f"{''.join(_numbers(scene, pen))}{axes(look, height)}</svg>"
+        f"{''.join(_numbers(scene, pen))}{axes(look, height)}</g>"
     )
 
 

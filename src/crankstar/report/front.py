@@ -1,0 +1,87 @@
+"""The front page: the engine, how it shakes, what to do; then the contents."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from crankstar.language.messages import N_, _
+from crankstar.report.markup import figure
+from crankstar.report.subject import Subject
+from crankstar.report.title import data
+from crankstar.report.views import small_views
+from crankstar.tables.html import paragraph, text
+from crankstar.tables.verdict import Fact, verdict
+
+WHAT = ("layout",)
+HOW = ("units", "force", "couple", "roll")
+CURES = ("cure",)
+HEADINGS = {WHAT: N_("What it is"), HOW: N_("How it shakes"), CURES: N_("What to do")}
+"""What the front page says of the engine, by the topics of the verdict."""
+SHOWN = 7
+"""Lines of the data sheet on the front page."""
+
+
+def front(subject: Subject) -> str:
+    """The first page: title, picture, what it is, how it shakes in newtons, what to do."""
+    engine, facts = subject.engine, verdict(subject.engine, speed=subject.speed)
+    beside = ""
+    if subject.beside is not None:
+        beside = paragraph(_("compared with {engine}", engine=subject.beside.name))
+    kind = _("Inertia forces of a piston engine")
+    drawing = figure(small_views(engine, subject.scene), _("The engine at θ = 0, to one scale."))
+    parts = [_what(subject, facts)]
+    for topics in (HOW, CURES):
+        lines = [fact.sentence for fact in facts if fact.about in topics]
+        if topics == HOW:
+            lines += _missing(subject)
+        parts.append(_part(_(HEADINGS[topics]), lines))
+    return (
+        f'<header><p class="kind">{text(kind)}</p><h1>{text(engine.name)}</h1>{beside}</header>'
+        f'<div class="front"><div class="figures views">{drawing}</div>{"".join(parts)}</div>'
+    )
+
+
+def _part(title: str, lines: Sequence[str]) -> str:
+    return f'<div class="plain"><h3>{text(title)}</h3>{"".join(map(paragraph, lines))}</div>'
+
+
+def _what(subject: Subject, facts: Sequence[Fact]) -> str:
+    """The first lines of the data sheet as a sentence, and the layout."""
+    shown = [f"{datum.label}: {datum.value}" for datum in data(subject) if datum.value][:SHOWN]
+    lines = ["; ".join(shown) + "."]
+    lines += [fact.sentence for fact in facts if fact.about in WHAT]
+    return _part(_(HEADINGS[WHAT]), lines)
+
+
+def _missing(subject: Subject) -> list[str]:
+    """What to add to the engine file so that forces are in newtons."""
+    if subject.at is not None:
+        return []
+    relative = subject.engine.relative
+    wanted = [
+        words
+        for there, words in (
+            ("mass" in relative, _("the reciprocating mass")),
+            ("radius" in relative, _("stroke and rod length")),
+            (subject.engine.speed is None, _("the speed")),
+        )
+        if there
+    ]
+    return [
+        _(
+            "Forces are in units of m r ω², of one piston group m at crank radius r and speed ω, "
+            "since the engine file lacks data; for newtons add {values}.",
+            values=", ".join(wanted) or _("the speed"),
+        )
+    ]
+
+
+def contents(entries: Sequence[tuple[str, str, str]]) -> str:
+    """The contents: number, title and address of each section; a PDF has its pages as well."""
+    rows = "".join(
+        f'<li><a href="#{address}"><span class="number">{number}</span> {title}</a>'
+        f'<span class="page" data-of="{address}"></span></li>'
+        for number, address, title in entries
+    )
+    heading = _("Contents")
+    return f'<nav class="contents"><h2>{text(heading)}</h2><ol>{rows}</ol></nav>'
