@@ -222,14 +222,15 @@ def figure(path: str) -> str:
 
 
 def glossary(_: str) -> str:
-    """The terms of the field, alphabetically, each with an anchor of its own."""
+    """The terms of the field, alphabetically."""
     from crankstar.language.glossary import terms
 
-    lines = ["| term | symbol | Japanese | Russian | meaning |", "|---|---|---|---|---|"]
+    lines = ["| term, symbol | Japanese, Russian | meaning |", "|---|---|---|"]
     for term in sorted(terms(), key=lambda term: term.term.lower()):
         others = [word for word in term.also if "{" not in word and word not in term.term]
         also = f"; also: {', '.join(others)}" if others else ""
-        cells = (f"**{term.term}**", term.symbol or "-", term.japanese, term.russian)
+        symbol = f"<br>{term.symbol}" if term.symbol else ""
+        cells = (f"**{term.term}**{symbol}", f"{term.japanese}<br>{term.russian}")
         lines.append(f"| {' | '.join(cells)} | {term.meaning}{also} |")
     return "\n".join(lines)
 
