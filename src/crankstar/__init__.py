@@ -40,10 +40,12 @@ from __future__ import annotations
 
 import sys
 from importlib import import_module
+from inspect import isfunction
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from crankstar.derive import derivation, family, signs
+    from crankstar.dynamics.whirl import whirl
     from crankstar.engine.engine import Engine
     from crankstar.engine.records import Cylinder, Rod, Shaft, Throw, Weight
     from crankstar.files import EngineFileError
@@ -53,10 +55,16 @@ if TYPE_CHECKING:
     from crankstar.mechanics.excitation import Reference, Totals
     from crankstar.mechanics.mechanism import Mechanism
     from crankstar.page.widget import widget
+    from crankstar.remedy.counterweights import with_counterweights
+    from crankstar.remedy.shafts import with_balance_shaft
+    from crankstar.studies.sweep import sweep, watched
+    from crankstar.tables.comparison import compare
+    from crankstar.tables.verdict import verdict
 
 __version__ = "0.1.0"
 
 _HOMES = {
+    "dynamics.whirl": ("whirl",),
     "derive": ("derivation", "family", "signs"),
     "engine.engine": ("Engine",),
     "engine.records": ("Cylinder", "Rod", "Shaft", "Throw", "Weight"),
@@ -67,9 +75,17 @@ _HOMES = {
     "mechanics.excitation": ("Reference", "Totals"),
     "mechanics.mechanism": ("Mechanism",),
     "page.widget": ("widget",),
+    "remedy.counterweights": ("with_counterweights",),
+    "remedy.shafts": ("with_balance_shaft",),
+    "studies.sweep": ("sweep", "watched"),
+    "tables.comparison": ("compare",),
+    "tables.verdict": ("verdict",),
 }
 """The module of each public name. All are loaded on first use: a command line that is interrupted
 while numpy is being loaded ends quietly, since it is running before."""
+
+_UNREAD = ("load", "names", "widget")
+"""Functions that load engines themselves; the others take an Engine, a name or a path."""
 
 __all__ = [
     "Balance",
@@ -85,6 +101,7 @@ __all__ = [
     "Totals",
     "Weight",
     "balance",
+    "compare",
     "derivation",
     "family",
     "grouped",
@@ -92,8 +109,14 @@ __all__ = [
     "names",
     "of_parts",
     "signs",
+    "sweep",
     "total",
+    "verdict",
+    "watched",
+    "whirl",
     "widget",
+    "with_balance_shaft",
+    "with_counterweights",
 ]
 
 
@@ -102,6 +125,8 @@ def __getattr__(name: str) -> Any:
     for module, public in _HOMES.items():
         if name in public:
             value = getattr(import_module(f"crankstar.{module}"), name)
+            if isfunction(value) and name not in _UNREAD:
+                value = import_module("crankstar.options.arguments").read(value)
             globals()[name] = value
             return value
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -141,6 +141,16 @@ def response(
     )
 
 
+def whirl(engine: Engine, *, orders: tuple[float, ...] | None = None) -> Response:
+    """The free response of an engine as a body of the usual mass and shape: see `response`.
+
+    >>> from crankstar.files.catalog import load
+    >>> abs(whirl(load("v8-cross-plane"), orders=(1.0,)).tilt.forward[0]) > 0
+    True
+    """
+    return response(engine, of=body(engine), orders=orders)
+
+
 def _stretched(spectrum: Spectrum, *, up: float, right: float) -> Spectrum:
     """A vector of the clock plane with its upward and its rightward part each scaled."""
     mean, rest = (up + right) / 2, (up - right) / 2

@@ -30,6 +30,10 @@ class Engine(Assembly):
     0.04
     """
 
+    def __hash__(self) -> int:
+        """The same for equal engines; where their values come from has no part in it."""
+        return hash(tuple(value for name, value in self if name != "provenance"))
+
     @model_validator(mode="after")
     def _possible(self) -> Engine:
         faults = list(checks.faults(self)) or unreachable(self) or unfit(self)

@@ -6,6 +6,7 @@
 | `refusals` | requests that cannot be met |
 | `values` | speeds, orders, angles, points of reference, settings |
 | `remedies` | weights, what they minimise, balance shafts |
+| `arguments` | the arguments of the public functions as people give them |
 | `forms` | the form in which a result is written |
 | `words` | the options of a search as typed |
 | `balancing` | the options of a balance, and the balanced engine |

@@ -35,7 +35,7 @@ class Subject(NamedTuple):
 
 
 def subject(
-    name: str, *, over: str, unit: str | None, changes: Mapping[str, Any] | None = None
+    name: str | Engine, *, over: str, unit: str | None, changes: Mapping[str, Any] | None = None
 ) -> Subject:
     """The engine `name` (catalog, file or "-") as a function of the number at key path `over`.
 
@@ -47,7 +47,8 @@ def subject(
     >>> round(twin.make(45).cylinders[0].bearing, 6), twin.quantity.dimension
     (0.785398, 'angle')
     """
-    shown, tree = tree_of(name)
+    own = isinstance(name, Engine)
+    shown, tree = (name.name, files.explicit(name)) if own else tree_of(name)
     tree = files.changed(tree, changes or {}, name=shown)
     _check_order(shown, tree)
     base = _base(shown, tree)

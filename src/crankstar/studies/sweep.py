@@ -32,7 +32,7 @@ from crankstar.mechanics.excitation import Reference, Totals, part_spectra, roll
 from crankstar.mechanics.mechanism import Mechanism
 from crankstar.spectra import Real, Spectrum
 from crankstar.studies.fields import subject
-from crankstar.studies.ranges import GREATEST_POINTS
+from crankstar.studies.ranges import GREATEST_POINTS, over_request
 from crankstar.studies.variants import SweepError, Tell, picked, variants
 
 if TYPE_CHECKING:
@@ -152,7 +152,7 @@ class Curve(NamedTuple):
 
 
 def swept(
-    name: str,
+    name: str | Engine,
     *,
     over: str,
     values: Sequence[float] | Real,
@@ -163,7 +163,7 @@ def swept(
     speed: float | Literal["file"] | None = None,
     tell: Tell | None = None,
 ) -> Sweep:
-    """The engine `name` (catalog, file or "-") at each of the `values` of the number at `over`.
+    """An engine, or that of a name or file, at each of the `values` of the number at `over`.
 
     `unit` is that of the values: None, SI (radians); a text, as in "deg"; "" says that none was
     given, which does for plain numbers and for lengths and masses that are counted in themselves.
@@ -208,6 +208,34 @@ def swept(
         return Sweep(over, said, now, first, groups, units, point, known, at)
 
     return at(numbers, tell)
+
+
+def sweep(
+    engine: str | Engine,
+    over: str,
+    *,
+    changes: Mapping[str, Any] | None = None,
+    reference: Reference | None = None,
+    orders: Sequence[float] | None = None,
+    speed: float | Literal["file"] | None = "file",
+) -> Sweep:
+    """What `crankstar sweep --over` computes; `watched` gives its curves. Raises as `swept` does.
+
+    >>> twin = sweep("harley-45", "balance_factor=0..1/5")
+    >>> watched(twin, "force.forward", order=1).values.round(6).tolist()
+    [1.0, 0.5, 0.0, 0.5, 1.0]
+    """
+    asked = over_request(over)
+    return swept(
+        engine,
+        over=asked.path,
+        values=asked.values,
+        unit=asked.unit,
+        changes=changes,
+        reference=reference,
+        orders=orders,
+        speed=speed,
+    )
 
 
 def _finite(values: Sequence[float] | Real, over: str) -> Real:

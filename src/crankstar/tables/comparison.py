@@ -7,12 +7,14 @@ from math import pi
 from typing import NamedTuple
 
 from crankstar import spectra
+from crankstar.engine.engine import Engine
 from crankstar.firing.intervals import firing
 from crankstar.language.messages import _
 from crankstar.language.numbers import NEGLIGIBLE, number
 from crankstar.mechanics.balance import Balance
+from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.remains import Sums, size, summed
-from crankstar.tables.analysis import QUANTITIES, Analysis, none_line, sums_size
+from crankstar.tables.analysis import QUANTITIES, Analysis, analysis, none_line, sums_size
 from crankstar.tables.conditions import unverified
 from crankstar.tables.headings import firing_text
 from crankstar.tables.table import ROW_UNIT, Column, Document, Table, Value
@@ -72,6 +74,22 @@ def comparison(shown: Sequence[Analysis], names: Sequence[str] | None = None) ->
         else _("Greatest value of each order, each engine in its own m r ω²")
     )
     return Document(title, (*parts, _engines(compared)))
+
+
+def compare(
+    *engines: Engine,
+    speed: float | None = None,
+    reference: Reference | None = None,
+    orders: Sequence[float] = (),
+) -> Document:
+    """The comparison of engines at `speed` (rad/s), else at their own, in tables for readers.
+
+    >>> from crankstar.files.catalog import load
+    >>> compare(load("i4"), load("i6"), orders=[2]).tables.__next__().columns[2].heading
+    'Six in line'
+    """
+    shown = [analysis(engine, speed=speed, reference=reference).of(orders) for engine in engines]
+    return comparison(shown)
 
 
 def _sizes(name: str, compared: _Compared) -> list[tuple[float | None, list[float]]]:
@@ -173,10 +191,8 @@ def _engines(compared: _Compared) -> Table:
         heads.append(Column(_("speed"), "rpm"))
     heads.append(Column(_("unverified values")))
     rows: list[tuple[Value, ...]] = []
-    for name, analysis, result in zip(
-        compared.names, compared.shown, compared.results, strict=True
-    ):
-        engine = analysis.engine
+    for name, own, result in zip(compared.names, compared.shown, compared.results, strict=True):
+        engine = own.engine
         fires = firing_text(firing(engine)) if engine.firing_order else _("no order given")
         speed = (_rpm(result),) if compared.real else ()
         rows.append((name, fires, *speed, len(unverified(engine))))

@@ -1,0 +1,119 @@
+"""Every public function reads engines, speeds and points as people give them."""
+
+from __future__ import annotations
+
+import inspect
+import math
+from pathlib import Path
+from typing import Any
+
+import pytest
+from tests.texts import SHORT
+
+import crankstar
+from crankstar.mechanics.excitation import Reference
+
+MORE: dict[str, dict[str, Any]] = {
+    "derivation": {"order": 2},
+    "family": {"order": 1, "quantity": "force", "symbol": "alpha"},
+    "sweep": {"over": "balance_factor=0..1/3"},
+    "with_balance_shaft": {"ratio": -1, "planes": [0.5, -0.5]},
+    "with_counterweights": {"factor": 0.5},
+}
+"""What the functions need besides an engine."""
+OWN = {"load", "names", "widget"}
+"""They load engines themselves."""
+
+
+def functions() -> list[str]:
+    return [name for name in crankstar.__all__ if inspect.isfunction(getattr(crankstar, name))]
+
+
+def of_engines() -> list[str]:
+    """The public functions with an argument for an engine."""
+    asked = {name: inspect.signature(getattr(crankstar, name)).parameters for name in functions()}
+    return [name for name in functions() if {"engine", "engines"} & {*asked[name]}]
+
+
+@pytest.mark.parametrize("name", of_engines())
+def test_a_name_a_path_and_an_engine_give_the_same(name: str, tmp_path: Path) -> None:
+    function, more = getattr(crankstar, name), MORE.get(name, {})
+    if name in OWN:
+        return
+    own = "single" if name == "with_balance_shaft" else "v2-90"
+    place = tmp_path / f"{own}.toml"
+    engine = crankstar.load(own)
+    place.write_text(crankstar.files.toml(engine), encoding="utf-8")
+    results = [repr(function(given, **more)) for given in (own, engine, place, str(place))]
+    assert results[0] == results[1]
+    assert len(results[2]) > 0
+    assert results[2] == results[3]
+
+
+@pytest.mark.parametrize("name", [name for name in of_engines() if name not in OWN])
+@pytest.mark.parametrize("given", [None, 5, {"name": "i4"}, b"i4"])
+def test_what_is_no_engine_is_refused_with_what_to_give(name: str, given: Any) -> None:
+    with pytest.raises(TypeError, match=f"^{name} takes an Engine, a name of the catalog or the "):
+        getattr(crankstar, name)(given, **MORE.get(name, {}))
+
+
+def of(argument: str) -> list[str]:
+    return [
+        name
+        for name in of_engines()
+        if name not in OWN and argument in inspect.signature(getattr(crankstar, name)).parameters
+    ]
+
+
+@pytest.mark.parametrize("name", of("speed"))
+def test_a_speed_as_text_is_the_number_in_rad_per_second(name: str, tmp_path: Path) -> None:
+    function, more = getattr(crankstar, name), MORE.get(name, {})
+    place = tmp_path / "mine.toml"
+    place.write_text(SHORT, encoding="utf-8")
+    given = (200 * math.pi, "100 Hz")
+    number, text = (repr(function(place, speed=speed, **more)) for speed in given)
+    assert number == text
+    if name != "derivation":  # whose forms are the same at every speed
+        assert number != repr(function(place, speed="50 Hz", **more))
+
+
+@pytest.mark.parametrize("name", of("speed"))
+@pytest.mark.parametrize(
+    ("speed", "kind", "why"),
+    [
+        (6000, ValueError, 'write speed="6000 rpm"'),
+        ("6000", ValueError, "a number without a unit"),
+        ("6000 kg", ValueError, "a rotational speed is needed"),
+        (0, ValueError, "greater than 0"),
+        (math.nan, ValueError, "greater than 0"),
+        ([6000], TypeError, "a number in rad/s or text"),
+        (True, TypeError, "a number in rad/s or text"),
+    ],
+)
+def test_a_speed_in_rpm_or_without_unit_is_refused(
+    name: str, speed: Any, kind: type[Exception], why: str
+) -> None:
+    with pytest.raises(kind) as refused:
+        getattr(crankstar, name)("i4", speed=speed, **MORE.get(name, {}))
+    assert why in str(refused.value)
+
+
+@pytest.mark.parametrize("name", of("reference"))
+def test_a_point_as_text_is_the_point(name: str, tmp_path: Path) -> None:
+    function, more = getattr(crankstar, name), MORE.get(name, {})
+    place = tmp_path / "mine.toml"
+    place.write_text(SHORT, encoding="utf-8")
+    point = Reference(-0.12, 0.0, 0.0)
+    given = (point, "-120 mm", "-120 mm, 0 mm, 0 mm", -0.12)
+    results = {repr(function(place, reference=reference, **more)) for reference in given}
+    assert len(results) == 1
+    with pytest.raises(ValueError, match=r"^reference"):
+        function(place, reference="here", **more)
+    with pytest.raises(TypeError, match=r"^reference takes a crankstar\.Reference"):
+        function(place, reference=[1, 2], **more)
+
+
+def test_equal_engines_have_equal_hashes() -> None:
+    first, again = crankstar.load("i4"), crankstar.load("i4")
+    assert hash(first) == hash(again)
+    assert len({first, again, crankstar.load("i6")}) == 2
