@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 from math import pi, sin
+from typing import Any
 
 import numpy as np
 import pytest
@@ -21,7 +22,7 @@ THETA = 0.7
 @pytest.mark.parametrize("name", NAMES)
 def test_a_gltf_file_has_every_part_at_its_place(name: str) -> None:
     engine = load(name)
-    read = trimesh.load(io.BytesIO(glb_bytes(engine, theta=THETA)), file_type="glb")
+    read: Any = trimesh.load(io.BytesIO(glb_bytes(engine, theta=THETA)), file_type="glb")
     count = len(engine.shafts) + 2 * len(engine.cylinders)
     assert len(read.graph.nodes_geometry) == count
     for cylinder, shown in zip(engine.cylinders, scene(engine).cylinders, strict=True):

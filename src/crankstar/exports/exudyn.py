@@ -81,7 +81,7 @@ def exudyn_script(
         head += ["", *(f"# {line}" for line in wrap(MEANINGS[name], 96)), f"{name} = ["]
         head += [line for row in rows for line in _written(row)]
         head.append("]")
-    model = files(__package__).joinpath("multibody.txt").read_text("utf-8")
+    model = files("crankstar.exports").joinpath("multibody.txt").read_text("utf-8")
     return "\n".join(head) + "\n\n" + model
 
 

@@ -57,7 +57,8 @@ def glb_bytes(engine: Engine, *, theta: float = 0.0) -> bytes:
     for solid in solids(engine, theta=theta):
         mesh = trimesh.util.concatenate(solid.meshes)
         whole.add_geometry(mesh, node_name=solid.name, geom_name=solid.name, transform=solid.frame)
-    return bytes(whole.export(file_type="glb"))
+    content: Any = whole.export(file_type="glb")
+    return bytes(content)
 
 
 def stl_bytes(engine: Engine, *, theta: float = 0.0) -> bytes:
@@ -69,7 +70,8 @@ def stl_bytes(engine: Engine, *, theta: float = 0.0) -> bytes:
         for solid in solids(engine, theta=theta)
         for mesh in solid.meshes
     ]
-    return bytes(trimesh.util.concatenate(placed).apply_scale(MILLIMETRES).export(file_type="stl"))
+    content: Any = trimesh.util.concatenate(placed).apply_scale(MILLIMETRES).export(file_type="stl")
+    return bytes(content)
 
 
 def _turn(engine: Engine, shaft: ShaftShown, theta: float) -> float:
@@ -195,7 +197,7 @@ def _walls(ring: np.ndarray, after: np.ndarray, count: int) -> list[tuple[int, .
     return [*first, *zip(after, ring + count, after + count, strict=True)]
 
 
-def _mesh(points: Sequence[complex], z: Sequence[float], faces: Sequence[Sequence[int]]) -> Any:
+def _mesh(points: Sequence[complex], z: Sequence[float], faces: Sequence[Any]) -> Any:
     """A closed mesh, its faces outward."""
     import trimesh
 

@@ -195,7 +195,7 @@ class _Reading:
     def _unknown(self, title: str, known: Sequence[Path]) -> None:
         names = [".".join((MAIN, *map(str, path))) for path in known]
         near = get_close_matches(title, names, 1, 0.8)
-        values = {"sheet": one_line(title, longest=40)}
+        values: dict[str, Any] = {"sheet": one_line(title, longest=40)}
         if near:
             self._fault("sheet.unknown-near", meant=near[0], **values)
         else:
@@ -318,7 +318,7 @@ class _Reading:
             place, home = self._home(row, outer, inside)
             if home is None:
                 continue
-            way = path[len(outer[-1]) if outer else 0 :]
+            way = [str(key) for key in path[len(outer[-1]) if outer else 0 :]]
             for key in way[:-1]:
                 home = home.setdefault(key, {})
             rows = home.setdefault(way[-1], [])
