@@ -75,8 +75,8 @@ SECTIONS: dict[type[Record], str] = {
 """Where the page describes the tables that other tables hold."""
 
 MARK = re.compile(
-    r"^<!-- (keys|options|figure|sources|errata|sinitsyn|kr250|orders|plot|search|glossary|"
-    r"commands): ?([^\n]*?) ?-->$(?:(?:(?!^<!-- ).)*?^<!-- end -->$)?",
+    r"^<!-- (keys|options|figure|sources|errata|sinitsyn|kr250|orders|estimate|plot|search|"
+    r"glossary|commands): ?([^\n]*?) ?-->$(?:(?:(?!^<!-- ).)*?^<!-- end -->$)?",
     re.MULTILINE | re.DOTALL,
 )
 """A marker, with what `docs/tables.py` has put between it and its end for readers of the text."""
@@ -114,6 +114,7 @@ def made(kind: str, argument: str) -> str:
         "errata": errata,
         "sinitsyn": sinitsyn,
         "kr250": kr250,
+        "estimate": estimate,
         "orders": orders,
         "plot": plot,
         "search": search,
@@ -259,6 +260,12 @@ def errata(source: str) -> str:
 def sinitsyn(part: str) -> str:
     """A part of the page on Sinitsyn's engines, made by the script beside this one."""
     return run_path(str(HERE / "sinitsyn_page.py"))["page"](part)
+
+
+@lru_cache
+def estimate(part: str) -> str:
+    """A part of the page on estimates, made by the script beside this one."""
+    return run_path(str(HERE / "estimate_page.py"))["page"](part)
 
 
 @lru_cache

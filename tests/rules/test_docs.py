@@ -275,6 +275,7 @@ def test_no_page_is_empty_where_the_program_fills_it(page: Path) -> None:
 NO_TERMS = {
     *("", "engine", "engines", "unverified values", "part", "name", "row", "cranks"),
     *("quantity", "unit", "before", "now", "removes", "left", "order"),
+    *("value", "typical", "low", "high", "source", "estimated", "moves_with", "estimated values"),
     *("{quantity}, order {order}", "{quantity}, resultant", "cylinders"),
     "all orders together at these crank angles",
     "shafts, throws and weights",

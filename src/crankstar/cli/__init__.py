@@ -8,6 +8,7 @@
 | `application` | how a command line is read, and how the process ends |
 | `tabulating` | a Document as tables, JSON, CSV, a spreadsheet or Parquet |
 | `inspect` | list, show, analyze, compare, verdict, strokes |
+| `estimating` | estimate |
 | `deriving` | derive, errata |
 | `firing` | orders, vees |
 | `search_options` | the options of search |
@@ -25,6 +26,7 @@
 from crankstar.cli import (
     balancing,
     deriving,
+    estimating,
     exporting,
     files,
     firing,
@@ -42,6 +44,7 @@ __all__ = [
     "app",
     "balancing",
     "deriving",
+    "estimating",
     "exporting",
     "files",
     "firing",

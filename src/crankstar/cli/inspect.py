@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 from crankstar.cli.application import app
 from crankstar.cli.options import (
     Csv,
     EngineName,
+    Estimating,
     Json,
     Orders,
     Output,
@@ -18,9 +20,9 @@ from crankstar.cli.options import (
     Speed,
     Theta,
     command_text,
-    engine_and_speed,
     engine_tree,
     loaded_engine,
+    loaded_values,
     option,
     together,
 )
@@ -31,6 +33,10 @@ from crankstar.language.quoting import one_line
 from crankstar.options import values as request
 from crankstar.options.forms import TABLES, form_of
 from crankstar.options.values import RequestError
+
+if TYPE_CHECKING:
+    from crankstar.engine.engine import Engine
+    from crankstar.tables.table import Document
 
 
 @app.command(name="list")
@@ -84,6 +90,7 @@ def analyze(
     orders: Orders = None,
     reference: ReferencePoint = None,
     settings: Settings = None,
+    estimate: Estimating = False,
     theta: Theta = None,
     by: Annotated[str | None, option("--by")] = None,
     json: Json = False,
@@ -95,33 +102,46 @@ def analyze(
     from crankstar.tables import analysis as tables
     from crankstar.tables.amplitudes import amplitudes
     from crankstar.tables.balance_orders import answer
+    from crankstar.tables.ranges import ranged
 
     form = form_of(output, TABLES, json=json, csv=csv)
     rows: tuple[Any, ...] = ()
     if form not in ("txt", "xlsx"):
         unused = {"--theta": theta, "--by": by if form == "json" else None}
         request.refuse_unused(unused, beside=f"--{form}")
-    loaded, turning = engine_and_speed(engine, settings, speed)
+    (loaded, spread), turning = together(
+        partial(loaded_values, engine, settings, estimate=estimate), partial(request.speed, speed)
+    )
     point = request.reference(reference, loaded)
     if form != "txt":
-        result = balance(
-            loaded, speed=loaded.speed if turning is None else turning, reference=point
-        )
-        wanted = request.orders(orders, result.force.orders.tolist())
-        if form != "json":
-            document = amplitudes(loaded, result, orders=wanted, by=request.grouping(by))
-        else:
-            document = answer(loaded, result, orders=wanted)
+        first = balance(loaded, reference=point)
+        picked = request.orders(orders, first.force.orders.tolist())
+        shares = request.grouping(by) if form != "json" else None
+
+        def numbers(each: Engine) -> Document:
+            at = each.speed if turning is None else turning
+            result = balance(each, speed=at, reference=request.reference(reference, each))
+            if form != "json":
+                return amplitudes(each, result, orders=picked, by=shares)
+            return answer(each, result, orders=picked)
+
+        document = ranged(numbers, spread, loaded)
         if form != "xlsx":
             give(document, output, form=form)
             return
-        rows = document.parts
+        rows = tuple(document.tables)
     shown = tables.analysis(loaded, speed=turning, reference=point)
-    shown = shown.of(request.orders(orders, shown.normalised.force.orders.tolist()) or ())
+    wanted = request.orders(orders, shown.normalised.force.orders.tolist()) or ()
     angles, grouping = request.angles(theta), request.grouping(by)
-    document = tables.document(shown, angles=angles, by=grouping)
+
+    def sheet(each: Engine) -> Document:
+        point = request.reference(reference, each)
+        shown = tables.analysis(each, speed=turning, reference=point).of(wanted)
+        return tables.document(shown, angles=angles, by=grouping)
+
+    document = ranged(sheet, spread, loaded)
     if form == "xlsx":
-        tree = engine_tree(engine, settings, loaded)
+        tree = engine_tree(engine, settings, loaded, estimate=estimate)
         give(replace(document, parts=(*document.parts, *rows)), output, form=form, tree=tree)
     else:
         display(document, output)
@@ -141,49 +161,75 @@ def compare(
     ] = None,
     json: Json = False,
     csv: Csv = False,
+    estimate: Estimating = False,
     output: Output = None,
 ) -> None:
     """Compare engines side by side: force, couple, roll and torque, absolute and relative."""
     from crankstar.tables import comparison as tables
     from crankstar.tables.analysis import analysis
+    from crankstar.tables.ranges import ranged_side_by_side
 
     form = form_of(output, TABLES, json=json, csv=csv)
     names = (first, second, *others)
     turning, changes = together(
         partial(request.speed, speed), partial(request.settings_of_each, settings, len(names))
     )
-    engines = together(*map(partial(partial, loaded_engine), names, changes))
-    shown = [
-        analysis(engine, speed=turning, reference=request.reference(reference, engine))
-        for engine in engines
-    ]
-    wanted = request.orders(orders, shown[0].normalised.force.orders.tolist()) or ()
-    shown = [analysed.of(wanted) for analysed in shown]
+    loaded = together(
+        *(
+            partial(loaded_values, name, own, estimate=estimate)
+            for name, own in zip(names, changes, strict=True)
+        )
+    )
+    engines = [each.engine for each in loaded]
+    whole = analysis(engines[0], speed=turning)
+    wanted = request.orders(orders, whole.normalised.force.orders.tolist()) or ()
     own = tables.told_apart(
         [engine.name for engine in engines],
         [request.named(name) for name in names],
         [", ".join(texts) for texts in changes],
     )
     made = tables.comparison if form in ("txt", "xlsx") else tables.answer
-    give(made(shown, own), output, form=form)
+
+    def sheet(each: Sequence[Engine]) -> Document:
+        shown = [
+            analysis(engine, speed=turning, reference=request.reference(reference, engine))
+            for engine in each
+        ]
+        return made([analysed.of(wanted) for analysed in shown], own)
+
+    document = ranged_side_by_side(sheet, [each.spread for each in loaded], engines)
+    give(tables.with_shares(document, len(engines)), output, form=form)
 
 
 @app.command
 def verdict(
-    engine: EngineName, /, *, speed: Speed = None, settings: Settings = None, output: Output = None
+    engine: EngineName,
+    /,
+    *,
+    speed: Speed = None,
+    settings: Settings = None,
+    estimate: Estimating = False,
+    output: Output = None,
 ) -> None:
     """State in short sentences which orders balance, which remain, and what would cure them."""
     from crankstar.remedy.fitting import recommended
     from crankstar.tables import verdict as tables
+    from crankstar.tables.ranges import ranged
     from crankstar.tables.table import remarks
 
-    loaded, turning = engine_and_speed(engine, settings, speed)
-    facts = tables.verdict(loaded, speed=turning)
-    document = tables.verdict_document(loaded, facts)
+    (loaded, spread), turning = together(
+        partial(loaded_values, engine, settings, estimate=estimate), partial(request.speed, speed)
+    )
+    document = ranged(
+        lambda each: tables.verdict_document(each, tables.verdict(each, speed=turning)),
+        spread,
+        loaded,
+    )
     if recommended(loaded) is not None:
         how = _(
             "To fit the recommended remedy and see what remains: {command}",
-            command=f"{command_text('balance', engine, {'--set': settings})} --recommended",
+            command=f"{command_text('balance', engine, {'--set': settings})}"
+            f"{' --estimate' if estimate else ''} --recommended",
         )
         document = replace(document, parts=(*document.parts, *remarks(how)))
     give(document, output, form=form_of(output, ("txt", "xlsx")))

@@ -8,13 +8,15 @@ from __future__ import annotations
 import shlex
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
-from typing import Annotated, Any
+from typing import Annotated, Any, NamedTuple
 
 from cyclopts import Parameter, Token
 
 from crankstar.engine.engine import Engine
 from crankstar.files import EngineFileError, changed, engine_of
+from crankstar.files.box import Spread, spread
 from crankstar.files.catalog import load, tree_of
+from crankstar.files.changes import throw_angles
 from crankstar.language.quoting import seen
 from crankstar.options import values as request
 from crankstar.options.values import RequestError
@@ -57,6 +59,7 @@ Theta = Annotated[str | None, option("--theta", "Also the sum of all orders ther
 Beside = Annotated[list[str] | None, option("--beside")]
 Output = Annotated[str | None, option("--output", "Default: standard output.")]
 Settings = Annotated[list[str] | None, option("--set")]
+Estimating = Annotated[bool, option("--estimate")]
 Json = Annotated[bool, option("--json")]
 Csv = Annotated[bool, option("--csv")]
 
@@ -83,6 +86,36 @@ def engine_and_speed(
         partial(loaded_engine, name, settings), partial(request.speed, speed)
     )
     return engine, turning
+
+
+class Loaded(NamedTuple):
+    """An engine, and its Spread where some of its values are estimated."""
+
+    engine: Engine
+    spread: Spread | None
+
+
+def loaded_values(name: str, settings: list[str] | None, *, estimate: bool) -> Loaded:
+    """The engine of a name or file with the values of --set, and with --estimate completed."""
+    shown, tree, turned = estimated_tree(name, settings, estimate=estimate)
+    ends = spread(tree, name=shown, changes=turned)
+    engine = engine_of(tree, name=shown, changes=turned) if ends is None else ends.engine
+    return Loaded(engine, ends)
+
+
+def estimated_tree(
+    name: str, settings: list[str] | None, *, estimate: bool
+) -> tuple[str, dict[str, Any], dict[str, Any]]:
+    """Name and tree of a file with the values of --set, but for angles of throws, which follow."""
+    changes = request.settings(settings)
+    turned = {path: changes[path] for path in throw_angles(changes)}
+    shown, tree = tree_of(name)
+    tree = changed(tree, {k: v for k, v in changes.items() if k not in turned}, name=shown)
+    if estimate:
+        from crankstar.files.estimate import estimated
+
+        tree = estimated(tree, name=shown).tree
+    return shown, tree, turned
 
 
 def loaded_engine(name: str, settings: list[str] | None) -> Engine:
@@ -125,11 +158,14 @@ def engine_text(engine: Engine, tree: Mapping[str, Any] | None = None) -> str:
     return content
 
 
-def engine_tree(name: str, settings: Sequence[str] | None, engine: Engine) -> dict[str, Any]:
+def engine_tree(
+    name: str, settings: Sequence[str] | None, engine: Engine, *, estimate: bool = False
+) -> dict[str, Any]:
     """The tree of an engine: that of its file, or the explicit form where values were set."""
     from crankstar.files import STANDARD_INPUT, explicit
 
-    return explicit(engine) if settings or name == STANDARD_INPUT else tree_of(name)[1]
+    as_read = not (settings or estimate or name == STANDARD_INPUT)
+    return tree_of(name)[1] if as_read else explicit(engine)
 
 
 def write_engine(engine: Engine, tree: Mapping[str, Any], place: str) -> None:

@@ -18,4 +18,6 @@
 | `arrangement` | cylinder places to an Engine: sizes, pins, counterweights |
 | `banks` | banks of cylinders and cranks as an engine file gives them |
 | `layouts` | in-line, vee, boxer, radial, tandem, opposed pistons |
+| `weighed` | engines whose masses are published |
+| `proportions` | masses and lengths that an engine of a type usually has |
 """

@@ -98,6 +98,9 @@ BendingStiffness = Annotated[
 ]
 BearingStiffness = Annotated[Number, Field(gt=0), Quantity("stiffness", "500 kN/mm", _ALONG)]
 Speed = Annotated[Number, Field(gt=0), SPEED]
+VOLUME = Quantity("volume", "1998 cm^3", least=1e-9)
+ShareOfValue = Annotated[Number, Field(gt=0, le=100)]
+"""A multiple of a value."""
 Ordinal = Annotated[int, Field(strict=True, ge=1, le=10_000)]
 
 
@@ -161,4 +164,4 @@ SpeedRatio = Annotated[
 Cycle = Literal["two-stroke", "four-stroke"]
 Rotation = Literal["clockwise", "counter-clockwise"]
 Unknown = Literal["mass", "radius", "pitch"]
-Status = Literal["published", "computed", "unverified", "placeholder"]
+Status = Literal["published", "computed", "unverified", "placeholder", "estimated"]

@@ -28,6 +28,7 @@ from crankstar.engine.quantities import (
     Ordinal,
     Position,
     Rotation,
+    ShareOfValue,
     Size,
     Speed,
     SpeedRatio,
@@ -318,15 +319,37 @@ class Block(Record):
         return self.inertia_up, self.inertia_right, self.inertia_z
 
 
+def _numbers(value: Any) -> Any:
+    """A list from the cell of a spreadsheet, numbers with commas or semicolons; others as given."""
+    if not isinstance(value, str):
+        return value
+    try:
+        return tuple(float(part) for part in value.replace(";", ",").split(","))
+    except ValueError:
+        return value
+
+
 class Provenance(Record):
     """Where a value of an engine file comes from."""
 
     status: Status = Field(
         description=(
-            "published: read in a source; computed; unverified: from memory; placeholder: a guess"
+            "published: read in a source; computed; unverified: from memory; placeholder: a "
+            "guess; estimated: by proportions of such engines (`crankstar estimate`)"
         )
     )
     source: Text = Field(default="", description="where it was read, or how it was computed")
+    range: Annotated[tuple[ShareOfValue, ShareOfValue] | None, BeforeValidator(_numbers)] = Field(
+        default=None,
+        examples=[[0.8, 1.25]],
+        description=(
+            "of an estimated value: the lowest and the highest it may be, as multiples of it"
+        ),
+    )
+    moves_with: Line | None = Field(
+        default=None,
+        description="the estimated key with which it rises and falls; by itself if left out",
+    )
 
 
 def _no_switch(value: Any) -> Any:

@@ -11,6 +11,8 @@
 | `source` | a file to its text and its tree of keys |
 | `changes` | values of a tree set by key path |
 | `read` | a tree of keys to an Engine, with every fault at once |
+| `box` | the ranges of estimated values, and engines at their ends |
+| `estimate` | masses and lengths that a file leaves out |
 | `write` | Engines to TOML, the JSON Schema |
 | `rewritten` | a changed engine in the form of the file it came from |
 | `starters` | commented files to begin with |

@@ -61,8 +61,23 @@ def changed(tree: Tree, changes: Mapping[str, Any], *, name: str = "the engine")
                 table[key] = value
             else:
                 table = table[key] if isinstance(key, int) else table.setdefault(key, {})
-    bounded(out, name)
+    out = bounded(_without_estimates(out, changes), name)
     return tree.without(map(keys_of, changes), out) if isinstance(tree, SpreadsheetTree) else out
+
+
+def _without_estimates(tree: Tree, changes: Mapping[str, Any]) -> Tree:
+    """The tree without the source of what was estimated before it was set."""
+    sources = tree.get("provenance")
+    if not isinstance(sources, dict):
+        return tree
+    kept = {
+        path: source
+        for path, source in sources.items()
+        if not (
+            path in changes and isinstance(source, dict) and source.get("status") == "estimated"
+        )
+    }
+    return tree if len(kept) == len(sources) else {**tree, "provenance": kept}
 
 
 def keys_of(path: str) -> list[str | int]:

@@ -75,7 +75,10 @@ def sheets_of(tree: Mapping[str, Any], *, blank: bool = False) -> list[Sheet]:
         every.append(_table(form, path, rows, blank=blank, numbered=holds))
     if sources:
         heads = ["key", *dict.fromkeys(name for source in sources.values() for name in source)]
-        rows = [[key, *map(source.get, heads[1:])] for key, source in sources.items()]
+        rows = [
+            [key, *(_cell(source.get(head), measured=False)[0] for head in heads[1:])]
+            for key, source in sources.items()
+        ]
         every.append(Sheet(f"{MAIN}.{SOURCES}", tuple(heads), rows))
     return every
 

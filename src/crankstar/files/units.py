@@ -41,6 +41,7 @@ _KINDS = {
     "moment of inertia": _Kind("kilogram*metre^2", "kg*m^2", 100.0, 1e7),
     "unbalance": _Kind("kilogram*metre", "kg*m", 100.0, 1e7),
     "rotational speed": _Kind("radian/second", "rad/s", 0.0, 2e4),
+    "volume": _Kind("metre^3", "m^3", 0.0, 100.0),
     "force": _Kind("newton", "N", 1e12, 1e12),
     "couple": _Kind("newton*metre", "N m", 1e12, 1e12),
     "stiffness": _Kind("newton/metre", "N/m", 1e13, 1e13),
@@ -48,7 +49,6 @@ _KINDS = {
 }
 _OTHERS = {
     "area": "metre^2",
-    "volume": "metre^3",
     "time": "second",
     "speed along a line": "metre/second",
     "acceleration": "metre/second^2",
@@ -63,6 +63,7 @@ _SHOWN = {
     "moment of inertia": (1.0, "kg*m^2"),
     "unbalance": (1.0, "kg*m"),
     "rotational speed": (9.549296585513721, "rpm"),
+    "volume": (1e6, "cm^3"),
     "force": (1.0, "N"),
     "couple": (1.0, "N m"),
     "stiffness": (1.0, "N/m"),
@@ -182,6 +183,11 @@ def _factor(unit: str, value: str, quantity: Quantity) -> float:
     return unit_given.factor
 
 
+def si_unit(quantity: Quantity) -> str:
+    """The SI unit of a quantity, as in "kg*m^2"."""
+    return _KINDS[quantity.dimension].short
+
+
 def text(number: float, quantity: Quantity, *, digits: int = 15) -> str:
     """An SI number as text with the unit a reader expects.
 
@@ -193,5 +199,5 @@ def text(number: float, quantity: Quantity, *, digits: int = 15) -> str:
     factor, unit = _SHOWN[quantity.dimension]
     if quantity.dimension == "mass" and 0 < abs(number) < 1:
         factor, unit = 1000.0, "g"
-    shown = f"{number * factor:.{digits}g}"
-    return f"{shown} {unit}"
+    rounded = float(f"{number * factor:.{digits}g}")
+    return f"{rounded:.15g} {unit}"

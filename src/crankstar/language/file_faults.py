@@ -233,6 +233,22 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} has {size} entries, and the file more than {greatest} values; no engine needs so "
         "many"
     ),
+    "file.nothing-to-estimate-from": N_(
+        "there is no bore, stroke or displacement to estimate masses from; give one, such as "
+        '--set cylinder.bore="86 mm" or, with `crankstar estimate`, --displacement "2 l"'
+    ),
+    "file.displacement-and-sizes": N_(
+        "the file gives a bore or a stroke, which the displacement would contradict; leave "
+        "--displacement out"
+    ),
+    "file.no-proportions": N_(
+        "no masses of engines of type {kind} have been published to estimate from; give "
+        'cylinder.reciprocating_mass, such as --set cylinder.reciprocating_mass="5500 kg", or '
+        "another --type"
+    ),
+    "file.too-many-ranges": N_(
+        "{count} estimated values with a range are given; {greatest} are the most"
+    ),
     "set.in-list": N_(
         "{where} cannot be set; {whole} is a list of {size}; name one of them by its place, as in "
         "[1], or give all of it"

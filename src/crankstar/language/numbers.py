@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 from math import degrees
 
 import numpy as np
@@ -11,14 +14,41 @@ NEGLIGIBLE = 1e-9
 """A number smaller than this share of the largest beside it is written as 0."""
 
 
+_KEPT: ContextVar[bool] = ContextVar("values kept", default=False)
+OPENING, MIDDLE, CLOSING = "\ue000", "\ue001", "\ue002"
+"""Around the value and the writing of a number whose value is kept; no text of a file has them."""
+
+
+@contextmanager
+def values_kept() -> Iterator[None]:
+    """Have every number in a sentence carry its value, for one that states a range in its place.
+
+    >>> with values_kept():
+    ...     number(0.5) == f"{OPENING}0.5{MIDDLE}0.5{CLOSING}"
+    True
+    """
+    before = _KEPT.set(True)
+    try:
+        yield
+    finally:
+        _KEPT.reset(before)
+
+
+def are_kept() -> bool:
+    """Whether numbers carry their values, so that one unit has to do for all of a range."""
+    return _KEPT.get()
+
+
 def number(value: float, largest: float = 0.0, *, digits: int = 5) -> str:
     """A number to five figures, if possible without an exponent; 0 if negligible to `largest`."""
     value = float(value)
     if abs(value) <= NEGLIGIBLE * largest or value == 0:
-        return "0"
-    if 1e5 <= abs(value) < 1e9:
-        return f"{value:.0f}"
-    return f"{value:.{digits}g}"
+        value, text = 0.0, "0"
+    elif 1e5 <= abs(value) < 1e9:
+        text = f"{value:.0f}"
+    else:
+        text = f"{value:.{digits}g}"
+    return f"{OPENING}{value!r}{MIDDLE}{text}{CLOSING}" if _KEPT.get() else text
 
 
 def duration(seconds: float) -> str:

@@ -13,7 +13,7 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from crankstar.language.messages import N_, MessageError, _
-from crankstar.language.numbers import number, unit_text
+from crankstar.language.numbers import are_kept, number, unit_text
 from crankstar.language.quoting import seen
 from crankstar.language.units import as_weight, measured, spelt
 
@@ -215,7 +215,7 @@ def shown(unit: str, largest: float, *, prefixed: bool = True) -> Shown:
     """
     name, relative = dimension(unit)
     chosen = choice().get(name)
-    if not name or not (chosen or prefixed):
+    if not name or not (chosen or (prefixed and not are_kept())):
         return Shown(unit, 1.0)
     own = unit.removesuffix(f"*{relative}") if relative else unit
     wanted = chosen or _prefixed(own, largest, PREFIXED[name])

@@ -28,6 +28,8 @@ milligram = 1e-6 * kilogram = mg
 tonne = 1000 * kilogram = t
 pound = 0.45359237 * kilogram = lb = lbs
 ounce = 0.028349523125 * kilogram = oz
+litre = 0.001 * metre^3 = l = L = liter
+cc = 1e-6 * metre^3
 minute = 60 * second = min
 rpm = 0.10471975511965977 * radian / second
 hertz = 6.283185307179586 * radian / second = Hz

@@ -73,7 +73,18 @@ OPTIONS = {
         ("--two-stroke", "--four-stroke", "--strokes"),
     ),
     "--cylinders": Option("whole number", "Only engines with this number of cylinders."),
+    "--displacement": Option(
+        "text",
+        'Displacement of the whole engine, such as "1998 cc", for a file without sizes.',
+        ("--capacity", "--volume"),
+    ),
     "--dpi": Option("number", "Dots of a PNG per inch (default: 192).", ("--resolution", "--ppi")),
+    "--estimate": Option(
+        "nothing",
+        "Estimate masses and lengths that the file leaves out, as `crankstar estimate` does; "
+        "results have ranges.",
+        ("--guess", "--assume"),
+    ),
     "--explicit": Option("nothing", "Print a complete engine file in the explicit form."),
     "--factor": Option(
         "text",
@@ -274,6 +285,12 @@ OPTIONS = {
         "0.0001 deg).",
     ),
     "--top": Option("whole number", "Number of rows to print; --csv and --json have all."),
+    "--type": Option(
+        "text",
+        "Type of engine: petrol, diesel-car, diesel, motorcycle, aero or crosshead (default: by "
+        "bore, cycle, layout and speed).",
+        ("--kind", "--class"),
+    ),
     "--uneven": Option(
         "text",
         "Refine the throw angles of --row, with firing intervals within so many degrees of even "

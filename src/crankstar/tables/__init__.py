@@ -10,6 +10,8 @@
 | `machine` | a Document as JSON, a Table as CSV |
 | `spreadsheet` | a Document as a spreadsheet (.xlsx) |
 | `arrow` | a Table as an Apache Arrow table |
+| `ranges` | analyses of estimated engines: each number with its range |
+| `estimates` | what `estimate` fills in |
 | `headings` | an engine's lines: cycle, cylinders, rotation, firing order |
 | `scales` | the units in which an engine is written |
 | `conditions` | speed, units and point of reference of an analysis |

@@ -61,4 +61,5 @@ def amplitudes(
 
 def _column(name: str) -> Column:
     kind: Kind = "unit" if name == "unit" else "text" if name in TEXTS else "number"
-    return Column(name, ROW_UNIT if name == "amplitude" else "", kind=kind, key=name)
+    unit = ROW_UNIT if name == "amplitude" else ""
+    return Column(name, unit, kind=kind, key=name, label=name in (*TEXTS, "order"))

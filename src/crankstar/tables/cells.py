@@ -7,7 +7,7 @@ from typing import Any
 
 from crankstar.language.messages import _
 from crankstar.language.numbers import number, unit_text, wave
-from crankstar.tables.table import ROW_UNIT, Column, Table, Value
+from crankstar.tables.table import ROW_UNIT, Column, Ranged, Table, Value
 
 
 def cell(column: Column, value: Value) -> str:
@@ -26,9 +26,37 @@ def cell(column: Column, value: Value) -> str:
         return unit_text(value) if column.kind == "unit" else value
     if isinstance(value, tuple):
         return _row(column, value)
+    if isinstance(value, Ranged):
+        return ranged_text(value)
     if isinstance(value, complex):
         return wave(value)
     return f"{value:,}" if isinstance(value, int) else number(value, digits=column.digits)
+
+
+ROUGH = 3
+"""Figures of a value that rests on estimates."""
+
+
+def ranged_text(value: Ranged) -> str:
+    """A value with its range; of a wave the amplitude has one.
+
+    >>> ranged_text(Ranged(1234.5, 900.0, 1600.0)), ranged_text(Ranged(2j, 1.5, 2.5))
+    ('1230 (900 to 1600)', '2 (1.5 to 2.5) ∠ 90°')
+    """
+    size = abs(value.value) if isinstance(value.value, complex) else value.value
+    typical, low, high = (rough(number) for number in (size, value.low, value.high))
+    text = _("{typical} ({low} to {high})", typical=typical, low=low, high=high)
+    written = wave(value.value) if isinstance(value.value, complex) else ""
+    return f"{text} ∠ {written.partition('∠ ')[2]}" if "∠" in written else text
+
+
+def rough(value: float) -> str:
+    """A number that rests on estimates.
+
+    >>> rough(1234.5), rough(0.0123456), rough(123456)
+    ('1230', '0.0123', '123000')
+    """
+    return number(float(f"{value:.{ROUGH}g}"))
 
 
 def _row(column: Column, values: Sequence[Any]) -> str:
@@ -51,7 +79,10 @@ def heading(column: Column) -> tuple[str, str]:
     ('couple', '[m r ω² a]')
     """
     unit = "" if column.unit == ROW_UNIT else unit_text(column.unit)
-    return column.heading, f"[{unit}]" if unit else ""
+    words = column.heading
+    if column.estimated:
+        words = _("{heading} (estimated)", heading=words).strip()
+    return words, f"[{unit}]" if unit else ""
 
 
 def head(column: Column) -> str:

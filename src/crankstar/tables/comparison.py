@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from math import pi
 from typing import NamedTuple
 
@@ -17,10 +18,13 @@ from crankstar.mechanics.remains import Sums, size, summed
 from crankstar.tables.analysis import QUANTITIES, Analysis, analysis, none_line, sums_size
 from crankstar.tables.conditions import unverified
 from crankstar.tables.headings import firing_text
-from crankstar.tables.table import ROW_UNIT, Column, Document, Table, Value
+from crankstar.tables.table import ROW_UNIT, Column, Document, Ranged, Table, Value
 
 PLANE = ("force", "couple")
 """Vectors across the crankshaft; the others turn about it."""
+
+GREATEST = 4
+"""The column of the greatest value in the table for machines."""
 
 
 def told_apart(names: Sequence[str], *marks: Sequence[str]) -> list[str]:
@@ -117,6 +121,54 @@ def _share(value: float, first: float) -> float | None:
     return 100 * value / first if first else None
 
 
+def with_shares(document: Document, count: int) -> Document:
+    """The comparison of `count` engines with the shares that follow from ranges, if it has any.
+
+    The ranges of two engines are independent: the least share is the least over the greatest. Where
+    the first may be nought there is none.
+    """
+    parts = [
+        _with_shares(part, count) if isinstance(part, Table) and part.key else part
+        for part in document.parts
+    ]
+    return replace(document, parts=tuple(parts))
+
+
+def _with_shares(table: Table, count: int) -> Table:
+    flat = table.key == "amplitudes"
+    if not any(isinstance(cell, Ranged) for row in table.rows for cell in row):
+        return table
+    rows: list[tuple[Value, ...]] = []
+    for place, row in enumerate(table.rows):
+        if flat:
+            first = table.rows[place - place % count][GREATEST]
+            share = _ranged_share(row[GREATEST], first, 1) if place % count else row[-1]
+            rows.append((*row[:-1], share))
+        else:
+            shares = (_ranged_share(cell, row[1], 100) for cell in row[2 : count + 1])
+            rows.append((*row[: count + 1], *shares))
+    columns = [
+        replace(column, estimated=any(isinstance(row[place], Ranged) for row in rows))
+        for place, column in enumerate(table.columns)
+    ]
+    return replace(table, columns=tuple(columns), rows=tuple(rows))
+
+
+def _ranged_share(value: Value, first: Value, whole: float) -> Value:
+    """Value over first, in ranges where these have any; None without one."""
+    sizes = [
+        (abs(each.value), each.low, each.high) if isinstance(each, Ranged) else (each, each, each)
+        for each in (value, first)
+        if isinstance(each, Ranged | int | float)
+    ]
+    if len(sizes) < 2 or not sizes[1][1]:
+        return None
+    (size, low, high), (base, least, most) = sizes
+    if not (isinstance(value, Ranged) or isinstance(first, Ranged)):
+        return whole * size / base
+    return Ranged(whole * size / base, whole * low / most, whole * high / least)
+
+
 def _quantity(name: str, compared: _Compared) -> Table:
     *orders, (_whole, peaks) = _sizes(name, compared)
     rows = [(number(order or 0.0), cells) for order, cells in orders if any(cells)]
@@ -159,9 +211,9 @@ def answer(shown: Sequence[Analysis], names: Sequence[str] | None = None) -> Doc
     """
     compared = _compared(shown, names)
     heads = (
-        Column("quantity", kind="text", key="quantity"),
-        Column("order", key="order"),
-        Column("engine", kind="text", key="engine"),
+        Column("quantity", kind="text", key="quantity", label=True),
+        Column("order", key="order", label=True),
+        Column("engine", kind="text", key="engine", label=True),
         Column("speed_rpm", key="speed_rpm"),
         Column("greatest", ROW_UNIT, key="greatest"),
         Column("unit", kind="unit", key="unit"),

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from crankstar.language.shown_units import Shown, dimension, shown
 from crankstar.language.units import measured
-from crankstar.tables.table import ROW_UNIT, Column, Table, Value
+from crankstar.tables.table import ROW_UNIT, Column, Ranged, Table, Value
 
 
 def in_units(table: Table, *, prefixed: bool = True) -> Table:
@@ -45,6 +45,8 @@ def scaled(value: Value, factor: float) -> Value:
         return value
     if isinstance(value, tuple):
         return tuple(scaled(item, factor) for item in value)
+    if isinstance(value, Ranged):
+        return Ranged(value.value * factor, value.low * factor, value.high * factor)
     return value * factor
 
 
@@ -78,6 +80,8 @@ def _greatest(values: Iterable[Value]) -> float:
 
 
 def _size(value: Value) -> float:
+    if isinstance(value, Ranged):
+        return value.high
     return abs(value) if isinstance(value, int | float | complex) else 0.0
 
 

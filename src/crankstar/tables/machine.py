@@ -1,6 +1,8 @@
 """Tables for machines: one JSON object for a Document, CSV for a Table.
 
-Columns without a key are for readers only. Keys with slashes nest. All digits are given.
+Columns without a key are for readers only. Keys with slashes nest. All digits are given. A value
+that rests on estimates has the ends of its range beside it, `_low` and `_high`, those of a wave or
+a vector being of its amplitude.
 """
 
 from __future__ import annotations
@@ -15,7 +17,7 @@ from math import degrees
 from typing import Any
 
 from crankstar.tables.conversion import in_units
-from crankstar.tables.table import ROW_UNIT, Column, Document, Table, Value
+from crankstar.tables.table import ROW_UNIT, Column, Document, Ranged, Table, Value
 
 FORMAT = 2
 """Version of the JSON objects."""
@@ -43,7 +45,12 @@ def _objects(table: Table) -> list[dict[str, Any]]:
             place = nested
             for key in outer:
                 place = place.setdefault(key, {})
-            place[last] = _plain(column, value)
+            if isinstance(value, Ranged):
+                place |= {last: _plain(column, value.value)}
+                place |= {f"{last}_low": value.low, f"{last}_high": value.high}
+                place |= {f"{last}_estimated": True}
+            else:
+                place[last] = _plain(column, value)
         out.append(nested)
     return out
 
@@ -96,14 +103,29 @@ PARTS = {"vector": ("up", "right"), "wave": ("amplitude", "phase"), "signal": ("
 def _heads(column: Column) -> Iterator[str]:
     name = column.key.replace("/", "_")
     unit = "" if column.unit in ("", ROW_UNIT) else f" [{column.unit}]"
+    mark = " (estimated)" if column.estimated else ""
     for part in PARTS.get(column.kind, ("",)):
-        yield f"{name}_{part} [deg]" if part == "phase" else f"{name}{part and '_'}{part}{unit}"
+        if part == "phase":
+            yield f"{name}_{part}{mark} [deg]"
+        else:
+            yield f"{name}{part and '_'}{part}{mark}{unit}"
+    if column.estimated:
+        yield from (f"{name}_{end}{mark}{unit}" for end in ("low", "high"))
 
 
 def plain_values(column: Column, value: Value) -> list[Any]:
-    """A value as numbers and text: one cell, or the two of a complex number."""
+    """The cells of a value; with the ends of its range where the column is estimated."""
+    if isinstance(value, Ranged):
+        return [*_single(column, value.value), value.low, value.high]
+    if not column.estimated:
+        return _single(column, value)
+    size = abs(value) if isinstance(value, complex) else value
+    return [*_single(column, value), *[size if isinstance(size, int | float) else None] * 2]
+
+
+def _single(column: Column, value: Value) -> list[Any]:
     if column.kind in PARTS:
-        if value is None or isinstance(value, str | tuple):
+        if value is None or isinstance(value, str | tuple | Ranged):
             return [None, None]
         number = complex(value)
         if column.kind == "wave":

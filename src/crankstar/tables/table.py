@@ -10,7 +10,17 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
-Value = str | int | float | complex | tuple[Any, ...] | None
+
+@dataclass(frozen=True)
+class Ranged:
+    """A value that rests on estimates, with its range; of a complex one that of its amplitude."""
+
+    value: float | complex
+    low: float
+    high: float
+
+
+Value = str | int | float | complex | tuple[Any, ...] | Ranged | None
 """What a cell holds. None is a value that does not exist, and an empty cell."""
 
 Kind = Literal["text", "number", "wave", "vector", "signal", "order", "list", "span", "unit"]
@@ -36,7 +46,7 @@ class Column:
     only. `optional`
     columns are left out where a table is too wide, 1 before 2; `wraps`: text that may
     take several lines; `label`: repeated where a table is split; `machine`: not for
-    readers.
+    readers; `estimated`: some of its values rest on estimates, which its heading says.
     """
 
     heading: str
@@ -49,6 +59,7 @@ class Column:
     label: bool = False
     machine: bool = False
     fixed: bool = False
+    estimated: bool = False
 
     @property
     def left(self) -> bool:

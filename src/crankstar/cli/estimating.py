@@ -1,0 +1,59 @@
+"""The verb that estimates what a file leaves out: estimate."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, get_args
+
+from crankstar.cli.application import app
+from crankstar.cli.options import Csv, EngineName, Json, Settings, changed_tree, option
+from crankstar.cli.output import write
+from crankstar.cli.tabulating import give
+from crankstar.engine.quantities import VOLUME
+from crankstar.engine.weighed import EngineType
+from crankstar.files import units
+from crankstar.options import values as request
+from crankstar.options.forms import TABLES, form_of
+from crankstar.options.refusals import refusal
+
+
+def _volume(text: str | None) -> float | None:
+    """The value of --displacement in m^3."""
+    if text is None:
+        return None
+    with request.reading("--displacement"):
+        volume = units.si(text, VOLUME)
+    if volume <= 0:
+        raise refusal("--displacement", text, 'give more than 0, such as "1998 cc"')
+    return volume
+
+
+@app.command
+def estimate(
+    engine: EngineName,
+    /,
+    *,
+    kind: Annotated[str | None, option("--type")] = None,
+    displacement: Annotated[str | None, option("--displacement")] = None,
+    settings: Settings = None,
+    json: Json = False,
+    csv: Csv = False,
+    output: Annotated[
+        str | None, option("--output", "The completed engine, in the form it was read in.")
+    ] = None,
+) -> None:
+    """Estimate masses and lengths that a file leaves out; print them with range and source."""
+    from crankstar.files.estimate import estimated
+    from crankstar.files.write import tree_text
+    from crankstar.tables.estimates import estimate_document
+
+    form = form_of(None, TABLES, json=json, csv=csv)
+    if kind is not None:
+        request.choice("--type", kind, get_args(EngineType))
+    wanted: Any = kind
+    volume = _volume(displacement)
+    name, tree = changed_tree(engine, settings)
+    result = estimated(tree, name=name, kind=wanted, displacement=volume)
+    if output is not None:
+        write(tree_text(result.tree), output)
+    title = str(result.tree.get("name") or name)
+    give(estimate_document(result, name=title), None, form=form)

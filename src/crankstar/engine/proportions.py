@@ -1,0 +1,237 @@
+"""Masses and lengths that an engine of a type usually has, with their range, from its bore.
+
+Parts of engines of one type are alike, so that a mass is a coefficient times the cube of the bore
+and a length a coefficient times the bore or the crank radius:
+
+    piston group  m_p = k D^3      rod  m_r = k D^3      crank pin  m_c = rho pi d^2 l / 4 = k D^3
+    rod length  l = k r            bore pitch  a = k D   stroke  S = k D
+
+The coefficient k of a part is the geometric mean over the engines of `weighed` that give the part,
+its range reaches from the least of them to the greatest, and at least by the factor SPREAD up and
+down from the mean. Where fewer than FEW engines of the type give it, the factor is the greater
+LONE, and engines with spark ignition stand for one another, and for a type of which there is none.
+
+A bare piston counts as DRESSED times itself, with pin, rings and locks. The centre of mass of a rod
+of length l lies (small end / rod) l from the big end; its moment of inertia is that of two masses
+at its ends divided by TWO_MASSES, whose mean and range over 19 rods are published (`mass2002`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cache
+from math import exp, log, pi
+from typing import NamedTuple
+
+from crankstar.engine.weighed import ENGINES, EngineType, Weighed
+
+STEEL = 7850.0
+"""Density of a crank pin, kg/m^3."""
+SPREAD = {"mass": 1.25, "length": 1.1}
+"""Least factor of a range up and down, of masses and of lengths."""
+LONE = {"mass": 1.5, "length": 1.2}
+"""The same where fewer than three engines of the type give the part."""
+TWO_MASSES = (0.9735, 1.0965, 1.22)
+"""Inertia of two masses at the ends of a rod over its own: least, mean, greatest of 19 rods."""
+PISTON_SPEEDS: dict[EngineType, float] = {
+    "petrol": 16.0,
+    "diesel-car": 14.0,
+    "diesel": 11.0,
+    "motorcycle": 22.0,
+    "aero": 14.3,
+    "crosshead": 8.5,
+}
+"""Mean piston speed at rated speed, m/s (`piston-speeds`; aero: Jumo 211 at 2600 rpm)."""
+SPARK = ("petrol", "motorcycle", "aero")
+"""Types with spark ignition and light-alloy pistons."""
+FEW = 3
+SPEED_SPREAD = 1.2
+"""Factor of the range of the piston speed up and down: the source says "about"."""
+
+
+class Proportion(NamedTuple):
+    """A coefficient: typical, lowest, highest; the engines it comes from; whether they are few."""
+
+    typical: float
+    low: float
+    high: float
+    engines: tuple[str, ...]
+    scarce: bool = False
+    """Whether fewer than FEW engines of the type give the part."""
+
+    @property
+    def sizes(self) -> tuple[float, float, float]:
+        """Lowest, typical, highest."""
+        return self.low, self.typical, self.high
+
+
+def _mean(values: list[float]) -> float:
+    return exp(sum(map(log, values)) / len(values))
+
+
+@cache
+def dressed() -> float:
+    """Mass of a piston with pin, rings and locks over that of the bare piston.
+
+    >>> round(dressed(), 2)
+    1.42
+    """
+    return _mean([e.piston_group / e.piston for e in ENGINES if e.piston and e.piston_group])
+
+
+def _piston_group(e: Weighed) -> float | None:
+    mass = e.piston_group or (e.piston and e.piston * dressed())
+    return mass / e.bore**3 if mass and e.bore else None
+
+
+def _crank_pin(e: Weighed) -> float | None:
+    if e.crank_pin is None or not e.bore:
+        return None
+    diameter, length = e.crank_pin
+    return STEEL * pi / 4 * diameter**2 * length / e.bore**3
+
+
+PARTS: dict[str, tuple[str, Callable[[Weighed], float | None]]] = {
+    "piston group": ("mass", _piston_group),
+    "rod": ("mass", lambda e: e.rod / e.bore**3 if e.rod and e.bore else None),
+    "reciprocating": (
+        "mass",
+        lambda e: e.reciprocating / e.bore**3 if e.reciprocating and e.bore else None,
+    ),
+    "crank pin": ("mass", _crank_pin),
+    "small end": ("length", lambda e: e.small_end / e.rod if e.small_end and e.rod else None),
+    "rod over piston group": (
+        "mass",
+        lambda e: (
+            e.rod / (_piston_group(e) or 1) / e.bore**3
+            if e.rod and e.bore and _piston_group(e)
+            else None
+        ),
+    ),
+    "rod length": (
+        "length",
+        lambda e: e.rod_length / (e.stroke / 2) if e.rod_length and e.stroke else None,
+    ),
+    "bore pitch": ("length", lambda e: e.bore_pitch / e.bore if e.bore_pitch and e.bore else None),
+    "stroke": ("length", lambda e: e.stroke / e.bore if e.stroke and e.bore else None),
+}
+"""What is estimated: whether its range is that of a mass or a length; its coefficient."""
+SHARED = ("small end", "rod over piston group")
+"""Coefficients that all types share."""
+
+
+@cache
+def proportion(part: str, kind: EngineType, *, without: str = "") -> Proportion:
+    """The coefficient of a part in engines of a type. Raises KeyError for a mass of a crosshead.
+
+    `without` leaves an engine out, to compare it with what the others predict.
+
+    >>> coefficient = proportion("piston group", "petrol")
+    >>> round(coefficient.low), round(coefficient.typical), round(coefficient.high)
+    (589, 736, 962)
+    """
+    measure, coefficient = PARTS[part]
+    every = {e: k for e in ENGINES if e.name != without and (k := coefficient(e)) is not None}
+    own = {e: k for e, k in every.items() if part in SHARED or e.kind == kind}
+    if kind == "crosshead" and part != "stroke":
+        raise KeyError(part)
+    if not own and part in ("piston group", "rod") and kind in ("diesel", "diesel-car"):
+        return _shared_out(part)
+    scarce = len(own) < FEW
+    if scarce and (kind in SPARK or not own):
+        own |= {e: k for e, k in every.items() if e.kind in SPARK}
+    wide = (LONE if scarce else SPREAD)[measure]
+    typical = _mean([*own.values()])
+    low, high = min(typical / wide, *own.values()), max(typical * wide, *own.values())
+    if part == "bore pitch":
+        low = max(low, 1.0)  # cylinders of a row do not overlap
+    return Proportion(typical, low, high, tuple(e.name for e in own), scarce)
+
+
+def _shared_out(part: str) -> Proportion:
+    """Piston group or rod of a diesel from what reciprocates: m_p + c m_r = k D^3, m_r = q m_p."""
+    whole = proportion("reciprocating", "diesel")
+    share = proportion("small end", "diesel").typical
+    rods = proportion("rod over piston group", "diesel").typical
+    own = (rods if part == "rod" else 1.0) / (1 + share * rods)
+    numbers = (own * number for number in whole[:3])
+    return Proportion(*numbers, engines=whole.engines, scarce=True)
+
+
+def piston_speed(kind: EngineType) -> tuple[float, float, float]:
+    """Mean piston speed at rated speed, m/s: lowest, typical, highest.
+
+    >>> piston_speed("petrol")[1]
+    16.0
+    """
+    typical = PISTON_SPEEDS[kind]
+    return typical / SPEED_SPREAD, typical, typical * SPEED_SPREAD
+
+
+def rod_inertia(*, mass: float, rod_length: float, small_end: float) -> tuple[float, float, float]:
+    """Moment of inertia about the centre of mass, kg m^2: lowest, typical, highest.
+
+    That of two masses at the ends, m c (1 - c) l^2, over TWO_MASSES; c the share of the small end.
+    """
+    two = mass * small_end * (1 - small_end) * rod_length**2
+    least, mean, greatest = TWO_MASSES
+    return two / greatest, two / mean, two / least
+
+
+class Look(NamedTuple):
+    """What of an engine tells its type; lengths in m, speed in rad/s, None where not known."""
+
+    bore: float
+    stroke: float
+    cycle: str
+    cylinders: int
+    radial: bool = False
+    opposed: bool = False
+    speed: float | None = None
+
+
+GREATEST_TRUNK = 0.65
+"""Bore (m) above which no trunk-piston engine is built."""
+SLOW = 2.0
+"""Stroke over bore from which a two-stroke engine has a crosshead."""
+CAR = 0.115
+"""Greatest bore of car engines, m."""
+HIGH_SPEED = 900.0
+"""Speed, rad/s (8600 rpm), above that of road cars."""
+SLOW_CAR = 490.0
+"""Speed, rad/s (4700 rpm), below the rated speed of petrol cars."""
+
+
+def inferred(look: Look) -> tuple[EngineType, str]:
+    """The type of an engine and what tells it, as the key of a sentence in `tables`.
+
+    >>> inferred(Look(bore=0.5, stroke=2.0, cycle="two-stroke", cylinders=6))
+    ('crosshead', 'long-stroke')
+    """
+    mean_speed = None if look.speed is None else look.stroke * look.speed / pi
+    if look.bore > GREATEST_TRUNK or (
+        look.cycle == "two-stroke" and look.stroke > SLOW * look.bore and look.bore > CAR
+    ):
+        return "crosshead", "long-stroke"
+    if look.opposed:
+        return "diesel", "opposed"
+    if look.radial:
+        return "aero", "radial"
+    if look.bore > CAR:
+        fast = (
+            mean_speed is not None
+            and mean_speed > (PISTON_SPEEDS["diesel"] + PISTON_SPEEDS["aero"]) / 2
+        )
+        return ("aero", "large-fast") if fast else ("diesel", "large")
+    if look.cycle == "two-stroke":
+        return "motorcycle", "small-two-stroke"
+    if look.speed is not None and look.speed > HIGH_SPEED:
+        return "motorcycle", "high-speed"
+    slow = look.speed is not None and look.speed < SLOW_CAR
+    if look.cylinders <= 2 and (mean_speed is None or mean_speed > PISTON_SPEEDS["petrol"]):
+        return "motorcycle", "few-cylinders"
+    if slow and mean_speed is not None and mean_speed < PISTON_SPEEDS["diesel"]:
+        return "diesel", "slow"
+    if slow:
+        return "diesel-car", "slow"
+    return "petrol", "car"

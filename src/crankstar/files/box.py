@@ -1,0 +1,159 @@
+"""The ranges of the estimated values of a file, and the trees in their middle and at their ends.
+
+Each value lies anywhere in its range whatever the others are. Every amplitude is linear in each
+mass, in the centre and the inertia of a rod and in the bore pitch while the others are held, so
+that over the whole box of ranges none exceeds the greatest at a corner.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import product
+from typing import Any, NamedTuple
+
+from crankstar.engine.engine import Engine
+from crankstar.files.changes import keys_of
+from crankstar.files.errors import refused
+from crankstar.files.forms import is_explicit
+from crankstar.files.mistakes import Tree, copied
+from crankstar.files.read import engine_of
+
+CONDITIONS = ("speed", "cylinder.bore", "cylinder.stroke")
+"""Estimated values whose range is not carried into forces: these hold at that size and speed."""
+MOST_RANGES = 8
+"""Values with a range that one file may have: twice as many corners with each."""
+
+
+class Range(NamedTuple):
+    """Lowest and highest of a value, as multiples of it; the value it is proportional to."""
+
+    low: float
+    high: float
+    moves_with: str = ""
+
+
+class Box(NamedTuple):
+    """The trees in the middle and at the corners of the ranges of a file."""
+
+    middle: Tree
+    corners: tuple[Tree, ...]
+
+
+class Spread(NamedTuple):
+    """An engine as given, in the middle of the ranges of its estimated values, at their corners."""
+
+    engine: Engine
+    middle: Engine
+    corners: tuple[Engine, ...]
+
+    @property
+    def engines(self) -> tuple[Engine, ...]:
+        """All of them, the engine as given first."""
+        return (self.engine, self.middle, *self.corners)
+
+
+def spread(
+    tree: Tree, *, name: str = "the engine", changes: Mapping[str, Any] | None = None
+) -> Spread | None:
+    """The engines of a tree over the ranges of its estimated values; None where it has none.
+
+    Raises EngineFileError.
+    """
+    ends = box(tree, name=name)
+    if ends is None:
+        return None
+    own, middle, *corners = (
+        engine_of(each, name=name, changes=changes) for each in (tree, ends.middle, *ends.corners)
+    )
+    return Spread(own, middle, tuple(corners))
+
+
+def ranges(tree: Mapping[str, Any]) -> dict[str, Range]:
+    """The estimated values of a file on which a force depends, with their ranges.
+
+    >>> ranges({"provenance": {"cylinder.rod.mass": {"status": "estimated", "range": [0.8, 1.25]}}})
+    {'cylinder.rod.mass': Range(low=0.8, high=1.25, moves_with='')}
+    """
+    sources = tree.get("provenance")
+    entries = sources.items() if isinstance(sources, dict) else ()
+    out: dict[str, Range] = {}
+    for path, source in entries:
+        if not isinstance(source, dict) or source.get("status") != "estimated":
+            continue
+        ends = source.get("range")
+        if path not in CONDITIONS and isinstance(ends, list | tuple) and len(ends) == 2:
+            out[path] = Range(float(ends[0]), float(ends[1]), source.get("moves_with") or "")
+    return out
+
+
+def box(tree: Tree, *, name: str = "the engine") -> Box | None:
+    """The trees in the middle and at the corners of the ranges; None where there are no ranges.
+
+    Raises EngineFileError where there are more than MOST_RANGES.
+    """
+    own = ranges(tree)
+    if not own:
+        return None
+    if len(own) > MOST_RANGES:
+        raise refused(name, "too-many-ranges", count=len(own), greatest=MOST_RANGES)
+    middle = {path: (ends.low + ends.high) / 2 for path, ends in own.items()}
+    corners = product(*((ends.low, ends.high) for ends in own.values()))
+    return Box(
+        scaled(tree, middle),
+        tuple(scaled(tree, dict(zip(own, sizes, strict=True))) for sizes in corners),
+    )
+
+
+def scaled(tree: Tree, factors: Mapping[str, float]) -> Tree:
+    """The tree with estimated values times their factors; what moves with them follows.
+
+    >>> tree = {"cylinder": {"bore": "80 mm", "reciprocating_mass": "400 g"}, "provenance": {
+    ...     "cylinder.reciprocating_mass": {"status": "estimated", "range": [0.8, 1.25]}}}
+    >>> scaled(tree, {"cylinder.reciprocating_mass": 1.25})["cylinder"]
+    {'bore': '80 mm', 'reciprocating_mass': '500.0 g'}
+    """
+    out = copied(tree)
+    for path, ends in ranges(tree).items():
+        factor = factors.get(path, 1.0) * factors.get(ends.moves_with, 1.0)
+        for table, key in _places(out, path):
+            table[key] = _times(table[key], factor)
+    return out
+
+
+def _places(tree: Tree, path: str) -> Iterator[tuple[Any, Any]]:
+    """What holds a value, and its key; in the explicit form every part of which it is said."""
+    first, *rest = path.split(".")
+    if not is_explicit(tree) or first not in ("cylinder", "cylinders", "layout"):
+        yield from _place(tree, keys_of(path))
+        return
+    shafts = tree.get("shaft", [])
+    throws = [throw for shaft in shafts for throw in shaft.get("throw", [])]
+    if rest == ["bore_pitch"]:
+        weights = [weight for shaft in shafts for weight in shaft.get("weight", [])]
+        yield from _place(tree, ["bore_pitch"])
+        for part in (*tree["cylinders"], *throws, *weights):
+            yield from _place(part, ["z"])
+        return
+    for part in throws if rest == ["rotating_mass"] else tree["cylinders"]:
+        yield from _place(part, rest)
+
+
+def _place(tree: Any, keys: Sequence[str | int]) -> Iterator[tuple[Any, Any]]:
+    *outer, last = keys
+    try:
+        for key in outer:
+            tree = tree[key]
+        tree[last]
+    except (KeyError, IndexError, TypeError):
+        return
+    yield tree, last
+
+
+def _times(value: Any, factor: float) -> Any:
+    """A value of a file, with or without a unit, times a factor."""
+    if not isinstance(value, str):
+        return value * factor
+    return re.sub(
+        r"^\s*[-+]?[\d.]+(?:[eE][-+]?\d+)?", lambda number: repr(float(number[0]) * factor), value
+    )

@@ -1,0 +1,345 @@
+"""Masses and lengths that a file leaves out, estimated from its bore, stroke or displacement.
+
+`estimated` fills them in the tree of a file, each with a source of status `estimated` that gives
+its range (`box`); what the file gives is kept.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from inspect import signature
+from math import pi, prod
+from typing import Any, NamedTuple
+
+from crankstar.engine.engine import Engine
+from crankstar.engine.layouts import LAYOUTS
+from crankstar.engine.proportions import (
+    Look,
+    Proportion,
+    inferred,
+    piston_speed,
+    proportion,
+    rod_inertia,
+)
+from crankstar.engine.quantities import LENGTH, Quantity
+from crankstar.engine.weighed import EngineType
+from crankstar.files import units
+from crankstar.files.changes import keys_of
+from crankstar.files.errors import refused
+from crankstar.files.forms import field_at, form_of, is_explicit, quantity_of
+from crankstar.files.mistakes import Tree, copied
+from crankstar.files.read import engine_of
+from crankstar.language.faults import ValueFaultError
+
+POWERS = {"mass": {"mass": 1}, "unbalance": {"mass": 1, "radius": 1}}
+POWERS["moment of inertia"] = {"mass": 1, "radius": 2}
+"""Powers of the units m and r in a quantity; lengths have their own unit once."""
+
+
+class Filled(NamedTuple):
+    """A value filled in: its key path, SI number with range, what it measures, its source."""
+
+    path: str
+    typical: float
+    low: float
+    high: float
+    quantity: Quantity
+    source: str
+    moves_with: str = ""
+
+
+class Estimate(NamedTuple):
+    """A file completed: its type, the key of what tells it ("" if named), what was filled in."""
+
+    tree: Tree
+    kind: EngineType
+    reason: str
+    filled: tuple[Filled, ...]
+
+
+class _Filling:
+    """A tree while it is filled."""
+
+    def __init__(self, tree: Tree, kind: EngineType) -> None:
+        self.tree, self.kind = tree, kind
+        self.filled: list[Filled] = []
+
+    def table(self, *keys: str) -> dict[str, Any]:
+        table = self.tree
+        for key in keys:
+            table = table.setdefault(key, {})
+        return table
+
+    def fill(self, path: str, sizes: Sequence[float], source: str, *, moves_with: str = "") -> None:
+        """Set a value to the second of the sizes (lowest, typical, highest), with its source."""
+        *outer, last = map(str, keys_of(path))
+        quantity = self._quantity(path)
+        text = units.text(sizes[1], quantity, digits=4)
+        self.table(*outer)[last] = text
+        low, high = sizes[0], sizes[2]
+        self.mark(path, (low, units.si(text, quantity), high), source, moves_with=moves_with)
+
+    def mark(self, path: str, sizes: Sequence[float], source: str, *, moves_with: str = "") -> None:
+        """Give the source of a value that was filled in."""
+        low, value, high = min(sizes), sizes[1], max(sizes)
+        quantity = self._quantity(path)
+        ends = " to ".join(units.text(end, quantity, digits=3) for end in (low, high))
+        self.table("provenance")[path] = {
+            "status": "estimated",
+            "source": f"{source}; {ends}",
+            "range": [float(f"{end / value:.4g}") for end in (low, high)],
+            **({"moves_with": moves_with} if moves_with else {}),
+        }
+        self.filled.append(Filled(path, value, low, high, quantity, source, moves_with))
+
+    def _quantity(self, path: str) -> Quantity:
+        info = field_at(form_of(self.tree), keys_of(path))
+        quantity = quantity_of(info) if info else None
+        if quantity is None:  # a slip in this module
+            raise LookupError(path)
+        return quantity
+
+
+def estimated(
+    tree: Tree,
+    *,
+    name: str = "the engine",
+    kind: EngineType | None = None,
+    displacement: float | None = None,
+) -> Estimate:
+    """The tree with masses, lengths and speed that it leaves out; `displacement` [m^3] of it all.
+
+    Raises EngineFileError where a file gives neither sizes nor displacement, or is no engine.
+    """
+    tree = copied(tree)
+    explicit = is_explicit(tree)
+    bore, stroke = (None, None) if explicit else (_length(tree, "bore"), _length(tree, "stroke"))
+    laid_out = _laid_out(tree, name)
+    first = laid_out.first
+    if explicit and "radius" not in laid_out.relative:
+        bore, stroke = first.bore, 2 * laid_out.throw(first).radius
+    chambers = len({c.chamber or c.number for c in laid_out.cylinders})
+    if bore is None and stroke is None and displacement is None:
+        raise refused(name, "nothing-to-estimate-from")
+    if displacement is not None and (bore is not None or stroke is not None):
+        raise refused(name, "displacement-and-sizes")
+    opposed = chambers < len(laid_out.cylinders)
+    square = (displacement or 0.0) / len(laid_out.cylinders) * 4 / pi
+    guess = bore or stroke or square ** (1 / 3)
+    look = Look(
+        bore=bore or guess,
+        stroke=stroke or guess,
+        cycle=laid_out.cycle,
+        cylinders=chambers,
+        radial=any(c.articulated for c in laid_out.cylinders) or _kind_of(tree) == "radial",
+        opposed=opposed,
+        speed=laid_out.speed,
+    )
+    reason = ""
+    if kind is None:
+        kind, reason = inferred(look)
+    filling = _Filling(tree, kind)
+    bore, stroke = _sizes(filling, bore, stroke, displacement, len(laid_out.cylinders))
+    try:
+        _lengths(filling, laid_out, bore, stroke)
+        _masses(filling, laid_out, bore)
+    except KeyError:
+        raise refused(name, "no-proportions", kind=kind) from None
+    if laid_out.speed is None:
+        speeds = piston_speed(kind)
+        source = f"mean piston speed of {speeds[1]:g} m/s, {_type(kind)}"
+        filling.fill("speed", [pi * v / stroke for v in speeds], source)
+    if not filling.table("provenance"):
+        del filling.tree["provenance"]
+    engine_of(filling.tree, name=name)
+    return Estimate(filling.tree, kind, reason, tuple(filling.filled))
+
+
+def _kind_of(tree: Tree) -> Any:
+    layout = tree.get("layout")
+    return layout.get("type") if isinstance(layout, dict) else None
+
+
+def _type(kind: str) -> str:
+    return f"engines of type {kind}"
+
+
+def _length(tree: Tree, key: str) -> float | None:
+    """Bore or stroke of all cylinders in metres; None where it is not given with a unit."""
+    table = tree.get("cylinder")
+    value = table.get(key) if isinstance(table, dict) else None
+    if not isinstance(value, str):
+        return value if isinstance(value, float) and key == "stroke" else None
+    try:
+        return units.si(value, LENGTH)
+    except ValueFaultError:
+        return None  # reading the file says what is wrong
+
+
+def _laid_out(tree: Tree, name: str) -> Engine:
+    """The engine as far as the file gives it. Raises EngineFileError."""
+    if not is_explicit(tree) and _length(tree, "bore") and "stroke" not in tree["cylinder"]:
+        # a bore alone has no unit to be counted in
+        tree = {**tree, "cylinder": {**tree["cylinder"], "stroke": tree["cylinder"]["bore"]}}
+    return engine_of(tree, name=name)
+
+
+def _sizes(
+    filling: _Filling,
+    bore: float | None,
+    stroke: float | None,
+    displacement: float | None,
+    pistons: int,
+) -> tuple[float, float]:
+    """Bore and stroke, each from the other by their ratio, or both from the displacement.
+
+    V = n pi/4 D^2 S, S = s D: D = (4 V / (n pi s))^(1/3).
+    """
+    if bore is not None and stroke is not None:
+        return bore, stroke
+    ratio = proportion("stroke", filling.kind)
+    shares = ratio.sizes
+    said = f"stroke/bore {ratio.typical:.3g}, {_type(filling.kind)}"
+    if displacement is not None:
+        bores = [(4 * displacement / (pistons * pi * s)) ** (1 / 3) for s in shares]
+        source = f"displacement {displacement * 1e6:.6g} cm3, {said}"
+        filling.fill("cylinder.bore", sorted(bores), source)
+        bore = filling.filled[-1].typical
+        exact = 4 * displacement / (pistons * pi * bore**2)
+        ends = sorted(b * s for b, s in zip(bores, shares, strict=True))
+        filling.fill("cylinder.stroke", [ends[0], exact, ends[-1]], source)
+        return bore, filling.filled[-1].typical
+    if bore is not None:
+        filling.fill("cylinder.stroke", [bore * share for share in shares], said)
+        return bore, filling.filled[-1].typical
+    stroke = stroke or 0.0  # one of the three is given
+    filling.fill("cylinder.bore", sorted(stroke / share for share in shares), said)
+    return filling.filled[-1].typical, stroke
+
+
+def _lengths(filling: _Filling, laid_out: Engine, bore: float, stroke: float) -> None:
+    """Rod length and bore pitch where they are not given; bare lengths in their units."""
+    tree, kind = filling.tree, filling.kind
+    pitch = None
+    if not is_explicit(tree):
+        cylinder = tree["cylinder"]
+        if "radius" in laid_out.relative:
+            _absolute(tree, {"radius": stroke / 2})
+        if not {"rod_length", "rod_ratio"} & cylinder.keys():
+            ratio = proportion("rod length", kind)
+            source = f"l/r {ratio.typical:.3g}, {_type(kind)}"
+            filling.fill(
+                "cylinder.rod_length", [stroke / 2 * share for share in ratio.sizes], source
+            )
+        rows = [(c.shaft, c.bearing) for c in laid_out.cylinders]
+        several = any(rows.count(row) > 1 for row in rows)
+        takes = "bore_pitch" in signature(LAYOUTS[tree["layout"]["type"]]).parameters
+        if "pitch" in laid_out.relative and several and takes:
+            ratio = proportion("bore pitch", kind)
+            source = f"bore pitch/bore {ratio.typical:.3g}, {_type(kind)}"
+            pitches = [bore * share for share in ratio.sizes]
+            pitch = pitches[1]
+            _absolute(tree, {"pitch": pitch})
+            filling.fill("layout.bore_pitch", pitches, source)
+
+
+def _masses(filling: _Filling, laid_out: Engine, bore: float) -> None:
+    """Piston group, rod as a rigid body and crank pin; the big end where the piston has a mass."""
+    tree, kind = filling.tree, filling.kind
+    cylinder = {} if is_explicit(tree) else tree["cylinder"]
+    known = "mass" not in laid_out.relative
+    if known and ("rotating_mass" in cylinder or is_explicit(tree) or kind == "crosshead"):
+        return
+    rods = proportion("rod", kind)
+    share = proportion("small end", kind)
+    pins = proportion("crank pin", kind)
+    groups = proportion("piston group", kind)
+    cube = bore**3
+    about = f"{{part}} {{k:.3g}} kg/m3 x bore^3, {_type(kind)}"
+    pin_text = about.format(part="crank pin", k=pins.typical)
+    has_pins = not any(c.articulated for c in laid_out.cylinders)
+    if is_explicit(tree):
+        masses = [g + s * r for g, r, s in zip(groups.sizes, rods.sizes, share.sizes, strict=True)]
+        text = about.format(part="piston group and small end", k=masses[1])
+        _absolute(tree, {"mass": masses[1] * cube})
+        filling.mark("cylinders.reciprocating_mass", [m * cube for m in masses], text)
+        return
+    if known:
+        ends = [
+            (1 - s) * r * cube + p * cube
+            for s, r, p in zip(reversed(share.sizes), rods.sizes, pins.sizes, strict=True)
+        ]
+        text = about.format(part="big end and crank pin", k=ends[1] / cube)
+        if has_pins:
+            filling.fill("cylinder.rotating_mass", ends, text)
+        return
+    text = about.format(part="piston group", k=groups.typical)
+    _absolute(tree, {"mass": groups.typical * cube})
+    filling.fill("cylinder.reciprocating_mass", [k * cube for k in groups.sizes], text)
+    if "rod" not in cylinder:
+        text = about.format(part="rod", k=rods.typical)
+        _rod(filling, [k * cube for k in rods.sizes], text, share)
+    if has_pins and "rotating_mass" not in cylinder:
+        filling.fill("cylinder.rotating_mass", [k * cube for k in pins.sizes], pin_text)
+
+
+def _rod(filling: _Filling, masses: Sequence[float], source: str, share: Proportion) -> None:
+    """Mass, centre of mass and moment of inertia of the rod.
+
+    Its inertia enters forces as I - m b (l - b) with the centre at b, which is not linear in b:
+    between the ends of b it lies up to m (db/2)^2 lower than a straight line, so that the low end
+    of I is lower by as much.
+    """
+    cylinder = filling.tree["cylinder"]
+    engine = engine_of({**filling.tree, "cylinder": {**cylinder}})
+    length = engine.first.rod_length
+    ends = [f.typical for f in filling.filled if f.path == "cylinder.rod_length"]
+    moves_with = "cylinder.rod_length" if ends else ""
+    filling.table("cylinder", "rod")
+    filling.fill("cylinder.rod.mass", masses, source)
+    said = f"small end {share.typical:.3g} of the rod, all types"
+    centres = [length * s for s in share.sizes]
+    filling.fill("cylinder.rod.centre", centres, said, moves_with=moves_with)
+    whole = [
+        rod_inertia(mass=m, rod_length=length, small_end=s) for m in masses for s in share.sizes
+    ]
+    typical = rod_inertia(mass=masses[1], rod_length=length, small_end=share.typical)[1]
+    bow = masses[2] * ((centres[2] - centres[0]) / 2) ** 2
+    low = max(min(least for least, _, _ in whole) - bow, 0.05 * typical)
+    high = max(greatest for _, _, greatest in whole)
+    if moves_with:  # with the square of the length
+        ratio = proportion("rod length", filling.kind)
+        low *= (ratio.low / ratio.typical) ** 2
+        high *= (ratio.high / ratio.typical) ** 2
+    said = "two masses at the ends over 1.0965 (ICEF2002, 19 rods)"
+    filling.fill("cylinder.rod.inertia", [low, typical, high], said)
+
+
+def _absolute(tree: Tree, sizes: Mapping[str, float]) -> None:
+    """Give every bare number that is counted in these units its SI value as text."""
+    form = form_of(tree)
+    for table, key, path in [*_leaves(tree)]:
+        info = field_at(form, path)
+        quantity = quantity_of(info) if info is not None and path[0] != "provenance" else None
+        value = table[key]
+        if quantity is None or isinstance(value, str | bool):
+            continue
+        counted = quantity.relative_to & sizes.keys()
+        powers = POWERS.get(quantity.dimension, {})
+        factor = prod(sizes[unit] ** powers.get(unit, 1) for unit in counted)
+        if counted:
+            table[key] = units.text(value * factor, quantity, digits=6)
+    left = [unit for unit in tree.get("relative", ()) if unit not in sizes]
+    tree.pop("relative", None)
+    if left:
+        tree["relative"] = left
+
+
+def _leaves(tree: Any, path: tuple[str | int, ...] = ()) -> Iterator[tuple[Any, Any, Any]]:
+    """Every number of a tree: what holds it, its key there, its path."""
+    pairs = tree.items() if isinstance(tree, dict) else enumerate(tree)
+    for key, value in pairs:
+        if isinstance(value, dict | list):
+            yield from _leaves(value, (*path, key))
+        elif isinstance(value, int | float):
+            yield tree, key, (*path, key)

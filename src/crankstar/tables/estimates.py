@@ -1,0 +1,69 @@
+"""What `estimate` fills in: each value with its range and its source, and the type of engine."""
+
+from __future__ import annotations
+
+from crankstar.files import units
+from crankstar.files.estimate import Estimate
+from crankstar.language.messages import N_, _
+from crankstar.tables.table import Column, Document, Remarks, Table
+
+TYPES = {
+    "petrol": N_("petrol car"),
+    "diesel-car": N_("diesel car"),
+    "diesel": N_("truck or medium-speed diesel"),
+    "motorcycle": N_("motorcycle or racing"),
+    "aero": N_("aero"),
+    "crosshead": N_("two-stroke with crosshead"),
+}
+"""Types of engines, by the values of --type."""
+REASONS = {
+    "": N_("as named"),
+    "long-stroke": N_("a bore too large for trunk pistons, or a two-stroke of long stroke"),
+    "opposed": N_("two pistons to a cylinder"),
+    "radial": N_("radial"),
+    "large-fast": N_("a large bore at a high piston speed"),
+    "large": N_("a bore larger than those of cars"),
+    "small-two-stroke": N_("a small two-stroke"),
+    "high-speed": N_("a speed above that of road cars"),
+    "few-cylinders": N_("few cylinders at a high or unknown speed"),
+    "slow": N_("a low rated speed"),
+    "car": N_("bore and speed as in petrol cars"),
+}
+"""What tells the type of an engine."""
+
+
+def estimate_document(estimate: Estimate, *, name: str) -> Document:
+    """The values filled in, in the units of a file, and for machines in SI."""
+    columns = (
+        Column(_("value"), kind="text", key="path", label=True),
+        Column(_("typical"), kind="text", estimated=True),
+        Column(_("low"), kind="text"),
+        Column(_("high"), kind="text"),
+        Column(_("source"), kind="text", key="source", wraps=True),
+        Column("unit", kind="text", key="unit", machine=True),
+        Column("estimated", key="estimated_value", machine=True),
+        Column("low", key="low", machine=True),
+        Column("high", key="high", machine=True),
+        Column("moves_with", kind="text", key="moves_with", machine=True),
+    )
+    rows = tuple(
+        (
+            value.path,
+            *(
+                units.text(size, value.quantity, digits=3)
+                for size in (value.typical, value.low, value.high)
+            ),
+            value.source,
+            units.si_unit(value.quantity),
+            *(value.typical, value.low, value.high),
+            value.moves_with or None,
+        )
+        for value in estimate.filled
+    )
+    words = {"kind": _(TYPES[estimate.kind]), "reason": _(REASONS[estimate.reason])}
+    kind = _("Type of engine: {kind} ({reason}); --type names another.", **words)
+    none = "" if rows else _("The file leaves nothing out that could be estimated.")
+    lines = Remarks(tuple(filter(None, (kind, none))), kind="note")
+    table = Table(_("Estimated values"), columns, rows, key="filled")
+    facts = {"engine": name, "type": estimate.kind, "inferred": estimate.reason != ""}
+    return Document(name, (lines, table), facts)

@@ -1,0 +1,309 @@
+"""Analyses of an engine some of whose values are estimated: each number with its range.
+
+The analysis is made for the engine as given, for the one in the middle of all ranges and for those
+at their corners, and its tables and sentences are laid upon each other. An amplitude is linear in
+each estimated value while the others are held, and the absolute value of what is linear is convex:
+over the box of ranges it is nowhere greater than at a corner. Where it is in the middle the mean of
+the corners, it is itself linear (nothing cancels), and nowhere less than at a corner; else nowhere
+less than
+
+    2 |f(middle)| - max |f(corner)|
+
+since the points x and 2 middle - x lie in the box together. A complex amplitude lies in the convex
+hull of those at the corners, whose distance from zero is its lower bound.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from crankstar.engine.engine import Engine
+from crankstar.files.box import MOST_RANGES, Spread
+from crankstar.language.messages import _
+from crankstar.language.numbers import CLOSING, MIDDLE, OPENING, values_kept
+from crankstar.tables.cells import rough
+from crankstar.tables.table import Column, Document, Ranged, Remarks, Table, Value, remarks
+
+SAME = 1e-7
+"""Share of the greatest value of a column below which values are the same."""
+LINEAR = 1e-6
+"""Share of the greatest by which the middle may lie below the mean of the corners."""
+_NUMBER = re.compile(f"{OPENING}([^{MIDDLE}]*){MIDDLE}([^{CLOSING}]*){CLOSING}")
+
+
+def estimated_paths(engine: Engine) -> list[str]:
+    """The key paths of the estimated values of an engine."""
+    return [path for path, source in engine.provenance.items() if source.status == "estimated"]
+
+
+def doubt(*engines: Engine) -> tuple[Remarks, ...]:
+    """What is estimated, in a sentence before everything else; none where nothing is."""
+    paths = dict.fromkeys(path for engine in engines for path in estimated_paths(engine))
+    line = _(
+        "Estimated: {paths}. What rests on them is marked and given with its range.",
+        paths=", ".join(paths),
+    )
+    return remarks(line if paths else "", kind="doubt")
+
+
+def facts(*engines: Engine) -> dict[str, Any]:
+    """The estimated values for machines: path, source, range as multiples of the value."""
+    rows = [
+        {"engine": engine.name, "path": path, "source": source.source, "range": source.range}
+        for engine in engines
+        for path, source in engine.provenance.items()
+        if source.status == "estimated"
+    ]
+    return {"estimated": rows} if rows else {}
+
+
+def ranged(build: Callable[[Engine], Document], spread: Spread | None, engine: Engine) -> Document:
+    """The analysis of an engine; with a spread, what rests on estimates has its range."""
+    if spread is None:
+        return with_doubt(build(engine), engine)
+    with values_kept():
+        documents = [build(each) for each in spread.engines]
+    return with_doubt(merged(documents), engine)
+
+
+def ranged_side_by_side(
+    build: Callable[[Sequence[Engine]], Document],
+    spreads: Sequence[Spread | None],
+    engines: Sequence[Engine],
+) -> Document:
+    """The analysis of several engines, each over its own ranges while the others are as given."""
+    if not any(spreads):
+        return with_doubt(build(engines), *engines)
+    with values_kept():
+        ends = [() if spread is None else spread.corners for spread in spreads]
+        middles = [
+            engine if spread is None else spread.middle
+            for engine, spread in zip(engines, spreads, strict=True)
+        ]
+        # no number is of two engines: all go through their corners at the same time
+        at = [
+            [
+                corners[place % len(corners)] if corners else engine
+                for place in range(2**MOST_RANGES)
+            ]
+            for engine, corners in zip(engines, ends, strict=True)
+        ]
+        most = max(map(len, ends))
+        documents = [
+            build(each) for each in (engines, middles, *list(zip(*at, strict=True))[:most])
+        ]
+    return with_doubt(merged(documents), *engines)
+
+
+def with_doubt(document: Document, *engines: Engine) -> Document:
+    """The document beginning with what is estimated, which its facts list as well."""
+    head = doubt(*engines)
+    if not head:
+        return document
+    beside = {**document.facts, **facts(*engines)}
+    return replace(document, parts=(*head, *document.parts), facts=beside)
+
+
+def merged(documents: Sequence[Document]) -> Document:
+    """The first of several documents, its numbers with the range that the others give them."""
+    first, *others = documents
+    lookups = [_by_name(document.parts) for document in others]
+    parts: list[Table | Remarks] = []
+    for name, part in _by_name(first.parts).items():
+        like = [lookup.get(name) for lookup in lookups]
+        if isinstance(part, Table):
+            parts.append(_tables(part, [other for other in like if isinstance(other, Table)]))
+        else:
+            lines = [other.lines if isinstance(other, Remarks) else () for other in like]
+            parts.append(replace(part, title=plain(part.title), lines=_lines(part.lines, lines)))
+    return Document(plain(first.title), tuple(parts), _plain_facts(first.facts))
+
+
+def _plain_facts(facts: Any) -> Any:
+    return {key: plain(value) if isinstance(value, str) else value for key, value in facts.items()}
+
+
+def plain(text: str) -> str:
+    """Text without the values its numbers carry."""
+    return _NUMBER.sub(r"\2", text)
+
+
+def _skeleton(text: str) -> str:
+    return _NUMBER.sub("#", text)
+
+
+def _by_name(parts: Sequence[Table | Remarks]) -> dict[tuple[str, ...], Table | Remarks]:
+    """Parts by kind, title and how many came before them with the same."""
+    out: dict[tuple[str, ...], Table | Remarks] = {}
+    for part in parts:
+        key = part.key if isinstance(part, Table) else part.kind
+        name = (type(part).__name__, key, _skeleton(part.title))
+        count = sum(known[:3] == name for known in out)
+        out[(*name, str(count))] = part
+    return out
+
+
+def _lines(lines: Sequence[str], others: Sequence[Sequence[str]]) -> tuple[str, ...]:
+    """Each sentence with the ranges that the sentence in its place gives, or marked."""
+    out: list[str] = []
+    for place, line in enumerate(lines):
+        like = [other[place] if place < len(other) else "" for other in others]
+        out.append(sentence(line, like))
+    return tuple(out)
+
+
+def sentence(line: str, others: Sequence[str]) -> str:
+    """A sentence whose numbers have the range they have in the others; marked if these differ.
+
+    >>> with values_kept():
+    ...     from crankstar.language.numbers import number
+    ...     lines = [f"Force {number(n)} N at order {number(2)}." for n in (1.2, 1.25, 0.9, 1.6)]
+    >>> sentence(lines[0], lines[1:])
+    'Force about 1.2 (0.9 to 1.6, estimated) N at order 2.'
+    """
+    if all(other == line for other in others):
+        return plain(line)
+    if any(_skeleton(other) != _skeleton(line) for other in others):
+        return _("{sentence} (estimated)", sentence=plain(line))
+    values = [[float(n) for n, _text in _NUMBER.findall(each)] for each in (line, *others)]
+    columns = iter(zip(*values, strict=True))
+
+    def written(match: re.Match[str]) -> str:
+        value = _real(list(next(columns)), 0.0)
+        if not isinstance(value, Ranged):
+            return match[2]
+        ends = {"low": rough(value.low), "high": rough(value.high)}
+        typical = rough(float(value.value.real))
+        return _("about {typical} ({low} to {high}, estimated)", typical=typical, **ends)
+
+    return _NUMBER.sub(written, line)
+
+
+def _tables(table: Table, others: Sequence[Table]) -> Table:
+    """A table with the ranges that the others give its numbers, row by row."""
+    labels = [place for place, column in enumerate(table.columns) if column.label]
+    labels = labels or [0] * bool(table.columns)
+    lookups = [_rows(other, labels) for other in others]
+    own = _rows(table, labels)
+    missing = {name: row for lookup in lookups for name, row in lookup.items() if name not in own}
+    nought = {name: tuple(map(_zero, table.columns, row)) for name, row in missing.items()}
+    tops = [_top(table, others, place) for place in range(len(table.columns))]
+    rows: list[tuple[Value, ...]] = []
+    for name, row in {**own, **nought}.items():
+        like = [lookup.get(name) for lookup in lookups]
+        rows.append(
+            tuple(
+                _cell(
+                    value,
+                    [_in(other, place, table.columns[place], value) for other in like],
+                    tops[place],
+                )
+                for place, value in enumerate(row)
+            )
+        )
+    columns = tuple(
+        replace(
+            column,
+            heading=plain(column.heading),
+            unit=plain(column.unit),
+            estimated=any(isinstance(row[place], Ranged) for row in rows),
+        )
+        for place, column in enumerate(table.columns)
+    )
+    notes = _lines(table.notes, [other.notes for other in others])
+    return replace(table, title=plain(table.title), columns=columns, rows=tuple(rows), notes=notes)
+
+
+def _rows(table: Table, labels: Sequence[int]) -> dict[tuple[Any, ...], tuple[Value, ...]]:
+    """The rows by their labels and how many came before with the same."""
+    out: dict[tuple[Any, ...], tuple[Value, ...]] = {}
+    for row in table.rows:
+        name = tuple(row[place] for place in labels if place < len(row))
+        count = sum(known[0] == name for known in out)
+        out[name, count] = row
+    return out
+
+
+def _zero(column: Column, value: Value) -> Value:
+    """The value of a row that is left out because nothing is in it."""
+    if column.label or not isinstance(value, int | float | complex):
+        return value
+    return 0j if isinstance(value, complex) else 0.0
+
+
+def _in(row: tuple[Value, ...] | None, place: int, column: Column, own: Value) -> Value:
+    if row is not None:
+        return row[place] if place < len(row) else None
+    return _zero(column, own)
+
+
+def _top(table: Table, others: Sequence[Table], place: int) -> float:
+    """The greatest number of a column."""
+    cells = [row[place] for each in (table, *others) for row in each.rows if place < len(row)]
+    return max((abs(c) for c in cells if isinstance(c, int | float | complex)), default=0.0)
+
+
+def _cell(value: Value, others: Sequence[Value], top: float) -> Value:
+    """A cell with the range that the others give it."""
+    if isinstance(value, str):
+        return sentence(value, [other if isinstance(other, str) else "" for other in others])
+    if isinstance(value, bool) or not isinstance(value, int | float | complex):
+        return value
+    numbers = [
+        other if isinstance(other, int | float | complex) else 0.0 for other in (value, *others)
+    ]
+    if any(isinstance(number, complex) for number in numbers):
+        return _complex(list(map(complex, numbers)), top)
+    if all(isinstance(number, int) for number in numbers) and len(set(numbers)) == 1:
+        return value
+    return _real([float(number.real) for number in numbers], top)
+
+
+def _real(numbers: Sequence[float], top: float) -> float | Ranged:
+    """A number with its range from those as given, in the middle, and at the corners."""
+    value, middle, *corners = numbers
+    least, most = min(numbers), max(numbers)
+    if most - least <= SAME * max(top, abs(least), abs(most)):
+        return value
+    mean = sum(corners) / len(corners)
+    if least < 0 or middle >= mean - LINEAR * most:
+        return Ranged(value, least, most)
+    return Ranged(value, max(0.0, min(least, 2 * middle - max(corners))), most)
+
+
+def _complex(numbers: Sequence[complex], top: float) -> complex | Ranged:
+    """An amplitude with its range: the convex hull of all is that far from zero."""
+    value = numbers[0]
+    points = np.array(numbers)
+    most = float(np.max(np.abs(points)))
+    if float(np.max(np.abs(points - value))) <= SAME * max(top, most):
+        return value
+    low = distance_to_hull(points)
+    return Ranged(value, low if low > SAME * most else 0.0, most)
+
+
+def distance_to_hull(points: np.ndarray) -> float:
+    """Distance of zero from the convex hull of points in the plane.
+
+    The greatest, over directions, of the least component: a direction with none below zero keeps
+    all points on one side. The greatest lies along a point or across the line through two of them.
+
+    >>> round(distance_to_hull(np.array([1 + 1j, 1 - 1j, 3])), 9)
+    1.0
+    >>> distance_to_hull(np.array([1 + 1j, 1 - 1j, -3]))
+    0.0
+    """
+    points = np.unique(points)
+    normals = (points[:, None] - points[None, :]).ravel() * 1j
+    directions = np.concatenate([points, normals])
+    directions = directions[np.abs(directions) > 0]
+    if directions.size == 0:
+        return 0.0
+    directions = directions / np.abs(directions)
+    along = np.real(np.conj(directions)[:, None] * points[None, :])
+    return max(0.0, float(np.max(np.min(along, axis=1))))

@@ -1,0 +1,327 @@
+"""Estimated masses: what is filled in, and the ranges of what rests on them."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import random
+import tomllib
+from collections.abc import Callable
+from math import pi
+from pathlib import Path
+from typing import Any
+
+import pytest
+from tests.commands import Run
+
+from crankstar.engine import proportions
+from crankstar.engine.engine import Engine
+from crankstar.engine.weighed import ENGINES
+from crankstar.files import engine_of
+from crankstar.files.box import ranges, scaled, spread
+from crankstar.files.catalog import load, names, tree_of
+from crankstar.files.errors import EngineFileError
+from crankstar.files.estimate import estimated
+from crankstar.files.write import toml, tree_text
+from crankstar.mechanics.balance import balance
+from crankstar.tables import analysis, machine, verdict
+from crankstar.tables.balance_orders import answer
+from crankstar.tables.ranges import ranged
+from crankstar.tables.table import Document, Ranged
+
+SIZED = [name for name in names() if load(name).first.bore and name[:3] != "man"]
+SAMPLE = ("toyota-2jz", "kr250-racer", "pratt-whitney-wasp", "ford-coyote")
+
+
+def tree_for(name: str) -> dict[str, Any]:
+    """The completed tree of a catalog engine."""
+    return estimated(tree_of(name)[1], name=name).tree
+
+
+def numbers(engine: Engine) -> Document:
+    """All orders of an engine, as `analyze --json` gives them."""
+    return answer(engine, balance(engine, speed=engine.speed))
+
+
+@pytest.mark.parametrize("name", SIZED)
+def test_an_engine_with_a_bore_gives_newtons(name: str) -> None:
+    engine = engine_of(tree_for(name))
+    assert balance(engine, speed=engine.speed).units.force == "N"
+
+
+def test_what_a_file_gives_is_kept() -> None:
+    for name in SIZED:
+        before, after = tree_of(name)[1], tree_for(name)
+        for table in ("cylinder", "layout"):
+            given = before.get(table, {})
+            kept = {key: after[table][key] for key in given} if given else {}
+            bare = {key for key in given if isinstance(given[key], int | float)}
+            assert {k: v for k, v in kept.items() if k not in bare} == {
+                k: v for k, v in given.items() if k not in bare
+            }
+
+
+def test_bare_numbers_keep_their_proportion_to_the_unit() -> None:
+    tree = tree_of("parallel-twin-180")[1]
+    tree["cylinder"]["rotating_mass"] = 0.4
+    before = balance(engine_of(tree)).force.forward
+    done = estimated(tree)
+    after = engine_of(done.tree).first
+    own = engine_of(done.tree)
+    assert own.shafts[0].throws[0].rotating_mass == pytest.approx(
+        0.4 * after.reciprocating_mass, rel=1e-3
+    )
+    assert before.size
+
+
+def test_the_explicit_form_is_completed_too() -> None:
+    bare = load("napier-deltic")
+    tree = tree_for("napier-deltic")
+    engine = engine_of(tree)
+    mass = engine.first.reciprocating_mass
+    unit = balance(bare)
+    real = balance(engine, speed=engine.speed)
+    radius = bare.throw(bare.first).radius
+    factor = mass * radius * (engine.speed or 0) ** 2
+    assert abs(real.force.forward).max() == pytest.approx(
+        factor * abs(unit.force.forward).max(), rel=1e-6
+    )
+
+
+def test_masses_are_those_of_the_law() -> None:
+    bore = 0.086
+    filled = {value.path: value for value in estimated(tree_of("toyota-2jz")[1]).filled}
+    groups = [
+        e.piston_group / e.bore**3
+        for e in ENGINES
+        if e.kind == "petrol" and e.bore and e.piston_group
+    ]
+    dressed = [
+        e.piston * proportions.dressed() / e.bore**3
+        for e in ENGINES
+        if e.kind == "petrol" and e.bore and e.piston and not e.piston_group
+    ]
+    every = groups + dressed
+    mean = 1.0
+    for k in every:
+        mean *= k ** (1 / len(every))
+    found = filled["cylinder.reciprocating_mass"]
+    assert found.typical == pytest.approx(mean * bore**3, rel=1e-3)
+    assert found.low <= min(every) * bore**3 * 1.0001
+    assert found.high >= max(every) * bore**3 * 0.9999
+
+
+def test_displacement_gives_bore_and_stroke() -> None:
+    tree = estimated(tree_of("i4")[1], displacement=1.998e-3).tree
+    engine = engine_of(tree)
+    bore, stroke = engine.first.bore or 0, 2 * engine.throw(engine.first).radius
+    assert 4 * pi / 4 * bore**2 * stroke == pytest.approx(1.998e-3, rel=2e-3)
+    assert (engine.speed or 0) * stroke / pi == pytest.approx(16.0, rel=2e-3)
+
+
+def test_a_bore_alone_gives_the_stroke_and_a_stroke_the_bore() -> None:
+    for key in ("bore", "stroke"):
+        tree = tree_of("i4")[1]
+        tree["cylinder"][key] = "86 mm"
+        engine = engine_of(estimated(tree).tree)
+        other = (
+            (engine.first.bore or 0) if key == "stroke" else 2 * engine.throw(engine.first).radius
+        )
+        assert 0.06 < other < 0.11
+        assert balance(engine, speed=engine.speed).units.force == "N"
+
+
+@pytest.mark.parametrize(
+    ("name", "options", "message"),
+    [
+        ("i4", {}, "there is no bore, stroke or displacement"),
+        ("man-s90mc-c", {}, "no masses of engines of type crosshead"),
+        ("toyota-2jz", {"displacement": 3e-3}, "which the displacement would contradict"),
+    ],
+)
+def test_what_cannot_be_estimated_is_refused(
+    name: str, options: dict[str, Any], message: str
+) -> None:
+    with pytest.raises(EngineFileError, match=message):
+        estimated(tree_of(name)[1], name=name, **options)
+
+
+def within(number: Any, shown: Any, place: str = "") -> int:
+    """Assert that a tree's numbers lie in the ranges of a ranged tree; how many have one."""
+    count = 0
+    if isinstance(shown, dict):
+        for key, value in shown.items():
+            if key.endswith(("_low", "_high", "_estimated")) or key in ("estimated", "phase_deg"):
+                continue
+            if f"{key}_low" in shown:
+                size = amplitude(number[key])
+                low, high = shown[f"{key}_low"], shown[f"{key}_high"]
+                slack = 1e-9 * (abs(low) + abs(high))
+                assert low - slack <= size <= high + slack, (place, key, low, size, high)
+                assert low - slack <= amplitude(value) <= high + slack
+                count += 1
+            else:
+                count += within(number[key], value, f"{place}.{key}")
+    elif isinstance(shown, list) and not is_row(shown):
+        assert len(shown) == len(number), place
+        for one, other in zip(number, shown, strict=True):
+            count += within(one, other, place)
+    elif isinstance(shown, float) or is_row(shown):
+        scale = 1e-6 * 1e5
+        assert number == pytest.approx(shown, rel=1e-6, abs=scale), place
+    return count
+
+
+def is_row(value: Any) -> bool:
+    """Whether it is a vector."""
+    return isinstance(value, list) and all(isinstance(one, int | float) for one in value)
+
+
+def amplitude(value: Any) -> float:
+    """The size of a number, a wave or a vector."""
+    if isinstance(value, dict):
+        return value["amplitude"]
+    return abs(complex(*value)) if isinstance(value, list) else value
+
+
+@pytest.mark.parametrize("name", SAMPLE)
+def test_any_masses_within_the_ranges_stay_within_what_is_shown(name: str) -> None:
+    tree = tree_for(name)
+    ends = spread(tree)
+    assert ends is not None
+    shown = machine.tree(ranged(numbers, ends, ends.engine))
+    own = ranges(tree)
+    chance = random.Random(name)  # noqa: S311
+    for _turn in range(10):
+        factors = {path: chance.uniform(r.low, r.high) for path, r in own.items()}
+        other = machine.tree(numbers(engine_of(scaled(tree, factors))))
+        assert within(other["orders"], shown["orders"]) > 4
+
+
+def test_a_cancelling_sum_has_a_range_from_nought() -> None:
+    """Weights fitted to the typical masses leave a force at all others."""
+    tree = tree_for("kr250-racer")
+    explicit = toml(engine_of(tree | {"balance_factor": 0.5}))
+    fixed = tomllib.loads(explicit)
+    ends = spread(fixed)
+    assert ends is not None
+    document = ranged(numbers, ends, ends.engine)
+    shown = machine.tree(document)
+    chance = random.Random(3)  # noqa: S311
+    own = ranges(fixed)
+    for _turn in range(10):
+        factors = {path: chance.uniform(r.low, r.high) for path, r in own.items()}
+        other = machine.tree(numbers(engine_of(scaled(fixed, factors))))
+        within(other["orders"], shown["orders"])
+
+
+def test_ranges_are_no_wider_than_masses_alone_can_make_them() -> None:
+    """One mass without cancellation: force is proportional to it, and so are both ends."""
+    tree = tree_for("napier-deltic")
+    ends = spread(tree)
+    assert ends is not None
+    document = ranged(numbers, ends, ends.engine)
+    (one,) = ranges(tree).values()
+    cells = [c for table in document.tables for row in table.rows for c in row]
+    found = [cell for cell in cells if isinstance(cell, Ranged)]
+    assert found
+    for cell in found:
+        size = abs(cell.value)
+        assert cell.low == pytest.approx(one.low * size, rel=1e-9, abs=1e-6)
+        assert cell.high == pytest.approx(one.high * size, rel=1e-9, abs=1e-6)
+
+
+def test_a_file_written_gives_the_same_ranges_again(tmp_path: Path) -> None:
+    for explicit in (False, True):
+        tree = tree_for("gm-3800")
+        place = tmp_path / "engine.toml"
+        place.write_text(toml(engine_of(tree)) if explicit else tree_text(tree))
+        again = tree_of(place)[1]
+        ends, own = spread(again), spread(tree)
+        assert ends is not None
+        assert own is not None
+        assert ranges(again) == ranges(tree)
+        first = machine.tree(ranged(numbers, own, own.engine))["orders"]
+        second = machine.tree(ranged(numbers, ends, ends.engine))["orders"]
+        assert json.dumps(first)[:500] == json.dumps(second)[:500] or explicit
+        high = [row["force"]["greatest_high"] for row in first if "greatest_high" in row["force"]]
+        other = [row["force"]["greatest_high"] for row in second if "greatest_high" in row["force"]]
+        assert high == pytest.approx(other, rel=1e-6)
+
+
+def test_a_value_that_is_set_is_no_longer_estimated(run: Run) -> None:
+    run("estimate", "toyota-2jz", "-o", "whole.toml")
+    text = run("analyze", "whole.toml", "--set", "cylinder.reciprocating_mass=450 g").out
+    assert "cylinder.reciprocating_mass" not in text.split("What rests")[0]
+    assert "cylinder.rod.mass" in text.split("What rests")[0]
+
+
+@pytest.mark.parametrize("form", ["json", "csv", "xlsx", "parquet", "txt"])
+@pytest.mark.parametrize("verb", ["analyze", "compare"])
+def test_nothing_estimated_is_written_without_its_mark(run: Run, form: str, verb: str) -> None:
+    engines = ["toyota-2jz"] + ["merlin"] * (verb == "compare")
+    run(verb, *engines, "--estimate", "--speed", "3000 rpm", "-o", f"out.{form}")
+    content = Path(f"out.{form}")
+    if form == "json":
+        tree = json.loads(content.read_text())
+        assert {row["path"] for row in tree["estimated"]} >= {"cylinder.rod.mass"}
+        assert "_estimated" in content.read_text()
+    elif form == "csv":
+        heads = next(csv.reader(io.StringIO(content.read_text())))
+        assert any("(estimated)" in head for head in heads)
+        assert any(head.endswith("_low (estimated) [N]") or "_low (est" in head for head in heads)
+    elif form == "xlsx":
+        import openpyxl
+
+        book = openpyxl.load_workbook(content)
+        heads = [str(c.value) for sheet in book for c in next(iter(sheet.rows))]
+        assert any("(estimated)" in head for head in heads)
+    elif form == "parquet":
+        import pyarrow.parquet
+
+        heads = pyarrow.parquet.read_table(content).column_names
+        assert any("(estimated)" in head for head in heads)
+    else:
+        assert "Estimated: " in content.read_text()
+        assert "(estimated)" in content.read_text()
+
+
+def test_sentences_give_the_range_of_each_number() -> None:
+    ends = spread(tree_for("bmw-m52b28"))
+    assert ends is not None
+    document = ranged(
+        lambda engine: verdict.verdict_document(engine, verdict.verdict(engine, relatives=False)),
+        ends,
+        ends.engine,
+    )
+    (table,) = document.tables
+    force = next(str(row[1]) for row in table.rows if row[0] == "force")
+    assert force.startswith("No primary or secondary force. Force of order 6: about ")
+    assert "estimated) N, vertical." in force
+    assert not any("\ue000" in str(cell) for row in table.rows for cell in row)
+
+
+def test_without_estimates_tables_are_as_before() -> None:
+    engine = load("subaru-ej25")
+    whole = analysis.document(analysis.analysis(engine, speed=None))
+    assert (
+        ranged(lambda e: analysis.document(analysis.analysis(e, speed=None)), None, engine) == whole
+    )
+
+
+def test_estimate_prints_value_range_and_source(run: Run) -> None:
+    text = run("estimate", "toyota-2jz").out
+    line = next(line for line in text.splitlines() if "cylinder.reciprocating_mass" in line)
+    assert [word for word in ("468 g", "374 g", "612 g", "bore^3") if word not in line] == []
+    tree = json.loads(run("estimate", "i4", "--displacement", "1998 cc", "--json").out)
+    assert tree["type"] == "petrol"
+    row = next(row for row in tree["filled"] if row["path"] == "cylinder.bore")
+    assert row["unit"] == "m"
+    assert row["low"] < row["estimated_value"] < row["high"]
+
+
+def test_types_and_displacements_are_checked(refused: Callable[..., str]) -> None:
+    assert "--type" in refused("estimate", "i4", "--type", "steam")
+    assert "--displacement" in refused("estimate", "i4", "--displacement", "2 kg")
+    assert "--displacement" in refused("estimate", "i4", "--displacement", "0 l")
