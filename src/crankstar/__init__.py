@@ -23,7 +23,7 @@ Rooms, top to bottom; a room imports only from rooms below it, and lists its mod
 | `derive/` | exact closed forms step by step; their `algebra/`; `errata/` of published formulas |
 | `remedy/` | what is sized and added so that it shakes less: weights, shafts; gives an Engine |
 | `files/` | outside data to Engine and back: TOML, JSON, units; schema, starters, the catalog |
-| `dynamics/` | what the excitation does to block and crankshaft; so far: the free block |
+| `dynamics/` | what the excitation does: the free block, loads on main bearings |
 | `mechanics/` | excitation by cause, so far: inertia; what counts as zero, which orders are shown |
 | `firing/` | firing orders and intervals, given or found; strokes, exhaust; V engines |
 | `engine/` | records, what makes them valid, quantities, layouts, motion, changed copies |
@@ -45,6 +45,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from crankstar.derive import derivation, family, signs
+    from crankstar.dynamics.bearings import BearingLoads, Bending, bearing_loads, bending_moment
     from crankstar.dynamics.whirl import whirl
     from crankstar.engine.engine import Engine
     from crankstar.engine.records import Cylinder, Rod, Shaft, Throw, Weight
@@ -65,6 +66,7 @@ __version__ = "0.1.0"
 
 _HOMES = {
     "dynamics.whirl": ("whirl",),
+    "dynamics.bearings": ("BearingLoads", "Bending", "bearing_loads", "bending_moment"),
     "derive": ("derivation", "family", "signs"),
     "engine.engine": ("Engine",),
     "engine.records": ("Cylinder", "Rod", "Shaft", "Throw", "Weight"),
@@ -89,6 +91,8 @@ _UNREAD = ("load", "names", "widget")
 
 __all__ = [
     "Balance",
+    "BearingLoads",
+    "Bending",
     "Cylinder",
     "Engine",
     "EngineError",
@@ -101,6 +105,8 @@ __all__ = [
     "Totals",
     "Weight",
     "balance",
+    "bearing_loads",
+    "bending_moment",
     "compare",
     "derivation",
     "family",

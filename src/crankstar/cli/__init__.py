@@ -9,6 +9,7 @@
 | `tabulating` | a Document as tables, JSON, CSV, a spreadsheet or Parquet |
 | `inspect` | list, show, analyze, compare, verdict, strokes |
 | `estimating` | estimate |
+| `bearing_loads` | bearings |
 | `deriving` | derive, errata |
 | `firing` | orders, vees |
 | `search_options` | the options of search |
@@ -25,6 +26,7 @@
 
 from crankstar.cli import (
     balancing,
+    bearing_loads,
     deriving,
     estimating,
     exporting,
@@ -43,6 +45,7 @@ from crankstar.cli.application import app, main
 __all__ = [
     "app",
     "balancing",
+    "bearing_loads",
     "deriving",
     "estimating",
     "exporting",

@@ -3,5 +3,6 @@
 | module, bottom to top | one line |
 |---|---|
 | `beams` | how the forces on a crankshaft are shared among its main bearings |
+| `bearings` | loads on main bearings and crank pins, the bending moment along a crankshaft |
 | `whirl` | shift, tilt and turn of the free rigid engine, order by order |
 """

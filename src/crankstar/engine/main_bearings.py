@@ -41,7 +41,10 @@ class PinGroup(NamedTuple):
 
 
 def main_bearings(engine: Assembly, shaft: Shaft) -> tuple[float, ...]:
-    """Places z of the main bearings of a crankshaft, front first; none of a shaft without throws.
+    """Places z of the main bearings of a shaft, front first.
+
+    A shaft without throws, whose file gives none, has two: at the usual planes of balance shafts
+    if it has weights, else none.
 
     >>> from crankstar.engine.copies import with_values
     >>> from crankstar.files.catalog import load
@@ -51,8 +54,10 @@ def main_bearings(engine: Assembly, shaft: Shaft) -> tuple[float, ...]:
     >>> main_bearings(four, with_values(four.shafts[0], bearing_count=3))
     (2.0, 0.0, -2.0)
     """
-    if shaft.bearings or not shaft.throws:
+    if shaft.bearings:
         return shaft.bearings
+    if not shaft.throws:
+        return end_planes(engine) if shaft.weights else ()
     ends = _ends(shaft, _close_pins(engine, shaft))
     gaps = [(rear, front) for (_, rear), (front, _) in pairwise(ends)]
     beyond = _end_room(engine, ends)

@@ -95,7 +95,7 @@ def part_spectra(
     pieces = [
         _sum([placed(machine, columns, unit, amount) for unit, amount in body]) for body in moving
     ]
-    pieces.append(_rotors(machine, columns))
+    pieces.append(rotors(machine, columns))
     forward, backward, moment, energy = (
         _stacked([piece[i] for piece in pieces], axis=-2) for i in range(4)
     )
@@ -172,7 +172,7 @@ def placed(machine: Mechanism, columns: Columns, unit: Harmonics, amount: Real) 
     return out
 
 
-def _rotors(machine: Mechanism, columns: Columns) -> Vectors:
+def rotors(machine: Mechanism, columns: Columns) -> Vectors:
     """Throws and weights: one vector each, turning with its shaft."""
     vector = machine.unbalance * np.exp(1j * machine.unbalance_angle)
     forward = np.zeros((*vector.shape, columns.orders.size), complex)

@@ -161,6 +161,11 @@ OPTIONS = {
         "text", "Quantity to minimise.", ("--minimize", "--least", "--objective", "--optimise")
     ),
     "--mode-shape": Option("text", "For torsion: amplitude of the mode at each cylinder."),
+    "--model": Option(
+        "text",
+        "Crankshaft on its main bearings: determinate (hinged at each) or continuous (one beam).",
+        ("--beam",),
+    ),
     "--notation": Option(
         "text",
         "Symbols: crankstar (r, l, λ = r/l), stroke (S, L = l/S) or sinitsyn (P_R, C_I, C_II, l0).",

@@ -11,8 +11,8 @@ u_j, and so convex in them: the length at every crank angle (peak), or the root 
 over the period (rms); of the force, of the couple, or of one of its components (pitch is the
 couple's up, yaw its right); or the load on the main bearings.
 
-The load is the first-order inertia force that a crankshaft cut through at its main bearings hands
-to one of them by the law of the lever, of what turns and of what goes to and fro. The side thrust
+The load is the first-order inertia force that a crankshaft hands to one of its main bearings, of
+what turns and of what goes to and fro, shared as `dynamics.bearings` does. The side thrust
 of the pistons is left out, which changes it by the square of crank radius over rod length, some per
 cent.
 """
@@ -21,14 +21,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
 from crankstar import spectra
+from crankstar.dynamics.bearings import Model, bearing_shares
 from crankstar.engine.engine import Engine
-from crankstar.engine.main_bearings import main_bearings
 from crankstar.mechanics.balance import default_reference, unit_unbalance
 from crankstar.mechanics.excitation import Reference, part_spectra
 from crankstar.mechanics.mechanism import mechanism
@@ -80,9 +79,16 @@ class Setting:
 
 
 def setting(
-    engine: Engine, planes: Sequence[Plane], *, reference: Reference | None = None
+    engine: Engine,
+    planes: Sequence[Plane],
+    *,
+    reference: Reference | None = None,
+    model: Model = "determinate",
 ) -> Setting:
-    """The problem of choosing weights in these planes, of an engine without any there."""
+    """The problem of choosing weights in these planes, of an engine without any there.
+
+    `model`: how the main bearings share what acts on a crankshaft.
+    """
     reference = reference or default_reference(engine)
     unit = unit_unbalance(engine)
     parts = part_spectra(mechanism(engine), reference=reference)
@@ -98,7 +104,7 @@ def setting(
         forward=tuple(bool(each > 0) for each in ratio),
         squared=ratio**2,
         arm=np.array([(plane.z - reference.z) / engine.pitch for plane in planes]),
-        loads=tuple(_loads(engine, planes, spectra.scaled(parts.force, 1 / unit))),
+        loads=tuple(_loads(engine, planes, spectra.scaled(parts.force, 1 / unit), model)),
     )
 
 
@@ -110,7 +116,7 @@ def _with_orders(spectrum: Spectrum, kept: Real) -> Spectrum:
 
 
 def _loads(
-    engine: Engine, planes: Sequence[Plane], force: Spectrum
+    engine: Engine, planes: Sequence[Plane], force: Spectrum, model: Model
 ) -> list[tuple[Real, complex, complex]]:
     """For each main bearing its share of a weight in each plane, and its bare vectors."""
     bearing_loads: list[tuple[Real, complex, complex]] = []
@@ -120,27 +126,17 @@ def _loads(
     on = np.array([*machine.cylinder_shaft] * repeats + [*machine.rotor_shaft])
     for index, shaft in enumerate(engine.shafts):
         own = spectra.selected(force, [abs(float(shaft.speed_ratio))])
-        bearings = main_bearings(engine, shaft)
-        for place in range(len(bearings)):
-            share = np.array([_share(bearings, place, where) for where in z]) * (on == index)
-            plane = np.array(
-                [_share(bearings, place, p.z) * (p.shaft == shaft.name) for p in planes]
-            )
+        if not shaft.throws:
+            continue
+        shares = bearing_shares(engine, shaft, z, model=model) * (on == index)
+        own_planes = np.array([plane.shaft == shaft.name for plane in planes])
+        plane_shares = bearing_shares(engine, shaft, [p.z for p in planes], model=model)
+        for share, plane in zip(shares, plane_shares * own_planes, strict=True):
             ahead, behind = complex(share @ own.forward[:, 0]), complex(share @ own.backward[:, 0])
             if shaft.speed_ratio < 0:
                 ahead, behind = behind, ahead
             bearing_loads.append((plane, ahead, behind))
     return bearing_loads
-
-
-def _share(bearings: Sequence[float], place: int, z: float) -> float:
-    """The share of a force at z on one bearing of a shaft cut at all of them; beyond, a lever."""
-    spans = list(pairwise(range(len(bearings))))
-    front, rear = next(((a, b) for a, b in spans if z >= bearings[b]), spans[-1])
-    if place not in (front, rear):
-        return 0.0
-    other = rear if place == front else front
-    return (z - bearings[other]) / (bearings[place] - bearings[other])
 
 
 def with_unbalance(case: Setting, x: Real, quantity: Literal["force", "couple"]) -> Spectrum:

@@ -28,6 +28,7 @@
 | `search_stars` | the stars of a search |
 | `uneven_angles` | uneven angles of a star |
 | `sweeps` | a sweep and its best value |
+| `bearings` | loads on main bearings and crank pins, guide forces |
 | `certificate` | the best weights and their lower bound |
 | `cures` | what removes the remaining forces and couples |
 | `turning` | what turns with the crankshaft: moving parts, weights of the file, new ones |

@@ -1,0 +1,255 @@
+"""Loads on main bearings and crank pins, guide forces, and the bending moment along a crankshaft.
+
+On a shaft act, free of gas pressure, the pin loads S of its cylinders (`mechanics.pin_loads`) and
+the centrifugal forces of its throws and weights. The main bearings carry them: with the shares of
+`beams`, force by force,
+
+    L_b = sum over forces f of share[b, f] F_f           N, what the journal pushes on its bearing,
+
+so that all bearing loads and guide forces add up to force and couple on the block. Forces at the
+teeth of gears and the weight of the parts are left out.
+
+The bending moment at z is the moment of all that acts on the shaft in front of it,
+
+    M(z) = sum over z_f > z of (z_f - z) F_f  -  sum over z_b > z of (z_b - z) L_b,
+
+a vector in the clock plane, in the plane in which it bends, as couples are. Without the bearings
+(`model=None`) it is the *internal* moment of the free shaft: what the crankshaft must bear, or hand
+to its bearings, even where force and couple on the block cancel. Its length is the same in the
+frame that turns with the crankshaft.
+
+Source: C. F. Taylor, The Internal-Combustion Engine in Theory and Practice, vol. 2, bearing loads;
+shares by statics and by `beams`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from typing import Literal, NamedTuple
+
+import numpy as np
+
+from crankstar import spectra
+from crankstar.dynamics.beams import continuous_shares, cut_shares
+from crankstar.engine.engine import Engine
+from crankstar.engine.main_bearings import main_bearings
+from crankstar.engine.records import Shaft
+from crankstar.mechanics.balance import scales
+from crankstar.mechanics.excitation import columns_of, rotors
+from crankstar.mechanics.mechanism import Mechanism, mechanism
+from crankstar.mechanics.pin_loads import PinLoads, pin_loads
+from crankstar.spectra import Complex, Real, Spectrum
+
+Model = Literal["determinate", "continuous"]
+"""The crankshaft hinged at each main bearing, or one uniform beam on all of them."""
+STEPS = 8
+"""Places between two forces or bearings at which a bending moment is given."""
+
+
+class Bearing(NamedTuple):
+    """A main bearing: its shaft, its number from the front, its place; whether that is assumed."""
+
+    shaft: str
+    number: int
+    z: float
+    assumed: bool
+
+
+class CrankPin(NamedTuple):
+    """A crank pin: its shaft, the number of its throw, its place, the cylinders that work on it."""
+
+    shaft: str
+    throw: int
+    z: float
+    cylinders: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class BearingLoads:
+    """Spectra [part, order] in `unit`, order 0 (steady) first, each of the parts beside it.
+
+    `load` of `bearings`, `pin` of `pins`: what its rods put on each crank pin; `guide` of each of
+    `cylinders`: what its piston puts on the wall.
+
+    >>> from crankstar.files.catalog import load
+    >>> loads = bearing_loads(load("v2-90"))
+    >>> [pin.cylinders for pin in loads.pins], len(loads.bearings), loads.unit
+    ([(1, 2)], 2, 'm*r*w^2')
+    """
+
+    bearings: tuple[Bearing, ...]
+    load: Spectrum
+    pins: tuple[CrankPin, ...]
+    pin: Spectrum
+    cylinders: tuple[int, ...]
+    guide: Spectrum
+    model: Model
+    unit: str
+    speed: float | None
+
+
+@dataclass(frozen=True)
+class Bending:
+    """The bending moment of a shaft: spectrum [place, order] in `unit`, front `z` first.
+
+    >>> from crankstar.files.catalog import load
+    >>> bending = bending_moment(load("v2-90"), model="determinate")
+    >>> float(spectra.peaks(bending.moment)[0]), bending.unit
+    (0.0, 'm*r*w^2*a')
+    """
+
+    shaft: str
+    z: tuple[float, ...]
+    moment: Spectrum
+    unit: str
+    speed: float | None
+
+
+def bearing_loads(
+    engine: Engine, *, speed: float | None = None, model: Model = "determinate"
+) -> BearingLoads:
+    """Loads on all main bearings, crank pins and cylinder walls by crank order.
+
+    In N at `speed` (rad/s), without one in m r w^2. A `continuous` shaft rests on rigid bearings,
+    or on those of the stiffness that the engine file gives with the shaft's bending stiffness.
+
+    >>> from crankstar.files.catalog import load
+    >>> loads = bearing_loads(load("i4"))
+    >>> first = spectra.selected(loads.load, 1)
+
+    The first-order forces of an in-line four cancel on the block; the middle bearing, between two
+    throws that point the same way, carries half of each piston's, 1 in all:
+
+    >>> abs(spectra.vertical(first)[:, 0]).round(3).tolist()
+    [0.5, 0.0, 1.0, 0.0, 0.5]
+    """
+    machine = mechanism(engine)
+    loads = pin_loads(machine)
+    scale, units = scales(engine, speed)
+    bearings: list[Bearing] = []
+    pins: list[CrankPin] = []
+    parts: list[Spectrum] = []
+    on_pins: list[Spectrum] = []
+    for index, shaft in enumerate(engine.shafts):
+        places, forces = _forces(machine, loads, index)
+        own = main_bearings(engine, shaft)
+        if own:
+            parts.append(_shared(bearing_shares(engine, shaft, places, model=model), forces))
+        bearings += [Bearing(shaft.name, n, z, not shaft.bearings) for n, z in enumerate(own, 1)]
+        for number, throw in enumerate(shaft.throws, 1):
+            rods = [
+                row
+                for row, c in enumerate(engine.cylinders)
+                if (c.shaft, c.throw) == (shaft.name, number)
+            ]
+            cylinders = tuple(engine.cylinders[row].number for row in rods)
+            pins.append(CrankPin(shaft.name, number, throw.z, cylinders))
+            on_pins.append(_shared(np.ones((1, len(rods))), loads.pin[rods]))
+    return BearingLoads(
+        tuple(bearings),
+        spectra.scaled(_stacked(parts), scale.force),
+        tuple(pins),
+        spectra.scaled(_stacked(on_pins), scale.force),
+        tuple(cylinder.number for cylinder in engine.cylinders),
+        spectra.scaled(loads.guide, scale.force),
+        model,
+        units.force,
+        speed if units.force == "N" else None,
+    )
+
+
+def bending_moment(
+    engine: Engine,
+    *,
+    shaft: str | None = None,
+    speed: float | None = None,
+    model: Model | None = None,
+) -> Bending:
+    """The bending moment along a crankshaft, by default the first; `model=None`: the free shaft.
+
+    In N m at `speed` (rad/s), without one in m r w^2 a.
+
+    >>> from crankstar.files.catalog import load
+    >>> bending = bending_moment(load("i4"))
+    >>> first = abs(spectra.vertical(spectra.selected(bending.moment, 1))[:, 0])
+    >>> bool(np.isclose(first.max(), 1.0)), bending.z[int(first.argmax())]
+    (True, 0.5)
+    """
+    machine = mechanism(engine)
+    name = shaft or engine.shafts[0].name
+    index = [each.name for each in engine.shafts].index(name)
+    own = engine.shafts[index]
+    places, forces = _forces(machine, pin_loads(machine), index)
+    bearings = main_bearings(engine, own)
+    z = _along([*places, *bearings])
+    levers = np.maximum(np.asarray(places) - z[:, None], 0.0)
+    if model is not None:
+        held = np.maximum(np.asarray(bearings) - z[:, None], 0.0)
+        levers = levers - held @ bearing_shares(engine, own, places, model=model)
+    scale, units = scales(engine, speed)
+    moment = spectra.scaled(_shared(levers, forces), scale.couple)
+    known = speed if units.force == "N" else None
+    return Bending(name, tuple(z.tolist()), moment, units.couple, known)
+
+
+def bearing_shares(
+    engine: Engine, shaft: Shaft, places: Sequence[float], *, model: Model = "determinate"
+) -> Real:
+    """Shares [bearing, force] of forces at `places` on the main bearings of a shaft."""
+    bearings = main_bearings(engine, shaft)
+    if model == "determinate":
+        return cut_shares(bearings, places)
+    compliance = 0.0
+    if shaft.bending_stiffness and shaft.bearing_stiffness:
+        length = bearings[0] - bearings[-1]
+        compliance = shaft.bending_stiffness / (shaft.bearing_stiffness * length**3)
+    return continuous_shares(bearings, places, compliance=compliance)
+
+
+def _forces(machine: Mechanism, loads: PinLoads, index: int) -> tuple[list[float], Spectrum]:
+    """Places and forces of the rods, throws and weights of a shaft, at 1 rad/s."""
+    rows = [row for row, on in enumerate(machine.cylinder_shaft) if on == index]
+    turning = [row for row, on in enumerate(machine.rotor_shaft) if on == index]
+    columns = columns_of(machine, 1, loads.pin.orders[1:].tolist())
+    vectors = rotors(machine, columns)
+    still = np.zeros((len(machine.rotor_shaft), 1))
+    rotating = replace(
+        loads.pin,
+        forward=np.concatenate([still, vectors.forward], axis=-1),
+        backward=np.concatenate([still, vectors.backward], axis=-1),
+    )
+    places = [*np.asarray(machine.z)[rows], *np.asarray(machine.unbalance_z)[turning]]
+    return [float(z) for z in places], _stacked([loads.pin[rows], rotating[turning]])
+
+
+def _shared(shares: Real, forces: Spectrum) -> Spectrum:
+    """Sums of forces, each times its share, what is only rounding set to zero."""
+
+    def added(values: Complex) -> Complex:
+        noise = spectra.ROUNDING * (np.abs(shares) @ size)
+        out: Complex = shares @ values
+        real, imaginary = (
+            np.where(np.abs(x) <= noise, 0.0, x) for x in (np.real(out), np.imag(out))
+        )
+        return real + 1j * imaginary
+
+    size = np.abs(forces.forward) + np.abs(forces.backward)
+    return replace(forces, forward=added(forces.forward), backward=added(forces.backward))
+
+
+def _stacked(parts: Sequence[Spectrum]) -> Spectrum:
+    """Spectra of the same orders, their parts one after the other."""
+    return replace(
+        parts[0],
+        forward=np.concatenate([part.forward for part in parts]),
+        backward=np.concatenate([part.backward for part in parts]),
+    )
+
+
+def _along(places: Sequence[float]) -> Real:
+    """The places, front first, and steps between them."""
+    kinks = sorted({round(z, 12) for z in places}, reverse=True)
+    steps = [np.linspace(a, b, STEPS, endpoint=False) for a, b in pairwise(kinks)]
+    return np.concatenate([*steps, kinks[-1:]])

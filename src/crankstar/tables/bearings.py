@@ -1,0 +1,217 @@
+"""Loads on main bearings, crank pins and cylinder walls as tables."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from math import degrees, pi
+
+import numpy as np
+
+from crankstar import spectra
+from crankstar.dynamics.bearings import BearingLoads, Model, bearing_loads, bending_moment
+from crankstar.engine.engine import Engine
+from crankstar.language.messages import N_, _
+from crankstar.language.numbers import NEGLIGIBLE
+from crankstar.mechanics.balance import balance
+from crankstar.spectra import Spectrum
+from crankstar.tables.conditions import unit_sentence, unit_sizes
+from crankstar.tables.headings import heading
+from crankstar.tables.paths import shape
+from crankstar.tables.scales import scales
+from crankstar.tables.table import Column, Document, Table, Value, remarks
+
+NOTED = 0.02
+"""Share of the greatest load of one order from which an order is printed."""
+MODELS = {
+    "determinate": N_(
+        "Crankshaft hinged at each main bearing: a force is carried by the two beside it."
+    ),
+    "continuous": N_("Crankshaft as one uniform beam on all main bearings."),
+}
+
+
+def bearing_document(
+    engine: Engine,
+    *,
+    speed: float | None = None,
+    model: Model = "determinate",
+    orders: Callable[[list[float]], list[float] | None] = lambda _present: None,
+    machine: bool = False,
+) -> Document:
+    """Peaks of all bearings, pins and walls over a turn, and the bearings by order.
+
+    `orders` chooses from those present; by default those of note, and all for a `machine`, whose
+    first table they are.
+    """
+    turning = engine.speed if speed is None else speed
+    loads = bearing_loads(engine, speed=turning, model=model)
+    shown = orders(main_orders(loads, share=0.0)) or main_orders(
+        loads, share=0.0 if machine else NOTED
+    )
+    greatest, single = peaks(engine, loads), by_order(loads, shown)
+    result = balance(engine, speed=turning)
+    notes = (_(MODELS[model]), unit_sentence(engine, result), unit_sizes(engine))
+    facts = {
+        "engine": engine.name,
+        "model": model,
+        "speed_rpm": None if loads.speed is None else loads.speed * 30 / pi,
+        "unit": loads.unit,
+    }
+    return Document(
+        engine.name,
+        (
+            heading(engine),
+            *remarks(*notes, kind="note"),
+            *((single, greatest) if machine else (greatest, single)),
+            pins(loads),
+            walls(loads),
+            bending(engine, speed=turning, model=model),
+        ),
+        facts,
+    )
+
+
+def main_orders(loads: BearingLoads, *, share: float) -> list[float]:
+    """The orders with at least this share of the greatest on any bearing."""
+    size = (np.abs(loads.load.forward) + np.abs(loads.load.backward)).max(axis=0, initial=0.0)
+    return loads.load.orders[size > share * size.max(initial=0.0)].tolist()
+
+
+def _place(value: complex, largest: float) -> Value:
+    """The bearing of a vector in degrees, none of one that is nothing."""
+    if abs(value) <= NEGLIGIBLE * largest:
+        return None
+    return round(degrees(float(np.angle(value))), 6) + 0.0
+
+
+def _steady(spectrum: Spectrum) -> np.ndarray:
+    """The mean over a turn of each part."""
+    still = spectra.selected(spectrum, 0.0)
+    return (still.forward + still.backward)[:, 0]
+
+
+def _peak_cells(spectrum: Spectrum, largest: float) -> tuple[Value, ...]:
+    """Greatest, at which crank angle, where it points."""
+    top = spectra.peak(spectrum)
+    angle = round(degrees(top.theta), 6) + 0.0 if top.value > NEGLIGIBLE * largest else None
+    return top.value, angle, _place(top.vector, largest)
+
+
+def _peak_columns(unit: str) -> tuple[Column, ...]:
+    return (
+        Column(_("greatest"), unit, key="peak/value"),
+        Column("θ", "deg", key="peak/theta_deg"),
+        Column(_("bearing"), "deg", key="peak/bearing_deg"),
+    )
+
+
+def peaks(engine: Engine, loads: BearingLoads) -> Table:
+    """The greatest load of each main bearing over a turn, where it points, and the mean."""
+    along = scales(engine).along
+    columns = (
+        Column(_("shaft"), kind="text", key="shaft", label=True, wraps=True),
+        Column(_("main bearing"), key="bearing", label=True),
+        Column("z", along.unit, key="z"),
+        Column(_("place"), kind="text", key="place", optional=1),
+        *_peak_columns(loads.unit),
+        Column(_("mean"), loads.unit, key="mean"),
+    )
+    largest = float(spectra.peaks(loads.load).max(initial=0.0))
+    steady = np.abs(_steady(loads.load))
+    rows: list[tuple[Value, ...]] = []
+    for index, bearing in enumerate(loads.bearings):
+        place = _("assumed") if bearing.assumed else _("from the file")
+        cells = (bearing.shaft, bearing.number, along.of(bearing.z), place)
+        top = _peak_cells(loads.load[index], largest)
+        rows.append((*cells, *top, float(steady[index])))
+    doubtful = frozenset(i for i, bearing in enumerate(loads.bearings) if bearing.assumed)
+    title = _("Loads on main bearings from inertia and weights, over a turn")
+    return Table(title, columns, tuple(rows), key="bearings", doubtful=doubtful)
+
+
+def by_order(loads: BearingLoads, orders: Sequence[float]) -> Table:
+    """The load of each main bearing, order by order; order 0 is steady."""
+    columns = (
+        Column(_("shaft"), kind="text", key="shaft", label=True, wraps=True),
+        Column(_("main bearing"), key="bearing", label=True),
+        Column(_("order"), key="order", label=True),
+        Column(_("vertical"), loads.unit, kind="wave", key="vertical"),
+        Column(_("horizontal"), loads.unit, kind="wave", key="horizontal"),
+        Column(_("path"), kind="text", wraps=True, optional=2),
+        Column(_("forward"), loads.unit, kind="vector", key="forward", machine=True),
+        Column(_("backward"), loads.unit, kind="vector", key="backward", machine=True),
+        Column(_("greatest"), loads.unit, key="greatest", optional=1),
+    )
+    chosen = spectra.selected(loads.load, list(orders))
+    up, right = spectra.vertical(chosen), spectra.horizontal(chosen)
+    largest = float(spectra.peaks(loads.load).max(initial=0.0))
+    rows: list[tuple[Value, ...]] = []
+    for index, bearing in enumerate(loads.bearings):
+        for place, order in enumerate(orders):
+            forward, backward = (
+                complex(side[index, place]) for side in (chosen.forward, chosen.backward)
+            )
+            path = spectra.ellipse(forward, backward)
+            if path.semi_major <= NEGLIGIBLE * largest:
+                continue
+            waves = [
+                wave if abs(wave) > NEGLIGIBLE * path.semi_major else 0j
+                for wave in (complex(up[index, place]), complex(right[index, place]))
+            ]
+            if order == 0:
+                waves = [complex((forward + backward).real), complex((forward + backward).imag)]
+            words = _("steady") if order == 0 else shape(path)
+            ends = (words, forward, backward, path.semi_major)
+            rows.append((bearing.shaft, bearing.number, float(order), *waves, *ends))
+    return Table(_("Main bearings by order"), columns, tuple(rows), key="orders")
+
+
+def pins(loads: BearingLoads) -> Table:
+    """The greatest load that the rods put on each crank pin."""
+    columns = (
+        Column(_("shaft"), kind="text", key="shaft", label=True, wraps=True),
+        Column(_("throw"), key="throw", label=True),
+        Column(_("cylinders"), kind="list", key="cylinders"),
+        *_peak_columns(loads.unit),
+    )
+    largest = float(spectra.peaks(loads.pin).max(initial=0.0))
+    rows = tuple(
+        (pin.shaft, pin.throw, pin.cylinders, *_peak_cells(loads.pin[index], largest))
+        for index, pin in enumerate(loads.pins)
+    )
+    return Table(_("Loads of the rods on crank pins"), columns, rows, key="pins")
+
+
+def walls(loads: BearingLoads) -> Table:
+    """The greatest guide force of each piston on its cylinder."""
+    columns = (Column(_("cylinder"), key="cylinder", label=True), *_peak_columns(loads.unit))
+    largest = float(spectra.peaks(loads.pin).max(initial=0.0))
+    rows = tuple(
+        (own, *_peak_cells(loads.guide[index], largest))
+        for index, own in enumerate(loads.cylinders)
+    )
+    return Table(_("Guide forces of the pistons on their cylinders"), columns, rows, key="guides")
+
+
+def bending(engine: Engine, *, speed: float | None, model: Model) -> Table:
+    """The greatest bending moment of each crankshaft: free, and on its main bearings."""
+    along = scales(engine).along
+    cranks = [shaft.name for shaft in engine.shafts if shaft.throws]
+    unit = bending_moment(engine, shaft=cranks[0], speed=speed).unit
+    columns = (
+        Column(_("shaft"), kind="text", key="shaft", label=True, wraps=True),
+        Column(_("crankshaft"), kind="text", key="held", label=True),
+        Column(_("greatest"), unit, key="moment"),
+        Column("z", along.unit, key="z"),
+    )
+    rows: list[tuple[Value, ...]] = []
+    for name in cranks:
+        states: tuple[tuple[str, Model | None], ...]
+        states = ((_("free"), None), (_("in its bearings"), model))
+        for words, held in states:
+            bend = bending_moment(engine, shaft=name, speed=speed, model=held)
+            sizes = spectra.peaks(bend.moment)
+            worst = int(np.argmax(sizes >= sizes.max() * (1 - 1e-9)))
+            rows.append((name, words, float(sizes[worst]), along.of(bend.z[worst])))
+    title = _("Bending moment of the crankshaft")
+    return Table(title, columns, tuple(rows), key="bending")

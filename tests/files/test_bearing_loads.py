@@ -1,0 +1,52 @@
+"""`crankstar bearings`: what it prints, read back."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+
+import pytest
+from tests.commands import Run
+
+from crankstar import bearing_loads, load, spectra
+
+SPEED = 6000 * 3.141592653589793 / 30
+
+
+@pytest.mark.parametrize("model", ["determinate", "continuous"])
+def test_the_printed_peaks_are_those_of_the_loads(run: Run, model: str) -> None:
+    engine = load("audi-25-tfsi", changes={"cylinder.reciprocating_mass": "500 g"})
+    loads = bearing_loads(engine, speed=SPEED, model=model)  # pyright: ignore[reportArgumentType]
+    words = ["bearings", "audi-25-tfsi", "--set", "cylinder.reciprocating_mass=500 g"]
+    out = run(*words, "--speed", "6000 rpm", "--model", model).out
+    lines = [line.split() for line in out.splitlines() if "assumed" in line]
+    unit = {"N": 1.0, "kN": 1000.0}[out.split("[m", 1)[1].split("[", 1)[1].split("]")[0]]
+    assert [unit * float(line[4]) for line in lines] == pytest.approx(
+        spectra.peaks(loads.load).tolist(), rel=1e-4
+    )
+
+
+def test_json_and_csv_have_every_bearing_and_order(run: Run) -> None:
+    loads = bearing_loads(load("v8-cross-plane"))
+    tree = json.loads(run("bearings", "v8-cross-plane", "--json").out)
+    assert (tree["model"], tree["unit"], len(tree["bearings"])) == ("determinate", "m*r*w^2", 5)
+    rows = list(csv.DictReader(io.StringIO(run("bearings", "v8-cross-plane", "--csv").out)))
+    assert len(rows) == len(tree["orders"])
+    for row in tree["orders"]:
+        one = spectra.selected(loads.load[row["bearing"] - 1], row["order"])
+        for side in ("forward", "backward"):
+            assert complex(*row[side]) == pytest.approx(complex(getattr(one, side)[0]), abs=1e-12)
+
+
+def test_steady_loads_of_an_offset_crank_are_order_nought(run: Run) -> None:
+    out = run("bearings", "single", "--set", "cylinder.offset=0.2", "--orders", "all").out
+    assert any(
+        line.split()[:3] == ["crank", "1", "0"] and "steady" in line for line in out.splitlines()
+    )
+
+
+def test_an_unknown_model_is_refused(run: Run) -> None:
+    refused = run("bearings", "i4", "--model", "elastic")
+    assert refused.code == 2
+    assert "determinate, continuous" in refused.err

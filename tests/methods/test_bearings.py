@@ -1,0 +1,194 @@
+"""Loads on main bearings: they carry all that shakes the block; bending by a second road."""
+
+from __future__ import annotations
+
+from typing import Any, get_args
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+from tests.newton import placed
+from tests.strategies import OF_ANY_KIND
+
+import crankstar
+from crankstar import spectra
+from crankstar.dynamics.bearings import Model, bearing_loads, bending_moment
+from crankstar.engine.copies import with_values
+from crankstar.engine.engine import Engine
+from crankstar.engine.main_bearings import main_bearings
+from crankstar.mechanics.balance import unit_unbalance
+from crankstar.mechanics.excitation import Reference
+from crankstar.mechanics.mechanism import mechanism
+from crankstar.mechanics.pin_loads import pin_loads
+from crankstar.remedy import with_web_weights
+
+MODELS = get_args(Model)
+TOLERANCE = 1e-9
+
+
+def vector(values: Any) -> NDArray[Any]:
+    return np.asarray(values, complex)
+
+
+def assert_carried(engine: Engine, model: Model) -> None:
+    """Bearing loads and guide forces are force, couple and moment of the balance."""
+    reference = Reference(0.3, 0.2, -0.1)
+    speed = 100.0
+    loads = bearing_loads(engine, speed=speed, model=model)
+    balance = crankstar.balance(engine, speed=loads.speed, reference=reference)
+    sums = crankstar.total(balance)
+    theta = np.linspace(0, 2 * np.pi * spectra.period(sums.force), 37)
+    load = vector(spectra.value(loads.load, theta))
+    guide = vector(spectra.value(loads.guide, theta))
+    pins = vector(spectra.value(loads.pin, theta))
+    scale = 1.0 if loads.unit == "N" else 1 / unit_unbalance(engine)
+    arm = np.array([bearing.z for bearing in loads.bearings]) - reference.z
+    side = np.array([cylinder.z for cylinder in engine.cylinders]) - reference.z
+    size = np.abs(load).max() + np.abs(guide).max() + np.abs(pins).max()
+    force = load.sum(axis=0) + guide.sum(axis=0)
+    assert np.abs(force - spectra.value(sums.force, theta)).max() <= TOLERANCE * size
+
+    couple = arm @ load + side @ guide
+    pitch = 1.0 if balance.units.couple == "N*m" else engine.pitch
+    expected = spectra.value(sums.couple, theta) * pitch
+    reach = np.abs(arm).max() + np.abs(side).max()
+    assert np.abs(couple - expected).max() <= TOLERANCE * size * max(reach, pitch)
+
+    # moment about the axis: of bearings and walls, and what turns the shafts at the pins
+    moment = np.zeros(theta.size)
+    span = 0.0
+    for shaft, row in zip(loads.bearings, load, strict=True):
+        axis = engine.shaft(shaft.shaft)
+        place = axis.up + 1j * axis.right - complex(reference.up, reference.right)
+        moment += np.imag(np.conj(place) * row)
+        span = max(span, abs(place))
+    own = spectra.value(spectra.scaled(_pin(engine), scale * (loads.speed or 1.0) ** 2), theta)
+    for cylinder, wall in zip(engine.cylinders, guide, strict=True):
+        axis = engine.shaft(cylinder.shaft)
+        base = axis.up + 1j * axis.right
+        pin, piston, _ = placed(engine, cylinder, theta.astype(np.longdouble))
+        at_pin, at_wall = (_clock(points) for points in (pin, piston))
+        moment += np.imag(np.conj(at_wall + base - complex(reference.up, reference.right)) * wall)
+        if cylinder.articulated is None:
+            moment += np.imag(np.conj(at_pin) * _of_group(engine, cylinder.number, vector(own)))
+        span = max(span, float(np.abs(at_wall).max()))
+    unit = {"N*m": 1.0, "m*r^2*w^2": engine.throw(engine.first).radius}[balance.units.moment]
+    expected = np.real(spectra.value(sums.axis_moment, theta)) * unit
+    assert np.abs(moment - expected).max() <= 10 * TOLERANCE * size * span
+
+
+def _pin(engine: Engine) -> Any:
+    return pin_loads(mechanism(engine)).pin
+
+
+def _of_group(engine: Engine, master: int, own: NDArray[Any]) -> NDArray[Any]:
+    """What the rods that work through one master put on the crank pin."""
+    links = {c.number: c.articulated.master for c in engine.cylinders if c.articulated}
+
+    def root(number: int) -> int:
+        return root(links[number]) if number in links else number
+
+    rows = [row for row, c in enumerate(engine.cylinders) if root(c.number) == master]
+    return own[rows].sum(axis=0)
+
+
+def _clock(points: NDArray[Any]) -> NDArray[Any]:
+    return (points[..., 1] + 1j * points[..., 0]).astype(complex)
+
+
+@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize("name", crankstar.names())
+def test_bearings_and_walls_carry_what_shakes_the_block(name: str, model: Model) -> None:
+    assert_carried(crankstar.load(name), model)
+
+
+@pytest.mark.parametrize("kind", OF_ANY_KIND)
+def test_bearings_and_walls_of_any_engine_carry_what_shakes_it(kind: str) -> None:
+    @settings(max_examples=8, deadline=None)
+    @given(engine=OF_ANY_KIND[kind], model=st.sampled_from(MODELS))
+    def holds(engine: Engine, model: Model) -> None:
+        assert_carried(engine, model)
+
+    holds()
+
+
+@pytest.mark.parametrize("model", [None, *MODELS])
+@pytest.mark.parametrize("name", ["v8-cross-plane", "boxer-6", "i4", "v2-90", "vw-vr6"])
+def test_the_bending_moment_is_the_integral_of_the_shear_force(
+    name: str, model: Model | None
+) -> None:
+    """dM/dz is minus the sum of all in front; the loads are those of `bearing_loads`."""
+    engine = with_web_weights(crankstar.load(name), factor=0.4)
+    bending = bending_moment(engine, model=model)
+    theta = np.linspace(0, 2 * np.pi, 13)
+    moment = vector(spectra.value(bending.moment, theta))
+    z = np.array(bending.z)
+    loads = bearing_loads(engine, model=model or "determinate")
+    forces = [(c.z, f) for c, f in zip(engine.cylinders, _on_crank(engine, theta), strict=True)]
+    unit = engine.first.reciprocating_mass * engine.throw(engine.first).radius
+    shaft = engine.shafts[0]
+    turn = np.exp(1j * engine.sense * theta)
+    for throw in shaft.throws:
+        own = throw.rotating_mass * throw.radius / unit * np.exp(1j * throw.angle)
+        forces.append((throw.z, own * turn))
+    forces += [
+        (weight.z, weight.unbalance / unit * np.exp(1j * weight.angle) * turn)
+        for weight in shaft.weights
+    ]
+    if model is not None:
+        push = vector(spectra.value(loads.load, theta))
+        forces += [(b.z, -row) for b, row in zip(loads.bearings, push, strict=True)]
+    middle = (z[1:] + z[:-1]) / 2
+    shear = np.array([sum((f for at, f in forces if at > place), 0 * turn) for place in middle])
+    stepped = -np.diff(z)[:, None] * shear
+    summed = np.concatenate([[0 * turn], np.cumsum(stepped, axis=0)]) / engine.pitch
+    assert moment == pytest.approx(summed, abs=1e-9)
+    if model is not None:
+        assert np.abs(moment[-1]).max() < 1e-9
+    if model == "determinate":
+        for bearing in loads.bearings:
+            assert np.abs(moment[np.argmin(np.abs(z - bearing.z))]).max() < 1e-9
+
+
+def _on_crank(engine: Engine, theta: NDArray[Any]) -> NDArray[Any]:
+    return vector(spectra.value(spectra.scaled(_pin(engine), 1 / unit_unbalance(engine)), theta))
+
+
+def test_a_cross_plane_v8_bends_inside_though_its_forces_cancel() -> None:
+    """Throws 1 to 4 at 0, 90, 270, 180 deg, one unit each: |M| inside by hand."""
+    engine = crankstar.load("v8-cross-plane")
+    heavy = tuple(with_values(c, reciprocating_mass=1e-6) for c in engine.cylinders)
+    throws = tuple(with_values(t, rotating_mass=1.0) for t in engine.shafts[0].throws)
+    shaft = with_values(engine.shafts[0], throws=throws)
+    engine = with_values(engine, cylinders=heavy, shafts=(shaft,))
+    bending = bending_moment(engine)
+    first = spectra.selected(bending.moment, 1)
+    size = np.abs(first.forward[:, 0]) * 1e-6
+    at = {round(z, 6): s for z, s in zip(bending.z, size, strict=True)}
+    assert at[0.5] == pytest.approx(1.0, rel=1e-4)
+    assert at[-0.5] == pytest.approx(abs(2 + 1j * 1), rel=1e-4)
+    assert at[-1.5] == pytest.approx(abs(3 + 1j * 1), rel=1e-4)  # its rotating couple: sqrt 10
+
+
+def test_stiff_supports_approach_rigid_ones_and_soft_ones_share_evenly() -> None:
+    engine = crankstar.load("i4")
+    shaft = engine.shafts[0]
+
+    def peaks(support: float) -> NDArray[Any]:
+        own = with_values(shaft, bending_stiffness=1.0, bearing_stiffness=support)
+        changed = with_values(engine, shafts=(own,))
+        return spectra.peaks(bearing_loads(changed, model="continuous").load)
+
+    rigid = spectra.peaks(bearing_loads(engine, model="continuous").load)
+    assert peaks(1e9) == pytest.approx(rigid, rel=1e-5)
+    assert peaks(1e-2) != pytest.approx(rigid, rel=0.1)
+
+
+def test_fewer_bearings_carry_more() -> None:
+    engine = crankstar.load("i4")
+    three = with_values(engine, shafts=(with_values(engine.shafts[0], bearing_count=3),))
+    assert len(main_bearings(three, three.shafts[0])) == 3
+    five, few = (spectra.peaks(bearing_loads(e).load).max() for e in (engine, three))
+    assert few > five
