@@ -125,10 +125,11 @@ def test_analyze_tells_force_couple_and_what_can_be_removed(run: Run, file: str)
     ):
         assert words in out
     flat = run("analyze", "v8-flat-plane").out
-    assert re.search(r"^ +2 .* 5\.6569 .*horizontal line +5\.6569 +1\.437$", flat, re.MULTILINE)
+    assert re.search(r"^ +2 .* 5\.6569 ∠ 180° +5\.6569$", flat, re.MULTILINE)
+    assert re.search(r"^ +2 .* 1\.437 ∠ 180° +horizontal line +1\.437$", flat, re.MULTILINE)
 
 
-ORDER = ["order", "harmonic", "force", "couple", "roll", "torque", "axis_moment"]
+ORDER = ["order", "harmonic", "force", "couple", "pitch", "yaw", "roll", "torque", "axis_moment"]
 WAYS = ["forward", "backward", "vertical", "horizontal", "greatest"]
 
 
@@ -142,6 +143,7 @@ def test_json_has_the_shape_of_the_design(run: Run, file: str) -> None:
         "reference",
         "units",
         "orders",
+        "peaks",
     ]
     assert (answer["format"], answer["engine"], answer["speed_rpm"]) == (
         2,
@@ -309,7 +311,7 @@ def test_compare_shows_several_engines_side_by_side(run: Run, file: str) -> None
     assert "in its own m r ω²" in out
     assert "unverified" in out
     together = run("compare", file, file, "--speed", "6000 rpm").out
-    assert re.search(r"^order +\[(k?N)\] +\[\1\]$", together, re.MULTILINE)
+    assert re.search(r"^order +\[(k?N)\] +\[\1\]( +\[%\])?$", together, re.MULTILINE)
 
 
 def test_check_tells_of_every_file_and_fails_if_one_fails(

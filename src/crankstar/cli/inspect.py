@@ -93,6 +93,7 @@ def analyze(
     estimate: Estimating = False,
     theta: Theta = None,
     by: Annotated[str | None, option("--by")] = None,
+    vectors: Annotated[bool, option("--vectors")] = False,
     json: Json = False,
     csv: Csv = False,
     output: Output = None,
@@ -107,7 +108,8 @@ def analyze(
     form = form_of(output, TABLES, json=json, csv=csv)
     rows: tuple[Any, ...] = ()
     if form not in ("txt", "xlsx"):
-        unused = {"--theta": theta, "--by": by if form == "json" else None}
+        own = by if form == "json" else None
+        unused = {"--theta": theta, "--vectors": vectors, "--by": own}
         request.refuse_unused(unused, beside=f"--{form}")
     (loaded, spread), turning = together(
         partial(loaded_values, engine, settings, estimate=estimate), partial(request.speed, speed)
@@ -137,7 +139,7 @@ def analyze(
     def sheet(each: Engine) -> Document:
         point = request.reference(reference, each)
         shown = tables.analysis(each, speed=turning, reference=point).of(wanted)
-        return tables.document(shown, angles=angles, by=grouping)
+        return tables.document(shown, angles=angles, by=grouping, vectors=vectors)
 
     document = ranged(sheet, spread, loaded)
     if form == "xlsx":

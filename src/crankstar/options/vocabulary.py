@@ -301,6 +301,11 @@ OPTIONS = {
         "Refine the throw angles of --row, with firing intervals within so many degrees of even "
         "ones, as in 1,2,5.",
     ),
+    "--vectors": Option(
+        "nothing",
+        "Also the vectors that turn with the crankshaft and against it.",
+        ("--forward", "--backward"),
+    ),
     "--weights": Option(
         "text",
         "Places of the counterweights: pins (the default), webs, ends (the end webs), or positions "

@@ -10,7 +10,7 @@ from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
 from crankstar.page.records import ChartKey, DerivationKey
-from crankstar.tables.analysis import QUANTITIES
+from crankstar.tables.by_order import QUANTITIES
 
 FIGURES = {
     "crank-star": N_("Crank star"),

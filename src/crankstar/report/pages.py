@@ -18,7 +18,7 @@ from crankstar.report.markup import figure, figures, parts_html, section
 from crankstar.report.subject import Quantity, Subject
 from crankstar.report.views import orthographic
 from crankstar.tables import analysis, comparison, engines, strokes
-from crankstar.tables.conditions import conditions
+from crankstar.tables.conditions import conditions, unit_sentence
 from crankstar.tables.headings import timing_lines
 from crankstar.tables.html import paragraph
 
@@ -126,9 +126,9 @@ def orders(subject: Subject, gallery: Gallery) -> str:
         caption = _(PATHS[quantity], order=number(order))
         options = {"order": order, "quantity": quantity, "speed": at}
         drawn.append(gallery.figure("hodograph", caption, **options))
-    notes = "".join(
-        paragraph(line, "note") for line in conditions(subject.engine, subject.shown.best)
-    )
+    result = subject.shown.best
+    lines = [unit_sentence(subject.engine, result), *conditions(subject.engine, result)]
+    notes = "".join(paragraph(line, "note") for line in lines)
     tables = parts_html(analysis.tables(subject.shown))
     return section(_("Orders"), notes + figures(drawn) + tables, name="orders")
 

@@ -17,10 +17,9 @@
 | `conditions` | speed, units and point of reference of an analysis |
 | `paths` | names of vectors and of their paths |
 | `peaks` | peaks over a turn, and what counterweights can remove |
-| `analysis` | force, couple and moments by order, as `analyze` shows them |
+| `by_order` | force, couple and moments of each order |
 | `balance_orders` | the orders of a Balance for machines |
 | `amplitudes` | amplitudes for machines, one row each |
-| `comparison` | several engines side by side |
 | `engines` | an engine's parts, the sources of its values, the catalog |
 | `strokes` | strokes, valve events and exhaust intervals |
 | `firing_orders` | firing orders of a crank |
@@ -37,6 +36,9 @@
 | `firing_facts` | layout, firing and exhaust pulses as sentences of the verdict |
 | `relatives` | engines of the catalog with the same balance |
 | `verdict` | the verdict |
+| `summary` | how an engine shakes, in ten lines |
+| `analysis` | force, couple and moments by order, as `analyze` shows them |
+| `comparison` | several engines side by side |
 | `errata` | errors in the sources |
 | `notebook` | how a notebook shows an Engine and a Balance |
 """

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import pi
+from math import degrees, pi
 
 from crankstar import spectra
 from crankstar.engine.engine import Engine
@@ -12,9 +12,13 @@ from crankstar.language.messages import _
 from crankstar.language.numbers import number
 from crankstar.mechanics.balance import Balance, Units, total
 from crankstar.mechanics.excitation import rolling_moment
-from crankstar.mechanics.remains import orders_pushed, sizes
+from crankstar.mechanics.remains import orders_pushed, sizes, summed
 from crankstar.tables.paths import shape
-from crankstar.tables.table import Column, Document, Table, Value
+from crankstar.tables.peaks import part_peaks
+from crankstar.tables.table import ROW_UNIT, Column, Document, Table, Value
+
+PARTS = (spectra.vertical, spectra.horizontal)
+"""Of the couple: pitch, M_V, and yaw, M_H."""
 
 
 def answer(engine: Engine, result: Balance, *, orders: Sequence[float] | None = None) -> Document:
@@ -33,7 +37,22 @@ def answer(engine: Engine, result: Balance, *, orders: Sequence[float] | None = 
     }
     wanted = tuple(orders) if orders else orders_pushed(result)
     table = Table("", columns(result.units), _rows(engine, result, wanted), key="orders")
-    return Document(engine.name, (table,), facts)
+    return Document(engine.name, (table, _peaks(result)), facts)
+
+
+def _peaks(result: Balance) -> Table:
+    """The greatest value over a turn of all orders together, part by part, and where it is."""
+    heads = (
+        Column("quantity", kind="text", key="quantity"),
+        Column("peak", ROW_UNIT, key="peak"),
+        Column("theta_deg", "deg", key="theta_deg"),
+        Column("unit", kind="unit", key="unit"),
+    )
+    rows = tuple(
+        (name, size, degrees(angle), unit)
+        for name, (size, angle, unit) in part_peaks(result, summed(result)).items()
+    )
+    return Table("", heads, rows, key="peaks")
 
 
 def columns(units: Units) -> tuple[Column, ...]:
@@ -49,6 +68,7 @@ def columns(units: Units) -> tuple[Column, ...]:
             for way in ("vertical", "horizontal")
         ]
         out.append(Column("greatest", unit, key=f"{name}/greatest"))
+    out += [Column(name, units.couple, kind="wave", key=name) for name in ("pitch", "yaw")]
     out += [
         Column(name, units.moment, kind="signal", key=name)
         for name in ("roll", "torque", "axis_moment")
@@ -73,7 +93,8 @@ def _rows(
             waves = (spectra.vertical(vector), spectra.horizontal(vector))
             cells += [complex(part[row]) for part in (*parts, *waves)]
             cells.append(float(sizes(vector)[row]))
-        rows.append((*cells, *(complex(signal[row]) for signal in signals)))
+        external = [complex(part(vectors[1])[row]) for part in PARTS]
+        rows.append((*cells, *external, *(complex(signal[row]) for signal in signals)))
     return tuple(rows)
 
 

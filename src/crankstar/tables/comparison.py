@@ -15,7 +15,8 @@ from crankstar.language.numbers import NEGLIGIBLE, number
 from crankstar.mechanics.balance import Balance
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.remains import Sums, size, summed
-from crankstar.tables.analysis import QUANTITIES, Analysis, analysis, none_line, sums_size
+from crankstar.tables.analysis import Analysis, analysis
+from crankstar.tables.by_order import QUANTITIES, none_line, sums_size
 from crankstar.tables.conditions import unverified
 from crankstar.tables.headings import firing_text
 from crankstar.tables.table import ROW_UNIT, Column, Document, Ranged, Table, Value

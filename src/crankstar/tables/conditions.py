@@ -16,12 +16,9 @@ RADIAL = 5
 KEYS = {"radius": "cylinder.stroke", "mass": "cylinder.reciprocating_mass"}
 """The keys of a short file that give what is missing."""
 UNITS = {
-    "short": N_("Forces in m r ω², the same at every speed. For newtons, add to the file: {keys}."),
-    "speed": N_('Forces in m r ω². For newtons, add speed to the file, as in speed = "6000 rpm".'),
-    "explicit": N_(
-        "Forces in m r ω², the same at every speed. For newtons, give the file real values, take "
-        "{keys} out of relative, and add speed."
-    ),
+    "short": N_("In m r ω². For newtons, add to the file: {keys}."),
+    "speed": N_('In m r ω². For newtons, add speed to the file, as in speed = "6000 rpm".'),
+    "explicit": N_("In m r ω². For newtons, replace relative {keys} in the file and add speed."),
     "pitch": N_("For couples in N m, add to the file: {keys}."),
     "explicit pitch": N_("For couples in N m, give real positions and take pitch out of relative."),
 }
@@ -29,12 +26,12 @@ UNITS = {
 
 
 def conditions(engine: Engine, result: Balance) -> list[str]:
-    """Reference point, meaning of a phase, speed and units."""
+    """Reference point, meaning of a phase, sizes of m, r and a."""
     point = _(
         "Couples and moments about {point}; a ∠ p means a cos(kθ + p).",
         point=_point(engine, result),
     )
-    return [point, unit_sentence(engine, result), unit_sizes(engine)]
+    return [point, unit_sizes(engine)]
 
 
 def unit_sentence(engine: Engine, result: Balance) -> str:

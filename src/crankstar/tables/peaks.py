@@ -11,6 +11,7 @@ from crankstar.language.numbers import NEGLIGIBLE, bearing_text, number
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.balance import Balance
 from crankstar.mechanics.remains import Sums, remains, sizes
+from crankstar.spectra import Spectrum
 from crankstar.tables.paths import vector_name
 
 NONE = {
@@ -51,6 +52,29 @@ def peak_lines(engine: Engine, result: Balance, sums: Sums) -> list[str]:
     peaks = [_peak(result, sums, name) for name in names]
     first = [_removable(result, sums, name, counter=counter) for name in ("force", "couple")]
     return [line for line in (*peaks, *first) if line]
+
+
+def part_peaks(result: Balance, sums: Sums) -> dict[str, tuple[float, float, str]]:
+    """The peak of each part over a turn: its size, the crank angle (radians), its unit.
+
+    Vertical and horizontal force, pitch M_V and yaw M_H, rolling moment; a part that is rounding
+    error beside the other of its vector is 0.
+    """
+    units = result.units
+    out: dict[str, tuple[float, float, str]] = {}
+    for name, parts, unit in (
+        ("force", ("vertical", "horizontal"), units.force),
+        ("couple", ("pitch", "yaw"), units.couple),
+    ):
+        whole: Spectrum = getattr(sums, name)
+        waves = (spectra.vertical(whole), spectra.horizontal(whole))
+        tops = [spectra.peak(spectra.real_signal(whole.orders, wave)) for wave in waves]
+        least = NEGLIGIBLE * max(top.value for top in tops)
+        for part, top in zip(parts, tops, strict=True):
+            out[part] = (top.value if top.value > least else 0.0, top.theta, unit)
+    roll = spectra.peak(sums.roll)
+    out["roll"] = (roll.value, roll.theta, units.moment)
+    return out
 
 
 def _peak(result: Balance, sums: Sums, name: str) -> str:

@@ -25,6 +25,7 @@ from crankstar.mechanics.remains import (
     summed,
 )
 from crankstar.remedy import needs
+from crankstar.spectra import Spectrum
 from crankstar.tables.conditions import unit_sentence
 from crankstar.tables.cures import cure_lines, proposal
 from crankstar.tables.firing_facts import layout_sentence, succession_lines
@@ -142,19 +143,33 @@ def _vector_sentences(name: str, result: Balance, sums: Sums) -> str:
                 )
             )
             continue
-        path = spectra.ellipse(complex(remaining.forward[row]), complex(remaining.backward[row]))
-        ratio = Fraction(order).limit_denominator(1000)
-        out.append(
-            _(
-                "{vector}: {size}, {course}.",
-                vector=vector_name(ratio, force=name == "force", couple=name == "couple"),
-                size=quantity_text(size, getattr(result.units, name)),
-                course=course(path),
-            )
-        )
+        out.append(_vector_sentence(name, result, remaining, row))
     rest = "; ".join(minor)
     out += [f"{rest[:1].upper()}{rest[1:]}."] if rest else []
     return " ".join(out)
+
+
+def largest_sentence(name: str, result: Balance, sums: Sums) -> str:
+    """Whether order 1 and 2 of force or couple are free, and the largest order that remains."""
+    spectrum = getattr(sums, name)
+    left, zero = ranked(spectrum, orders_pushed(result))
+    if not left:
+        return _(NONE[name], order=number(USUAL_ORDERS))
+    free = tuple(order for order in (1, 2) if order in zero)
+    largest = _vector_sentence(name, result, spectra.selected(spectrum, left[:1]), 0)
+    return f"{_(FREE[(name, *free)])} {largest}" if free else largest
+
+
+def _vector_sentence(name: str, result: Balance, remaining: Spectrum, row: int) -> str:
+    """One order of force or couple: its size and its path."""
+    path = spectra.ellipse(complex(remaining.forward[row]), complex(remaining.backward[row]))
+    ratio = Fraction(float(remaining.orders[row])).limit_denominator(1000)
+    return _(
+        "{vector}: {size}, {course}.",
+        vector=vector_name(ratio, force=name == "force", couple=name == "couple"),
+        size=quantity_text(path.semi_major, getattr(result.units, name)),
+        course=course(path),
+    )
 
 
 def _moment_sentences(result: Balance, sums: Sums) -> str:

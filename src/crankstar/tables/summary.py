@@ -1,0 +1,92 @@
+"""How an engine shakes, in a few lines: what remains, the peaks over a turn, the main remedy."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from crankstar import spectra
+from crankstar.engine.engine import Engine
+from crankstar.language.messages import N_, _
+from crankstar.language.numbers import number
+from crankstar.language.shown_units import quantity_text
+from crankstar.mechanics.balance import Balance
+from crankstar.mechanics.remains import Sums, remains
+from crankstar.remedy import needs
+from crankstar.tables.conditions import unit_sentence
+from crankstar.tables.cures import cure_lines
+from crankstar.tables.peaks import part_peaks
+from crankstar.tables.table import Remarks
+from crankstar.tables.verdict import largest_sentence
+
+GRAVITY = 9.80665
+"""Standard acceleration of free fall, m/s^2."""
+
+PEAKS = {
+    "vertical": N_("vertical {size}"),
+    "horizontal": N_("horizontal {size}"),
+    "pitch": N_("pitch {size}"),
+    "yaw": N_("yaw {size}"),
+    "roll": N_("roll {size}"),
+}
+"""The parts of force and couple, and the rolling moment, with their peaks."""
+
+
+def summary(engine: Engine, result: Balance, sums: Sums) -> Remarks:
+    """The lines that answer how the engine shakes; ten in a terminal of 80 columns, with its name.
+
+    Largest order of force, couple and rolling moment; peaks over a turn of their vertical and
+    horizontal parts; the remedy of the first vector that has one.
+    """
+    remaining = [largest_sentence(name, result, sums) for name in ("force", "couple")]
+    remaining.append(_roll_sentence(result, sums))
+    lines = (
+        unit_sentence(engine, result),
+        " ".join(filter(None, remaining)),
+        _peaks_sentence(engine, result, sums),
+        _remedy_sentence(engine),
+    )
+    return Remarks(tuple(filter(None, lines)))
+
+
+def _roll_sentence(result: Balance, sums: Sums) -> str:
+    """The largest order of the rolling moment."""
+    sizes = np.abs(spectra.amplitude(sums.roll))
+    if not sizes.size or not (
+        remains(sums.torque, result.torque) or remains(sums.axis_moment, result.axis_moment)
+    ):
+        return _("No rolling moment from inertia.")
+    place = int(np.argmax(sizes))
+    return _(
+        "Roll of order {order}: {size}.",
+        order=number(sums.roll.orders[place]),
+        size=quantity_text(sizes[place], result.units.moment),
+    )
+
+
+def _peaks_sentence(engine: Engine, result: Balance, sums: Sums) -> str:
+    """The peaks over a turn of all orders, and the force beside the weight of the engine."""
+    there = {name: peak for name, peak in part_peaks(result, sums).items() if peak[0]}
+    sizes = [
+        _(PEAKS[name], size=quantity_text(size, unit))
+        for name, (size, _angle, unit) in there.items()
+    ]
+    text = _("Peaks over a turn: {sizes}.", sizes=", ".join(sizes)) if sizes else ""
+    force = spectra.peak(sums.force).value
+    if result.speed is None or engine.block is None or not force:
+        return text
+    share = _(
+        "The peak force is {share} times the weight of the engine.",
+        share=number(force / (engine.block.mass * GRAVITY), digits=3),
+    )
+    return f"{text} {share}"
+
+
+def _remedy_sentence(engine: Engine) -> str:
+    """The first remedy, and that there are others."""
+    cures = cure_lines(engine, needs(engine))
+    if not cures:
+        return _("No primary or secondary force or couple remains.")
+    if len(cures) == 1:
+        return cures[0]
+    others = _("{count} more: crankstar verdict.", count=len(cures) - 1)
+    return f"{cures[0]} {others}"
