@@ -92,13 +92,13 @@ def signals(sums: Sums, count: int = 720) -> dict[str, np.ndarray]:
     """Each part over one turn, from the vectors themselves."""
     angles = np.arange(count) * 2 * pi / count
     force, couple = (
-        np.asarray(spectra.value(vector, angles)) for vector in (sums.force, sums.couple)
+        np.asarray(spectra.value(vector, angles), complex) for vector in (sums.force, sums.couple)
     )
     return {
-        "vertical": force.real,
-        "horizontal": force.imag,
-        "pitch": couple.real,
-        "yaw": couple.imag,
+        "vertical": np.real(force),
+        "horizontal": np.imag(force),
+        "pitch": np.real(couple),
+        "yaw": np.imag(couple),
         "roll": np.real(np.asarray(spectra.value(sums.roll, angles))),
     }
 
