@@ -230,7 +230,13 @@ def engines(draw: Draw, *, known: bool = False, max_shafts: int = 4, tight: bool
     ]
     cylinders = _shared(draw, draw(_cylinders(turning, tight=tight)), turning)
     status = st.sampled_from(["published", "computed", "unverified", "placeholder"])
-    provenance = st.builds(Provenance, status=status, source=maybe(TEXTS, ""))
+    range_of = st.tuples(st.floats(0.5, 1), st.floats(1, 2))
+    provenance = st.builds(Provenance, status=status, source=maybe(TEXTS, "")) | st.builds(
+        Provenance,
+        status=st.just("estimated"),
+        range=maybe(range_of, None),
+        moves_with=maybe(st.just("speed"), None),
+    )
     engine = Engine.model_validate(
         {
             "name": draw(st.sampled_from(["engine", "двигатель [1]"])),

@@ -653,9 +653,11 @@ def test_a_pipe_is_as_wide_as_columns_says_and_always_plain(
     for name, value in {"TERM": "dumb", "NO_COLOR": "1"}.items():
         monkeypatch.setenv(name, value)
         assert run("analyze", file).out == plain
-    for columns in ("400", "0", "-5", "abc", ""):
+    for columns in ("0", "-5", "abc", ""):
         monkeypatch.setenv("COLUMNS", columns)
         assert run("analyze", file).out == plain
+    monkeypatch.setenv("COLUMNS", "400")
+    assert run("analyze", file).out.split() == plain.split()
     monkeypatch.setenv("COLUMNS", "60")
     narrow = run("analyze", file).out
     assert max(map(len, narrow.splitlines())) <= 60 < max(map(len, plain.splitlines()))
@@ -693,7 +695,7 @@ def test_it_ends_with_130_when_interrupted(
         raise KeyboardInterrupt
 
     assert run("check", "single").code == 0
-    monkeypatch.setattr(cli.options, "load", interrupted)
+    monkeypatch.setattr(cli.options, "tree_of", interrupted)
     with pytest.raises(SystemExit) as left:
         cli.main(["analyze", "single"])
     assert left.value.code == 130
@@ -706,7 +708,7 @@ def test_it_tells_when_there_is_not_enough_memory(
     def huge(*_: object, **__: object) -> None:
         raise MemoryError
 
-    monkeypatch.setattr(cli.options, "load", huge)
+    monkeypatch.setattr(cli.options, "tree_of", huge)
     assert "not enough memory for this engine" in refused("analyze", "single")
 
 

@@ -278,8 +278,9 @@ NO_TERMS = {
     *("value", "typical", "low", "high", "source", "estimated", "moves_with", "estimated values"),
     *("{quantity}, order {order}", "{quantity}, resultant", "cylinders"),
     "all orders together at these crank angles",
-    "shafts, throws and weights",
+    *("shafts, throws and weights", "turning vectors", "main bearings by order", "crankshaft"),
     *("number", "place", "share", "speed_rpm", "{engine}, of the first"),
+    *("theta_deg", "mean", "forward", "backward", "{quantity} forward", "{quantity} backward"),
 }
 """Headings that are plain words."""
 

@@ -145,7 +145,7 @@ def whirl(engine: Engine, *, orders: tuple[float, ...] | None = None) -> Respons
     """The free response of an engine as a body of the usual mass and shape: see `response`.
 
     >>> from crankstar.files.catalog import load
-    >>> abs(whirl(load("v8-cross-plane"), orders=(1.0,)).tilt.forward[0]) > 0
+    >>> bool(abs(whirl(load("v8-cross-plane"), orders=(1.0,)).tilt.forward[0]) > 0)
     True
     """
     return response(engine, of=body(engine), orders=orders)

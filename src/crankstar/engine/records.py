@@ -1,6 +1,4 @@
-"""The frozen records of an engine, in SI units.
-
-Shafts, throws, weights, cylinders, rods, valves, the block, the provenance.
+"""The frozen records of an engine, in SI: shafts, throws, cylinders, rods, block, provenance.
 
 Bearings and positions are those of the clock plane: `up` and `right` seen from the front, angles
 clockwise from up, z positive to the front. What they must be together is checked by `engine`.

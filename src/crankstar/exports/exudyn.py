@@ -56,7 +56,7 @@ def exudyn_script(
 
     >>> from crankstar.files.catalog import load
     >>> print(exudyn_script(load("single")).splitlines()[0])
-    # Single cylinder: a multibody model for EXUDYN, written by crankstar.
+    # Single-cylinder engine: a multibody model for EXUDYN, written by crankstar.
     """
     point = reference or default_reference(engine)
     turns = lcm(*(shaft.speed_ratio.denominator for shaft in engine.shafts))

@@ -36,7 +36,7 @@ rotating_mass = "{rotating}"      # big end and unbalanced crank pin, at crank r
 _TAIL = """
 # [[crankshaft]]                  # the first one's bearings, webs and weights; assumed if left out
 # bearing_count = 2               # number of main bearings; or their places, from front to rear:
-# bearings = ["120 mm", "0 mm", "-120 mm"]    # 0 is the middle of the cylinders, + the front
+# bearings = ["100 mm", "-100 mm"]            # 0 is the middle of the cylinders, + the front
 # weight = [{ throw = 1, unbalance = "20 g*m" }]                     # opposite pin 1
 
 # [[balance_shaft]]

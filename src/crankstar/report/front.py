@@ -42,7 +42,7 @@ def front(subject: Subject) -> str:
 
 
 def _part(title: str, lines: Sequence[str]) -> str:
-    return f'<div class="plain"><h3>{text(title)}</h3>{"".join(map(paragraph, lines))}</div>'
+    return f'<div class="plain"><h2>{text(title)}</h2>{"".join(map(paragraph, lines))}</div>'
 
 
 def _what(subject: Subject, facts: Sequence[Fact]) -> str:

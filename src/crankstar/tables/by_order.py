@@ -32,10 +32,10 @@ QUANTITIES = {
 }
 """The fields of Sums as columns and rows are headed."""
 MOMENTS = ("roll", "torque", "axis_moment")
-TITLES = {"force": N_("Force on the block"), "couple": N_("Couple on the block: pitch and yaw")}
+TITLES = {"force": N_("Force on the block"), "couple": N_("Couple on the block")}
 STARS = {
-    "force": N_("Force as the sum of the vector stars"),
-    "couple": N_("Couple as the sum of the vector stars"),
+    "force": N_("Force by the vector stars"),
+    "couple": N_("Couple by the vector stars"),
 }
 PARTS = {
     "force": (N_("vertical"), N_("horizontal")),
