@@ -22,9 +22,11 @@ from tests.newton import placed
 
 from crankstar.engine.banks import Bank, Crank
 from crankstar.engine.basis import ASSUMED_ROD_RATIO, Basis, Override, Sizes
+from crankstar.engine.copies import with_values
 from crankstar.engine.dead_centres import dead_centres
 from crankstar.engine.engine import Engine
 from crankstar.engine.layouts import LAYOUTS, Row
+from crankstar.engine.main_bearings import main_bearings, webs
 from crankstar.engine.records import (
     Articulation,
     Block,
@@ -230,7 +232,7 @@ def engines(draw: Draw, *, known: bool = False, max_shafts: int = 4, tight: bool
     ]
     cylinders = _shared(draw, draw(_cylinders(turning, tight=tight)), turning)
     status = st.sampled_from(["published", "computed", "unverified", "placeholder"])
-    range_of = st.tuples(st.floats(0.5, 1), st.floats(1, 2))
+    range_of = st.tuples(st.sampled_from([0.5, 0.81]), st.sampled_from([1.0, 1.25]))
     provenance = st.builds(Provenance, status=status, source=maybe(TEXTS, "")) | st.builds(
         Provenance,
         status=st.just("estimated"),
@@ -261,8 +263,32 @@ def engines(draw: Draw, *, known: bool = False, max_shafts: int = 4, tight: bool
             "cylinders": draw(st.permutations(cylinders)),
         }
     )
+    engine = draw(_supported(engine))
     engine = fired(engine, with_angles=draw(st.booleans())) if draw(st.booleans()) else engine
     return engine.model_copy(update={"valves": draw(maybe(timed_valves(engine)))})
+
+
+@st.composite
+def _supported(draw: Draw, engine: Engine) -> Engine:
+    """The same with some main bearings, webs and stiffnesses given, where they have room."""
+    shaft = next(shaft for shaft in engine.shafts if shaft.throws)
+    given = draw(
+        st.sampled_from(
+            [
+                {},
+                {"bearing_count": 2},
+                {"bearings": main_bearings(engine, shaft), "webs": webs(engine, shaft)},
+            ]
+        )
+    )
+    near, far = (2.0, 5.0) if engine.relative else (2e5, 4e8)
+    stiff = draw(maybe(st.just({"bending_stiffness": near, "bearing_stiffness": far}), {}))
+    try:
+        changed = with_values(shaft, **given, **stiff)
+        shafts = [changed if each is shaft else each for each in engine.shafts]
+        return with_values(engine, shafts=tuple(shafts))
+    except EngineError:  # pins too near to each other for a bearing between
+        return engine
 
 
 @st.composite

@@ -215,7 +215,9 @@ def test_the_spreadsheet_of_an_analysis_is_an_engine_and_its_numbers(
         dict(zip(heads, row, strict=True)) for row in rows if row[3:6] == (2, "couple", "vertical")
     )
     assert row["amplitude"] == pytest.approx(abs(crankstar.spectra.vertical(second)[0]), rel=1e-14)
-    assert "vertical, phase [deg]" in [cell.value for cell in book["Couple on the block"][1]]
+    assert "yaw M_H (horizontal), phase [deg]" in [
+        cell.value for cell in book["Couple on the block"][1]
+    ]
 
 
 def test_a_bad_spreadsheet_on_the_command_line_ends_with_two_and_writes_nothing(
