@@ -33,10 +33,7 @@ QUANTITIES = {
 """The fields of Sums as columns and rows are headed."""
 MOMENTS = ("roll", "torque", "axis_moment")
 TITLES = {"force": N_("Force on the block"), "couple": N_("Couple on the block")}
-STARS = {
-    "force": N_("Force by the vector stars"),
-    "couple": N_("Couple by the vector stars"),
-}
+STARS = {"force": N_("Force by the vector stars"), "couple": N_("Couple by the vector stars")}
 PARTS = {
     "force": (N_("vertical"), N_("horizontal")),
     "couple": (N_("pitch M_V (vertical)"), N_("yaw M_H (horizontal)")),
