@@ -23,7 +23,7 @@ def remedies(subject: Subject, gallery: Gallery) -> str:
     spectra = gallery.figure(
         "spectrum",
         _("The spectra before and after, on common axes."),
-        "wide",
+        "wide low",
         beside=with_values(fitted.after, name=_("with weights and shafts")),
         speed=subject.at,
     )
