@@ -103,7 +103,7 @@ def test_the_table_of_orders_says_what_the_machine_readable_answer_says(
     public = tree(answer(engine, result))
     read = Reader(written[name])
     for quantity in ("force", "couple"):
-        title = f"{quantity.capitalize()} as the sum of the vector stars"
+        title = f"{quantity.capitalize()} by the vector stars"
         if title not in read.tables:
             assert all(size_of(one, quantity) < 1e-9 for one in public["orders"])
             continue
