@@ -165,11 +165,11 @@ def zipped(**files: bytes) -> bytes:
 WHOLE = {
     "another zip": (zipped(readme=b"hello"), "is not a spreadsheet in the form .xlsx"),
     "a bomb": (
-        zipped(**{"xl/workbook.xml": b" " * 40_000_000, "[Content_Types].xml": b""}),
+        zipped(**{"workbook.xml": b" " * 40_000_000, "[Content_Types].xml": b""}),
         "unpacks to more than 30 MB",
     ),
     "half a spreadsheet": (
-        zipped(**{"xl/workbook.xml": b"<a", "[Content_Types].xml": b"<b/>"}),
+        zipped(**{"workbook.xml": b"<a", "[Content_Types].xml": b"<b/>"}),
         "is not a spreadsheet in the form .xlsx",
     ),
     "cut off": (

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 import json
-import os
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -55,11 +55,10 @@ def test_the_code_of_a_notebook_runs(path: Path) -> None:
 
 @pytest.mark.long
 @EACH
-def test_a_notebook_runs_in_jupyter(path: Path) -> None:
+def test_a_notebook_runs_in_jupyter(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """With the extra `notebook`, which `make test-long` installs."""
-    nbformat = pytest.importorskip("nbformat")
-    nbclient = pytest.importorskip("nbclient")
-    os.environ.setdefault("PYTHONPATH", str(ROOT / "src"))
+    nbformat, nbclient = import_module("nbformat"), import_module("nbclient")
+    monkeypatch.setenv("PYTHONPATH", str(ROOT / "src"))
     notebook = nbformat.read(path, as_version=4)
     nbclient.NotebookClient(notebook, timeout=300, kernel_name="python3").execute()
     shown = [cell["outputs"] for cell in notebook["cells"] if cell["cell_type"] == "code"]

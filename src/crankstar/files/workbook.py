@@ -14,6 +14,7 @@ import zipfile
 from collections.abc import Iterator, Mapping, Sequence
 from difflib import get_close_matches
 from itertools import islice
+from pathlib import PurePosixPath
 from typing import Any
 
 from crankstar.engine.records import Record
@@ -27,6 +28,8 @@ from crankstar.language.quoting import one_line, seen
 
 ZIP, PROTECTED = b"PK\x03\x04", b"\xd0\xcf\x11\xe0"
 """How an .xlsx begins; how one with a password, and an .xls, begin."""
+PARTS = {"workbook.xml", "[Content_Types].xml"}
+"""Files without which a zip is no spreadsheet."""
 GREATEST_UNPACKED = 30_000_000
 GREATEST_ROWS, GREATEST_COLUMNS = 20_000, 200
 WIDTHS = {"key": 30, "value": 24, "source": 40, "meaning": 70}
@@ -119,7 +122,7 @@ def _unpackable(raw: bytes, name: str) -> None:
         raise refused(name, "not-spreadsheet") from None
     if sum(entry.file_size for entry in entries) > GREATEST_UNPACKED or len(entries) > 1000:
         raise refused(name, "spreadsheet-large", greatest=GREATEST_UNPACKED // 1_000_000)
-    if not {"xl/workbook.xml", "[Content_Types].xml"} <= {entry.filename for entry in entries}:
+    if not {PurePosixPath(entry.filename).name for entry in entries} >= PARTS:
         raise refused(name, "not-spreadsheet")
 
 
