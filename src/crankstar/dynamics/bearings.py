@@ -18,8 +18,7 @@ a vector in the clock plane, in the plane in which it bends, as couples are. Wit
 to its bearings, even where force and couple on the block cancel. Its length is the same in the
 frame that turns with the crankshaft.
 
-Source: C. F. Taylor, The Internal-Combustion Engine in Theory and Practice, vol. 2, bearing loads;
-shares by statics and by `beams`.
+The law is statics; the shares are those of `beams`.
 """
 
 from __future__ import annotations

@@ -32,8 +32,6 @@ def front(subject: Subject) -> str:
     parts = [_what(subject, facts)]
     for topics in (HOW, CURES):
         lines = [fact.sentence for fact in facts if fact.about in topics]
-        if topics == HOW:
-            lines += _missing(subject)
         parts.append(_part(_(HEADINGS[topics]), lines))
     return (
         f'<header><p class="kind">{text(kind)}</p><h1>{text(engine.name)}</h1>{beside}</header>'
@@ -46,34 +44,15 @@ def _part(title: str, lines: Sequence[str]) -> str:
 
 
 def _what(subject: Subject, facts: Sequence[Fact]) -> str:
-    """The first lines of the data sheet as a sentence, and the layout."""
-    shown = [f"{datum.label}: {datum.value}" for datum in data(subject) if datum.value][:SHOWN]
+    """The first lines of the data sheet as a sentence, and the layout, which says how it fires."""
+    shown = [
+        f"{datum.label}: {datum.value}"
+        for datum in data(subject)
+        if datum.value and "firing_order" not in datum.keys
+    ][:SHOWN]
     lines = ["; ".join(shown) + "."]
     lines += [fact.sentence for fact in facts if fact.about in WHAT]
     return _part(_(HEADINGS[WHAT]), lines)
-
-
-def _missing(subject: Subject) -> list[str]:
-    """What to add to the engine file so that forces are in newtons."""
-    if subject.at is not None:
-        return []
-    relative = subject.engine.relative
-    wanted = [
-        words
-        for there, words in (
-            ("mass" in relative, _("the reciprocating mass")),
-            ("radius" in relative, _("stroke and rod length")),
-            (subject.engine.speed is None, _("the speed")),
-        )
-        if there
-    ]
-    return [
-        _(
-            "Forces are in units of m r ω², of one piston group m at crank radius r and speed ω, "
-            "since the engine file lacks data; for newtons add {values}.",
-            values=", ".join(wanted) or _("the speed"),
-        )
-    ]
 
 
 def contents(entries: Sequence[tuple[str, str, str]]) -> str:

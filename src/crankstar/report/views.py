@@ -42,8 +42,8 @@ RED, GREEN = "#d1382a", "#009e73"
 """Crankshafts, as in the documents; balance shafts."""
 WIDTH, HEIGHT, SMALL_HEIGHT = 660.0, 400.0, 260.0
 """px: greatest width and height of all views, and the height of two."""
-MARGIN, GAP, LETTERS = 32.0, 20.0, 13
-"""px around a view, between two, and the size of letters."""
+MARGIN, GAP, LETTERS, AXES = 32.0, 20.0, 13, 30.0
+"""px around a view, between two, the size of letters, the axes below a view."""
 ROD = (1.45, 0.75)
 """Half the width of a rod at its big and at its small end, in radii of its pin."""
 LEAST = 14.0
@@ -93,22 +93,24 @@ def _aligned(
     """Views in third-angle projection to one scale; the side view right of, the plan above."""
     up, right, along = (high - low for low, high in zip(scene.low, scene.high, strict=True))
     margins = 4 * MARGIN + GAP
-    tall = up + along if PLAN in looks else up
-    scale = min((width - margins) / (right + along), (height - margins) / tall)
+    tall, below = (up + along, 2 * AXES) if PLAN in looks else (up, AXES)
+    scale = min((width - margins) / (right + along), (height - margins - below) / tall)
     moving = placed(engine)
     across = right * scale + 2 * MARGIN
-    above = along * scale + 2 * MARGIN + GAP if PLAN in looks else 0.0
+    above = along * scale + 2 * MARGIN + AXES + GAP if PLAN in looks else 0.0
     places = {FRONT: (0.0, above), SIDE: (across + GAP, above), PLAN: (0.0, 0.0)}
     drawn = [_view(scene, moving, look, scale, engine.name, places[look]) for look in looks]
-    size = (across + GAP + along * scale + 2 * MARGIN, above + up * scale + 2 * MARGIN)
+    size = (across + GAP + along * scale + 2 * MARGIN, above + up * scale + 2 * MARGIN + AXES)
     if PLAN in looks:
         drawn.append(third_angle(x=across + GAP + MARGIN, y=MARGIN))
-    name = escape(_("{engine} from the front, the right side and above", engine=engine.name))
+    name = _("{engine} from the front and the right side", engine=engine.name)
+    if PLAN in looks:
+        name = _("{engine} from the front, the right side and above", engine=engine.name)
     return (
         f'<svg role="img" xmlns="http://www.w3.org/2000/svg" width="{size[0]:.0f}" '
         f'height="{size[1]:.0f}" viewBox="0 0 {size[0]:.0f} {size[1]:.0f}" '
         f'font-family="sans-serif" font-size="{LETTERS}" stroke-linejoin="round">'
-        f"<title>{name}</title>{''.join(drawn)}</svg>"
+        f"<title>{escape(name)}</title>{''.join(drawn)}</svg>"
     )
 
 
@@ -123,7 +125,7 @@ def _view(
     """A view as a group whose upper left corner is at `place`, px."""
     corners = [look.turned(*scene.low), look.turned(*scene.high)]
     (left, _right), (bottom, top) = (sorted(corner[at] for corner in corners) for at in (0, 1))
-    height = (top - bottom) * scale + 2 * MARGIN
+    height = (top - bottom) * scale + 2 * MARGIN + AXES
     pen = Pen(look, scale, MARGIN - left * scale, MARGIN + top * scale)
     parts = sorted(_parts(scene, moving, pen), key=lambda part: part.near)
     title = escape(_(look.title, engine=name))
