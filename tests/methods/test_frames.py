@@ -14,6 +14,7 @@ from crankstar.mechanics.balance import Balance, Grouping, grouped
 from crankstar.mechanics.excitation import Totals, rolling_moment
 from crankstar.studies.sweep import swept
 
+VECTORS = {"force": "force", "couple": "couple", "pitch": "couple", "yaw": "couple"}
 NAMES = ("i4", "vw-vr6", "kr250-racer", "napier-deltic")
 
 
@@ -22,21 +23,26 @@ def at_speed(name: str) -> Balance:
     return balance(engine, speed=engine.speed or 500.0, reference=Reference(0.1, 0.02, -0.03))
 
 
+def key_of(quantity: str, direction: str) -> str:
+    """The variable of a data set."""
+    return f"{quantity}_{direction}" if quantity in ("force", "couple") else quantity
+
+
 def complex_of(frame: Any) -> np.ndarray:
     return frame["amplitude"].to_numpy() * np.exp(1j * np.radians(frame["phase_deg"].to_numpy()))
 
 
 def expected(sums: Totals) -> dict[tuple[str, str], np.ndarray]:
     """The complex amplitudes by quantity and direction, from the spectra."""
-    out = {}
+    out = {
+        ("force", "vertical"): spectra.vertical(sums.force),
+        ("force", "horizontal"): spectra.horizontal(sums.force),
+        ("pitch", "vertical"): spectra.vertical(sums.couple),
+        ("yaw", "horizontal"): spectra.horizontal(sums.couple),
+    }
     for name in ("force", "couple"):
         spectrum = getattr(sums, name)
-        out |= {
-            (name, "vertical"): spectra.vertical(spectrum),
-            (name, "horizontal"): spectra.horizontal(spectrum),
-            (name, "forward"): spectrum.forward,
-            (name, "backward"): spectrum.backward,
-        }
+        out |= {(name, "forward"): spectrum.forward, (name, "backward"): spectrum.backward}
     signals = {"roll": rolling_moment(sums), "torque": sums.torque, "axis_moment": sums.axis_moment}
     return out | {(name, "axial"): spectra.amplitude(signal) for name, signal in signals.items()}
 
@@ -51,7 +57,7 @@ def test_a_frame_has_one_row_for_each_amplitude_of_the_engine(name: str) -> None
         rows = frame[(frame.quantity == quantity) & (frame.direction == direction)]
         assert rows["order"].tolist() == result.force.orders.tolist()
         assert complex_of(rows) == pytest.approx(values, rel=1e-12)
-        assert set(rows["unit"]) == {getattr(result.units, quantity, result.units.moment)}
+        assert set(rows["unit"]) == {getattr(result.units, VECTORS.get(quantity, "moment"))}
         assert set(rows["part"]) == {"engine"}
     assert frame.attrs["reference_z"] == 0.1
     assert frame.attrs.get("speed") == result.speed
@@ -100,7 +106,7 @@ def test_a_data_set_has_part_and_order_and_survives_netcdf(name: str, tmp_path: 
         assert read.attrs.get("speed") == result.speed
         parts = Totals(*(getattr(result, name) for name in Totals._fields))
         for (quantity, direction), values in expected(parts).items():
-            key = quantity if direction == "axial" else f"{quantity}_{direction}"
+            key = key_of(quantity, direction)
             assert np.array_equal(data[key].values, values)
             both = read[key].sel(component="real") + 1j * read[key].sel(component="imag")
             assert np.array_equal(both.values, values)
@@ -124,7 +130,7 @@ def test_a_sweep_as_frame_and_data_set_has_every_value(
                 & (frame.direction == direction)
             ]
             assert complex_of(rows) == pytest.approx(expected_values, rel=1e-12)
-            key = quantity if direction == "axial" else f"{quantity}_{direction}"
+            key = key_of(quantity, direction)
             assert np.array_equal(data[key].sel(value=value).values, expected_values)
     sweep.to_xarray(split=True).to_netcdf(tmp_path / "sweep.nc", engine="scipy")
     with xarray.open_dataset(tmp_path / "sweep.nc", engine="scipy") as read:

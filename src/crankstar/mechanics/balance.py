@@ -67,15 +67,16 @@ class Balance:
     def to_frame(self, *, by: Grouping | Literal["part"] | None = None) -> pandas.DataFrame:
         """The amplitudes as a tidy pandas data frame: one row an amplitude.
 
-        Columns part ("engine", or what `by` divides it into), order, quantity (force, couple, roll,
-        torque, axis_moment), direction (vertical, horizontal, forward, backward; axial), amplitude,
-        phase_deg and unit: the signal is amplitude * cos(order * theta + phase). attrs: speed
-        (rad/s) and the reference point. `by="part"` has a row for every part, with its kind, shaft,
-        cylinder and bank. Raises ImportError without pandas.
+        Columns part ("engine", or what `by` divides it into), order, quantity (force, pitch, yaw,
+        roll, torque, axis_moment; couple as turning vectors), direction (vertical, horizontal,
+        forward, backward; axial), amplitude, phase_deg and unit: the signal is amplitude *
+        cos(order * theta + phase). attrs: speed (rad/s) and the reference point. `by="part"` has a
+        row for every part, with its kind, shaft, cylinder and bank. Raises ImportError without
+        pandas.
 
         >>> from crankstar.files.catalog import load
         >>> table = balance(load("v8-cross-plane")).to_frame()
-        >>> first = table.query("quantity == 'couple' and direction == 'vertical' and order == 1")
+        >>> first = table.query("quantity == 'pitch' and order == 1")
         >>> print(first[["amplitude", "unit"]].round(4).to_string(index=False))
          amplitude      unit
             3.1623 m*r*w^2*a
@@ -94,15 +95,16 @@ class Balance:
     def to_xarray(self, *, split: bool = False) -> xarray.Dataset:
         """The amplitudes as an xarray data set with the dimensions part and order.
 
-        Variables force_vertical, force_horizontal, force_forward, force_backward, couple_..., roll,
-        torque and axis_moment, complex: the signal is Re(c exp(i order theta)); attrs units. Of the
-        set: speed (rad/s) and reference_z, reference_up, reference_right. `split` gives real and
-        imaginary part along a last dimension component, which netCDF can hold. Raises ImportError
+        Variables force_vertical, force_horizontal, force_forward, force_backward, pitch, yaw,
+        couple_forward, couple_backward, roll, torque and axis_moment, complex: the signal is
+        Re(c exp(i order theta)); attrs units. Of the set: speed (rad/s) and reference_z,
+        reference_up, reference_right. `split` gives real and imaginary part along a last dimension
+        component, which netCDF can hold. Raises ImportError
         without xarray.
 
         >>> from crankstar.files.catalog import load
         >>> sums = balance(load("v8-cross-plane")).to_xarray().sum("part")
-        >>> print(abs(complex(sums.couple_vertical.sel(order=1))).__round__(4))
+        >>> print(abs(complex(sums.pitch.sel(order=1))).__round__(4))
         3.1623
         """
         parts = {

@@ -4,10 +4,10 @@ One law for all of them: an amplitude c of order k stands for the signal
 
     Re(c exp(i k theta)) = |c| cos(k theta + phase),
 
-theta the angle of the reference crankshaft. A vector quantity (force, couple) has a vertical and a
-horizontal amplitude, and the same once more as the two vectors that turn forward and backward,
-whose phase is their bearing at theta = 0 (clockwise from up). Roll, torque and the moment about the
-axis are axial.
+theta the angle of the reference crankshaft. A force has a vertical and a horizontal amplitude;
+those of a couple are pitch, M_V, and yaw, M_H. Both are given once more as the two vectors that
+turn forward and backward, whose phase is their bearing at theta = 0 (clockwise from up). Roll,
+torque and the moment about the axis are axial. Every one of them adds up over the parts.
 """
 
 from __future__ import annotations
@@ -27,13 +27,11 @@ if TYPE_CHECKING:
     import pandas
     import xarray
 
-DIRECTIONS = {
-    "vertical": spectra.vertical,
-    "horizontal": spectra.horizontal,
-    "forward": lambda spectrum: spectrum.forward,
-    "backward": lambda spectrum: spectrum.backward,
+VECTORS = {
+    "force": ("force", "force"),
+    "couple": ("pitch", "yaw"),
 }
-"""The amplitudes of a vector quantity: as components, and as turning vectors."""
+"""The vector quantities, and what their vertical and horizontal amplitudes are called."""
 AXIAL = "axial"
 
 
@@ -45,12 +43,21 @@ class Wave(NamedTuple):
     unit: str
     amplitude: Complex
 
+    @property
+    def name(self) -> str:
+        """Quantity and direction: force_vertical, pitch, couple_forward, roll."""
+        both = self.quantity in VECTORS
+        return f"{self.quantity}_{self.direction}" if both else self.quantity
+
 
 def waves(sums: Totals, units: Mapping[str, str]) -> Iterator[Wave]:
     """Every quantity in every direction; `units` by the names force, couple and moment."""
-    for quantity in ("force", "couple"):
-        for direction, part in DIRECTIONS.items():
-            yield Wave(quantity, direction, units[quantity], part(getattr(sums, quantity)))
+    for vector, (upward, rightward) in VECTORS.items():
+        spectrum, unit = getattr(sums, vector), units[vector]
+        yield Wave(upward, "vertical", unit, spectra.vertical(spectrum))
+        yield Wave(rightward, "horizontal", unit, spectra.horizontal(spectrum))
+        yield Wave(vector, "forward", unit, spectrum.forward)
+        yield Wave(vector, "backward", unit, spectrum.backward)
     signals = {"roll": rolling_moment(sums), "torque": sums.torque, "axis_moment": sums.axis_moment}
     for quantity, signal in signals.items():
         yield Wave(quantity, AXIAL, units["moment"], spectra.amplitude(signal))
@@ -106,18 +113,18 @@ def dataset(
 ) -> xarray.Dataset:
     """Spectra as an xarray data set with the dimensions `dimension` and order.
 
-    A variable is `force_vertical`, ..., `roll`, complex, with its unit in attrs; `split` gives real
-    numbers with a last dimension component, real and imag, as netCDF needs. Raises ImportError.
+    A variable is `force_vertical`, `pitch`, ..., `roll`, complex, with its unit in attrs; `split`
+    gives real numbers with a last dimension component, real and imag, as netCDF needs. Raises
+    ImportError.
     """
     variables: dict[str, Any] = {}
     for wave in waves(sums, units):
-        name = wave.quantity if wave.direction == AXIAL else f"{wave.quantity}_{wave.direction}"
         values = wave.amplitude
         dims: tuple[str, ...] = (dimension, "order")
         if split:
             values = np.stack([np.real(values), np.imag(values)], axis=-1)
             dims = (*dims, "component")
-        variables[name] = (dims, values, {"units": wave.unit})
+        variables[wave.name] = (dims, values, {"units": wave.unit})
     coords: dict[str, Any] = {"order": sums.force.orders, **labels}
     if split:
         coords["component"] = ["real", "imag"]
