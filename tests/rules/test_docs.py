@@ -276,7 +276,7 @@ NO_TERMS = {
     *("", "engine", "engines", "unverified values", "part", "name", "row", "cranks"),
     *("quantity", "unit", "before", "now", "removes", "left", "order"),
     *("value", "typical", "low", "high", "source", "estimated", "moves_with", "estimated values"),
-    *("{quantity}, order {order}", "{quantity}, resultant", "cylinders"),
+    *("{quantity}, order {order}", "force, resultant", "couple, resultant", "cylinders"),
     "all orders together at these crank angles",
     *("shafts, throws and weights", "turning vectors", "main bearings by order", "crankshaft"),
     *("number", "place", "share", "speed_rpm", "{engine}, of the first"),

@@ -35,8 +35,8 @@ TITLES = {
 COMPONENTS = {
     ("force", "up"): (N_("force up"), N_("no vertical force")),
     ("force", "right"): (N_("force right"), N_("no horizontal force")),
-    ("couple", "up"): (N_("couple up"), N_("no couple up or down")),
-    ("couple", "right"): (N_("couple right"), N_("no couple to either side")),
+    ("couple", "up"): (N_("pitch M_V"), N_("no pitch")),
+    ("couple", "right"): (N_("yaw M_H"), N_("no yaw")),
     ("roll", "roll"): (N_("rolling moment"), N_("no rolling moment")),
     ("torque", "torque"): (N_("inertia torque"), N_("no inertia torque")),
 }

@@ -41,7 +41,7 @@ TITLES = {
 }
 AXES = {
     "force": (N_("force right ({unit})"), N_("force up ({unit})")),
-    "couple": (N_("couple right ({unit})"), N_("couple up ({unit})")),
+    "couple": (N_("yaw M_H ({unit})"), N_("pitch M_V ({unit})")),
 }
 NONE = {
     "force": (N_("no force of order {order}"), N_("no force")),

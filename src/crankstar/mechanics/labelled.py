@@ -27,10 +27,7 @@ if TYPE_CHECKING:
     import pandas
     import xarray
 
-VECTORS = {
-    "force": ("force", "force"),
-    "couple": ("pitch", "yaw"),
-}
+VECTORS = {"force": ("force", "force"), "couple": ("pitch", "yaw")}
 """The vector quantities, and what their vertical and horizontal amplitudes are called."""
 AXIAL = "axial"
 

@@ -42,6 +42,11 @@ SHARES = {
     "kind": (N_("Greatest value of each order by kind of part"), N_("part")),
 }
 """The table of shares and its first heading, by what parts are grouped."""
+AT_ANGLES = {
+    "force": (N_("force up"), N_("force right"), N_("force, resultant")),
+    "couple": (N_("pitch M_V"), N_("yaw M_H"), N_("couple, resultant")),
+}
+"""The columns of a vector at given crank angles."""
 
 
 class Analysis(NamedTuple):
@@ -162,15 +167,11 @@ def _at_angles(shown: Analysis, sums: Sums, angles: Sequence[float]) -> Table:
     for name, words in QUANTITIES.items():
         unit, signal = getattr(units, name, units.moment), getattr(sums, name)
         vectors = np.asarray(spectra.value(signal, np.array(angles)), complex)
-        quantity, parts = _(words), [np.real(vectors)]
+        parts = [np.real(vectors)]
         if name in MOMENTS:
-            heads.append(Column(quantity, unit))
+            heads.append(Column(_(words), unit))
         else:
-            heads += [
-                Column(_("{quantity} up", quantity=quantity), unit),
-                Column(_("{quantity} right", quantity=quantity), unit),
-                Column(_("{quantity}, resultant", quantity=quantity), unit),
-            ]
+            heads += [Column(_(head), unit) for head in AT_ANGLES[name]]
             parts += [np.imag(vectors), np.abs(vectors)]
         least = NEGLIGIBLE * spectra.peak(signal).value
         columns += [np.where(np.abs(part) > least, part, 0.0).tolist() for part in parts]

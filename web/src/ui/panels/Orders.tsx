@@ -69,9 +69,11 @@ function Group({
   return (
     <tbody>
       <tr class="group">
-        <th colSpan={5} scope="rowgroup">
+        <th colSpan={3} scope="rowgroup">
           {quantityName(quantity)} <span class="unit">{unitOf(exhibit, quantity)}</span>
         </th>
+        <td class="soft">{quantity === 'couple' && t('pitch M_V')}</td>
+        <td class="soft">{quantity === 'couple' && t('yaw M_H')}</td>
       </tr>
       {rows
         .filter(({ remains }) => remains)
