@@ -43,6 +43,7 @@ TABLES: dict[str, type[Record]] = {
     "crank weight": CrankWeight,
     "balance shaft": BalanceShaft,
     "rod": records.Rod,
+    "parts": records.Parts,
     "articulated": records.Articulation,
     "valves": records.Valves,
     "block": records.Block,

@@ -167,7 +167,7 @@ def _foot_text(name: str, count: int) -> str:
 def _rotating(engine: Engine) -> str:
     """The name of the grey arrows in this engine."""
     weights = any(shaft.weights for shaft in engine.shafts)
-    masses = any(throw.rotating_mass for shaft in engine.shafts for throw in shaft.throws)
+    masses = any(throw.turning_mass for shaft in engine.shafts for throw in shaft.throws)
     if weights and masses:
         return _("rotating masses")
     return _("rotating mass") if masses else _("counterweight")

@@ -223,7 +223,7 @@ def _turning(
 ) -> Iterator[tuple[Kind, int, float, float, int | None]]:
     """Kind, place, angle, mass moment and cylinder of what turns with a shaft."""
     for place, throw in enumerate(shaft.throws, 1):
-        yield "throw", place, throw.angle, throw.rotating_mass * throw.radius, None
+        yield "throw", place, throw.angle, throw.turning_mass * throw.radius, None
     for place, weight in enumerate(shaft.weights, 1):
         yield "weight", place, weight.angle, weight.unbalance, None
     for cylinder in engine.cylinders if exact else ():

@@ -102,7 +102,7 @@ def _rotating(engine: Engine, placed: Arms) -> list[Sign]:
     """Equal masses on all throws, or those of the file, as the fictitious vectors of a row."""
     shaft = engine.shaft(engine.first.shaft)
     exact = all(rational.turn(throw.angle) is not None for throw in shaft.throws)
-    loads = [throw.rotating_mass * throw.radius for throw in shaft.throws]
+    loads = [throw.turning_mass * throw.radius for throw in shaft.throws]
     for cylinder in engine.cylinders:
         loads[cylinder.throw - 1] += rotating_mass(cylinder) * engine.throw(cylinder).radius
     greatest = max(loads)

@@ -3,6 +3,7 @@
 | module, bottom to top | one line |
 |---|---|
 | `quantities` | types of values: physical quantities with their units, printable text |
+| `cylinder_parts` | the base of all records; a rod, and the parts of a cylinder as weighed |
 | `records` | the frozen records: shafts, throws, weights, cylinders, rods, valves, block |
 | `assembly` | shafts and cylinders put together, and what follows without motion |
 | `basis` | what a layout needs besides angles: name, cycle, firing order, sizes |

@@ -17,7 +17,7 @@ from typing import Any
 
 from crankstar.engine import motion
 from crankstar.engine.basis import ASSUMED_ROD_RATIO, Basis, Sizes
-from crankstar.engine.copies import checked, turned_on, wrapped
+from crankstar.engine.copies import checked, turned_on, with_values, wrapped
 from crankstar.engine.crankshafts import equipped
 from crankstar.engine.dead_centres import dead_centres
 from crankstar.engine.engine import Engine
@@ -26,6 +26,7 @@ from crankstar.engine.records import (
     Articulation,
     Cylinder,
     Identity,
+    Parts,
     Provenance,
     Rod,
     Shaft,
@@ -73,12 +74,14 @@ class _Known:
     offset: float
     mass: float
     rotating_mass: float
+    throw_mass: float
     rod: Rod | None
+    parts: Parts | None
 
     def balanced(self, factor: float) -> float:
-        """The rotating mass, and this share of the reciprocating mass."""
+        """All that turns at the crank radius, and this share of the reciprocating mass."""
         turning, moving = self.rod.shares(self.rod_length) if self.rod else (0.0, 0.0)
-        return self.rotating_mass + turning + factor * (self.mass + moving)
+        return self.rotating_mass + self.throw_mass + turning + factor * (self.mass + moving)
 
 
 def assembled(
@@ -198,6 +201,9 @@ def _sizes(basis: Basis, place: Place) -> _Known:
         if own is None
         else {k: getattr(own, k) for k in Sizes.model_fields if getattr(own, k) is not None}
     )
+    if own is not None and own.parts is not None and given["parts"] is not None:
+        weighed = {key: getattr(own.parts, key) for key in own.parts.model_fields_set}
+        different["parts"] = with_values(given["parts"], **weighed)
     if "rod_ratio" in different and "rod_length" not in different:
         given["rod_length"] = None
     given |= different
@@ -219,7 +225,9 @@ def _sizes(basis: Basis, place: Place) -> _Known:
         offset=given["offset"],
         mass=1.0 if given["reciprocating_mass"] is None else given["reciprocating_mass"],
         rotating_mass=given["rotating_mass"],
+        throw_mass=given["throw_mass"],
         rod=given["rod"],
+        parts=given["parts"],
     )
 
 
@@ -275,6 +283,7 @@ def _throws(
                     for place in sharing
                     if place.articulated is None
                 ),
+                throw_mass=sum(sizes[place.number].throw_mass for place in sharing),
             )
         )
     return tuple(throws)
@@ -319,6 +328,7 @@ def _cylinder(basis: Basis, place: Place, size: _Known, shaft: str, throw: int) 
         "reciprocating_mass": size.mass,
         "big_end_mass": size.rotating_mass if place.articulated else 0.0,
         "rod": size.rod,
+        "parts": size.parts,
         "articulated": place.articulated,
         "chamber": place.chamber,
         "bank": place.bank,

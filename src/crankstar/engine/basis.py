@@ -30,6 +30,7 @@ from crankstar.engine.records import (
     BearingSupport,
     CrankBending,
     Identity,
+    Parts,
     Record,
     Rod,
     Webs,
@@ -54,17 +55,27 @@ class Sizes(Record):
         default=0.0, description="the cylinder axis passes this far clockwise of the shaft axis"
     )
     reciprocating_mass: Mass | None = Field(
-        default=None, description="piston, pin, rings, rod small end"
+        default=None, description="piston, pin, locks, rings, rod small end"
     )
     rotating_mass: Mass = Field(
         default=0.0,
         description=(
-            "rod big end and unbalanced crank pin, at crank radius, per cylinder (at the "
-            "knuckle pin of a slave rod)"
+            "what hangs on the crank pin, at crank radius, per cylinder: rod big end, bearing "
+            "shells, oil (at the knuckle pin of a slave rod); in the bobweight"
+        ),
+    )
+    throw_mass: Mass = Field(
+        default=0.0,
+        description=(
+            "the crankshaft's own unbalance, as a mass at crank radius, per cylinder: crank pin "
+            "and webs without counterweights; never in the bobweight"
         ),
     )
     rod: Rod | None = Field(
         default=None, description="the rod as a rigid body, instead of shares in the two masses"
+    )
+    parts: Parts | None = Field(
+        default=None, description="the parts as weighed, instead of the two masses"
     )
 
 
@@ -74,6 +85,10 @@ class Override(Sizes):
     number: Ordinal = Field(description="of the cylinder that differs")
     offset: Length | None = Field(default=None, description="as in [cylinder]")  # pyright: ignore[reportIncompatibleVariableOverride]
     rotating_mass: Mass | None = Field(default=None, description="as in [cylinder]")  # pyright: ignore[reportIncompatibleVariableOverride]
+    throw_mass: Mass | None = Field(default=None, description="as in [cylinder]")  # pyright: ignore[reportIncompatibleVariableOverride]
+    parts: Parts | None = Field(
+        default=None, description="the parts that differ; the others as in [cylinder]"
+    )
     bearing: Angle | None = Field(
         default=None, description="where the cylinder points, clockwise from up"
     )
@@ -163,8 +178,8 @@ class Basis(Identity):
     balance_factor: Annotated[Number, Field(ge=0, le=2)] | None = Field(
         default=None,
         description=(
-            "a counterweight opposite each pin: all of its rotating mass and this share of "
-            "its reciprocating mass"
+            "a counterweight opposite each pin: all of its rotating mass and throw mass, and this "
+            "share of its reciprocating mass"
         ),
     )
     crankshafts: tuple[Crankshaft, ...] = Field(

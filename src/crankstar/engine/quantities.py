@@ -84,8 +84,9 @@ Length = Annotated[Number, LENGTH]
 Size = Annotated[Number, Field(gt=0), replace(LENGTH, least=LEAST)]
 Position = Annotated[Number, POSITION]
 Pitch = Annotated[Number, Field(gt=0), replace(POSITION, least=LEAST)]
-Mass = Annotated[Number, Field(ge=0), Quantity("mass", "650 g", _MASS, least=LEAST)]
-MovingMass = Annotated[Number, Field(gt=0), Quantity("mass", "650 g", _MASS, least=LEAST)]
+MASS = Quantity("mass", "650 g", _MASS, least=LEAST)
+Mass = Annotated[Number, Field(ge=0), MASS]
+MovingMass = Annotated[Number, Field(gt=0), MASS]
 Inertia = Annotated[
     Number, Field(ge=0), Quantity("moment of inertia", "0.002 kg*m^2", _MASS | _ACROSS)
 ]

@@ -9,16 +9,20 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
+from pydantic import BeforeValidator, ConfigDict, Field
 from pydantic_core import PydanticKnownError
 
+from crankstar.engine.cylinder_parts import Articulation as Articulation
+from crankstar.engine.cylinder_parts import Parts as Parts
+from crankstar.engine.cylinder_parts import Record as Record
+from crankstar.engine.cylinder_parts import Rod as Rod
+from crankstar.engine.cylinder_parts import without_required
 from crankstar.engine.quantities import (
     Angle,
     BearingStiffness,
     BendingStiffness,
     BodyInertia,
     Cycle,
-    Inertia,
     Length,
     Line,
     Mass,
@@ -79,60 +83,38 @@ BearingSupport = Annotated[
 ]
 
 
-class Record(BaseModel):
-    """What all records share: frozen, no unknown keys, names or file keys accepted."""
-
-    model_config = ConfigDict(
-        frozen=True, extra="forbid", validate_by_name=True, validate_by_alias=True, defer_build=True
-    )
-
-
-class Rod(Record):
-    """A connecting rod as a rigid body.
-
-    Its mass, the distance of its centre of mass from the big end, its inertia about that centre.
-
-    >>> Rod(mass=0.6, centre=0.04, inertia=0.002).mass
-    0.6
-    """
-
-    mass: MovingMass = Field(description="mass of the whole rod")
-    centre: Length = Field(description="from the big end to the centre of mass, along the rod")
-    inertia: Inertia = Field(default=0.0, description="moment of inertia about the centre of mass")
-
-    def shares(self, rod_length: float) -> tuple[float, float]:
-        """Its mass divided between crank pin and piston pin as its centre of mass divides it.
-
-        >>> [round(share, 3) for share in Rod(mass=0.6, centre=0.05).shares(0.15)]
-        [0.4, 0.2]
-        """
-        share = self.centre / rod_length
-        return self.mass * (1 - share), self.mass * share
-
-
-class Articulation(Record):
-    """A knuckle pin on another cylinder's rod; an articulated (slave) rod's big end sits on it."""
-
-    master: Ordinal = Field(description="number of the cylinder whose rod carries the knuckle pin")
-    radius: Size = Field(description="from the crank pin to the knuckle pin")
-    angle: Angle = Field(
-        description="from the master rod to the knuckle pin, about the crank pin, clockwise"
-    )
-
-
 class Throw(Record):
-    """A crank throw: pin bearing at theta = 0, crank radius, z, rotating mass at the radius.
+    """A crank throw: pin bearing at theta = 0, crank radius, z, masses at the radius.
 
-    >>> Throw(angle=0.0, radius=0.04).rotating_mass
-    0.0
+    `rotating_mass` hangs on the pin, and a bobweight stands for it on the balancing machine;
+    `throw_mass` is the crankshaft's own, and is part of it there too.
+
+    >>> Throw(angle=0.0, radius=0.04, rotating_mass=0.9, throw_mass=0.25).turning_mass
+    1.15
     """
 
     angle: Angle = Field(description="bearing of the pin at theta = 0, clockwise from up")
     radius: Size = Field(description="crank radius, half the stroke")
     z: Position = Field(default=0.0, description="middle of the pin, positive to the front")
     rotating_mass: Mass = Field(
-        default=0.0, description="unbalanced crank pin and rod big ends, at crank radius"
+        default=0.0,
+        description=(
+            "what hangs on the pin, at crank radius: rod big ends, bearing shells, oil; "
+            "in the bobweight"
+        ),
     )
+    throw_mass: Mass = Field(
+        default=0.0,
+        description=(
+            "the crankshaft's own unbalance, as a mass at crank radius: crank pin and webs without "
+            "counterweights; never in the bobweight"
+        ),
+    )
+
+    @property
+    def turning_mass(self) -> float:
+        """All that turns at the crank radius."""
+        return self.rotating_mass + self.throw_mass
 
 
 class Weight(Record):
@@ -199,6 +181,8 @@ class Cylinder(Record):
     (0.0, 0.0)
     """
 
+    model_config = ConfigDict(json_schema_extra=without_required("reciprocating_mass"))
+
     number: Ordinal = Field(description="unique; cylinder 1 is the frontmost")
     shaft: Line = Field(description="name of the shaft its rod works on")
     throw: Ordinal = Field(description="which throw of that shaft, counted from 1")
@@ -210,7 +194,10 @@ class Cylinder(Record):
     bore: Size | None = Field(default=None, description="cylinder diameter")
     rod_length: Size = Field(description="connecting rod between centres")
     reciprocating_mass: Mass = Field(
-        description="piston, pin, rings; and the rod's small end unless `rod` is given"
+        description=(
+            "piston, pin, locks, rings; and the rod's small end unless `rod` is given; the sum of "
+            "its parts where these are given"
+        )
     )
     big_end_mass: Mass = Field(
         default=0.0,
@@ -221,6 +208,9 @@ class Cylinder(Record):
     )
     rod: Rod | None = Field(
         default=None, description="the rod as a rigid body, instead of shares in the two masses"
+    )
+    parts: Parts | None = Field(
+        default=None, description="the parts as weighed; the masses are their sums"
     )
     articulated: Articulation | None = Field(
         default=None, description="the rod sits on a knuckle pin of another rod"

@@ -106,7 +106,8 @@ def _lists(engine: Engine) -> dict[str, list[dict[str, Any]]]:
         ],
         "THROWS": [
             {"shaft": s.name, "number": number}
-            | {name: getattr(t, name) for name in ("angle", "radius", "z", "rotating_mass")}
+            | {name: getattr(t, name) for name in ("angle", "radius", "z")}
+            | {"rotating_mass": t.turning_mass}
             for s in shafts
             for number, t in enumerate(s.throws, 1)
         ],

@@ -10,6 +10,7 @@
 | `workbook` | that form in an .xlsx file, written and read |
 | `source` | a file to its text and its tree of keys |
 | `changes` | values of a tree set by key path |
+| `parts` | the weighed parts of a cylinder added up to its masses |
 | `read` | a tree of keys to an Engine, with every fault at once |
 | `box` | the ranges of estimated values, and engines at their ends |
 | `estimate` | masses and lengths that a file leaves out |

@@ -135,7 +135,7 @@ def _places(tree: Tree, path: str) -> Iterator[tuple[Any, Any]]:
         for part in (*tree["cylinders"], *throws, *weights):
             yield from _place(part, ["z"])
         return
-    for part in throws if rest == ["rotating_mass"] else tree["cylinders"]:
+    for part in throws if rest in (["rotating_mass"], ["throw_mass"]) else tree["cylinders"]:
         yield from _place(part, rest)
 
 

@@ -28,6 +28,7 @@ from crankstar.files.changes import keys_of
 from crankstar.files.errors import refused
 from crankstar.files.forms import field_at, form_of, is_explicit, quantity_of
 from crankstar.files.mistakes import Tree, copied
+from crankstar.files.parts import tells_rotating
 from crankstar.files.read import engine_of
 from crankstar.language.faults import ValueFaultError
 
@@ -248,7 +249,8 @@ def _masses(filling: _Filling, laid_out: Engine, bore: float) -> None:
     tree, kind = filling.tree, filling.kind
     cylinder = {} if is_explicit(tree) else tree["cylinder"]
     known = "mass" not in laid_out.relative
-    if known and ("rotating_mass" in cylinder or is_explicit(tree) or kind == "crosshead"):
+    turning = "rotating_mass" in cylinder or tells_rotating(cylinder)
+    if known and (turning or is_explicit(tree) or kind == "crosshead"):
         return
     rods = proportion("rod", kind)
     share = proportion("small end", kind)
@@ -265,13 +267,12 @@ def _masses(filling: _Filling, laid_out: Engine, bore: float) -> None:
         filling.mark("cylinders.reciprocating_mass", [m * cube for m in masses], text)
         return
     if known:
-        ends = [
-            (1 - s) * r * cube + p * cube
-            for s, r, p in zip(reversed(share.sizes), rods.sizes, pins.sizes, strict=True)
-        ]
-        text = about.format(part="big end and crank pin", k=ends[1] / cube)
+        ends = [(1 - s) * r * cube for s, r in zip(reversed(share.sizes), rods.sizes, strict=True)]
+        text = about.format(part="big end", k=ends[1] / cube)
         if has_pins:
             filling.fill("cylinder.rotating_mass", ends, text)
+            if "throw_mass" not in cylinder:
+                filling.fill("cylinder.throw_mass", [k * cube for k in pins.sizes], pin_text)
         return
     text = about.format(part="piston group", k=groups.typical)
     _absolute(tree, {"mass": groups.typical * cube})
@@ -279,8 +280,8 @@ def _masses(filling: _Filling, laid_out: Engine, bore: float) -> None:
     if "rod" not in cylinder:
         text = about.format(part="rod", k=rods.typical)
         _rod(filling, [k * cube for k in rods.sizes], text, share)
-    if has_pins and "rotating_mass" not in cylinder:
-        filling.fill("cylinder.rotating_mass", [k * cube for k in pins.sizes], pin_text)
+    if has_pins and not {"rotating_mass", "throw_mass"} & cylinder.keys():
+        filling.fill("cylinder.throw_mass", [k * cube for k in pins.sizes], pin_text)
 
 
 def _rod(filling: _Filling, masses: Sequence[float], source: str, share: Proportion) -> None:

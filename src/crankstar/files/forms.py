@@ -138,7 +138,8 @@ def _sample(annotation: Any, quantity: Quantity | None) -> str:
     if parts:
         return _sample(parts[0], quantity)  # what is annotated, or the first of a union
     if isinstance(annotation, type) and issubclass(annotation, Record):
-        required = {key: info for key, info in by_key(annotation).items() if info.is_required()}
+        fields = [*by_key(annotation).items()]
+        required = dict([pair for pair in fields if pair[1].is_required()] or fields[:1])
         return "{ " + ", ".join(f"{key} = {example(info)}" for key, info in required.items()) + " }"
     plain = {int: "1", float: "1.5", str: '"a name"', Fraction: '"29/31"'}
     return f'"{quantity.example}"' if quantity else plain.get(annotation, "")

@@ -28,6 +28,7 @@ from crankstar.files.errors import EngineFileError
 from crankstar.files.forms import form_of, is_explicit, short_form
 from crankstar.files.mistakes import Path as KeyPath
 from crankstar.files.mistakes import SpreadsheetTree, Tree, faults_of, mended, unknown_sources
+from crankstar.files.parts import tells_mass, with_sums
 from crankstar.files.source import read_tree
 from crankstar.language.faults import EngineError, Fault
 from crankstar.language.quoting import seen
@@ -78,11 +79,13 @@ def engine_of(
 def _engine_of(tree: Tree, name: str) -> Engine:
     """The engine of a tree with its changes. Raises EngineFileError."""
     explicit = is_explicit(tree)
-    draft = _explicit(tree) if explicit else _short(tree)
+    whole, contradictions = with_sums(tree)
+    draft = _explicit(whole) if explicit else _short(whole)
     # an explicit file that was made from a layout keeps the sources of its dimensions
     layouts = LAYOUTS if explicit or _layout_faults(tree.get("layout")) else ()
     forms = chain([form_of(tree)], map(short_form, layouts))
-    faults = [*draft.faults, *_elsewhere([*unknown_sources(tree, forms)], draft.faults)]
+    faults = [*draft.faults, *_elsewhere(contradictions, draft.faults)]
+    faults += _elsewhere([*unknown_sources(tree, forms)], draft.faults)
     faults = _in_file(tree, faults, explicit=explicit)
     cells: Mapping[KeyPath, str] = {}
     if isinstance(tree, SpreadsheetTree):
@@ -171,7 +174,7 @@ def unknown_scales(tree: Tree) -> frozenset[str]:
         for value in (*_listed(crank.get("bearings")), *_listed(crank.get("webs")))
     )
     unknown = {
-        "mass": not _tells(cylinder, "reciprocating_mass"),
+        "mass": not (_tells(cylinder, "reciprocating_mass") or tells_mass(cylinder)),
         "radius": not _tells(cylinder, "stroke"),
         "pitch": not along,
     }

@@ -27,8 +27,12 @@ source = ""                       # where the numbers come from
 bore = "{bore}"
 stroke = "{stroke}"
 rod_length = "{rod}"              # between centres; or rod_ratio = 3.5 (over the crank radius)
-reciprocating_mass = "{mass}"     # piston, pin, rings and the rod's small end
-rotating_mass = "{rotating}"      # big end and unbalanced crank pin, at crank radius, per cylinder
+reciprocating_mass = "{mass}"     # goes up and down: piston, pin, locks, rings, rod's small end
+rotating_mass = "{rotating}"      # hangs on the crank pin: rod's big end, bearing shells, oil
+# throw_mass = "200 g"            # the bare throw's own unbalance: crank pin, webs; in no bobweight
+# the parts as weighed, instead of reciprocating_mass and rotating_mass (crankstar bobweight):
+# parts.piston = "400 g"          # and pin, locks, rings, small_end: these go up and down
+# parts.big_end = "500 g"         # and bearing_shells, oil: these turn with the crank pin
 # offset = "0 mm"                 # the cylinder axis passes this far clockwise of the crankshaft's
 # rod = {{ mass = "0.6 kg", centre = "40 mm", inertia = "0.002 kg*m^2" }}   # instead of shares
 """
@@ -195,6 +199,7 @@ throw = [
   { angle = "120 deg", radius = "41.25 mm", z = "0 mm", rotating_mass = "0.7 kg" },
   { angle = "-120 deg", radius = "41.25 mm", z = "-91 mm", rotating_mass = "0.7 kg" },
 ]
+# rotating_mass hangs on the pin, as its bobweight does; throw_mass = "200 g" is the throw's own
 weight = [                        # counterweights: unbalance is mass times radius
   { angle = "180 deg", unbalance = "0.04228 kg*m", z = "91 mm" },
   { angle = "-60 deg", unbalance = "0.04228 kg*m", z = "0 mm" },
@@ -238,7 +243,7 @@ throw = 3
 z = "-91 mm"
 bore = "87.5 mm"
 rod_length = "146 mm"
-reciprocating_mass = "650 g"
+reciprocating_mass = "650 g"      # or parts.piston, pin, locks, rings, small_end as weighed
 # offset = "0 mm"                 # the cylinder axis passes this far clockwise of the shaft's
 # the rod as a rigid body; on a knuckle pin of another rod:
 # rod = { mass = "0.6 kg", centre = "40 mm", inertia = "0.002 kg*m^2" }

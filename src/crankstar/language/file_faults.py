@@ -142,6 +142,26 @@ SENTENCES: dict[str, str | Plural] = {
     ),
     "too-long": N_("{where} has {size} letters; at most {bound} are allowed"),
     "invalid": N_("{where} is {value}; {message}"),
+    "parts.reciprocating": N_(
+        "{where} is {given}, but the parts that go up and down come to {total}; leave it out, or "
+        "correct the parts"
+    ),
+    "parts.rotating": N_(
+        "{where} is {given}, but the parts on the crank pin come to {total}; leave it out, or "
+        "correct the parts (the crankshaft's own crank pin and webs are throw_mass)"
+    ),
+    "parts.end-missing": N_(
+        "{where} is missing, and the rod is given as a rigid body; give both ends of the rod, or "
+        "neither"
+    ),
+    "parts.rod-mass": N_(
+        "{where} is {given}, but the two ends of the rod come to {total}; leave it out, or correct "
+        "the parts"
+    ),
+    "parts.rod-centre": N_(
+        "{where} is {given} from the big end, but by its two ends the rod's centre of mass lies at "
+        "{centre}; leave it out, or correct the parts"
+    ),
     "file.missing": N_("there is no such file; `crankstar list` names the engines of the catalog"),
     "file.not-in-catalog": N_(
         "there is no such engine in the catalog, and no such file; `crankstar list` names the "

@@ -55,9 +55,7 @@ def mechanism(engine: Engine) -> Mechanism:
     ]
     rod_mass, rod_centre, rod_inertia = np.array(bodies).T
     throws = [
-        (t.rotating_mass * t.radius, t.angle, t.z, i)
-        for i, s in enumerate(shafts)
-        for t in s.throws
+        (t.turning_mass * t.radius, t.angle, t.z, i) for i, s in enumerate(shafts) for t in s.throws
     ]
     weights = [(w.unbalance, w.angle, w.z, i) for i, s in enumerate(shafts) for w in s.weights]
     unbalance, angle, z, rotor_shaft = zip(*throws + weights, strict=True)

@@ -195,7 +195,7 @@ def _most(engine: Engine, greatest: float | None) -> float:
             unbalance=f"{greatest:g}",
         )
     carried = sum(
-        (pin.rotating + pin.reciprocating) * pin.radius for pin in loads(engine)
+        (pin.rotating + pin.own + pin.reciprocating) * pin.radius for pin in loads(engine)
     ) / unit_unbalance(engine)
     return min(greatest or np.inf, MOST * carried)
 

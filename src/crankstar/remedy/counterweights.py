@@ -1,8 +1,8 @@
 """Counterweights on the crankshafts from a balance factor, the share of the reciprocating mass.
 
-A weight opposite a pin takes `rotating + factor * reciprocating` times the radius from the vector
-that turns with the crank. Weights in other planes have the same effect if on each shaft their
-unbalances u_j and their moments agree:
+A weight opposite a pin takes its bobweight, `rotating + factor * reciprocating`, and the throw's
+own mass, times the radius, from the vector that turns with the crank. Weights in other planes have
+the same effect if on each shaft their unbalances u_j and their moments agree:
 
     sum u_j = U,    sum z_j u_j = V,
 
@@ -227,7 +227,7 @@ def _opposite(pins: Sequence[Load], factor: float) -> list[Share]:
 
 
 def _needed(pin: Load, factor: float) -> complex:
-    return -bobweight(pin, factor) * pin.radius * exp(1j * pin.angle)
+    return -(pin.own + bobweight(pin, factor)) * pin.radius * exp(1j * pin.angle)
 
 
 def _in_planes(

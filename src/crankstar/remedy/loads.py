@@ -13,7 +13,11 @@ from crankstar.engine.records import Cylinder
 
 
 class Load(NamedTuple):
-    """A crank pin: throw (from 1), bearing at theta = 0, place, cylinders, masses at its radius."""
+    """A crank pin: throw (from 1), bearing at theta = 0, place, cylinders, masses at its radius.
+
+    `rotating` hangs on the pin; `own` is what the crank throw itself has, which is no part of a
+    bobweight since it turns in the balancing machine too.
+    """
 
     shaft: str
     throw: int
@@ -23,6 +27,7 @@ class Load(NamedTuple):
     cylinders: tuple[int, ...]
     rotating: float
     reciprocating: float
+    own: float = 0.0
 
 
 def loads(engine: Engine) -> tuple[Load, ...]:
@@ -50,6 +55,7 @@ def loads(engine: Engine) -> tuple[Load, ...]:
                     cylinders=tuple(cylinder.number for cylinder in on),
                     rotating=throw.rotating_mass + sum(map(rotating_mass, on)),
                     reciprocating=sum(map(reciprocating_mass, on)),
+                    own=throw.throw_mass,
                 )
             )
     return tuple(pins)

@@ -126,7 +126,7 @@ def _masses(engine: Engine) -> list[Datum]:
     if "mass" in engine.relative:
         return []
     reciprocating = _span(cylinder.reciprocating_mass for cylinder in engine.cylinders)
-    masses = [throw.rotating_mass for shaft in engine.shafts for throw in shaft.throws]
+    masses = [throw.turning_mass for shaft in engine.shafts for throw in shaft.throws]
     rotating = f"{_span(masses)} kg" if any(masses) else _("not in the engine file")
     rods = [cylinder.rod.mass for cylinder in engine.cylinders if cylinder.rod is not None]
     return [

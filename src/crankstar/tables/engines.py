@@ -84,9 +84,9 @@ def rotors(engine: Engine) -> Table:
         label = _shaft_label(shaft, across)
         for place, throw in enumerate(shaft.throws, 1):
             cells = (label, _("throw {number}", number=place), _bearing(throw.angle))
-            product = throw.rotating_mass * throw.radius * unbalance.factor
+            product = throw.turning_mass * throw.radius * unbalance.factor
             places = (throw.radius * across.factor, throw.z * along.factor)
-            rows.append((*cells, *places, throw.rotating_mass, product))
+            rows.append((*cells, *places, throw.turning_mass, product))
         for place, weight in enumerate(shaft.weights, 1):
             cells = (label, _("weight {number}", number=place), _bearing(weight.angle))
             product = weight.unbalance * unbalance.factor

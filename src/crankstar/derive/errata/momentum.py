@@ -68,7 +68,7 @@ def bodies(engine: Engine, theta: Real) -> list[Body]:
         axis, turn = _axis(engine, shaft.name), _turned(engine, shaft.name, theta)
         for throw in shaft.throws:
             path = throw.radius * np.exp(1j * (throw.angle + turn))
-            out.append(Body(None, throw.rotating_mass, throw.z, axis, path))
+            out.append(Body(None, throw.turning_mass, throw.z, axis, path))
         radius = (
             shaft.throws[0].radius if shaft.throws else 1.0
         )  # any: only mass times radius counts
