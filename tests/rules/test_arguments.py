@@ -25,6 +25,10 @@ OWN = {"load", "names", "widget"}
 """They load engines themselves."""
 
 
+BANKS: Any = "banks"
+"""No label of a part, though it looks like one."""
+
+
 def functions() -> list[str]:
     return [name for name in crankstar.__all__ if inspect.isfunction(getattr(crankstar, name))]
 
@@ -55,6 +59,39 @@ def test_a_name_a_path_and_an_engine_give_the_same(name: str, tmp_path: Path) ->
 def test_what_is_no_engine_is_refused_with_what_to_give(name: str, given: Any) -> None:
     with pytest.raises(TypeError, match=f"^{name} takes an Engine, a name of the catalog or the "):
         getattr(crankstar, name)(given, **MORE.get(name, {}))
+
+
+@pytest.mark.parametrize("name", ["total", "grouped", "of_parts"])
+@pytest.mark.parametrize("given", [crankstar.load("i4"), "i4", None])
+def test_what_is_no_balance_is_refused_with_what_to_write(name: str, given: Any) -> None:
+    more = ("bank",) if name == "grouped" else ()
+    with pytest.raises(TypeError, match=rf"write {name}\(crankstar.balance\(engine\)\)$"):
+        getattr(crankstar, name)(given, *more)
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda b: crankstar.grouped(b, BANKS), '"banks" is no label of a part; give one of kind'),
+        (lambda b: b.to_frame(by=BANKS), '"banks" is no label of a part; give one of kind'),
+        (lambda b: crankstar.of_parts(b, row=1), '"row" is no label of a part; give one of kind'),
+        (
+            lambda b: crankstar.of_parts(b, cylinder=5),
+            "no part has the cylinder 5; give one of 1, 2",
+        ),
+        (
+            lambda b: crankstar.of_parts(b, bank="lft"),
+            'no part has the bank "lft"; give one of left',
+        ),
+        (
+            lambda b: crankstar.of_parts(b, kind="rods"),
+            'no part has the kind "rods"; give one of pi',
+        ),
+    ],
+)
+def test_a_label_that_no_part_has_is_refused_with_those_there_are(call: Any, words: str) -> None:
+    with pytest.raises(ValueError, match=f"^{words}"):
+        call(crankstar.balance(crankstar.load("v4-90")))
 
 
 def of(argument: str) -> list[str]:

@@ -49,6 +49,16 @@ def test_the_first_ten_lines_say_how_an_engine_shakes(name: str) -> None:
     assert "removed by" in text or "No primary or secondary force or couple remains." in text
 
 
+@pytest.mark.parametrize(("name", "left"), [("man-s90mc-c", False), ("v12-60", True)])
+def test_a_peak_of_less_than_a_millionth_of_what_is_pushed_is_left_out(
+    name: str, left: bool
+) -> None:
+    peaks = next(line for line in printed(name) if line.startswith("Peaks over a turn: "))
+    assert ("vertical" in peaks) == left
+    force = spectra.peak(summed(balance(load(name))).force).value
+    assert (force > 1e-6 * len(load(name).cylinders)) == left
+
+
 def test_the_first_lines_compare_the_peak_force_with_the_weight_where_it_is_known() -> None:
     from crankstar.engine.records import Block
 

@@ -6,12 +6,14 @@ units of m r w^2 with m and r of the first cylinder.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, get_args
 
 from crankstar import spectra
 from crankstar.engine.engine import Engine
+from crankstar.language.messages import _
+from crankstar.language.quoting import seen
 from crankstar.mechanics import labelled
 from crankstar.mechanics.excitation import Reference, Totals, part_spectra
 from crankstar.mechanics.mechanism import mechanism
@@ -237,7 +239,10 @@ def of_parts(result: Balance, **wanted: object) -> Totals:
     >>> front = of_parts(balance(load("v8-flat-plane")), cylinder=1).force
     >>> round(float(spectra.peak(spectra.selected(front, [1.0])).value), 6)
     1.0
+
+    Raises ValueError for another label, and for a cylinder, bank or shaft that no part has.
     """
+    _check_labels(result, wanted)
     rows = [
         row
         for row, part in enumerate(result.parts)
@@ -252,6 +257,36 @@ def grouped(result: Balance, by: Grouping) -> dict[object, Totals]:
     >>> from crankstar.files.catalog import load
     >>> list(grouped(balance(load("v4-90")), "bank"))[:2]
     ['left', 'right']
+
+    Raises ValueError for another label.
     """
+    _check_labels(result, {by: None})
     labels = dict.fromkeys(getattr(part, by) for part in result.parts)
     return {label: of_parts(result, **{by: label}) for label in labels}
+
+
+def _check_labels(result: Balance, wanted: Mapping[str, object]) -> None:
+    """Raises ValueError for labels and values that no part has; of a kind there may be none."""
+    for label, value in wanted.items():
+        if label not in Part._fields:
+            raise ValueError(
+                _(
+                    "{label} is no label of a part; give one of {labels}",
+                    label=seen(label),
+                    labels=", ".join(Part._fields),
+                )
+            )
+        values = (
+            [*get_args(Kind)]
+            if label == "kind"
+            else [*dict.fromkeys(getattr(p, label) for p in result.parts)]
+        )
+        if value is not None and value not in values:
+            raise ValueError(
+                _(
+                    "no part has the {label} {value}; give one of {values}",
+                    label=label,
+                    value=seen(value),
+                    values=", ".join(str(each) for each in values if each is not None),
+                )
+            )

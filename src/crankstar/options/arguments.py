@@ -20,6 +20,7 @@ from crankstar.engine.quantities import SPEED
 from crankstar.language.faults import ValueFaultError
 from crankstar.language.messages import _
 from crankstar.language.quoting import seen
+from crankstar.mechanics.balance import Balance
 from crankstar.mechanics.excitation import Reference
 
 Result = TypeVar("Result")
@@ -37,7 +38,7 @@ def read(function: Callable[..., Result]) -> Callable[..., Result]:
     TypeError: balance takes an Engine, a name of the catalog or the path of an engine file, not 5
     """
     asked = signature(function)
-    if not {"engine", "engines"} & {*asked.parameters}:
+    if not {"engine", "engines", "result"} & {*asked.parameters}:
         return function
 
     @wraps(function)
@@ -45,6 +46,8 @@ def read(function: Callable[..., Result]) -> Callable[..., Result]:
         bound = asked.bind(*args, **kwargs)
         given = bound.arguments
         _read_engines(function.__name__, given, asked.parameters)
+        if "result" in given:
+            _check_balance(function.__name__, given["result"])
         if given.get("speed") is not None:
             given["speed"] = _speed(given["speed"])
         if given.get("reference") is not None:
@@ -77,6 +80,19 @@ def _engine(function: str, given: Any) -> Engine:
             "{given}",
             function=function,
             given=seen(given),
+        )
+    )
+
+
+def _check_balance(function: str, given: Any) -> None:
+    """Raises TypeError if it is no Balance."""
+    if isinstance(given, Balance):
+        return
+    raise TypeError(
+        _(
+            "{function} takes a Balance, not {given}; write {function}(crankstar.balance(engine))",
+            function=function,
+            given=f"Engine {seen(given.name)}" if isinstance(given, Engine) else seen(given),
         )
     )
 

@@ -10,7 +10,7 @@ from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.balance import Balance
-from crankstar.mechanics.remains import Sums, remains
+from crankstar.mechanics.remains import Sums, pushed, remains
 from crankstar.remedy import needs
 from crankstar.tables.conditions import unit_sentence
 from crankstar.tables.cures import cure_lines
@@ -20,6 +20,8 @@ from crankstar.tables.verdict import largest_sentence
 
 GRAVITY = 9.80665
 """Standard acceleration of free fall, m/s^2."""
+FELT = 1e-6
+"""A peak smaller than this beside what all parts push is not worth a line."""
 
 PEAKS = {
     "vertical": N_("vertical {size}"),
@@ -65,10 +67,14 @@ def _roll_sentence(result: Balance, sums: Sums) -> str:
 
 def _peaks_sentence(engine: Engine, result: Balance, sums: Sums) -> str:
     """The peaks over a turn of all orders, and the force beside the weight of the engine."""
-    there = {name: peak for name, peak in part_peaks(result, sums).items() if peak[0]}
+    pushes = {
+        name: float(pushed(getattr(result, name)).max(initial=0.0)) for name in ("force", "couple")
+    }
+    whole = {"vertical": "force", "horizontal": "force", "pitch": "couple", "yaw": "couple"}
     sizes = [
         _(PEAKS[name], size=quantity_text(size, unit))
-        for name, (size, _angle, unit) in there.items()
+        for name, (size, _angle, unit) in part_peaks(result, sums).items()
+        if size > FELT * pushes.get(whole.get(name, ""), 0.0)
     ]
     text = _("Peaks over a turn: {sizes}.", sizes=", ".join(sizes)) if sizes else ""
     force = spectra.peak(sums.force).value
