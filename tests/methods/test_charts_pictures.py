@@ -47,7 +47,15 @@ SELDOM = (
 SPREAD = [*OFTEN, *(pytest.param(name, marks=pytest.mark.long) for name in SELDOM)]
 EVERY_CHART = pytest.mark.parametrize("name", charts.CHARTS)
 TURNING = [name for name, figure in charts.CHARTS.items() if "theta" in figure.options]
-PLANES = ("crank-star", "vector-star", "polygon", "hodograph", "forces", "firing-ring")
+PLANES = (
+    "crank-star",
+    "vector-star",
+    "polygon",
+    "hodograph",
+    "forces",
+    "firing-ring",
+    "bearing-loads",
+)
 OVER_A_CYCLE = ("stroke-chart", "firing-ring")
 
 
@@ -279,7 +287,8 @@ def test_long_names_are_folded_and_not_cut(name: str) -> None:
     picture = charts.saved(charts.CHARTS[name].draw(engine), "svg", title="x")
     assert engine.name in words_of(picture)
     width = float(re.findall(r'viewBox="0 0 (\d+)', picture.decode())[0])
-    assert width < (840 if name == "forces" else 470)  # nine cylinders in a row
+    wide = name in ("forces", "bearing-loads")  # nine cylinders, or four bearings, in a row
+    assert width < (840 if wide else 470)
 
 
 @pytest.mark.parametrize(

@@ -30,6 +30,8 @@ Engines in, a chart out, and a chart as an SVG that needs no browser.
 | `firing_rings` | the cylinders round a circle at their firing angles |
 | `elevations` | the crankshaft from the side |
 | `cylinder_forces` | the forces on each cylinder at chosen crank angles |
+| `polar_loads` | the load on each main bearing or crank pin as a polar diagram |
+| `bending` | the bending moment along the crankshaft |
 | `sweeps` | a result over a number of the engine |
 | `errata` | a printed formula beside the true one |
 | `front_axes` | the axes of a front, straight or logarithmic |
@@ -50,6 +52,7 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from crankstar.charts.bending import bending_chart
 from crankstar.charts.crank_stars import crank_star
 from crankstar.charts.curves import over_turn
 from crankstar.charts.cylinder_forces import force_arrows
@@ -59,6 +62,7 @@ from crankstar.charts.errata import judged, over_rods
 from crankstar.charts.firing_rings import firing_ring
 from crankstar.charts.hodographs import hodograph
 from crankstar.charts.paper import Paper, Print, printed
+from crankstar.charts.polar_loads import polar_loads
 from crankstar.charts.registry import CHARTS, Figure, side_by_side
 from crankstar.charts.saving import SUFFIXES, saved, saved_print
 from crankstar.charts.spectra import spectrum
@@ -78,6 +82,7 @@ __all__ = [
     "Figure",
     "Paper",
     "Print",
+    "bending_chart",
     "best_stars",
     "crank_star",
     "firing_ring",
@@ -87,6 +92,7 @@ __all__ = [
     "over_rods",
     "over_turn",
     "pareto_front",
+    "polar_loads",
     "polygon",
     "printed",
     "saved",

@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, get_args
 
+from crankstar.charts.bending import bending_chart
 from crankstar.charts.crank_stars import crank_star
 from crankstar.charts.curves import over_turn
 from crankstar.charts.cylinder_forces import force_arrows
@@ -14,6 +15,7 @@ from crankstar.charts.elevations import shaft_elevation
 from crankstar.charts.firing_rings import firing_ring
 from crankstar.charts.grammar import Chart
 from crankstar.charts.hodographs import hodograph
+from crankstar.charts.polar_loads import Loaded, polar_loads
 from crankstar.charts.spectra import spectrum
 from crankstar.charts.strokes import stroke_chart
 from crankstar.charts.sums import Quantity, Signal
@@ -78,6 +80,17 @@ _FIGURES = (
     ),
     Figure("firing-ring", firing_ring, N_("the cylinders around a circle at their firing angles")),
     Figure("forces", force_arrows, N_("the forces of each cylinder at chosen crank angles")),
+    Figure(
+        "bearing-loads",
+        polar_loads,
+        N_("the load on each main bearing or crank pin over a turn, as a polar diagram"),
+        get_args(Loaded),
+    ),
+    Figure(
+        "bending",
+        bending_chart,
+        N_("the bending moment along the crankshaft, with counterweights and without"),
+    ),
 )
 CHARTS = {figure.name: figure for figure in _FIGURES}
 """All figures of an engine, by name."""

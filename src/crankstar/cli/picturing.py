@@ -39,7 +39,7 @@ def plot(
         str,
         Parameter(
             help="crank-star, vector-star, polygon, hodograph, over-turn, spectrum, shaft, "
-            "stroke-chart, firing-ring or forces."
+            "stroke-chart, firing-ring, forces, bearing-loads or bending."
         ),
     ],
     /,
@@ -50,8 +50,14 @@ def plot(
     ] = None,
     orders: Annotated[str | None, option("--orders", "A chart of one order takes one.")] = None,
     quantity: Annotated[
-        str | None, option("--quantity", "For over-turn also roll or torque.")
+        str | None,
+        option(
+            "--quantity",
+            "For over-turn also roll or torque; for bearing-loads main-bearing, main-journal, "
+            "crank-pin or crank-pin-journal (journals turn with the crankshaft).",
+        ),
     ] = None,
+    model: Annotated[str | None, option("--model")] = None,
     theta: Annotated[
         str | None, option("--theta", "Of the drawing; several for the chart forces.")
     ] = None,
@@ -72,7 +78,7 @@ def plot(
         ),
     ] = None,
 ) -> None:
-    """Draw a chart of an engine: stars, polygons, paths, curves, spectra, strokes, forces."""
+    """Draw a chart of an engine: stars, paths, curves, spectra, strokes, forces, bearing loads."""
     drawing = chart_request.charts()
     figure = drawing.CHARTS[request.choice("chart", chart, drawing.CHARTS)]
     suffix = chart_request.suffix(output, drawing.SUFFIXES)
@@ -94,6 +100,7 @@ def plot(
         loaded,
         orders=orders,
         quantity=quantity,
+        model=model,
         theta=theta,
         speed=speed,
         reference=reference,

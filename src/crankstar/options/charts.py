@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from types import ModuleType
-from typing import Any
+from typing import Any, get_args
 
+from crankstar.dynamics.bearings import Model
 from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import LENGTH
 from crankstar.files import units
@@ -37,6 +38,7 @@ def options(
     *,
     orders: str | None,
     quantity: str | None,
+    model: str | None,
     theta: str | None,
     speed: str | None,
     reference: str | None,
@@ -50,6 +52,7 @@ def options(
     given = {
         "--orders": (orders, {"order", "orders"}),
         "--quantity": (quantity, {"quantity"}),
+        "--model": (model, {"model"}),
         "--theta": (theta, {"theta", "angles"}),
         "--speed": (speed, {"speed"}),
         "--reference": (reference, {"reference"}),
@@ -70,6 +73,8 @@ def options(
         out |= {"order": wanted[0]} if "order" in takes else {"orders": wanted}
     if quantity is not None:
         out["quantity"] = request.choice("--quantity", quantity, figure.quantities)
+    if model is not None:
+        out["model"] = request.choice("--model", model, get_args(Model))
     if theta is not None:
         angles = request.angles(theta)
         most = 1 if "theta" in takes else GREATEST_ANGLES

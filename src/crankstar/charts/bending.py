@@ -1,0 +1,238 @@
+"""The bending moment along a crankshaft: its greatest over the turn, and when it is greatest.
+
+The length of the vector M(z, theta) of `dynamics.bearings`, which is the same in the frame of the
+block and in the one that turns with the shaft. The envelope is its greatest over the turn at each
+place z; the dashed line is the moment at the one crank angle at which it is greatest of all,
+measured in the direction in which it is so. Each with counterweights and without: forces on the
+block can cancel though the shaft that hands them on is bent.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from math import degrees
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from crankstar import spectra
+from crankstar.charts.canvas import curve_height, panel_width
+from crankstar.charts.drawing import (
+    BLUE,
+    GREY,
+    LINES,
+    VERMILION,
+    Panel,
+    brief,
+    figure,
+    layered,
+    named,
+)
+from crankstar.charts.grammar import Chart, Layer, field, of_rows, span
+from crankstar.charts.letters import SMALL, text_width
+from crankstar.dynamics.bearings import Bending, Model, bending_moment
+from crankstar.engine.engine import Engine
+from crankstar.engine.main_bearings import main_bearings
+from crankstar.engine.records import Shaft
+from crankstar.language.faults import EngineError
+from crankstar.language.messages import N_, _
+from crankstar.language.numbers import unit_text
+from crankstar.language.shown_units import shown
+from crankstar.remedy.counterweights import RemedyError, with_web_weights, without_counterweights
+from crankstar.spectra import Real
+
+FACTOR = 0.5
+"""Balance factor of the weights that are compared where the engine file gives none."""
+STATES = {
+    None: N_("without bearings: what acts along the free shaft"),
+    "determinate": N_("hinged at each main bearing"),
+    "continuous": N_("one beam on all main bearings"),
+}
+HEIGHT = 112.0
+"""Height of a panel, px."""
+FOOT = 0.16
+"""Share of a panel below its axis, for the bearings and the throws."""
+
+
+class Course(NamedTuple):
+    """A bending moment along a shaft [place]: its envelope, and what it is at its worst moment."""
+
+    label: str
+    colour: str
+    z: Real
+    envelope: Real
+    momentary: Real
+    theta: float
+    unit: str
+
+    @property
+    def greatest(self) -> float:
+        """Of all places and crank angles."""
+        return float(self.envelope.max(initial=0.0))
+
+
+def bending_chart(
+    engine: Engine, *, model: Model | None = None, speed: float | None = None
+) -> Chart:
+    """The bending moment along every crankshaft, with its counterweights and without.
+
+    Panels: the free shaft, and the shaft in its main bearings by the `model`, or by both models
+    where none is named and there is one crankshaft. The engine is compared with bare crankshafts;
+    one without counterweights with usual ones, on all webs by a balance factor of a half. N m at
+    `speed` (rad/s), without one m r w^2 a. Raises ChartError.
+    """
+    cranks = [shaft for shaft in engine.shafts if shaft.throws]
+    models: tuple[Model, ...] = (model,) if model else ("determinate", "continuous")
+    states: list[Model | None] = [None, *(models if len(cranks) == 1 else models[:1])]
+    pairs = list(_compared(engine))
+    blocks: list[tuple[Shaft, Model | None, list[Course]]] = [
+        (shaft, state, [_course(each, label, colour, shaft.name, state, speed)
+                        for label, colour, each in pairs])
+        for shaft in cranks
+        for state in states
+    ]  # fmt: skip
+    courses = [course for _shaft, _state, each in blocks for course in each]
+    largest = max(course.greatest for course in courses)
+    said = shown(courses[0].unit, largest)
+    panels = [
+        _panel(engine, shaft, state, each, said.factor, several=len(cranks) > 1, first=not place)
+        for place, (shaft, state, each) in enumerate(blocks)
+    ]
+    title = _("Bending moment of the crank, in {unit}", unit=unit_text(said.unit))
+    about = _("solid: greatest over the turn; dashed: at the crank angle of its peak")
+    marks = _("triangles: main bearings; numbers: throws; front at the left")
+    return figure(
+        [[panel] for panel in panels], title=title, subtitle=[named(engine), about, marks]
+    )
+
+
+def _compared(engine: Engine) -> Iterator[tuple[str, str, Engine]]:
+    """The engine without and with counterweights, in words; one engine where these are the same."""
+    bare = without_counterweights(engine)
+    weighted = any(shaft.weights for shaft in engine.shafts if shaft.throws)
+    yield _("without weights"), VERMILION, bare
+    if weighted:
+        yield _("with its weights"), BLUE, engine
+        return
+    try:
+        usual = with_web_weights(engine, factor=FACTOR)
+    except (RemedyError, EngineError):  # too many weights for a crankshaft, or none fit
+        return
+    label = _("with weights, balance factor {factor}", factor=f"{FACTOR:g}")
+    yield label, BLUE, usual
+
+
+def _course(
+    engine: Engine, label: str, colour: str, shaft: str, state: Model | None, speed: float | None
+) -> Course:
+    bending = bending_moment(engine, shaft=shaft, speed=speed, model=state)
+    return course_of(bending, label=label, colour=colour)
+
+
+def course_of(bending: Bending, *, label: str = "", colour: str = BLUE) -> Course:
+    """The envelope of a bending moment, and the moment along the shaft when it is greatest.
+
+    >>> from crankstar.files.catalog import load
+    >>> course = course_of(bending_moment(load("i4")))
+    >>> bool(np.isclose(course.greatest, np.abs(course.momentary).max()))
+    True
+    """
+    envelope = spectra.peaks(bending.moment)
+    worst = int(np.argmax(envelope >= envelope.max() * (1 - 1e-9)))
+    top = spectra.peak(bending.moment[worst])
+    momentary = np.zeros(envelope.shape)
+    if top.value:
+        vectors = spectra.value(bending.moment, top.theta)
+        momentary = np.real(np.conj(top.vector / top.value) * vectors)
+    z = np.asarray(bending.z)
+    return Course(label, colour, z, envelope, momentary, top.theta, bending.unit)
+
+
+def _panel(
+    engine: Engine,
+    shaft: Shaft,
+    state: Model | None,
+    courses: Sequence[Course],
+    factor: float,
+    *,
+    several: bool,
+    first: bool,
+) -> Panel:
+    """One state of one shaft: the courses over z, front at the left, the bearings below."""
+    width, height = panel_width(), curve_height(HEIGHT)
+    z = courses[0].z
+    room = 0.03 * (z[0] - z[-1]) or 1.0
+    along = {"scale": span(z[0] + room, z[-1] - room) | {"zero": False}, "axis": None}
+    top = 1.06 * factor * max(course.greatest for course in courses) or 1.0
+    low = min(0.0, factor * min(float(course.momentary.min()) for course in courses))
+    foot = low - FOOT * (top - low)
+    scale = span(foot, top) | {"zero": False}
+    upward = {"scale": scale, "title": None, "axis": {"tickCount": 4, "grid": True}}
+    labels = [course.label for course in courses]
+    colours = {"domain": labels, "range": [course.colour for course in courses]}
+    legend = {**LINES, "columns": 1, "labelLimit": width} if first else None
+    x = field("z:Q", **along)
+    y = field("value:Q", **upward)
+    colour = field("label:N", scale=colours, legend=legend)
+    layers: list[Layer] = [
+        of_rows([{"z": z[0] + room, "z2": z[-1] - room, "value": 0.0}])
+        .mark("rule", color=GREY, strokeWidth=1)
+        .encode(x=x, x2=field("z2"), y=y)
+    ]
+    for name, dash, thick in (("envelope", [1, 0], 2.2), ("momentary", [5, 3], 1.3)):
+        rows = [
+            {"z": place, "value": value * factor, "label": course.label}
+            for course in courses
+            for place, value in zip(course.z.tolist(), getattr(course, name).tolist(), strict=True)
+        ]
+        line = of_rows(rows).mark("line", strokeDash=dash, strokeWidth=thick)
+        layers.append(line.encode(x=x, y=y, color=colour))
+    layers += _places(engine, shaft, x, upward, (foot, low, top), width / (z[0] - z[-1] + 2 * room))
+    return layered(
+        layers,
+        width=width,
+        height=height,
+        title=_head(shaft, state, courses, factor, several=several),
+    )
+
+
+def _head(
+    shaft: Shaft, state: Model | None, courses: Sequence[Course], factor: float, *, several: bool
+) -> str:
+    """What a panel shows, and the peak of each course with its crank angle."""
+    words = _(STATES[state])
+    if several:
+        words = f"{shaft.name}, {words}"
+    peaks = " / ".join(
+        _("{size} at {angle}°", size=brief(course.greatest * factor),
+          angle=brief(round(degrees(course.theta), 6)))
+        if course.greatest else "0"
+        for course in courses
+    )  # fmt: skip
+    return "\n".join([words, _("peak {peaks}", peaks=peaks)])
+
+
+def _places(
+    engine: Engine,
+    shaft: Shaft,
+    x: dict[str, Any],
+    upward: dict[str, Any],
+    ends: tuple[float, float, float],
+    scale: float,
+) -> Iterator[Layer]:
+    """The main bearings as triangles below the axis, and the numbers of the throws between them."""
+    foot, low, _top = ends
+    y = field("y:Q", **upward)
+    bearings = [{"z": place, "y": low} for place in main_bearings(engine, shaft)]
+    shape = {"shape": "triangle-up", "filled": True, "opacity": 1, "color": GREY, "size": 60}
+    yield of_rows(bearings).mark("point", **shape, yOffset=6).encode(x=x, y=y)
+    numbers: list[dict[str, Any]] = []
+    taken = -1e9
+    for number, throw in sorted(enumerate(shaft.throws, 1), key=lambda each: -each[1].z):
+        half = text_width(str(number), SMALL) / 2 + 2
+        at = -throw.z * scale
+        if at - half > taken:
+            numbers.append({"z": throw.z, "y": foot, "text": str(number)})
+            taken = at + half
+    words = of_rows(numbers).mark("text", baseline="bottom", fontSize=SMALL, color=GREY)
+    yield words.encode(x=x, y=y, text=field("text:N"))
