@@ -117,9 +117,9 @@ def _sizes(name: str, compared: _Compared) -> list[tuple[float | None, list[floa
     return rows
 
 
-def _share(value: float, first: float) -> float | None:
-    """Of the value of the first engine [%]; None where that is nought."""
-    return 100 * value / first if first else None
+def _share(value: float, first: float, whole: float) -> float | None:
+    """Of the value of the first engine, which is `whole`; None where that is nought."""
+    return whole * value / first if first else None
 
 
 def with_shares(document: Document, count: int) -> Document:
@@ -193,7 +193,8 @@ def _quantity(name: str, compared: _Compared) -> Table:
         *shares,
     )
     body: list[tuple[Value, ...]] = [
-        (label, *cells, *(_share(cell, cells[0]) for cell in cells[1:])) for label, cells in rows
+        (label, *cells, *(_share(cell, cells[0], 100) for cell in cells[1:]))
+        for label, cells in rows
     ]
     title = _(QUANTITIES[name]).capitalize()
     zero = [order for order, cells in orders if order is not None and not any(cells)]
@@ -224,8 +225,7 @@ def answer(shown: Sequence[Analysis], names: Sequence[str] | None = None) -> Doc
     for name in Sums._fields:
         for order, cells in _sizes(name, compared):
             for engine, result, cell in zip(compared.names, compared.results, cells, strict=True):
-                share = _share(cell, cells[0])
-                share = None if share is None else share / 100
+                share = _share(cell, cells[0], 1)
                 rows.append((name, order, engine, _rpm(result), cell, _unit(result, name), share))
     title = ", ".join(compared.names)
     return Document(title, (Table("", heads, tuple(rows), key="amplitudes"),))
