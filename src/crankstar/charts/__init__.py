@@ -11,6 +11,7 @@ Engines in, a chart out, and a chart as an SVG that needs no browser.
 | `canvas` | the room for a figure |
 | `drawing` | colours, panels, the crank angle as a parameter |
 | `crank_angle` | the axis of the crank angle, and the rule at `theta` |
+| `estimates` | the ranges of estimated engines, and the line that marks their figures |
 | `comparison` | one engine, or several side by side on common axes |
 | `sums` | what remains of force, couple, rolling moment and torque |
 | `choices` | the quantity and the order of a figure where none is named |
@@ -59,6 +60,7 @@ from crankstar.charts.cylinder_forces import force_arrows
 from crankstar.charts.drawing import GREY, ChartError, svg
 from crankstar.charts.elevations import shaft_elevation
 from crankstar.charts.errata import judged, over_rods
+from crankstar.charts.estimates import over_ranges
 from crankstar.charts.firing_rings import firing_ring
 from crankstar.charts.hodographs import hodograph
 from crankstar.charts.paper import Paper, Print, printed
@@ -89,6 +91,7 @@ __all__ = [
     "force_arrows",
     "hodograph",
     "judged",
+    "over_ranges",
     "over_rods",
     "over_turn",
     "pareto_front",

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from crankstar.charts.canvas import half_width
 from crankstar.charts.drawing import ChartError, Panel, figure, named, stacked
+from crankstar.charts.estimates import estimate_lines
 from crankstar.charts.grammar import Chart
 from crankstar.charts.letters import folded
 from crankstar.engine.engine import Engine
@@ -21,12 +22,16 @@ def compared(
     speed: float | None,
     theta: float | None = None,
     turns: int = 1,
+    ranges: str = "",
 ) -> Chart:
-    """The panels of each engine, in rows; several engines stand two in a row, each in a column."""
+    """The panels of each engine, in rows; several engines stand two in a row, each in a column.
+
+    `ranges` says how the ranges of estimated engines are drawn.
+    """
+    lines = estimate_lines(engines, drawn=ranges)
     if len(engines) == 1:
-        return figure(
-            blocks[0], title=title, subtitle=[named(engines[0])], theta=theta, turns=turns
-        )
+        subtitle = [named(engines[0]), *lines]
+        return figure(blocks[0], title=title, subtitle=subtitle, theta=theta, turns=turns)
     width = half_width()
     columns = [
         stacked([panel for row in block for panel in row], title=folded(named(engine), width=width))
@@ -35,7 +40,7 @@ def compared(
     if speed is None:
         title = _("{title}, each in its own m, r and a", title=title)
     rows = [columns[i : i + 2] for i in range(0, len(columns), 2)]
-    return figure(rows, title=title, theta=theta, turns=turns)
+    return figure(rows, title=title, subtitle=lines, theta=theta, turns=turns)
 
 
 def same_unit(units: Iterable[str]) -> str:

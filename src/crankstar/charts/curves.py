@@ -15,17 +15,28 @@ from crankstar.charts.choices import quantity_shown
 from crankstar.charts.comparison import compared
 from crankstar.charts.crank_angle import across, at_theta, waves
 from crankstar.charts.drawing import GREY, LINES, PALETTE, VERMILION, Panel, checked_order, layered
-from crankstar.charts.grammar import DISC, Chart, constant, field, of_rows, own, span
+from crankstar.charts.grammar import (
+    DISC,
+    Channel,
+    Chart,
+    Layer,
+    constant,
+    field,
+    of_rows,
+    own,
+    span,
+)
 from crankstar.charts.sums import Engines, Quantity, Signal, Sum, in_one_unit, several, sums
 from crankstar.language.messages import N_, _
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.remains import NEGLIGIBLE, sizes
-from crankstar.spectra import Complex, Real
+from crankstar.spectra import Complex, Real, Spectrum
 
 VISIBLE = 0.01
 """Share of the greatest order below which one is not drawn by itself, unless asked for."""
 MOST_ORDERS = 4
 TOTAL = N_("all orders")
+BAND = N_("Estimated masses or lengths: the band is the range of all orders together.")
 TITLES = {
     "force": N_("Force over the crank angle, in {unit}"),
     "couple": N_("Couple over the crank angle, in {unit}"),
@@ -44,15 +55,27 @@ COMPONENTS = {
 
 
 class Curve(NamedTuple):
-    """A component over the crank angle: `amplitudes` c of Re(c exp(i k theta)) by order k."""
+    """A component over the crank angle: `amplitudes` c of Re(c exp(i k theta)) by order k.
+
+    `ends` are orders and amplitudes in the middle and at the corners of the ranges of an engine.
+    """
 
     component: str
     orders: Real
     amplitudes: Complex
+    ends: tuple[tuple[Real, Complex], ...] = ()
 
     def value(self, angles: Real) -> Real:
         """At crank angles, radians."""
         return np.real(self.amplitudes @ np.exp(1j * self.orders[:, None] * angles))
+
+    def band(self, angles: Real) -> tuple[Real, Real] | None:
+        """The lowest and the highest value at crank angles; None of an engine without ranges."""
+        if not self.ends:
+            return None
+        values = np.array([Curve("", *end).value(angles) for end in self.ends])
+        own = self.value(angles)
+        return np.minimum(own, values.min(axis=0)), np.maximum(own, values.max(axis=0))
 
     def of(self, kept: Real) -> Curve:
         """The share of some orders."""
@@ -61,22 +84,30 @@ class Curve(NamedTuple):
 
 def _curves(whole: Sum) -> tuple[Curve, ...]:
     """The components of force and couple upward and to the right, or a signal as one."""
-    spectrum = whole.spectrum
-    if whole.quantity in get_args(Quantity):
-        parts = {"up": spectra.vertical(spectrum), "right": spectra.horizontal(spectrum)}
-    else:
-        parts = {whole.quantity: spectra.amplitude(spectrum)}
-    least = NEGLIGIBLE * sizes(spectrum).max(initial=0.0)
+    parts = _components(whole.quantity, whole.spectrum)
+    ends = [_components(whole.quantity, end) for end in whole.ends]
+    orders = [end.orders for end in whole.ends]
+    least = NEGLIGIBLE * sizes(whole.spectrum).max(initial=0.0)
     return tuple(
-        Curve(name, spectrum.orders, amplitudes).of(np.abs(amplitudes) > least)
+        Curve(name, whole.spectrum.orders, amplitudes)
+        .of(np.abs(amplitudes) > least)
+        ._replace(ends=tuple(zip(orders, [end[name] for end in ends], strict=True)))
         for name, amplitudes in parts.items()
     )
+
+
+def _components(quantity: str, spectrum: Spectrum) -> dict[str, Complex]:
+    """The amplitudes of the upward and the rightward component, or of a signal."""
+    if quantity in get_args(Quantity):
+        return {"up": spectra.vertical(spectrum), "right": spectra.horizontal(spectrum)}
+    return {quantity: spectra.amplitude(spectrum)}
 
 
 def _reach(curves: Sequence[Curve], turns: int) -> float:
     """The greatest value of any curve, together or of one order."""
     angles = np.linspace(0, 2 * pi * turns, 721)
     values = [np.abs(part) for one in curves for part in (one.amplitudes, one.value(angles))]
+    values += [np.abs(end) for one in curves for end in one.band(angles) or ()]
     return max(float(each.max(initial=0.0)) for each in values)
 
 
@@ -131,7 +162,9 @@ def over_turn(
         for each, orders in zip(curves, shown, strict=True)
     ]
     title = _(TITLES[choice.quantity], unit=wholes[0].unit)
-    return compared(engines, blocks, title=title, speed=speed, theta=theta, turns=turns)
+    return compared(
+        engines, blocks, title=title, speed=speed, theta=theta, turns=turns, ranges=_(BAND)
+    )
 
 
 def _name(order: float) -> str:
@@ -167,7 +200,7 @@ def _panel(
     rule = at_theta(turns, y=waves(curve.orders, curve.amplitudes))
     line = rule.mark("rule", color=VERMILION, strokeWidth=1.2, strokeDash=[3, 2]).encode(x=x)
     dot = rule.mark("point", **DISC, color=VERMILION, size=70).encode(x=x, y=y)
-    layers = [lines, line, dot]
+    layers = [*_band(curve, turns, x, y), lines, line, dot]
     if not curve.orders.size:
         note = of_rows([{"x": 180 * turns, "y": 0}]).mark("text", dy=-12, fontSize=13, color=GREY)
         layers.append(note.encode(x=x, y=y, text=constant(none)))
@@ -176,10 +209,29 @@ def _panel(
     )
 
 
+def _band(curve: Curve, turns: int, x: Channel, y: Channel) -> list[Layer]:
+    """The range of all orders together as an area."""
+    angles = _angles(curve, turns)
+    band = curve.band(angles)
+    if band is None or not np.any(band[1] > band[0]):
+        return []
+    rows = [
+        {"x": round(degrees(a), 6), "y": float(low), "y2": float(high)}
+        for a, low, high in zip(angles, *band, strict=True)
+    ]
+    area = of_rows(rows).mark("area", color=GREY, opacity=0.3)
+    return [area.encode(x=x, y=y, y2=field("y2"))]
+
+
+def _angles(curve: Curve, turns: int) -> Real:
+    """The crank angles of a curve, radians."""
+    highest = float(curve.orders.max(initial=1.0))
+    return np.linspace(0, 2 * pi * turns, int(min(max(120, 20 * highest * turns), 1500)) + 1)
+
+
 def _rows(curve: Curve, shown: Sequence[float], turns: int) -> list[dict[str, Any]]:
     """The curve of all orders, and over it those of single ones."""
-    highest = float(curve.orders.max(initial=1.0))
-    angles = np.linspace(0, 2 * pi * turns, int(min(max(120, 20 * highest * turns), 1500)) + 1)
+    angles = _angles(curve, turns)
     drawn = [(_(TOTAL), 3.2, curve)]
     for order in reversed(shown):
         part = curve.of(np.abs(curve.orders - order) < 1e-9)

@@ -28,6 +28,7 @@ from crankstar.charts.drawing import (
     layered,
     named,
 )
+from crankstar.charts.estimates import estimate_lines
 from crankstar.charts.grammar import COLOUR, Chart, field, of_rows, span
 from crankstar.charts.labels import Label
 from crankstar.charts.letters import SMALL, TEXT
@@ -146,7 +147,9 @@ def force_arrows(
         panels.append([picture(replace(plane, notes=tuple(notes)), frame, title=title)])
     title = _("Forces of each cylinder, in m r ω²")
     shown = [entry for entry in key if entry[0]]
-    return figure([[_key(shown)], *panels], title=title, subtitle=[named(engine)])
+    return figure(
+        [[_key(shown)], *panels], title=title, subtitle=[named(engine), *estimate_lines([engine])]
+    )
 
 
 def _reach(

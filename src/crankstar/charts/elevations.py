@@ -81,8 +81,18 @@ def shaft_elevation(
     else:
         title = _("Crankshaft from the side, front at the left; arms in mm")
     height = _("at θ = {theta}°, heights to scale", theta=f"{degrees(theta):.4g}")
-    subtitle, turns = [engine.name, height], turns_together(engine)
+    subtitle = [engine.name, height, *_arm_range(engine)]
+    turns = turns_together(engine)
     return figure(rows, title=title, subtitle=subtitle, theta=theta, turns=turns)
+
+
+def _arm_range(engine: Engine) -> list[str]:
+    """The line that says how far arms may be off that rest on an estimated bore pitch."""
+    source = engine.provenance.get("layout.bore_pitch")
+    if source is None or source.status != "estimated" or source.range is None:
+        return []
+    low, high = (number(end, digits=3) for end in source.range)
+    return [_("Estimated bore pitch: arms are {low} to {high} times as long.", low=low, high=high)]
 
 
 def _askew(engine: Engine) -> float:

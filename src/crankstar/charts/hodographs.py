@@ -13,6 +13,7 @@ from crankstar.charts.choices import Choice, quantity_shown
 from crankstar.charts.comparison import compared
 from crankstar.charts.crank_angle import waves
 from crankstar.charts.drawing import BLUE, GREY, VERMILION, Panel
+from crankstar.charts.estimates import axis_ranges, range_text
 from crankstar.charts.grammar import DISC, Channel, Chart, Layer, field, of_rows, own
 from crankstar.charts.labels import Label, gathered
 from crankstar.charts.letters import SMALL
@@ -34,6 +35,7 @@ from crankstar.language.numbers import number
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.remains import NEGLIGIBLE, sizes
 from crankstar.spectra import Spectrum
+from crankstar.tables.cells import rough
 
 TITLES = {
     "force": (N_("Path of the force of order {order}"), N_("Path of the force, all orders")),
@@ -47,6 +49,11 @@ NONE = {
     "force": (N_("no force of order {order}"), N_("no force")),
     "couple": (N_("no couple of order {order}"), N_("no couple")),
 }
+PATH = N_("Estimated masses or lengths: the path is that of the typical values.")
+SEMI_AXES = N_(
+    "Estimated masses or lengths: the path is that of the typical values, with the ranges of its "
+    "semi-axes."
+)
 NEITHER = (N_("no force and no couple of order {order}"), N_("no force and no couple"))
 
 
@@ -73,7 +80,12 @@ def hodograph(
     if order is not None:
         chosen = (spectra.selected(one.spectrum, order) for one in courses)
         pairs = zip(courses, map(present, chosen), strict=True)
-        courses = [one._replace(spectrum=spectrum) for one, spectrum in pairs]
+        courses = [
+            one._replace(
+                spectrum=spectrum, ends=tuple(spectra.selected(end, order) for end in one.ends)
+            )
+            for one, spectrum in pairs
+        ]
     courses = in_one_unit(courses)
     frame = round_frame(
         max(spectra.peak(one.spectrum).value for one in courses),
@@ -88,6 +100,7 @@ def hodograph(
         speed=speed,
         theta=theta,
         turns=max(one.turns for one in courses),
+        ranges=_(SEMI_AXES if order is not None else PATH),
     )
 
 
@@ -109,7 +122,7 @@ def _panel(shown: Sum, choice: Choice, frame: Frame, axes: Axes, theta: float) -
         plane = Plane(strokes=tuple(cross), notes=(note,))
         return picture(plane, frame, theta=theta, axes=axes)
     path = spectra.value(shown.spectrum, np.linspace(0, 2 * pi * shown.turns, _samples(shown)))
-    ends, words = ([], []) if order is None else _ellipse_axes(shown.spectrum)
+    ends, words = ([], []) if order is None else _ellipse_axes(shown)
     marks, angles_text = _marks(shown, frame.scale)
     plane = Plane(
         strokes=(*cross, *ends, Stroke(tuple(path.tolist()), BLUE, 2.0)),
@@ -131,18 +144,22 @@ def _ellipse(spectrum: Spectrum) -> spectra.Ellipse:
     return spectra.ellipse(complex(spectrum.forward[0]), complex(spectrum.backward[0]))
 
 
-def _ellipse_axes(spectrum: Spectrum) -> tuple[list[Stroke], list[Label]]:
-    """The axes of the ellipse of one order, and the lengths of its semi-axes."""
+def _ellipse_axes(whole: Sum) -> tuple[list[Stroke], list[Label]]:
+    """The axes of the ellipse of one order, and the lengths of its semi-axes with their ranges."""
+    spectrum = whole.spectrum
     shape = _ellipse(spectrum)
+    ranges = iter(axis_ranges(spectrum, whole.ends))
     way = exp(1j * shape.bearing)
     strokes, labels = [], []
     circle = shape.semi_major - shape.semi_minor <= NEGLIGIBLE * shape.semi_major
     for length, direction in ((shape.semi_major, way), (shape.semi_minor, -1j * way)):
+        ends = next(ranges, None)
         if length <= NEGLIGIBLE * shape.semi_major:
             continue
         strokes.append(Stroke((-length * direction, length * direction), GREY, 1.2, dashed=True))
         if direction == way or not circle:
             text = number(length, digits=5 if length >= 1e3 else 4)
+            text = f"{rough(length)}{range_text(ends)}" if ends else text
             labels.append(Label(text, 0.5 * length * direction, 1j * direction))
     return strokes, labels
 

@@ -11,6 +11,7 @@ from crankstar import spectra
 from crankstar.charts.canvas import curve_height, half_width, panel_width
 from crankstar.charts.comparison import compared
 from crankstar.charts.drawing import BLUE, GREY, ORANGE, Panel, brief, layered
+from crankstar.charts.estimates import length_ranges
 from crankstar.charts.grammar import Chart, constant, field, of_rows, span
 from crankstar.charts.labels import Box, meets
 from crankstar.charts.letters import SMALL, text_width
@@ -32,20 +33,29 @@ AXES = {
     "couple": N_("couple\n({unit})"),
     "roll": N_("rolling moment\n({unit})"),
 }
+WHISKERS = N_("Estimated masses or lengths: each thin line is the range of a bar.")
 NONE = {"force": N_("no force"), "couple": N_("no couple"), "roll": N_("no rolling moment")}
 
 
 class Bars(NamedTuple):
-    """Lengths by order: of the vectors with and against the crank, or of the rolling moment."""
+    """Lengths by order: of the vectors with and against the crank, or of the rolling moment.
+
+    `ends` are the lowest and the highest sum of the two of an estimated engine.
+    """
 
     quantity: str
     unit: str
     lengths: dict[float, tuple[float, float]]
+    ends: dict[float, tuple[float, float]]
 
     @property
     def reach(self) -> float:
         """The greatest of all orders."""
-        return max(map(sum, self.lengths.values()), default=0.0)
+        return max(map(self.top, self.lengths), default=0.0)
+
+    def top(self, order: float) -> float:
+        """The length of an order, or the upper end of its range."""
+        return max(sum(self.lengths[order]), *self.ends.get(order, (0.0,)))
 
     def of(self, orders: Container[float]) -> Bars:
         """The lengths of some orders."""
@@ -55,7 +65,7 @@ class Bars(NamedTuple):
     def visible(self) -> list[float]:
         """The orders that are visible beside the greatest, up to MOST_ORDERS."""
         least = VISIBLE * self.reach
-        return [order for order, two in self.lengths.items() if sum(two) > least][:MOST_ORDERS]
+        return [order for order in self.lengths if self.top(order) > least][:MOST_ORDERS]
 
 
 def spectrum(
@@ -83,7 +93,7 @@ def spectrum(
         ]
         for row in bars
     ]
-    return compared(engines, blocks, title=_(TITLE), speed=speed)
+    return compared(engines, blocks, title=_(TITLE), speed=speed, ranges=_(WHISKERS))
 
 
 def _bars(whole: Sum) -> Bars:
@@ -93,10 +103,10 @@ def _bars(whole: Sum) -> Bars:
         against = 0 * ahead
     else:
         ahead, against = np.abs(spectrum.forward), np.abs(spectrum.backward)
-    lengths = zip(ahead.tolist(), against.tolist(), strict=True)
-    return Bars(
-        whole.quantity, whole.unit, dict(zip(spectrum.orders.tolist(), lengths, strict=True))
-    )
+    orders = spectrum.orders.tolist()
+    lengths = dict(zip(orders, zip(ahead.tolist(), against.tolist(), strict=True), strict=True))
+    ends = dict(zip(orders, length_ranges(spectrum, whole.ends), strict=False))
+    return Bars(whole.quantity, whole.unit, lengths, ends)
 
 
 def _panel(one: Bars, names: Sequence[str], reach: float, width: float) -> Panel:
@@ -125,6 +135,17 @@ def _panel(one: Bars, names: Sequence[str], reach: float, width: float) -> Panel
                 rows.append({"order": f"{order:g}", **bar, "what": "roll" if foot else _(what)})
     bars = of_rows(rows).mark("bar", size=_breadth(names, width))
     layers = [bars.encode(x=x, y=y, y2=field("from"), color=colour)]
+    whiskers = [
+        {"order": f"{order:g}", "from": low, "to": high}
+        for order, (low, high) in one.ends.items()
+        if order in one.lengths and high > low
+    ]
+    if whiskers:
+        rule = of_rows(whiskers).mark("rule", strokeWidth=1.6, color=GREY)
+        layers.append(rule.encode(x=x, y=y, y2=field("from")))
+        for end in ("from", "to"):
+            tick = of_rows(whiskers).mark("tick", thickness=1.6, size=9, color=GREY)
+            layers.append(tick.encode(x=x, y={**y, "field": end}))
     lengths_above = tops(one, names, reach=reach, width=width)
     if lengths_above:
         text = of_rows(lengths_above).mark("text", fontSize=SMALL, color=GREY)
@@ -148,7 +169,8 @@ def tops(one: Bars, names: Sequence[str], *, reach: float, width: float) -> list
     slot = width / len(names)
     if slot <= NARROW:
         return []
-    lengths = [(names.index(f"{order:g}"), sum(two)) for order, two in one.lengths.items()]
+    lengths = [(names.index(f"{order:g}"), one.top(order)) for order in one.lengths]
+    sizes = {names.index(f"{order:g}"): sum(two) for order, two in one.lengths.items()}
     px = curve_height(HEIGHT) / (HEADROOM * reach)
     taken: list[Box] = [
         Box(complex(size * px / 2, (at + 0.5) * slot), _breadth(names, width) / 2, size * px / 2)
@@ -156,7 +178,7 @@ def tops(one: Bars, names: Sequence[str], *, reach: float, width: float) -> list
     ]
     out: list[dict[str, Any]] = []
     for at, size in sorted(lengths, key=lambda bar: -bar[1]):
-        text = brief(size)
+        text = brief(sizes[at])
         half = text_width(text, SMALL) / 2
         for lift in (8.0, 21.0, 34.0):
             here = Box(complex(size * px + lift, (at + 0.5) * slot), half, SMALL / 2)

@@ -8,6 +8,7 @@ from typing import Literal, NamedTuple, TypeVar, get_args
 from crankstar import spectra
 from crankstar.charts.comparison import same_unit
 from crankstar.charts.drawing import ChartError
+from crankstar.charts.estimates import ends_of
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
 from crankstar.language.numbers import unit_text
@@ -31,12 +32,14 @@ MOST_TURNS = 12
 class Sum(NamedTuple):
     """A quantity of the whole engine: the orders that remain of it, and its unit.
 
-    The unit is that of a Balance until `in_one_unit` writes it as readers see it.
+    The unit is that of a Balance until `in_one_unit` writes it as readers see it. `ends` are the
+    spectra in the middle and at the corners of the ranges of an estimated engine.
     """
 
     quantity: str
     unit: str
     spectrum: Spectrum
+    ends: tuple[Spectrum, ...] = ()
 
     @property
     def turns(self) -> int:
@@ -50,10 +53,20 @@ def sums(
     """These quantities of an engine, in units of m r w^2 or, at a `speed` (rad/s), in N and N m."""
     result = balance(engine, speed=speed, reference=reference)
     whole, parts = summed(result)._asdict(), vars(result) | {"roll": result.torque}
+    others = [
+        summed(balance(each, speed=speed, reference=reference))._asdict()
+        for each in ends_of(engine)
+    ]
     out = []
     for quantity in quantities:
         least = NEGLIGIBLE * pushed(parts[quantity]).max(initial=0.0)
-        out.append(Sum(quantity, unit_of(result, quantity), present(whole[quantity], least)))
+        ends = tuple(present(other[quantity], least) for other in others)
+        spectrum = present(whole[quantity], least)
+        missing = {order for end in ends for order in end.orders.tolist()}
+        if missing - {*spectrum.orders.tolist()}:  # what cancels in the engine as given alone
+            orders = sorted(missing | {*spectrum.orders.tolist()})
+            spectrum = spectra.selected(spectrum, orders)
+        out.append(Sum(quantity, unit_of(result, quantity), spectrum, ends))
     return out
 
 
@@ -80,7 +93,9 @@ def in_one_unit(courses: Sequence[Sum]) -> list[Sum]:
     said = shown(same_unit(each.unit for each in courses), largest)
     return [
         each._replace(
-            unit=unit_text(said.unit), spectrum=spectra.scaled(each.spectrum, said.factor)
+            unit=unit_text(said.unit),
+            spectrum=spectra.scaled(each.spectrum, said.factor),
+            ends=tuple(spectra.scaled(end, said.factor) for end in each.ends),
         )
         for each in courses
     ]

@@ -14,6 +14,7 @@ from crankstar.charts.canvas import half_width, panel_width
 from crankstar.charts.choices import order_shown
 from crankstar.charts.comparison import compared
 from crankstar.charts.drawing import ORANGE, Panel, numbers_text
+from crankstar.charts.estimates import range_text, size_range
 from crankstar.charts.grammar import Chart
 from crankstar.charts.labels import Label, gathered
 from crankstar.charts.plane import (
@@ -36,6 +37,7 @@ from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.remains import NEGLIGIBLE
+from crankstar.tables.cells import rough
 
 MANY, VERY_MANY, WIDER = 9, 20, 1.35
 """Labels of a star above which it has a row for itself, and a wider one, by this factor."""
@@ -49,6 +51,10 @@ POLYGONS = {
     "force": N_("Force polygon of order {order}, in {unit}"),
     "couple": N_("Couple polygon of order {order}, in {unit}"),
 }
+RESULTANTS = N_(
+    "Estimated masses or lengths: the vectors are those of the typical values, a resultant has its "
+    "range."
+)
 NONE = {"force": N_("no force of order {order}"), "couple": N_("no couple of order {order}")}
 
 
@@ -166,6 +172,7 @@ def _figure(
         speed=speed,
         theta=theta,
         turns=Fraction(order).limit_denominator(10_000).denominator,
+        ranges=_(RESULTANTS),
     )
 
 
@@ -247,11 +254,14 @@ def is_closed(star: Star) -> bool:
 
 def result_text(shown: Stars, star: Star) -> str:
     """Closed, or the length and the plane of the resultant."""
+    ends = size_range(abs(star.resultant), [abs(end) for end in star.ends])
     if is_closed(star):
-        return _("closed")
+        unit = f" {shown.unit}" if ends else ""
+        return f"{_('closed')}{range_text(ends)}{unit}"
+    size = number(abs(star.resultant))
     return _(
         "resultant {size} {unit}\n{angle}",
-        size=number(abs(star.resultant)),
+        size=f"{rough(abs(star.resultant))}{range_text(ends)}" if ends else size,
         unit=shown.unit,
         angle=angle_text(shown, star.resultant),
     )

@@ -17,6 +17,7 @@ import numpy as np
 from crankstar import spectra
 from crankstar.charts.comparison import same_unit
 from crankstar.charts.drawing import BLUE, GREY, VERMILION, checked_order
+from crankstar.charts.estimates import ends_of
 from crankstar.charts.sums import Quantity, checked_quantity, unit_of
 from crankstar.engine import motion
 from crankstar.engine.engine import Engine
@@ -42,12 +43,16 @@ class Vector(NamedTuple):
 
 
 class Star(NamedTuple):
-    """Vectors that turn by `rate` turns clockwise per turn of the crank, and their resultant."""
+    """Vectors that turn by `rate` turns clockwise per turn of the crank, and their resultant.
+
+    `ends` are resultants in the middle and at the corners of the ranges of an estimated engine.
+    """
 
     vectors: tuple[Vector, ...]
     resultant: complex
     rate: float
     title: str
+    ends: tuple[complex, ...] = ()
 
 
 class Stars(NamedTuple):
@@ -87,6 +92,10 @@ def stars(
         unit = unit.replace("m*r*w^2", f"m*r*w^2*{subscript}") if subscript else unit
     shares = spectra.scaled(spectra.selected(getattr(result, quantity), order), 1 / factor)
     whole = spectra.scaled(spectra.selected(getattr(total(result), quantity), order), 1 / factor)
+    others = [
+        spectra.scaled(spectra.selected(getattr(total(end), quantity), order), 1 / size)
+        for end, size in _ends(engine, order, factor, speed=speed, reference=reference)
+    ]
     names, axis = _names(engine, result), _axis(engine, shares)
     out = []
     for turning, sense, title in (("forward", 1, WITH), ("backward", -1, AGAINST)):
@@ -100,11 +109,29 @@ def stars(
         seen = (one for one in vectors if abs(one.value) > NEGLIGIBLE * greatest)
         resultant = complex(getattr(whole, turning)[0])
         rate = sense * engine.sense * order
-        out.append(Star(tuple(seen), times * resultant, rate, "" if axis is not None else _(title)))
+        words = "" if axis is not None else _(title)
+        ends = tuple(times * complex(getattr(end, turning)[0]) for end in others)
+        out.append(Star(tuple(seen), times * resultant, rate, words, ends))
     first = engine.throw(engine.first)
     from_crank = axis is not None and abs(np.exp(1j * (first.angle - axis)) - 1) < 1e-9
     drawn = tuple(out if axis is None else out[:1])
     return Stars(quantity, order, unit, drawn, axis, engine.sense, from_crank)
+
+
+def _ends(
+    engine: Engine, order: float, factor: float, *, speed: float | None, reference: Reference | None
+) -> list[tuple[Balance, float]]:
+    """The Balances in the middle and at the corners of an engine's ranges, each with its |A_k|.
+
+    The latter is 1 where `factor`, that of the engine itself, is.
+    """
+    return [
+        (
+            balance(each, speed=speed, reference=reference),
+            1.0 if factor == 1.0 else harmonic(each, order)[0],
+        )
+        for each in ends_of(engine)
+    ]
 
 
 def in_one_unit(systems: Sequence[Stars]) -> list[Stars]:
@@ -125,7 +152,8 @@ def in_one_unit(systems: Sequence[Stars]) -> list[Stars]:
 
 def _times(star: Star, factor: float) -> Star:
     vectors = tuple(vector._replace(value=factor * vector.value) for vector in star.vectors)
-    return star._replace(vectors=vectors, resultant=factor * star.resultant)
+    ends = tuple(factor * end for end in star.ends)
+    return star._replace(vectors=vectors, resultant=factor * star.resultant, ends=ends)
 
 
 def harmonic(engine: Engine, order: float) -> tuple[float, str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import partial
 from typing import Annotated
 
@@ -9,18 +10,26 @@ from crankstar.cli.application import app
 from crankstar.cli.options import (
     FLAT,
     EngineName,
+    Estimating,
     Settings,
     Speed,
-    engine_with_tree,
+    engine_over_ranges,
     option,
     together,
     write_engine,
 )
 from crankstar.cli.output import display, working
 from crankstar.engine.copies import with_values
-from crankstar.language.messages import _
+from crankstar.language.messages import N_, _
 from crankstar.options import values as request
 from crankstar.options.balancing import BalanceOptions
+
+SIZED = N_(
+    "Each range is that of engines whose weights and shafts are sized for their own masses. "
+    "Weights that are made before the masses are known leave more: `crankstar analyze` of the "
+    "file written with -o."
+)
+"""What the ranges of a balance of estimated masses mean."""
 
 
 @app.command
@@ -32,27 +41,34 @@ def balance(
     prove: Annotated[bool, option("--prove")] = False,
     speed: Speed = None,
     settings: Settings = None,
+    estimate: Estimating = False,
     output: Annotated[str | None, option("--output", "The balanced engine.")] = None,
 ) -> None:
     """Balance an engine with counterweights and balance shafts; print what remains."""
     from crankstar.derive import documents
     from crankstar.options.balancing import balanced, new_name
+    from crankstar.tables.ranges import ranged
     from crankstar.tables.remedies import balancing_sheet
+    from crankstar.tables.table import remarks
 
-    own, (loaded, tree), _turning = together(
+    own, ((loaded, spread), tree), _turning = together(
         partial(request.own_factor, engine, settings, otherwise=0.5),
-        partial(engine_with_tree, engine, settings),
+        partial(engine_over_ranges, engine, settings, estimate=estimate),
         partial(request.speed, speed),
     )
     with working(_("balancing ...")):
         job = balanced(loaded, options, speed=speed, own_factor=own)
+        make = partial(balanced, options=options, speed=speed, own_factor=own)
+        document = ranged(lambda each: balancing_sheet(make(each)), spread, loaded)
         proof = []
         if prove:  # exact algebra is slow to load
             from crankstar.derive.cure import proofs
 
             proof = proofs(job.before, job.after)
+    if spread is not None:
+        document = replace(document, parts=(*document.parts, *remarks(_(SIZED), kind="note")))
     if output is not None:
         write_engine(with_values(job.after, name=new_name(job, options)), tree, output)
-    display(balancing_sheet(job))
+    display(document)
     if proof:
         display(documents.rendered(proof))

@@ -223,7 +223,9 @@ def verdict(
         partial(loaded_values, engine, settings, estimate=estimate), partial(request.speed, speed)
     )
     document = ranged(
-        lambda each: tables.verdict_document(each, tables.verdict(each, speed=turning)),
+        lambda each: tables.verdict_document(
+            each, tables.verdict(each, speed=turning, relatives=each is loaded)
+        ),
         spread,
         loaded,
     )

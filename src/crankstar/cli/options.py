@@ -97,14 +97,21 @@ class Loaded(NamedTuple):
 
 def loaded_values(name: str, settings: list[str] | None, *, estimate: bool) -> Loaded:
     """The engine of a name or file with the values of --set, and with --estimate completed."""
+    return engine_over_ranges(name, settings, estimate=estimate)[0]
+
+
+def engine_over_ranges(
+    name: str, settings: Sequence[str] | None, *, estimate: bool
+) -> tuple[Loaded, dict[str, Any]]:
+    """The same, and the tree of its file with the values of --set and what was estimated."""
     shown, tree, turned = estimated_tree(name, settings, estimate=estimate)
     ends = spread(tree, name=shown, changes=turned)
     engine = engine_of(tree, name=shown, changes=turned) if ends is None else ends.engine
-    return Loaded(engine, ends)
+    return Loaded(engine, ends), changed(tree, turned, name=shown) if turned else tree
 
 
 def estimated_tree(
-    name: str, settings: list[str] | None, *, estimate: bool
+    name: str, settings: Sequence[str] | None, *, estimate: bool
 ) -> tuple[str, dict[str, Any], dict[str, Any]]:
     """Name and tree of a file with the values of --set, but for angles of throws, which follow."""
     changes = request.settings(settings)

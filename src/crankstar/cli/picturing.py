@@ -13,12 +13,13 @@ from crankstar.cli.application import app
 from crankstar.cli.options import (
     Csv,
     EngineName,
+    Estimating,
     Json,
     ReferencePoint,
     Settings,
     Speed,
-    engine_and_speed,
     loaded_engine,
+    loaded_values,
     option,
     together,
 )
@@ -64,6 +65,7 @@ def plot(
     speed: Speed = None,
     reference: ReferencePoint = None,
     settings: Settings = None,
+    estimate: Estimating = False,
     theme: Annotated[str | None, option("--theme")] = None,
     width: Annotated[str | None, option("--width")] = None,
     height: Annotated[str | None, option("--height")] = None,
@@ -85,10 +87,12 @@ def plot(
     paper = chart_request.paper(
         suffix, theme=theme, width=width, height=height, dpi=dpi, font_size=font_size
     )
-    (loaded, _turning), *others = together(
-        partial(engine_and_speed, engine, settings, speed),
-        *(partial(loaded_engine, name, None) for name in beside or ()),
+    _turning, *each = together(
+        partial(request.speed, speed),
+        partial(loaded_values, engine, settings, estimate=estimate),
+        *(partial(loaded_values, name, None, estimate=estimate) for name in beside or ()),
     )
+    loaded, *others = [one.engine for one in each]
     if others and not figure.compares:
         raise RequestError(
             "--beside: {chart} shows one engine; charts of several are {charts}",
@@ -113,7 +117,8 @@ def plot(
             else partial(figure.draw, loaded, **options)
         )
         title = _("{engine}: {chart}", engine=loaded.name, chart=_(figure.about))
-        made = drawing.printed(draw, paper, title=title)
+        with drawing.over_ranges(one.spread for one in each):
+            made = drawing.printed(draw, paper, title=title)
         content = drawing.saved_print(made, suffix, title=title)
     write_result(content, output, usual_place(engine, chart, kind=suffix))
 

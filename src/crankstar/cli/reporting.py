@@ -9,15 +9,16 @@ from crankstar.charts.fonts import missing_letters
 from crankstar.cli.application import app
 from crankstar.cli.options import (
     EngineName,
+    Estimating,
     Settings,
     Speed,
-    changed_tree,
     command_text,
+    engine_over_ranges,
+    loaded_values,
     option,
     together,
 )
 from crankstar.cli.output import complain, working, writable, write_result
-from crankstar.files.catalog import load
 from crankstar.language.messages import _
 from crankstar.options import charts as chart_request
 from crankstar.options import values as request
@@ -51,33 +52,43 @@ def write_report(
     ] = None,
     full: Annotated[bool, option("--full")] = False,
     settings: Settings = None,
+    estimate: Estimating = False,
 ) -> None:
     """Write a report: data, verdict, views, strokes, orders, diagrams, remedies, derivations."""
     chart_request.charts()
     kind = form_of(output, KINDS)
     from crankstar import report
-    from crankstar.files import engine_of
 
     refuse_terminal(output, KINDS)
     usual = usual_place(engine, "report", kind=kind)
     writable(usual if output is None else output)
     second = request.single("--beside", beside)
-    (name, tree), other, turning = together(
-        partial(changed_tree, engine, settings),
-        partial(load, second) if second is not None else lambda: None,
+    ((loaded, spread), tree), beside_it, turning = together(
+        partial(engine_over_ranges, engine, settings, estimate=estimate),
+        partial(loaded_values, second, None, estimate=estimate)
+        if second is not None
+        else lambda: None,
         partial(request.speed, speed),
     )
-    loaded = engine_of(tree, name=name)
     options = {
         "--speed": speed and [speed],
         "--orders": orders and [orders],
         "--beside": second and [request.named(second)],
         "--full": [""] if full else None,
         "--set": settings,
+        "--estimate": [""] if estimate else None,
         "-o": [usual],
     }
     command = command_text("report", request.named(engine), options)
-    subject = report.Subject(loaded, tree, command, turning, None, other, full)
+    subject = report.Subject(
+        loaded,
+        tree,
+        command,
+        turning,
+        beside=beside_it and beside_it.engine,
+        full=full,
+        spreads=(spread, beside_it and beside_it.spread),
+    )
     wanted = request.orders(orders, list(subject.shown.normalised.force.orders.tolist()))
     subject = subject.with_orders(tuple(wanted) if wanted else None)
     by = report.browser() if kind == "pdf" else ""

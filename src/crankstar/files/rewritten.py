@@ -26,6 +26,8 @@ from crankstar.files.mistakes import Tree, copied
 from crankstar.files.read import engine_of, unknown_scales
 from crankstar.files.write import explicit, part_by_part, written
 
+WEIGHTS = "shaft.weight.unbalance"
+"""The key path of the unbalance of every weight, in the explicit form."""
 CLOSE = 1e-9
 """Share by which numbers may differ that were written and read back; radians for angles."""
 
@@ -54,7 +56,8 @@ def _short(tree: Tree, engine: Engine) -> Tree | None:
         return None
     before = engine_of(tree)
     out = copied(tree)
-    _with_identity(out, before, engine)
+    others = {path: own for path, own in engine.provenance.items() if path != WEIGHTS}
+    _with_identity(out, before, with_values(engine, provenance=others))
     shafts = len(out.get("balance_shaft", []))
     cranks = len(before.shafts) - shafts
     if len(engine.shafts) < cranks or any(shaft.throws for shaft in engine.shafts[cranks:]):
@@ -66,6 +69,7 @@ def _short(tree: Tree, engine: Engine) -> Tree | None:
         out["balance_shaft"] = [
             written(balance_shaft(shaft), relative) for shaft in engine.shafts[cranks:]
         ]
+    _with_estimated_weights(out, engine)
     try:
         return out if _same(engine_of(out), engine) else None
     except EngineFileError:
@@ -121,6 +125,17 @@ def _with_crankshafts(
     out.pop("crankshaft", None)
     if tables:
         out["crankshaft"] = tables
+
+
+def _with_estimated_weights(out: Tree, engine: Engine) -> None:
+    """The source of weights that were sized for estimated masses, by its keys in a short file."""
+    source = engine.provenance.get(WEIGHTS)
+    if source is None or source.status != "estimated":
+        return
+    text = {"status": source.status, "source": source.source}
+    for table in ("crankshaft", "balance_shaft"):
+        if any(shaft.get("weight") for shaft in out.get(table, [])):
+            out.setdefault("provenance", {})[WEIGHTS.replace("shaft", table, 1)] = text
 
 
 def _brief(shaft: Shaft) -> Crankshaft:

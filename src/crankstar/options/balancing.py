@@ -13,6 +13,7 @@ from crankstar.options import values as request
 from crankstar.options.refusals import RequestError
 from crankstar.options.vocabulary import meaning
 from crankstar.remedy import fitting
+from crankstar.remedy.kept import with_source
 from crankstar.tables.remedies import Job
 
 
@@ -66,8 +67,15 @@ def balanced(
 ) -> Job:
     """The engine before and after; `own_factor` is the balance factor of its file.
 
-    Raises RequestError and RemedyError.
+    Weights that are sized for estimated masses say so. Raises RequestError and RemedyError.
     """
+    job = _balanced(engine, options, speed=speed, own_factor=own_factor)
+    return job._replace(after=with_source(engine, job.after))
+
+
+def _balanced(
+    engine: Engine, options: BalanceOptions, *, speed: str | None, own_factor: float
+) -> Job:
     for name, parts in PARTS.items():
         given = {f"--{part.replace('_', '-')}": getattr(options, part) for part in parts}
         if getattr(options, name) is None:

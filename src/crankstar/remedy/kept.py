@@ -15,10 +15,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from crankstar.engine.copies import throws_of_weights, with_weights
+from crankstar.engine.copies import throws_of_weights, with_values, with_weights
 from crankstar.engine.engine import Engine
 from crankstar.engine.main_bearings import main_bearings, webs
-from crankstar.engine.records import Shaft, Weight
+from crankstar.engine.records import Provenance, Shaft, Weight
+from crankstar.files.rewritten import WEIGHTS
+
+SIZED = "sized for estimated masses"
+"""The source of weights that rest on estimates."""
 
 
 class Changes(NamedTuple):
@@ -34,6 +38,18 @@ class Group(NamedTuple):
 
     places: tuple[float, ...]
     throws: tuple[int, ...] | None
+
+
+def with_source(before: Engine, after: Engine) -> Engine:
+    """`after` with a source for its weights that says they rest on estimates, where they do.
+
+    They do where `before` has estimated values and `after` has other weights.
+    """
+    estimated = any(origin.status == "estimated" for origin in before.provenance.values())
+    if not estimated or after.shafts == before.shafts:
+        return after
+    source = Provenance(status="estimated", source=SIZED)
+    return with_values(after, provenance={**after.provenance, WEIGHTS: source})
 
 
 def changes(before: Engine, after: Engine) -> dict[str, Changes]:

@@ -10,20 +10,26 @@ from crankstar.report.subject import Subject
 from crankstar.report.title import data
 from crankstar.report.views import small_views
 from crankstar.tables.html import paragraph, text
-from crankstar.tables.verdict import Fact, verdict
+from crankstar.tables.ranges import estimated_paths
+from crankstar.tables.verdict import Fact
 
 WHAT = ("layout",)
 HOW = ("units", "force", "couple", "roll")
 CURES = ("cure",)
 HEADINGS = {WHAT: N_("What it is"), HOW: N_("How it shakes"), CURES: N_("What to do")}
 """What the front page says of the engine, by the topics of the verdict."""
+ESTIMATED = N_(
+    "Masses or lengths of this engine are estimated, since nobody has published them: from other "
+    "engines of its type, by its bore. A number that rests on them is marked “estimated” and has "
+    "a range; the section Sources says where each comes from."
+)
 SHOWN = 7
 """Lines of the data sheet on the front page."""
 
 
 def front(subject: Subject) -> str:
     """The first page: title, picture, what it is, how it shakes in newtons, what to do."""
-    engine, facts = subject.engine, verdict(subject.engine, speed=subject.speed)
+    engine, facts = subject.engine, subject.facts
     beside = ""
     if subject.beside is not None:
         beside = paragraph(_("compared with {engine}", engine=subject.beside.name))
@@ -35,8 +41,16 @@ def front(subject: Subject) -> str:
         parts.append(_part(_(HEADINGS[topics]), lines))
     return (
         f'<header><p class="kind">{text(kind)}</p><h1>{text(engine.name)}</h1>{beside}</header>'
-        f'<div class="front"><div class="figures views">{drawing}</div>{"".join(parts)}</div>'
+        f'{_estimated(subject)}<div class="front"><div class="figures views">{drawing}</div>'
+        f"{''.join(parts)}</div>"
     )
+
+
+def _estimated(subject: Subject) -> str:
+    """That the numbers of the report rest on estimates, in plain words."""
+    if not estimated_paths(subject.engine):
+        return ""
+    return paragraph(_(ESTIMATED), "doubt")
 
 
 def _part(title: str, lines: Sequence[str]) -> str:

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
+from contextvars import copy_context
 from typing import Any
 
-from crankstar.charts import CHARTS, GREY, ChartError, side_by_side, svg
+from crankstar.charts import CHARTS, GREY, ChartError, over_ranges, side_by_side, svg
 from crankstar.charts.canvas import Canvas, drawn_on
 from crankstar.charts.grammar import Chart
 from crankstar.engine.engine import Engine
+from crankstar.files.box import Spread
 from crankstar.report.markup import figure
 from crankstar.report.subject import Subject
 
@@ -32,7 +34,11 @@ class Gallery:
     def figure(self, name: str, caption: str, kind: str = "", **options: Any) -> str:
         """The place of a figure with a caption, which stays empty if the figure cannot be drawn."""
         count = len(self._drawn)
-        self._drawn.append(self._pool.submit(self._figure, count, name, caption, kind, options))
+        # a thread knows neither the units nor the language that were chosen
+        run = copy_context().run
+        self._drawn.append(
+            self._pool.submit(run, self._figure, count, name, caption, kind, options)
+        )
         # no other text can hold this, since every text is escaped
         return f"<!--figure {count}-->"
 
@@ -51,9 +57,16 @@ class Gallery:
             NAMED.sub(rf"\g<1>g{count}-", drawing.replace(GREY, "currentColor")), caption, kind
         )
 
-    def _chart(self, name: str, *, beside: Engine | None = None, **options: Any) -> Chart:
+    def _chart(
+        self,
+        name: str,
+        *,
+        beside: Engine | None = None,
+        spreads: Sequence[Spread | None] = (),
+        **options: Any,
+    ) -> Chart:
         engine = self._matter.engine
-        with drawn_on(COLUMN):
+        with drawn_on(COLUMN), over_ranges([*self._matter.spreads, *spreads]):
             if beside is not None:
                 return side_by_side([engine, beside], name, **options)
             return CHARTS[name].draw(engine, **options)

@@ -21,6 +21,8 @@ from crankstar.tables import analysis, comparison, engines, strokes
 from crankstar.tables.conditions import conditions, unit_sentence
 from crankstar.tables.headings import timing_lines
 from crankstar.tables.html import paragraph
+from crankstar.tables.ranges import ranged_side_by_side
+from crankstar.tables.table import Table
 
 BOTH: tuple[Quantity, Quantity] = ("force", "couple")
 STEP_BY_STEP = (1.0, 2.0)
@@ -75,19 +77,24 @@ def drawings(subject: Subject, gallery: Gallery) -> str:  # noqa: ARG001 - one s
 
 def crankshaft(subject: Subject, gallery: Gallery) -> str:
     """Throws, cylinders and harmonics as tables, the crank star, and every shaft from the side."""
-    engine = subject.engine
     drawn = [
         gallery.figure(
             "crank-star", _("The throws, seen from the front, with the numbers of the cylinders.")
         ),
         gallery.figure("shaft", _("The shaft from the side, with the lever arms of the forces.")),
     ]
+    tables = parts_html(subject.parts(_rotor_tables))
+    return section(_("Crankshaft and cylinders"), figures(drawn) + tables, name="crankshaft")
+
+
+def _rotor_tables(subject: Subject) -> list[Table]:
+    """Throws and weights; in a full report also cylinders and harmonics."""
+    engine = subject.engine
     rotors = engines.rotors(engine)
     parts = [rotors] if subject.full or len(rotors.rows) <= LONG_TABLE else []
     if subject.full:
         parts += [engines.cylinders(engine), *engines.harmonics(engine)]
-    tables = parts_html(parts)
-    return section(_("Crankshaft and cylinders"), figures(drawn) + tables, name="crankshaft")
+    return parts
 
 
 def strokes_page(subject: Subject, gallery: Gallery) -> str:
@@ -126,11 +133,15 @@ def orders(subject: Subject, gallery: Gallery) -> str:
         caption = _(PATHS[quantity], order=number(order))
         options = {"order": order, "quantity": quantity, "speed": at}
         drawn.append(gallery.figure("hodograph", caption, **options))
-    result = subject.shown.best
-    lines = [unit_sentence(subject.engine, result), *conditions(subject.engine, result)]
-    notes = "".join(paragraph(line, "note") for line in lines)
-    tables = parts_html(analysis.tables(subject.shown))
+    notes = "".join(paragraph(line, "note") for line in subject.lines(_conditions))
+    tables = parts_html(subject.parts(lambda each: analysis.tables(each.shown)))
     return section(_("Orders"), notes + figures(drawn) + tables, name="orders")
+
+
+def _conditions(subject: Subject) -> list[str]:
+    """What the numbers of the orders are counted in and about."""
+    result = subject.shown.best
+    return [unit_sentence(subject.engine, result), *conditions(subject.engine, result)]
 
 
 def vectors(subject: Subject, gallery: Gallery) -> str:
@@ -195,6 +206,10 @@ def derivations(subject: Subject, gallery: Gallery) -> str:  # noqa: ARG001 - on
     if zero:
         lead = _("Proved to be exactly zero: {quantities}.", quantities=", ".join(zero))
     notes = [lead]
+    if subject.ends:
+        notes.append(
+            _("Numbers here are those of the typical values; their ranges are in section Orders.")
+        )
     if many:
         notes.append(_("Only the results are given; `crankstar derive` prints every step."))
     lowered = LEVEL.sub(_lower, "".join(documents.html_parts(chapters)))
@@ -223,6 +238,10 @@ def beside(subject: Subject, gallery: Gallery) -> str:
             options = {"beside": other, "quantity": quantity, "speed": speed}
             drawn.append(gallery.figure("hodograph", _(ALL_PATHS[quantity]), "wide", **options))
     title = _("Comparison with {engine}", engine=other.name)
-    compared = comparison.comparison(pair)
+    compared = ranged_side_by_side(
+        lambda each: comparison.comparison([subject.analysis_of(engine) for engine in each]),
+        subject.spreads,
+        (subject.engine, other),
+    )
     tables = paragraph(compared.title) + parts_html(compared.parts)
     return section(title, tables + figures(drawn), name="beside")

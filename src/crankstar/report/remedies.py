@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from crankstar.engine.copies import with_values
+from crankstar.engine.engine import Engine
+from crankstar.files.box import Spread
 from crankstar.language.messages import _
 from crankstar.remedy import fitting
 from crankstar.report.gallery import Gallery
@@ -10,6 +12,7 @@ from crankstar.report.markup import figures, parts_html, section
 from crankstar.report.subject import Subject
 from crankstar.tables.html import paragraph
 from crankstar.tables.remedies import Job, parts
+from crankstar.tables.table import Remarks, Table
 
 
 def remedies(subject: Subject, gallery: Gallery) -> str:
@@ -19,14 +22,38 @@ def remedies(subject: Subject, gallery: Gallery) -> str:
     if fitted is None:
         none = _("Counterweights and balance shafts cannot reduce the first two orders.")
         return section(title, paragraph(none), name="remedies")
-    job = Job(subject.engine, fitted.after, fitted.factor, speed=subject.at)
+    after = with_values(fitted.after, name=_("with weights and shafts"))
     spectra = gallery.figure(
         "spectrum",
         _("The spectra before and after, on common axes."),
         "wide low",
-        beside=with_values(fitted.after, name=_("with weights and shafts")),
+        beside=after,
+        spreads=[_spread_of(subject, after)],
         speed=subject.at,
     )
-    tables = parts_html(parts(job))
-    body = paragraph(fitted.description) + tables + figures([spectra])
+    tables = parts_html(subject.parts(_tables))
+    lead = "".join(map(paragraph, subject.lines(_description)))
+    body = lead + tables + figures([spectra])
     return section(title, body, name="remedies")
+
+
+def _tables(subject: Subject) -> list[Table | Remarks]:
+    """The tables of the recommended weights and shafts."""
+    fitted = fitting.recommended(subject.engine)
+    if fitted is None:
+        return []
+    return list(parts(Job(subject.engine, fitted.after, fitted.factor, speed=subject.at)))
+
+
+def _description(subject: Subject) -> list[str]:
+    fitted = fitting.recommended(subject.engine)
+    return [fitted.description] if fitted is not None else []
+
+
+def _spread_of(subject: Subject, after: Engine) -> Spread | None:
+    """The fitted engine over the ranges, each with weights sized for its own masses."""
+    fitted = [fitting.recommended(each.engine) for each in subject.ends]
+    engines = [one.after for one in fitted if one is not None]
+    if not engines or len(engines) < len(fitted):
+        return None
+    return Spread(after, engines[0], tuple(engines[1:]))

@@ -2,21 +2,35 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, Literal
 
 from crankstar import spectra
 from crankstar.engine.engine import Engine
+from crankstar.files.box import Spread
+from crankstar.language.numbers import values_kept
 from crankstar.mechanics import remains
 from crankstar.page.records import Scene
 from crankstar.page.scene import scene
 from crankstar.tables.analysis import Analysis, analysis
+from crankstar.tables.ranges import merged, sentence
+from crankstar.tables.table import Document, Remarks, Table
+from crankstar.tables.verdict import Fact, verdict
 
 Quantity = Literal["force", "couple"]
 MOST = 4
 """Greatest number of drawn orders of a quantity, unless orders are named."""
+
+
+def _by_topic(facts: Sequence[Fact]) -> dict[tuple[str, int], str]:
+    """The sentences of a verdict by topic and place within it."""
+    out: dict[tuple[str, int], str] = {}
+    for fact in facts:
+        place = sum(about == fact.about for about, _place in out)
+        out[fact.about, place] = fact.sentence
+    return out
 
 
 @dataclass(frozen=True)
@@ -26,6 +40,7 @@ class Subject:
     `tree` is the engine file as it was read, with changed values; `speed` in rad/s, by default that
     of the engine; `orders` are named ones; `command` writes the report again. A report that is not
     `full` leaves out long derivations, tables by cylinder, single sources and the engine file.
+    `spreads` are the ranges of the engine and of the one `beside` it.
     """
 
     engine: Engine
@@ -35,6 +50,7 @@ class Subject:
     orders: tuple[float, ...] | None = None
     beside: Engine | None = None
     full: bool = False
+    spreads: tuple[Spread | None, Spread | None] = (None, None)
 
     def with_orders(self, orders: tuple[float, ...] | None) -> Subject:
         """The subject with these named orders."""
@@ -54,6 +70,43 @@ class Subject:
     def scene(self) -> Scene:
         """The drawn engine."""
         return scene(self.engine)
+
+    @cached_property
+    def ends(self) -> tuple[Subject, ...]:
+        """The same report of the engines in the middle and at the corners of the ranges."""
+        spread = self.spreads[0]
+        engines = () if spread is None else (spread.middle, *spread.corners)
+        return tuple(replace(self, engine=each, spreads=(None, None)) for each in engines)
+
+    def parts(
+        self, build: Callable[[Subject], Iterable[Table | Remarks]]
+    ) -> Sequence[Table | Remarks]:
+        """Tables and remarks, with ranges where they rest on estimates."""
+        if not self.ends:
+            return tuple(build(self))
+        with values_kept():
+            documents = [Document("", tuple(build(each))) for each in (self, *self.ends)]
+        return merged(documents).parts
+
+    def lines(self, build: Callable[[Subject], Sequence[str]]) -> tuple[str, ...]:
+        """Sentences, with ranges where they rest on estimates."""
+        parts = self.parts(lambda each: [Remarks(tuple(build(each)))])
+        return tuple(line for part in parts if isinstance(part, Remarks) for line in part.lines)
+
+    @cached_property
+    def facts(self) -> tuple[Fact, ...]:
+        """The verdict on the engine, with ranges where it rests on estimates."""
+        if not self.ends:
+            return verdict(self.engine, speed=self.speed)
+        with values_kept():
+            own, *others = [
+                _by_topic(verdict(each.engine, speed=each.speed, relatives=each is self))
+                for each in (self, *self.ends)
+            ]
+        return tuple(
+            Fact(key[0], sentence(text, [other.get(key, "") for other in others]))
+            for key, text in own.items()
+        )
 
     @property
     def at(self) -> float | None:

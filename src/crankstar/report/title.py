@@ -12,11 +12,16 @@ from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
 from crankstar.report.markup import section
 from crankstar.report.subject import Subject
+from crankstar.tables.conditions import unverified
 from crankstar.tables.headings import cycle_text, firing_text, rotation_text
 from crankstar.tables.html import paragraph, text, typeset
-from crankstar.tables.verdict import verdict, verdict_rows
+from crankstar.tables.verdict import verdict_rows
 
-DOUBTFUL = {"placeholder": N_("placeholder"), "unverified": N_("unverified")}
+DOUBTFUL = {
+    "placeholder": N_("placeholder"),
+    "unverified": N_("unverified"),
+    "estimated": N_("estimated"),
+}
 """The states of values that are marked, the worst first."""
 BESIDES = ("firing", "relatives")
 """The topics of the verdict that the front page does not have."""
@@ -48,7 +53,7 @@ def _row(engine: Engine, datum: Datum) -> str:
 
 
 def status(engine: Engine, keys: Iterable[str]) -> str:
-    """The worst state of the values with these names: placeholder, unverified, or empty."""
+    """The worst state of the values with these names: placeholder, unverified, estimated, or ""."""
     named = {
         origin.status
         for path, origin in engine.provenance.items()
@@ -58,7 +63,7 @@ def status(engine: Engine, keys: Iterable[str]) -> str:
 
 
 def _doubt(engine: Engine) -> str:
-    if not any(origin.status in DOUBTFUL for origin in engine.provenance.values()):
+    if not unverified(engine):
         return ""
     return paragraph(
         _("Unverified values and placeholders have no published source; see the section Sources."),
@@ -67,7 +72,16 @@ def _doubt(engine: Engine) -> str:
 
 
 def data(subject: Subject) -> list[Datum]:
-    """The data sheet of an engine, without unknown lengths and masses."""
+    """The data sheet of an engine, without unknown lengths and masses, with ranges of estimates."""
+    own = _data(subject)
+    values = subject.lines(lambda each: [datum.value for datum in _data(each)])
+    return [
+        datum._replace(value=value, keys=datum.keys if value == datum.value else ())
+        for datum, value in zip(own, values, strict=True)
+    ]
+
+
+def _data(subject: Subject) -> list[Datum]:
     engine = subject.engine
     count, pistons = len(engine.chambers), len(engine.cylinders)
     cylinders = str(count)
@@ -150,7 +164,7 @@ def _span(values: Iterable[float]) -> str:
 
 def verdict_section(subject: Subject) -> str:
     """What the verdict says besides the front page, each sentence beside its topic."""
-    facts = verdict(subject.engine, speed=subject.speed)
+    facts = subject.facts
     rows = "".join(
         f"<div><dt>{text(about)}</dt><dd>{typeset(sentence)}</dd></div>"
         for about, sentence in verdict_rows([fact for fact in facts if fact.about in BESIDES])

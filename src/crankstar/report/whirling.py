@@ -39,13 +39,7 @@ class End(NamedTuple):
 
 def free_response(subject: Subject, gallery: Gallery) -> str:  # noqa: ARG001 - all pages are made alike
     """The paths of the front and the rear end, with the estimates of mass and inertia."""
-    along = proportions(subject.engine).along
-    whirl = free(subject.engine, subject.shown.orders, along=along)
-    shaft = subject.scene.shafts[0]
-    ends = [
-        End(_("front end"), _(FRONT), _motion(subject, whirl, shaft.z_to)),
-        End(_("rear end"), _(REAR), _motion(subject, whirl, shaft.z_from)),
-    ]
+    ends = _ends(subject)
     size = max(high - low for low, high in zip(subject.scene.low, subject.scene.high, strict=True))
     greatest = max(spectra.peak(end.motion).value for end in ends)
     lead = paragraph(
@@ -54,11 +48,36 @@ def free_response(subject: Subject, gallery: Gallery) -> str:  # noqa: ARG001 - 
             "unmounted: the sum of these orders. The paths are the same at every speed."
         )
     )
-    assumed = "".join(paragraph(line, "doubt") for line in whirl.assumed)
+    sentences = subject.lines(lambda each: _whirl(each).assumed)
+    assumed = "".join(paragraph(line, "doubt") for line in sentences)
     if greatest < NEGLIGIBLE * size:
         rest = paragraph(_("The engine is at rest: these orders have no force and no couple."))
         return section(_("Free response"), rest + assumed, name="whirl")
     scale, unit = (1e6, "µm") if subject.scene.length_unit == "m" else (1e3, "r / 1000")
+    drawn = [figure(_path(end, greatest, scale, unit), end.caption) for end in ends]
+    paths = parts_html(subject.parts(lambda each: [_table(each, scale, unit)]))
+    return section(_("Free response"), lead + figures(drawn) + paths + assumed, name="whirl")
+
+
+def _whirl(subject: Subject) -> Whirl:
+    """The free response of the drawn orders."""
+    along = proportions(subject.engine).along
+    return free(subject.engine, subject.shown.orders, along=along)
+
+
+def _ends(subject: Subject) -> list[End]:
+    """The motion of the front and the rear end."""
+    whirl, shaft = _whirl(subject), subject.scene.shafts[0]
+    return [
+        End(_("front end"), _(FRONT), _motion(subject, whirl, shaft.z_to)),
+        End(_("rear end"), _(REAR), _motion(subject, whirl, shaft.z_from)),
+    ]
+
+
+def _table(subject: Subject, scale: float, unit: str) -> Table:
+    """The path of each end, order by order."""
+    ends = _ends(subject)
+    greatest = max(spectra.peak(end.motion).value for end in ends)
     rows: list[tuple[Value, ...]] = [
         (order, *_paths(ends, order, scale, greatest)) for order in subject.shown.orders
     ]
@@ -67,9 +86,7 @@ def free_response(subject: Subject, gallery: Gallery) -> str:  # noqa: ARG001 - 
     columns = [Column(_("order"))]
     for end in ends:
         columns += [Column(end.name, kind="text"), Column(_("greatest"), unit)]
-    drawn = [figure(_path(end, greatest, scale, unit), end.caption) for end in ends]
-    paths = parts_html([Table(_("Paths by order"), tuple(columns), tuple(rows))])
-    return section(_("Free response"), lead + figures(drawn) + paths + assumed, name="whirl")
+    return Table(_("Paths by order"), tuple(columns), tuple(rows))
 
 
 def _motion(subject: Subject, whirl: Whirl, z: float) -> Spectrum:

@@ -81,7 +81,7 @@ def _place(value: complex, largest: float) -> Value:
     """The bearing of a vector in degrees, none of one that is nothing."""
     if abs(value) <= NEGLIGIBLE * largest:
         return None
-    return round(degrees(float(np.angle(value))), 6) + 0.0
+    return 180.0 - (180.0 - round(degrees(float(np.angle(value))), 6)) % 360.0
 
 
 def _steady(spectrum: Spectrum) -> np.ndarray:

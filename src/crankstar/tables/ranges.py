@@ -35,6 +35,11 @@ LINEAR = 1e-6
 """Share of the greatest by which the middle may lie below the mean of the corners."""
 _NUMBER = re.compile(f"{OPENING}([^{MIDDLE}]*){MIDDLE}([^{CLOSING}]*){CLOSING}")
 
+_CLAUSE = re.compile(r"\S.*?(?:[.;](?=\s|$)|。|$)", re.DOTALL)
+"""A part of a text that ends with a full stop or a semicolon."""
+_PHRASE = re.compile(r"\S.*?(?:[,.;](?=\s|$)|。|$)", re.DOTALL)
+"""A part of a text that ends with any of these or a comma."""
+
 
 def estimated_paths(engine: Engine) -> list[str]:
     """The key paths of the estimated values of an engine."""
@@ -169,12 +174,12 @@ def sentence(line: str, others: Sequence[str]) -> str:
     if all(other == line for other in others):
         return plain(line)
     if any(_skeleton(other) != _skeleton(line) for other in others):
-        return _("{sentence} (estimated)", sentence=plain(line))
+        return _in_parts(line, others) if all(others) else _marked(line)
     values = [[float(n) for n, _text in _NUMBER.findall(each)] for each in (line, *others)]
     columns = iter(zip(*values, strict=True))
 
     def written(match: re.Match[str]) -> str:
-        value = _real(list(next(columns)), 0.0)
+        value = real_range(list(next(columns)), 0.0)
         if not isinstance(value, Ranged):
             return match[2]
         ends = {"low": rough(value.low), "high": rough(value.high)}
@@ -184,24 +189,60 @@ def sentence(line: str, others: Sequence[str]) -> str:
     return _NUMBER.sub(written, line)
 
 
+def _in_parts(line: str, others: Sequence[str]) -> str:
+    """A sentence whose words differ from those of others, each part of it with its own range."""
+    for part in (_CLAUSE, _PHRASE):
+        parts = part.findall(line)
+        if len(parts) > 1:
+            pools = [_by_skeleton(part.findall(other)) for other in others]
+            return " ".join(
+                sentence(
+                    text, [pool.get(key, other) for pool, other in zip(pools, others, strict=True)]
+                )
+                for key, text in _by_skeleton(parts).items()
+            )
+    return _marked(line)
+
+
+def _marked(line: str) -> str:
+    """A sentence that is said to rest on estimates, before its full stop."""
+    words = plain(line).rstrip(".;,。")
+    return _("{sentence} (estimated)", sentence=words) + plain(line)[len(words) :]
+
+
+def _by_skeleton(clauses: Sequence[str]) -> dict[tuple[str, int], str]:
+    """Clauses by their words and how many came before with the same."""
+    out: dict[tuple[str, int], str] = {}
+    for clause in clauses:
+        words = _skeleton(clause)
+        out[words, sum(key[0] == words for key in out)] = clause
+    return out
+
+
 def _tables(table: Table, others: Sequence[Table]) -> Table:
     """A table with the ranges that the others give its numbers, row by row."""
     labels = [place for place, column in enumerate(table.columns) if column.label]
     labels = labels or [0] * bool(table.columns)
     lookups = [_rows(other, labels) for other in others]
     own = _rows(table, labels)
-    missing = {name: row for lookup in lookups for name, row in lookup.items() if name not in own}
+    missing = {
+        name: row
+        for lookup in lookups
+        for name, row in lookup.items()
+        if name not in own and _has_numbers(row)
+    }
     nought = {name: tuple(map(_zero, table.columns, row)) for name, row in missing.items()}
     tops = [_top(table, others, place) for place in range(len(table.columns))]
     rows: list[tuple[Value, ...]] = []
     for name, row in {**own, **nought}.items():
-        like = [lookup.get(name) for lookup in lookups]
+        like = [lookup.get(name, _absent(table.columns, row)) for lookup in lookups]
         rows.append(
             tuple(
                 _cell(
                     value,
-                    [_in(other, place, table.columns[place], value) for other in like],
+                    [other[place] if place < len(other) else None for other in like],
                     tops[place],
+                    turns=table.columns[place].unit == "deg",
                 )
                 for place, value in enumerate(row)
             )
@@ -229,17 +270,22 @@ def _rows(table: Table, labels: Sequence[int]) -> dict[tuple[Any, ...], tuple[Va
     return out
 
 
+def _has_numbers(row: tuple[Value, ...]) -> bool:
+    return any(isinstance(value, int | float | complex) for value in row)
+
+
+def _absent(columns: Sequence[Column], row: tuple[Value, ...]) -> tuple[Value, ...]:
+    """The row of an engine that has none with these labels: nothing in it, or not said of it."""
+    if _has_numbers(row):
+        return tuple(map(_zero, columns, row))
+    return tuple(value if column.label else "" for column, value in zip(columns, row, strict=True))
+
+
 def _zero(column: Column, value: Value) -> Value:
     """The value of a row that is left out because nothing is in it."""
     if column.label or not isinstance(value, int | float | complex):
         return value
     return 0j if isinstance(value, complex) else 0.0
-
-
-def _in(row: tuple[Value, ...] | None, place: int, column: Column, own: Value) -> Value:
-    if row is not None:
-        return row[place] if place < len(row) else None
-    return _zero(column, own)
 
 
 def _top(table: Table, others: Sequence[Table], place: int) -> float:
@@ -248,8 +294,8 @@ def _top(table: Table, others: Sequence[Table], place: int) -> float:
     return max((abs(c) for c in cells if isinstance(c, int | float | complex)), default=0.0)
 
 
-def _cell(value: Value, others: Sequence[Value], top: float) -> Value:
-    """A cell with the range that the others give it."""
+def _cell(value: Value, others: Sequence[Value], top: float, *, turns: bool = False) -> Value:
+    """A cell with the range that the others give it; `turns`: the same after 360 degrees."""
     if isinstance(value, str):
         return sentence(value, [other if isinstance(other, str) else "" for other in others])
     if isinstance(value, bool) or not isinstance(value, int | float | complex):
@@ -261,11 +307,17 @@ def _cell(value: Value, others: Sequence[Value], top: float) -> Value:
         return _complex(list(map(complex, numbers)), top)
     if all(isinstance(number, int) for number in numbers) and len(set(numbers)) == 1:
         return value
-    return _real([float(number.real) for number in numbers], top)
+    reals = [float(number.real) for number in numbers]
+    if turns:  # each as near to the value as it comes
+        reals = [reals[0] + (each - reals[0] + 180) % 360 - 180 for each in reals]
+    return real_range(reals, top)
 
 
-def _real(numbers: Sequence[float], top: float) -> float | Ranged:
-    """A number with its range from those as given, in the middle, and at the corners."""
+def real_range(numbers: Sequence[float], top: float) -> float | Ranged:
+    """A number with its range from those as given, in the middle, and at the corners.
+
+    It is the number itself where they differ by no more than SAME of the greatest, or of `top`.
+    """
     value, middle, *corners = numbers
     least, most = min(numbers), max(numbers)
     if most - least <= SAME * max(top, abs(least), abs(most)):

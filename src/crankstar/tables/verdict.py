@@ -94,8 +94,14 @@ def verdict(
 
 def verdict_document(engine: Engine, facts: Sequence[Fact]) -> Document:
     """The facts of an engine in two columns: the subject, and the sentence."""
-    columns = (Column("", kind="text", label=True), Column("", kind="text", wraps=True))
-    return Document(engine.name, (Table("", columns, tuple(verdict_rows(facts))),))
+    columns = (
+        Column("", kind="text", label=True),
+        Column("", kind="text", wraps=True),
+        Column("topic", kind="text", label=True, machine=True),
+    )
+    rows = zip(verdict_rows(facts), facts, strict=True)
+    table = Table("", columns, tuple((*row, fact.about) for row, fact in rows))
+    return Document(engine.name, (table,))
 
 
 def verdict_rows(facts: Sequence[Fact]) -> list[tuple[str, str]]:
