@@ -131,7 +131,7 @@ def test_weights_that_balance_writes_say_they_are_estimated(
     run("balance", engine, "--estimate", *options, "-o", "after.toml")
     sources = tomllib.loads(Path("after.toml").read_text())["provenance"]
     marked = {key for key, source in sources.items() if source["status"] == "estimated"}
-    assert "cylinder.rotating_mass" in marked
+    assert "cylinder.throw_mass" in marked
     assert any(key.startswith(path) for key in marked), marked
     again = run("analyze", "after.toml").out
     assert "weight.unbalance" in again.split("What rests")[0]

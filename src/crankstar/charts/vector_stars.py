@@ -256,8 +256,8 @@ def result_text(shown: Stars, star: Star) -> str:
     """Closed, or the length and the plane of the resultant."""
     ends = size_range(abs(star.resultant), [abs(end) for end in star.ends])
     if is_closed(star):
-        unit = f" {shown.unit}" if ends else ""
-        return f"{_('closed')}{range_text(ends)}{unit}"
+        words = _("closed")
+        return f"{words}{range_text(ends)} {shown.unit}" if ends else words
     size = number(abs(star.resultant))
     return _(
         "resultant {size} {unit}\n{angle}",
