@@ -97,7 +97,7 @@ def verdict_document(engine: Engine, facts: Sequence[Fact]) -> Document:
     columns = (
         Column("", kind="text", label=True),
         Column("", kind="text", wraps=True),
-        Column("topic", kind="text", label=True, machine=True),
+        Column("", kind="text", label=True, machine=True),
     )
     rows = zip(verdict_rows(facts), facts, strict=True)
     table = Table("", columns, tuple((*row, fact.about) for row, fact in rows))
