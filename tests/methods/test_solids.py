@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import io
-from math import pi, sin
+from math import cos, pi, sin
 from typing import Any
 
 import numpy as np
@@ -12,10 +12,14 @@ import trimesh
 from tests.newton import placed
 
 from crankstar import load
-from crankstar.exports.solids import FACETS, glb_bytes, solids, stl_bytes
+from crankstar.engine.engine import Engine
+from crankstar.engine.records import Shaft
+from crankstar.exports.solids import FACETS, Solid, glb_bytes, solids, stl_bytes
 from crankstar.page.scene import scene
+from crankstar.remedy.counterweights import with_counterweights
 
-NAMES = ("i4", "v8-cross-plane", "radial-9", "kr250-racer", "jumo-205", "audi-25-tfsi")
+NAMES = ("i4", "v8-cross-plane", "radial-9", "kr250-racer", "jumo-205", "man-s50mc-c")
+TURNING = ("v8-cross-plane", "radial-9", "man-s50mc-c", "napier-deltic")
 THETA = 0.7
 
 
@@ -49,6 +53,60 @@ def test_every_solid_is_closed_and_pistons_have_their_volume(name: str) -> None:
             area = FACETS / 2 * sin(2 * pi / FACETS) * (shown.bore / 2) ** 2
             expected = area * (shown.pin_height + shown.skirt)
             assert solid.meshes[0].volume == pytest.approx(expected, rel=1e-9)
+
+
+def in_place(solid: Solid, mesh: Any) -> Any:
+    """A mesh of a solid where it stands: right, up, front."""
+    return mesh.copy().apply_transform(solid.frame)
+
+
+def bearing_of(engine: Engine, shaft: Shaft, angle: float) -> complex:
+    """The direction up + i right at THETA of what stands at an angle of a shaft."""
+    return np.exp(1j * (angle + engine.sense * float(shaft.speed_ratio) * THETA))
+
+
+@pytest.mark.parametrize("name", TURNING)
+def test_pins_and_weights_turn_with_their_shafts(name: str) -> None:
+    engine = with_counterweights(load(name), factor=0.5)
+    shown = {shaft.name: shaft for shaft in scene(engine).shafts}
+    stand = {solid.name: solid for solid in solids(engine, theta=THETA)}
+    for shaft in engine.shafts:
+        home = complex(shaft.up, shaft.right)
+        meshes = [in_place(stand[shaft.name], mesh) for mesh in stand[shaft.name].meshes]
+        centres = [(complex(*mesh.center_mass[[1, 0]]), mesh.center_mass[2]) for mesh in meshes]
+        for throw, drawn in zip(shaft.throws, shown[shaft.name].throws, strict=True):
+            pin = home + throw.radius * bearing_of(engine, shaft, throw.angle)
+            z = (drawn.pin_from + drawn.pin_to) / 2
+            assert any(abs(c - pin) < 1e-6 and abs(at - z) < 1e-6 for c, at in centres)
+        drawn_weights = shown[shaft.name].weights
+        for weight, (centre, z) in zip(
+            drawn_weights, centres[len(centres) - len(drawn_weights) :], strict=True
+        ):
+            direction = (centre - home) / abs(centre - home)
+            assert direction == pytest.approx(bearing_of(engine, shaft, weight.angle), abs=1e-6)
+            assert z == pytest.approx(weight.z, abs=1e-6)
+        both = (drawn_weights, shaft.weights)
+        sums = [sum(w.unbalance * np.exp(1j * w.angle) for w in weights) for weights in both]
+        assert sums[0] == pytest.approx(sums[1], abs=1e-12)
+
+
+@pytest.mark.parametrize("name", TURNING)
+def test_a_rod_reaches_from_its_pin_to_its_piston_whose_crown_is_outward(name: str) -> None:
+    engine = load(name)
+    stand = {solid.name: solid for solid in solids(engine, theta=THETA)}
+    for cylinder, shown in zip(engine.cylinders, scene(engine).cylinders, strict=True):
+        rod, piston = stand[f"rod {cylinder.number}"], stand[f"piston {cylinder.number}"]
+        pin, gudgeon = (np.array(solid.frame[:3, 3]) for solid in (rod, piston))
+        along = (gudgeon - pin)[:2] / np.linalg.norm((gudgeon - pin)[:2])
+        reach = in_place(rod, rod.meshes[0]).vertices[:, :2] @ along - pin[:2] @ along
+        assert reach.min() < 0 < shown.rod_length < reach.max()
+        assert reach.max() + reach.min() < shown.rod_length  # the big end is the larger eye
+        width = in_place(rod, rod.meshes[0]).bounds[:, 2]
+        assert width.mean() == pytest.approx(shown.rod_z)
+        outward = np.array([sin(cylinder.bearing), cos(cylinder.bearing), 0])
+        heights = (in_place(piston, piston.meshes[0]).vertices - gudgeon) @ outward
+        assert heights.max() == pytest.approx(shown.pin_height)
+        assert heights.min() == pytest.approx(-shown.skirt)
 
 
 def test_weights_have_the_unbalance_that_the_page_draws() -> None:
