@@ -17,7 +17,7 @@ SLOW = [HealthCheck.too_slow]
 
 settings.register_profile(
     "default",
-    max_examples=20,
+    max_examples=12,
     derandomize=True,
     deadline=None,
     database=None,

@@ -827,7 +827,7 @@ def test_a_file_that_is_read_is_not_written_over_however_it_is_named(
         assert "would be lost" in refused("balance", file, option)
 
 
-@pytest.mark.parametrize("columns", ["0", "1", "2", "-5", "9" * 20, "abc"])
+@pytest.mark.parametrize("columns", ["1", "9" * 20, "abc"])
 def test_help_is_printed_in_any_width(columns: str) -> None:
     for words in (["--help"], ["analyze", "--help"]):
         done = subprocess.run(

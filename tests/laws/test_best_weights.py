@@ -84,7 +84,14 @@ def test_no_weights_are_better(name: str, aim: Aim) -> None:
     ],
 )
 @pytest.mark.parametrize(
-    "aim", [Aim("force"), Aim("force", rms=True), Aim("force", up=1.0, right=0.3)]
+    "aim",
+    [
+        Aim("force"),
+        *(
+            pytest.param(aim, marks=pytest.mark.long)
+            for aim in (Aim("force", rms=True), Aim("force", up=1.0, right=0.3))
+        ),
+    ],
 )
 def test_one_weight_is_where_a_grid_says(name: str, aim: Aim) -> None:
     engine = load(name)

@@ -281,7 +281,13 @@ def test_nothing_to_draw_is_said(
     assert words in words_of(picture)
 
 
-@pytest.mark.parametrize("name", charts.CHARTS)
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param(name, marks=[pytest.mark.long] * (name in ("forces", "vector-star")))
+        for name in charts.CHARTS
+    ],
+)
 def test_long_names_are_folded_and_not_cut(name: str) -> None:
     engine = huge()
     picture = charts.saved(charts.CHARTS[name].draw(engine), "svg", title="x")

@@ -124,7 +124,10 @@ def test_only_the_full_report_has_derivations_and_the_engine_file() -> None:
 
 @pytest.mark.parametrize(
     ("language", "words"),
-    [("ja", ("二次慣性力", "バランサーシャフト")), ("ru", ("Сила 2-го порядка", "порядка нет"))],
+    [
+        ("ja", ("二次慣性力", "バランサーシャフト")),
+        pytest.param("ru", ("Сила 2-го порядка", "порядка нет"), marks=pytest.mark.long),
+    ],
 )
 def test_japanese_and_russian_print(
     language: str, words: tuple[str, str], chromium: str, tmp_path: Path

@@ -78,9 +78,11 @@ def test_no_text_of_a_chart_stands_on_another_or_is_cut(name: str, page: Page) -
     assert_clear(pictures(crankstar.load(name)), page)
 
 
-def test_weights_do_not_crowd_the_texts_of_a_chart(page: Page) -> None:
-    for name in ("v8-cross-plane", "napier-deltic"):
-        assert_clear(pictures(with_counterweights(crankstar.load(name), factor=0.5)), page)
+@pytest.mark.parametrize(
+    "name", ["v8-cross-plane", pytest.param("napier-deltic", marks=pytest.mark.long)]
+)
+def test_weights_do_not_crowd_the_texts_of_a_chart(name: str, page: Page) -> None:
+    assert_clear(pictures(with_counterweights(crankstar.load(name), factor=0.5)), page)
 
 
 def test_texts_that_collide_or_are_cut_are_seen(page: Page) -> None:

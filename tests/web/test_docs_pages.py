@@ -61,7 +61,15 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-@pytest.mark.parametrize("name", PAGES)
+OFTEN = (
+    *("index", "tutorials/v8-bobweight", "how-to/analyse", "how-to/estimate"),
+    *("explanation/theory", "explanation/errata", "reference/command-line", "reference/glossary"),
+)
+
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=[pytest.mark.long] * (name not in OFTEN)) for name in PAGES]
+)
 def test_every_page_opens_from_disk_with_one_title_and_fits_a_telephone(
     name: str, site: Path, page: Page
 ) -> None:
