@@ -37,6 +37,8 @@ def test_a_quantity_is_called_by_the_name_that_was_typed(name: str) -> None:
         ("i6", {"gaps": "1"}, "gaps", "engine-gaps"),
         ("i6", {"cycle": "two-stroke"}, "cycle", "engine-cycle"),
         (7, {"minimise": "X3"}, "minimise", "no-quantity"),
+        (7, {"minimise": "roll"}, "minimise", "roll-alike"),
+        (7, {"limit": ["roll 2=1"]}, "limit", "roll-alike"),
         (7, {"minimise": "M\u0663"}, "minimise", "no-quantity"),
         (7, {"minimise": "M0"}, "minimise", "order"),
         (7, {"minimise": "M1,M1"}, "minimise", "named-twice"),

@@ -33,6 +33,7 @@ Engines in, a chart out, and a chart as an SVG that needs no browser.
 | `cylinder_forces` | the forces on each cylinder at chosen crank angles |
 | `polar_loads` | the load on each main bearing or crank pin as a polar diagram |
 | `bending` | the bending moment along the crankshaft |
+| `balance_shafts` | the balance shafts from the front and from the side |
 | `sweeps` | a result over a number of the engine |
 | `errata` | a printed formula beside the true one |
 | `front_axes` | the axes of a front, straight or logarithmic |
@@ -53,6 +54,7 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from crankstar.charts.balance_shafts import balance_shaft_chart
 from crankstar.charts.bending import bending_chart
 from crankstar.charts.crank_stars import crank_star
 from crankstar.charts.curves import over_turn
@@ -84,6 +86,7 @@ __all__ = [
     "Figure",
     "Paper",
     "Print",
+    "balance_shaft_chart",
     "bending_chart",
     "best_stars",
     "crank_star",

@@ -10,7 +10,7 @@ block can cancel though the shaft that hands them on is bent.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from math import degrees
+from math import ceil, degrees, floor, log10
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -167,7 +167,7 @@ def _panel(
     low = min(0.0, factor * min(float(course.momentary.min()) for course in courses))
     foot = low - FOOT * (top - low)
     scale = span(foot, top) | {"zero": False}
-    upward = {"scale": scale, "title": None, "axis": {"tickCount": 4, "grid": True}}
+    upward = {"scale": scale, "title": None, "axis": {"values": _ticks(low, top)}}
     labels = [course.label for course in courses]
     colours = {"domain": labels, "range": [course.colour for course in courses]}
     legend = {**LINES, "columns": 1, "labelLimit": width} if first else None
@@ -194,6 +194,13 @@ def _panel(
         height=height,
         title=_head(shaft, state, courses, factor, several=several),
     )
+
+
+def _ticks(low: float, top: float) -> list[float]:
+    """Round values between the least and the greatest, three to six of them."""
+    power = 10.0 ** floor(log10((top - low) / 3))
+    step = next(s * power for s in (1, 2, 5, 10) if (top - low) / (s * power) < 6)
+    return [float(f"{n * step:.9g}") for n in range(ceil(low / step), floor(top / step) + 1)]
 
 
 def _head(

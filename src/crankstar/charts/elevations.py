@@ -66,14 +66,10 @@ def shaft_elevation(
     """
     theta = _askew(engine) if theta is None else theta
     reference = reference or default_reference(engine)
-    places = [c.z for c in engine.cylinders]
-    places += [item.z for shaft in engine.shafts for item in (*shaft.throws, *shaft.weights)]
-    length, margin = max(places) - min(places), 40.0
-    scale = (panel_width() - 2 * margin) / length if length else 1.0
-    along = Along(max(places), scale, margin if length else panel_width() / 2)
+    along = along_of(engine)
     several = len(engine.shafts) > 1
     rows = [
-        [_shaft_panel(engine, shaft, along, reference.z, name=shaft.name if several else "")]
+        [shaft_panel(engine, shaft, along, reference.z, name=shaft.name if several else "")]
         for shaft in engine.shafts
     ]
     if "pitch" in engine.relative:
@@ -95,13 +91,23 @@ def _arm_range(engine: Engine) -> list[str]:
     return [_("Estimated bore pitch: arms are {low} to {high} times as long.", low=low, high=high)]
 
 
+def along_of(engine: Engine) -> Along:
+    """Places along the engine over the width of a panel."""
+    places = [c.z for c in engine.cylinders]
+    places += [item.z for shaft in engine.shafts for item in (*shaft.throws, *shaft.weights)]
+    length, margin = max(places) - min(places), 40.0
+    scale = (panel_width() - 2 * margin) / length if length else 1.0
+    return Along(max(places), scale, margin if length else panel_width() / 2)
+
+
 def _askew(engine: Engine) -> float:
     """The crank angle at which the first throw is 20 degrees past up."""
     first = next((throw for shaft in engine.shafts for throw in shaft.throws), None)
     return 0.0 if first is None else engine.sense * (radians(20) - first.angle) % (2 * pi)
 
 
-def _shaft_panel(engine: Engine, shaft: Shaft, along: Along, zero: float, *, name: str) -> Panel:
+def shaft_panel(engine: Engine, shaft: Shaft, along: Along, zero: float, *, name: str) -> Panel:
+    """One shaft from the side under its `name`, its arms about the plane at `zero`."""
     bars = _bars(engine, shaft, along)
     arms, leaders = _arms(engine, shaft, along, zero)
     texts = [*_cylinder_numbers(engine, shaft, along), *arms]

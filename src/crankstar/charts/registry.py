@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, get_args
 
+from crankstar.charts.balance_shafts import balance_shaft_chart
 from crankstar.charts.bending import bending_chart
 from crankstar.charts.crank_stars import crank_star
 from crankstar.charts.curves import over_turn
@@ -90,6 +91,11 @@ _FIGURES = (
         "bending",
         bending_chart,
         N_("the bending moment along the crankshaft, with counterweights and without"),
+    ),
+    Figure(
+        "balance-shafts",
+        balance_shaft_chart,
+        N_("the balance shafts in their places, with ratio, sense and unbalance"),
     ),
 )
 CHARTS = {figure.name: figure for figure in _FIGURES}

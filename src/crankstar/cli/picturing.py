@@ -40,7 +40,7 @@ def plot(
         str,
         Parameter(
             help="crank-star, vector-star, polygon, hodograph, over-turn, spectrum, shaft, "
-            "stroke-chart, firing-ring, forces, bearing-loads or bending."
+            "stroke-chart, firing-ring, forces, bearing-loads, bending or balance-shafts."
         ),
     ],
     /,

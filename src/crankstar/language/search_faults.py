@@ -60,6 +60,10 @@ SENTENCES: dict[str, str | Plural] = {
         "There is no quantity {given}; choose from couples (M1, M2), forces (F1), torsion (T3, "
         "with {mode_shape}) and neighbours."
     ),
+    "roll-alike": N_(
+        "{given}: the roll does not depend on the star, because all stars have the same throw "
+        "directions; leave it out, and limit it with `crankstar balance`."
+    ),
     "order": N_("{name}: the order can be above 0, up to {most}."),
     "half-order": N_("{name}: inertia forces have whole orders only."),
     "no-force": N_("{name}: the pistons of {engine} make no inertia force of this order."),

@@ -12,7 +12,7 @@ from crankstar.options import remedies
 from crankstar.options import values as request
 from crankstar.options.refusals import RequestError
 from crankstar.options.vocabulary import meaning
-from crankstar.remedy import fitting
+from crankstar.remedy import balance_shafts, fitting, placed
 from crankstar.remedy.kept import with_source
 from crankstar.tables.remedies import Job
 
@@ -29,10 +29,12 @@ class BalanceOptions(BaseModel):
         default=None,
         description=meaning(
             "--minimise",
-            "Instead of a factor, find the weights for one of force, couple, pitch, yaw, each also "
-            "with rms in front, or bearing (the greatest load on a main bearing).",
+            "Instead of a factor, find the weights for one of force, couple, pitch, yaw, roll, "
+            "each also with rms in front, roll 2 (one order), or bearing (the greatest load on a "
+            "main bearing).",
         ),
     )
+    model: str | None = Field(default=None, description=meaning("--model"))
     pitch_share: float | None = Field(default=None, description=meaning("--pitch-share"))
     limit: list[str] = Field(
         default=[],
@@ -57,7 +59,7 @@ class BalanceOptions(BaseModel):
 
 PARTS = {
     "minimise": ("pitch_share", "limit", "greatest_unbalance"),
-    "shafts": ("shaft_planes", "shaft_place", "shaft_spacing", "box", "level"),
+    "shafts": ("shaft_planes", "shaft_place", "shaft_spacing", "level"),
 }
 """Options that have an effect only with another one."""
 
@@ -80,38 +82,52 @@ def _balanced(
         given = {f"--{part.replace('_', '-')}": getattr(options, part) for part in parts}
         if getattr(options, name) is None:
             request.refuse_unused(given, without=f"--{name}")
+    model = remedies.model(options.model)
     places = remedies.weights(options.weights, engine)
     radius = request.length("--radius", options.radius, engine, positive=True)
     turning = engine.speed if speed is None else request.speed(speed)
     if options.recommended:
-        return _recommended(engine, options)._replace(radius=radius, speed=turning)
-    if options.minimise is None:
+        job = _recommended(engine, options)
+        return job._replace(radius=radius, speed=turning, model=model)
+    if _moves_only(options):
+        job = Job(engine, engine, None, radius=radius, speed=turning, model=model)
+    elif options.minimise is None:
         factor = own_factor if options.factor is None else remedies.factor(options.factor)
         after = fitting.by_factor(engine, factor=factor, weights=places, bare=options.bare)
-        job = Job(engine, after, factor, radius=radius, speed=turning)
+        job = Job(engine, after, factor, radius=radius, speed=turning, model=model)
     else:
         request.refuse_unused({"--factor": options.factor}, beside="--minimise")
         best = fitting.best(
             engine,
             weights=places,
             aim=remedies.aim("--minimise", options.minimise, pitch=options.pitch_share),
-            limits=remedies.limits(options.limit, engine, speed=turning),
+            limits=remedies.limits(options.limit, engine, speed=turning, model=model),
             greatest_unbalance=remedies.unbalance(
                 "--greatest-unbalance", options.greatest_unbalance, engine
             ),
             bare=options.bare,
+            model=model,
         )
-        job = Job(engine, best.engine, None, best, radius, turning)
+        job = Job(engine, best.engine, None, best, radius, turning, model=model)
     return _with_shafts(job, options)
+
+
+def _moves_only(options: BalanceOptions) -> bool:
+    """Whether only the balance shafts of the file are placed, and the weights stay."""
+    others = (options.factor, options.minimise, options.shafts)
+    return bool(options.box) and not any(others) and not (options.bare or options.recommended)
 
 
 def _recommended(engine: Engine, options: BalanceOptions) -> Job:
     """The job that fits what the verdict recommends. Raises RequestError."""
-    others = {"--factor": options.factor, "--minimise": options.minimise}
-    weights = None if options.weights == "pins" else options.weights
-    request.refuse_unused(
-        {**others, "--weights": weights, "--shafts": options.shafts}, beside="--recommended"
-    )
+    unused = {
+        "--factor": options.factor,
+        "--minimise": options.minimise,
+        "--weights": None if options.weights == "pins" else options.weights,
+        "--shafts": options.shafts,
+        "--box": options.box,
+    }
+    request.refuse_unused(unused, beside="--recommended")
     fitted = fitting.recommended(engine, bare=options.bare)
     if fitted is None:
         raise RequestError(
@@ -124,7 +140,7 @@ def _recommended(engine: Engine, options: BalanceOptions) -> Job:
 def _with_shafts(job: Job, options: BalanceOptions) -> Job:
     """The job with its balance shafts, if any."""
     if options.shafts is None:
-        return job
+        return _with_moved_shafts(job, options) if options.box else job
     ratios = remedies.ratios(options.shafts)
     if options.box:
         return _with_placed_shafts(job, options, ratios)
@@ -138,10 +154,28 @@ def _with_shafts(job: Job, options: BalanceOptions) -> Job:
     return job._replace(after=after)
 
 
+def _with_moved_shafts(job: Job, options: BalanceOptions) -> Job:
+    """The job with the balance shafts of the file where they leave the least roll in their boxes.
+
+    Raises RequestError where the file has none.
+    """
+    names = [shaft.name for shaft in balance_shafts(job.after)]
+    if not names:
+        raise RequestError(
+            "--box: the engine file has no balance shafts to place; add them with --shafts, as in "
+            "--shafts needed"
+        )
+    boxes = [remedies.box(text, job.before) for text in options.box]
+    after, placings = placed(job.after, shafts=names, boxes=boxes)
+    return job._replace(after=after, placings=placings)
+
+
 def new_name(job: Job, options: BalanceOptions) -> str:
     """The name of the balanced engine: that of the file, and what was done to it."""
     if options.recommended:
         done = [_("balanced as recommended")]
+    elif _moves_only(options):
+        done = [_("balance shafts placed")]
     elif options.minimise is not None:
         done = [_("weights for least {quantity}", quantity=_(options.minimise))]
     else:

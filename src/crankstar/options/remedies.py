@@ -8,15 +8,16 @@ from fractions import Fraction
 from math import isfinite
 from typing import cast, get_args
 
+from crankstar.dynamics.bearings import Model
 from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import COUPLE, FORCE, LENGTH, UNBALANCE
 from crankstar.files import units
 from crankstar.language.messages import _
 from crankstar.language.quoting import one_line
-from crankstar.mechanics.balance import unit_unbalance
+from crankstar.mechanics.balance import scales, unit_unbalance
 from crankstar.options.refusals import choice, refusal, refuse_unused
 from crankstar.options.values import fractions, length, not_positive, places, planes, reading
-from crankstar.remedy import Aim, Box, Limit, Plane, without_weights
+from crankstar.remedy import Aim, Box, Limit, Plane, aim_unit, without_weights
 from crankstar.remedy.fitting import Places, ShaftPlaces, Wanted
 
 
@@ -37,7 +38,14 @@ def weights(text: str, engine: Engine) -> list[Plane] | Places:
 
 def aim(option: str, text: str, *, pitch: float | None = None) -> Aim:
     """The quantity that weights minimise; `pitch` is its share in a couple, yaw has the rest."""
-    wanted = AIMS[choice(option, " ".join(text.lower().split()), AIMS)]
+    words = " ".join(text.lower().split())
+    of_order = ROLL_OF_ORDER.fullmatch(words)
+    if of_order is not None:
+        if not float(of_order[1]):
+            raise refusal(option, text, "give an order above 0, as in roll 2")
+        wanted = Aim("roll", order=float(of_order[1]))
+    else:
+        wanted = AIMS[choice(option, words, AIMS)]
     if pitch is None:
         return wanted
     if not 0 <= pitch <= 1:
@@ -60,14 +68,27 @@ AIMS = {
     "yaw": Aim("couple", up=0.0, right=1.0),
     "rms pitch": Aim("couple", rms=True, up=1.0, right=0.0),
     "rms yaw": Aim("couple", rms=True, up=0.0, right=1.0),
+    "roll": Aim("roll"),
+    "rms roll": Aim("roll", rms=True),
     "bearing": Aim("bearing"),
 }
+ROLL_OF_ORDER = re.compile(r"roll (\d{1,3}(?:\.\d{1,3})?)", re.ASCII)
+"""The roll of one order, as in roll 2."""
 
 
-def limits(texts: Sequence[str], engine: Engine, *, speed: float | None) -> list[Limit]:
+def model(text: str | None) -> Model:
+    """How main bearings share a load, by default hinged at each."""
+    if text is None:
+        return "determinate"
+    return cast("Model", choice("--model", text, get_args(Model)))
+
+
+def limits(
+    texts: Sequence[str], engine: Engine, *, speed: float | None, model: Model = "determinate"
+) -> list[Limit]:
     """Limits such as couple=1.5 (m r w^2 a), couple=50% (of bare crankshafts) or force="500 N".
 
-    Newtons need a speed.
+    Newtons need a speed; a share of a bearing load is that of the `model`.
     """
     out: list[Limit] = []
     for text in texts:
@@ -77,20 +98,23 @@ def limits(texts: Sequence[str], engine: Engine, *, speed: float | None) -> list
                 "--limit", text, 'give a quantity and its limit, as in couple=50% or force="500 N"'
             )
         wanted = aim("--limit", name)
-        out.append(Limit(wanted, _at_most(wanted, value.strip(), text, engine, speed)))
+        at_most = _at_most(wanted, value.strip(), text, engine, speed, model)
+        out.append(Limit(wanted, at_most))
     return out
 
 
-def _at_most(wanted: Aim, value: str, text: str, engine: Engine, speed: float | None) -> float:
-    """A limit in m r w^2 or m r w^2 a."""
+def _at_most(
+    wanted: Aim, value: str, text: str, engine: Engine, speed: float | None, model: Model
+) -> float:
+    """A limit in the unit of its quantity."""
     percent = value.removesuffix("%").strip()
     plain = r"[-+]?(\d+(\.\d*)?|\.\d+)(e[-+]?\d{1,3})?|nan|inf"
     real = re.fullmatch(plain, percent, re.ASCII | re.IGNORECASE) is None
-    couple = wanted.quantity == "couple"
+    couple, moment = wanted.quantity == "couple", wanted.quantity in ("couple", "roll")
     if real:
-        example = _("a bare number of m r ω² or a share in %")
+        example = _("a bare number of {unit} or a share in %", unit=aim_unit(wanted))
         with reading(f"--limit {one_line(text)}", example=example):
-            number = units.si(value, COUPLE if couple else FORCE)
+            number = units.si(value, COUPLE if moment else FORCE)
         if {"mass", "radius", *(["pitch"] if couple else [])} & {*engine.relative}:
             raise refusal(
                 "--limit",
@@ -99,11 +123,13 @@ def _at_most(wanted: Aim, value: str, text: str, engine: Engine, speed: float | 
             )
         if speed is None:
             raise refusal("--limit", text, "newtons need a speed, as in --speed '6000 rpm'")
-        number /= unit_unbalance(engine) * speed**2 * (engine.pitch if couple else 1.0)
+        scale = scales(engine, None)[0]
+        own = {"couple": scale.couple, "roll": scale.moment}.get(wanted.quantity, scale.force)
+        number *= own / speed**2
     else:
         number = float(percent)
         if "%" in value:
-            number *= without_weights(engine, wanted) / 100
+            number *= without_weights(engine, wanted, model=model) / 100
     if not (isfinite(number) and number >= 0):
         raise refusal("--limit", text, "give a number from 0 up")
     return number

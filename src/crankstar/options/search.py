@@ -26,6 +26,8 @@ from crankstar.search.stars import GREATEST_CYLINDERS
 
 T = TypeVar("T")
 SPELLINGS = ("neighbours", "neighbors", "adjacent")
+ROLL = re.compile(r"(rms )?(roll|rolling moment)( ?\d{1,3}(\.\d)?)?", re.ASCII | re.IGNORECASE)
+"""Names of the roll, which is the same for every star."""
 GREATEST_NUMBER = 10**6
 """Of weights and amplitudes."""
 GREATEST_DEVIATION, GREATEST_DEVIATIONS = 60, 20
@@ -116,6 +118,8 @@ def measure(text: str) -> Measure:
         return NEIGHBOURS
     if name == "couple":
         return Measure("couple")
+    if ROLL.fullmatch(name):
+        raise error("", "roll-alike", given=name)
     match = re.fullmatch(r"([FMT])(\d{1,3}(?:\.5|\.0)?)", name, re.ASCII)
     if match is None:
         raise error("", "no-quantity", given=seen(name))

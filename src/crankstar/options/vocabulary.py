@@ -51,8 +51,8 @@ OPTIONS = {
     "--box": Option(
         "several texts",
         "Box in which balance shafts may lie, up and right of the crankshaft, such as "
-        '"-120..-60 mm, -80..80 mm"; they stand where the block rolls least. Repeatable, one for '
-        "each shaft.",
+        '"-120..-60 mm, -80..80 mm"; they stand where the block rolls least. Without --shafts, '
+        "for the shafts of the file. Repeatable, one for each shaft.",
         ("--shaft-box", "--within"),
     ),
     "--by": Option(
@@ -216,11 +216,7 @@ OPTIONS = {
         "cylinders, on the crank axis).",
         ("--about", "--origin"),
     ),
-    "--row": Option(
-        "whole number",
-        "Write this row as an engine file, in the explicit form.",
-        ("--rows", "--write"),
-    ),
+    "--row": Option("whole number", "Write this row as an engine file.", ("--rows", "--write")),
     "--scheduler": Option(
         "text", "A dask scheduler with workers, as in tcp://host:8786.", ("--cluster", "--dask")
     ),

@@ -5,9 +5,11 @@
 | `loads` | the rotating and reciprocating masses on each crank pin; bobweights |
 | `kept` | the weights that crankshafts have: what they leave to new ones; taken away again |
 | `counterweights` | weights from a balance factor: at the throws, on webs, in given planes |
+| `rolling` | the roll of the block, and what a turning force adds to it from its place |
 | `programme` | the second-order cone programme behind the best weights, and its lower bound |
-| `aims` | force, couple, pitch, yaw, bearing load to minimise; as numbers and as cones |
+| `aims` | force, couple, pitch, yaw, roll, bearing load to minimise; as numbers and as cones |
 | `best` | the best weights in given planes, within limits, with a certificate |
+| `clearance` | what cranks and balance shafts sweep, and which are inside each other |
 | `placing` | where balance shafts must lie so that the block rolls least |
 | `shafts` | balance shafts that an engine needs, and the place of a pair without roll |
 | `fitting` | an engine fitted with all of these; the cure that its verdict recommends |
@@ -15,7 +17,16 @@
 
 from crankstar.engine.main_bearings import end_planes, end_webs, main_bearings, webs
 from crankstar.remedy.aims import Aim, Plane
-from crankstar.remedy.best import Best, Limit, aim_name, bearing_load, best_weights, without_weights
+from crankstar.remedy.best import (
+    Best,
+    Limit,
+    aim_name,
+    aim_unit,
+    bearing_load,
+    best_weights,
+    without_weights,
+)
+from crankstar.remedy.clearance import Clash, balance_shafts, clashes, crank_sweep
 from crankstar.remedy.counterweights import (
     RemedyError,
     with_counterweights,
@@ -39,6 +50,7 @@ __all__ = [
     "Aim",
     "Best",
     "Box",
+    "Clash",
     "Limit",
     "Load",
     "Need",
@@ -46,10 +58,14 @@ __all__ = [
     "Plane",
     "RemedyError",
     "aim_name",
+    "aim_unit",
+    "balance_shafts",
     "bearing_load",
     "best_weights",
     "bobweight",
     "changes",
+    "clashes",
+    "crank_sweep",
     "end_planes",
     "end_webs",
     "loads",

@@ -1,15 +1,18 @@
 """Aims for weights: their value for any weights, and the cones of a convex problem.
 
 With unbalances u_j (m r, complex: up + i right at theta = 0) in planes z_j on shafts of speed ratio
-n_j an engine does
+n_j at the places P_j (up + i right of the reference point) an engine does
 
     force  F(theta) = F0(theta) + sum n_j^2 u_j exp(i s n_j theta),      couple M(theta) the same
     times z_j - z0,
+    roll   R(theta) = R0(theta) + sum Im(conj(P_j) n_j^2 u_j exp(i s n_j theta)),
 
-F0 and M0 without them. Every aim is the greatest of some norms of such sums, each linear in the
+F0, M0 and R0 without them; R is clockwise. A weight on a shaft through the reference point does not
+change the roll. Every aim is the greatest of some norms of such sums, each linear in the
 u_j, and so convex in them: the length at every crank angle (peak), or the root of its mean square
 over the period (rms); of the force, of the couple, or of one of its components (pitch is the
-couple's up, yaw its right); or the load on the main bearings.
+couple's up, yaw its right); of the roll; of the amplitude of one order of the roll; or the load on
+the main bearings.
 
 The load is the first-order inertia force that a crankshaft hands to one of its main bearings, of
 what turns and of what goes to and fro, shared as `dynamics.bearings` does. The side thrust
@@ -28,13 +31,14 @@ import numpy as np
 from crankstar import spectra
 from crankstar.dynamics.bearings import Model, bearing_shares
 from crankstar.engine.engine import Engine
-from crankstar.mechanics.balance import default_reference, unit_unbalance
-from crankstar.mechanics.excitation import Reference, part_spectra
+from crankstar.mechanics.balance import default_reference, scales, unit_unbalance
+from crankstar.mechanics.excitation import Reference, part_spectra, rolling_moment, total
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.remedy.programme import Cone
+from crankstar.remedy.rolling import roll_of
 from crankstar.spectra import Complex, Real, Spectrum
 
-Quantity = Literal["force", "couple", "bearing"]
+Quantity = Literal["force", "couple", "roll", "bearing"]
 FINE = 720
 """Crank angles per turn in the search for local maxima."""
 SIGNIFICANT = 1e-13
@@ -44,13 +48,20 @@ SIGNIFICANT = 1e-13
 class Aim(NamedTuple):
     """A quantity to minimise; `up` and `right` weigh the components of force and couple.
 
-    `Aim("couple", up=1, right=0)` is pitch, `Aim("couple", up=0, right=1)` yaw.
+    `Aim("couple", up=1, right=0)` is pitch, `Aim("couple", up=0, right=1)` yaw. `order` is that of
+    a roll of one order, None for all together.
     """
 
     quantity: Quantity
     rms: bool = False
     up: float = 1.0
     right: float = 1.0
+    order: float | None = None
+
+    @property
+    def peaky(self) -> bool:
+        """Whether it is a peak over the crank angle."""
+        return not (self.rms or self.quantity == "bearing" or self.order is not None)
 
 
 class Plane(NamedTuple):
@@ -67,6 +78,8 @@ class Setting:
     Per plane [plane]: `order` of its shaft, whether that turns `forward` (with the reference
     crankshaft), its speed ratio `squared`, and its `arm` z - z0 in a. `loads`: per main bearing the
     share of each plane [plane] and the first-order vectors (forward, backward) without weights.
+    `roll` is a signal in m r^2 w^2, `rolled` [plane, 2] the amplitudes that a unit unbalance up and
+    one to the right add to it at the order of the plane.
     """
 
     force: Spectrum
@@ -76,6 +89,8 @@ class Setting:
     squared: Real
     arm: Real
     loads: tuple[tuple[Real, complex, complex], ...]
+    roll: Spectrum
+    rolled: Complex
 
 
 def setting(
@@ -105,7 +120,32 @@ def setting(
         squared=ratio**2,
         arm=np.array([(plane.z - reference.z) / engine.pitch for plane in planes]),
         loads=tuple(_loads(engine, planes, spectra.scaled(parts.force, 1 / unit), model)),
+        roll=_with_orders(
+            spectra.scaled(rolling_moment(total(parts)), 1 / _moment(engine)), np.abs(ratio)
+        ),
+        rolled=_rolled(engine, planes, reference),
     )
+
+
+def _moment(engine: Engine) -> float:
+    """The unit of moments at 1 rad/s: m r w^2 times the crank radius, kg m^2."""
+    return 1 / scales(engine, None)[0].moment
+
+
+def _rolled(engine: Engine, planes: Sequence[Plane], reference: Reference) -> Complex:
+    """The roll [plane, 2] of unit unbalances up and right in these planes."""
+    unit = unit_unbalance(engine) / _moment(engine)
+    out = np.zeros((len(planes), 2), complex)
+    for row, plane in enumerate(planes):
+        shaft = engine.shaft(plane.shaft)
+        place = complex(shaft.up - reference.up, shaft.right - reference.right)
+        square = float(shaft.speed_ratio) ** 2
+        for column, way in enumerate((1.0, 1j)):
+            force = square * unit * way
+            out[row, column] = roll_of(
+                engine, force=complex(force), ratio=shaft.speed_ratio, place=place
+            )
+    return out
 
 
 def _with_orders(spectrum: Spectrum, kept: Real) -> Spectrum:
@@ -150,8 +190,24 @@ def with_unbalance(case: Setting, x: Real, quantity: Literal["force", "couple"])
     return replace(bare, forward=forward, backward=backward)
 
 
+def _rolling(case: Setting, x: Real) -> Spectrum:
+    """The roll of the engine with these weights, a signal."""
+    amplitude = spectra.amplitude(case.roll).copy()
+    added = (case.rolled * x.reshape(-1, 2)).sum(axis=1)
+    for moment, order in zip(added, case.order, strict=True):
+        amplitude[int(np.argmin(np.abs(case.roll.orders - order)))] += moment
+    return spectra.real_signal(case.roll.orders, amplitude)
+
+
+def _vector(case: Setting, aim: Aim, x: Real) -> Spectrum:
+    """What a peak or an rms is taken of, with these weights."""
+    if aim.quantity == "roll":
+        return _rolling(case, x)
+    return _weighted(with_unbalance(case, x, aim.quantity), aim)  # pyright: ignore[reportArgumentType]
+
+
 def measured(case: Setting, aim: Aim, x: Real) -> float:
-    """The value of an aim for these weights, m r w^2, or m r w^2 a for couples."""
+    """The value of an aim for these weights: m r w^2, of couples m r w^2 a, of roll m r^2 w^2."""
     if aim.quantity == "bearing":
         u = x[0::2] + 1j * x[1::2]
         return max(
@@ -161,7 +217,9 @@ def measured(case: Setting, aim: Aim, x: Real) -> float:
             ),
             default=0.0,
         )
-    vector = _weighted(with_unbalance(case, x, aim.quantity), aim)
+    vector = _vector(case, aim, x)
+    if aim.order is not None:
+        return float(abs(spectra.amplitude(spectra.selected(vector, aim.order))[0]))
     if aim.rms:
         return float(np.sqrt((np.abs(vector.forward) ** 2 + np.abs(vector.backward) ** 2).sum()))
     return spectra.peak(vector).value
@@ -169,9 +227,9 @@ def measured(case: Setting, aim: Aim, x: Real) -> float:
 
 def maxima(case: Setting, aim: Aim, x: Real, *, above: float) -> Real:
     """The crank angles (radians) of the local maxima of an aim above a level with these weights."""
-    if aim.rms or aim.quantity == "bearing":
+    if not aim.peaky:
         return np.zeros(0)
-    vector = _weighted(with_unbalance(case, x, aim.quantity), aim)
+    vector = _vector(case, aim, x)
     turns = spectra.period(vector)
     theta = np.arange(FINE * turns) * (2 * np.pi / FINE)
     length = np.abs(spectra.value(vector, theta))
@@ -198,6 +256,8 @@ def cones(case: Setting, aim: Aim, theta: Real) -> list[Cone]:
             Cone(_pairs(share * case.squared), np.array([ahead.real, ahead.imag]), abs(behind))
             for share, ahead, behind in case.loads
         ]
+    if aim.quantity == "roll":
+        return _roll_cones(case, aim, theta)
     bare = _weighted(getattr(case, aim.quantity), aim)
     factor = case.squared * (1.0 if aim.quantity == "force" else case.arm)
     if aim.rms:
@@ -212,6 +272,32 @@ def cones(case: Setting, aim: Aim, theta: Real) -> list[Cone]:
         matrix[1, 0::2], matrix[1, 1::2] = aim.right * np.imag(phase), aim.right * np.real(phase)
         out.append(Cone(matrix, np.array([value.real, value.imag])))
     return out
+
+
+def _roll_cones(case: Setting, aim: Aim, theta: Real) -> list[Cone]:
+    """The norms of the roll: at each crank angle, or of the amplitude of an order, or the rms."""
+    orders, bare = case.roll.orders, spectra.amplitude(case.roll)
+    own = case.order[:, None] == orders  # [plane, order]
+    moved = (case.rolled[:, :, None] * own[:, None, :]).reshape(-1, orders.size)  # [x, order]
+    if aim.peaky:
+        turns = np.exp(1j * orders[:, None] * theta)
+        rows, shifts = np.real(moved @ turns), np.real(bare @ turns)
+        return [Cone(row[None, :], shift[None]) for row, shift in zip(rows.T, shifts, strict=True)]
+    if aim.order is not None:
+        kept = np.abs(orders - aim.order) < 1e-9
+    else:
+        kept = np.ones(orders.size, bool)
+    share = (
+        1.0 if aim.order is not None else np.sqrt(0.5)
+    )  # a wave of amplitude 1 has rms sqrt(1/2)
+    columns = share * moved[:, kept]
+    shift = share * bare[kept]
+    return [
+        Cone(
+            np.concatenate([np.real(columns), np.imag(columns)], axis=1).T,
+            np.concatenate([np.real(shift), np.imag(shift)]),
+        )
+    ]
 
 
 def _pairs(factor: Real) -> Real:

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple, get_args
 import numpy as np
 
 from crankstar import spectra
+from crankstar.dynamics.bearings import Model
 from crankstar.engine.copies import with_weights
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Weight
@@ -54,7 +55,7 @@ TIDY_BEARINGS = 1e-4
 
 
 class Limit(NamedTuple):
-    """An upper limit for an aim, m r w^2 or m r w^2 a; `implied` where the caller gave none."""
+    """An upper limit for an aim, in its unit; `implied` where the caller gave none."""
 
     aim: Aim
     at_most: float
@@ -80,6 +81,7 @@ class Best(NamedTuple):
     angles: tuple[float, ...]
     aim: Aim
     kept: bool
+    model: Model = "determinate"
 
 
 def best_weights(
@@ -91,13 +93,15 @@ def best_weights(
     greatest_unbalance: float | None = None,
     reference: Reference | None = None,
     bare: bool = False,
+    model: Model = "determinate",
 ) -> Best:
     """The weights in these planes that minimise `aim`, beside those of the crankshafts.
 
     With `bare` they replace those of the crankshafts.
 
     `greatest_unbalance` (m r of the first cylinder) bounds each of them; the default is twice the
-    unbalance of all pins. Raises RemedyError, also where the limits cannot be met, and by how much.
+    unbalance of all pins. `model`: how main bearings share a load. Raises RemedyError, also where
+    the limits cannot be met, and by how much.
 
     >>> from crankstar.files.catalog import load
     >>> middle = [Plane("crank", 0.0)]
@@ -116,7 +120,8 @@ def best_weights(
     for wanted in (aim, *(limit.aim for limit in limits)):
         _check_aim(wanted)
     start = without_counterweights(engine) if bare else engine
-    case = setting(start, planes, reference=reference)
+    case = setting(start, planes, reference=reference, model=model)
+    _check_roll(case, aim)
     try:
         x, bound = _least(case, aim, limits, most)
         if x is None:
@@ -142,6 +147,7 @@ def best_weights(
         ),
         aim=aim,
         kept=any(shaft.weights for shaft in start.shafts if shaft.throws),
+        model=model,
     )
 
 
@@ -149,26 +155,44 @@ def _check_aim(aim: Aim) -> None:
     shares = (aim.up, aim.right)
     if (
         aim.quantity not in get_args(Quantity)
+        or (aim.order is not None and (aim.quantity != "roll" or not aim.order > 0))
         or not np.isfinite(shares).all()
         or min(shares) < 0
         or max(shares) == 0
     ):
         raise RemedyError(
             "the quantity to minimise is one of {quantities}, with shares of up and right from 0 "
-            "that are not both 0",
+            "that are not both 0, and an order above 0 of roll only",
             quantities=", ".join(get_args(Quantity)),
         )
 
 
-def without_weights(engine: Engine, aim: Aim, *, bare: bool = True) -> float:
-    """An aim before weights are added, m r w^2 or m r w^2 a; `bare`: on bare crankshafts."""
+def _check_roll(case: Setting, aim: Aim) -> None:
+    """Refuse a roll that no weight in these planes changes."""
+    if aim.quantity != "roll":
+        return
+    size = np.abs(case.rolled).max(axis=1)
+    if aim.order is not None:
+        size = size[np.abs(case.order - aim.order) < 1e-9]
+    if not size.max(initial=0.0) > 0:
+        raise RemedyError(
+            "the {aim} does not depend on the weights of these crankshafts; balance shafts change "
+            "it by their place: --shafts with --box",
+            aim=aim_name(aim),
+        )
+
+
+def without_weights(
+    engine: Engine, aim: Aim, *, bare: bool = True, model: Model = "determinate"
+) -> float:
+    """An aim before weights are added, in its unit; `bare`: on bare crankshafts."""
     start = without_counterweights(engine) if bare else engine
-    return measured(setting(start, []), aim, np.zeros(0))
+    return measured(setting(start, [], model=model), aim, np.zeros(0))
 
 
-def bearing_load(engine: Engine) -> float:
+def bearing_load(engine: Engine, *, model: Model = "determinate") -> float:
     """The greatest first-order load on a main bearing with the present weights, m r w^2."""
-    return measured(setting(engine, []), Aim("bearing"), np.zeros(0))
+    return measured(setting(engine, [], model=model), Aim("bearing"), np.zeros(0))
 
 
 def _possible(engine: Engine, planes: Sequence[Plane]) -> None:
@@ -241,8 +265,8 @@ def _settled(case: Setting, aim: Aim | None, limits: Sequence[Limit], most: floa
     Crank angles at which a peak is too high are added until there are none.
     """
     wanted = [*([aim] if aim else []), *(limit.aim for limit in limits)]
-    turns = max(spectra.period(case.force), spectra.period(case.couple))
-    peaky = [each for each in wanted if not each.rms and each.quantity != "bearing"]
+    turns = max(map(spectra.period, (case.force, case.couple, case.roll)))
+    peaky = [each for each in wanted if each.peaky]
     if peaky and turns > GREATEST_TURNS:
         raise RemedyError(
             "{aim}: its period is {turns} turns of the geared shafts, too long to find "
@@ -300,7 +324,8 @@ def _tidied(
 
     With an aim or limit for bearings every weight counts; then only rounding sums become zero.
     """
-    asked = {aim.quantity for aim in wanted}
+    # all weights of a shaft are at one place, so that their sum makes the roll
+    asked = {"force" if aim.quantity == "roll" else aim.quantity for aim in wanted}
     vectors = x[0::2] + 1j * x[1::2]
     for shaft in {plane.shaft for plane in planes}:
         own = np.array([plane.shaft == shaft for plane in planes])
@@ -335,7 +360,7 @@ def _infeasible(case: Setting, limits: Sequence[Limit], most: float) -> str:
                 "the limit of {limit} {unit}, {aim}, cannot be met with these planes and "
                 "unbalances up to {unbalance} m r; the least is {least}, {excess} more",
                 limit=f"{limit.at_most:g}",
-                unit=_unit(limit.aim),
+                unit=aim_unit(limit.aim),
                 aim=aim_name(limit.aim),
                 unbalance=f"{most:g}",
                 least=f"{least:g}",
@@ -350,21 +375,24 @@ def _infeasible(case: Setting, limits: Sequence[Limit], most: float) -> str:
         "the limits cannot be met together: within the others the least {aim} is {least} {unit}, "
         "{excess} more than {limit}",
         least=f"{least:g}",
-        unit=_unit(last.aim),
+        unit=aim_unit(last.aim),
         aim=aim_name(last.aim),
         excess=f"{least - last.at_most:.3g}",
         limit=f"{last.at_most:g}",
     )
 
 
-def _unit(aim: Aim) -> str:
-    return "m r ω² a" if aim.quantity == "couple" else "m r ω²"
+def aim_unit(aim: Aim) -> str:
+    """The unit of an aim, for readers."""
+    return {"couple": "m r ω² a", "roll": "m r² ω²"}.get(aim.quantity, "m r ω²")
 
 
 def aim_name(aim: Aim) -> str:
     """The name of an aim, such as `peak couple`."""
     if aim.quantity == "bearing":
         return _("greatest load on a main bearing")
+    if aim.order is not None:
+        return _("roll of order {order}", order=f"{aim.order:g}")
     key = (aim.quantity, aim.up, aim.right)
     return _(_NAMES.get(key, _NAMES[aim.quantity])[aim.rms])
 
@@ -375,4 +403,5 @@ _NAMES: dict[Any, tuple[str, str]] = {
     ("force", 1.0, 0.0): (N_("peak vertical force"), N_("rms vertical force")),
     ("couple", 1.0, 0.0): (N_("peak pitch"), N_("rms pitch")),
     ("couple", 0.0, 1.0): (N_("peak yaw"), N_("rms yaw")),
+    "roll": (N_("peak roll"), N_("rms roll")),
 }

@@ -9,6 +9,7 @@ from functools import reduce
 from math import cos
 from typing import Literal, NamedTuple
 
+from crankstar.dynamics.bearings import Model
 from crankstar.engine.assembly import GREATEST_SHAFTS
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _, _n
@@ -23,6 +24,7 @@ from crankstar.remedy import (
     Plane,
     RemedyError,
     best_weights,
+    crank_sweep,
     end_planes,
     end_webs,
     needs,
@@ -47,11 +49,8 @@ FACTORS = (0.5, 0.0, 1.0)
 One half for one crankshaft; for two counter-rotating ones 0 where their pistons move in opposition,
 1 where they move together.
 """
-BELOW, BESIDE, HALF_BORE = 1.25, 0.8, 0.45
-"""Assumed depth of balance shafts below the crankshaft, and spacing of a pair, in crank sweeps.
-
-A crank sweeps its greatest throw and, for webs and big ends, `HALF_BORE` bores more.
-"""
+BELOW, BESIDE = 1.25, 0.8
+"""Assumed depth of balance shafts below the crankshaft, and spacing of a pair, in crank sweeps."""
 
 
 class Fitted(NamedTuple):
@@ -178,10 +177,7 @@ def clear_places(engine: Engine, *, paired: bool) -> ShaftPlaces:
     """
     crank = engine.shafts[0]
     own = [cylinder for cylinder in engine.cylinders if cylinder.shaft == crank.name]
-    bore = max(cylinder.bore or 2 * engine.throw(cylinder).radius for cylinder in engine.cylinders)
-    reach = (
-        max(throw.radius for shaft in engine.shafts for throw in shaft.throws) + HALF_BORE * bore
-    )
+    reach = crank_sweep(engine)
     downward = sum(cos(cylinder.bearing) for cylinder in own) < -0.5 * len(own)
     away = 1 if downward else -1
     return ShaftPlaces(
@@ -222,11 +218,13 @@ def best(
     limits: Sequence[Limit] = (),
     greatest_unbalance: float | None = None,
     bare: bool = False,
+    model: Model = "determinate",
 ) -> Best:
     """The best weights in these places, beside those of the crankshafts; `bare`: instead.
 
     A smaller couple must not cost a greater force, nor the reverse: unless a limit or the aim names
-    the other quantity, its rms stays at most that of the crankshafts as they are, or bare.
+    the other quantity, its rms stays at most that of the crankshafts as they are, or bare. Loads on
+    main bearings are shared by the `model`.
     """
     named = {limit.aim.quantity for limit in limits} | {aim.quantity}
     others = [Aim(other, rms=True) for other in ("force", "couple") if other not in named]
@@ -241,6 +239,7 @@ def best(
         limits=[*limits, *implied],
         greatest_unbalance=greatest_unbalance,
         bare=bare,
+        model=model,
     )
 
 

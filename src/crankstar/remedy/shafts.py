@@ -37,7 +37,7 @@ from crankstar.mechanics.excitation import Totals, part_spectra, total
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.remedy.counterweights import RemedyError, apart, turned_weights
 from crankstar.remedy.kept import least_weights
-from crankstar.remedy.placing import push, roll, roll_of
+from crankstar.remedy.rolling import push, roll, roll_of
 from crankstar.spectra import Spectrum
 
 GREATEST_RATIO = 8

@@ -4,10 +4,14 @@ from __future__ import annotations
 
 from math import degrees
 
-from crankstar.language.messages import _
+from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
-from crankstar.remedy import Aim, Best, Limit, aim_name
+from crankstar.remedy import Best, Limit, aim_name, aim_unit
 
+BEARINGS = {
+    "determinate": N_("Bearing loads are those of the shaft hinged at its main bearings."),
+    "continuous": N_("Bearing loads are those of the shaft as one beam on its main bearings."),
+}
 ANGLES = 8
 """Crank angles of a peak that are named."""
 
@@ -18,7 +22,7 @@ def certificate(best: Best) -> list[str]:
     A limit is given beside its value, with whether it binds.
     """
     aim = aim_name(best.aim)
-    unit = _unit(best.aim)
+    unit = aim_unit(best.aim)
     values = {
         "aim": f"{aim[:1].upper()}{aim[1:]}",
         "value": number(best.value, best.before),
@@ -40,11 +44,9 @@ def certificate(best: Best) -> list[str]:
         )
     else:
         lines.append(_("Lower bound for weights in these planes: {bound} {unit}.", **values))
-    lines.append(
-        _("Bearing loads are those of the shaft cut at its main bearings.")
-        if best.aim.quantity == "bearing"
-        else _("The bound is that of the dual convex problem.")
-    )
+    lines.append(_("The bound is that of the dual convex problem."))
+    if "bearing" in {best.aim.quantity, *(limit.aim.quantity for limit, _value in best.limits)}:
+        lines.append(_(BEARINGS[best.model]))
     if best.angles:
         shown = ", ".join(f"{degrees(angle):.4g}" for angle in best.angles[:ANGLES])
         more = " ..." if len(best.angles) > ANGLES else ""
@@ -68,12 +70,8 @@ def _limit(best: Best, limit: Limit, value: float) -> str:
         "aim": aim_name(limit.aim),
         "found": number(value, best.before),
         "limit": number(limit.at_most, best.before),
-        "unit": _unit(limit.aim),
+        "unit": aim_unit(limit.aim),
     }
     if value > limit.at_most * (1 - 1e-5) - 1e-9:
         return _("Limit of {aim}: {found} of {limit} {unit}, reached.", **values)
     return _("Limit of {aim}: {found} of {limit} {unit}, not reached.", **values)
-
-
-def _unit(aim: Aim) -> str:
-    return "m r ω² a" if aim.quantity == "couple" else "m r ω²"

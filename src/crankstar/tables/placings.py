@@ -8,7 +8,7 @@ from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.balance import scales as scales_of
-from crankstar.remedy import Placing
+from crankstar.remedy import Placing, clashes
 from crankstar.tables.scales import scales
 from crankstar.tables.table import Remarks, remarks
 
@@ -18,9 +18,39 @@ def placing_lines(
 ) -> Iterator[Remarks]:
     """The sentences on the places of balance shafts, order by order."""
     lines = [line for placing in placings for line in _lines(engine, placing, speed)]
+    if lines:
+        lines.append(
+            _("`crankstar plot FILE balance-shafts` draws them, FILE being the one that -o writes.")
+        )
     if lines and engine.block is not None:
         lines.append(_("The rolling moment is taken about the centre of mass of the block."))
     yield from remarks(*lines, title=_("Places of the balance shafts"))
+    yield from remarks(*_clash_lines(engine), kind="doubt")
+
+
+def _clash_lines(engine: Engine) -> Iterator[str]:
+    """A sentence for each pair of shafts that would be inside one another."""
+    across = scales(engine).across
+    for clash in clashes(engine):
+        values = {
+            "first": clash.first,
+            "second": clash.second,
+            "distance": across.text(clash.distance),
+            "needed": across.text(float(f"{clash.needed:.2g}")),
+        }
+        yield (
+            _(
+                "{first} is {distance} from the axis of {second} and would be inside what that "
+                "crankshaft sweeps; by usual proportions it needs {needed}.",
+                **values,
+            )
+            if clash.crank
+            else _(
+                "{first} is {distance} from {second} and would be inside it; by usual proportions "
+                "it needs {needed}: give each shaft a --box of its own.",
+                **values,
+            )
+        )
 
 
 def _lines(engine: Engine, placing: Placing, speed: float | None) -> Iterator[str]:

@@ -10,9 +10,10 @@ from typing import NamedTuple
 import numpy as np
 
 from crankstar import spectra
+from crankstar.dynamics.bearings import Model
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Shaft, Weight
-from crankstar.language.messages import _, _n
+from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import number
 from crankstar.mechanics.balance import Balance, Units, balance, total
 from crankstar.mechanics.balance import scales as scales_of
@@ -27,6 +28,11 @@ from crankstar.tables.placings import placing_lines
 from crankstar.tables.scales import Scale, scales
 from crankstar.tables.table import ROW_UNIT, Column, Document, Remarks, Table, Value, remarks
 from crankstar.tables.turning import bearing, turning
+
+LOADS = {
+    "determinate": N_("greatest load on a main bearing"),
+    "continuous": N_("greatest load on a main bearing, crankshaft as one beam"),
+}
 
 
 class Job(NamedTuple):
@@ -45,6 +51,7 @@ class Job(NamedTuple):
     speed: float | None = None
     description: str = ""
     placings: tuple[Placing, ...] = ()
+    model: Model = "determinate"
 
 
 def balancing_sheet(job: Job) -> Document:
@@ -274,10 +281,10 @@ def _remaining(job: Job) -> Table:
         rolls = [size(rolling_moment(total(result)), order) for result in (before, after)]
         if any(rolls):
             rows.append((order, _("rolling moment"), unit, *_cleared(rolls), None, None))
-    load = _("greatest load on a main bearing")
+    load = _(LOADS[job.model])
     (scale, _couple, _moment), units = scales_of(job.after, job.speed)
     newtons = scale / scales_of(job.after, None)[0].force
-    loaded = [bearing_load(engine) * newtons for engine in (job.before, job.after)]
+    loaded = [bearing_load(engine, model=job.model) * newtons for engine in (job.before, job.after)]
     rows.append((1.0, load, units.force, *_cleared(loaded), None, None))
     columns = (
         Column(_("order"), key="order", label=True),
