@@ -50,6 +50,8 @@ STATES = {
 }
 HEIGHT = 112.0
 """Height of a panel, px."""
+NUMBERS = 50.0
+"""px for the numbers of the axis, the same in every panel, with room for wider letters."""
 FOOT = 0.16
 """Share of a panel below its axis, for the bearings and the throws."""
 
@@ -167,7 +169,11 @@ def _panel(
     low = min(0.0, factor * min(float(course.momentary.min()) for course in courses))
     foot = low - FOOT * (top - low)
     scale = span(foot, top) | {"zero": False}
-    upward = {"scale": scale, "title": None, "axis": {"values": _ticks(low, top)}}
+    upward = {
+        "scale": scale,
+        "title": None,
+        "axis": {"values": _ticks(low, top), "minExtent": NUMBERS},
+    }
     labels = [course.label for course in courses]
     colours = {"domain": labels, "range": [course.colour for course in courses]}
     legend = {**LINES, "columns": 1, "labelLimit": width} if first else None
