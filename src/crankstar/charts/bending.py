@@ -205,7 +205,7 @@ def _panel(
 def _ticks(low: float, top: float) -> list[float]:
     """Round values between the least and the greatest, three to six of them."""
     power = 10.0 ** floor(log10((top - low) / 3))
-    step = next(s * power for s in (1, 2, 5, 10) if (top - low) / (s * power) < 6)
+    step = next(s * power for s in (1, 2, 5, 10) if (top - low) / (s * power) < 4.5)
     return [float(f"{n * step:.9g}") for n in range(ceil(low / step), floor(top / step) + 1)]
 
 
