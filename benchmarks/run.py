@@ -168,6 +168,23 @@ def sweeps() -> list[tables.Row]:
     return out
 
 
+def pairs() -> list[tables.Row]:
+    """100,000 engines over two numbers, the usual orders, peaks of one of them, warm."""
+    out: list[tables.Row] = []
+    for over in (
+        ("balance_factor=0..1/316", "layout.throws[2]=10..80 deg/316"),
+        ("speed=600..6000 rpm/316", "layout.banks[1].bearing=-90..0 deg/316"),
+    ):
+
+        def made(over: tuple[str, str] = over) -> sweep.Curve:
+            both = sweep.sweep("v8-cross-plane", over, orders=(1, 2, 4, 6))
+            return sweep.watched(both, "couple", order=1)
+
+        names = " and ".join(text.partition("=")[0] for text in over)
+        out.append((f"316 x 316 V8s over {names}", f"{timed(made, runs=3):.2f} s", "1.5 s"))
+    return out
+
+
 def pictures() -> list[tables.Row]:
     """A chart to SVG: the whole command, and warm; best weights of a V8 in eight webs."""
     from crankstar import charts
@@ -198,6 +215,7 @@ def rows() -> list[tables.Row]:
         )
     out += derivations()
     out += sweeps()
+    out += pairs()
     out += pictures()
     out += search.rows()
     out.append((f"batch of {VARIANTS:,} V8s", f"{batch_rate():,.0f} engines/s", ""))

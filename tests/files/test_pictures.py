@@ -128,8 +128,11 @@ def test_a_sweep_as_csv_and_as_a_chart(run: Run, tmp_path: Path) -> None:
     over = "layout.banks[1].bearing=0..90 deg/7"
     run("sweep", "harley-45", "--over", over, "--quantity", "force", "-o", str(tmp_path / "s.csv"))
     rows = list(csv.reader(io.StringIO((tmp_path / "s.csv").read_text(encoding="utf-8"))))
-    assert rows[0] == ["layout.banks[1].bearing [deg]", "force [m*r*w^2]"]
-    assert [float(row[0]) for row in rows[1:]] == [0, 15, 30, 45, 60, 75, 90]
+    names = "engine,layout.banks[1].bearing [deg],order,quantity,direction,amplitude,unit"
+    assert rows[0] == names.split(",")
+    assert [float(row[1]) for row in rows[1:]] == [0, 15, 30, 45, 60, 75, 90]
+    assert {tuple(row[2:5]) for row in rows[1:]} == {("", "force", "greatest")}
+    assert {row[6] for row in rows[1:]} == {"m*r*w^2"}
     assert run("sweep", "harley-45", "--over", over, "--csv").out == (tmp_path / "s.csv").read_text(
         encoding="utf-8"
     )
@@ -146,7 +149,7 @@ def test_a_sweep_as_csv_and_as_a_chart(run: Run, tmp_path: Path) -> None:
     drawn = json.loads((tmp_path / "s.json").read_text(encoding="utf-8"))
     points = drawn["vconcat"][0]["layer"][0]["data"]["values"]
     assert [[p["x"], p["y"]] for p in points] == [
-        [float(a), pytest.approx(float(b))] for a, b in rows[1:]
+        [float(row[1]), pytest.approx(float(row[5]))] for row in rows[1:]
     ]
     assert len(drawn["vconcat"]) == 2  # forces and rolls have different units
 

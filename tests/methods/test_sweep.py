@@ -34,12 +34,12 @@ from crankstar.mechanics.mechanism import mechanism
 from crankstar.remedy import RemedyError
 from crankstar.spectra import Spectrum
 from crankstar.studies.best_value import Best, best
-from crankstar.studies.fields import subject
+from crankstar.studies.fields import Varied, subject
 from crankstar.studies.ranges import over_request
-from crankstar.studies.sweep import Sweep, rows, swept, watched
+from crankstar.studies.sweep import Sweep, swept, watched
 from crankstar.studies.variants import FEW, SweepError, variants
 from crankstar.tables.machine import csv_text
-from crankstar.tables.sweeps import answer
+from crankstar.tables.sweeps import answer, sweep_document
 
 A = np.real(piston_harmonics(crank_radius=1.0, rod_length=4.0))
 POINT = Reference(0.03, -0.02, 0.05)
@@ -235,7 +235,7 @@ def test_a_sweep_is_as_its_engines_one_by_one(
             np.linspace(high, low, 5),
         ]
     )
-    make = subject(name, over=path, unit=unit).make
+    make = subject(name, [Varied(path, unit)]).make
     assert_one_by_one(make, numbers, lawful=lawful)
 
 
@@ -393,7 +393,7 @@ def test_a_slave_rod_that_cannot_reach_in_the_middle_of_the_range_is_found() -> 
 
 def test_gear_ratios_are_swept_in_groups() -> None:
     sweep = swept("kr250-racer", over="layout.cranks[2].speed_ratio", values=[-1, 1, 2, 0.5, 1])
-    assert [group.rows.tolist() for group in sweep.groups] == [[0], [1, 4], [2], [3]]
+    assert [group.rows.tolist() for group in sweep.groups] == [[0, 1, 4], [2], [3]]
     curve = watched(sweep, "force")
     for row, ratio in enumerate(("-1", "1", "2", "1/2", "1")):
         engine = crankstar.load("kr250-racer", changes={"layout.cranks[2].speed_ratio": ratio})
@@ -467,7 +467,7 @@ def test_a_parallel_twin_over_its_crank_phase() -> None:
     second = best_of("i2-360", text, "force", 2)
     assert {round(x, 3) for x in (second.value, *second.also)} == {90.0, 270.0}
     none = best_of("i2-360", text, "couple", 1)
-    assert (none.value, none.also, none.at_edge) == (0.0, (360.0,), True)
+    assert (none.value, none.also, none.at_edge) == (0.0, (), False)  # 360 deg is the same
     greatest = best_of("i2-360", text, "couple", 1, greatest=True)
     assert (greatest.value, greatest.result) == (
         pytest.approx(180, abs=1e-3),
@@ -695,10 +695,11 @@ def test_more_than_eight_equal_values_are_cut() -> None:
 def test_rows_and_csv_hold_the_values_and_their_units() -> None:
     sweep = of("v2-90", "layout.banks[1].bearing=0..90/91 deg", changes={"balance_factor": 0.5})
     curves = [watched(sweep, "force", order=1), watched(sweep, "roll")]
-    table = rows(sweep, curves, count=4)
-    assert [row[0] for row in table] == [0.0, 30.0, 60.0, 90.0]
-    assert table[2][1] == curves[0].values[60]
-    text = csv_text(next(answer(sweep, curves, [best(sweep, curve) for curve in curves]).tables))
+    bests = [best(sweep, curve) for curve in curves]
+    table = next(sweep_document(sweep, curves, bests).tables)
+    assert [row[0] for row in table.rows] == [*np.arange(0.0, 91.0, 9.0)]
+    assert table.rows[2][1] == curves[0].values[18]
+    text = csv_text(next(answer(sweep, curves, bests).tables))
     head, *body = csv.reader(io.StringIO(text))
     assert head == [
         "layout.banks[1].bearing [deg]",
@@ -766,7 +767,11 @@ def test_a_request_that_cannot_be_read_is_refused_with_a_sentence(text: str, tol
         "The numbers that can be swept are balance_factor, cylinder.bore, "),
     ("v8-cross-plane", "cylinders[3].number=1..4", "is not the path of a single number"),
     ("v8-cross-plane", "firing_order[1]=1..8", "no effect on the inertia forces"),
-    ("v8-cross-plane", "speed=1000..2000 rpm", "no effect on the inertia forces"),
+    ("v8-cross-plane", "valves.lift=1..2 mm", "no effect on the inertia forces"),
+    ("v8-cross-plane", "speed=1000..2000 kg", "a mass; a rotational speed is needed"),
+    ("v8-cross-plane", "speed=1000..2000",
+        "speed has no unit; write its values with one, as in 6000 rpm"),
+    ("v8-cross-plane", "speed=-1000..2000 rpm", "it must be greater than 0"),
     ("v8-cross-plane", "balance_factor=0..1 mm", "is a plain number; leave out the unit"),
     ("v8-cross-plane", "balance_factor=0..3", "must be at most 2"),
     ("v8-cross-plane", "layout.bank_offset=0..30 mm", "bore_pitch is missing"),
@@ -809,7 +814,7 @@ def test_every_number_that_a_message_names_can_be_swept() -> None:
         )
         assert len(named) > 5
         for path in named:
-            subject(name, over=path, unit=None)
+            subject(name, [Varied(path)])
 
 
 NO_VALUES = [
@@ -865,5 +870,5 @@ def test_a_file_that_is_mistaken_tells_all_its_mistakes(tmp_path: Path) -> None:
 
 def test_fewer_values_than_probes_are_built_one_by_one() -> None:
     assert_one_by_one(
-        subject("v2-90", over="balance_factor", unit=None).make, np.linspace(0, 1, FEW), lawful=None
+        subject("v2-90", [Varied("balance_factor")]).make, np.linspace(0, 1, FEW), lawful=None
     )

@@ -280,6 +280,7 @@ NO_TERMS = {
     "all orders together at these crank angles",
     *("shafts, throws and weights", "turning vectors", "main bearings by order", "crankshaft"),
     *("number", "place", "share", "speed_rpm", "{engine}, of the first"),
+    *("order {order}", "amplitude", "result", "alike"),
     *("theta_deg", "mean", "forward", "backward", "{quantity} forward", "{quantity} backward"),
 }
 """Headings that are plain words."""

@@ -35,6 +35,9 @@ Engines in, a chart out, and a chart as an SVG that needs no browser.
 | `bending` | the bending moment along the crankshaft |
 | `balance_shafts` | the balance shafts from the front and from the side |
 | `sweeps` | a result over a number of the engine |
+| `contours` | lines along which a result has one value, with their labels |
+| `pair_sweeps` | results over two numbers of the engine, and the front of two results |
+| `amplitudes` | amplitudes over the speed |
 | `errata` | a printed formula beside the true one |
 | `front_axes` | the axes of a front, straight or logarithmic |
 | `search_values` | the values and firing orders of found stars as text |
@@ -54,6 +57,7 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from crankstar.charts.amplitudes import amplitudes
 from crankstar.charts.balance_shafts import balance_shaft_chart
 from crankstar.charts.bending import bending_chart
 from crankstar.charts.crank_stars import crank_star
@@ -65,6 +69,7 @@ from crankstar.charts.errata import judged, over_rods
 from crankstar.charts.estimates import over_ranges
 from crankstar.charts.firing_rings import firing_ring
 from crankstar.charts.hodographs import hodograph
+from crankstar.charts.pair_sweeps import contours
 from crankstar.charts.paper import Paper, Print, printed
 from crankstar.charts.polar_loads import polar_loads
 from crankstar.charts.registry import CHARTS, Figure, side_by_side
@@ -86,9 +91,11 @@ __all__ = [
     "Figure",
     "Paper",
     "Print",
+    "amplitudes",
     "balance_shaft_chart",
     "bending_chart",
     "best_stars",
+    "contours",
     "crank_star",
     "firing_ring",
     "force_arrows",

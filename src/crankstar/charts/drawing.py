@@ -23,6 +23,8 @@ VERMILION, BLUE = "#d55e00", "#2b83c6"
 """Which the colour-blind tell apart, and which show on white and on black."""
 GREEN, ORANGE, PURPLE, SKY = "#009e73", "#e69f00", "#cc79a7", "#56b4e9"
 YELLOW = "#f0e442"
+PALE, DEEP = "#eef4f9", "#a9cbe6"
+"""The least and the greatest of what is shown as a colour; letters on it can be read."""
 PALETTE = (BLUE, GREEN, ORANGE, PURPLE, SKY)
 """For curves, after M. Okabe and K. Ito; vermilion marks the crank angle and optima."""
 HEIGHT = 170

@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, get_args
 
+from crankstar.charts.amplitudes import amplitudes
 from crankstar.charts.balance_shafts import balance_shaft_chart
 from crankstar.charts.bending import bending_chart
 from crankstar.charts.crank_stars import crank_star
@@ -73,6 +74,11 @@ _FIGURES = (
             "order and in total"
         ),
         get_args(Signal),
+    ),
+    Figure(
+        "amplitudes",
+        amplitudes,
+        N_("force, pitch, yaw and rolling moment over the speed, by order and in total"),
     ),
     Figure("spectrum", spectrum, N_("peak force, couple and rolling moment of each order")),
     Figure("shaft", shaft_elevation, N_("every shaft from the side, with its weights and arms")),

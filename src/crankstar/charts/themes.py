@@ -10,7 +10,18 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Literal, get_args
 
-from crankstar.charts.drawing import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILION, ChartError
+from crankstar.charts.drawing import (
+    BLUE,
+    DEEP,
+    GREEN,
+    GREY,
+    ORANGE,
+    PALE,
+    PURPLE,
+    SKY,
+    VERMILION,
+    ChartError,
+)
 from crankstar.charts.grammar import Chart
 from crankstar.language.messages import _
 
@@ -19,10 +30,14 @@ ThemeName = Literal["light", "dark", "print"]
 
 @dataclass(frozen=True)
 class Theme:
-    """The colour of the ground, and a colour for each of those of `drawing`."""
+    """The colour of the ground, and a colour for each of those of `drawing`.
+
+    `fills` lie below letters, which have their contrast with them.
+    """
 
     ground: str
     colours: Mapping[str, str]
+    fills: Mapping[str, str]
 
 
 _LIGHT = {
@@ -34,8 +49,9 @@ _LIGHT = {
     PURPLE: "#a13d76",
     SKY: "#1b7291",
 }
+_FILLS = {PALE: "#f4f8fb", DEEP: "#b3d2ea"}
 THEMES = {
-    "light": Theme("#ffffff", _LIGHT),
+    "light": Theme("#ffffff", _LIGHT, _FILLS),
     "dark": Theme(
         "#14191f",
         {
@@ -47,8 +63,11 @@ THEMES = {
             PURPLE: "#e79ac8",
             SKY: "#8fd6ff",
         },
+        {PALE: "#1a2129", DEEP: "#1d4566"},
     ),
-    "print": Theme("#ffffff", {**_LIGHT, GREY: "#000000", BLUE: "#004f86", VERMILION: "#a33c00"}),
+    "print": Theme(
+        "#ffffff", {**_LIGHT, GREY: "#000000", BLUE: "#004f86", VERMILION: "#a33c00"}, _FILLS
+    ),
 }
 """By name. `print` has black letters and lines, and darker colours."""
 
@@ -64,7 +83,9 @@ def themed(chart: Chart, name: ThemeName) -> Chart:
             )
         )
     theme = THEMES[name]
-    return Chart({**_recoloured(chart.spec, theme.colours), "background": theme.ground})
+    return Chart(
+        {**_recoloured(chart.spec, {**theme.colours, **theme.fills}), "background": theme.ground}
+    )
 
 
 def recoloured(drawing: str, name: ThemeName) -> str:

@@ -7,6 +7,7 @@
 | `options` | options that several verbs share |
 | `application` | how a command line is read, and how the process ends |
 | `tabulating` | a Document as tables, JSON, CSV, a spreadsheet or Parquet |
+| `speed_ranges` | what `analyze --speeds` prints |
 | `inspect` | list, show, analyze, compare, verdict, strokes |
 | `estimating` | estimate |
 | `bearing_loads` | bearings |
@@ -16,7 +17,8 @@
 | `search_job` | a search run, reported and kept in a file |
 | `searching` | search |
 | `balancing` | balance |
-| `picturing` | plot, sweep |
+| `picturing` | plot |
+| `sweeping` | sweep |
 | `showing` | page |
 | `reporting` | report |
 | `serving` | serve |
@@ -39,6 +41,7 @@ from crankstar.cli import (
     searching,
     serving,
     showing,
+    sweeping,
 )
 from crankstar.cli.application import app, main
 
@@ -59,4 +62,5 @@ __all__ = [
     "searching",
     "serving",
     "showing",
+    "sweeping",
 ]

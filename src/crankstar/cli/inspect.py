@@ -27,6 +27,7 @@ from crankstar.cli.options import (
     together,
 )
 from crankstar.cli.output import display, write
+from crankstar.cli.speed_ranges import over_speeds
 from crankstar.cli.tabulating import give
 from crankstar.language.messages import _
 from crankstar.language.quoting import one_line
@@ -94,6 +95,7 @@ def analyze(
     theta: Theta = None,
     by: Annotated[str | None, option("--by")] = None,
     vectors: Annotated[bool, option("--vectors")] = False,
+    speeds: Annotated[str | None, option("--speeds", "Amplitudes over the speed.")] = None,
     json: Json = False,
     csv: Csv = False,
     output: Output = None,
@@ -111,6 +113,11 @@ def analyze(
         own = by if form == "json" else None
         unused = {"--theta": theta, "--vectors": vectors, "--by": own}
         request.refuse_unused(unused, beside=f"--{form}")
+    if speeds is not None:
+        single = {"--speed": speed, "--theta": theta, "--vectors": vectors, "--by": by}
+        request.refuse_unused(single, beside="--speeds")
+        over_speeds(engine, speeds, orders, reference, settings, form, output, estimate=estimate)
+        return
     (loaded, spread), turning = together(
         partial(loaded_values, engine, settings, estimate=estimate), partial(request.speed, speed)
     )

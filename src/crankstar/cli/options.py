@@ -62,6 +62,11 @@ Settings = Annotated[list[str] | None, option("--set")]
 Estimating = Annotated[bool, option("--estimate")]
 Json = Annotated[bool, option("--json")]
 Csv = Annotated[bool, option("--csv")]
+Theme = Annotated[str | None, option("--theme")]
+Width = Annotated[str | None, option("--width")]
+Height = Annotated[str | None, option("--height")]
+Dpi = Annotated[float | None, option("--dpi")]
+FontSize = Annotated[float | None, option("--font-size")]
 
 
 def together(*readings: Callable[[], Any]) -> tuple[Any, ...]:

@@ -89,5 +89,11 @@ def unit_text(unit: str) -> str:
 
     M r² ω² for m*r^2*w^2, with A2 for A_2 (fonts of figures lack small digits).
     """
-    plain = unit.replace("w^2", "ω²").replace("^2", "²").replace("A_k", "Aₖ").replace("*", " ")
+    plain = (
+        unit.replace("w_0^2", "ω0²")
+        .replace("w^2", "ω²")
+        .replace("^2", "²")
+        .replace("A_k", "Aₖ")
+        .replace("*", " ")
+    )
     return re.sub(r"_(\d+)", r"\1", plain)

@@ -118,7 +118,7 @@ class Balance:
         return labelled.dataset(
             Totals(*(getattr(self, name) for name in Totals._fields)),
             self.units._asdict(),
-            dimension="part",
+            dimensions=["part"],
             labels={name: ("part", values) for name, values in parts.items()},
             facts=self._facts,
             split=split,

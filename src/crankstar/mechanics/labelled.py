@@ -12,7 +12,7 @@ torque and the moment about the axis are axial. Every one of them adds up over t
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -103,12 +103,12 @@ def dataset(
     sums: Totals,
     units: Mapping[str, str],
     *,
-    dimension: str,
+    dimensions: Sequence[str],
     labels: Mapping[str, Any],
     facts: Mapping[str, Any],
     split: bool = False,
 ) -> xarray.Dataset:
-    """Spectra as an xarray data set with the dimensions `dimension` and order.
+    """Spectra as an xarray data set with the leading `dimensions`, and order.
 
     A variable is `force_vertical`, `pitch`, ..., `roll`, complex, with its unit in attrs; `split`
     gives real numbers with a last dimension component, real and imag, as netCDF needs. Raises
@@ -117,7 +117,7 @@ def dataset(
     variables: dict[str, Any] = {}
     for wave in waves(sums, units):
         values = wave.amplitude
-        dims: tuple[str, ...] = (dimension, "order")
+        dims: tuple[str, ...] = (*dimensions, "order")
         if split:
             values = np.stack([np.real(values), np.imag(values)], axis=-1)
             dims = (*dims, "component")

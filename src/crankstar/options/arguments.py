@@ -45,6 +45,7 @@ def read(function: Callable[..., Result]) -> Callable[..., Result]:
     def reading(*args: Any, **kwargs: Any) -> Result:
         bound = asked.bind(*args, **kwargs)
         given = bound.arguments
+        named = given.get("engine")
         _read_engines(function.__name__, given, asked.parameters)
         if "result" in given:
             _check_balance(function.__name__, given["result"])
@@ -53,6 +54,8 @@ def read(function: Callable[..., Result]) -> Callable[..., Result]:
         if given.get("reference") is not None:
             engine = given["engine"] if "engine" in given else given["engines"][0]
             given["reference"] = _reference(given["reference"], engine)
+        if "str" in str(asked.parameters.get("engine")) and isinstance(named, str | Path):
+            given["engine"] = str(named)  # it reads the file itself, whose keys it varies
         return function(*bound.args, **bound.kwargs)
 
     return reading

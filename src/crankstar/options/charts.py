@@ -42,6 +42,7 @@ def options(
     theta: str | None,
     speed: str | None,
     reference: str | None,
+    speeds: str | None = None,
     alone: bool = True,
 ) -> dict[str, Any]:
     """The options of a figure by keyword. Raises RequestError for those that it does not take.
@@ -55,6 +56,7 @@ def options(
         "--model": (model, {"model"}),
         "--theta": (theta, {"theta", "angles"}),
         "--speed": (speed, {"speed"}),
+        "--speeds": (speeds, {"speeds"}),
         "--reference": (reference, {"reference"}),
     }
     unused = {option: text for option, (text, names) in given.items() if not names & takes}
@@ -92,6 +94,8 @@ def options(
     if "speed" in takes:
         own = engine.speed if alone else None
         out["speed"] = own if speed is None else request.speed(speed)
+    if speeds is not None:
+        out["speeds"] = request.speeds(speeds)
     if reference is not None:
         out["reference"] = request.reference(reference, engine)
     return out

@@ -119,6 +119,21 @@ def speed(text: str | None) -> float | None:
     return turning
 
 
+def speeds(text: str) -> list[float]:
+    """Crank speeds in rad/s. Raises SweepError.
+
+    >>> [round(speed) for speed in speeds("600..1200 rpm by 300")]
+    [63, 94, 126]
+    """
+    import numpy as np
+
+    from crankstar.studies.ranges import speeds_request
+    from crankstar.studies.study import rad_per_s
+
+    asked = speeds_request(text)
+    return rad_per_s(np.array(asked.values), asked.unit).tolist()
+
+
 def single(option: str, texts: Sequence[str] | None) -> str | None:
     """The one value of an option that may be repeated elsewhere. Raises RequestError."""
     if texts and len(texts) > 1:

@@ -177,9 +177,10 @@ OPTIONS = {
     ),
     "--output": Option("text", "File to write.", ("--out", "--file", "--to")),
     "--over": Option(
-        "text",
+        "several texts",
         "Value of the engine file to vary, such as balance_factor=0..1, "
-        '"layout.banks[1].bearing=0..90 deg/91" (91 values) or "balance_factor=0, 0.5, 0.75".',
+        '"layout.banks[1].bearing=0..90 deg/91" (91 values), "speed=600..6000 rpm by 200" or '
+        '"balance_factor=0, 0.5, 0.75"; twice to vary two at once.',
         ("--vary", "--range"),
     ),
     "--overwrite": Option("nothing", "Replace an existing file.", ("--force", "--replace")),
@@ -256,6 +257,12 @@ OPTIONS = {
         'Crank speed, such as "6000 rpm", "628 rad/s" or "100 Hz" (default: the speed in the '
         "file).",
         ("--rpm",),
+    ),
+    "--speeds": Option(
+        "text",
+        'Crank speeds, such as "600..6000 rpm by 200", "600..6000 rpm/28" (28 speeds) or '
+        '"1000, 2000, 4000 rpm".',
+        ("--speed-range", "--rpms"),
     ),
     "--star": Option(
         "whole number",

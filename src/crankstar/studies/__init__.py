@@ -1,10 +1,14 @@
-"""Studies of an engine: one value varied, many variants at once.
+"""Studies of an engine: one or two values varied, many variants at once.
 
 | module, bottom to top | one line |
 |---|---|
 | `variants` | many variants of an engine at once, as arrays |
-| `fields` | the values of an engine file by key path, and the engine as a function of one |
+| `grids` | engines over two of their numbers at once |
+| `fields` | the values of an engine file by key path, and the engine as a function of some |
 | `ranges` | the values of a sweep, read from text |
-| `sweep` | one value of an engine file varied, and what becomes of its quantities |
+| `sums` | the sums of batches of engines, over speeds and closed ranges |
+| `study` | what is varied, in which units and about which point |
+| `sweep` | one or two values of an engine file varied, and what becomes of its quantities |
 | `best_value` | the least or greatest of a curve, refined between its points |
+| `best_pair` | the best pair of two values, and the pairs that none beats in two results |
 """

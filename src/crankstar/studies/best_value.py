@@ -1,4 +1,4 @@
-"""The best value of a sweep: the least or greatest of a curve, refined between its points."""
+"""The best value of a sweep of one number: the least or greatest, refined between its points."""
 
 from __future__ import annotations
 
@@ -51,6 +51,7 @@ def best(sweep: Sweep, curve: Curve, *, greatest: bool = False) -> Best:
     x, where = np.unique(sweep.values, return_index=True)
     y = sign * curve.values[where]
     even = ALIKE * float(np.abs(y).max())
+    low, span = float(x[0]), float(x[-1] - x[0])
     if float(np.ptp(y)) <= even:
         return Best(
             float(sweep.values[0]),
@@ -59,6 +60,9 @@ def best(sweep: Sweep, curve: Curve, *, greatest: bool = False) -> Best:
             flat=True,
             stretch=(float(x[0]), float(x[-1])),
         )
+    round_about = sweep.axes[0].closed
+    if round_about:
+        x, y = _begun_at_the_highest(x, y)
     runs = _hollows(x, y, even)
     try:
         tips = _tips(sweep, curve, runs, x, sign)
@@ -67,7 +71,7 @@ def best(sweep: Sweep, curve: Curve, *, greatest: bool = False) -> Best:
         SweepError,
     ):  # not every number between two good ones is one: a ratio of teeth
         tips = [None] * len(runs)
-    minima: list[tuple[float, float, tuple[float, float] | None]] = []
+    minima: list[Minimum] = []
     for (first, last), tip in zip(runs, tips, strict=True):
         if tip is not None and tip[1] < y[first] - even:
             minima.append((*tip, None))
@@ -82,8 +86,11 @@ def best(sweep: Sweep, curve: Curve, *, greatest: bool = False) -> Best:
             )
     least = min(result for _, result, _ in minima)
     good = [minimum for minimum in minima if minimum[1] <= least + even]
+    if round_about:
+        good = sorted(_within(minimum, low, span) for minimum in good)
     value, result, stretch = good[0]
-    edge = value in (x[0], x[-1]) or bool(stretch and {*stretch} & {float(x[0]), float(x[-1])})
+    ends = {low, low + span} if not round_about else set[float]()
+    edge = bool({value, *(stretch or ())} & ends)
     return Best(
         value,
         sign * result,
@@ -92,6 +99,29 @@ def best(sweep: Sweep, curve: Curve, *, greatest: bool = False) -> Best:
         also=tuple(minimum[0] for minimum in good[1 : ALSO + 1]),
         stretch=stretch,
     )
+
+
+Minimum = tuple[float, float, tuple[float, float] | None]
+"""Value, result, and from where to where it is the same."""
+
+
+def _begun_at_the_highest(x: Real, y: Real) -> tuple[Real, Real]:
+    """A closed range from its highest value on: so that no hollow lies across its ends."""
+    top = int(np.argmax(y[:-1]))
+    return np.concatenate([x[top:-1], x[: top + 1] + (x[-1] - x[0])]), np.concatenate(
+        [y[top:-1], y[: top + 1]]
+    )
+
+
+def _within(minimum: Minimum, low: float, span: float) -> Minimum:
+    """A minimum of a closed range with its values in that range."""
+    value, result, stretch = minimum
+
+    def inside(number: float) -> float:
+        turned = low + (number - low) % span
+        return low if low + span - turned < FINENESS * span else turned
+
+    return inside(value), result, stretch and (inside(stretch[0]), inside(stretch[1]))
 
 
 def _hollows(x: Real, y: Real, even: float) -> list[tuple[int, int]]:

@@ -1,11 +1,12 @@
-"""Numbers of an engine file by key path, and the engine as a function of one of them."""
+"""Numbers of an engine file by key path, and the engine as a function of some of them."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from difflib import get_close_matches
 from fractions import Fraction
+from functools import reduce
 from typing import Annotated, Any, NamedTuple, get_args, get_origin
 
 from crankstar import files
@@ -19,7 +20,7 @@ from crankstar.files.forms import by_key, field_at, form_of, quantity_of, record
 from crankstar.language.messages import _
 from crankstar.language.quoting import one_line, seen
 from crankstar.remedy import with_counterweights
-from crankstar.studies.variants import Make, SweepError
+from crankstar.studies.variants import SweepError
 
 LISTED = 24
 """Paths that are named where another one cannot be swept."""
@@ -27,24 +28,31 @@ _UNMOVED = ("firing_order", "firing_angles", "valves", "speed", "format")
 
 
 class Subject(NamedTuple):
-    """A varied engine: as its file has it, as a function of the value, and the quantity."""
+    """A varied engine: as its file has it, as a function of the values, and their quantities."""
 
     base: Engine | None
-    make: Make
-    quantity: Quantity | None
+    make: Callable[..., Engine]
+    quantities: tuple[Quantity | None, ...]
+
+
+class Varied(NamedTuple):
+    """The key path of a number that is varied, and the unit of its values, None for SI."""
+
+    path: str
+    unit: str | None = None
 
 
 def subject(
-    name: str | Engine, *, over: str, unit: str | None, changes: Mapping[str, Any] | None = None
+    name: str | Engine, over: Sequence[Varied], *, changes: Mapping[str, Any] | None = None
 ) -> Subject:
-    """The engine `name` (catalog, file or "-") as a function of the number at key path `over`.
+    """The engine `name` (catalog, file or "-") as a function of the numbers at these key paths.
 
-    The path is one of the short form or of the explicit form, or `balance_factor`; the number is in
-    `unit`, a text, or SI without one. `changes` sets other values first. Raises SweepError where
-    there is no such number, EngineFileError.
+    A path is one of the short form or of the explicit form, or `balance_factor`; without any the
+    engine is as its file has it. `changes` sets other values first. Raises SweepError where there
+    is no such number, EngineFileError.
 
-    >>> twin = subject("harley-45", over="layout.banks[1].bearing", unit="deg")
-    >>> round(twin.make(45).cylinders[0].bearing, 6), twin.quantity.dimension
+    >>> twin = subject("harley-45", [Varied("layout.banks[1].bearing", "deg")])
+    >>> round(twin.make(45).cylinders[0].bearing, 6), twin.quantities[0].dimension
     (0.785398, 'angle')
     """
     own = isinstance(name, Engine)
@@ -52,35 +60,80 @@ def subject(
     tree = files.changed(tree, changes or {}, name=shown)
     _check_order(shown, tree)
     base = _base(shown, tree)
-    forms = (
-        [tree]
-        if base is None
-        else [tree, files.explicit(with_values(base, firing_order=(), firing_angles=None))]
+    if not over and own and not changes:
+        return Subject(name, lambda: name, ())
+    if not over:
+        return Subject(base, lambda: files.engine_of(tree, name=shown), ())
+    forms = [tree] if base is None else [tree, _explicit(base)]
+    stages = _stages(shown, over, forms, base)
+    quantities = tuple(
+        None if form is None else _quantity(form, varied)
+        for varied, form in zip(over, stages, strict=True)
     )
-    keys = files.keys_of(over)
-    chosen = next((form for form in forms if _is_number(form, keys)), None)
-    info = field_at(form_of(chosen), keys) if chosen else None
+
+    def make(*numbers: float) -> Engine:
+        given = list(zip(over, numbers, strict=True))
+        title = f"{shown} with {', '.join(_value_text(varied, number) for varied, number in given)}"
+        engine = base
+        for place, form in enumerate(forms):
+            changed = {
+                varied.path: f"{number!r} {varied.unit}" if varied.unit else number
+                for (varied, number), own in zip(given, stages, strict=True)
+                if own is form
+            }
+            if changed:
+                under = _explicit(engine) if place and engine is not base and engine else form
+                engine = files.engine_of(under, name=title, changes=changed)
+        factors = (n for n, form in zip(numbers, stages, strict=True) if form is None)
+        engine = engine or files.engine_of(tree, name=title)
+        return reduce(lambda e, n: with_counterweights(e, factor=n, bare=True), factors, engine)
+
+    return Subject(base, make, quantities)
+
+
+def _value_text(varied: Varied, number: float) -> str:
+    unit = f" {one_line(varied.unit, longest=20)}" if varied.unit else ""
+    return f"{one_line(varied.path)} = {number:.9g}{unit}"
+
+
+def _explicit(engine: Engine) -> dict[str, Any]:
+    return files.explicit(with_values(engine, firing_order=(), firing_angles=None))
+
+
+def _stages(
+    shown: str, over: Sequence[Varied], forms: Sequence[dict[str, Any]], base: Engine | None
+) -> list[dict[str, Any] | None]:
+    """The form in which each path is a number, one for all if there is; None: a balance factor."""
+    keys = [files.keys_of(varied.path) for varied in over]
+    for form in forms:
+        if all(_is_number(form, own) and own[0] not in _UNMOVED for own in keys):
+            return [form] * len(over)
+    out: list[dict[str, Any] | None] = []
+    for varied, own in zip(over, keys, strict=True):
+        form = next((form for form in forms if _is_number(form, own)), None)
+        if form is None and varied.path == "balance_factor" and base is not None:
+            if varied.unit:
+                raise _plain_number(varied)
+        elif form is None or own[0] in _UNMOVED:
+            raise SweepError(f"{shown}: {_why_fixed(varied.path, own, forms)}")
+        out.append(form)
+    return out
+
+
+def _quantity(form: dict[str, Any], varied: Varied) -> Quantity | None:
+    info = field_at(form_of(form), files.keys_of(varied.path))
     quantity = quantity_of(info) if info else None
-    if unit and quantity is None and (info or over == "balance_factor"):
-        raise SweepError(
-            "{path} is a plain number; leave out the unit {unit}",
-            path=one_line(over),
-            unit=seen(unit),
-        )
-    if chosen is None and over == "balance_factor" and base is not None:
-        return Subject(base, _with_factor(base), None)
-    if chosen is None or keys[0] in _UNMOVED:
-        raise SweepError(f"{shown}: {_why_fixed(over, keys, forms)}")
+    if varied.unit and quantity is None:
+        raise _plain_number(varied)
+    return quantity
 
-    def make(number: float) -> Engine:
-        value = f"{number!r} {unit}" if unit else number
-        name = (
-            f"{shown} with {one_line(over)} = "
-            f"{number:.9g}{' ' + one_line(unit, longest=20) if unit else ''}"
-        )
-        return files.engine_of(chosen, name=name, changes={over: value})
 
-    return Subject(base, make, quantity)
+def _plain_number(varied: Varied) -> SweepError:
+    return SweepError(
+        "{path} is a plain number; leave out the unit {unit}",
+        path=one_line(varied.path),
+        unit=seen(varied.unit),
+    )
 
 
 def _check_order(shown: str, tree: dict[str, Any]) -> None:
@@ -106,10 +159,6 @@ def _base(shown: str, tree: dict[str, Any]) -> Engine | None:
         return files.engine_of(tree, name=shown)
     except EngineFileError:
         return None
-
-
-def _with_factor(base: Engine) -> Make:
-    return lambda number: with_counterweights(base, factor=number, bare=True)
 
 
 def _leaf(annotation: Any) -> Any:

@@ -11,10 +11,15 @@ import numpy as np
 from crankstar.language.quoting import one_line, seen
 from crankstar.studies.variants import SweepError
 
+MOST_AXES = 2
 GREATEST_POINTS = 20_000
+"""Values of one number."""
 USUAL_POINTS = 201
+USUAL_OF = {1: USUAL_POINTS, 2: 51}
+"""Values of a range, by how many numbers are varied at once."""
 EXAMPLE = (
-    'as in "layout.banks[1].bearing=0..90 deg", "balance_factor=0..1/11" or "balance_factor=0, 0.5"'
+    'as in "layout.banks[1].bearing=0..90 deg", "balance_factor=0..1/11", '
+    '"speed=600..6000 rpm by 200" or "balance_factor=0, 0.5"'
 )
 _NUMBER = re.compile(
     r"\s*([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d{1,3})?)\s*(.*?)\s*", re.DOTALL
@@ -22,6 +27,7 @@ _NUMBER = re.compile(
 
 
 _NO_UNIT = re.compile(r"[.,\d]|/\d*\.")
+_BY = re.compile(r"\s+by\b\s*")
 _COUNT = re.compile(r"/\s*(\d+)(?!\.?\d)")
 
 
@@ -33,66 +39,141 @@ class Over(NamedTuple):
     unit: str
 
 
-def over_request(text: str) -> Over:
+def over_requests(texts: Sequence[str]) -> tuple[Over, ...]:
+    """What one or two texts such as "balance_factor=0..1" ask to be swept. Raises SweepError.
+
+    >>> [len(over.values) for over in over_requests(["balance_factor=0..1"])]
+    [201]
+    >>> [len(over.values) for over in over_requests(["balance_factor=0..1", "cylinder.z=0..1"])]
+    [51, 51]
+    """
+    if not 1 <= len(texts) <= MOST_AXES:
+        raise SweepError(
+            "--over is given {count} times; one or two values can be varied at once",
+            count=len(texts),
+        )
+    return tuple(over_request(text, usual=USUAL_OF[len(texts)]) for text in texts)
+
+
+def over_request(text: str, *, usual: int = USUAL_POINTS) -> Over:
     """What a text such as "layout.banks[1].bearing=0..90 deg" asks to be swept. Raises SweepError.
+
+    A range has `usual` values unless their number or the step between them is given.
 
     >>> over_request("balance_factor=0..1/5")
     Over(path='balance_factor', values=(0.0, 0.25, 0.5, 0.75, 1.0), unit='')
     >>> over_request("layout.cranks[2].lag=0, 90, 180 deg")[1:]
     ((0.0, 90.0, 180.0), 'deg')
+    >>> over_request("speed=600..1200 rpm by 200")
+    Over(path='speed', values=(600.0, 800.0, 1000.0, 1200.0), unit='rpm')
     """
     path, equals, wanted = text.partition("=")
-    given = one_line(text, longest=100)
+    asked = f"--over {one_line(text, longest=100)}"
     if not equals or not path.strip() or not wanted.strip():
         raise SweepError(
-            "--over {given}: give a field of the engine file and its values, {example}",
-            given=given,
+            "{asked}: give a field of the engine file and its values, {example}",
+            asked=asked,
             example=EXAMPLE,
         )
+    return Over(path.strip(), *_values(wanted, asked, EXAMPLE, usual))
+
+
+def speeds_request(text: str, *, option: str = "--speeds") -> Over:
+    """Speeds for a text such as "600..6000 rpm by 200". Raises SweepError.
+
+    >>> speeds_request("1000, 2000 rpm")
+    Over(path='speed', values=(1000.0, 2000.0), unit='rpm')
+    """
+    asked = f"{option} {one_line(text, longest=100)}"
+    example = 'as in "600..6000 rpm by 200"'
+    if not text.strip():
+        raise SweepError("{asked}: give speeds, {example}", asked=asked, example=example)
+    return Over("speed", *_values(text, asked, example, USUAL_OF[MOST_AXES]))
+
+
+def _values(wanted: str, asked: str, example: str, usual: int) -> tuple[tuple[float, ...], str]:
+    """The values that a text names, one by one or as a range, and their unit."""
     if ".." not in wanted:
         parts = [part for part in wanted.split(",") if part.strip()]
-        values, unit = _numbers(parts, given)
+        values, unit = _numbers(parts, asked, example)
         if len(set(values)) < 2:
             raise SweepError(
-                "--over {given}: this is one value; a sweep needs two or more, {example}",
-                given=given,
-                example=EXAMPLE,
+                "{asked}: this is one value; a sweep needs two or more, {example}",
+                asked=asked,
+                example=example,
             )
-        return Over(path.strip(), tuple(values), unit)
+        return tuple(values), unit
+    span, *steps = _BY.split(wanted, maxsplit=1)
+    if steps:
+        return _stepped(span, steps[0], asked, example)
     counts = _COUNT.findall(wanted)
-    ends, unit = _numbers(_COUNT.sub(" ", wanted, count=1).split("..", 1), given)
-    count = int(counts[0][:9]) if counts else USUAL_POINTS
-    if len(counts) > 1 or not 2 <= count <= GREATEST_POINTS:
+    ends, unit = _numbers(_COUNT.sub(" ", wanted, count=1).split("..", 1), asked, example)
+    count = int(counts[0][:9]) if counts else usual
+    _check_count(count if len(counts) < 2 else 0, asked, counts[-1] if counts else "")
+    _check_ends(ends, asked)
+    return tuple(np.linspace(ends[0], ends[1], count).tolist()), unit
+
+
+def _stepped(span: str, step: str, asked: str, example: str) -> tuple[tuple[float, ...], str]:
+    """The values of a range from its first end, a step apart, and their unit."""
+    if _COUNT.search(span):
         raise SweepError(
-            "--over {given}: give from 2 to {most} values, not {count}",
-            given=given,
+            "{asked}: give either the number of values, as in /11, or the step between them, "
+            "as in by 0.1",
+            asked=asked,
+        )
+    (first, last, by), unit = _numbers([*span.split("..", 1), step], asked, example)
+    _check_ends([first, last], asked)
+    if by == 0 or (last - first) * by < 0:
+        raise SweepError(
+            "{asked}: steps of {step} never lead from {first} to {last}; write by {right}",
+            asked=asked,
+            step=f"{by:g}",
+            first=f"{first:g}",
+            last=f"{last:g}",
+            right=f"{-by if by else (last - first) / 10:g}",
+        )
+    whole = (last - first) / by * (1 + 1e-12)
+    if whole < 1:
+        raise SweepError(
+            "{asked}: the step {step} is longer than the range", asked=asked, step=f"{by:g}"
+        )
+    _check_count(int(min(whole, 1e9)) + 1, asked, f"{whole + 1:.0f}")
+    values = first + by * np.arange(int(whole) + 1)
+    return tuple(float(f"{value:.12g}") for value in values), unit
+
+
+def _check_count(count: int, asked: str, said: str) -> None:
+    if not 2 <= count <= GREATEST_POINTS:
+        raise SweepError(
+            "{asked}: give from 2 to {most} values, not {count}",
+            asked=asked,
             most=GREATEST_POINTS,
-            count=one_line(counts[-1], longest=20),
+            count=one_line(said, longest=20),
         )
+
+
+def _check_ends(ends: Sequence[float], asked: str) -> None:
     if ends[0] == ends[1]:
-        raise SweepError(
-            "--over {given}: the range is empty; give two ends that differ", given=given
-        )
-    return Over(path.strip(), tuple(np.linspace(ends[0], ends[1], count).tolist()), unit)
+        raise SweepError("{asked}: the range is empty; give two ends that differ", asked=asked)
 
 
-def _numbers(parts: Sequence[str], given: str) -> tuple[list[float], str]:
+def _numbers(parts: Sequence[str], asked: str, example: str) -> tuple[list[float], str]:
     """Numbers, and the one unit that some or all of them have."""
     matches = [_NUMBER.fullmatch(part) if len(part) <= 60 else None for part in parts]
     for part, match in zip(parts, matches, strict=True):
         if not match or not np.isfinite(float(match[1])) or _NO_UNIT.match(match[2]):
             raise SweepError(
-                "--over {given}: {part} is not a number, with or without a unit; give values, "
-                "{example}",
-                given=given,
+                "{asked}: {part} is not a number, with or without a unit; give values, {example}",
+                asked=asked,
                 part=seen(part.strip()),
-                example=EXAMPLE,
+                example=example,
             )
     units = dict.fromkeys(match[2] for match in matches if match and match[2])
     if len(units) > 1:
         raise SweepError(
-            "--over {given}: the units are {units}; give all values in one unit",
-            given=given,
+            "{asked}: the units are {units}; give all values in one unit",
+            asked=asked,
             units=", ".join(one_line(unit, longest=20) for unit in units),
         )
     return [float(match[1]) for match in matches if match], next(iter(units), "")

@@ -27,6 +27,7 @@ from crankstar.mechanics.mechanism import Mechanism, mechanism
 from crankstar.spectra import Real
 
 Make = Callable[[float], Engine]
+Make2 = Callable[[float, float], Engine]
 Tell = Callable[[int, int], None]
 Arrays = dict[str, np.ndarray]
 
@@ -105,41 +106,46 @@ def variants(
         batches = _lawful(make, numbers, different, built)
         if batches:
             return batches
-    if different.size > GREATEST_BUILT:
-        raise SweepError(
-            "here each of the {count} engines must be built by itself, which is possible for at "
-            "most {most}; give fewer values",
-            count=different.size,
-            most=GREATEST_BUILT,
-        )
+    check_built(different.size)
     for done, number in enumerate(different.tolist(), 1):
         if number not in built:
             built[number] = mechanism(make(number))
         if tell is not None:
             tell(done, different.size)
-    return _grouped([built[number] for number in numbers.tolist()])
+    return grouped([built[number] for number in numbers.tolist()])
+
+
+def check_built(count: int) -> None:
+    """Refuse to build so many engines one by one."""
+    if count > GREATEST_BUILT:
+        raise SweepError(
+            "here each of the {count} engines must be built by itself, which is possible for at "
+            "most {most}; give fewer values",
+            count=count,
+            most=GREATEST_BUILT,
+        )
 
 
 def picked(machine: Mechanism, rows: np.ndarray) -> Mechanism:
     """Some engines of a batch."""
-    return _with(
+    return with_arrays(
         machine,
-        {name: a[rows] if a.ndim > 1 else a for name, a in _arrays(machine).items()},
+        {name: a[rows] if a.ndim > 1 else a for name, a in arrays_of(machine).items()},
         len(rows),
     )
 
 
-def _grouped(machines: Sequence[Mechanism]) -> tuple[Batch, ...]:
+def grouped(machines: Sequence[Mechanism]) -> tuple[Batch, ...]:
     """Engines one by one, put together with those of the same structure."""
     groups: dict[Any, list[int]] = {}
     for row, machine in enumerate(machines):
-        groups.setdefault(_structure(machine), []).append(row)
+        groups.setdefault(structure_of(machine), []).append(row)
     return tuple(
         Batch(np.array(rows), _stacked([machines[row] for row in rows])) for rows in groups.values()
     )
 
 
-def _structure(machine: Mechanism) -> tuple[Any, ...]:
+def structure_of(machine: Mechanism) -> tuple[Any, ...]:
     """What two engines must share to be rows of the same arrays."""
     return (
         machine.links.master,
@@ -151,15 +157,16 @@ def _structure(machine: Mechanism) -> tuple[Any, ...]:
 
 
 def _stacked(machines: Sequence[Mechanism]) -> Mechanism:
-    listed = [_arrays(machine) for machine in machines]
+    listed = [arrays_of(machine) for machine in machines]
     out: Arrays = {}
     for name, first in listed[0].items():
         every = np.stack([arrays[name] for arrays in listed])
         out[name] = every if np.any(every != first) else first
-    return _with(machines[0], out, len(machines))
+    return with_arrays(machines[0], out, len(machines))
 
 
-def _arrays(machine: Mechanism) -> Arrays:
+def arrays_of(machine: Mechanism) -> Arrays:
+    """The arrays of a machine by name, those of its rods as `links.NAME`."""
     own = {name: values for name, values in vars(machine).items() if isinstance(values, np.ndarray)}
     return own | {
         f"links.{name}": values
@@ -168,7 +175,7 @@ def _arrays(machine: Mechanism) -> Arrays:
     }
 
 
-def _with(machine: Mechanism, arrays: Arrays, count: int) -> Mechanism:
+def with_arrays(machine: Mechanism, arrays: Arrays, count: int) -> Mechanism:
     """The machine with these arrays; at least one gets the leading axis."""
     if all(values.ndim == 1 for values in arrays.values()):
         arrays = arrays | {
@@ -186,7 +193,7 @@ def _with(machine: Mechanism, arrays: Arrays, count: int) -> Mechanism:
 
 
 @dataclass(frozen=True)
-class _Law:
+class Law:
     """Arrays linear in the number: at `origin`, and slopes; `vectors`: rotors taken as vectors."""
 
     machine: Mechanism
@@ -212,7 +219,7 @@ class _Law:
                 out["unbalance_angle"] = np.where(
                     self.vectors, np.angle(vector), out["unbalance_angle"]
                 )
-        return _with(self.machine, out, steps.size)
+        return with_arrays(self.machine, out, steps.size)
 
 
 def _lawful(
@@ -226,33 +233,33 @@ def _lawful(
         probes = {x: mechanism(make(x)) for x in (low + share * (high - low) for share in PROBES)}
     except ValueError:  # not every number between two good ones is one: a ratio of teeth
         return ()
-    law = _law(probes)
+    law = law_of(probes)
     beside = {x: built[x] for x in (float(different[1]), float(different[-2]))}
-    if law is None or not all(_agrees(law, x, machine) for x, machine in (probes | beside).items()):
+    if law is None or not all(agrees(law, x, machine) for x, machine in (probes | beside).items()):
         return ()
     if any(master >= 0 for master in law.machine.links.master) and any(
         np.any(rate) for name, rate in law.slope.items() if name.startswith("links.")
     ):
         return ()  # whether a slave rod reaches its cylinder is seen only engine by engine
-    apart = [x for x, machine in built.items() if not _agrees(law, x, machine)]
+    apart = [x for x, machine in built.items() if not agrees(law, x, machine)]
     ruled = np.nonzero(~np.isin(numbers, apart))[0]
     own = np.nonzero(np.isin(numbers, apart))[0]
     batches = [Batch(ruled, law.at(numbers[ruled]))] if ruled.size else []
-    others = _grouped([built[x] for x in numbers[own].tolist()]) if own.size else ()
+    others = grouped([built[x] for x in numbers[own].tolist()]) if own.size else ()
     return (*batches, *(Batch(own[batch.rows], batch.machine) for batch in others))
 
 
-def _law(probes: dict[float, Mechanism]) -> _Law | None:
+def law_of(probes: dict[float, Mechanism]) -> Law | None:
     """The straight law through the probes, if they have one structure.
 
     Whether they follow it is another question.
     """
-    if len({_structure(machine) for machine in probes.values()}) > 1:
+    if len({structure_of(machine) for machine in probes.values()}) > 1:
         return None
     origin = next(iter(probes))
     ordered = sorted(probes, key=lambda x: abs(x - origin))
     steps = np.array(ordered) - origin
-    listed = [_arrays(probes[x]) for x in ordered]
+    listed = [arrays_of(probes[x]) for x in ordered]
     for arrays in listed:
         arrays["vector"] = arrays["unbalance"] * np.exp(1j * arrays["unbalance_angle"])
     start, slope = listed[0], {}
@@ -269,7 +276,7 @@ def _law(probes: dict[float, Mechanism]) -> _Law | None:
     slope["unbalance"] = np.zeros_like(start["unbalance"])
     slope["unbalance_angle"] = np.where(vectors, 0.0, slope["unbalance_angle"])
     slope["vector"] = np.where(vectors, slope["vector"], 0.0)
-    return _Law(probes[origin], origin, start, slope, vectors)
+    return Law(probes[origin], origin, start, slope, vectors)
 
 
 def _unwound(angles: np.ndarray, steps: np.ndarray) -> np.ndarray:
@@ -286,22 +293,30 @@ def _unwound(angles: np.ndarray, steps: np.ndarray) -> np.ndarray:
     return out
 
 
-def _agrees(law: _Law, number: float, machine: Mechanism) -> bool:
+def agrees(law: Law, number: float, machine: Mechanism) -> bool:
     """Whether an engine that was built is what the law says."""
-    if _structure(machine) != _structure(law.machine):
+    return alike(law.at(np.array([number])), machine, beside=law.start)
+
+
+def alike(ruled: Mechanism, built: Mechanism, *, beside: Arrays) -> bool:
+    """Whether a batch of one engine is the engine that was built, but for rounding.
+
+    `beside` are arrays whose greatest values count as well for what is rounding.
+    """
+    if structure_of(built) != structure_of(ruled):
         return False
-    ruled, there = _arrays(law.at(np.array([number]))), _arrays(machine)
+    own, there = arrays_of(ruled), arrays_of(built)
     for name in ("unbalance", "unbalance_angle"):
-        ruled[name], there[name] = ruled[name].reshape(-1), there[name].reshape(-1)
-    ruled["unbalance"] = ruled["unbalance"] * np.exp(1j * ruled.pop("unbalance_angle"))
+        own[name], there[name] = own[name].reshape(-1), there[name].reshape(-1)
+    own["unbalance"] = own["unbalance"] * np.exp(1j * own.pop("unbalance_angle"))
     there["unbalance"] = there["unbalance"] * np.exp(1j * there.pop("unbalance_angle"))
     for name, values in there.items():
-        own = ruled[name].reshape(values.shape)
-        apart = np.exp(1j * own) - np.exp(1j * values) if name in ANGLES else own - values
+        mine = own[name].reshape(values.shape)
+        apart = np.exp(1j * mine) - np.exp(1j * values) if name in ANGLES else mine - values
         scale = (
             1.0
             if name in ANGLES
-            else max(float(np.abs(values).max()), float(np.abs(law.start[name]).max()))
+            else max(float(np.abs(values).max()), float(np.abs(beside[name]).max()))
         )
         if np.abs(apart).max() > AGREEMENT * scale:
             return False

@@ -27,6 +27,8 @@
 | `search_stars` | the stars of a search |
 | `uneven_angles` | uneven angles of a star |
 | `sweeps` | a sweep and its best value |
+| `pair_sweeps` | a sweep of two numbers, its best pairs and its front |
+| `over_speeds` | amplitudes over the speed |
 | `bearings` | loads on main bearings and crank pins, guide forces |
 | `certificate` | the best weights and their lower bound |
 | `cures` | what removes the remaining forces and couples |

@@ -6,8 +6,9 @@ can be put one below the other.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from math import pi
+from typing import Any
 
 import numpy as np
 
@@ -51,12 +52,17 @@ def amplitudes(
         result.units._asdict(),
         {"part": [*shares]},
     )
-    count = len(rows["order"])
     rpm = None if result.speed is None else float(f"{result.speed * 30 / pi:.12g}")
-    rows = {"engine": [engine.name] * count, "speed_rpm": [rpm] * count, **rows}
-    lists = [np.asarray(values, object).tolist() for values in rows.values()]
-    table = Table("", tuple(map(_column, rows)), tuple(zip(*lists, strict=True)), key="amplitudes")
-    return Document(engine.name, (table,), {"engine": engine.name})
+    return document(engine.name, {"speed_rpm": [rpm] * len(rows["order"]), **rows})
+
+
+def document(name: str, rows: Mapping[str, Any]) -> Document:
+    """Columns as a tidy table of an engine, its name before them."""
+    count = len(rows["order"])
+    lists = [np.asarray(values, object).tolist() for values in ([name] * count, *rows.values())]
+    heads = tuple(map(_column, ("engine", *rows)))
+    table = Table("", heads, tuple(zip(*lists, strict=True)), key="amplitudes")
+    return Document(name, (table,), {"engine": name})
 
 
 def _column(name: str) -> Column:

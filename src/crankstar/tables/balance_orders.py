@@ -11,7 +11,7 @@ from crankstar.engine.motion import first_harmonic
 from crankstar.language.messages import _
 from crankstar.language.numbers import number
 from crankstar.mechanics.balance import Balance, Units, total
-from crankstar.mechanics.excitation import rolling_moment
+from crankstar.mechanics.excitation import Totals, rolling_moment
 from crankstar.mechanics.remains import orders_pushed, sizes, summed
 from crankstar.tables.paths import shape
 from crankstar.tables.peaks import part_peaks
@@ -36,7 +36,7 @@ def answer(engine: Engine, result: Balance, *, orders: Sequence[float] | None = 
         "units": result.units._asdict(),
     }
     wanted = tuple(orders) if orders else orders_pushed(result)
-    table = Table("", columns(result.units), _rows(engine, result, wanted), key="orders")
+    table = Table("", columns(result.units), rows(engine, total(result), wanted), key="orders")
     return Document(engine.name, (table, _peaks(result)), facts)
 
 
@@ -76,16 +76,14 @@ def columns(units: Units) -> tuple[Column, ...]:
     return tuple(out)
 
 
-def _rows(
-    engine: Engine, result: Balance, orders: Sequence[float]
-) -> tuple[tuple[Value, ...], ...]:
-    sums = total(result)
+def rows(engine: Engine, sums: Totals, orders: Sequence[float]) -> tuple[tuple[Value, ...], ...]:
+    """The cells of `columns` for each of these orders."""
     vectors = [spectra.selected(spectrum, orders) for spectrum in (sums.force, sums.couple)]
     signals = [
         spectra.amplitude(spectra.selected(signal, orders))
         for signal in (rolling_moment(sums), sums.torque, sums.axis_moment)
     ]
-    rows: list[tuple[Value, ...]] = []
+    out: list[tuple[Value, ...]] = []
     for row, order in enumerate(orders):
         cells: list[Value] = [float(order), first_harmonic(engine, order)]
         for vector in vectors:
@@ -94,8 +92,8 @@ def _rows(
             cells += [complex(part[row]) for part in (*parts, *waves)]
             cells.append(float(sizes(vector)[row]))
         external = [complex(part(vectors[1])[row]) for part in PARTS]
-        rows.append((*cells, *external, *(complex(signal[row]) for signal in signals)))
-    return tuple(rows)
+        out.append((*cells, *external, *(complex(signal[row]) for signal in signals)))
+    return tuple(out)
 
 
 def notebook_table(result: Balance) -> Document:

@@ -19,6 +19,8 @@ UNITS = {
     "short": N_("In m r ω². For newtons, add to the file: {keys}."),
     "speed": N_('In m r ω². For newtons, add speed to the file, as in speed = "6000 rpm".'),
     "explicit": N_("In m r ω². For newtons, replace relative {keys} in the file and add speed."),
+    "masses": N_("For newtons, add to the file: {keys}."),
+    "explicit masses": N_("For newtons, replace relative {keys} in the file."),
     "pitch": N_("For couples in N m, add to the file: {keys}."),
     "explicit pitch": N_("For couples in N m, give real positions and take pitch out of relative."),
 }
@@ -50,9 +52,28 @@ def unit_sentence(engine: Engine, result: Balance) -> str:
         return _(UNITS["speed"])
     if _is_explicit(engine):
         return _(UNITS["explicit"], keys=", ".join(engine.relative))
+    keys = _missing_keys(engine) + (["speed"] if engine.speed is None else [])
+    return _(UNITS["short"], keys=", ".join(keys))
+
+
+def missing_sentence(engine: Engine) -> str:
+    """What the file of an engine lacks for newtons, or for newton metres, at a known speed.
+
+    >>> from crankstar.files.catalog import load
+    >>> missing_sentence(load("man-s50mc-c"))
+    'For newtons, add to the file: cylinder.reciprocating_mass, layout.bore_pitch.'
+    """
+    if not {*KEYS} & {*engine.relative}:
+        return _pitch_sentence(engine)
+    if _is_explicit(engine):
+        return _(UNITS["explicit masses"], keys=", ".join(engine.relative))
+    return _(UNITS["masses"], keys=", ".join(_missing_keys(engine)))
+
+
+def _missing_keys(engine: Engine) -> list[str]:
+    """The keys of a short file for masses, sizes and distances that are not known."""
     keys = [key for name, key in KEYS.items() if name in engine.relative]
-    keys += [pitch_key(engine)] if "pitch" in engine.relative else []
-    return _(UNITS["short"], keys=", ".join(keys + (["speed"] if engine.speed is None else [])))
+    return keys + ([pitch_key(engine)] if "pitch" in engine.relative else [])
 
 
 def _pitch_sentence(engine: Engine) -> str:

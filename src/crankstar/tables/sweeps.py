@@ -1,15 +1,22 @@
-"""A sweep: its values with what is watched, each curve in one line, and the best value."""
+"""A sweep: its values with what is watched, each curve in one line, and the best value.
+
+One table for readers, and two for machines: a row for each value, or a row for each amplitude.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
+
 from crankstar.language.messages import _
 from crankstar.language.numbers import NEGLIGIBLE, number
 from crankstar.language.shown_units import quantity_text
+from crankstar.mechanics.labelled import AXIAL, VECTORS
+from crankstar.spectra import Real
 from crankstar.studies.best_value import Best
-from crankstar.studies.sweep import Curve, Sweep, rows
-from crankstar.tables.table import ROW_UNIT, Column, Document, Kind, Remarks, Table, Value
+from crankstar.studies.sweep import Curve, Sweep
+from crankstar.tables.table import ROW_UNIT, Column, Document, Kind, Remarks, Table, Value, remarks
 
 FOUND = 1e-7
 """Share of the greatest value of a curve to which its best value is found; less is zero."""
@@ -23,63 +30,156 @@ def sweep_document(
     sweep: Sweep, curves: Sequence[Curve], found: Sequence[Best], *, greatest: bool = False
 ) -> Document:
     """The values of a sweep, evenly chosen, each curve in one line, and the best values."""
-    count = _shown(sweep.values.size)
-    whole = len(sweep.values)
-    values = {"shown": count, "count": whole, "path": sweep.path}
+    chosen = evenly(sweep.values.size)
+    values = {"shown": len(chosen), "count": sweep.values.size, "path": sweep.path}
     title = _("{count} values of {path}", **values)
-    if count < whole:
+    if len(chosen) < sweep.values.size:
         title = _("{shown} of {count} values of {path} (--csv writes all)", **values)
-    table = _table(sweep, curves, title, count=count)
+    table = _table(sweep, curves, title, chosen)
     bests = [
         best_sentence(sweep, curve, best, greatest=greatest)
         for curve, best in zip(curves, found, strict=True)
     ]
     bars = [f"{curve.label}: {_bars(curve)}" for curve in curves]
     lines = Remarks((*bars, *bests), _("Curves"))
-    return Document(sweep.engine.name, (table, lines))
+    return Document(sweep.engine.name, (table, lines, *remarks(speed_note(sweep), kind="note")))
+
+
+def speed_note(sweep: Sweep) -> str:
+    """How inertia grows with the speed, where that is varied, and what a unit of it means."""
+    if sweep.highest_speed is None:
+        return ""
+    law = _(
+        "Inertia forces grow with the square of the speed: twice the speed, four times as much."
+    )
+    if sweep.units.force == "N":
+        return law
+    rpm = number(sweep.highest_speed * 30 / np.pi)
+    unit = _("ω0 is the highest speed, {rpm} rpm.", rpm=rpm)
+    return f"{law} {unit}"
 
 
 def answer(sweep: Sweep, curves: Sequence[Curve], found: Sequence[Best]) -> Document:
     """All values of a sweep with its curves, and where each is best."""
-    kinds: dict[str, Kind] = {"curve": "text", "unit": "unit"}
     heads = tuple(
-        Column(name, ROW_UNIT if name == "result" else "", kinds.get(name, "number"), key=name)
+        Column(name, ROW_UNIT if name == "result" else "", KINDS.get(name, "number"), key=name)
         for name in ("curve", "unit", "value", "result", "at_edge", "flat")
     )
     bests = tuple(
         (curve.label, curve.unit, best.value, best.result, best.at_edge, best.flat)
         for curve, best in zip(curves, found, strict=True)
     )
-    table = _table(sweep, curves, "", count=len(sweep.values))
-    facts = {"engine": sweep.engine.name, "over": sweep.path, "unit": sweep.unit}
-    return Document(sweep.engine.name, (table, Table("", heads, bests, key="best")), facts)
+    return Document(
+        sweep.engine.name,
+        (every_value(sweep, curves), Table("", heads, bests, key="best")),
+        {**facts(sweep), "over": sweep.path, "unit": sweep.unit},
+    )
 
 
-def _table(sweep: Sweep, curves: Sequence[Curve], title: str, *, count: int) -> Table:
-    heads = [Column(sweep.path, sweep.unit, key=sweep.path, label=True, fixed=True)]
-    heads += [Column(curve.label, curve.unit, key=curve.label) for curve in curves]
-    tops = [NEGLIGIBLE * float(curve.values.max()) for curve in curves]
-    body: list[tuple[Value, ...]] = []
-    for value, *results in rows(sweep, curves, count=count):
-        cells = (
-            float(result) if result > top else 0.0
-            for result, top in zip(results, tops, strict=True)
-        )
-        body.append((float(value), *(cells if title else map(float, results))))
+KINDS: dict[str, Kind] = {"curve": "text", "unit": "unit"}
+
+
+def facts(sweep: Sweep) -> dict[str, object]:
+    """Engine, speed and what is varied, for machines."""
+    axes = [
+        {
+            "path": axis.path,
+            "unit": axis.unit,
+            "from": float(axis.values[0]),
+            "to": float(axis.values[-1]),
+            "count": int(axis.values.size),
+            "closed": axis.closed,
+        }
+        for axis in sweep.axes
+    ]
+    rpm = {
+        name: None if speed is None else float(f"{speed * 30 / np.pi:.12g}")
+        for name, speed in (("speed_rpm", sweep.speed), ("highest_speed_rpm", sweep.highest_speed))
+    }
+    return {"engine": sweep.engine.name, **rpm, "units": sweep.units._asdict(), "axes": axes}
+
+
+def every_value(sweep: Sweep, curves: Sequence[Curve]) -> Table:
+    """All values of a sweep with its curves: a row for each value, or pair of values."""
+    heads = [*axis_columns(sweep), *(Column(c.label, c.unit, key=c.label) for c in curves)]
+    columns = [*sweep.columns().values(), *(curve.values.ravel() for curve in curves)]
+    body = zip(*(column.tolist() for column in columns), strict=True)
+    return Table("", tuple(heads), tuple(body), key="values")
+
+
+def axis_columns(sweep: Sweep) -> list[Column]:
+    """A column for each number that is varied."""
+    return [
+        Column(axis.path, axis.unit, key=axis.path, label=True, fixed=True) for axis in sweep.axes
+    ]
+
+
+WAYS = {
+    "": "greatest",
+    "up": "vertical",
+    "right": "horizontal",
+    "pitch": "vertical",
+    "yaw": "horizontal",
+    "forward": "forward",
+    "backward": "backward",
+}
+"""The direction of what is watched, as tables of amplitudes name it."""
+
+
+def amplitudes(sweep: Sweep, curves: Sequence[Curve]) -> Document:
+    """The results as a tidy table: one row an amplitude.
+
+    Direction `greatest` is the greatest value of a vector over a turn; an empty order stands for
+    all orders together.
+    """
+    heads = [Column("engine", kind="text", key="engine", label=True), *axis_columns(sweep)]
+    heads += [
+        Column(name, kind="text" if name != "order" else "number", key=name)
+        for name in ("order", "quantity", "direction")
+    ]
+    heads += [
+        Column("amplitude", ROW_UNIT, key="amplitude"),
+        Column("unit", kind="unit", key="unit"),
+    ]
+    places = [*zip(*(column.tolist() for column in sweep.columns().values()), strict=True)]
+    rows: list[tuple[Value, ...]] = []
+    for curve in curves:
+        quantity, _dot, part = curve.what.partition(".")
+        way = WAYS[part] if quantity in VECTORS else AXIAL
+        if quantity in VECTORS and way in ("vertical", "horizontal"):
+            quantity = VECTORS[quantity][way == "horizontal"]
+        labels = (curve.order, quantity, way)
+        rows += [
+            (sweep.engine.name, *place, *labels, result, curve.unit)
+            for place, result in zip(places, curve.values.ravel().tolist(), strict=True)
+        ]
+    table = Table("", tuple(heads), tuple(rows), key="amplitudes")
+    return Document(sweep.engine.name, (table,), facts(sweep))
+
+
+def _table(sweep: Sweep, curves: Sequence[Curve], title: str, chosen: Sequence[int]) -> Table:
+    heads = [*axis_columns(sweep), *(Column(c.label, c.unit, key=c.label) for c in curves)]
+    results = [cleared(curve)[chosen].tolist() for curve in curves]
+    body = zip(sweep.values[chosen].tolist(), *results, strict=True)
     return Table(title, tuple(heads), tuple(body), key="values")
 
 
-def _shown(count: int) -> int:
-    """How many values are shown: all of a few, else every n-th, so that even steps stay even."""
+def cleared(curve: Curve) -> Real:
+    """The results, those that are rounding errors zero."""
+    return np.where(curve.values > NEGLIGIBLE * float(curve.values.max()), curve.values, 0.0)
+
+
+def evenly(count: int, most: int = ROWS) -> list[int]:
+    """The places of a few values: of all, else every n-th, so that even steps stay even.
+
+    >>> evenly(5), evenly(21, most=6)
+    ([0, 1, 2, 3, 4], [0, 4, 8, 12, 16, 20])
+    """
     steps = count - 1
-    return next(
-        (
-            steps // every + 1
-            for every in range(1, count)
-            if steps % every == 0 and steps // every < ROWS
-        ),
-        ROWS,
-    )
+    every = next((n for n in range(1, count) if steps % n == 0 and steps // n < most), None)
+    if every is not None:
+        return [*range(0, count, every)]
+    return sorted({round(place) for place in np.linspace(0, steps, most).tolist()})
 
 
 def best_sentence(sweep: Sweep, curve: Curve, found: Best, *, greatest: bool = False) -> str:

@@ -120,6 +120,11 @@ class Document:
         """Its tables in reading order."""
         return (part for part in self.parts if isinstance(part, Table))
 
+    @property
+    def sentences(self) -> Iterator[Remarks]:
+        """Its remarks in reading order."""
+        return (part for part in self.parts if isinstance(part, Remarks))
+
 
 def remarks(*lines: str, **how: Any) -> tuple[Remarks, ...]:
     """The lines that say something as one part, none where none does."""

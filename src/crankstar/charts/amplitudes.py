@@ -1,0 +1,194 @@
+"""Force, pitch, yaw and rolling moment over the speed, order by order and together."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import cycle, islice
+from math import pi
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from crankstar.charts.canvas import curve_height, panel_width
+from crankstar.charts.curves import BAND
+from crankstar.charts.drawing import (
+    GREY,
+    LINES,
+    PALETTE,
+    Panel,
+    checked_order,
+    figure,
+    layered,
+    named,
+)
+from crankstar.charts.estimates import ends_of, estimate_lines, size_range
+from crankstar.charts.grammar import Chart, constant, field, of_rows, own, span
+from crankstar.engine.engine import Engine
+from crankstar.language.messages import N_, _
+from crankstar.language.numbers import number, unit_text
+from crankstar.language.shown_units import shown
+from crankstar.mechanics.balance import balance
+from crankstar.mechanics.excitation import Reference
+from crankstar.spectra import Real
+from crankstar.studies.sweep import Sweep, swept, watched
+from crankstar.tables.conditions import missing_sentence
+from crankstar.tables.over_speeds import COMPONENTS, Component, remaining, rpm, waves
+
+HEIGHT = 120
+MOST_ORDERS, VISIBLE = 4, 0.01
+"""Orders that are drawn by themselves, and the share of the greatest that one of them has."""
+USUAL = 6000 * pi / 30
+"""The highest speed [rad/s] where neither the chart nor the engine names one."""
+LOWEST = 0.1
+"""Share of the highest speed at which the usual range begins."""
+TOTAL = N_("all orders")
+AXES = {
+    "vertical": N_("vertical\nforce ({unit})"),
+    "horizontal": N_("horizontal\nforce ({unit})"),
+    "pitch": N_("pitch M_V\n({unit})"),
+    "yaw": N_("yaw M_H\n({unit})"),
+    "roll": N_("rolling\nmoment ({unit})"),
+}
+NOTHING = N_("No force and no moment of these orders.")
+
+
+class Drawn(NamedTuple):
+    """A component at every speed, in `unit`: by order, and the greatest value of all together.
+
+    `ends`: the range of that peak, as shares of it, where it rests on estimates.
+    """
+
+    component: Component
+    unit: str
+    of_order: dict[float, Real]
+    peak: Real
+    ends: tuple[float, float] | None = None
+
+
+def amplitudes(
+    engine: Engine,
+    *,
+    speeds: Sequence[float] | None = None,
+    orders: Sequence[float] | None = None,
+    reference: Reference | None = None,
+) -> Chart:
+    """The amplitude of each order over the speed (thin) and the peak of all (thick), by component.
+
+    `speeds` in rad/s, else from a tenth of the engine's own speed to all of it. Components of which
+    nothing is left have no panel. In N and N m, or in m r omega_0^2, omega_0 the highest speed.
+    Raises ChartError, and SweepError for fewer than two speeds.
+    """
+    asked = None if orders is None else [checked_order(order) for order in orders]
+    top = engine.speed or USUAL
+    values = np.linspace(LOWEST * top, top, 46) if speeds is None else np.asarray(speeds, float)
+    sweep = swept(engine, over="speed", values=np.sort(values), unit=None, reference=reference)
+    ends = [
+        swept(each, over="speed", values=np.sort(values), unit=None, reference=sweep.reference)
+        for each in ends_of(engine)
+    ]
+    left = remaining(balance(engine, reference=reference), asked)
+    shown_parts = [
+        _drawn(sweep, ends, component, left[component.key], all_orders=asked is not None)
+        for component in COMPONENTS
+        if left[component.key]
+    ]
+    names = sorted({order for part in shown_parts for order in part.of_order})
+    panels = [
+        [_panel(rpm(sweep), part, names, foot=part is shown_parts[-1])] for part in shown_parts
+    ]
+    lines = estimate_lines([engine], drawn=_(BAND))
+    subtitle = [named(engine), *_words(engine, sweep), *lines]
+    if not panels:
+        panels, subtitle = [[_empty(rpm(sweep))]], [*subtitle, _(NOTHING)]
+    return figure(panels, title=_("Amplitude over the speed"), subtitle=subtitle)
+
+
+def _words(engine: Engine, sweep: Sweep) -> list[str]:
+    lines = [_("Inertia forces grow with the square of the speed.")]
+    if sweep.units.force != "N" and sweep.highest_speed:
+        highest = number(sweep.highest_speed * 30 / pi)
+        lines.append(_("ω0 is the highest speed, {rpm} rpm.", rpm=highest))
+    return [*lines, *filter(None, [missing_sentence(engine)])]
+
+
+def _drawn(
+    sweep: Sweep,
+    ends: Sequence[Sweep],
+    component: Component,
+    orders: Sequence[float],
+    *,
+    all_orders: bool,
+) -> Drawn:
+    """A component with its strongest orders, or all of those that were asked for.
+
+    `ends` are the same of the engine at the ends of its estimated ranges.
+    """
+    sums, curve = sweep.sums, watched(sweep, component.what)
+    said = shown(curve.unit, float(curve.values.max()))
+    size = np.abs(waves(component, sums)) * said.factor
+    places = {order: int(np.argmin(np.abs(sums.force.orders - order))) for order in orders}
+    by_order = {order: size[:, place] for order, place in places.items()}
+    if not all_orders:
+        tops = {order: float(values.max()) for order, values in by_order.items()}
+        strongest = sorted(tops, key=lambda order: -tops[order])[:MOST_ORDERS]
+        least = VISIBLE * max(tops.values())
+        by_order = {order: by_order[order] for order in sorted(strongest) if tops[order] >= least}
+    top = float(curve.values[-1])
+    reach = size_range(top, [float(watched(end, component.what).values[-1]) for end in ends])
+    shares = None if reach is None or not top else (reach[0] / top, reach[1] / top)
+    return Drawn(component, said.unit, by_order, curve.values * said.factor, shares)
+
+
+def _panel(speeds: Real, part: Drawn, orders: Sequence[float], *, foot: bool) -> Panel:
+    names = [*(_("order {order}", order=f"{order:g}") for order in orders), _(TOTAL)]
+    colours = {"domain": names, "range": [*islice(cycle(PALETTE), len(orders)), GREY]}
+    title = _(AXES[part.component.key], unit=unit_text(part.unit)).split("\n")
+    x = _across(speeds, foot=foot)
+    tops = [part.peak.max() * max(part.ends or (1.0,)), *(v.max() for v in part.of_order.values())]
+    reach = 1.08 * float(max(tops))
+    y = field("y:Q", scale=span(0, reach), title=title, axis={"tickCount": 3, "titlePadding": 18})
+    rows = _rows(speeds, part.peak, _(TOTAL), 3.2)
+    for order, values in part.of_order.items():
+        rows += _rows(speeds, values, _("order {order}", order=f"{order:g}"), 1.8)
+    lines = of_rows(rows).mark("line", strokeJoin="round")
+    drawn = lines.encode(
+        x=x,
+        y=y,
+        color=field("what:N", scale=colours, legend={**LINES, "columns": 3}),
+        strokeWidth=own("width:Q"),
+    )
+    layers = [drawn]
+    if part.ends is not None:
+        low, high = (part.peak * end for end in part.ends)
+        band = [
+            {"x": a, "low": b, "high": c}
+            for a, b, c in zip(speeds.tolist(), low.tolist(), high.tolist(), strict=True)
+        ]
+        area = of_rows(band).mark("area", color=GREY, opacity=0.25)
+        layers.insert(0, area.encode(x=x, y={**y, "field": "low"}, y2=field("high")))
+    return layered(layers, width=panel_width(), height=curve_height(HEIGHT))
+
+
+def _across(speeds: Real, *, foot: bool) -> dict[str, Any]:
+    return field(
+        "x:Q",
+        scale=span(float(speeds[0]), float(speeds[-1])),
+        title=_("speed (rpm)") if foot else None,
+        axis={"tickCount": 4, "labels": foot},
+    )
+
+
+def _rows(speeds: Real, values: Real, name: str, width: float) -> list[dict[str, Any]]:
+    return [
+        {"x": x, "y": float(f"{y:.6g}"), "what": name, "width": width}
+        for x, y in zip(speeds.tolist(), values.tolist(), strict=True)
+    ]
+
+
+def _empty(speeds: Real) -> Panel:
+    """A panel without curves, whose note says that there is nothing."""
+    middle = [{"x": float(speeds[0] + speeds[-1]) / 2, "y": 0.5}]
+    y = field("y:Q", scale=span(0, 1), title=None, axis=None)
+    note = of_rows(middle).mark("text", fontSize=13, color=GREY)
+    layer = note.encode(x=_across(speeds, foot=True), y=y, text=constant(_(NOTHING)))
+    return layered([layer], width=panel_width(), height=curve_height(HEIGHT))

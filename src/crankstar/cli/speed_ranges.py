@@ -1,0 +1,57 @@
+"""What `analyze --speeds` prints: the amplitudes of an engine over its speed."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import partial
+from typing import TYPE_CHECKING
+
+from crankstar.cli.options import command_text, engine_tree, loaded_values, together
+from crankstar.cli.tabulating import give
+from crankstar.options import values as request
+
+if TYPE_CHECKING:
+    from crankstar.engine.engine import Engine
+    from crankstar.tables.table import Document
+
+
+def over_speeds(
+    engine: str,
+    speeds: str,
+    orders: str | None,
+    reference: str | None,
+    settings: list[str] | None,
+    form: str,
+    output: str | None,
+    *,
+    estimate: bool,
+) -> None:
+    """Print the amplitudes at each of the speeds in a form of TABLES."""
+    from crankstar.mechanics.balance import balance
+    from crankstar.studies.sweep import sweep
+    from crankstar.tables import over_speeds as tables
+    from crankstar.tables.ranges import ranged
+
+    request.speeds(speeds)
+    (loaded, spread), _read = together(
+        partial(loaded_values, engine, settings, estimate=estimate),
+        partial(request.orders, orders, []),
+    )
+    present = balance(loaded).force.orders.tolist() if orders is not None else []
+    wanted = request.orders(orders, present)
+    words = {"amplitudes": [""], "--set": settings, "--speeds": [speeds]}
+    chart = command_text("plot", engine, words | ({"--estimate": [""]} if estimate else {}))
+
+    def made(build: str, each: Engine) -> Document:
+        point = request.reference(reference, each)
+        swept = sweep(each, f"speed={speeds}", reference=point)
+        if build == "txt":
+            return tables.document(each, swept, orders=wanted, chart=chart)
+        return (tables.answer if build == "json" else tables.tidy)(each, swept, orders=wanted)
+
+    document = ranged(partial(made, form), spread, loaded)
+    if form == "xlsx":
+        readable = ranged(partial(made, "txt"), spread, loaded)
+        document = replace(readable, parts=(*readable.parts, *document.tables))
+    tree = engine_tree(engine, settings, loaded, estimate=estimate) if form == "xlsx" else None
+    give(document, output, form=form, tree=tree)

@@ -1,0 +1,189 @@
+"""The verb that varies one or two values of an engine: sweep."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import partial
+from pathlib import PurePath
+from typing import TYPE_CHECKING, Annotated, Any
+
+from crankstar.cli.application import app
+from crankstar.cli.options import (
+    Csv,
+    Dpi,
+    EngineName,
+    FontSize,
+    Height,
+    Json,
+    ReferencePoint,
+    Settings,
+    Speed,
+    Theme,
+    Width,
+    changed_tree,
+    loaded_engine,
+    option,
+    together,
+)
+from crankstar.cli.output import working, writable, write_bytes
+from crankstar.cli.tabulating import give
+from crankstar.language.messages import _
+from crankstar.language.quoting import one_line
+from crankstar.options import charts as chart_request
+from crankstar.options import values as request
+from crankstar.options.forms import PICTURES, TABLES, form_of
+from crankstar.options.values import RequestError
+
+if TYPE_CHECKING:
+    from crankstar.studies.best_pair import Unbeaten
+    from crankstar.studies.sweep import Curve, Sweep
+    from crankstar.tables.table import Document
+
+
+@app.command
+def sweep(
+    engine: EngineName,
+    /,
+    *,
+    over: Annotated[list[str], option("--over")],
+    quantity: Annotated[
+        str, option("--quantity", "Also roll, torque, couple.pitch, couple.yaw, force.forward, ...")
+    ] = "force",
+    orders: Annotated[str | None, option("--orders", "Default: the sum of all orders.")] = None,
+    greatest: Annotated[bool, option("--greatest")] = False,
+    speed: Speed = None,
+    reference: ReferencePoint = None,
+    settings: Settings = None,
+    json: Json = False,
+    csv: Csv = False,
+    theme: Theme = None,
+    width: Width = None,
+    height: Height = None,
+    dpi: Dpi = None,
+    font_size: FontSize = None,
+    output: Annotated[
+        str | None,
+        option("--output", "A chart (.svg, .png, .pdf, .html, .json), .csv, or the table."),
+    ] = None,
+) -> None:
+    """Vary one or two values of an engine: force and couple over them, and the best values."""
+    kind = PurePath(output or "").suffix.lower().removeprefix(".")
+    picture = kind in (*PICTURES, "json") and not (json or csv)
+    looks = {"theme": theme, "width": width, "height": height, "dpi": dpi, "font_size": font_size}
+    if not picture:
+        given = {f"--{name.replace('_', '-')}": value for name, value in looks.items()}
+        request.refuse_unused(given, beside=_("a table"))
+    form = kind if picture else form_of(output, TABLES, json=json, csv=csv)
+    paper = chart_request.paper(kind, **looks) if picture and chart_request.charts() else None
+    if output is not None:
+        writable(output)
+    made = _Made(*_swept(engine, over, quantity, orders, speed, reference, settings), greatest)
+    if paper is not None:
+        _draw(made, kind, paper, output)
+        return
+    document = made.document(form)
+    tree = None
+    if form == "xlsx":
+        tree = changed_tree(engine, settings)[1]
+        document = replace(document, parts=(*document.parts, *made.document("txt").sentences))
+    give(document, output, form=form, tree=tree)
+
+
+def _swept(
+    engine: str,
+    over: Sequence[str],
+    quantity: str,
+    orders: str | None,
+    speed: str | None,
+    reference: str | None,
+    settings: list[str] | None,
+) -> tuple[Sweep, list[Curve]]:
+    """The sweep that is asked for, and its curves: each quantity of each order."""
+    from crankstar.studies import sweep as sweeps
+
+    wanted, turning, changes = together(
+        partial(_orders, orders), partial(request.speed, speed), partial(request.settings, settings)
+    )
+    names = [*dict.fromkeys(request.listed(quantity))]
+    if not names:
+        raise RequestError("--quantity: give at least one quantity, such as force,couple")
+    sweeps.check_watchable(*names)
+    point = reference and request.reference(reference, loaded_engine(engine, settings))
+    what = one_line(", ".join(text.partition("=")[0].strip() for text in over), longest=80)
+    with working(_("Sweeping {path} ...", path=what)) as tell:
+        swept = sweeps.sweep(
+            engine,
+            over,
+            changes=changes,
+            reference=point or None,
+            orders=wanted,
+            speed="file" if turning is None else turning,
+            tell=lambda done, of: tell(
+                _("Sweeping {path}: engine {done} of {count} ...", path=what, done=done, count=of)
+            ),
+        )
+    return swept, [
+        sweeps.watched(swept, name, order=number) for name in names for number in wanted or [None]
+    ]
+
+
+def _orders(orders: str | None) -> list[float] | None:
+    wanted = request.orders(orders, [])
+    if orders is not None and not wanted:
+        raise RequestError(
+            "--orders all: omit --orders for the sum of all orders, or give orders such as 1,2"
+        )
+    return wanted
+
+
+class _Made:
+    """A sweep with its curves, their best values and, of two numbers and two results, the front."""
+
+    def __init__(self, swept: Sweep, curves: list[Curve], greatest: bool) -> None:
+        from crankstar.studies.best_pair import best_pair, front
+        from crankstar.studies.best_value import best
+
+        self.sweep, self.curves, self.greatest = swept, curves, greatest
+        self.pair = len(swept.axes) == 2
+        find: Any = best_pair if self.pair else best
+        self.bests: list[Any] = [find(swept, curve, greatest=greatest) for curve in curves]
+        self.front: Sequence[Unbeaten] = ()
+        if self.pair and len(curves) == 2:
+            self.front = front(swept, curves[0], curves[1], greatest=greatest)
+
+    def document(self, form: str) -> Document:
+        """The tables of the sweep, for readers (txt) or for machines."""
+        from crankstar.tables import pair_sweeps, sweeps
+
+        if form in ("csv", "parquet"):
+            return sweeps.amplitudes(self.sweep, self.curves)
+        made, curves, bests = self.sweep, self.curves, self.bests
+        if self.pair:
+            if form == "txt":
+                return pair_sweeps.pair_document(
+                    made, curves, bests, self.front, greatest=self.greatest
+                )
+            return pair_sweeps.answer(made, curves, bests, self.front)
+        if form == "txt":
+            return sweeps.sweep_document(made, curves, bests, greatest=self.greatest)
+        return sweeps.answer(made, curves, bests)
+
+
+def _draw(made: _Made, kind: str, paper: Any, output: str | None) -> None:
+    """Write the chart of a sweep."""
+    drawing = chart_request.charts()
+    title = _(
+        "{engine}: {curves} over {path}",
+        engine=made.sweep.engine.name,
+        curves=", ".join(curve.label for curve in made.curves),
+        path=", ".join(axis.path for axis in made.sweep.axes),
+    )
+    options: dict[str, Any] = {"best": made.bests}
+    if made.pair:
+        options["front"] = made.front
+    draw = partial(
+        drawing.contours if made.pair else drawing.swept, made.sweep, made.curves, **options
+    )
+    printed = drawing.printed(draw, paper, title=title)
+    write_bytes(drawing.saved_print(printed, kind, title=title), output)

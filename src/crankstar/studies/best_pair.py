@@ -1,0 +1,165 @@
+"""The best pair of a sweep of two numbers, and the pairs that none beats in two results."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from crankstar.files import EngineFileError
+from crankstar.spectra import Real
+from crankstar.studies.best_value import ALIKE
+from crankstar.studies.sweep import Axis, Curve, Sweep, watched
+from crankstar.studies.variants import SweepError
+
+FINENESS = 1e-5
+"""Share of each range to which the best pair is found."""
+PLACES, STAGES = 5, 40
+"""Values of each number in a stage, and the most stages; each halves what is left, or moves it."""
+
+
+class BestPair(NamedTuple):
+    """The best pair of values of a sweep of two numbers and what it gives.
+
+    `at_edge`: by number, whether it is an end of its range, and might be better beyond. `flat`: the
+    result is the same at every pair. `also`: at how many other pairs of the sweep it is as good.
+    """
+
+    values: tuple[float, float]
+    result: float
+    at_edge: tuple[bool, bool]
+    flat: bool
+    also: int = 0
+
+
+def best_pair(sweep: Sweep, curve: Curve, *, greatest: bool = False) -> BestPair:
+    """The pair at which the result is least (or `greatest`), also between those of the sweep.
+
+    >>> from crankstar.studies.sweep import sweep
+    >>> both = sweep("single", ["balance_factor=0..1/8", "cylinder.rod_ratio=3..5/4"])
+    >>> pair = best_pair(both, watched(both, "force.forward", order=1))
+    >>> round(pair.values[0], 3), pair.result < 1e-4, pair.flat
+    (0.5, True, False)
+    """
+    sign = -1.0 if greatest else 1.0
+    cells = _apart(sweep, sign * curve.values)
+    even = ALIKE * float(np.abs(cells).max())
+    row, column = _innermost(cells <= cells.min() + even)
+    place = [float(sweep.axes[0].values[row]), float(sweep.axes[1].values[column])]
+    least = float(cells[row, column])
+    also = int(np.count_nonzero(cells <= least + even)) - 1
+    flat = float(np.ptp(cells)) <= even
+    if not flat and (greatest or least > even):
+        try:
+            place, refined = _refined(sweep, curve, place, least, sign)
+            also = also if refined >= least - even else 0
+            least = refined
+        except (EngineFileError, SweepError):
+            pass  # not every number between two good ones is one: a ratio of teeth
+    edges = [
+        not axis.closed and value in (float(axis.values.min()), float(axis.values.max()))
+        for axis, value in zip(sweep.axes, place, strict=True)
+    ]
+    return BestPair(
+        (place[0], place[1]), sign * least, (edges[0], edges[1]), flat, 0 if flat else also
+    )
+
+
+def _innermost(good: np.ndarray) -> tuple[int, int]:
+    """The first of equally good pairs, of those that are at the ends of the fewest ranges."""
+    rows, columns = np.nonzero(good)
+    ends = sum(
+        np.isin(places, (0, size - 1)).astype(int)
+        for places, size in zip((rows, columns), good.shape, strict=True)
+    )
+    at = int(np.argmin(ends))
+    return int(rows[at]), int(columns[at])
+
+
+def _apart(sweep: Sweep, cells: Real) -> Real:
+    """The results without the last values of closed ranges, which are the first ones."""
+    rows, columns = (slice(-1 if axis.closed else None) for axis in sweep.axes)
+    return cells[rows, columns]
+
+
+def _refined(
+    sweep: Sweep, curve: Curve, place: list[float], least: float, sign: float
+) -> tuple[list[float], float]:
+    """The best pair near one of the sweep: boxes around it, each half as large or moved."""
+    spans = [float(np.ptp(axis.values)) for axis in sweep.axes]
+    reach = [_step(axis, value) for axis, value in zip(sweep.axes, place, strict=True)]
+    for _stage in range(STAGES):
+        boxes = [
+            _box(axis, value, step)
+            for axis, value, step in zip(sweep.axes, place, reach, strict=True)
+        ]
+        cells = sign * watched(sweep.again(*boxes), curve.what, order=curve.order).values
+        at = [int(index) for index in np.unravel_index(np.argmin(cells), cells.shape)]
+        if cells[at[0], at[1]] < least:
+            least = float(cells[at[0], at[1]])
+            place = [float(box[index]) for box, index in zip(boxes, at, strict=True)]
+        inside = all(0 < index < PLACES - 1 for index in at)
+        reach = [step / (2 if inside else 1.4) for step in reach]
+        if all(step <= FINENESS * span for step, span in zip(reach, spans, strict=True)):
+            break
+    return [_in_range(axis, value) for axis, value in zip(sweep.axes, place, strict=True)], least
+
+
+def _step(axis: Axis, value: float) -> float:
+    """The greatest distance from a value to a neighbour."""
+    places = np.unique(axis.values)
+    at = int(np.argmin(np.abs(places - value)))
+    return float(np.diff(places)[max(at - 1, 0) : at + 1].max())
+
+
+def _box(axis: Axis, value: float, step: float) -> Real:
+    """Values around a value, in the range unless that is closed."""
+    low, high = value - step, value + step
+    if not axis.closed:
+        low, high = max(low, float(axis.values.min())), min(high, float(axis.values.max()))
+    return np.linspace(low, high, PLACES)
+
+
+def _in_range(axis: Axis, value: float) -> float:
+    low, span = float(axis.values.min()), float(np.ptp(axis.values))
+    return low + (value - low) % span if axis.closed else value
+
+
+class Unbeaten(NamedTuple):
+    """A pair of values that no other one beats in both results; `alike` others give the same."""
+
+    values: tuple[float, float]
+    results: tuple[float, float]
+    alike: int
+
+
+def front(
+    sweep: Sweep, first: Curve, second: Curve, *, greatest: bool = False
+) -> tuple[Unbeaten, ...]:
+    """The pairs for which no other is at least as good in both results and better in one.
+
+    Least is best, or `greatest`; by the first result, best first.
+
+    >>> from crankstar.studies.sweep import sweep
+    >>> both = sweep("single", ["balance_factor=0, 0.5, 1", "cylinder.rod_ratio=3, 4"])
+    >>> curves = [watched(both, f"force.{way}", order=1) for way in ("up", "right")]
+    >>> [(pair.values[0], pair.alike) for pair in front(both, *curves)]  # upright or sideways
+    [(1.0, 1), (0.5, 1), (0.0, 1)]
+    """
+    sign = -1.0 if greatest else 1.0
+    results = [_apart(sweep, sign * curve.values) for curve in (first, second)]
+    shape = results[0].shape
+    even = [ALIKE * max(float(np.abs(each).max()), 1e-300) for each in results]
+    x, y = (np.round(each.ravel() / least) for each, least in zip(results, even, strict=True))
+    out: list[Unbeaten] = []
+    best = np.inf
+    for flat in np.lexsort((y, x)):
+        if y[flat] >= best - 0.5:
+            continue
+        best = y[flat]
+        row, column = np.unravel_index(flat, shape)
+        same = int(np.count_nonzero((x == x[flat]) & (y == y[flat]))) - 1
+        place = float(sweep.axes[0].values[row]), float(sweep.axes[1].values[column])
+        pair = sign * float(results[0][row, column]), sign * float(results[1][row, column])
+        out.append(Unbeaten(place, pair, same))
+    return tuple(out)

@@ -1,0 +1,163 @@
+"""Amplitudes over the speed: each force and moment of every order at a range of speeds.
+
+Inertia forces grow with omega^2. Numbers are those of a sweep of the speed: in newtons, or, of an
+engine without masses or sizes, in m r omega_0^2, omega_0 the highest speed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from crankstar import spectra
+from crankstar.engine.engine import Engine
+from crankstar.language.messages import N_, _
+from crankstar.language.numbers import number
+from crankstar.mechanics.balance import Balance, balance
+from crankstar.mechanics.excitation import Totals, rolling_moment
+from crankstar.mechanics.labelled import columns
+from crankstar.mechanics.remains import (
+    NEGLIGIBLE,
+    Sums,
+    orders_pushed,
+    orders_turning,
+    sizes,
+    summed,
+)
+from crankstar.spectra import Complex, Real
+from crankstar.studies.study import rad_per_s
+from crankstar.studies.sweep import Sweep, watched
+from crankstar.tables import amplitudes, balance_orders
+from crankstar.tables.conditions import conditions, missing_sentence, unverified
+from crankstar.tables.sweeps import facts, speed_note
+from crankstar.tables.table import Column, Document, Table, Value, remarks
+
+
+class Component(NamedTuple):
+    """A component of force or couple, or the rolling moment: its names, and what is watched."""
+
+    key: str
+    title: str
+    none: str
+    what: str
+
+
+COMPONENTS = (
+    Component("vertical", N_("Vertical force"), N_("No vertical force."), "force.up"),
+    Component("horizontal", N_("Horizontal force"), N_("No horizontal force."), "force.right"),
+    Component("pitch", N_("Pitch M_V"), N_("No pitch."), "couple.pitch"),
+    Component("yaw", N_("Yaw M_H"), N_("No yaw."), "couple.yaw"),
+    Component("roll", N_("Rolling moment"), N_("No rolling moment."), "roll"),
+)
+"""As engineers name what an engine does to its block."""
+
+
+def waves(component: Component, sums: Totals | Sums) -> Complex:
+    """The complex amplitudes [..., order] of a component."""
+    if component.key == "roll":
+        roll = sums.roll if isinstance(sums, Sums) else rolling_moment(sums)
+        return spectra.amplitude(roll)
+    vector = sums.force if component.what.startswith("force") else sums.couple
+    part = spectra.vertical if component.key in ("vertical", "pitch") else spectra.horizontal
+    return part(vector)
+
+
+def remaining(result: Balance, orders: Sequence[float] | None) -> dict[str, tuple[float, ...]]:
+    """The orders of which something is left, by component; of these, else of the usual ones."""
+    sums = summed(result)
+    pushed, turning = (
+        orders or each for each in (orders_pushed(result), orders_turning(result, sums))
+    )
+    out: dict[str, tuple[float, ...]] = {}
+    for component in COMPONENTS:
+        spectrum = sums.force if component.what.startswith("force") else sums.couple
+        if component.key == "roll":
+            spectrum = sums.roll
+        size = np.abs(waves(component, sums))
+        there = size > NEGLIGIBLE * float(sizes(spectrum).max(initial=0.0))
+        left = set(spectrum.orders[there].tolist())
+        wanted = turning if component.key == "roll" else pushed
+        out[component.key] = tuple(order for order in wanted if order in left)
+    return out
+
+
+def rpm(sweep: Sweep) -> Real:
+    """The speeds of a sweep of the speed, rpm."""
+    return np.array([float(f"{v:.12g}") for v in rad_per_s(sweep.values, sweep.unit) * 30 / np.pi])
+
+
+def document(
+    engine: Engine, sweep: Sweep, *, orders: Sequence[float] | None = None, chart: str = ""
+) -> Document:
+    """A table for each component: its amplitude at every speed, by order and over a turn.
+
+    `chart` is the command that draws them.
+    """
+    result = balance(engine, reference=sweep.reference)
+    left = remaining(result, orders)
+    tables = [
+        _table(sweep, component, left[component.key])
+        for component in COMPONENTS
+        if left[component.key]
+    ]
+    absent = [each for each in COMPONENTS if not left[each.key]]
+    none = " ".join(_(each.none) for each in absent)
+    if orders and absent:
+        none = _(
+            "Nothing of orders {orders}: {parts}.",
+            orders=", ".join(number(order) for order in orders),
+            parts=", ".join(_(each.title) for each in absent),
+        )
+    doubtful = unverified(engine)
+    doubt = _("Unverified: {paths}.", paths=", ".join(doubtful)) if doubtful else ""
+    missing = missing_sentence(engine)
+    heads = (
+        *remarks(" ".join(filter(None, (speed_note(sweep), missing)))),
+        *remarks(*conditions(engine, replace(result, speed=None))[1:], kind="note"),
+        *remarks(doubt, kind="doubt"),
+    )
+    draw = _("As a chart: {command}", command=chart) if chart else ""
+    return Document(engine.name, (*heads, *tables, *remarks(none), *remarks(draw, kind="note")))
+
+
+def _table(sweep: Sweep, component: Component, orders: Sequence[float]) -> Table:
+    curve = watched(sweep, component.what)
+    there = sweep.sums
+    size = np.abs(waves(component, there))
+    places = [int(np.argmin(np.abs(there.force.orders - order))) for order in orders]
+    heads = [Column(_("speed"), "rpm", label=True)]
+    heads += [Column(_("order {order}", order=number(order)), curve.unit) for order in orders]
+    heads.append(Column(_("peak"), curve.unit))
+    rows = tuple(
+        (speed, *row, peak)
+        for speed, row, peak in zip(
+            rpm(sweep).tolist(), size[:, places].tolist(), curve.values.tolist(), strict=True
+        )
+    )
+    return Table(_(component.title), tuple(heads), rows)
+
+
+def answer(engine: Engine, sweep: Sweep, *, orders: Sequence[float] | None = None) -> Document:
+    """The amplitudes of each order at every speed for machines, as `analyze` gives them."""
+    wanted = orders or orders_pushed(balance(engine, reference=sweep.reference))
+    heads = (Column("speed_rpm", "rpm", key="speed_rpm"), *balance_orders.columns(sweep.units))
+    sums = sweep.sums
+    rows: list[tuple[Value, ...]] = []
+    for place, speed in enumerate(rpm(sweep).tolist()):
+        own = Totals(*(spectrum[place] for spectrum in sums))
+        rows += [(speed, *row) for row in balance_orders.rows(engine, own, wanted)]
+    point = sweep.reference._asdict()
+    said = {**facts(sweep), "rotation": engine.rotation, "reference": point}
+    return Document(engine.name, (Table("", heads, tuple(rows), key="orders"),), said)
+
+
+def tidy(engine: Engine, sweep: Sweep, *, orders: Sequence[float] | None = None) -> Document:
+    """One row an amplitude, with the columns of `analyze --csv`."""
+    wanted = orders or orders_pushed(balance(engine, reference=sweep.reference))
+    sums = Totals(*(spectra.selected(spectrum, wanted) for spectrum in sweep.sums))
+    speeds = rpm(sweep).tolist()
+    labels = {"speed_rpm": speeds, "part": [amplitudes.WHOLE] * len(speeds)}
+    return amplitudes.document(engine.name, columns(sums, sweep.units._asdict(), labels))
