@@ -17,6 +17,7 @@
 | `search_job` | a search run, reported and kept in a file |
 | `searching` | search |
 | `balancing` | balance |
+| `workshop` | bobweight, drill, grade |
 | `picturing` | plot |
 | `sweeping` | sweep |
 | `showing` | page |
@@ -42,6 +43,7 @@ from crankstar.cli import (
     serving,
     showing,
     sweeping,
+    workshop,
 )
 from crankstar.cli.application import app, main
 
@@ -63,4 +65,5 @@ __all__ = [
     "serving",
     "showing",
     "sweeping",
+    "workshop",
 ]

@@ -78,6 +78,7 @@ POSITION = Quantity("length along the crankshaft", "105.5 mm", _ALONG)
 SPEED = Quantity("rotational speed", "6000 rpm", least=LEAST)
 FORCE = Quantity("force", "500 N")
 COUPLE = Quantity("couple", "120 N m")
+DENSITY = Quantity("density", "7.85 g/cm^3")
 UNBALANCE = Quantity("unbalance", "0.02 kg*m", _MASS | _ACROSS)
 Angle = Annotated[Number, ANGLE]
 Length = Annotated[Number, LENGTH]

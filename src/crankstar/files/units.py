@@ -42,6 +42,7 @@ _KINDS = {
     "unbalance": _Kind("kilogram*metre", "kg*m", 100.0, 1e7),
     "rotational speed": _Kind("radian/second", "rad/s", 0.0, 2e4),
     "volume": _Kind("metre^3", "m^3", 0.0, 100.0),
+    "density": _Kind("kilogram/metre^3", "kg/m^3", 0.0, 1e5),
     "force": _Kind("newton", "N", 1e12, 1e12),
     "couple": _Kind("newton*metre", "N m", 1e12, 1e12),
     "stiffness": _Kind("newton/metre", "N/m", 1e13, 1e13),
@@ -52,7 +53,6 @@ _OTHERS = {
     "time": "second",
     "speed along a line": "metre/second",
     "acceleration": "metre/second^2",
-    "density": "kilogram/metre^3",
     "mass per length": "kilogram/metre",
 }
 _SHOWN = {
@@ -64,6 +64,7 @@ _SHOWN = {
     "unbalance": (1.0, "kg*m"),
     "rotational speed": (9.549296585513721, "rpm"),
     "volume": (1e6, "cm^3"),
+    "density": (0.001, "g/cm^3"),
     "force": (1.0, "N"),
     "couple": (1.0, "N m"),
     "stiffness": (1.0, "N/m"),

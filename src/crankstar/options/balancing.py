@@ -24,7 +24,7 @@ class BalanceOptions(BaseModel):
 
     factor: str | None = Field(default=None, description=meaning("--factor"))
     bare: bool = Field(default=False, description=meaning("--bare"))
-    weights: str = Field(default="pins", description=meaning("--weights"))
+    weights: str = Field(default="pins", description=meaning("--weights", "Default: pins."))
     minimise: str | None = Field(
         default=None,
         description=meaning(

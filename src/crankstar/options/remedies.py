@@ -18,6 +18,7 @@ from crankstar.mechanics.balance import scales, unit_unbalance
 from crankstar.options.refusals import choice, refusal, refuse_unused
 from crankstar.options.values import fractions, length, not_positive, places, planes, reading
 from crankstar.remedy import Aim, Box, Limit, Plane, aim_unit, without_weights
+from crankstar.remedy.counterweights import GREATEST_FACTOR, LEAST_FACTOR
 from crankstar.remedy.fitting import Places, ShaftPlaces, Wanted
 
 
@@ -145,6 +146,18 @@ def factor(text: str) -> float:
     if re.fullmatch(r"[-+]?(\d{1,9}(\.\d*)?|\.\d+)", share, re.ASCII) is None:
         raise refusal("--factor", text, "give a share of the reciprocating mass, as in 0.5 or 52%")
     return float(share) / (100 if "%" in text else 1)
+
+
+def within_factors(share: float) -> None:
+    """Refuse a balance factor beyond all that engines are built with. Raises RequestError."""
+    if not LEAST_FACTOR <= share <= GREATEST_FACTOR:
+        raise refusal(
+            "--factor",
+            f"{share:g}",
+            "give a share of the reciprocating mass from {least} to {greatest}",
+            least=f"{LEAST_FACTOR:g}",
+            greatest=f"{GREATEST_FACTOR:g}",
+        )
 
 
 def unbalance(option: str, text: str | None, engine: Engine) -> float | None:

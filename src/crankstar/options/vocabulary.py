@@ -32,7 +32,16 @@ OPTIONS = {
     "--any": Option(
         "nothing", "List every order that the dead centres allow, the most even first."
     ),
+    "--at-radius": Option(
+        "text",
+        'Radius at which it is drilled, such as "80 mm": of the rim, or of the axis of an axial '
+        "hole.",
+        ("--rim", "--drill-radius", "--correction-radius"),
+    ),
     "--avoid-adjacent": Option("nothing", "No cylinders side by side fire in succession."),
+    "--axial": Option(
+        "nothing", "Holes parallel to the crank axis instead of towards it.", ("--parallel",)
+    ),
     "--bank": Option(
         "text",
         'Bank angles, such as "60 deg, 90 deg" (default: the multiples of the firing interval up '
@@ -43,6 +52,12 @@ OPTIONS = {
         "nothing",
         "Replace the counterweights of the file instead of adding to them.",
         ("--replace-weights",),
+    ),
+    "--bearing-distances": Option(
+        "text",
+        "Distances of the front and the rear bearing from the centre of mass of the rotor, such as "
+        '"210 mm, 260 mm" (default: equal).',
+        ("--bearing-distance", "--distances"),
     ),
     "--beside": Option(
         "several texts", "Another engine, shown beside this one.", ("--with", "--and", "--compare")
@@ -73,6 +88,16 @@ OPTIONS = {
         ("--two-stroke", "--four-stroke", "--strokes"),
     ),
     "--cylinders": Option("whole number", "Only engines with this number of cylinders."),
+    "--density": Option(
+        "text",
+        'Density of the crankshaft, such as "7.2 g/cm^3" for cast iron (default: steel, 7.85).',
+        ("--material",),
+    ),
+    "--diameter": Option(
+        "text",
+        'Diameter of the drill or of the slug, such as "12.7 mm" or "0.5 in".',
+        ("--hole", "--drill", "--bit"),
+    ),
     "--displacement": Option(
         "text",
         'Displacement of the whole engine, such as "1998 cc", for a file without sizes.',
@@ -119,8 +144,19 @@ OPTIONS = {
         "Gaps between cylinders from the front in pitches, as in 1,1,1.4; else equal.",
         ("--pitch", "--spacing", "--bore-pitch"),
     ),
+    "--grade": Option(
+        "text",
+        "Balance quality grade G in mm/s by ISO 21940-11, such as 6.3 or G6.3.",
+        ("--quality", "--iso"),
+    ),
     "--greatest": Option(
         "nothing", "Find the greatest value instead of the least.", ("--maximise", "--maximize")
+    ),
+    "--greatest-depth": Option(
+        "text",
+        'Greatest depth of a hole or length of a slug, such as "25 mm" (default: half the radius); '
+        "where one is not enough there are several.",
+        ("--depth", "--max-depth", "--length"),
     ),
     "--greatest-split": Option(
         "text",
@@ -156,6 +192,11 @@ OPTIONS = {
         "several texts",
         "Greatest permissible value of a quantity, as in QUANTITY=VALUE; repeatable.",
         ("--max", "--at-most"),
+    ),
+    "--mass": Option(
+        "text",
+        'Mass of the rotor as it is balanced, such as "28 kg".',
+        ("--rotor-mass", "--weight"),
     ),
     "--minimise": Option(
         "text", "Quantity to minimise.", ("--minimize", "--least", "--objective", "--optimise")
@@ -249,6 +290,12 @@ OPTIONS = {
     "--signs": Option(
         "nothing", "Derive the six signs of balance instead: P_R, M_R, P_I, M_I, P_II, M_II."
     ),
+    "--slug": Option(
+        "text",
+        "Fit slugs of heavy metal opposite the heavy spot instead of drilling there: their "
+        'density, such as "17 g/cm^3", or tungsten.',
+        ("--heavy-metal", "--tungsten", "--mallory"),
+    ),
     "--source": Option(
         "text", "Only this source, by its key in the references, such as yamamoto2012."
     ),
@@ -284,6 +331,12 @@ OPTIONS = {
         'Crank angles with commas, such as "0 deg, 90 deg".',
         ("--angle", "--angles", "--crank-angle"),
     ),
+    "--tip": Option(
+        "text",
+        'Angle of the tip of the drill, such as "118 deg" (the default); 180 deg is flat, as the '
+        "default for slugs.",
+        ("--point", "--tip-angle"),
+    ),
     "--together": Option(
         "nothing", "With --any: cylinders may fire together at the same dead centre."
     ),
@@ -299,6 +352,12 @@ OPTIONS = {
         "bore, cycle, layout and speed).",
         ("--kind", "--class"),
     ),
+    "--unbalance": Option(
+        "text",
+        "Unbalance that the balancing machine shows, plane by plane, with the direction of the "
+        'heavy spot, such as "850 g*mm at 20 deg, 400 g*mm at 200 deg".',
+        ("--residual", "--measured"),
+    ),
     "--uneven": Option(
         "text",
         "Refine the throw angles of --row, with firing intervals within so many degrees of even "
@@ -311,8 +370,8 @@ OPTIONS = {
     ),
     "--weights": Option(
         "text",
-        "Places of the counterweights: pins (the default), webs, ends (the end webs), or positions "
-        'along the shaft, such as "-200 mm, 200 mm".',
+        "Places of the counterweights: pins, webs, ends (the end webs), or positions along the "
+        'shaft, such as "-200 mm, 200 mm".',
         ("--planes", "--counterweights"),
     ),
     "--width": Option(

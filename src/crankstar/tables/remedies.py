@@ -19,9 +19,9 @@ from crankstar.mechanics.balance import Balance, Units, balance, total
 from crankstar.mechanics.balance import scales as scales_of
 from crankstar.mechanics.excitation import rolling_moment
 from crankstar.mechanics.remains import OPTIMISED, Sums, size, summed
-from crankstar.remedy import Best, Placing, bearing_load, bobweight, changes, loads, needs
+from crankstar.remedy import Best, Placing, bearing_load, changes, needs
 from crankstar.remedy.kept import Changes, vectors
-from crankstar.remedy.loads import Load
+from crankstar.tables.bobweights import bobweights
 from crankstar.tables.certificate import certificate
 from crankstar.tables.cures import cure_lines
 from crankstar.tables.placings import placing_lines
@@ -75,38 +75,7 @@ def parts(job: Job) -> Iterator[Table | Remarks]:
 
 
 def _bobweights(job: Job) -> Table:
-    engine, factor = job.before, 0.5 if job.factor is None else job.factor
-    scale, pins = scales(engine).mass, loads(engine)
-    columns = (
-        Column(_("pin"), kind="text", key="pin", label=True),
-        Column(_("cylinders"), kind="list", key="cylinders"),
-        Column(_("rotating"), scale.unit, key="rotating"),
-        Column(_("reciprocating"), scale.unit, key="reciprocating"),
-        Column(_("bobweight"), scale.unit, key="bobweight"),
-    )
-    rows: list[tuple[Value, ...]] = []
-    for pin in pins:
-        name = f"{pin.shaft} {pin.throw}" if len(engine.shafts) > 1 else str(pin.throw)
-        masses = (pin.rotating, pin.reciprocating, bobweight(pin, factor))
-        rows.append((name, tuple(pin.cylinders), *(mass * scale.factor for mass in masses)))
-    notes = [
-        _(
-            "Bobweight = rotating + {factor} × reciprocating, of all cylinders on the pin, at the "
-            "crank radius.",
-            factor=number(factor),
-        ),
-        *(
-            _(
-                "As a share of the reciprocating mass of one of the {count} cylinders on "
-                "a pin, the "
-                "balance factor is {factor}.",
-                count=count,
-                factor=number(factor * count),
-            )
-            for count in sorted({len(pin.cylinders) for pin in pins} - {0, 1})
-        ),
-        *_overbalance(pins, factor),
-    ]
+    notes: list[str] = []
     if job.factor is None and any(shaft.weights for shaft in job.after.shafts if shaft.throws):
         notes.append(
             _(
@@ -114,33 +83,7 @@ def _bobweights(job: Job) -> Table:
                 "factor of 0.5."
             )
         )
-    return Table(_("Bobweights"), columns, tuple(rows), notes=tuple(notes), key="bobweights")
-
-
-def _overbalance(pins: Sequence[Load], factor: float) -> list[str]:
-    """By how much a factor is above or below one half, in both ways in which shops count it."""
-    own = [pin for pin in pins if pin.reciprocating and len(pin.cylinders) > 1]
-    usual = sum(bobweight(pin, 0.5) for pin in own)
-    if not own or factor == 0.5 or not usual:
-        return []
-    heavier = sum(bobweight(pin, factor) for pin in own) / usual - 1
-    values = {
-        "points": number(abs(factor - 0.5) * 100, digits=4),
-        "share": number(abs(heavier) * 100, digits=4),
-    }
-    if factor > 0.5:
-        over = _(
-            "This is an overbalance of {points} % of the reciprocating mass; the bobweight is "
-            "{share} % heavier than with 50 %.",
-            **values,
-        )
-        return [over]
-    under = _(
-        "This is an underbalance of {points} % of the reciprocating mass; the bobweight is "
-        "{share} % lighter than with 50 %.",
-        **values,
-    )
-    return [under]
+    return bobweights(job.before, 0.5 if job.factor is None else job.factor, notes=notes)
 
 
 def _weights(job: Job) -> Table:

@@ -1,0 +1,218 @@
+"""The verbs of the balancing shop: bobweight, drill, grade."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING, Annotated
+
+from cyclopts import Parameter
+
+from crankstar.cli.application import app
+from crankstar.cli.options import (
+    ENGINE,
+    FLAT,
+    Csv,
+    EngineName,
+    Estimating,
+    Json,
+    Output,
+    Settings,
+    Speed,
+    loaded_engine,
+    loaded_values,
+    option,
+    together,
+)
+from crankstar.cli.tabulating import give
+from crankstar.language.messages import _
+from crankstar.options import remedies, workshop
+from crankstar.options import values as request
+from crankstar.options.forms import TABLES, form_of
+from crankstar.options.refusals import RequestError
+from crankstar.options.workshop import DrillOptions
+
+if TYPE_CHECKING:
+    from crankstar.engine.engine import Engine
+    from crankstar.remedy.drilling import Drill
+    from crankstar.tables.table import Document
+
+AnyEngine = Annotated[str | None, Parameter(help=ENGINE)]
+Factor = Annotated[str | None, option("--factor")]
+
+
+def _factor(name: str, settings: list[str] | None, text: str | None) -> float:
+    """The balance factor that is asked for, else that of the file, else one half."""
+    if text is not None:
+        return remedies.factor(text)
+    return request.own_factor(name, settings, otherwise=0.5)
+
+
+@app.command
+def bobweight(
+    engine: EngineName,
+    /,
+    *,
+    factor: Factor = None,
+    settings: Settings = None,
+    estimate: Estimating = False,
+    json: Json = False,
+    csv: Csv = False,
+    output: Output = None,
+) -> None:
+    """Print the bobweight card of a crankshaft: parts, bobweight of each pin, overbalance."""
+    from crankstar.tables.bobweights import card_document
+    from crankstar.tables.ranges import ranged
+
+    form = form_of(output, TABLES, json=json, csv=csv)
+    share, (loaded, spread) = together(
+        partial(_factor, engine, settings, factor),
+        partial(loaded_values, engine, settings, estimate=estimate),
+    )
+    remedies.within_factors(share)
+
+    def card(each: Engine) -> Document:
+        return card_document(each, factor=share, machine=form != "txt")
+
+    give(ranged(card, spread, loaded), output, form=form)
+
+
+@app.command
+def drill(
+    engine: AnyEngine = None,
+    /,
+    *,
+    options: Annotated[DrillOptions, FLAT] = DrillOptions(),  # noqa: B008  # it is frozen
+    unbalance: Annotated[
+        str | None, option("--unbalance", "Or a mass, which is then at the radius.")
+    ] = None,
+    factor: Factor = None,
+    weights: Annotated[str | None, option("--weights", "Default: ends.")] = None,
+    settings: Settings = None,
+    json: Json = False,
+    csv: Csv = False,
+    output: Output = None,
+) -> None:
+    """Say what to drill, or which slugs to fit: for a measured unbalance, or for an engine's."""
+    form = form_of(output, TABLES, json=json, csv=csv)
+    if engine is None and unbalance is None:
+        raise RequestError(
+            "name an engine file with its counterweights, or give what the balancing machine "
+            'shows, as in --unbalance "850 g*mm at 20 deg"'
+        )
+    if engine is None or unbalance is not None:
+        others = {"--factor": factor, "--weights": weights, "--set": settings}
+        request.refuse_unused({"ENGINE": engine, **others}, beside="--unbalance")
+        (made,) = together(partial(workshop.drill_of, options))
+        document = _measured_holes(unbalance or "", made)
+    else:
+        made, share, loaded = together(
+            partial(workshop.drill_of, options),
+            partial(_factor, engine, settings, factor),
+            partial(loaded_engine, engine, settings),
+        )
+        document = _engine_holes(loaded, made, share, weights or "ends")
+    give(document, output, form=form)
+
+
+def _measured_holes(text: str, made: Drill) -> Document:
+    """The holes for the unbalances that a balancing machine shows."""
+    from crankstar.remedy.drilling import holes
+    from crankstar.tables.workshop import Correction, drilling_document
+
+    spots = workshop.measured(text, radius=made.radius)
+    corrections = [
+        Correction(str(place), None, spot.unbalance, spot.angle, holes(spot.unbalance, made))
+        for place, spot in enumerate(spots, 1)
+    ]
+    return drilling_document(_("Correction of a measured unbalance"), corrections, made)
+
+
+def _engine_holes(engine: Engine, made: Drill, factor: float, weights: str) -> Document:
+    """The holes for what a crankshaft with its counterweights has too much."""
+    from crankstar.remedy import fitting
+    from crankstar.remedy.drilling import heavy_spots, holes
+    from crankstar.tables.scales import scales
+    from crankstar.tables.workshop import Correction, drilling_document
+
+    if {"mass", "radius", "pitch"} & {*engine.relative}:
+        raise RequestError(
+            "what to drill is in grams and millimetres; add to the file what it leaves out of "
+            "cylinder.stroke, layout.bore_pitch and cylinder.parts or the two masses"
+        )
+    remedies.within_factors(factor)
+    after = fitting.by_factor(engine, factor=factor, weights=remedies.weights(weights, engine))
+    cranks = [shaft for shaft in engine.shafts if shaft.throws]
+    lines = []
+    if not any(shaft.weights for shaft in cranks):
+        lines.append(
+            _(
+                "The file gives no counterweights: what is listed is all that the throws and "
+                "their bobweights come to. Add the crankshaft's weights to the file."
+            )
+        )
+    spots = heavy_spots(engine, after)
+    if not spots:
+        lines.append(_("The counterweights fit the bobweights: nothing is to be drilled."))
+    first = {shaft.name: shaft.throws[0].angle for shaft in cranks}
+    corrections = [
+        Correction(
+            f"{spot.shaft} {place}" if len(cranks) > 1 else str(place),
+            spot.z,
+            spot.unbalance,
+            spot.angle,
+            holes(spot.unbalance, made),
+            first[spot.shaft],
+        )
+        for place, spot in enumerate(spots, 1)
+    ]
+    along = scales(engine).along
+    return drilling_document(engine.name, corrections, made, along=along, lines=lines)
+
+
+@app.command
+def grade(
+    engine: AnyEngine = None,
+    /,
+    *,
+    mass: Annotated[str | None, option("--mass")] = None,
+    speed: Speed = None,
+    grade: Annotated[str | None, option("--grade", "Default: the usual ones.")] = None,
+    bearing_distances: Annotated[str | None, option("--bearing-distances")] = None,
+    unbalance: Annotated[str | None, option("--unbalance", "Which grade does it meet?")] = None,
+    settings: Settings = None,
+    json: Json = False,
+    csv: Csv = False,
+    output: Output = None,
+) -> None:
+    """Print the unbalance that may remain by ISO 21940-11, or the grade that a measured one meets.
+
+    The speed is that of ENGINE where --speed is not given.
+    """
+    from crankstar.engine.quantities import MASS
+    from crankstar.remedy.grades import shares
+    from crankstar.tables.workshop import Rotor, grade_document
+
+    form = form_of(output, TABLES, json=json, csv=csv)
+    if engine is None:
+        request.refuse_unused({"--set": settings}, without="ENGINE")
+    if mass is None:
+        raise RequestError('give the mass of the rotor, as in --mass "28 kg"')
+    kilograms, turning, wanted, apart, loaded, spots = together(
+        partial(workshop.size, "--mass", mass, MASS),
+        partial(request.speed, speed),
+        lambda: None if grade is None else workshop.grade(grade),
+        partial(workshop.distances, bearing_distances),
+        lambda: None if engine is None else loaded_engine(engine, settings),
+        lambda: [] if unbalance is None else workshop.measured(unbalance, most=2),
+    )
+    if turning is None:
+        turning = None if loaded is None else loaded.speed
+    if turning is None:
+        raise RequestError('give the greatest service speed, as in --speed "6000 rpm"')
+    document = grade_document(
+        _("Balance quality of a rotor") if loaded is None else loaded.name,
+        Rotor(kilograms, turning, shares(*apart)),
+        grade=wanted,
+        measured=[spot.unbalance for spot in spots],
+    )
+    give(document, output, form=form)

@@ -1,0 +1,171 @@
+"""The options of `crankstar drill` and `crankstar grade` as they are typed, read as values."""
+
+from __future__ import annotations
+
+from math import pi, radians
+from typing import NamedTuple
+
+from pydantic import BaseModel, ConfigDict, Field
+
+from crankstar.engine.quantities import DENSITY, LENGTH, MASS, UNBALANCE, Quantity
+from crankstar.files import units
+from crankstar.language.faults import ValueFaultError
+from crankstar.options import values as request
+from crankstar.options.refusals import RequestError, refusal
+from crankstar.options.vocabulary import meaning
+from crankstar.remedy.drilling import STEEL, TIP, Drill
+
+HEAVY_METAL = 17_000.0
+"""Density of usual tungsten alloys for crankshafts, kg/m^3."""
+
+
+class DrillOptions(BaseModel):
+    """The hole, or the slug in it, as it is typed."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    diameter: str | None = Field(default=None, description=meaning("--diameter"))
+    at_radius: str | None = Field(default=None, description=meaning("--at-radius"))
+    greatest_depth: str | None = Field(default=None, description=meaning("--greatest-depth"))
+    tip: str | None = Field(default=None, description=meaning("--tip"))
+    density: str | None = Field(default=None, description=meaning("--density"))
+    slug: str | None = Field(default=None, description=meaning("--slug"))
+    axial: bool = Field(default=False, description=meaning("--axial"))
+
+
+class Measured(NamedTuple):
+    """What a balancing machine shows in a plane: unbalance [kg m], its direction [rad] if given."""
+
+    unbalance: float
+    angle: float | None
+
+
+def size(option: str, text: str, quantity: Quantity) -> float:
+    """A value above 0 with its unit. Raises RequestError."""
+    if units.is_bare(text):
+        raise refusal(
+            option, text, 'write it with a unit, such as "{example}"', example=quantity.example
+        )
+    with request.reading(option):
+        value = units.si(text, quantity)
+    if not value > 0:
+        raise request.not_positive(option, text, quantity)
+    return value
+
+
+def drill_of(options: DrillOptions) -> Drill:
+    """The drill that the options describe. Raises RequestError with every mistake."""
+    needed = {"--diameter": options.diameter, "--at-radius": options.at_radius}
+    if options.axial:
+        needed["--greatest-depth"] = options.greatest_depth
+    missing = [name for name, text in needed.items() if text is None]
+    if missing:
+        raise RequestError(
+            'give {options}, as in --diameter "12.7 mm" --at-radius "80 mm"{more}',
+            options=", ".join(missing),
+            more=' --greatest-depth "22 mm"' if options.axial else "",
+        )
+    diameter = size("--diameter", options.diameter or "", LENGTH)
+    radius = size("--at-radius", options.at_radius or "", LENGTH)
+    deepest = radius / 2
+    if options.greatest_depth is not None:
+        deepest = size("--greatest-depth", options.greatest_depth, LENGTH)
+    slug = None if options.slug is None else _slug(options.slug)
+    tip = TIP if slug is None else pi
+    if options.tip is not None:
+        tip = radians(request.degrees("--tip", options.tip)[0])
+        if not radians(30) <= tip <= pi + 1e-9:
+            raise refusal("--tip", options.tip, "give an angle from 30 to 180 deg (flat)")
+    density = STEEL if options.density is None else size("--density", options.density, DENSITY)
+    return Drill(diameter, radius, deepest, tip, density, slug, options.axial)
+
+
+def _slug(text: str) -> float:
+    """The density of slugs; tungsten is that of its usual alloys."""
+    word = text.strip().lower()
+    if word and not any(letter.isdigit() for letter in word):
+        if word in ("tungsten", "heavy metal", "heavy-metal", "mallory"):
+            return HEAVY_METAL
+        raise refusal("--slug", text, 'give a density, such as "17 g/cm^3", or tungsten')
+    return size("--slug", text, DENSITY)
+
+
+def measured(text: str, *, radius: float | None = None, most: int = 24) -> list[Measured]:
+    """Unbalances plane by plane, each with the direction of the heavy spot where it is given.
+
+    A mass is one at `radius`. Raises RequestError.
+
+    >>> first, second = measured("850 g*mm at 20 deg, 10 g at 200 deg", radius=0.08)
+    >>> round(first.unbalance * 1e6), round(second.unbalance * 1e6), round(second.angle, 4)
+    (850, 800, 3.4907)
+    """
+    parts = request.listed(text)
+    example = 'as in "850 g*mm at 20 deg, 400 g*mm at 200 deg"'
+    if not 1 <= len(parts) <= most:
+        raise refusal(
+            "--unbalance",
+            text,
+            "give from 1 to {most} unbalances with commas, {example}",
+            most=most,
+            example=example,
+        )
+    out: list[Measured] = []
+    for part in parts:
+        amount, at, angle = (piece.strip() for piece in part.partition(" at "))
+        if at and len(request.listed(angle)) != 1:
+            raise refusal("--unbalance", part, "give a direction, {example}", example=example)
+        where = radians(request.degrees("--unbalance", angle)[0]) if at else None
+        out.append(Measured(_amount(amount, radius), where))
+    return out
+
+
+def _amount(text: str, radius: float | None) -> float:
+    """An unbalance, or a mass times the radius."""
+    if units.is_bare(text):
+        raise refusal("--unbalance", text, 'write it with a unit, such as "850 g*mm"')
+    if radius is not None:
+        try:
+            value = units.si(text, MASS) * radius
+        except ValueFaultError:
+            pass
+        else:
+            return _not_negative(text, value)
+    with request.reading("--unbalance"):
+        return _not_negative(text, units.si(text, UNBALANCE))
+
+
+def _not_negative(text: str, value: float) -> float:
+    if value < 0:
+        raise refusal(
+            "--unbalance", text, "give it without a sign; its direction says where it is heavy"
+        )
+    return value
+
+
+def grade(text: str) -> float:
+    """A balance quality grade in mm/s: 6.3, G6.3 or G 6.3. Raises RequestError."""
+    number = text.strip().lower().removeprefix("g").strip().removesuffix("mm/s").strip()
+    try:
+        value = float(number)
+    except ValueError:
+        value = -1.0
+    if not 0.01 <= value <= 10_000:
+        raise refusal("--grade", text, "give a balance quality grade in mm/s, such as 6.3 or G6.3")
+    return value
+
+
+def distances(text: str | None) -> tuple[float, float]:
+    """Distances of the two bearings from the centre of mass, equal if not given."""
+    if text is None:
+        return 1.0, 1.0
+    parts = request.listed(text)
+    example = "210 mm, 260 mm"
+    if len(parts) != 2:
+        raise refusal(
+            "--bearing-distances",
+            text,
+            'give two, front and rear, as in "{example}"',
+            example=example,
+        )
+    front, rear = (size("--bearing-distances", part, LENGTH) for part in parts)
+    return front, rear

@@ -1,0 +1,226 @@
+"""The bobweight card: parts of a cylinder, bobweight of each pin, overbalance and underbalance."""
+
+from __future__ import annotations
+
+from cmath import exp
+from collections.abc import Iterator, Sequence
+
+from crankstar.engine.cylinder_parts import RECIPROCATING, ROTATING, Parts
+from crankstar.engine.engine import Engine
+from crankstar.language.messages import N_, _
+from crankstar.language.numbers import number
+from crankstar.remedy.counterweights import RemedyError
+from crankstar.remedy.loads import Load, bobweight, loads
+from crankstar.tables.ranges import plain
+from crankstar.tables.scales import scales
+from crankstar.tables.table import Column, Document, Table, Value, remarks
+
+NAMES = {
+    "piston": N_("piston"),
+    "pin": N_("piston pin"),
+    "locks": N_("locks"),
+    "rings": N_("rings"),
+    "small_end": N_("rod, small end"),
+    "big_end": N_("rod, big end"),
+    "bearing_shells": N_("bearing shells"),
+    "oil": N_("oil"),
+}
+STEPS = (-0.04, -0.02, 0.0, 0.02, 0.04)
+"""Shares by which the factors of the last table differ from the one asked for."""
+BALANCED = 1e-9
+"""Share of the bobweights that counts as none."""
+
+
+def card_document(engine: Engine, *, factor: float, machine: bool = False) -> Document:
+    """The card of an engine for a balance factor; for a `machine` the bobweights come first.
+
+    Raises RemedyError for articulated rods.
+    """
+    slaves = [c for c in engine.cylinders if c.articulated is not None]
+    if slaves and slaves[0].articulated is not None:
+        raise RemedyError(
+            "the rod of cylinder {number} is articulated on that of cylinder {master} and does not "
+            "turn with a crank pin; a bobweight card is for rods on crank pins",
+            number=slaves[0].number,
+            master=slaves[0].articulated.master,
+        )
+    own, pins = parts_table(engine), bobweights(engine, factor)
+    tables = [pins, *own] if machine else [*own, pins]
+    lines = (*_remarks(engine, factor), "" if own or machine else _without_parts(engine))
+    return Document(
+        engine.name,
+        (*tables, overbalance(engine, factor), *remarks(*lines, kind="note")),
+        {"engine": engine.name, "factor": factor},
+    )
+
+
+def _without_parts(engine: Engine) -> str:
+    if "mass" in engine.relative:
+        return _(
+            "In m, the reciprocating mass of one cylinder. For grams, add to the file: "
+            "cylinder.parts (piston, pin, locks, rings, small_end, big_end, bearing_shells, oil)."
+        )
+    return _(
+        "For the card by parts, add to the file: cylinder.parts (piston, pin, locks, rings, "
+        "small_end, big_end, bearing_shells, oil) instead of the two masses."
+    )
+
+
+def parts_table(engine: Engine) -> list[Table]:
+    """The parts of cylinders that are alike, a column each; none where the file has no parts."""
+    alike: dict[Parts, list[int]] = {}
+    for cylinder in engine.cylinders:
+        if cylinder.parts is not None:
+            alike.setdefault(cylinder.parts, []).append(cylinder.number)
+    if not alike:
+        return []
+    unit, factor = scales(engine).mass.unit, scales(engine).mass.factor
+    columns = [
+        Column(_("part"), kind="text", key="part", label=True),
+        Column(_("moves"), kind="text", key="moves"),
+    ]
+    for numbers in alike.values():
+        every = len(numbers) == len(engine.cylinders)
+        some = plain(", ".join(map(str, numbers)))
+        heading = _("each cylinder") if every else _("cylinders {numbers}", numbers=some)
+        key = "mass" if every else f"mass_{'_'.join(map(str, numbers))}"
+        columns.append(Column(heading, unit, key=key))
+    rows: list[tuple[Value, ...]] = []
+    groups = (
+        (RECIPROCATING, _("up and down"), _("reciprocating, total"), "reciprocating"),
+        (ROTATING, _("with the crank pin"), _("rotating, total"), "rotating"),
+    )
+    for names, moves, words, total in groups:
+        given = [name for name in names if any(getattr(parts, name) for parts in alike)]
+        for name in (*given, *([total] if given else [])):
+            title = words if name == total else _(NAMES[name])
+            rows.append((title, moves, *(getattr(parts, name) * factor for parts in alike)))
+    title = _("Bobweight card: parts of one cylinder")
+    return [Table(title, tuple(columns), tuple(rows), key="parts")]
+
+
+def bobweights(engine: Engine, factor: float, *, notes: Sequence[str] = ()) -> Table:
+    """Rotating and reciprocating mass of each pin, and its bobweight."""
+    scale, pins = scales(engine).mass, loads(engine)
+    columns = (
+        Column(_("pin"), kind="text", key="pin", label=True),
+        Column(_("cylinders"), kind="list", key="cylinders"),
+        Column(_("rotating"), scale.unit, key="rotating"),
+        Column(_("reciprocating"), scale.unit, key="reciprocating"),
+        Column(_("bobweight"), scale.unit, key="bobweight"),
+    )
+    rows: list[tuple[Value, ...]] = []
+    for pin in pins:
+        masses = (pin.rotating, pin.reciprocating, bobweight(pin, factor))
+        cells = (pin_name(engine, pin), tuple(pin.cylinders))
+        rows.append((*cells, *(mass * scale.factor for mass in masses)))
+    own = (
+        _(
+            "Bobweight = rotating + {factor} × reciprocating, of all cylinders on the pin, at the "
+            "crank radius.",
+            factor=number(factor),
+        ),
+        *(
+            _(
+                "As a share of the reciprocating mass of one of the {count} cylinders on "
+                "a pin, the "
+                "balance factor is {factor}.",
+                count=count,
+                factor=number(factor * count),
+            )
+            for count in sorted({len(pin.cylinders) for pin in pins} - {0, 1})
+        ),
+        *_off_half(pins, factor),
+        *_own(pins),
+    )
+    title = _("Bobweights")
+    return Table(title, columns, tuple(rows), notes=(*own, *notes), key="bobweights")
+
+
+def pin_name(engine: Engine, pin: Load) -> str:
+    """The number of a pin, after the name of its shaft where there are several."""
+    return f"{pin.shaft} {pin.throw}" if len(engine.shafts) > 1 else str(pin.throw)
+
+
+def _own(pins: Sequence[Load]) -> list[str]:
+    if not any(pin.own for pin in pins):
+        return []
+    return [
+        _(
+            "The throw_mass of the file, crank pin and webs, is in no bobweight: it turns in the "
+            "balancing machine too. Counterweights balance both."
+        )
+    ]
+
+
+def _off_half(pins: Sequence[Load], factor: float) -> list[str]:
+    """By how much a factor is above or below one half, in both ways in which shops count it."""
+    own = [pin for pin in pins if pin.reciprocating and len(pin.cylinders) > 1]
+    usual = sum(bobweight(pin, 0.5) for pin in own)
+    if not own or factor == 0.5 or not usual:
+        return []
+    heavier = sum(bobweight(pin, factor) for pin in own) / usual - 1
+    values = {
+        "points": number(abs(factor - 0.5) * 100, digits=4),
+        "share": number(abs(heavier) * 100, digits=4),
+    }
+    if factor > 0.5:
+        over = _(
+            "This is an overbalance of {points} % of the reciprocating mass; the bobweight is "
+            "{share} % heavier than with 50 %.",
+            **values,
+        )
+        return [over]
+    under = _(
+        "This is an underbalance of {points} % of the reciprocating mass; the bobweight is "
+        "{share} % lighter than with 50 %.",
+        **values,
+    )
+    return [under]
+
+
+def overbalance(engine: Engine, factor: float) -> Table:
+    """The bobweight of each kind of pin at factors beside the one asked for."""
+    scale = scales(engine).mass
+    kinds: dict[tuple[str, str], list[Load]] = {}
+    for pin in loads(engine):
+        kinds.setdefault((f"{pin.rotating:.9g}", f"{pin.reciprocating:.9g}"), []).append(pin)
+    columns = [
+        Column(_("more or less"), "%", key="more_percent", label=True),
+        Column(_("balance factor"), "%", key="factor_percent"),
+    ]
+    for place, pins in enumerate(kinds.values(), 1):
+        heading = _("bobweight")
+        if len(kinds) > 1:
+            names = plain(", ".join(pin_name(engine, pin) for pin in pins))
+            heading = _("bobweight, pin {names}", names=names)
+        key = "bobweight" if len(kinds) == 1 else f"bobweight_{place}"
+        columns.append(Column(heading, scale.unit, key=key))
+    rows: list[tuple[Value, ...]] = [
+        (
+            round(100 * step, 6),
+            round(100 * (factor + step), 6),
+            *(bobweight(pins[0], factor + step) * scale.factor for pins in kinds.values()),
+        )
+        for step in STEPS
+        if factor + step >= 0 or step == 0
+    ]
+    title = _("Overbalance and underbalance")
+    return Table(title, tuple(columns), tuple(rows), key="overbalance")
+
+
+def _remarks(engine: Engine, factor: float) -> Iterator[str]:
+    """Whether the crankshafts need bobweights at all."""
+    for shaft in engine.shafts:
+        pins = [pin for pin in loads(engine) if pin.shaft == shaft.name]
+        masses = [bobweight(pin, factor) * pin.radius for pin in pins]
+        turned = [mass * exp(1j * pin.angle) for mass, pin in zip(masses, pins, strict=True)]
+        force = abs(sum(turned, 0j))
+        couple = abs(sum((v * pin.z for v, pin in zip(turned, pins, strict=True)), 0j))
+        arms = sum(mass * abs(pin.z) for mass, pin in zip(masses, pins, strict=True))
+        if len(pins) > 1 and force <= BALANCED * sum(masses) and couple <= BALANCED * arms:
+            yield _(
+                "The bobweights of the shaft {name} balance each other: the machine shows the "
+                "same with them and without.",
+                name=shaft.name,
+            )

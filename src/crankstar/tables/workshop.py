@@ -1,0 +1,253 @@
+"""The balancing shop: what to drill or to fit, which unbalance may remain, which grade is met."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import degrees, pi
+from typing import NamedTuple
+
+from crankstar.language.messages import _
+from crankstar.language.numbers import number
+from crankstar.language.shown_units import quantity_text
+from crankstar.remedy.drilling import Drill, Holes
+from crankstar.remedy.grades import GRADES, grade_met, grade_of_planes, permissible
+from crankstar.tables.scales import Scale
+from crankstar.tables.table import Column, Document, Table, Value, remarks
+
+USUAL = tuple(grade for grade in GRADES if 1 <= grade <= 40)
+"""Grades that are listed where none is asked for."""
+
+
+class Correction(NamedTuple):
+    """A plane: its name, place along the shaft, unbalance [kg m], heavy spot [rad], holes.
+
+    `pin` is the bearing of pin 1 of its shaft.
+    """
+
+    name: str
+    z: float | None
+    unbalance: float
+    angle: float | None
+    holes: Holes
+    pin: float | None = None
+
+
+def drilling_document(
+    title: str,
+    corrections: Sequence[Correction],
+    drill: Drill,
+    *,
+    along: Scale | None = None,
+    lines: Sequence[str] = (),
+) -> Document:
+    """What to drill in each plane, or which slugs to fit; `lines` come first."""
+    facts = {
+        "diameter_mm": 1000 * drill.diameter,
+        "radius_mm": 1000 * drill.radius,
+        "greatest_depth_mm": 1000 * drill.deepest,
+        "tip_deg": degrees(drill.tip),
+        "density_kg_m3": drill.density,
+        "slug_kg_m3": drill.slug,
+        "axial": drill.axial,
+    }
+    if not corrections:
+        return Document(title, remarks(*lines), {**facts, "holes": []})
+    return Document(title, (*remarks(*lines), _holes(corrections, drill, along)), facts)
+
+
+def _holes(corrections: Sequence[Correction], drill: Drill, along: Scale | None) -> Table:
+    slug = drill.slug is not None
+    columns = [Column(_("plane"), kind="text", key="plane", label=True)]
+    if along is not None:
+        columns.append(Column("z", along.unit, key="z"))
+    columns += [
+        Column(_("unbalance"), "kg*m", key="unbalance"),
+        Column(_("heavy spot"), "deg", key="heavy_spot_deg"),
+        Column(_("slugs") if slug else _("holes"), key="count"),
+        Column(_("fit at") if slug else _("drill at"), "deg", kind="list", key="at_deg"),
+    ]
+    if along is not None:
+        columns.append(Column(_("from pin 1"), "deg", kind="list", key="from_pin_1_deg"))
+    columns += [
+        Column(_("length of each") if slug else _("depth of each"), "mm", key="depth", digits=4),
+        Column(_("to the tip"), "mm", key="tip_depth", digits=4, machine=not drill.cone),
+        Column(_("mass added") if slug else _("mass removed"), "g", key="mass", digits=4),
+    ]
+    rows: list[tuple[Value, ...]] = []
+    for each in corrections:
+        made, turned = each.holes, pi if slug else 0.0
+        at = _bearings(each, turned)
+        row: list[Value] = [each.name]
+        if along is not None:
+            row.append(None if each.z is None else along.of(each.z))
+        heavy = None if each.angle is None else _degrees(each.angle)
+        row += [each.unbalance, heavy, made.count, at]
+        if along is not None:
+            row.append(_bearings(each, turned - (each.pin or 0.0)))
+        row += [1000 * made.depth, 1000 * made.tip_depth, 1000 * made.mass]
+        rows.append(tuple(row))
+    title = _("Heavy metal to fit") if slug else _("What to drill")
+    return Table(title, tuple(columns), tuple(rows), notes=_notes(drill, along), key="holes")
+
+
+def _bearings(each: Correction, turned: float) -> tuple[float, ...] | None:
+    if each.angle is None:
+        return None
+    return tuple(_degrees(each.angle + turned + angle) for angle in each.holes.angles)
+
+
+def _degrees(angle: float) -> float:
+    """A direction from 0 to 360 deg, to the tenth that a bench can set."""
+    return round(degrees(angle) % 360, 1) % 360
+
+
+def _notes(drill: Drill, along: Scale | None) -> tuple[str, ...]:
+    values = {
+        "diameter": quantity_text(1000 * drill.diameter, "mm"),
+        "radius": quantity_text(1000 * drill.radius, "mm"),
+        "density": number(drill.density / 1000),
+        "tip": number(degrees(drill.tip)),
+    }
+    if drill.slug is not None:
+        slug = number(drill.slug / 1000)
+        how = (
+            _(
+                "Slugs of {slug} g/cm³ and {diameter} parallel to the crank axis, {radius} from "
+                "it, net of the {density} g/cm³ drilled out.",
+                slug=slug,
+                **values,
+            )
+            if drill.axial
+            else _(
+                "Slugs of {slug} g/cm³ and {diameter}, flush with the rim at a radius of "
+                "{radius}, net of the {density} g/cm³ drilled out.",
+                slug=slug,
+                **values,
+            )
+        )
+    elif drill.axial:
+        how = _(
+            "Holes of {diameter} parallel to the crank axis, {radius} from it, in {density} g/cm³.",
+            **values,
+        )
+    else:
+        how = _(
+            "Holes of {diameter} towards the crank axis from a radius of {radius}, in {density} "
+            "g/cm³.",
+            **values,
+        )
+    tip = ""
+    if drill.cone:
+        tip = _(
+            "Depth is that at full diameter; the cone of the tip ({tip} deg) below it is counted.",
+            **values,
+        )
+    where = (
+        _("Directions as the balancing machine counts them; several holes stand side by side.")
+        if along is None
+        else _(
+            "Directions are bearings at θ = 0, clockwise from up or from pin 1, seen from the "
+            "front; several holes stand side by side."
+        )
+    )
+    return tuple(filter(None, (how, tip, where)))
+
+
+class Rotor(NamedTuple):
+    """A rotor: mass [kg], greatest service speed [rad/s], shares of its front and rear bearing."""
+
+    mass: float
+    speed: float
+    planes: tuple[float, float]
+
+
+def grade_document(
+    title: str, rotor: Rotor, *, grade: float | None, measured: Sequence[float] = ()
+) -> Document:
+    """The permissible residual unbalance by grade, in newtons too; what was measured, graded."""
+    grades = USUAL if grade is None else (grade,)
+    facts = {
+        "mass_kg": rotor.mass,
+        "speed_rpm": rotor.speed * 30 / pi,
+        "shares": list(rotor.planes),
+    }
+    parts = [_permissible(rotor, grades)]
+    lines: list[str] = []
+    if measured:
+        parts.append(_measured(rotor, measured))
+        worth = grade_of_planes(measured, mass=rotor.mass, speed=rotor.speed, planes=rotor.planes)
+        facts["grade_measured"] = worth
+        lines.append(_verdict(worth, grade))
+    return Document(title, (*remarks(*lines), *parts), facts)
+
+
+def _verdict(worth: float, grade: float | None) -> str:
+    met = grade_met(worth)
+    values = {"worth": number(worth, digits=3), "met": number(met or 0.0)}
+    if grade is not None and worth > grade * (1 + 1e-9):
+        return _(
+            "The measured residual unbalance is that of G {worth}: more than G {grade} permits.",
+            grade=number(grade),
+            **values,
+        )
+    if grade is not None:
+        return _(
+            "The measured residual unbalance is that of G {worth}: it meets G {grade}.",
+            grade=number(grade),
+            **values,
+        )
+    if met is None:
+        return _(
+            "The measured residual unbalance is that of G {worth}: it meets no grade of the "
+            "standard.",
+            **values,
+        )
+    return _("The measured residual unbalance is that of G {worth}: it meets G {met}.", **values)
+
+
+def _permissible(rotor: Rotor, grades: Sequence[float]) -> Table:
+    columns = (
+        Column(_("grade G"), "mm/s", key="grade_mm_s", label=True),
+        Column(_("whole"), "kg*m", key="unbalance/whole"),
+        Column(_("front bearing"), "kg*m", key="unbalance/front"),
+        Column(_("rear bearing"), "kg*m", key="unbalance/rear"),
+        Column(_("whole"), "N", key="force/whole"),
+        Column(_("front bearing"), "N", key="force/front"),
+        Column(_("rear bearing"), "N", key="force/rear"),
+    )
+    rows: list[tuple[Value, ...]] = []
+    for grade in grades:
+        whole = permissible(grade, mass=rotor.mass, speed=rotor.speed)
+        each = (whole, *(whole * share for share in rotor.planes))
+        rows.append((grade, *each, *(size * rotor.speed**2 for size in each)))
+    note = _(
+        "U = G m / ω with m = {mass} and n = {rpm} rpm; its force is U ω². The bearings share it "
+        "{front} to {rear}, by their distances from the centre of mass.",
+        mass=quantity_text(rotor.mass, "kg"),
+        rpm=number(rotor.speed * 30 / pi),
+        front=number(rotor.planes[0]),
+        rear=number(rotor.planes[1]),
+    )
+    title = _("Permissible residual unbalance by ISO 21940-11")
+    return Table(title, columns, tuple(rows), notes=(note,), key="permissible")
+
+
+def _measured(rotor: Rotor, measured: Sequence[float]) -> Table:
+    columns = (
+        Column(_("plane"), kind="text", key="plane", label=True),
+        Column(_("measured"), "kg*m", key="unbalance"),
+        Column(_("force"), "N", key="force"),
+        Column(_("grade G"), "mm/s", key="grade_mm_s", digits=3),
+    )
+    names = (_("front bearing"), _("rear bearing")) if len(measured) > 1 else (_("whole"),)
+    parts = rotor.planes if len(measured) > 1 else (1.0,)
+    rows = tuple(
+        (
+            name,
+            size,
+            size * rotor.speed**2,
+            grade_of_planes([size / share], mass=rotor.mass, speed=rotor.speed, planes=(1, 1)),
+        )
+        for name, size, share in zip(names, measured, parts, strict=True)
+    )
+    return Table(_("Measured residual unbalance"), columns, rows, key="measured")
