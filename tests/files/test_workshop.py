@@ -237,8 +237,8 @@ def test_the_published_force_of_an_unbalanced_crankshaft() -> None:
 
 
 def test_shares_are_lever_rule_within_three_to_seven_tenths() -> None:
-    assert shares(1, 1) == (0.5, 0.5)
-    assert shares(0.05, 1) == (0.7, 0.3)
+    assert shares(front=1, rear=1) == (0.5, 0.5)
+    assert shares(front=0.05, rear=1) == (0.7, 0.3)
     assert all(b / a == pytest.approx(2.5, rel=0.03) for a, b in pairwise(GRADES))
 
 

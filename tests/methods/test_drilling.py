@@ -100,8 +100,8 @@ def test_holes_side_by_side_have_the_unbalance_that_is_asked_for(
     assert vector(made, drill) == pytest.approx(wanted, rel=1e-6)
     assert made.depth <= drill.deepest * (1 + 1e-9)
     assert made.tip_depth - made.depth == pytest.approx(drill.cone)
-    if made.count > 1:
-        assert most(made.count - 1, drill) < wanted * (1 + 1e-6)
+    if made.number > 1:
+        assert most(made.number - 1, drill) < wanted * (1 + 1e-6)
         bottom = drill.radius - (0 if drill.axial else made.depth)
         apart = 2 * bottom * np.sin((made.angles[1] - made.angles[0]) / 2)
         assert apart >= 1.2499 * drill.diameter
@@ -110,7 +110,7 @@ def test_holes_side_by_side_have_the_unbalance_that_is_asked_for(
 def test_one_hole_less_deep_takes_away_only_a_part_of_the_tip() -> None:
     drill = Drill(diameter=0.0127, radius=0.08, deepest=0.03)
     made = holes(20e-6, drill)
-    assert (made.count, made.depth) == (1, 0.0)
+    assert (made.number, made.depth) == (1, 0.0)
     assert 0 < made.tip_depth < drill.cone
     nodes = np.linspace(0, made.tip_depth, 20_001)
     own = (made.tip_depth - nodes) * tan(drill.tip / 2)

@@ -281,6 +281,7 @@ NO_TERMS = {
     *("shafts, throws and weights", "turning vectors", "main bearings by order", "crankshaft"),
     *("number", "place", "share", "speed_rpm", "{engine}, of the first"),
     *("order {order}", "amplitude", "result", "alike"),
+    *("each cylinder", "cylinders {numbers}", "moves", "whole", "measured"),
     *("theta_deg", "mean", "forward", "backward", "{quantity} forward", "{quantity} backward"),
 }
 """Headings that are plain words."""

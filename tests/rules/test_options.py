@@ -11,7 +11,8 @@ from cyclopts import Argument
 from tests.rules import test_docs as docs
 
 from crankstar import cli
-from crankstar.options.vocabulary import OPTIONS, field_name, meant
+from crankstar.options.names import field_name, meant
+from crankstar.options.vocabulary import OPTIONS
 
 COMMANDS = sorted(name for name in cli.app if not name.startswith("-"))
 BUILT_IN = {"--help", "--version"}

@@ -18,9 +18,9 @@ from crankstar.language import spelling
 from crankstar.language.messages import LANGUAGES, MessageError, _, spoken
 from crankstar.language.quoting import one_line, seen
 from crankstar.language.shown_units import SYSTEMS, Choice, UnitsError, read_choice, shown_in
+from crankstar.options.names import meant
 from crankstar.options.refusals import RequestError, refusal
 from crankstar.options.values import NEEDED
-from crankstar.options.vocabulary import meant
 from crankstar.search.faults import SearchError
 
 if TYPE_CHECKING:

@@ -211,7 +211,7 @@ def grade(
         raise RequestError('give the greatest service speed, as in --speed "6000 rpm"')
     document = grade_document(
         _("Balance quality of a rotor") if loaded is None else loaded.name,
-        Rotor(kilograms, turning, shares(*apart)),
+        Rotor(kilograms, turning, shares(front=apart[0], rear=apart[1])),
         grade=wanted,
         measured=[spot.unbalance for spot in spots],
     )

@@ -3,9 +3,11 @@
 | module, bottom to top | one line |
 |---|---|
 | `vocabulary` | every option of every command: what it takes, what it means |
+| `names` | the option that an unknown name stands for |
 | `refusals` | requests that cannot be met |
 | `values` | speeds, orders, angles, points of reference, settings |
 | `remedies` | weights, what they minimise, balance shafts |
+| `workshop` | a drill, a measured unbalance, a grade, as a balancing shop types them |
 | `arguments` | the arguments of the public functions as people give them |
 | `forms` | the form in which a result is written |
 | `words` | the options of a search as typed |

@@ -5,8 +5,6 @@ A command adds at most how it uses the option. `OPTIONS` is in alphabetical orde
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from difflib import get_close_matches
 from typing import Literal, NamedTuple
 
 Takes = Literal["nothing", "text", "several texts", "whole number", "number"]
@@ -391,30 +389,3 @@ OPTIONS = {
 def meaning(name: str, more: str = "") -> str:
     """The help of an option, and what it means in one command besides."""
     return f"{OPTIONS[name].meaning} {more}".rstrip()
-
-
-def field_name(name: str) -> str:
-    """The field of a record that an option sets: `--mode-shape` sets `mode_shape`."""
-    return name.removeprefix("--").replace("-", "_")
-
-
-def meant(word: str, offered: list[str]) -> str | None:
-    """The option among those `offered` that an unknown word stands for; None if none is near.
-
-    >>> meant("--order", ["--orders", "--speed"]), meant("--rpm", ["--orders", "--speed"])
-    ('--orders', '--speed')
-    """
-    names = dict(_names(offered))
-    if word in names:
-        return names[word]
-    letters = {name.lstrip("-"): option for name, option in names.items()}
-    near = get_close_matches(word.lstrip("-"), letters, 1)
-    return letters[near[0]] if near else None
-
-
-def _names(offered: list[str]) -> Iterator[tuple[str, str]]:
-    """Each name under which an offered option is looked for; its own come last, and win."""
-    yield from (
-        (name, option) for option in offered if option in OPTIONS for name in OPTIONS[option].also
-    )
-    yield from ((option, option) for option in offered)

@@ -67,7 +67,7 @@ class Holes(NamedTuple):
     `mass` [kg] is what all of them take away, or add.
     """
 
-    count: int
+    number: int
     depth: float
     tip_depth: float
     angles: tuple[float, ...]
@@ -115,7 +115,7 @@ def holes(unbalance: float, drill: Drill) -> Holes:
 
     >>> drill = Drill(diameter=0.0127, radius=0.08, deepest=0.03)
     >>> two = holes(0.0035, drill)
-    >>> two.count, round(two.depth * 1000, 1), round(two.angles[1] * 180 / pi, 1)
+    >>> two.number, round(two.depth * 1000, 1), round(two.angles[1] * 180 / pi, 1)
     (2, 25.3, 8.3)
     """
     possible(drill)

@@ -35,10 +35,10 @@ def permissible(grade: float, *, mass: float, speed: float) -> float:
     return grade / 1000 * mass / speed
 
 
-def shares(front: float, rear: float) -> tuple[float, float]:
+def shares(*, front: float, rear: float) -> tuple[float, float]:
     """Shares of the bearing planes at these distances from the centre of mass, both positive.
 
-    >>> shares(0.2, 0.3), shares(0.1, 0.9)
+    >>> shares(front=0.2, rear=0.3), shares(front=0.1, rear=0.9)
     ((0.6, 0.4), (0.7, 0.3))
     """
     share = min(max(rear / (front + rear), LEAST_SHARE), GREATEST_SHARE)

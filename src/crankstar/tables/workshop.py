@@ -81,7 +81,7 @@ def _holes(corrections: Sequence[Correction], drill: Drill, along: Scale | None)
         if along is not None:
             row.append(None if each.z is None else along.of(each.z))
         heavy = None if each.angle is None else _degrees(each.angle)
-        row += [each.unbalance, heavy, made.count, at]
+        row += [each.unbalance, heavy, made.number, at]
         if along is not None:
             row.append(_bearings(each, turned - (each.pin or 0.0)))
         row += [1000 * made.depth, 1000 * made.tip_depth, 1000 * made.mass]
