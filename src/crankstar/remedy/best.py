@@ -218,9 +218,7 @@ def _most(engine: Engine, greatest: float | None) -> float:
             "a greatest unbalance of {unbalance} allows no weights; give a number above 0",
             unbalance=f"{greatest:g}",
         )
-    carried = sum(
-        (pin.rotating + pin.own + pin.reciprocating) * pin.radius for pin in loads(engine)
-    ) / unit_unbalance(engine)
+    carried = sum(pin.whole * pin.radius for pin in loads(engine)) / unit_unbalance(engine)
     return min(greatest or np.inf, MOST * carried)
 
 

@@ -29,6 +29,11 @@ class Load(NamedTuple):
     reciprocating: float
     own: float = 0.0
 
+    @property
+    def whole(self) -> float:
+        """All the masses that move with the pin."""
+        return self.rotating + self.own + self.reciprocating
+
 
 def loads(engine: Engine) -> tuple[Load, ...]:
     """The pins of all crankshafts; pins without cylinders too, which may have rotating mass.
