@@ -139,6 +139,44 @@ def test_csv_parquet_json_and_sheets_hold_the_same_amplitudes(
     assert len(back.cylinders) == 2
 
 
+def test_sweeps_as_spreadsheet_and_parquet_hold_every_pair(
+    run: Run, twin: str, tmp_path: Path
+) -> None:
+    over = ("--over", "speed=1000..3000 rpm by 1000", "--over", "layout.throws[2]=0..360 deg by 90")
+    words = ("sweep", twin, *over, "--quantity", "force,couple.pitch", "--orders", "1")
+    tree = json.loads(run(*words, "--json").out)
+    assert [axis["closed"] for axis in tree["axes"]] == [False, True]
+    assert len(tree["values"]) == 15
+    rows = list(csv.DictReader(io.StringIO(run(*words, "--csv").out)))
+    assert len(rows) == 30
+    for row in rows:
+        changes = {"layout.throws[2]": f"{float(row['layout.throws[2] [deg]']) % 360} deg"}
+        engine = crankstar.load(twin, changes=changes)
+        turning = float(row["speed [rpm]"]) * pi / 30
+        middle = balance(crankstar.load(twin)).reference
+        sums = total(balance(engine, speed=turning, reference=middle))
+        whole = {"force": sums.force, "pitch": parts(sums)["Pitch M_V"]}[row["quantity"]]
+        first = spectra.selected(whole, [1.0])
+        assert float(row["amplitude"]) == pytest.approx(spectra.peak(first).value, abs=1e-8)
+        assert row["unit"] == {"force": "N", "pitch": "N*m"}[row["quantity"]]
+    run(*words, "-o", str(tmp_path / "s.parquet"))
+    table = pyarrow.parquet.read_table(tmp_path / "s.parquet").to_pydict()
+    assert table["amplitude"] == [float(row["amplitude"]) for row in rows]
+    run(*words, "-o", str(tmp_path / "s.xlsx"))
+    book = openpyxl.load_workbook(tmp_path / "s.xlsx", read_only=True)
+    values = list(book["values"].iter_rows(values_only=True))
+    assert values[0] == (
+        "speed [rpm]",
+        "layout.throws[2] [deg]",
+        "force of order 1 [N]",
+        "couple.pitch of order 1 [N*m]",
+    )
+    assert len(values) == 16
+    assert {"best", "front"} <= set(book.sheetnames)
+    back = crankstar.load(str(tmp_path / "s.xlsx"))
+    assert len(back.cylinders) == 2
+
+
 def test_the_chart_holds_the_amplitudes_and_its_command_is_named(
     run: Run, twin: str, tmp_path: Path
 ) -> None:

@@ -28,6 +28,7 @@ from crankstar.cli.options import (
 )
 from crankstar.cli.output import working, writable, write_bytes
 from crankstar.cli.tabulating import give
+from crankstar.files import STANDARD_INPUT
 from crankstar.language.messages import _
 from crankstar.language.quoting import one_line
 from crankstar.options import charts as chart_request
@@ -85,7 +86,7 @@ def sweep(
     document = made.document(form)
     tree = None
     if form == "xlsx":
-        tree = changed_tree(engine, settings)[1]
+        tree = None if engine == STANDARD_INPUT else changed_tree(engine, settings)[1]
         document = replace(document, parts=(*document.parts, *made.document("txt").sentences))
     give(document, output, form=form, tree=tree)
 
