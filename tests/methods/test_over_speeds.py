@@ -235,3 +235,25 @@ def test_speeds_that_cannot_be_are_refused(
 
 def test_speeds_are_for_the_chart_of_amplitudes_only(refused: Callable[..., str]) -> None:
     assert "--speeds" in refused("plot", "i4", "spectrum", "--speeds", SPEEDS)
+
+
+def test_the_ranges_of_an_estimated_engine_are_those_of_a_single_speed(
+    run: Run, tmp_path: Path
+) -> None:
+    words = ("bmw-s65", "--estimate", "--speeds", "2000, 8000 rpm")
+    tree = json.loads(run("analyze", *words, "--orders", "4", "--json").out)
+    alone = ("analyze", "bmw-s65", "--estimate", "--speed", "8000 rpm", "--orders", "4", "--json")
+    single = json.loads(run(*alone).out)["orders"][0]["force"]
+    over = tree["orders"][-1]["force"]
+    for key in ("greatest", "greatest_low", "greatest_high"):
+        assert over[key] == pytest.approx(single[key], rel=1e-9)
+    out = run("analyze", *words).out
+    assert "Estimated: layout.bore_pitch" in " ".join(out.split())
+    row = re.search(r"^ 8000 .*?([\d.]+) \(([\d.]+) to ([\d.]+)\)$", out, re.MULTILINE)
+    assert row is not None
+    run("plot", words[0], "amplitudes", *words[1:], "-o", str(tmp_path / "a.json"))
+    spec = json.loads((tmp_path / "a.json").read_text(encoding="utf-8"))
+    band = spec["vconcat"][0]["layer"][0]["data"]["values"][-1]
+    printed = [float(text) for text in row.groups()[1:]]
+    assert [band["low"], band["high"]] == pytest.approx(printed, rel=2e-3)
+    assert band["x"] == 8000
