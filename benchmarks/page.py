@@ -100,6 +100,7 @@ def rows() -> list[tables.Row]:
         )
         for what, state in (
             ("a frame, table of orders", "tab=orders"),
+            ("a frame, loads on bearings", "tab=bearings"),
             ("a frame, two figures that follow the angle", "tab=forces"),
             ("a frame, star and polygon of twelve cylinders", "tab=stars"),
             (

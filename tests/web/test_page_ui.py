@@ -15,6 +15,7 @@ from tests.web.browsing import too_wide
 from tests.web.engine_page import handle, opened, turning
 
 from crankstar import spectra
+from crankstar.dynamics.bearings import bearing_loads
 from crankstar.files.catalog import load
 from crankstar.mechanics.balance import balance, total
 from crankstar.page import exhibition
@@ -107,6 +108,43 @@ def test_the_dot_in_the_table_is_where_the_vector_points(built_page: Build, page
         vector = complex(spectra.value(first, math.radians(angle)))
         right, up = (float(dot.get_attribute(name) or "nan") for name in ("cx", "cy"))
         assert complex(-up, right) == pytest.approx(vector / abs(vector), abs=2e-3)
+
+
+@pytest.mark.parametrize("name", [CROSS, "kr250-racer"])
+def test_loads_on_bearings_are_those_of_python_at_every_angle(
+    name: str, built_page: Build, page: Page
+) -> None:
+    opened(page, built_page(name), "a=0&tab=bearings")
+    engine = load(name)
+    loads = bearing_loads(engine, speed=engine.speed)
+    for choice, spectrum, shafts in (
+        ("main bearings", loads.load, [bearing.shaft for bearing in loads.bearings]),
+        ("crank pins, from the rods", loads.pin, [pin.shaft for pin in loads.pins]),
+    ):
+        page.get_by_role("radio", name=choice, exact=True).check()
+        largest = float(spectra.peaks(spectrum).max())
+        for frame in ("block", "turning with the shaft"):
+            page.get_by_role("radio", name=frame, exact=True).check()
+            heads = page.locator(".polar-loads .now circle")
+            expect(heads).to_have_count(len(shafts))
+            for angle in (0.0, 77.0, 250.5):
+                turned(page, angle)
+                for row, shaft in enumerate(shafts):
+                    rate = engine.sense * float(engine.shaft(shaft).speed_ratio)
+                    vector = complex(spectra.value(spectrum[row], math.radians(angle)))
+                    if frame != "block":
+                        vector *= cmath.exp(-1j * rate * math.radians(angle))
+                    right, up = (
+                        float(heads.nth(row).get_attribute(axis) or "nan") for axis in ("cx", "cy")
+                    )
+                    assert complex(-up, right) == pytest.approx(vector / largest, abs=2e-3)
+        peaks = page.locator(".polar-loads .peak")
+        for row, top in enumerate(spectra.peaks(spectrum).tolist()):
+            if top > 1e-9 * largest:
+                place = (peaks.nth(row).get_attribute(axis) for axis in ("cx", "cy"))
+                assert math.hypot(*(float(x or "nan") for x in place)) == pytest.approx(
+                    top / largest, abs=1e-3
+                )
 
 
 def test_figures_follow_the_crank_angle(built_page: Build, page: Page) -> None:

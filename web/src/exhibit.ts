@@ -53,6 +53,7 @@ export interface Exhibit {
   total: Sum
   cylinders: PartForce[]
   whirl: Whirl
+  bearings: Bearings
   scene: Scene
   table: Row[]
   verdict: Fact[]
@@ -128,6 +129,38 @@ export interface Whirl {
   turn: [number, number][]
   /** sentences on estimates of mass, centre and inertia; empty if all are given */
   assumed: string[]
+}
+/** What journals push on their bearings, and rods on their pins, from inertia and weights. */
+export interface Bearings {
+  orders: number[]
+  unit: string
+  /** how the bearings share the load, as a sentence */
+  model: string
+  loads: LoadShown[]
+  tables: Table[]
+}
+/** The load on a main bearing, or of the rods on a crank pin, at the orders of `Bearings`. */
+export interface LoadShown {
+  on: 'bearing' | 'pin'
+  name: string
+  /** turns of its shaft for each turn of the first */
+  speed_ratio: number
+  load: Vectors
+  /** the greatest length over the turn */
+  peak: number
+  /** the crank angle at which it is so long, radians */
+  peak_theta: number
+  /** the same as a phrase */
+  greatest: string
+}
+/** A table as it is printed: heads with units, rows, notes under it. */
+export interface Table {
+  title: string
+  heads: string[]
+  rows: string[][]
+  notes?: string[]
+  /** which columns hold numbers, which are aligned to the right */
+  numeric?: boolean[]
 }
 /** The engine as things that can be drawn. */
 export interface Scene {
@@ -260,15 +293,6 @@ export interface Row {
 export interface Fact {
   about: string
   sentence: string
-}
-/** A table as it is printed: heads with units, rows, notes under it. */
-export interface Table {
-  title: string
-  heads: string[]
-  rows: string[][]
-  notes?: string[]
-  /** which columns hold numbers, which are aligned to the right */
-  numeric?: boolean[]
 }
 /** A stroke of a chamber between two crank angles (degrees; it may end in the next cycle). */
 export interface StrokeWindow {

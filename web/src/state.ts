@@ -6,6 +6,7 @@ export const TABS = [
   'orders',
   'stars',
   'forces',
+  'bearings',
   'strokes',
   'derivation',
   'verdict',

@@ -9,6 +9,7 @@
 | `scene` | Engine -> Scene: the place of every part |
 | `orders` | vectors of every order, the table of orders, the free response |
 | `printed` | documents as tables of printed cells |
+| `bearing_loads` | loads on main bearings and crank pins |
 | `keys` | the figures and derivations that an engine has, by key |
 | `figures` | a figure as Vega-Lite, a derivation as HTML, by key |
 | `exhibits` | Engine -> Exhibit, Exhibition; the engine with the recommended remedy |

@@ -18,6 +18,7 @@ from crankstar.language.numbers import unit_text
 from crankstar.mechanics import remains
 from crankstar.mechanics.balance import Balance, balance, scales
 from crankstar.page import orders as vectors
+from crankstar.page.bearing_loads import bearings_shown
 from crankstar.page.keys import chart_keys, derivation_keys
 from crankstar.page.printed import printed
 from crankstar.page.proportions import proportions
@@ -121,6 +122,7 @@ def exhibit(
         total=vectors.sums_of(sums, orders),
         cylinders=vectors.by_cylinder(engine, result, orders, along=along),
         whirl=vectors.free_response(engine, orders, along=along),
+        bearings=bearings_shown(engine),
         scene=scene(engine),
         table=vectors.rows(sums, orders),
         verdict=tuple(

@@ -229,6 +229,28 @@ class Table(Shown):
     )
 
 
+class LoadShown(Shown):
+    """The load on a main bearing, or of the rods on a crank pin, at the orders of `Bearings`."""
+
+    on: Literal["bearing", "pin"]
+    name: str
+    speed_ratio: float = Field(description="turns of its shaft for each turn of the first")
+    load: Vectors
+    peak: float = Field(description="the greatest length over the turn")
+    peak_theta: float = Field(description="the crank angle at which it is so long, radians")
+    greatest: str = Field(description="the same as a phrase")
+
+
+class Bearings(Shown):
+    """What journals push on their bearings, and rods on their pins, from inertia and weights."""
+
+    orders: tuple[float, ...]
+    unit: str
+    model: str = Field(description="how the bearings share the load, as a sentence")
+    loads: tuple[LoadShown, ...]
+    tables: tuple[Table, ...]
+
+
 class ChartKey(Shown):
     """A figure of an engine: the `key` that it is requested by, and the properties to choose by."""
 
@@ -301,6 +323,7 @@ class Exhibit(Shown):
     total: Sum
     cylinders: tuple[PartForce, ...]
     whirl: Whirl
+    bearings: Bearings
     scene: Scene
     table: tuple[Row, ...]
     verdict: tuple[Fact, ...]

@@ -6,6 +6,7 @@ import { set, TABS, type Tab } from '../state'
 import { Choice } from './Choice'
 import { useApp } from './context'
 import { About } from './panels/About'
+import { Bearings } from './panels/Bearings'
 import { Compare } from './panels/Compare'
 import { Derivation } from './panels/Derivation'
 import { Edit } from './panels/Edit'
@@ -28,6 +29,7 @@ const PANELS: Readonly<Record<Tab, Panel>> = {
   orders: { label: message('Orders'), content: Orders },
   stars: { label: message('Stars'), content: Stars },
   forces: { label: message('Forces'), content: Forces },
+  bearings: { label: message('Bearings'), content: Bearings },
   strokes: { label: message('Strokes'), content: Strokes },
   derivation: {
     label: message('Derivation'),

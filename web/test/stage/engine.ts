@@ -74,6 +74,7 @@ export function exhibit(changes: Partial<Exhibit> = {}): Exhibit {
     orders: [1],
     total: { force: none, couple: none, roll: [[0, 0]], torque: [[0, 0]] },
     cylinders: [{ number: 1, z: 0, force: none }],
+    bearings: { orders: [1], unit: 'N', model: '', loads: [], tables: [] },
     whirl: {
       centre: [0.3, 0.1, 0.5],
       mass: 1,

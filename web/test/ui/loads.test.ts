@@ -1,0 +1,65 @@
+import { expect, test } from 'vitest'
+import type { LoadShown } from '../../src/exhibit'
+import { loadVector, pathOf, pointText } from '../../src/ui/loads'
+
+const load = (changes: Partial<LoadShown>): LoadShown => ({
+  on: 'bearing',
+  name: 'bearing 1',
+  speed_ratio: 1,
+  load: {
+    forward: [
+      [0, 0],
+      [1, 0],
+    ],
+    backward: [
+      [0, 0],
+      [0, 0],
+    ],
+  },
+  peak: 1,
+  peak_theta: 0,
+  greatest: '1 at 0°',
+  ...changes,
+})
+
+test('a load that turns with the crank stands still on its journal', () => {
+  for (const sense of [1, -1]) {
+    const still = loadVector(load({}), [0, 1], sense, 'shaft')
+    const block = loadVector(load({}), [0, 1], sense, 'block')
+    for (const theta of [0, 0.7, 3, 5.5]) {
+      const [up, right] = still(theta)
+      expect(up).toBeCloseTo(1, 12)
+      expect(right).toBeCloseTo(0, 12)
+      expect(block(theta)[1]).toBeCloseTo(sense * Math.sin(theta), 12)
+    }
+  }
+})
+
+test('a steady load turns back on the journal of a shaft at twice crank speed', () => {
+  const steady = {
+    forward: [
+      [1, 0],
+      [0, 0],
+    ],
+    backward: [
+      [0, 0],
+      [0, 0],
+    ],
+  } as LoadShown['load']
+  const at = loadVector(load({ load: steady, speed_ratio: 2 }), [0, 1], 1, 'shaft')
+  const [up, right] = at(Math.PI / 4)
+  expect(up).toBeCloseTo(0, 12)
+  expect(right).toBeCloseTo(-1, 12)
+})
+
+test('up is upward and right is to the right in the drawing', () => {
+  expect(pointText([1, 0.5], 2)).toEqual(['1.0000', '-2.0000'])
+  const { dots, path } = pathOf(loadVector(load({}), [0, 1], 1, 'block'), 1, 1)
+  expect(dots.map((dot) => dot.map(Number))).toEqual([
+    [0, -1],
+    [1, -0],
+    [0, 1],
+    [-1, 0],
+  ])
+  expect(path.startsWith('M0.0000 -1.0000L')).toBe(true)
+})
