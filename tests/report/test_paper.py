@@ -82,7 +82,7 @@ def test_the_contents_name_the_pages_of_the_sections(chromium: str, tmp_path: Pa
         r"(\d+) {1,6}([A-Z][\w, ]+?) +(\d+)(?: |$)", "\n".join(pages[:2]), re.MULTILINE
     )
     wanted = {title: int(page) for _number, title, page in listed}
-    assert len(wanted) == 13
+    assert len(wanted) == 14
     for number, title, page in listed:
         heading = rf"^ *{number} +{title}$"
         assert re.search(heading, pages[int(page) - 1], re.MULTILINE), title

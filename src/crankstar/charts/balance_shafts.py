@@ -54,12 +54,7 @@ def balance_shaft_chart(engine: Engine, *, theta: float = 0.0) -> Chart:
     along = along_of(engine)
     rows: list[list[Panel]] = [[_front(engine, own, theta)]]
     zero = default_reference(engine).z
-    cranks = [shaft for shaft in engine.shafts if shaft.throws]
-    rows += [
-        [shaft_panel(engine, shaft, along, zero, name=_words(engine, shaft))]
-        for shaft in [*cranks, *own]
-        if own
-    ]
+    rows += [[shaft_panel(engine, shaft, along, zero, name=_words(engine, shaft))] for shaft in own]
     about = [named(engine)]
     if own:
         about.append(
@@ -157,8 +152,6 @@ def _rotation(centre: complex, radius: float, sense: int) -> tuple[Stroke, Arrow
 
 def _words(engine: Engine, shaft: Shaft) -> str:
     """Name, ratio, sense, place, and unbalance of each direction with its bearing."""
-    if shaft.throws:
-        return shaft.name
     size = number(abs(float(shaft.speed_ratio)))
     turn = (
         _("{ratio} × crank speed, with the crank", ratio=size)

@@ -62,11 +62,14 @@ class Gallery:
         name: str,
         *,
         beside: Engine | None = None,
+        of: Engine | None = None,
+        canvas: Canvas = COLUMN,
         spreads: Sequence[Spread | None] = (),
         **options: Any,
     ) -> Chart:
-        engine = self._matter.engine
-        with drawn_on(COLUMN), over_ranges([*self._matter.spreads, *spreads]):
+        """A figure of the engine, or `of` another one, alone or `beside` one more."""
+        engine = of or self._matter.engine
+        with drawn_on(canvas), over_ranges([*self._matter.spreads, *spreads]):
             if beside is not None:
                 return side_by_side([engine, beside], name, **options)
             return CHARTS[name].draw(engine, **options)

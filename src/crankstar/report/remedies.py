@@ -33,7 +33,11 @@ def remedies(subject: Subject, gallery: Gallery) -> str:
     )
     tables = parts_html(subject.parts(_tables))
     lead = "".join(map(paragraph, subject.lines(_description)))
-    body = lead + tables + figures([spectra])
+    drawn = [spectra]
+    if fitted.ratios and subject.full:
+        caption = _("The balance shafts in their places, from the front and from the side.")
+        drawn.append(gallery.figure("balance-shafts", caption, "low", of=fitted.after))
+    body = lead + tables + figures(drawn)
     return section(title, body, name="remedies")
 
 
