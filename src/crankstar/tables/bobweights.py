@@ -94,7 +94,8 @@ def parts_table(engine: Engine) -> list[Table]:
         given = [name for name in names if any(getattr(parts, name) for parts in alike)]
         for name in (*given, *([total] if given else [])):
             title = words if name == total else _(NAMES[name])
-            rows.append((title, moves, *(getattr(parts, name) * factor for parts in alike)))
+            masses = (round(getattr(parts, name) * factor, 12) for parts in alike)
+            rows.append((title, moves, *masses))
     title = _("Bobweight card: parts of one cylinder")
     return [Table(title, tuple(columns), tuple(rows), key="parts")]
 
