@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from crankstar.charts.canvas import curve_height, panel_width
+from crankstar.charts.canvas import curve_height, panel_width, relative_width
 from crankstar.charts.curves import BAND
 from crankstar.charts.drawing import (
     GREY,
@@ -174,7 +174,7 @@ def _across(speeds: Real, *, foot: bool) -> dict[str, Any]:
         "x:Q",
         scale=span(float(speeds[0]), float(speeds[-1])),
         title=_("speed (rpm)") if foot else None,
-        axis={"tickCount": 4, "labels": foot},
+        axis={"tickCount": 4 if relative_width() > 0.8 else 2, "labels": foot},
     )
 
 
