@@ -8,9 +8,8 @@
 | `application` | how a command line is read, and how the process ends |
 | `tabulating` | a Document as tables, JSON, CSV, a spreadsheet or Parquet |
 | `speed_ranges` | what `analyze --speeds` prints |
-| `inspect` | list, show, analyze, compare, verdict, strokes |
+| `inspect` | list, show, analyze, bearings, compare, verdict, strokes |
 | `estimating` | estimate |
-| `bearing_loads` | bearings |
 | `deriving` | derive, errata |
 | `firing` | orders, vees |
 | `search_options` | the options of search |
@@ -29,7 +28,6 @@
 
 from crankstar.cli import (
     balancing,
-    bearing_loads,
     deriving,
     estimating,
     exporting,
@@ -50,7 +48,6 @@ from crankstar.cli.application import app, main
 __all__ = [
     "app",
     "balancing",
-    "bearing_loads",
     "deriving",
     "estimating",
     "exporting",

@@ -1,11 +1,14 @@
-"""Verbs that print what is known of engines: list, show, analyze, compare, verdict, strokes."""
+"""Verbs that print what is known of engines.
+
+list, show, analyze, bearings, compare, verdict, strokes.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, cast, get_args
 
 from crankstar.cli.application import app
 from crankstar.cli.options import (
@@ -26,7 +29,7 @@ from crankstar.cli.options import (
     option,
     together,
 )
-from crankstar.cli.output import display, write
+from crankstar.cli.output import display, working, write
 from crankstar.cli.speed_ranges import over_speeds
 from crankstar.cli.tabulating import give
 from crankstar.language.messages import _
@@ -154,6 +157,45 @@ def analyze(
         give(replace(document, parts=(*document.parts, *rows)), output, form=form, tree=tree)
     else:
         display(document, output)
+
+
+@app.command
+def bearings(
+    engine: EngineName,
+    /,
+    *,
+    speed: Speed = None,
+    model: Annotated[str, option("--model")] = "determinate",
+    orders: Orders = None,
+    settings: Settings = None,
+    estimate: Estimating = False,
+    json: Json = False,
+    csv: Csv = False,
+    output: Output = None,
+) -> None:
+    """Compute loads on main bearings and crank pins, guide forces, bending of the crankshaft."""
+    from crankstar.dynamics.bearings import Model
+    from crankstar.tables.bearings import bearing_document
+    from crankstar.tables.ranges import ranged
+
+    form = form_of(output, TABLES, json=json, csv=csv)
+    request.choice("--model", model, get_args(Model))
+    (loaded, spread), turning = together(
+        partial(loaded_values, engine, settings, estimate=estimate), partial(request.speed, speed)
+    )
+
+    def sheet(each: Engine) -> Document:
+        return bearing_document(
+            each,
+            speed=each.speed if turning is None else turning,
+            model=cast("Model", model),
+            orders=lambda present: request.orders(orders, present),
+            machine=form != "txt",
+        )
+
+    with working(_("Computing the loads ...")):
+        document = ranged(sheet, spread, loaded)
+    give(document, output, form=form)
 
 
 @app.command
