@@ -10,6 +10,7 @@
 | `grades` | the unbalance that may remain, by the grades of ISO 21940-11 |
 | `programme` | the second-order cone programme behind the best weights, and its lower bound |
 | `aims` | force, couple, pitch, yaw, roll, bearing load to minimise; as numbers and as cones |
+| `aim_names` | aims in words, and their units |
 | `best` | the best weights in given planes, within limits, with a certificate |
 | `clearance` | what cranks and balance shafts sweep, and which are inside each other |
 | `placing` | where balance shafts must lie so that the block rolls least |
@@ -18,16 +19,9 @@
 """
 
 from crankstar.engine.main_bearings import end_planes, end_webs, main_bearings, webs
+from crankstar.remedy.aim_names import aim_name, aim_unit
 from crankstar.remedy.aims import Aim, Plane
-from crankstar.remedy.best import (
-    Best,
-    Limit,
-    aim_name,
-    aim_unit,
-    bearing_load,
-    best_weights,
-    without_weights,
-)
+from crankstar.remedy.best import Best, Limit, bearing_load, best_weights, without_weights
 from crankstar.remedy.clearance import Clash, balance_shafts, clashes, crank_sweep
 from crankstar.remedy.counterweights import (
     RemedyError,

@@ -9,7 +9,7 @@ lower bound that no weights within the limits can beat.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, NamedTuple, get_args
+from typing import NamedTuple, get_args
 
 import numpy as np
 
@@ -18,9 +18,10 @@ from crankstar.dynamics.bearings import Model
 from crankstar.engine.copies import with_weights
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Weight
-from crankstar.language.messages import N_, _
+from crankstar.language.messages import _
 from crankstar.mechanics.balance import unit_unbalance
 from crankstar.mechanics.excitation import Reference
+from crankstar.remedy.aim_names import aim_name, aim_unit
 from crankstar.remedy.aims import Aim, Plane, Quantity, Setting, cones, maxima, measured, setting
 from crankstar.remedy.counterweights import (
     RemedyError,
@@ -378,28 +379,3 @@ def _infeasible(case: Setting, limits: Sequence[Limit], most: float) -> str:
         excess=f"{least - last.at_most:.3g}",
         limit=f"{last.at_most:g}",
     )
-
-
-def aim_unit(aim: Aim) -> str:
-    """The unit of an aim, for readers."""
-    return {"couple": "m r ω² a", "roll": "m r² ω²"}.get(aim.quantity, "m r ω²")
-
-
-def aim_name(aim: Aim) -> str:
-    """The name of an aim, such as `peak couple`."""
-    if aim.quantity == "bearing":
-        return _("greatest load on a main bearing")
-    if aim.order is not None:
-        return _("roll of order {order}", order=f"{aim.order:g}")
-    key = (aim.quantity, aim.up, aim.right)
-    return _(_NAMES.get(key, _NAMES[aim.quantity])[aim.rms])
-
-
-_NAMES: dict[Any, tuple[str, str]] = {
-    "force": (N_("peak force"), N_("rms force")),
-    "couple": (N_("peak couple"), N_("rms couple")),
-    ("force", 1.0, 0.0): (N_("peak vertical force"), N_("rms vertical force")),
-    ("couple", 1.0, 0.0): (N_("peak pitch"), N_("rms pitch")),
-    ("couple", 0.0, 1.0): (N_("peak yaw"), N_("rms yaw")),
-    "roll": (N_("peak roll"), N_("rms roll")),
-}
