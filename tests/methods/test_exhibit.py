@@ -28,7 +28,7 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.firing_angles import unfit
 from crankstar.engine.records import Shaft, Weight
 from crankstar.files import engine_of
-from crankstar.files.catalog import load, names
+from crankstar.files.catalog import load, names, tree_of
 from crankstar.mechanics.balance import scales
 from crankstar.mechanics.excitation import Reference
 from crankstar.page import exhibit, exhibition, fitted
@@ -619,6 +619,10 @@ def test_a_file_has_every_figure_and_derivation_of_its_engines_with_it() -> None
 
 def test_a_notebook_is_answered_for_the_engine_that_it_asks_about() -> None:
     engines = load("i4"), load("v8-cross-plane")
+    subjects = tuple(
+        notebook.Subject(engine, tree_of(name)[1], name)
+        for engine, name in zip(engines, ("i4", "v8-cross-plane"), strict=True)
+    )
     better = recommended(engines[1])
     assert better is not None
     for index, is_fitted, engine in (
@@ -633,7 +637,10 @@ def test_a_notebook_is_answered_for_the_engine_that_it_asks_about() -> None:
             "what": "chart",
             "key": "crank-star",
         }
-        assert notebook.answer(engines, question) == {"id": 3, "value": chart(engine, "crank-star")}
+        assert notebook.answer(subjects, question) == {
+            "id": 3,
+            "value": chart(engine, "crank-star"),
+        }
     for wrong in (
         None,
         [],
@@ -642,7 +649,7 @@ def test_a_notebook_is_answered_for_the_engine_that_it_asks_about() -> None:
         {**question, "engine": "x"},
         {**question, "what": "cake"},
     ):
-        assert notebook.answer(engines, wrong)["sentence"].startswith("The notebook cannot answer")
+        assert notebook.answer(subjects, wrong)["sentence"].startswith("The notebook cannot answer")
 
 
 def test_all_engines_have_a_name_for_every_line_under_it() -> None:

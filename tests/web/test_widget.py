@@ -62,7 +62,7 @@ def show(page: Page, tmp_path: Path) -> Iterator[Show]:
     page.set_viewport_size({"width": 1000, "height": 900})
     page.goto(blank.as_uri())
     shown: list[Any] = []
-    page.expose_function("kernel", lambda question: notebook.answer(shown[-1]._engines, question))
+    page.expose_function("kernel", lambda question: notebook.answer(shown[-1]._subjects, question))
     page.evaluate(HARNESS, bundle())
 
     def put(*names: str, **traits: Any) -> Any:

@@ -17,6 +17,7 @@ import {
   stateText,
   storeOf,
 } from './state'
+import { InUnits, keepUnits, keptUnits } from './units'
 
 /** What all parts of the page share. */
 export interface App {
@@ -29,6 +30,10 @@ export interface App {
   readonly cured: ReadonlySignal<readonly (Exhibit | null | undefined)[]>
   /** The engines on the stage and in the panels: each as it is or fitted. */
   readonly shown: ReadonlySignal<readonly Exhibit[]>
+  /** The units of all numbers, as --units takes them. */
+  readonly units: ReadonlySignal<string>
+  /** Puts the engine with estimated masses in its place. */
+  estimate(exhibit: Exhibit): Promise<void>
   /** Which of the shown engines the panels show: its place in `engines`, `cured` and `shown`. */
   readonly subject: ReadonlySignal<number>
   /** The quantity that figures and derivations show: the chosen one, or the greater of force and couple. */
@@ -60,6 +65,7 @@ function matching(query: string, endings: (() => void)[]): ReadonlySignal<boolea
 export function createApp(host: Host): App {
   const endings: (() => void)[] = []
   const store = storeOf(stateOf(host.readState()))
+  if (host.kind !== 'widget' && !store.units.peek()) store.units.value = keptUnits()
   const systemDark = matching('(prefers-color-scheme: dark)', endings)
   const calm = matching('(prefers-reduced-motion: reduce)', endings)
   const trouble = signal('')
@@ -67,7 +73,15 @@ export function createApp(host: Host): App {
   const other = signal<Exhibit | null>(null)
   const known = signal<ReadonlyMap<Exhibit, Exhibit | null>>(new Map())
 
-  const engines = computed(() => (other.value ? [own.value, other.value] : [own.value]))
+  const others = new InUnits()
+  const arrived = signal(0)
+  const asGiven = computed(() => (other.value ? [own.value, other.value] : [own.value]))
+  const units = computed(() => store.units.value || host.exhibition.engines[0].units.chosen)
+  // until an engine comes in the chosen units, it stays as it is
+  const engines = computed(() => {
+    void arrived.value
+    return asGiven.value.map((exhibit) => others.of(exhibit, units.value) ?? exhibit)
+  })
   const cured = computed(() => engines.value.map((exhibit) => known.value.get(exhibit)))
   const shown = computed(() =>
     engines.value.map((exhibit, index) =>
@@ -112,8 +126,30 @@ export function createApp(host: Host): App {
     return null
   }
 
+  /** Asks for engines in the chosen units; where they are refused, takes back the choice. */
+  function convert(exhibits: readonly Exhibit[], wanted: string): void {
+    for (const exhibit of exhibits) {
+      if (others.of(exhibit, wanted)) continue
+      host.inUnits(exhibit, wanted).then(
+        (converted) => {
+          others.put(exhibit, wanted, converted)
+          arrived.value += 1
+        },
+        (error: unknown) => {
+          failed(error)
+          if (store.units.peek() === wanted) store.units.value = ''
+        },
+      )
+    }
+  }
+
   let ownName = ''
   endings.push(
+    effect(() => convert(asGiven.value, units.value)),
+    effect(() => {
+      // a notebook has the units of its kernel
+      if (host.kind !== 'widget') keepUnits(store.units.value)
+    }),
     effect(() => {
       const name = store.engine.value
       if (name === ownName) return
@@ -173,6 +209,32 @@ export function createApp(host: Host): App {
     },
   )
 
+  function put(exhibit: Exhibit, tree: Tree): void {
+    const edited = { ...exhibit, file: tree }
+    own.value = edited
+    ownName = '~'
+    packedTree(tree).then((packed) => {
+      if (own.peek() !== edited) return
+      ownName = `~${packed}`
+      store.engine.value = ownName
+    }, failed)
+  }
+
+  async function estimate(exhibit: Exhibit): Promise<void> {
+    try {
+      const tree = await host.estimate?.(exhibit)
+      if (!tree) return // the host has put it there
+      if (asGiven.peek()[1]?.file === exhibit.file) {
+        store.beside.value = `~${await packedTree(tree)}`
+        return
+      }
+      const answer = await host.service?.exhibit(tree)
+      if (answer?.ok) put(answer.value, tree)
+    } catch (error) {
+      failed(error)
+    }
+  }
+
   /** Sets the clock as the state has it: at an angle, or turning unless calm is preferred. */
   function start(): void {
     const angle = store.angle.peek()
@@ -199,21 +261,14 @@ export function createApp(host: Host): App {
     engines,
     cured,
     shown,
+    units,
+    estimate,
     subject,
     quantity,
     trouble,
     dark,
     calm,
-    put(exhibit, tree) {
-      const edited = { ...exhibit, file: tree }
-      own.value = edited
-      ownName = '~'
-      packedTree(tree).then((packed) => {
-        if (own.peek() !== edited) return
-        ownName = `~${packed}`
-        store.engine.value = ownName
-      }, failed)
-    },
+    put,
     cure,
     dispose() {
       for (const end of endings) end()

@@ -18,6 +18,8 @@ export interface Exhibition {
   /** each engine with weights and balance shafts, where they help */
   fitted: (Exhibit | null)[]
   stroke_colours: StrokeColours
+  /** the choices of units that are offered by name */
+  units?: UnitsOffered[]
   /** names or files of the engines on the command line */
   sources?: string[]
   command?: string
@@ -46,6 +48,12 @@ export interface Exhibit {
   heading: string[]
   /** key paths of values that no source confirms */
   unverified: string[]
+  /** key paths of estimated values */
+  estimated: string[]
+  /** whether masses that are missing can be estimated */
+  can_estimate: boolean
+  /** the sums in the middle and at the corners of the ranges of estimated values */
+  ends: Sum[]
   reference_z: number
   /** the length that couples are counted in along z, in the unit of the scene */
   couple_length: number
@@ -64,12 +72,32 @@ export interface Exhibit {
   /** weights, shafts and remaining unbalance of a fitted engine; else empty */
   remedies: Table[]
 }
-/** The units of the numbers, as they are printed. */
+/**
+ * The units of the numbers, as they are printed; numbers that are sent stay as they are.
+ *
+ * The factors lead from what is sent (N, N m, or m r ω²) to the unit that is printed.
+ */
 export interface Units {
+  /** the choice of units, as --units names it */
+  chosen: string
   force: string
   couple: string
   roll: string
   length: string
+  force_factor: number
+  couple_factor: number
+  roll_factor: number
+  /** in which force and couple are sent */
+  counted: [string, string]
+  /** of lengths of the scene, the smallest first; each from 0.1 of it on */
+  lengths: Unit[]
+  mass: Unit
+  inertia: Unit
+}
+/** A unit as it is printed, and the factor to it from the number that is sent. */
+export interface Unit {
+  label: string
+  factor: number
 }
 /**
  * Sizes of the first cylinder in the engine's own units.
@@ -277,6 +305,8 @@ export interface Row {
   quantity: 'force' | 'couple' | 'roll' | 'torque'
   up: string
   right: string
+  /** whether the numbers rest on estimates and have ranges */
+  estimated: boolean
   /** shape of the path as a phrase: none, circle with the crank, horizontal line */
   path: string
   greatest: string
@@ -323,6 +353,11 @@ export interface StrokeColours {
   compression: string
   power: string
   exhaust: string
+}
+/** A choice of units: its name, as --units takes it, and what a reader knows it by. */
+export interface UnitsOffered {
+  name: string
+  label: string
 }
 /** One fault of an engine file: its key path, and what would be right. */
 export interface Problem {
@@ -382,6 +417,8 @@ export interface TreeShown {
 /** The weights and balance shafts to fit an engine with; by default the verdict's advice. */
 export interface FittedQuestion {
   engine: string | {}
+  /** as --units takes them; by default those of the server */
+  units?: string | null
   /** balance factor of the counterweights */
   factor?: number | null
   /** where the counterweights go */

@@ -1,3 +1,5 @@
+import type { Unit } from './exhibit'
+
 /** A number with four figures. */
 function figures(value: number): string {
   if (value === 0) return '0'
@@ -7,12 +9,19 @@ function figures(value: number): string {
   return text.replace('-', '−')
 }
 
-/** A length of a scene: in mm or µm where the scene is in metres. */
-export function lengthText(length: number, unit: string): string {
-  if (unit !== 'm') return `${figures(length)} ${unit}`
+/** The unit that a length is shown in: the greatest of which it is a tenth or more, else the least. */
+export function lengthUnit(length: number, units: readonly Unit[]): Unit {
+  const fits = units.filter(({ factor }) => Math.abs(length) * factor >= 0.1 * (1 - 1e-9))
+  return fits.at(-1) ?? units[length === 0 ? units.length - 1 : 0] ?? { label: '', factor: 1 }
+}
+
+/** A length of a scene in the unit that fits it; one too small to be real is 0. */
+export function lengthText(length: number, units: readonly Unit[]): string {
   const size = Math.abs(length)
-  if (size !== 0 && size < 1e-9) return '0'
-  return size !== 0 && size < 1e-4 ? `${figures(length * 1e6)} µm` : `${figures(length * 1e3)} mm`
+  const scaled = units.length > 1 || (units[0]?.factor ?? 1) !== 1
+  if (scaled && size < 1e-9) return '0'
+  const unit = lengthUnit(length, units)
+  return quantityText(length * unit.factor, unit.label)
 }
 
 /** A number with its unit. */

@@ -52,6 +52,8 @@ export interface State {
   readonly beside: string
   /** Which of the engines on the stage the panels show. */
   readonly panel: '1' | '2'
+  /** Units of all numbers, as --units takes them; empty for those of the host. */
+  readonly units: string
   /** Language of the page; empty for that of its host. */
   readonly language: string
 }
@@ -75,6 +77,7 @@ export const OPENING: State = {
   fitted: false,
   beside: '',
   panel: '1',
+  units: '',
   language: '',
 }
 
@@ -146,6 +149,7 @@ const FIELDS: { readonly [K in keyof State]: Field<State[K]> } = {
   fitted: yesNo('fitted'),
   beside: words('beside', 60_000),
   panel: oneOf('panel', ['1', '2']),
+  units: words('units', 200),
   language: words('lang', 12),
 }
 const NAMES = Object.keys(FIELDS) as readonly (keyof State)[]

@@ -21,6 +21,7 @@ const OTHER: State = {
   fitted: true,
   beside: 'v8 & "flat" <b>#plane</b>',
   panel: '2',
+  units: 'kN, kN m',
   language: 'ru',
 }
 

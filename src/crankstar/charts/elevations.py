@@ -16,7 +16,8 @@ from crankstar.charts.plane import turning
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Cylinder, Shaft
 from crankstar.language.messages import _
-from crankstar.language.numbers import number
+from crankstar.language.numbers import number, unit_text
+from crankstar.language.shown_units import Shown, shown
 from crankstar.mechanics.balance import default_reference
 from crankstar.mechanics.excitation import Reference
 
@@ -75,11 +76,22 @@ def shaft_elevation(
     if "pitch" in engine.relative:
         title = _("Crankshaft from the side, front at the left; arms in bore pitches")
     else:
-        title = _("Crankshaft from the side, front at the left; arms in mm")
+        title = _(
+            "Crankshaft from the side, front at the left; arms in {unit}",
+            unit=unit_text(_lengths(engine).unit),
+        )
     height = _("at θ = {theta}°, heights to scale", theta=f"{degrees(theta):.4g}")
     subtitle = [engine.name, height, *_arm_range(engine)]
     turns = turns_together(engine)
     return figure(rows, title=title, subtitle=subtitle, theta=theta, turns=turns)
+
+
+def _lengths(engine: Engine) -> Shown:
+    """The unit of the arms, and the factor from the engine's own lengths along the shaft."""
+    if "pitch" in engine.relative:
+        return Shown("a", 1.0)
+    said = shown("mm", 0.0)  # whatever their size: with SI prefixes drawings are in mm
+    return Shown(said.unit, 1000.0 * said.factor)
 
 
 def _arm_range(engine: Engine) -> list[str]:
@@ -201,7 +213,7 @@ def _arms(
     engine: Engine, shaft: Shaft, along: Along, zero: float
 ) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
     """The arms below their ticks, lower where one would cover another, with lines down to them."""
-    scale = 1.0 if "pitch" in engine.relative else 1000.0
+    scale = _lengths(engine).factor
     texts: list[dict[str, Any]] = []
     leaders: list[dict[str, Any]] = []
     taken = [-1e9] * LINES

@@ -20,16 +20,9 @@ from crankstar.cli.options import (
 )
 from crankstar.cli.output import display, working
 from crankstar.engine.copies import with_values
-from crankstar.language.messages import N_, _
+from crankstar.language.messages import _
 from crankstar.options import values as request
 from crankstar.options.balancing import BalanceOptions
-
-SIZED = N_(
-    "Each range is that of engines whose weights and shafts are sized for their own masses. "
-    "Weights that are made before the masses are known leave more: `crankstar analyze` of the "
-    "file written with -o."
-)
-"""What the ranges of a balance of estimated masses mean."""
 
 
 @app.command
@@ -47,8 +40,8 @@ def balance(
     """Balance an engine with counterweights and balance shafts; print what remains."""
     from crankstar.derive import documents
     from crankstar.options.balancing import balanced, new_name
+    from crankstar.tables import remedies
     from crankstar.tables.ranges import ranged
-    from crankstar.tables.remedies import balancing_sheet
     from crankstar.tables.table import remarks
 
     own, ((loaded, spread), tree), _turning = together(
@@ -59,14 +52,16 @@ def balance(
     with working(_("balancing ...")):
         job = balanced(loaded, options, speed=speed, own_factor=own)
         make = partial(balanced, options=options, speed=speed, own_factor=own)
-        document = ranged(lambda each: balancing_sheet(make(each)), spread, loaded)
+        document = ranged(lambda each: remedies.balancing_sheet(make(each)), spread, loaded)
         proof = []
         if prove:  # exact algebra is slow to load
             from crankstar.derive.cure import proofs
 
             proof = proofs(job.before, job.after)
     if spread is not None:
-        document = replace(document, parts=(*document.parts, *remarks(_(SIZED), kind="note")))
+        document = replace(
+            document, parts=(*document.parts, *remarks(_(remedies.SIZED), kind="note"))
+        )
     if output is not None:
         write_engine(with_values(job.after, name=new_name(job, options)), tree, output)
     display(document)

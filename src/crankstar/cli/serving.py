@@ -7,9 +7,8 @@ from typing import Annotated
 from cyclopts import Parameter
 
 from crankstar.cli.application import app
-from crankstar.cli.options import Settings, changed_tree, command_text, option
+from crankstar.cli.options import Estimating, Settings, command_text, engine_over_ranges, option
 from crankstar.cli.output import complain, working
-from crankstar.files import engine_of
 from crankstar.language.messages import _
 from crankstar.options import values as request
 from crankstar.options.values import RequestError
@@ -28,6 +27,7 @@ def serve(
     port: Annotated[int, option("--port")] = 8000,
     open_: Annotated[bool, option("--open")] = False,
     settings: Settings = None,
+    estimate: Estimating = False,
 ) -> None:
     """Serve the page on this machine and recompute the engine at every edit."""
     number = request.within("--port", port, least=0, most=GREATEST_PORT) or 0
@@ -40,8 +40,7 @@ def serve(
                 'pip install "crankstar[server]"',
                 reason=error,
             ) from None
-        name, tree = changed_tree(engine, settings)
-        engine_of(tree, name=name)
+        _loaded, tree = engine_over_ranges(engine, settings, estimate=estimate)
         taken = running.opened(host, number)
     address = running.address_of(taken, host)
 
@@ -60,6 +59,7 @@ def serve(
             webbrowser.open(address)
 
     shown = request.named(engine)
-    command = command_text("serve", shown, {"--set": settings})
+    flags = {"--estimate": [""] if estimate else None}
+    command = command_text("serve", shown, {"--set": settings, **flags})
     with taken:
         running.serve(taken, host=host, opening=(tree, shown, command), ready=ready)

@@ -6,10 +6,16 @@ from functools import partial
 from typing import Annotated
 
 from crankstar.cli.application import app
-from crankstar.cli.options import EngineName, Settings, changed_tree, command_text, option, together
+from crankstar.cli.options import (
+    EngineName,
+    Estimating,
+    Settings,
+    command_text,
+    engine_over_ranges,
+    option,
+    together,
+)
 from crankstar.cli.output import progress, writable, write_result
-from crankstar.files import engine_of
-from crankstar.files.catalog import tree_of
 from crankstar.language.messages import _
 from crankstar.options import values as request
 from crankstar.options.forms import form_of, refuse_terminal, usual_place
@@ -24,6 +30,7 @@ def page(
         list[str] | None, option("--beside", "At the same crank angle; one only.")
     ] = None,
     settings: Settings = None,
+    estimate: Estimating = False,
     output: Annotated[str | None, option("--output", ".html; default: ENGINE.html.")] = None,
 ) -> None:
     """Write a page on which the engine turns, with the whole analysis, as one HTML file."""
@@ -36,12 +43,17 @@ def page(
     refuse_terminal(output, ("html",))
     second = request.single("--beside", beside)
     given = together(
-        partial(changed_tree, engine, settings),
-        *(partial(tree_of, name) for name in [second] if name is not None),
+        partial(engine_over_ranges, engine, settings, estimate=estimate),
+        *(
+            partial(engine_over_ranges, name, None, estimate=estimate)
+            for name in [second]
+            if name is not None
+        ),
     )
-    engines = [engine_of(tree, name=name) for name, tree in given]
+    engines = [loaded.engine for loaded, _tree in given]
     names = [request.named(word) for word in (engine, second) if word is not None]
-    options = {"--beside": names[1:], "--set": settings, "-o": [usual]}
+    flags = {"--estimate": [""] if estimate else None}
+    options = {"--beside": names[1:], "--set": settings, **flags, "-o": [usual]}
     pages.bundle()
     with progress(_("Drawing")) as tell:
         data = held(

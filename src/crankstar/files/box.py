@@ -48,6 +48,11 @@ class Spread(NamedTuple):
     corners: tuple[Engine, ...]
 
     @property
+    def ends(self) -> tuple[Engine, ...]:
+        """Those in the middle and at the corners."""
+        return (self.middle, *self.corners)
+
+    @property
     def engines(self) -> tuple[Engine, ...]:
         """All of them, the engine as given first."""
         return (self.engine, self.middle, *self.corners)

@@ -34,14 +34,18 @@ def explicit(engine: Engine) -> dict[str, Any]:
 def part_by_part(engine: Engine) -> dict[str, Any]:
     """The explicit form without the sources of keys that it does not have.
 
-    Such as those of the layout it was made from.
+    Such as those of the layout it was made from; those of estimates stay, which mark results.
 
     Unlike `explicit` and `toml`, which give back the same engine with every source, this is a tree
     to go on working with.
     """
     tree = explicit(engine)
     sources = tree.pop("provenance", {})
-    kept = {path: source for path, source in sources.items() if _is_there(tree, keys_of(path))}
+    kept = {
+        path: source
+        for path, source in sources.items()
+        if source.get("status") == "estimated" or _is_there(tree, keys_of(path))
+    }
     return {**tree, "provenance": kept} if kept else tree
 
 

@@ -139,6 +139,18 @@ def read_choice(text: str) -> Choice:
     return {**(SYSTEMS[systems[0]] if systems else {}), **weights, **named}
 
 
+def choice_text(choice: Choice) -> str:
+    """The text that names a choice: a system, or its units with commas.
+
+    >>> choice_text({}), choice_text(SYSTEMS["us"]), choice_text({"force": "kN", "moment": "kN*m"})
+    ('si', 'us', 'kN, kN m')
+    """
+    for name, units in SYSTEMS.items():
+        if dict(choice) == units:
+            return name
+    return ", ".join(map(unit_text, choice.values()))
+
+
 def _of_word(word: str) -> Iterator[tuple[str, str]]:
     """The dimension of a unit and the unit. Raises UnitsError."""
     unit = spelt(word)

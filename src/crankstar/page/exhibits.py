@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
+from functools import partial
 from importlib.metadata import version
 from math import lcm, pi
-from typing import Any
+from typing import Any, NamedTuple
 
-from crankstar import files
+from crankstar import files, spectra
 from crankstar.charts.strokes import STROKE_COLOURS
 from crankstar.engine.copies import throws_of_weights, with_values
 from crankstar.engine.engine import Engine
+from crankstar.files.box import Spread, spread
 from crankstar.firing.strokes import WorkingCycle, working_cycle
 from crankstar.language.faults import EngineError
-from crankstar.language.numbers import unit_text
+from crankstar.language.messages import N_, _
+from crankstar.language.numbers import unit_text, values_kept
+from crankstar.language.shown_units import SYSTEMS, choice, choice_text, shown
 from crankstar.mechanics import remains
 from crankstar.mechanics.balance import Balance, balance, scales
 from crankstar.page import orders as vectors
@@ -30,13 +34,24 @@ from crankstar.page.records import (
     StrokeColours,
     StrokeWindow,
     Table,
+    Unit,
     Units,
+    UnitsOffered,
 )
 from crankstar.page.scene import scene
 from crankstar.remedy import fitting
+from crankstar.remedy.kept import with_source
 from crankstar.tables import headings, remedies, strokes
-from crankstar.tables.conditions import unit_sentence, unit_sizes, unverified
+from crankstar.tables.conditions import can_be_estimated, unit_sentence, unit_sizes, unverified
+from crankstar.tables.ranges import estimated_paths, merged, ranged_lines
+from crankstar.tables.table import Document
 from crankstar.tables.verdict import subjects, verdict
+from crankstar.tables.verdict_ranges import ranged_facts
+
+LENGTHS = (Unit(label="µm", factor=1e6), Unit(label="mm", factor=1e3))
+"""The units of small lengths of a drawing with sizes, from metres."""
+LABELS = {"si": N_("SI"), "us": N_("US customary")}
+"""What readers know the systems of units by."""
 
 
 def exhibition(
@@ -63,6 +78,7 @@ def exhibition(
             fitted(engine, file=tree) for engine, tree in zip(engines, trees, strict=True)
         ),
         stroke_colours=StrokeColours(**STROKE_COLOURS),
+        units=offered(),
         sources=tuple(sources),
         command=command,
         version=version("crankstar"),
@@ -93,29 +109,27 @@ def exhibit(
     `file` is its engine file as a tree, by default in the explicit form; `relatives`: the verdict
     also names better engines of the catalog, which takes the longest the first time.
     """
+    tree = dict(file) if file is not None else files.explicit(engine)
     result = balance(engine, speed=engine.speed)
     sums = remains.summed(result)
+    over = spread_of(engine, tree)
+    ends = [remains.summed(balance(each, speed=each.speed)) for each in over.ends] if over else []
     orders = remains.orders_shown(result, sums)
     along, cycle = proportions(engine).along, _cycle(engine)
-    subject_of = subjects()
     return Exhibit(
         name=engine.name,
-        file=dict(file) if file is not None else files.explicit(engine),
+        file=tree,
         cycle_deg=engine.cycle_angle,
         turns=_turns(engine),
         weight_throws=tuple(map(throws_of_weights, engine.shafts)),
         relative=engine.relative,
         sense=1 if engine.sense > 0 else -1,
         speed_rpm=None if engine.speed is None else float(f"{engine.speed * 30 / pi:.12g}"),
-        units=Units(
-            force=unit_text(result.units.force),
-            couple=unit_text(result.units.couple),
-            roll=unit_text(result.units.moment),
-            length=engine.across,
-        ),
         scale=_scale(engine),
-        heading=_heading(engine, result),
         unverified=tuple(unverified(engine)),
+        estimated=tuple(estimated_paths(engine)),
+        can_estimate=can_be_estimated(engine),
+        ends=vectors.ends_of(ends, orders),
         reference_z=result.reference.z * along,
         couple_length=along,
         orders=orders,
@@ -124,17 +138,53 @@ def exhibit(
         whirl=vectors.free_response(engine, orders, along=along),
         bearings=bearings_shown(engine),
         scene=scene(engine),
-        table=vectors.rows(sums, orders),
-        verdict=tuple(
-            Fact(about=subject_of[fact.about], sentence=fact.sentence)
-            for fact in verdict(engine, relatives=relatives)
-        ),
         strokes=printed(strokes.tables(engine, cycle)) if cycle else (),
         stroke_windows=_windows(cycle) if cycle else (),
         charts=chart_keys(engine, remains.orders_pushed(result)),
         derivations=derivation_keys(remains.orders_pushed(result)),
         remedies=tuple(remedies),
+        **in_units(engine, over, relatives=relatives),
     )
+
+
+def in_units(engine: Engine, over: Spread | None, *, relatives: bool) -> dict[str, Any]:
+    """The parts of an exhibit that are in the units of the context: units, texts and numbers."""
+    result = balance(engine, speed=engine.speed)
+    sums = remains.summed(result)
+    ends = [remains.summed(balance(each, speed=each.speed)) for each in over.ends] if over else []
+    units, scaling = units_of(engine, result, sums)
+    subject_of = subjects()
+    facts = ranged_facts(
+        partial(verdict, relatives=relatives),
+        over,
+        engine,
+        at_ends=partial(verdict, relatives=False),
+    )
+    return {
+        "units": units,
+        "heading": ranged_lines(_heading, over, engine),
+        "table": vectors.rows(sums, remains.orders_shown(result, sums), scaling=scaling, ends=ends),
+        "verdict": tuple(
+            Fact(about=subject_of[fact.about], sentence=fact.sentence) for fact in facts
+        ),
+    }
+
+
+class Done(NamedTuple):
+    """An engine with weights and shafts: by which balance factor, and in words."""
+
+    after: Engine
+    factor: float | None
+    description: str = ""
+
+
+Fit = Callable[[Engine], Done | None]
+
+
+def advised(engine: Engine, *, bare: bool = False) -> Done | None:
+    """The engine with the weights and shafts that the verdict recommends, if there are any."""
+    remedy = fitting.recommended(engine, bare=bare)
+    return None if remedy is None else Done(remedy.after, remedy.factor, remedy.description)
 
 
 def fitted(
@@ -145,30 +195,100 @@ def fitted(
     `file` is the tree of its engine file. New counterweights stand beside those of the file or,
     with `bare`, instead of them.
     """
-    remedy = fitting.recommended(engine, bare=bare)
-    if remedy is None:
-        return None
-    return fitted_with(
-        engine, remedy.after, factor=remedy.factor, description=remedy.description, file=file
-    )
+    return fitted_with(engine, partial(advised, bare=bare), file=file)
 
 
 def fitted_with(
-    engine: Engine,
-    after: Engine,
-    *,
-    factor: float | None,
-    description: str = "",
-    file: Mapping[str, Any] | None = None,
-) -> Exhibit:
-    """The exhibit of `after`, with the tables of its weights and shafts, `description` first.
+    engine: Engine, fit: Fit, *, file: Mapping[str, Any] | None = None
+) -> Exhibit | None:
+    """The engine as it is fitted, with the tables of its weights and shafts; None without any.
 
     Its file keeps the form of the `file` of the engine, where that can say everything.
     """
-    job = remedies.Job(engine, after, factor, speed=engine.speed, description=description)
-    tables = printed(tuple(remedies.parts(job)))
+    done = fit(engine)
+    if done is None:
+        return None
+    after = with_source(engine, done.after)
     own = files.part_by_part(after) if file is None else files.rewritten_by_parts(file, after)
+    tables = remedy_tables(engine, fit, None if file is None else spread_of(engine, file))
     return exhibit(after, file=own, relatives=False, remedies=tables)
+
+
+def remedy_tables(engine: Engine, fit: Fit, over: Spread | None) -> tuple[Table, ...]:
+    """The tables of weights and shafts; with ranges, for engines each fitted for its own masses."""
+
+    def sheet(each: Engine) -> Document:
+        done = fit(each)
+        if done is None:
+            return Document("", ())
+        job = remedies.Job(
+            each, done.after, done.factor, speed=each.speed, description=done.description
+        )
+        return Document("", tuple(remedies.parts(job)))
+
+    if over is None:
+        return printed(sheet(engine).parts)
+    with values_kept():
+        documents = [sheet(each) for each in over.engines]
+    tables = printed(merged(documents).parts)
+    last = max((place for place, table in enumerate(tables) if table.rows), default=-1)
+    return tuple(
+        table.model_copy(update={"notes": (*table.notes, _(remedies.SIZED))})
+        if place == last
+        else table
+        for place, table in enumerate(tables)
+    )
+
+
+def spread_of(engine: Engine, tree: Mapping[str, Any]) -> Spread | None:
+    """The engine over the ranges of the estimated values of its file; None where it has none."""
+    ends = spread(dict(tree), name=engine.name)
+    return None if ends is None else ends._replace(engine=engine)
+
+
+def units_of(engine: Engine, result: Balance, sums: remains.Sums) -> tuple[Units, vectors.Scaling]:
+    """The units in which a page shows an engine, and the factors to them.
+
+    Force, couple and moments each have the one unit that fits their peak over a turn.
+    """
+    own = result.units
+    force = shown(own.force, spectra.peak(sums.force).value)
+    couple = shown(own.couple, spectra.peak(sums.couple).value)
+    moment = shown(own.moment, max(spectra.peak(each).value for each in (sums.roll, sums.torque)))
+    lengths = (Unit(label=engine.across, factor=1.0),)
+    if "radius" not in engine.relative:
+        long = shown("mm", 1.0)  # a lone m is the relative mass
+        chosen = Unit(label=unit_text(long.unit), factor=1000.0 * long.factor)
+        lengths = (chosen,) if "length" in choice() else LENGTHS
+    return (
+        Units(
+            chosen=choice_text(choice()),
+            force=unit_text(force.unit),
+            couple=unit_text(couple.unit),
+            roll=unit_text(moment.unit),
+            length=engine.across,
+            force_factor=force.factor,
+            couple_factor=couple.factor,
+            roll_factor=moment.factor,
+            counted=(unit_text(own.force), unit_text(own.couple)),
+            lengths=lengths,
+            mass=_unit("m" if "mass" in engine.relative else "kg"),
+            inertia=_unit("m*r^2" if "mass" in engine.relative else "kg*m^2"),
+        ),
+        vectors.Scaling(force.factor, couple.factor, moment.factor),
+    )
+
+
+def _unit(unit: str) -> Unit:
+    said = shown(unit, 1.0, prefixed=False)
+    return Unit(label=unit_text(said.unit), factor=said.factor)
+
+
+def offered() -> tuple[UnitsOffered, ...]:
+    """The choices of units that a page offers by name: the systems, and that of the context."""
+    own = choice_text(choice())
+    names = dict.fromkeys((*SYSTEMS, own))
+    return tuple(UnitsOffered(name=name, label=_(LABELS.get(name, name))) for name in names)
 
 
 def _scale(engine: Engine) -> Scale:
@@ -187,8 +307,9 @@ def _turns(engine: Engine) -> int:
     return lcm(int(cycle), *(shaft.speed_ratio.denominator for shaft in engine.shafts))
 
 
-def _heading(engine: Engine, result: Balance) -> tuple[str, ...]:
+def _heading(engine: Engine) -> tuple[str, ...]:
     """The lines under the name: cycle, firing, units."""
+    result = balance(engine, speed=engine.speed)
     units = (unit_sentence(engine, result), unit_sizes(engine))
     return tuple(filter(None, [*headings.heading_lines(engine), *units]))
 

@@ -7,6 +7,7 @@ from typing import Any
 
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
+from crankstar.files.box import Spread
 from crankstar.language.messages import MessageError, _
 from crankstar.language.quoting import one_line
 from crankstar.page.keys import BEFORE_AND_AFTER
@@ -21,12 +22,16 @@ CHOSEN_BY = {"order", "quantity"}
 """The options of keys."""
 
 
-def chart(engine: Engine, key: str) -> dict[str, Any]:
+def chart(engine: Engine, key: str, *, spread: Spread | None = None) -> dict[str, Any]:
     """The figure as Vega-Lite, with the parameter `theta` (degrees) but without its slider.
 
-    Raises NoSuchKeyError, or ChartError where the figure cannot be drawn.
+    With a `spread` of the engine, an estimated one, its ranges are drawn. Raises
+    NoSuchKeyError, or ChartError where the figure cannot be drawn.
     """
-    made = _before_and_after(engine) if key == BEFORE_AND_AFTER else _single(engine, key)
+    if key == BEFORE_AND_AFTER:
+        made = _before_and_after(engine, spread)
+    else:
+        made = _single(engine, key, spread)
     drawn = made.to_dict()
     if "params" in drawn:
         drawn["params"] = [
@@ -35,8 +40,17 @@ def chart(engine: Engine, key: str) -> dict[str, Any]:
     return drawn
 
 
-def _before_and_after(engine: Engine) -> Any:
-    from crankstar.charts import side_by_side
+def fitted_spread(spread: Spread | None, after: Engine) -> Spread | None:
+    """The fitted engine `after` over the ranges, each engine with weights for its own masses."""
+    fitted = [fitting.recommended(each) for each in spread.ends] if spread else []
+    engines = [one.after for one in fitted if one is not None]
+    if not engines or len(engines) < len(fitted):
+        return None
+    return Spread(after, engines[0], tuple(engines[1:]))
+
+
+def _before_and_after(engine: Engine, spread: Spread | None) -> Any:
+    from crankstar.charts import over_ranges, side_by_side
 
     fitted = fitting.recommended(engine)
     if fitted is None:
@@ -45,11 +59,13 @@ def _before_and_after(engine: Engine) -> Any:
         )
     before = with_values(engine, name=_("as it is"))
     after = with_values(fitted.after, name=_("with weights and shafts"))
-    return side_by_side([before, after], "spectrum", speed=engine.speed)
+    own = spread and spread._replace(engine=before)
+    with over_ranges([own, fitted_spread(spread, after)]):
+        return side_by_side([before, after], "spectrum", speed=engine.speed)
 
 
-def _single(engine: Engine, key: str) -> Any:
-    from crankstar.charts import CHARTS
+def _single(engine: Engine, key: str, spread: Spread | None) -> Any:
+    from crankstar.charts import CHARTS, over_ranges
 
     figure, *options = key.split(":")
     pairs = (part.partition("=") for part in options)
@@ -69,7 +85,8 @@ def _single(engine: Engine, key: str) -> Any:
         asked["order"] = _order(key, asked["order"])
     if "speed" in known.options:
         asked["speed"] = engine.speed
-    return known.draw(engine, **asked)
+    with over_ranges([spread]):
+        return known.draw(engine, **asked)
 
 
 def _order(key: str, text: str) -> float:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import chain
-from typing import Literal
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -14,11 +14,16 @@ from crankstar.engine.engine import Engine
 from crankstar.language.numbers import NEGLIGIBLE, number, wave
 from crankstar.mechanics.balance import Balance, of_parts
 from crankstar.mechanics.remains import Sums, ranked
-from crankstar.page.records import Pair, PartForce, Row, Sum, Vectors, Whirl
+from crankstar.page.records import Pair, PartForce, Quantity, Row, Sum, Vectors, Whirl
 from crankstar.spectra import Complex, Spectrum
+from crankstar.tables.cells import ranged_text
 from crankstar.tables.paths import shape
+from crankstar.tables.ranges import complex_range, real_range
+from crankstar.tables.table import Ranged
 
 MINUS = "\N{MINUS SIGN}"
+ROUNDED = 7
+"""Figures of the sums at the corners of ranges, of which three are shown."""
 
 
 def vectors(spectrum: Spectrum, orders: Sequence[float]) -> Vectors:
@@ -37,14 +42,31 @@ def signals(spectrum: Spectrum, orders: Sequence[float]) -> tuple[Pair, ...]:
     return pairs(spectra.amplitude(spectra.selected(spectrum, orders)))
 
 
-def sums_of(sums: Sums, orders: Sequence[float]) -> Sum:
-    """The whole engine."""
+def ends_of(ends: Sequence[Sums], orders: Sequence[float]) -> tuple[Sum, ...]:
+    """The whole engine in the middle and at the corners of its ranges, each different one once."""
+    sums = [sums_of(each, orders, digits=ROUNDED) for each in ends]
+    return tuple({each.model_dump_json(): each for each in sums}.values())
+
+
+def sums_of(sums: Sums, orders: Sequence[float], *, digits: int | None = None) -> Sum:
+    """The whole engine; with so many figures, if `digits` says how many."""
+    if digits is not None:
+        whole = sums_of(sums, orders).model_dump()
+        return Sum.model_validate(_rounded(whole, digits))
     return Sum(
         force=vectors(sums.force, orders),
         couple=vectors(sums.couple, orders),
         roll=signals(sums.roll, orders),
         torque=signals(sums.torque, orders),
     )
+
+
+def _rounded(tree: Any, digits: int) -> Any:
+    if isinstance(tree, dict):
+        return {key: _rounded(value, digits) for key, value in tree.items()}
+    if isinstance(tree, tuple | list):
+        return tuple(_rounded(value, digits) for value in tree)
+    return float(f"{tree:.{digits}g}") + 0.0
 
 
 def by_cylinder(
@@ -76,62 +98,113 @@ def free_response(engine: Engine, orders: Sequence[float], *, along: float) -> W
     )
 
 
-def rows(sums: Sums, orders: Sequence[float]) -> tuple[Row, ...]:
-    """The table of orders: of each quantity those that remain, the greatest first, then others."""
-    return (
-        *_vector_rows(sums, "force", orders),
-        *_vector_rows(sums, "couple", orders),
-        *_signal_rows(sums, "roll", orders),
-        *_signal_rows(sums, "torque", orders),
+class Scaling(NamedTuple):
+    """The factors from the units of a Balance to those printed: force, couple, moments."""
+
+    force: float = 1.0
+    couple: float = 1.0
+    moment: float = 1.0
+
+    def of(self, quantity: str) -> float:
+        """That of a quantity."""
+        return getattr(self, quantity) if quantity in ("force", "couple") else self.moment
+
+
+def rows(
+    sums: Sums,
+    orders: Sequence[float],
+    *,
+    scaling: Scaling | None = None,
+    ends: Sequence[Sums] = (),
+) -> tuple[Row, ...]:
+    """The table of orders: of each quantity those that remain, the greatest first, then others.
+
+    `ends` are the sums in the middle and at the corners of the ranges of an estimated engine.
+    """
+    return tuple(
+        row
+        for quantity in ("force", "couple", "roll", "torque")
+        for row in _rows(sums, quantity, orders, (scaling or Scaling()).of(quantity), ends)
     )
 
 
-def _vector_rows(
-    sums: Sums, quantity: Literal["force", "couple"], orders: Sequence[float]
+class _Sizes(NamedTuple):
+    """Vertical and horizontal amplitude, and greatest value, of an order."""
+
+    up: complex
+    right: complex
+    greatest: float
+
+
+def _rows(
+    sums: Sums, quantity: Quantity, orders: Sequence[float], factor: float, ends: Sequence[Sums]
 ) -> Iterator[Row]:
     spectrum = getattr(sums, quantity)
     orders = list(chain(*ranked(spectrum, orders)))
+    vector = quantity in ("force", "couple")
     largest = _largest(spectrum)
+    if not vector:
+        largest = max(_largest(sums.roll), _largest(sums.torque))
     chosen = spectra.selected(spectrum, orders)
-    up, right = spectra.vertical(chosen), spectra.horizontal(chosen)
+    own, *others = [
+        _sizes(spectra.selected(getattr(each, quantity), orders), vector=vector)
+        for each in (sums, *ends)
+    ]
     for index, order in enumerate(orders):
+        sizes = own[index]
         path = spectra.ellipse(complex(chosen.forward[index]), complex(chosen.backward[index]))
+        written = _written(
+            sizes, [each[index] for each in others], factor, largest, signal=not vector
+        )
+        remains = sizes.greatest > NEGLIGIBLE * largest
         yield Row(
             order=order,
             label=number(order),
             quantity=quantity,
-            up=_seen(wave(up[index], largest)),
-            right=_seen(wave(right[index], largest)),
-            path=shape(path, largest),
-            greatest=_seen(number(path.semi_major, largest)),
-            size=path.semi_major if path.semi_major > NEGLIGIBLE * largest else 0.0,
-            remains=path.semi_major > NEGLIGIBLE * largest,
-            semi_axes=(path.semi_major, path.semi_minor),
-            direction=path.bearing,
+            up=written[0],
+            right=written[1] if vector else "",
+            greatest=written[2],
+            estimated=written[3],
+            path=shape(path, largest) if vector else "",
+            size=sizes.greatest if remains else 0.0,
+            remains=remains,
+            semi_axes=(path.semi_major, path.semi_minor) if vector else None,
+            direction=path.bearing if vector else None,
         )
 
 
-def _signal_rows(
-    sums: Sums, quantity: Literal["roll", "torque"], orders: Sequence[float]
-) -> Iterator[Row]:
-    largest = max(_largest(sums.roll), _largest(sums.torque))
-    spectrum = getattr(sums, quantity)
-    orders = list(chain(*ranked(spectrum, orders)))
-    signal = spectra.amplitude(spectra.selected(spectrum, orders))
-    for order, amplitude in zip(orders, signal, strict=True):
-        yield Row(
-            order=order,
-            label=number(order),
-            quantity=quantity,
-            up=_seen(wave(amplitude, largest)),
-            right="",
-            path="",
-            greatest=_seen(number(abs(amplitude), largest)),
-            size=float(abs(amplitude)) if abs(amplitude) > NEGLIGIBLE * largest else 0.0,
-            remains=bool(abs(amplitude) > NEGLIGIBLE * largest),
-            semi_axes=None,
-            direction=None,
-        )
+def _sizes(spectrum: Spectrum, *, vector: bool) -> list[_Sizes]:
+    """The amplitudes of every order of a spectrum; a signal has one, its greatest value too."""
+    if not vector:
+        signal = spectra.amplitude(spectrum).tolist()
+        return [_Sizes(amplitude, 0j, abs(amplitude)) for amplitude in signal]
+    up, right = spectra.vertical(spectrum).tolist(), spectra.horizontal(spectrum).tolist()
+    most = (np.abs(spectrum.forward) + np.abs(spectrum.backward)).tolist()
+    return [_Sizes(*each) for each in zip(up, right, most, strict=True)]
+
+
+def _written(
+    own: _Sizes, others: Sequence[_Sizes], factor: float, largest: float, *, signal: bool
+) -> tuple[str, str, str, bool]:
+    """The three as they are printed, with their ranges; whether one has a range."""
+    top = largest * factor
+    if not others:
+        waves = [wave(factor * complex(each), top) for each in own[:2]]
+        return _seen(waves[0]), _seen(waves[1]), _seen(number(factor * own.greatest, top)), False
+    shown: list[complex | Ranged] = []
+    for place in ("up", "right"):
+        waves = [factor * complex(getattr(each, place)) for each in (own, *others)]
+        shown.append(complex_range(waves, top))
+    most = [factor * each.greatest for each in (own, *others)]
+    wave_of_signal = shown[0]
+    texts = [ranged_text(each) if isinstance(each, Ranged) else wave(each, top) for each in shown]
+    greatest = real_range(most, top)
+    if isinstance(greatest, Ranged) and isinstance(wave_of_signal, Ranged) and signal:
+        # all of it is one wave, whose phase bounds it better
+        greatest = Ranged(most[0], wave_of_signal.low, wave_of_signal.high)
+    text = ranged_text(greatest) if isinstance(greatest, Ranged) else number(greatest, top)
+    ranged = any(isinstance(each, Ranged) for each in (*shown, greatest))
+    return _seen(texts[0]), _seen(texts[1]), _seen(text), ranged
 
 
 def _seen(text: str) -> str:

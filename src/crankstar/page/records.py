@@ -16,6 +16,7 @@ from pydantic import BaseModel, ConfigDict, Field
 from crankstar.engine.quantities import Unknown
 
 Pair = tuple[float, float]
+Quantity = Literal["force", "couple", "roll", "torque"]
 Point = tuple[float, float, float]
 
 
@@ -195,9 +196,10 @@ class Row(Shown):
 
     order: float
     label: str
-    quantity: Literal["force", "couple", "roll", "torque"]
+    quantity: Quantity
     up: str
     right: str
+    estimated: bool = Field(description="whether the numbers rest on estimates and have ranges")
     path: str = Field(
         description="shape of the path as a phrase: none, circle with the crank, horizontal line"
     )
@@ -270,13 +272,33 @@ class DerivationKey(Shown):
     order: float
 
 
-class Units(Shown):
-    """The units of the numbers, as they are printed."""
+class Unit(Shown):
+    """A unit as it is printed, and the factor to it from the number that is sent."""
 
+    label: str
+    factor: float
+
+
+class Units(Shown):
+    """The units of the numbers, as they are printed; numbers that are sent stay as they are.
+
+    The factors lead from what is sent (N, N m, or m r ω²) to the unit that is printed.
+    """
+
+    chosen: str = Field(description="the choice of units, as --units names it")
     force: str
     couple: str
     roll: str
     length: str
+    force_factor: float
+    couple_factor: float
+    roll_factor: float
+    counted: tuple[str, str] = Field(description="in which force and couple are sent")
+    lengths: tuple[Unit, ...] = Field(
+        description="of lengths of the scene, the smallest first; each from 0.1 of it on"
+    )
+    mass: Unit
+    inertia: Unit
 
 
 class Scale(Shown):
@@ -315,6 +337,11 @@ class Exhibit(Shown):
     scale: Scale
     heading: tuple[str, ...] = Field(description="lines under the name: layout, firing, units")
     unverified: tuple[str, ...] = Field(description="key paths of values that no source confirms")
+    estimated: tuple[str, ...] = Field(description="key paths of estimated values")
+    can_estimate: bool = Field(description="whether masses that are missing can be estimated")
+    ends: tuple[Sum, ...] = Field(
+        description="the sums in the middle and at the corners of the ranges of estimated values"
+    )
     reference_z: float
     couple_length: float = Field(
         description="the length that couples are counted in along z, in the unit of the scene"
@@ -363,6 +390,13 @@ class Problem(Shown):
     message: str
 
 
+class UnitsOffered(Shown):
+    """A choice of units: its name, as --units takes it, and what a reader knows it by."""
+
+    name: str
+    label: str
+
+
 class Exhibition(Shown):
     """The contents of a page: one engine or two, each also with weights and shafts."""
 
@@ -371,6 +405,9 @@ class Exhibition(Shown):
         description="each engine with weights and balance shafts, where they help"
     )
     stroke_colours: StrokeColours
+    units: tuple[UnitsOffered, ...] = Field(
+        default=(), description="the choices of units that are offered by name"
+    )
     sources: tuple[str, ...] = Field(
         default=(), description="names or files of the engines on the command line"
     )

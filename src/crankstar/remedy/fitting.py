@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import reduce
+from functools import lru_cache, reduce
 from math import cos
 from typing import Literal, NamedTuple
 
@@ -136,6 +136,7 @@ def by_factor(
     )
 
 
+@lru_cache(maxsize=256)  # the verdict, its tables and figures all ask for it, at every corner
 def recommended(engine: Engine, *, bare: bool = False) -> Fitted | None:
     """The engine with the cure that its verdict proposes; None where order 1 and 2 are balanced.
 

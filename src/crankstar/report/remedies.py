@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from crankstar.engine.copies import with_values
-from crankstar.engine.engine import Engine
-from crankstar.files.box import Spread
 from crankstar.language.messages import _
+from crankstar.page.figures import fitted_spread
 from crankstar.remedy import fitting
 from crankstar.report.gallery import Gallery
 from crankstar.report.markup import figures, parts_html, section
@@ -28,7 +27,7 @@ def remedies(subject: Subject, gallery: Gallery) -> str:
         _("The spectra before and after, on common axes."),
         "wide low",
         beside=after,
-        spreads=[_spread_of(subject, after)],
+        spreads=[fitted_spread(subject.spreads[0], after)],
         speed=subject.at,
     )
     tables = parts_html(subject.parts(_tables))
@@ -52,12 +51,3 @@ def _tables(subject: Subject) -> list[Table | Remarks]:
 def _description(subject: Subject) -> list[str]:
     fitted = fitting.recommended(subject.engine)
     return [fitted.description] if fitted is not None else []
-
-
-def _spread_of(subject: Subject, after: Engine) -> Spread | None:
-    """The fitted engine over the ranges, each with weights sized for its own masses."""
-    fitted = [fitting.recommended(each.engine) for each in subject.ends]
-    engines = [one.after for one in fitted if one is not None]
-    if not engines or len(engines) < len(fitted):
-        return None
-    return Spread(after, engines[0], tuple(engines[1:]))

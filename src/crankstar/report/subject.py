@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any, Literal
 
 from crankstar import spectra
@@ -15,22 +15,14 @@ from crankstar.mechanics import remains
 from crankstar.page.records import Scene
 from crankstar.page.scene import scene
 from crankstar.tables.analysis import Analysis, analysis
-from crankstar.tables.ranges import merged, sentence
+from crankstar.tables.ranges import merged
 from crankstar.tables.table import Document, Remarks, Table
 from crankstar.tables.verdict import Fact, verdict
+from crankstar.tables.verdict_ranges import ranged_facts
 
 Quantity = Literal["force", "couple"]
 MOST = 4
 """Greatest number of drawn orders of a quantity, unless orders are named."""
-
-
-def _by_topic(facts: Sequence[Fact]) -> dict[tuple[str, int], str]:
-    """The sentences of a verdict by topic and place within it."""
-    out: dict[tuple[str, int], str] = {}
-    for fact in facts:
-        place = sum(about == fact.about for about, _place in out)
-        out[fact.about, place] = fact.sentence
-    return out
 
 
 @dataclass(frozen=True)
@@ -96,16 +88,11 @@ class Subject:
     @cached_property
     def facts(self) -> tuple[Fact, ...]:
         """The verdict on the engine, with ranges where it rests on estimates."""
-        if not self.ends:
-            return verdict(self.engine, speed=self.speed)
-        with values_kept():
-            own, *others = [
-                _by_topic(verdict(each.engine, speed=each.speed, relatives=each is self))
-                for each in (self, *self.ends)
-            ]
-        return tuple(
-            Fact(key[0], sentence(text, [other.get(key, "") for other in others]))
-            for key, text in own.items()
+        return ranged_facts(
+            partial(verdict, speed=self.speed),
+            self.spreads[0],
+            self.engine,
+            at_ends=partial(verdict, speed=self.speed, relatives=False),
         )
 
     @property

@@ -83,7 +83,15 @@ class EngineQuestion(Message):
     engine: EngineAsked
 
 
-class ChartQuestion(EngineQuestion):
+class ShownQuestion(EngineQuestion):
+    """An engine, and the units in which it is to be shown."""
+
+    units: Annotated[str, Field(max_length=200, examples=["us", "kN, kN m"])] | None = Field(
+        default=None, description="as --units takes them; by default those of the server"
+    )
+
+
+class ChartQuestion(ShownQuestion):
     """A figure of an engine."""
 
     key: Key = Field(description="the key of a figure, as an exhibit names it")
@@ -97,7 +105,7 @@ class DerivationQuestion(EngineQuestion):
     )
 
 
-class FittedQuestion(EngineQuestion):
+class FittedQuestion(ShownQuestion):
     """The weights and balance shafts to fit an engine with; by default the verdict's advice."""
 
     factor: Annotated[float, Field(ge=LEAST_FACTOR, le=GREATEST_FACTOR)] | None = Field(

@@ -186,18 +186,19 @@ async def catalog_engine(
 
 
 @answering("POST", "/exhibit", Exhibit, "All that the page shows of an engine")
-async def exhibit(request: Request, question: messages.EngineQuestion) -> Response:
+async def exhibit(request: Request, question: messages.ShownQuestion) -> Response:
     """An engine's scene, forces and couples by order, free response, tables, verdict and keys.
 
     Keys name the figures and derivations that can be asked for.
     """
-    return await _answer(request, tasks.exhibit, bounded(question.engine))
+    return await _answer(request, tasks.exhibit, bounded(question.engine), question.units)
 
 
 @answering("POST", "/chart", dict[str, Any], "A figure of an engine")
 async def chart(request: Request, question: messages.ChartQuestion) -> Response:
     """Vega-Lite; where the figure turns it has one parameter, `theta`, in degrees."""
-    return await _answer(request, tasks.chart, bounded(question.engine), question.key)
+    engine = bounded(question.engine)
+    return await _answer(request, tasks.chart, engine, question.key, question.units)
 
 
 @answering("POST", "/derivation", messages.DerivationShown, "A derivation for an engine")
@@ -215,7 +216,14 @@ async def fitted(request: Request, question: messages.FittedQuestion) -> Respons
     options = question.model_dump(
         include={"factor", "weights", "shafts", "bare"}, exclude_none=True
     )
-    return await _answer(request, tasks.fitted, bounded(question.engine), options)
+    engine = bounded(question.engine)
+    return await _answer(request, tasks.fitted, engine, options, question.units)
+
+
+@answering("POST", "/estimate", messages.TreeShown, "An engine with estimated masses")
+async def estimate(request: Request, question: messages.EngineQuestion) -> Response:
+    """Its file as a tree, with masses and lengths that it leaves out, each marked as estimated."""
+    return await _answer(request, tasks.estimate, bounded(question.engine))
 
 
 @answering("POST", "/toml", messages.TomlShown, "An engine file in TOML", tag="files")

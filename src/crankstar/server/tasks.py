@@ -8,7 +8,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any
 
 from pydantic import BaseModel
@@ -19,6 +19,7 @@ from crankstar.engine.engine import Engine
 from crankstar.files import EngineFileError, catalog
 from crankstar.language.faults import EngineError, Fault
 from crankstar.language.messages import MessageError
+from crankstar.language.shown_units import read_choice, shown_in
 from crankstar.page import exhibits
 from crankstar.page.records import Exhibit, Exhibition, StrokeColours
 from crankstar.remedy import fitting
@@ -56,6 +57,18 @@ def catalog_tree(name: str, *, status: int = 404, at: str = "") -> Tree:
     return catalog.tree_of(name)[1]
 
 
+@contextmanager
+def units_of(text: str | None) -> Iterator[None]:
+    """Have an answer in these units; None: those of the server. Raises Refused."""
+    if text is None:
+        yield
+        return
+    with mistakes_refused(at="units"):
+        units = read_choice(text)
+    with shown_in(units):
+        yield
+
+
 def engine_of(engine: str | Tree) -> tuple[Engine, Tree]:
     """An engine that is asked about, and its tree. Raises EngineFileError, Refused."""
     tree = engine if isinstance(engine, dict) else catalog_tree(engine, status=422, at="engine")
@@ -67,12 +80,12 @@ def _kept(text: str) -> Engine:
     return files.engine_of(json.loads(text), name=ENGINE)
 
 
-def exhibit(engine: str | Tree) -> bytes:
+def exhibit(engine: str | Tree, units: str | None = None) -> bytes:
     """All that the page shows of an engine, but for its neighbours in the catalog, which take long.
 
     Raises Refused.
     """
-    with mistakes_refused():
+    with mistakes_refused(), units_of(units):
         return _json(_exhibit(engine))
 
 
@@ -97,19 +110,21 @@ def opening(engine: str | Tree, shown: str, command: str) -> bytes:
                 fitted=(None,),
                 stroke_colours=StrokeColours(**STROKE_COLOURS),
                 sources=(shown,),
+                units=exhibits.offered(),
                 command=command,
                 version=__version__,
             )
         )
 
 
-def chart(engine: str | Tree, key: str) -> bytes:
+def chart(engine: str | Tree, key: str, units: str | None = None) -> bytes:
     """A figure by its key, as Vega-Lite. Raises Refused."""
     from crankstar.page import figures
 
-    with mistakes_refused(at="key"):
-        made, _ = engine_of(engine)
-        return answered(figures.chart(made, key))
+    with mistakes_refused(at="key"), units_of(units):
+        made, tree = engine_of(engine)
+        over = exhibits.spread_of(made, tree)
+        return answered(figures.chart(made, key, spread=over))
 
 
 def derivation(engine: str | Tree, key: str) -> bytes:
@@ -121,29 +136,25 @@ def derivation(engine: str | Tree, key: str) -> bytes:
         return answered({"html": figures.derivation(made, key)})
 
 
-def fitted(engine: str | Tree, options: dict[str, Any]) -> bytes:
+def fitted(engine: str | Tree, options: dict[str, Any], units: str | None = None) -> bytes:
     """An engine with weights and balance shafts as an exhibit, or null. Raises Refused."""
-    with mistakes_refused():
+    with mistakes_refused(), units_of(units):
         made, tree = engine_of(engine)
         bare = bool(options.get("bare"))
         chosen = {name: value for name, value in options.items() if name != "bare"}
-        exhibit = (
-            _fitted(made, tree, bare=bare, **chosen)
-            if chosen
-            else exhibits.fitted(made, file=tree, bare=bare)
-        )
+        fit = partial(_fitted, **chosen) if chosen else exhibits.advised
+        exhibit = exhibits.fitted_with(made, partial(fit, bare=bare), file=tree)
         return b'{"exhibit":' + (b"null" if exhibit is None else _json(exhibit)) + b"}"
 
 
 def _fitted(
     engine: Engine,
-    tree: Tree,
     *,
     bare: bool,
     factor: float | None = None,
     weights: Any = None,
     shafts: Any = "none",
-) -> Exhibit | None:
+) -> exhibits.Done | None:
     """An engine with what was asked for.
 
     Counterweights of a factor, shafts that are needed then.
@@ -160,7 +171,7 @@ def _fitted(
         after = fitting.with_shafts(after, ratios=shafts, places=fitting.ShaftPlaces())
     if after is engine:
         return None
-    return exhibits.fitted_with(engine, after, factor=factor, file=tree)
+    return exhibits.Done(after, factor)
 
 
 def toml(engine: str | Tree) -> bytes:
@@ -204,6 +215,15 @@ def explicit(engine: str | Tree) -> bytes:
     with mistakes_refused():
         made, _ = engine_of(engine)
         return answered({"tree": files.part_by_part(made)})
+
+
+def estimate(engine: str | Tree) -> bytes:
+    """The tree of an engine whose missing masses and lengths are estimated. Raises Refused."""
+    from crankstar.files.estimate import estimated
+
+    with mistakes_refused():
+        tree = engine_of(engine)[1]
+        return answered({"tree": estimated(tree, name=ENGINE).tree})
 
 
 def schema() -> bytes:

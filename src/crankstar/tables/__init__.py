@@ -11,6 +11,7 @@
 | `spreadsheet` | a Document as a spreadsheet (.xlsx) |
 | `arrow` | a Table as an Apache Arrow table |
 | `ranges` | analyses of estimated engines: each number with its range |
+| `verdict_ranges` | the verdict on an estimated engine |
 | `estimates` | what `estimate` fills in |
 | `headings` | an engine's lines: cycle, cylinders, rotation, firing order |
 | `scales` | the units in which an engine is written |

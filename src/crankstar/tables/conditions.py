@@ -6,6 +6,7 @@ from collections import Counter
 from math import pi
 
 from crankstar.engine.engine import Engine
+from crankstar.engine.proportions import Look, inferred
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
 from crankstar.mechanics.balance import Balance
@@ -17,6 +18,9 @@ KEYS = {"radius": "cylinder.stroke", "mass": "cylinder.reciprocating_mass"}
 """The keys of a short file that give what is missing."""
 UNITS = {
     "short": N_("In m r ω². For newtons, add to the file: {keys}."),
+    "short or estimate": N_(
+        "In m r ω². For newtons, add to the file: {keys}; or estimate them with --estimate."
+    ),
     "speed": N_('In m r ω². For newtons, add speed to the file, as in speed = "6000 rpm".'),
     "explicit": N_("In m r ω². For newtons, replace relative {keys} in the file and add speed."),
     "masses": N_("For newtons, add to the file: {keys}."),
@@ -53,7 +57,8 @@ def unit_sentence(engine: Engine, result: Balance) -> str:
     if _is_explicit(engine):
         return _(UNITS["explicit"], keys=", ".join(engine.relative))
     keys = _missing_keys(engine) + (["speed"] if engine.speed is None else [])
-    return _(UNITS["short"], keys=", ".join(keys))
+    form = "short or estimate" if can_be_estimated(engine) else "short"
+    return _(UNITS[form], keys=", ".join(keys))
 
 
 def missing_sentence(engine: Engine) -> str:
@@ -88,6 +93,31 @@ def pitch_key(engine: Engine) -> str:
     """The key of a short file for the distance of cylinders, or of the rows of a radial engine."""
     on_throw = Counter((cylinder.shaft, cylinder.throw) for cylinder in engine.cylinders)
     return "layout.row_pitch" if max(on_throw.values()) >= RADIAL else "layout.bore_pitch"
+
+
+def can_be_estimated(engine: Engine) -> bool:
+    """Whether what an engine lacks for newtons can be estimated: its size and type are known.
+
+    >>> from crankstar.files.catalog import load
+    >>> [can_be_estimated(load(name)) for name in ("toyota-2jz", "subaru-ej25", "man-s50mc-c")]
+    [True, False, False]
+    """
+    several = len({cylinder.z for cylinder in engine.cylinders}) > 1
+    missing = {"mass", *(("pitch",) if several else ())} & {*engine.relative}
+    if "radius" in engine.relative or not missing:
+        return False
+    first = engine.first
+    stroke = 2 * engine.throw(first).radius
+    look = Look(
+        bore=first.bore or stroke,
+        stroke=stroke,
+        cycle=engine.cycle,
+        cylinders=len(engine.chambers),
+        radial=any(cylinder.articulated for cylinder in engine.cylinders),
+        opposed=len(engine.chambers) < len(engine.cylinders),
+        speed=engine.speed,
+    )
+    return inferred(look)[0] != "crosshead"
 
 
 def _is_explicit(engine: Engine) -> bool:

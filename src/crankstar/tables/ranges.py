@@ -105,6 +105,17 @@ def ranged_side_by_side(
     return with_doubt(merged(documents), *engines)
 
 
+def ranged_lines(
+    build: Callable[[Engine], Sequence[str]], spread: Spread | None, engine: Engine
+) -> tuple[str, ...]:
+    """Sentences on an engine; with a spread, what rests on estimates has its range."""
+    if spread is None:
+        return tuple(build(engine))
+    with values_kept():
+        own, *others = [build(each) for each in (engine, spread.middle, *spread.corners)]
+    return _lines(own, others)
+
+
 def with_doubt(document: Document, *engines: Engine) -> Document:
     """The document beginning with what is estimated, which its facts list as well."""
     head = doubt(*engines)
@@ -304,7 +315,7 @@ def _cell(value: Value, others: Sequence[Value], top: float, *, turns: bool = Fa
         other if isinstance(other, int | float | complex) else 0.0 for other in (value, *others)
     ]
     if any(isinstance(number, complex) for number in numbers):
-        return _complex(list(map(complex, numbers)), top)
+        return complex_range(list(map(complex, numbers)), top)
     if all(isinstance(number, int) for number in numbers) and len(set(numbers)) == 1:
         return value
     reals = [float(number.real) for number in numbers]
@@ -328,7 +339,7 @@ def real_range(numbers: Sequence[float], top: float) -> float | Ranged:
     return Ranged(value, max(0.0, min(least, 2 * middle - max(corners))), most)
 
 
-def _complex(numbers: Sequence[complex], top: float) -> complex | Ranged:
+def complex_range(numbers: Sequence[complex], top: float) -> complex | Ranged:
     """An amplitude with its range: the convex hull of all is that far from zero."""
     value = numbers[0]
     points = np.array(numbers)

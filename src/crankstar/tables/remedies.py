@@ -33,6 +33,12 @@ LOADS = {
     "determinate": N_("greatest load on a main bearing"),
     "continuous": N_("greatest load on a main bearing, crankshaft as one beam"),
 }
+SIZED = N_(
+    "Each range is that of engines whose weights and shafts are sized for their own masses. "
+    "Weights that are made before the masses are known leave more: `crankstar analyze` of the "
+    "file written with -o."
+)
+"""What the ranges of a balance of estimated masses mean."""
 
 
 class Job(NamedTuple):

@@ -20,6 +20,12 @@ export interface Host {
   chart(exhibit: Exhibit, key: string): Promise<Spec>
   /** A derivation by its key: HTML with MathML, made and escaped by our own typesetter. */
   derivation(exhibit: Exhibit, key: string): Promise<string>
+  /** The same engine in other units, by their name; of a fitted one, ask for that anew. */
+  inUnits(exhibit: Exhibit, units: string): Promise<Exhibit>
+  /** Whether any units can be asked for, not only those that are offered by name. */
+  readonly anyUnits: boolean
+  /** Puts the engine with estimated masses on the page; absent where that cannot be done. */
+  estimate?(exhibit: Exhibit): Promise<Tree | null>
   /** The same engine with weights and balance shafts; null where there is nothing to do. */
   fitted(exhibit: Exhibit): Promise<Exhibit | null>
   /** Language that the host asks for, as in `ja`; empty for none. */

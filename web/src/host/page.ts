@@ -14,6 +14,23 @@ export interface PageData {
   readonly exhibition: Exhibition
   readonly libraries: readonly Library[]
   readonly fitted: readonly (Library | null)[]
+  /** What differs in other units, by their name. */
+  readonly units?: Readonly<Record<string, Differences>>
+}
+
+interface Differences {
+  readonly engines: readonly Partial<Exhibit>[]
+  readonly cured: readonly (Partial<Exhibit> | null)[]
+  readonly libraries: readonly Library[]
+  readonly fitted: readonly (Library | null)[]
+}
+
+/** An exhibit and its figures with what differs in other units. */
+function changed(library: Library | null | undefined, by: Library | null | undefined): Library {
+  return {
+    charts: { ...library?.charts, ...by?.charts },
+    derivations: { ...library?.derivations, ...by?.derivations },
+  }
 }
 
 /** JSON, plain or packed: `{"encoding": "gzip+base64", "data": "..."}`. */
@@ -46,9 +63,10 @@ function bytesOf(base64: string): Uint8Array<ArrayBuffer> {
 }
 
 /** Charts, derivations and fitted engines that a file holds. */
-export function shelf(data: PageData): Pick<Host, 'chart' | 'derivation' | 'fitted'> {
+export function shelf(data: PageData): Pick<Host, 'chart' | 'derivation' | 'fitted' | 'inUnits'> {
   const libraries = new Map<Exhibit, Library>()
   const cured = new Map<Exhibit, Exhibit | null>()
+  const inOthers = new Map<Exhibit, Map<string, Exhibit>>()
   data.exhibition.engines.forEach((exhibit, index) => {
     const library = data.libraries[index]
     if (library) libraries.set(exhibit, library)
@@ -56,6 +74,16 @@ export function shelf(data: PageData): Pick<Host, 'chart' | 'derivation' | 'fitt
     cured.set(exhibit, fitted)
     const beside = data.fitted[index]
     if (fitted && beside) libraries.set(fitted, beside)
+    const others = new Map([[exhibit.units.chosen, exhibit]])
+    for (const [name, differences] of Object.entries(data.units ?? {})) {
+      const other = { ...exhibit, ...differences.engines[index] }
+      others.set(name, other)
+      libraries.set(other, changed(library, differences.libraries[index]))
+      const after = fitted && { ...fitted, ...differences.cured[index] }
+      cured.set(other, after)
+      if (after) libraries.set(after, changed(beside, differences.fitted[index]))
+    }
+    for (const other of others.values()) inOthers.set(other, others)
   })
   const held = <T>(item: T | undefined, missing: string): Promise<T> =>
     item === undefined ? Promise.reject(new Error(missing)) : Promise.resolve(item)
@@ -65,6 +93,11 @@ export function shelf(data: PageData): Pick<Host, 'chart' | 'derivation' | 'fitt
     derivation: (exhibit, key) =>
       held(libraries.get(exhibit)?.derivations[key], t('This file does not hold the derivation.')),
     fitted: (exhibit) => Promise.resolve(cured.get(exhibit) ?? null),
+    inUnits: (exhibit, units) =>
+      held(
+        inOthers.get(exhibit)?.get(units),
+        t('This file does not hold the units {units}. Write it with --units.', { units }),
+      ),
   }
 }
 
@@ -90,5 +123,11 @@ export async function pageHost(holder: Document): Promise<Host> {
       t('The engine in this file cannot be read. Write the file again: {command}', { command }),
     )
   }
-  return { kind: 'page', exhibition: data.exhibition, ...shelf(data), ...addressState() }
+  return {
+    kind: 'page',
+    exhibition: data.exhibition,
+    anyUnits: false,
+    ...shelf(data),
+    ...addressState(),
+  }
 }

@@ -1,4 +1,4 @@
-import type { DerivationShown, Exhibit, Exhibition, FittedShown } from '../exhibit'
+import type { DerivationShown, Exhibit, Exhibition, FittedShown, TreeShown } from '../exhibit'
 import { addressState } from './address'
 import { requested, required } from './api'
 import type { Host, Spec } from './host'
@@ -39,7 +39,11 @@ export async function serverHost(): Promise<Host> {
     if (after) void fitted(`${numberOf(exhibit)}`, () => Promise.resolve(after))
   })
   const post = <T>(path: string, exhibit: Exhibit, key?: string) =>
-    required(requested<T>(path, { body: { engine: exhibit.file, ...(key && { key }) } }))
+    required(
+      requested<T>(path, {
+        body: { engine: exhibit.file, ...(key && { key }), units: exhibit.units.chosen },
+      }),
+    )
   const charts = remembered<Spec>()
   const derivations = remembered<DerivationShown>()
   return {
@@ -47,8 +51,14 @@ export async function serverHost(): Promise<Host> {
     exhibition,
     chart: (exhibit, key) =>
       charts(`${numberOf(exhibit)} ${key}`, () => post('chart', exhibit, key)),
+    anyUnits: true,
+    inUnits: (exhibit, units) =>
+      required(requested<Exhibit>('exhibit', { body: { engine: exhibit.file, units } })),
+    estimate: async (exhibit) =>
+      (await required(requested<TreeShown>('estimate', { body: { engine: exhibit.file } }))).tree,
     derivation: async (exhibit, key) => {
-      const ask = () => post<DerivationShown>('derivation', exhibit, key)
+      const body = { engine: exhibit.file, key }
+      const ask = () => required(requested<DerivationShown>('derivation', { body }))
       return (await derivations(`${numberOf(exhibit)} ${key}`, ask)).html
     },
     fitted: (exhibit) => {

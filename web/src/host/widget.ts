@@ -35,8 +35,9 @@ function put(model: Model, name: string, value: unknown): void {
 interface Question {
   engine: number
   fitted: boolean
-  what: 'chart' | 'derivation'
+  what: 'chart' | 'derivation' | 'exhibit' | 'estimate'
   key: string
+  units: string
 }
 
 interface Reply {
@@ -75,19 +76,27 @@ function kernel(model: Model, question: Question): Promise<unknown> {
 }
 
 /** Where an exhibit stands in what the kernel has. */
-function placeIn(
-  { engines, fitted }: Exhibition,
-  exhibit: Exhibit,
-): Pick<Question, 'engine' | 'fitted'> {
-  const engine = engines.indexOf(exhibit)
-  return engine >= 0 ? { engine, fitted: false } : { engine: fitted.indexOf(exhibit), fitted: true }
-}
+type Place = Pick<Question, 'engine' | 'fitted'>
 
 /** A notebook cell: engines in the trait `data`, view in `state`, angle and motion apart. */
 export async function widgetHost(model: Model): Promise<Host> {
   const { exhibition } = (await unpacked(textOf(model, 'data'))) as { exhibition: Exhibition }
-  const ask = (exhibit: Exhibit, what: Question['what'], key: string): Promise<unknown> =>
-    kernel(model, { ...placeIn(exhibition, exhibit), what, key })
+  const places = new Map<Exhibit, Place>()
+  exhibition.engines.forEach((exhibit, engine) => {
+    places.set(exhibit, { engine, fitted: false })
+    const after = exhibition.fitted[engine]
+    if (after) places.set(after, { engine, fitted: true })
+  })
+  const placeOf = (exhibit: Exhibit): Place => places.get(exhibit) ?? { engine: -1, fitted: false }
+  const ask = (exhibit: Exhibit, what: Question['what'], key = ''): Promise<unknown> =>
+    kernel(model, { ...placeOf(exhibit), what, key, units: exhibit.units.chosen })
+  /** An engine in other units, known from now on. */
+  async function inUnits(place: Place, units: string): Promise<Exhibit | null> {
+    const question = { ...place, what: 'exhibit', key: '', units } as const
+    const exhibit = (await kernel(model, question)) as Exhibit | null
+    if (exhibit) places.set(exhibit, place)
+    return exhibit
+  }
   const readState = (): string => {
     const state = new URLSearchParams(textOf(model, 'state'))
     state.delete(ANGLE)
@@ -100,8 +109,18 @@ export async function widgetHost(model: Model): Promise<Host> {
     language: '',
     chart: (exhibit, key) => ask(exhibit, 'chart', key) as Promise<Spec>,
     derivation: (exhibit, key) => ask(exhibit, 'derivation', key) as Promise<string>,
-    fitted: (exhibit) =>
-      Promise.resolve(exhibition.fitted[exhibition.engines.indexOf(exhibit)] ?? null),
+    anyUnits: true,
+    inUnits: async (exhibit, units) => (await inUnits(placeOf(exhibit), units)) ?? exhibit,
+    estimate: async (exhibit) => {
+      await ask(exhibit, 'estimate') // the kernel puts it in the place of the other
+      return null
+    },
+    fitted: (exhibit) => {
+      const { engine } = placeOf(exhibit)
+      const asOpened = exhibition.engines[engine]?.units.chosen === exhibit.units.chosen
+      if (asOpened) return Promise.resolve(exhibition.fitted[engine] ?? null)
+      return inUnits({ engine, fitted: true }, exhibit.units.chosen)
+    },
     readState,
     writeState: (text) => {
       const state = new URLSearchParams(text)

@@ -242,9 +242,13 @@ class EngineStage implements Stage {
     const [front, rear] = this.#machine.whirling.ends
     const { orders } = view.whirl
     const whirling = new Whirling(this.#exhibit)
-    const { length_unit, low, high } = this.#exhibit.scene
+    const { low, high } = this.#exhibit.scene
     const paths = { front: whirling.path(front, orders), rear: whirling.path(rear, orders) }
-    this.#inset.trace(paths, length_unit, Math.max(high[0] - low[0], high[1] - low[1]))
+    this.#inset.trace(
+      paths,
+      this.#exhibit.units.lengths,
+      Math.max(high[0] - low[0], high[1] - low[1]),
+    )
   }
 
   read(): Reading {

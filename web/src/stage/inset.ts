@@ -1,5 +1,6 @@
+import type { Unit } from '../exhibit'
 import { t } from '../language/messages'
-import { lengthText } from '../lengths'
+import { lengthText, lengthUnit } from '../lengths'
 import { css, type Palette } from './palette'
 import { roundValue } from './sheet'
 import { REST } from './whirl'
@@ -53,8 +54,8 @@ export class Inset {
     this.canvas.style.height = `${this.#side + BELOW}px`
   }
 
-  /** Takes new paths; `unit` is the scene's, `size` the engine's. */
-  trace(paths: Paths, unit: string, size: number): void {
+  /** Takes new paths; `units` are the scene's, `size` the engine's. */
+  trace(paths: Paths, units: readonly Unit[], size: number): void {
     this.#paths = paths
     const most = Math.max(
       ...[...paths.front, ...paths.rear].map(([up, right]) => Math.hypot(up, right)),
@@ -62,9 +63,10 @@ export class Inset {
     )
     const some = most > REST * size
     this.#pixels = some ? (0.4 * this.#side) / most : 0
-    this.#ring = some ? roundValue(1.0001 * most) : 0
+    const { factor } = lengthUnit(most, units)
+    this.#ring = some ? roundValue(1.0001 * most * factor) / factor : 0
     this.#label = some
-      ? t('ring: {radius}', { radius: lengthText(this.#ring, unit) })
+      ? t('ring: {radius}', { radius: lengthText(this.#ring, units) })
       : t('crank axis at rest')
     this.#outlines = [this.#outline(paths.front), this.#outline(paths.rear)]
   }

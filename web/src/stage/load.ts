@@ -152,7 +152,7 @@ export class Loads {
     for (const exhibit of [this.#exhibit, ...this.#beside]) {
       const { force, couple } = longest(exhibit, arrows)
       // in other units, as multiples of m r w^2 of the first cylinder
-      const alike = exhibit.units.force === units.force && exhibit.units.couple === units.couple
+      const alike = `${exhibit.units.counted}` === `${units.counted}`
       const [forces, couples] = alike
         ? [1, 1]
         : [scale.force / exhibit.scale.force, scale.couple / exhibit.scale.couple]

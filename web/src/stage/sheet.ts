@@ -59,8 +59,10 @@ export function write(to: CanvasRenderingContext2D, exhibit: Exhibit, writing: W
   const [foot, step] = width < NARROW ? [12, 18] : [20, 22]
   const kinds = (['couple', 'force'] as const).filter((kind) => writing.load[kind] > 0)
   kinds.forEach((kind, above) => {
-    const value = writing.load[kind]
-    const line = { value, unit: exhibit.units[kind], colour: palette[kind], name: names[kind] }
+    const { units } = exhibit
+    const factor = kind === 'force' ? units.force_factor : units.couple_factor
+    const value = writing.load[kind] * factor
+    const line = { value, unit: units[kind], colour: palette[kind], name: names[kind] }
     scale(to, writing, line, height - foot - step * above)
   })
 }
@@ -185,11 +187,7 @@ export function roundValue(value: number): number {
   return power * (step >= 5 ? 5 : step >= 2 ? 2 : 1)
 }
 
-/** A round value with its unit, in thousands where SI has a letter for them. */
+/** A round value with its unit. */
 export function quantity(value: number, unit: string): string {
-  const si = unit.startsWith('N')
-  if (si && value >= 1e6) return `${+(value / 1e6).toPrecision(3)} M${unit}`
-  if (si && value >= 1e3) return `${+(value / 1e3).toPrecision(3)} k${unit}`
-  if (si && value < 1e-2) return `${+(value * 1e3).toPrecision(3)} m${unit}`
   return `${+value.toPrecision(3)} ${unit}`
 }

@@ -2,8 +2,10 @@ import { useSignal } from '@preact/signals'
 import { message, t } from '../language/messages'
 import { set, snapshot, stateText, THEMES, type Theme } from '../state'
 import { useApp } from './context'
+import { Estimates } from './Estimates'
 import { Icon } from './icons'
 import { rotationText } from './rotation'
+import { UnitChoice } from './UnitChoice'
 
 const THEME = {
   auto: message('Colours: as the system'),
@@ -46,11 +48,13 @@ export function Header() {
             <p class="about">
               {rotationText(exhibit)}
               {exhibit.speed_rpm !== null && ` · ${Number(exhibit.speed_rpm.toPrecision(6))} rpm`}
+              <Estimates exhibit={exhibit} />
             </p>
           </div>
         ))}
       </div>
       <div class="tools">
+        <UnitChoice />
         <span class="said" role="status">
           {note.value}
         </span>

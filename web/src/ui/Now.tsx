@@ -71,6 +71,9 @@ function Numbers({ exhibit, named }: { exhibit: Exhibit; named: boolean }) {
                 </Fragment>
               ))}
               <span class="unit">{exhibit.units[quantity]}</span>
+              {exhibit.ends.length > 0 && (
+                <output class="range" aria-live="off" aria-label={t('Range, estimated')} />
+              )}
             </dd>
           </div>
         ))}
@@ -81,22 +84,48 @@ function Numbers({ exhibit, named }: { exhibit: Exhibit; named: boolean }) {
 
 type Texts = (theta: number, orders: readonly number[] | null) => readonly string[]
 
-/** The numbers of an engine as texts: force up and right, couple up and right, rolling moment. */
-function numbersOf({ orders, sense, total }: Exhibit): Texts {
+/** The numbers of an engine as texts: of force and couple up and right, of the rolling moment one; after each quantity of an estimated engine the range. */
+function numbersOf({ orders, sense, total, ends, units }: Exhibit): Texts {
   const phase = phaseOf(orders.length, sense)
-  const force = coefficientsOf(total.force)
-  const couple = coefficientsOf(total.couple)
-  const roll = signalOf(total.roll)
-  const digits = [force, force, couple, couple, roll].map((numbers) => decimals(bound(numbers)))
+  const factors = [units.force_factor, units.couple_factor, units.roll_factor]
+  const sums = [total, ...ends].map(({ force, couple, roll }) => [
+    coefficientsOf(force),
+    coefficientsOf(couple),
+    signalOf(roll),
+  ])
+  const [own = []] = sums
+  const digits = own.map((numbers, kind) => decimals(bound(numbers) * (factors[kind] ?? 1)))
   const place: Plane = [0, 0]
+  const at = (numbers: Coefficients, kind: number): readonly number[] =>
+    (kind < 2 ? [...vectorAt(numbers, phase, place)] : [signalAt(numbers, phase)]).map(
+      (value) => value * (factors[kind] ?? 1),
+    )
   return (theta, chosen) => {
     turn(phase, orders, theta, chosen)
-    return [
-      ...vectorAt(force, phase, place),
-      ...vectorAt(couple, phase, place),
-      signalAt(roll, phase),
-    ].map((value, index) => signed(value, digits[index] ?? 0))
+    return own.flatMap((numbers, kind) => {
+      const values = at(numbers, kind)
+      const texts = values.map((value) => signed(value, digits[kind] ?? 0))
+      if (!ends.length) return texts
+      // at an angle a sum is linear in each estimated value: its range ends at corners
+      const all = sums.map((sum) => at(sum[kind] as Coefficients, kind))
+      const ranges = values.map((_, index) =>
+        rangeText(
+          all.map((each) => each[index] ?? 0),
+          digits[kind] ?? 0,
+        ),
+      )
+      return [...texts, ranges.filter(Boolean).join(', ')]
+    })
   }
+}
+
+/** The least and the greatest of values, as `(9 to 16)`. */
+export function rangeText(values: readonly number[], digits: number): string {
+  if (Math.min(...values) === Math.max(...values)) return ''
+  const [low, high] = [Math.min(...values), Math.max(...values)].map((value) =>
+    signed(value, digits).trim(),
+  ) as [string, string]
+  return t('({low} to {high})', { low, high })
 }
 
 /** Nothing with these coefficients becomes greater than this. */

@@ -47,7 +47,7 @@ function Both({ one, other }: { one: Exhibit; other: Exhibit }) {
     [lines, one, other],
   )
   useFollower((theta) => moveDots(table.current, dots, theta), [dots])
-  const same = one.units.force === other.units.force
+  const same = `${one.units.counted}` === `${other.units.counted}`
   return (
     <>
       {!same && (

@@ -71,6 +71,9 @@ function Group({
       <tr class="group">
         <th colSpan={3} scope="rowgroup">
           {quantityName(quantity)} <span class="unit">{unitOf(exhibit, quantity)}</span>
+          {rows.some(({ estimated }) => estimated) && (
+            <span class="badge">{t('estimated, with ranges')}</span>
+          )}
         </th>
         <td class="soft">{quantity === 'couple' && t('pitch M_V')}</td>
         <td class="soft">{quantity === 'couple' && t('yaw M_H')}</td>

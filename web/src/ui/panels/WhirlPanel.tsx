@@ -17,7 +17,7 @@ export function WhirlPanel() {
   const { store } = app
   const exhibit = useExhibit()
   const orders = store.orders.value
-  const { whirl, scene } = exhibit
+  const { whirl, units } = exhibit
   const most = suggestedMagnification(exhibit)
   return (
     <>
@@ -60,16 +60,19 @@ export function WhirlPanel() {
           heads: ['', t('vertical'), t('horizontal'), 'z'],
           numeric: [false, true, true, true],
           rows: [
-            [
-              t('centre of mass'),
-              ...whirl.centre.map((place) => lengthText(place, scene.length_unit)),
-            ],
+            [t('centre of mass'), ...whirl.centre.map((place) => lengthText(place, units.lengths))],
             [
               t('moment of inertia about the axis'),
-              ...whirl.inertia.map((inertia) => quantityText(inertia, inertiaUnit(exhibit))),
+              ...whirl.inertia.map((size) =>
+                quantityText(size * units.inertia.factor, units.inertia.label),
+              ),
             ],
           ],
-          notes: [t('Mass: {mass}', { mass: quantityText(whirl.mass, massUnit(exhibit)) })],
+          notes: [
+            t('Mass: {mass}', {
+              mass: quantityText(whirl.mass * units.mass.factor, units.mass.label),
+            }),
+          ],
         }}
       />
       {whirl.assumed.map((sentence) => (
@@ -90,26 +93,21 @@ function degreesText(angle: number): string {
   return angle < 1e-12 ? '0' : quantityText((angle * 180) / Math.PI, '°').replace(' °', '°')
 }
 
-function massUnit(exhibit: Exhibit): string {
-  return exhibit.scene.length_unit === 'm' ? 'kg' : 'm'
-}
-
-function inertiaUnit(exhibit: Exhibit): string {
-  return exhibit.scene.length_unit === 'm' ? 'kg m²' : 'm r²'
-}
-
 function paths(exhibit: Exhibit, orders: readonly number[] | null) {
-  const { length_unit } = exhibit.scene
+  const { lengths } = exhibit.units
   const [front = 0, rear = 0] = reachOf(exhibit, orders)
   return {
     title: t('Displacement of the crank axis'),
     heads: [t('end'), t('greatest')],
     numeric: [false, true],
     rows: [
-      [t('front end'), lengthText(front, length_unit)],
-      [t('rear end'), lengthText(rear, length_unit)],
+      [t('front end'), lengthText(front, lengths)],
+      [t('rear end'), lengthText(rear, lengths)],
       [t('roll angle'), degreesText(rollOf(exhibit, orders))],
     ],
-    notes: [t('True size, not magnified.')],
+    notes: [
+      t('True size, not magnified.'),
+      ...(exhibit.estimated.length ? [t('Estimated, from the typical masses.')] : []),
+    ],
   }
 }

@@ -1,0 +1,191 @@
+"""The units of the page and the masses it estimates, as they are seen in a browser."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page, expect
+from tests.web.engine_page import handle, opened
+from tests.web.serving import Server
+
+from crankstar.files import engine_of
+from crankstar.files.box import spread
+from crankstar.files.catalog import load, tree_of
+from crankstar.files.estimate import estimated
+from crankstar.language.shown_units import read_choice, shown_in
+from crankstar.mechanics.balance import balance
+from crankstar.mechanics.remains import summed
+from crankstar.page.library import held
+from crankstar.page.standalone import document
+from crankstar.page.widget import Subject, answer
+from crankstar.tables.verdict import verdict
+
+POUND = 4.4482216152605
+FOOT = 0.3048
+READY = "() => document.querySelector('[data-crankstar]').crankstar.ready"
+
+
+@pytest.fixture(scope="module")
+def file_page(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The page of an engine with masses, figures and all."""
+    path = tmp_path_factory.mktemp("units") / "subaru.html"
+    name, tree = tree_of("subaru-ej25")
+    path.write_text(document(held([engine_of(tree, name=name)], files_given=[tree])), "utf-8")
+    return path
+
+
+def settled(page: Page) -> None:
+    page.evaluate("() => document.querySelector('[data-crankstar]').crankstar.settled()")
+
+
+def greatest(page: Page, quantity: str) -> list[float]:
+    """The greatest values of a quantity in the table of orders."""
+    group = page.locator("table.orders tbody").filter(has=page.get_by_text(quantity, exact=False))
+    cells = group.first.locator("td.right").all_text_contents()
+    return [float(re.sub(r" \(.*", "", text).replace("\N{MINUS SIGN}", "-")) for text in cells]
+
+
+def test_a_file_changes_its_units_in_every_panel(file_page: Path, page: Page) -> None:
+    opened(page, file_page)
+    metric = greatest(page, "Rolling moment")
+    page.get_by_label("Units").select_option("us")
+    settled(page)
+    expect(page.locator("table.orders")).to_contain_text("lbf ft")
+    pounds = greatest(page, "Rolling moment")
+    assert pounds == pytest.approx([size / POUND / FOOT for size in metric], rel=2e-4)
+    assert page.locator(".now").get_by_text("lbf ft").count() == 2
+    engine = load("subaru-ej25")
+    roll = summed(balance(engine, speed=engine.speed)).roll
+    assert handle(page, "state.units") == "us"
+    assert max(pounds) * POUND * FOOT == pytest.approx(float(2 * abs(roll.forward).max()), rel=1e-3)
+    page.get_by_role("tab", name="Verdict").click()
+    with shown_in(read_choice("us")):
+        facts = [fact.sentence for fact in verdict(engine)]
+    shown = page.locator(".facts p").all_text_contents()
+    assert any("lbf ft" in sentence for sentence in facts)
+    assert shown == facts
+    page.get_by_role("tab", name="Forces").click()
+    settled(page)
+    assert "lbf" in page.locator("figure .drawing").first.inner_text()
+    page.get_by_role("tab", name="Whirl").click()
+    expect(page.get_by_role("tabpanel")).to_contain_text("lb in²")
+    expect(page.get_by_role("tabpanel")).not_to_contain_text("mm")
+
+
+def test_the_choice_is_in_the_link_and_kept(file_page: Path, page: Page) -> None:
+    opened(page, file_page, "a=0&units=us")
+    settled(page)
+    expect(page.get_by_label("Units")).to_have_value("us")
+    expect(page.locator("table.orders")).to_contain_text("lbf ft")
+    page.goto("about:blank")
+    opened(page, file_page)
+    settled(page)
+    expect(page.locator("table.orders")).to_contain_text("lbf ft")
+    page.get_by_label("Units").select_option("si")
+    settled(page)
+    expect(page.locator("table.orders")).to_contain_text("N m")
+
+
+def test_units_that_a_file_does_not_hold_are_refused_in_a_sentence(
+    file_page: Path, page: Page
+) -> None:
+    opened(page, file_page, "a=0&units=stone")
+    expect(page.get_by_role("alert")).to_contain_text("does not hold the units stone")
+    expect(page.locator("table.orders")).to_contain_text("N m")
+    assert handle(page, "state.units") == ""
+
+
+def test_a_file_written_in_other_units_offers_them(tmp_path: Path, page: Page) -> None:
+    path = tmp_path / "other.html"
+    with shown_in(read_choice("kN, kN m")):
+        path.write_text(document(held([load("subaru-ej25")])), "utf-8")
+    opened(page, path)
+    choices = page.get_by_label("Units").locator("option").all_text_contents()
+    assert choices == ["SI", "US customary", "kN, kN m"]
+    expect(page.locator("table.orders")).to_contain_text("kN m")
+    page.get_by_label("Units").select_option("us")
+    settled(page)
+    expect(page.locator("table.orders")).to_contain_text("lbf ft")
+
+
+def test_the_server_estimates_masses_and_shows_any_units(page: Page, server: Server) -> None:
+    page.goto(f"{server.address}#a=0&engine=kr250-racer")
+    page.evaluate(READY)
+    expect(page.get_by_role("heading", name="KR250")).to_be_visible()
+    expect(page.locator("table.orders")).to_contain_text("m r ω²")
+    page.get_by_role("button", name="Estimate masses").click()
+    expect(page.locator(".badge").first).to_have_text("estimated", timeout=60_000)
+    settled(page)
+    expect(page.locator("table.orders")).to_contain_text("Force N")
+    text = page.locator("table.orders td.right").first.inner_text()
+    tree = estimated(tree_of("kr250-racer")[1]).tree
+    ends = spread(tree)
+    assert ends is not None
+    sizes = [
+        float((abs(force.forward) + abs(force.backward)).max())
+        for each in ends.engines
+        for force in [summed(balance(each, speed=each.speed)).force]
+    ]
+    low, high = map(float, re.findall(r"[\d.]+", text)[1:])
+    assert low == pytest.approx(min(sizes), rel=5e-3)
+    assert high == pytest.approx(max(sizes), rel=5e-3)
+    page.get_by_label("Units").select_option(label="Others …")
+    page.get_by_placeholder("kN, kN m").fill("kN, kN m")
+    page.keyboard.press("Enter")
+    settled(page)
+    expect(page.locator("table.orders")).to_contain_text("Force kN", timeout=60_000)
+
+
+def test_what_the_server_estimates_is_saved_with_its_marks(server: Server) -> None:
+    tree = server.ask("api/estimate", {"engine": "kr250-racer"}).json["tree"]
+    text = server.ask("api/toml", {"engine": tree}).json["toml"]
+    sources = tomllib.loads(text)["provenance"]
+    assert sources["cylinder.rod.mass"]["status"] == "estimated"
+    explicit = server.ask("api/explicit", {"engine": tree}).json["tree"]
+    marked = {p for p, s in explicit["provenance"].items() if s["status"] == "estimated"}
+    assert "cylinder.rod.mass" in marked
+    fitted = server.ask("api/fitted", {"engine": tree}).json["exhibit"]
+    assert any(path.endswith("weight.unbalance") for path in fitted["estimated"])
+    assert fitted["table"][0]["estimated"] or any(row["estimated"] for row in fitted["table"])
+
+
+def test_the_server_says_what_cannot_be_estimated_or_shown(server: Server) -> None:
+    refused = server.ask("api/estimate", {"engine": "man-s90mc-c"})
+    assert refused.status == 422
+    assert "crosshead" in refused.json["problems"][0]["message"]
+    wrong = server.ask("api/exhibit", {"engine": "i4", "units": "stone"})
+    assert wrong.status == 422
+    assert wrong.json["problems"][0]["path"] == "units"
+    assert "stone" in wrong.json["problems"][0]["message"]
+
+
+def test_the_kernel_answers_in_units_and_estimates() -> None:
+    name, tree = tree_of("toyota-2jz")
+    subject = Subject(engine_of(tree, name=name), tree, name)
+    request = {"id": 1, "engine": 0, "fitted": False, "key": "", "units": "us"}
+    done = answer((subject,), {**request, "what": "estimate"})["value"]
+    assert isinstance(done, Subject)
+    shown = answer((done,), {**request, "what": "exhibit"})["value"]
+    assert shown["units"]["force"] == "lbf"
+    assert shown["estimated"]
+    assert "lbf" in str(answer((done,), {**request, "what": "chart", "key": "spectrum"})["value"])
+    wrong = answer((subject,), {**request, "what": "exhibit", "units": "stone"})
+    assert "stone" in wrong["sentence"]
+
+
+def test_a_page_with_estimates_shows_them_and_their_ranges(tmp_path: Path, page: Page) -> None:
+    path = tmp_path / "estimated.html"
+    tree = estimated(tree_of("kr250-racer")[1]).tree
+    path.write_text(document(held([engine_of(tree)], files_given=[tree])), "utf-8")
+    opened(page, path)
+    expect(page.locator(".name .badge")).to_have_text("estimated")
+    assert re.search(r"\(.+ to .+\)", page.locator(".now .range").first.inner_text())
+    page.get_by_role("tab", name="Forces").click()
+    settled(page)
+    assert "the band is" in page.locator("figure .drawing").first.inner_text()
+    page.get_by_role("tab", name="Balancing").click()
+    settled(page)
+    expect(page.get_by_role("tabpanel")).to_contain_text("sized for their own masses")
