@@ -24,7 +24,7 @@ def plain(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     script = tmp_path / "crankstar.js"
     script.write_text("export default {}\n", encoding="utf-8")
     monkeypatch.setattr(page, "BUNDLE", script)
-    monkeypatch.setattr(library, "chart", lambda _engine, key: {"drawn": key})
+    monkeypatch.setattr(library, "chart", lambda _engine, key, **_: {"drawn": key})
     monkeypatch.setattr(library, "derivation", lambda _engine, key: f"<p>{key}</p>")
 
 
@@ -150,7 +150,7 @@ def test_a_place_that_cannot_be_written_is_told_of_before_anything_is_drawn(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, place: str
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(library, "chart", lambda _engine, key: pytest.fail(f"{key} was drawn"))
+    monkeypatch.setattr(library, "chart", lambda _engine, key, **_: pytest.fail(f"{key} was drawn"))
     ran = run("page", "i4", "-o", place)
     assert ran.code == 2
     assert "cannot be written" in ran.err
@@ -187,7 +187,7 @@ def test_without_a_bundle_nothing_is_drawn_and_it_is_said_how_to_build_it(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(page, "BUNDLE", tmp_path / "none.js")
-    monkeypatch.setattr(library, "chart", lambda _engine, key: pytest.fail(f"{key} was drawn"))
+    monkeypatch.setattr(library, "chart", lambda _engine, key, **_: pytest.fail(f"{key} was drawn"))
     ran = run("page", "i4", "-o", str(tmp_path / "page.html"))
     assert ran.code == 2
     assert "python web/bundle.py" in ran.err

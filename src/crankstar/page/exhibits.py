@@ -233,7 +233,7 @@ def remedy_tables(engine: Engine, fit: Fit, over: Spread | None) -> tuple[Table,
     tables = printed(merged(documents).parts)
     last = max((place for place, table in enumerate(tables) if table.rows), default=-1)
     return tuple(
-        table.model_copy(update={"notes": (*table.notes, _(remedies.SIZED))})
+        Table(**{**table.model_dump(), "notes": (*table.notes, _(remedies.SIZED))})
         if place == last
         else table
         for place, table in enumerate(tables)

@@ -146,7 +146,7 @@ def _differences(subject: _Subject) -> Tree:
     if subject.fitted_from is not None:
         before = subject.fitted_from
         parts["remedies"] = remedy_tables(before.engine, advised, before.spread)
-    own = subject.exhibit.model_copy(update=parts).model_dump(mode="json", include={*parts})
+    own = Exhibit.model_construct(**parts).model_dump(mode="json", include={*parts})
     known = subject.exhibit.model_dump(mode="json", include={*parts})
     return {key: value for key, value in own.items() if value != known[key]}
 

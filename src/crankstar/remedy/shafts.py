@@ -20,6 +20,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from functools import lru_cache
 from math import isfinite
 from typing import NamedTuple
 
@@ -53,6 +54,7 @@ class Need(NamedTuple):
     couple: complex
 
 
+@lru_cache(maxsize=512)  # asked for again and again while weights and shafts are fitted
 def needs(engine: Engine, *, highest: int = 2, zero: float = ZERO) -> tuple[Need, ...]:
     """The vectors up to order `highest` that remain; each needs a shaft to cancel it.
 

@@ -11,7 +11,6 @@
 | `spreadsheet` | a Document as a spreadsheet (.xlsx) |
 | `arrow` | a Table as an Apache Arrow table |
 | `ranges` | analyses of estimated engines: each number with its range |
-| `verdict_ranges` | the verdict on an estimated engine |
 | `estimates` | what `estimate` fills in |
 | `headings` | an engine's lines: cycle, cylinders, rotation, firing order |
 | `scales` | the units in which an engine is written |
@@ -41,6 +40,7 @@
 | `firing_facts` | layout, firing and exhaust pulses as sentences of the verdict |
 | `relatives` | engines of the catalog with the same balance |
 | `verdict` | the verdict |
+| `verdict_ranges` | the verdict on an estimated engine |
 | `summary` | how an engine shakes, in ten lines |
 | `analysis` | force, couple and moments by order, as `analyze` shows them |
 | `comparison` | several engines side by side |
