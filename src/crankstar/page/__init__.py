@@ -3,6 +3,7 @@
 | module, bottom to top | one line |
 |---|---|
 | `proportions` | bores, lengths and radii that a drawing needs, given or assumed |
+| `unit_records` | the units of numbers, the base of all records |
 | `records` | Exhibition, Exhibit and their parts |
 | `crankshafts` | pins, webs, rods side by side, weights on webs |
 | `gears` | gear wheels between shafts |

@@ -34,11 +34,9 @@ from crankstar.page.records import (
     StrokeColours,
     StrokeWindow,
     Table,
-    Unit,
-    Units,
-    UnitsOffered,
 )
 from crankstar.page.scene import scene
+from crankstar.page.unit_records import Unit, Units, UnitsOffered
 from crankstar.remedy import fitting
 from crankstar.remedy.kept import with_source
 from crankstar.tables import headings, remedies, strokes

@@ -11,19 +11,14 @@ from __future__ import annotations
 
 from typing import Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import Field
 
 from crankstar.engine.quantities import Unknown
+from crankstar.page.unit_records import Shown, Units, UnitsOffered
 
 Pair = tuple[float, float]
 Quantity = Literal["force", "couple", "roll", "torque"]
 Point = tuple[float, float, float]
-
-
-class Shown(BaseModel):
-    """The base of these records: frozen, without unknown keys."""
-
-    model_config = ConfigDict(frozen=True, extra="forbid", defer_build=True)
 
 
 class Web(Shown):
@@ -272,35 +267,6 @@ class DerivationKey(Shown):
     order: float
 
 
-class Unit(Shown):
-    """A unit as it is printed, and the factor to it from the number that is sent."""
-
-    label: str
-    factor: float
-
-
-class Units(Shown):
-    """The units of the numbers, as they are printed; numbers that are sent stay as they are.
-
-    The factors lead from what is sent (N, N m, or m r ω²) to the unit that is printed.
-    """
-
-    chosen: str = Field(description="the choice of units, as --units names it")
-    force: str
-    couple: str
-    roll: str
-    length: str
-    force_factor: float
-    couple_factor: float
-    roll_factor: float
-    counted: tuple[str, str] = Field(description="in which force and couple are sent")
-    lengths: tuple[Unit, ...] = Field(
-        description="of lengths of the scene, the smallest first; each from 0.1 of it on"
-    )
-    mass: Unit
-    inertia: Unit
-
-
 class Scale(Shown):
     """Sizes of the first cylinder in the engine's own units.
 
@@ -388,13 +354,6 @@ class Problem(Shown):
     code: str = Field(default="", description="which fault")
     values: dict[str, Any] = Field(default={}, description="the values of its sentence")
     message: str
-
-
-class UnitsOffered(Shown):
-    """A choice of units: its name, as --units takes it, and what a reader knows it by."""
-
-    name: str
-    label: str
 
 
 class Exhibition(Shown):
