@@ -9,6 +9,7 @@ millionth, so that none is absurdly small.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from itertools import pairwise
@@ -31,6 +32,7 @@ from crankstar.engine.records import (
     Articulation,
     Block,
     Cylinder,
+    Parts,
     Provenance,
     Rod,
     Shaft,
@@ -217,6 +219,38 @@ def fired(engine: Engine, *, with_angles: bool) -> Engine:
     return engine.model_copy(update=update)
 
 
+def _weighed(cylinders: Sequence[Cylinder], engine_shafts: Sequence[Shaft]) -> list[Cylinder]:
+    """The cylinders with parts that come to their masses and to those of their throws.
+
+    The ends of a rod with a mass of its own are in none of them.
+    """
+    on_throw = Counter((own.shaft, own.throw) for own in cylinders if own.articulated is None)
+    throw = {
+        (shaft.name, slot): each
+        for shaft in engine_shafts
+        for slot, each in enumerate(shaft.throws, 1)
+    }
+
+    def parts(own: Cylinder) -> Parts:
+        place = (own.shaft, own.throw)
+        turning = own.big_end_mass
+        if own.articulated is None:
+            turning = throw[place].rotating_mass / on_throw[place]
+        up, ends = own.reciprocating_mass, 0.0 if own.rod else 0.25
+        return Parts(
+            piston=up * 0.5,
+            pin=up * (0.375 - ends),
+            rings=up * 0.09375,
+            locks=up * 0.03125,
+            small_end=up * ends,
+            big_end=turning * ends,
+            bearing_shells=turning * (0.875 - ends),
+            oil=turning * 0.125,
+        )
+
+    return [own.model_copy(update={"parts": parts(own)}) for own in cylinders]
+
+
 @st.composite
 def engines(draw: Draw, *, known: bool = False, max_shafts: int = 4, tight: bool = True) -> Engine:
     """Any engine at all, written shaft by shaft and cylinder by cylinder.
@@ -231,6 +265,7 @@ def engines(draw: Draw, *, known: bool = False, max_shafts: int = 4, tight: bool
         for i, ratio in enumerate(ratios)
     ]
     cylinders = _shared(draw, draw(_cylinders(turning, tight=tight)), turning)
+    cylinders = _weighed(cylinders, turning) if draw(st.booleans()) else cylinders
     status = st.sampled_from(["published", "computed", "unverified", "placeholder"])
     range_of = st.tuples(st.sampled_from([0.5, 0.81]), st.sampled_from([1.0, 1.25]))
     provenance = st.builds(Provenance, status=status, source=maybe(TEXTS, "")) | st.builds(

@@ -240,7 +240,7 @@ def of_parts(result: Balance, **wanted: object) -> Totals:
     >>> round(float(spectra.peak(spectra.selected(front, [1.0])).value), 6)
     1.0
 
-    Raises ValueError for another label, and for a cylinder, bank or shaft that no part has.
+    Raises ValueError for another label, and for a cylinder or bank that no part has.
     """
     _check_labels(result, wanted)
     rows = [
@@ -266,7 +266,10 @@ def grouped(result: Balance, by: Grouping) -> dict[object, Totals]:
 
 
 def _check_labels(result: Balance, wanted: Mapping[str, object]) -> None:
-    """Raises ValueError for labels and values that no part has; of a kind there may be none."""
+    """Raises ValueError for labels and values that no part has.
+
+    Of a kind there may be none, and a shaft may carry nothing.
+    """
     for label, value in wanted.items():
         if label not in Part._fields:
             raise ValueError(
@@ -281,7 +284,7 @@ def _check_labels(result: Balance, wanted: Mapping[str, object]) -> None:
             if label == "kind"
             else [*dict.fromkeys(getattr(p, label) for p in result.parts)]
         )
-        if value is not None and value not in values:
+        if label != "shaft" and value is not None and value not in values:
             raise ValueError(
                 _(
                     "no part has the {label} {value}; give one of {values}",
