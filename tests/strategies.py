@@ -231,12 +231,14 @@ def _weighed(cylinders: Sequence[Cylinder], engine_shafts: Sequence[Shaft]) -> l
         for slot, each in enumerate(shaft.throws, 1)
     }
 
-    def parts(own: Cylinder) -> Parts:
+    def parts(own: Cylinder) -> Parts | None:
         place = (own.shaft, own.throw)
         turning = own.big_end_mass
         if own.articulated is None:
             turning = throw[place].rotating_mass / on_throw[place]
         up, ends = own.reciprocating_mass, 0.0 if own.rod else 0.25
+        if not (up or turning):
+            return None
         return Parts(
             piston=up * 0.5,
             pin=up * (0.375 - ends),
@@ -300,7 +302,8 @@ def engines(draw: Draw, *, known: bool = False, max_shafts: int = 4, tight: bool
     )
     engine = draw(_supported(engine))
     engine = fired(engine, with_angles=draw(st.booleans())) if draw(st.booleans()) else engine
-    return engine.model_copy(update={"valves": draw(maybe(timed_valves(engine)))})
+    valves = draw(maybe(timed_valves(engine)))
+    return engine.model_copy(update={"valves": None if valves == Valves() else valves})
 
 
 @st.composite

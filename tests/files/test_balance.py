@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 import subprocess
 import sys
@@ -206,7 +207,7 @@ def test_the_command_that_the_verdict_prints_fits_what_it_recommends(
         (["--shafts", "2", "--box", "1 mm..2 kg, 0..1"], "--box"),
         (["--shafts", "2", "--box", "1, 2", "--box", "1, 2"], "2 boxes for 1 balance shaft"),
         (["--shafts", "2", "--box", "1, 2", "--level"], "--level has no effect with --box"),
-        (["--box", "1, 2"], "--box has no effect without --shafts"),
+        (["--box", "1, 2"], "--box: the engine file has no balance shafts to place"),
         (["--shafts", "2", "--shaft-spacing", "3"], "no pair of balance shafts"),
         (["--weights", "0,1e-15"], "closer than"),
         (["--minimise", "force", "--limit", "force=1_0"], "is not known; a force is needed"),
@@ -425,3 +426,37 @@ def test_what_counterweights_remove_is_in_newtons_at_a_speed(run: Run, known: st
     assert found
     unit = np.sqrt(3) * 0.040 * 0.090 * (6000 * np.pi / 30) ** 2
     assert [float(size) / unit for size in found.groups()] == pytest.approx([0.65, 0.25], rel=1e-4)
+
+
+@pytest.mark.parametrize("verb", [["balance", "i4"], ["estimate", "toyota-2jz"]])
+def test_an_engine_is_written_as_the_name_of_its_file_says(
+    run: Run, verb: list[str], tmp_path: Path
+) -> None:
+    engines = []
+    for suffix in ("toml", "json", "xlsx"):
+        place = tmp_path / f"out.{suffix}"
+        run(*verb, "-o", str(place))
+        engines.append(load(place))
+    assert json.loads((tmp_path / "out.json").read_text(encoding="utf-8"))["name"]
+    forces = [total(balance(engine)).force.forward for engine in engines]
+    assert forces[0] == pytest.approx(forces[1], rel=1e-12)
+    assert forces[0] == pytest.approx(forces[2], rel=1e-9)
+    for suffix in ("csv", "png", "xyz"):
+        place = tmp_path / f"out.{suffix}"
+        done = run(*verb, "-o", str(place))
+        assert done.code == 2
+        assert "the name must end in .toml, .json or .xlsx" in done.err
+        assert not place.exists()
+
+
+def test_a_shaft_stands_at_a_place_without_rounding_errors(run: Run, tmp_path: Path) -> None:
+    file, place = tmp_path / "twin.toml", tmp_path / "out.toml"
+    text = KNOWN.replace(
+        'throws = ["0 deg", "120 deg", "240 deg"]', 'throws = ["0 deg", "270 deg"]'
+    )
+    file.write_text(text, encoding="utf-8")
+    box = "-150..150 mm, -150..150 mm"
+    run("balance", str(file), "--shafts", "-1", "--box", box, "-o", str(place))
+    shaft = load(place).shafts[-1]
+    assert abs(shaft.up) > 1e-4
+    assert shaft.right == 0.0

@@ -212,7 +212,7 @@ def test_the_spreadsheet_of_an_analysis_is_an_engine_and_its_numbers(
     sums = crankstar.total(crankstar.balance(engine, speed=engine.speed))
     second = crankstar.spectra.selected(sums.couple, 2)
     row = next(
-        dict(zip(heads, row, strict=True)) for row in rows if row[3:6] == (2, "couple", "vertical")
+        dict(zip(heads, row, strict=True)) for row in rows if row[3:6] == (2, "pitch", "vertical")
     )
     assert row["amplitude"] == pytest.approx(abs(crankstar.spectra.vertical(second)[0]), rel=1e-14)
     assert "yaw M_H (horizontal), phase [deg]" in [

@@ -80,6 +80,7 @@ def test_every_section_is_there(written: dict[str, str], name: str) -> None:
         "orders",
         "vectors",
         "turn",
+        "bearings",
         "whirl",
         "remedies",
     ]

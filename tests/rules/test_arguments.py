@@ -29,6 +29,11 @@ BANKS: Any = "banks"
 """No label of a part, though it looks like one."""
 
 
+NOWHERE: Any = math.nan
+NOTHING: Any = None
+CONTNUOUS: Any = "contnuous"
+
+
 def functions() -> list[str]:
     return [name for name in crankstar.__all__ if inspect.isfunction(getattr(crankstar, name))]
 
@@ -37,6 +42,14 @@ def of_engines() -> list[str]:
     """The public functions with an argument for an engine."""
     asked = {name: inspect.signature(getattr(crankstar, name)).parameters for name in functions()}
     return [name for name in functions() if {"engine", "engines"} & {*asked[name]}]
+
+
+def of(argument: str) -> list[str]:
+    return [
+        name
+        for name in of_engines()
+        if name not in OWN and argument in inspect.signature(getattr(crankstar, name)).parameters
+    ]
 
 
 @pytest.mark.parametrize("name", of_engines())
@@ -94,12 +107,50 @@ def test_a_label_that_no_part_has_is_refused_with_those_there_are(call: Any, wor
         call(crankstar.balance(crankstar.load("v4-90")))
 
 
-def of(argument: str) -> list[str]:
-    return [
-        name
-        for name in of_engines()
-        if name not in OWN and argument in inspect.signature(getattr(crankstar, name)).parameters
-    ]
+@pytest.mark.parametrize("name", of("orders"))
+@pytest.mark.parametrize(
+    ("orders", "words"),
+    [
+        (5, "orders takes numbers such as"),
+        ("1,2", "orders takes numbers such as"),
+        (["1"], "orders takes numbers such as"),
+        ([1, math.nan], "each must be greater than 0"),
+        ([0], "each must be greater than 0"),
+        ([-1], "each must be greater than 0"),
+    ],
+)
+def test_what_are_no_orders_is_refused(name: str, orders: Any, words: str) -> None:
+    with pytest.raises((TypeError, ValueError), match=words):
+        getattr(crankstar, name)("i4", **{**MORE.get(name, {}), "orders": orders})
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda i4: crankstar.balance(i4, reference=NOWHERE), "reference is nan; it must be fin"),
+        (lambda i4: crankstar.with_counterweights(i4, factor=NOWHERE), "factor is nan; it must"),
+        (lambda i4: crankstar.with_counterweights(i4, factor=NOTHING), "factor takes a number"),
+        (
+            lambda i4: crankstar.with_balance_shaft(i4, ratio=2, planes=[0], share=math.inf),
+            "share is inf; it must be finite",
+        ),
+        (
+            lambda i4: crankstar.bearing_loads(i4, model=CONTNUOUS),
+            "no model of a crankshaft; give one of determinate, continuous",
+        ),
+        (
+            lambda i4: crankstar.bending_moment(i4, model=CONTNUOUS),
+            "no model of a crankshaft; give one of determinate, continuous",
+        ),
+        (
+            lambda i4: crankstar.bending_moment(i4, shaft="rear"),
+            'there is no shaft "rear"; the shafts are "crank"',
+        ),
+    ],
+)
+def test_a_number_or_a_name_that_means_nothing_is_refused(call: Any, words: str) -> None:
+    with pytest.raises((TypeError, ValueError), match=words):
+        call(crankstar.load("i4"))
 
 
 @pytest.mark.parametrize("name", of("speed"))

@@ -5,8 +5,7 @@ from __future__ import annotations
 from typing import Annotated, Any, get_args
 
 from crankstar.cli.application import app
-from crankstar.cli.options import Csv, EngineName, Json, Settings, changed_tree, option
-from crankstar.cli.output import write
+from crankstar.cli.options import Csv, EngineName, Json, Settings, changed_tree, option, write_tree
 from crankstar.cli.tabulating import give
 from crankstar.engine.quantities import VOLUME
 from crankstar.engine.weighed import EngineType
@@ -43,7 +42,6 @@ def estimate(
 ) -> None:
     """Estimate masses and lengths that a file leaves out; print them with range and source."""
     from crankstar.files.estimate import estimated
-    from crankstar.files.write import tree_text
     from crankstar.tables.estimates import estimate_document
 
     form = form_of(None, TABLES, json=json, csv=csv)
@@ -54,6 +52,6 @@ def estimate(
     name, tree = changed_tree(engine, settings)
     result = estimated(tree, name=name, kind=wanted, displacement=volume)
     if output is not None:
-        write(tree_text(result.tree), output)
+        write_tree(result.tree, output)
     title = str(result.tree.get("name") or name)
     give(estimate_document(result, name=title), None, form=form)

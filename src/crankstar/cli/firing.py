@@ -13,12 +13,12 @@ from crankstar.cli.options import (
     EngineName,
     Json,
     Settings,
-    engine_text,
     engine_with_tree,
     option,
     whole,
+    write_engine,
 )
-from crankstar.cli.output import working, write
+from crankstar.cli.output import working
 from crankstar.cli.tabulating import give
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
@@ -94,7 +94,7 @@ def orders(
         fired = listing.orders[_index(row, listing.orders)].firing
         other = numbering.with_order(loaded, fired)
         words = _("fires {order}", order="-".join(map(str, fired.order)))
-        write(engine_text(with_values(other, name=f"{loaded.name}, {words}"), tree), output)
+        write_engine(with_values(other, name=f"{loaded.name}, {words}"), tree, output)
 
 
 def _asked(engine: Engine, intervals: str | None, tolerance: str | None) -> Listing:
@@ -156,7 +156,7 @@ def vees(
     else:
         vee = solutions[_index(row, solutions)]
         place = _index(star, vee.stars, option="--star")
-        write(engine_text(engines.engine_of(vee, star=place)), output)
+        write_engine(engines.engine_of(vee, star=place), None, output)
 
 
 def _form(output: str | None, *, json: bool, csv: bool, row: int | None, top: int) -> str:

@@ -8,6 +8,7 @@ from __future__ import annotations
 import shlex
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
+from pathlib import Path
 from typing import Annotated, Any, NamedTuple
 
 from cyclopts import Parameter, Token
@@ -156,18 +157,15 @@ def engine_with_tree(name: str, settings: Sequence[str] | None) -> tuple[Engine,
     return engine_of(tree, name=shown, changes=changes), changed(tree, changes, name=shown)
 
 
-def engine_text(engine: Engine, tree: Mapping[str, Any] | None = None) -> str:
-    """An engine file, never written where it could not be read again.
+def written_tree(engine: Engine, tree: Mapping[str, Any] | None = None) -> dict[str, Any]:
+    """The tree of an engine file for an engine.
 
     In the form of the file it came from, whose tree is given, where that can say it; else explicit.
     """
-    from crankstar.files import explicit, rewritten, tree_text
-    from crankstar.files import tree_of as tree_in
+    from crankstar.files import explicit, rewritten
 
     own = None if tree is None else {**tree, "name": engine.name}  # at its place in the file
-    content = tree_text(explicit(engine) if own is None else rewritten(own, engine))
-    engine_of(tree_in(content))
-    return content
+    return explicit(engine) if own is None else rewritten(own, engine)
 
 
 def engine_tree(
@@ -180,19 +178,36 @@ def engine_tree(
     return tree_of(name)[1] if as_read else explicit(engine)
 
 
-def write_engine(engine: Engine, tree: Mapping[str, Any], place: str) -> None:
-    """Write an engine file in the form of its `tree`: TOML, or a spreadsheet by the file's name."""
+def write_engine(engine: Engine, tree: Mapping[str, Any] | None, place: str | None) -> None:
+    """Write an engine file in the form of its `tree`, or print it."""
+    write_tree(written_tree(engine, tree), place)
+
+
+def write_tree(tree: Mapping[str, Any], place: str | None) -> None:
+    """Write an engine file as its name says: TOML, JSON or a spreadsheet; print it without a name.
+
+    It is never written where it could not be read again. Raises RequestError for other names.
+    """
     from crankstar.cli.output import write, write_bytes
+    from crankstar.files import tree_of as tree_in
+    from crankstar.files import tree_text
     from crankstar.options.forms import require
+    from crankstar.options.refusals import refusal
 
-    if not place.lower().endswith(".xlsx"):
-        write(engine_text(engine, tree), place)
+    suffix = "" if place is None else Path(place).suffix.lower()
+    if suffix == ".xlsx" and place is not None:
+        require("xlsx")
+        from crankstar.files.sheets import sheets_of
+        from crankstar.files.workbook import workbook_bytes, workbook_tree
+
+        content = workbook_bytes(sheets_of(dict(tree)))
+        engine_of(workbook_tree(content, place))
+        write_bytes(content, place)
         return
-    require("xlsx")
-    from crankstar.files import rewritten
-    from crankstar.files.sheets import sheets_of
-    from crankstar.files.workbook import workbook_bytes, workbook_tree
+    if suffix not in ("", ".toml", ".json"):
+        raise refusal("-o", place, "the name must end in .toml, .json or .xlsx")
+    from crankstar.tables.machine import json_text
 
-    content = workbook_bytes(sheets_of(rewritten(tree, engine)))
-    engine_of(workbook_tree(content, place))
-    write_bytes(content, place)
+    text = json_text(tree) if suffix == ".json" else tree_text(dict(tree))
+    engine_of(tree_in(text))
+    write(text, place)

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 from cyclopts import Parameter
 
 from crankstar.cli.application import app
-from crankstar.cli.options import FLAT, Settings, Speed, engine_text, engine_with_tree, together
-from crankstar.cli.output import complain, display, working, writable, write, write_result
+from crankstar.cli.options import FLAT, Settings, Speed, engine_with_tree, together, write_engine
+from crankstar.cli.output import complain, display, working, writable, write_result
 from crankstar.cli.search_options import Form, Work
 from crankstar.cli.tabulating import give
 from crankstar.engine.engine import Engine
@@ -182,4 +182,4 @@ def _show_row(
             return
         later = curve[-1].later_deg
     build = engines.engine if engine is None else partial(engine_stars.with_star, engine)
-    write(engine_text(build(stars, star, later_deg=later), tree), output)
+    write_engine(build(stars, star, later_deg=later), tree, output)

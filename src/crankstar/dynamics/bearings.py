@@ -26,7 +26,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from typing import Literal, NamedTuple
+from typing import Literal, NamedTuple, get_args
 
 import numpy as np
 
@@ -35,6 +35,8 @@ from crankstar.dynamics.beams import continuous_shares, cut_shares
 from crankstar.engine.engine import Engine
 from crankstar.engine.main_bearings import main_bearings
 from crankstar.engine.records import Shaft
+from crankstar.language.messages import _
+from crankstar.language.quoting import seen
 from crankstar.mechanics.balance import scales
 from crankstar.mechanics.excitation import columns_of, rotors
 from crankstar.mechanics.mechanism import Mechanism, mechanism
@@ -177,8 +179,17 @@ def bending_moment(
     (True, 0.5)
     """
     machine = mechanism(engine)
-    name = shaft or engine.shafts[0].name
-    index = [each.name for each in engine.shafts].index(name)
+    names = [each.name for each in engine.shafts]
+    name = names[0] if shaft is None else shaft
+    if name not in names:
+        raise ValueError(
+            _(
+                "there is no shaft {name}; the shafts are {names}",
+                name=seen(name),
+                names=", ".join(map(seen, names)),
+            )
+        )
+    index = names.index(name)
     own = engine.shafts[index]
     places, forces = _forces(machine, pin_loads(machine), index)
     bearings = main_bearings(engine, own)
@@ -197,6 +208,14 @@ def bearing_shares(
     engine: Engine, shaft: Shaft, places: Sequence[float], *, model: Model = "determinate"
 ) -> Real:
     """Shares [bearing, force] of forces at `places` on the main bearings of a shaft."""
+    if model not in get_args(Model):
+        raise ValueError(
+            _(
+                "{model} is no model of a crankshaft; give one of {models}",
+                model=seen(model),
+                models=", ".join(get_args(Model)),
+            )
+        )
     bearings = main_bearings(engine, shaft)
     if model == "determinate":
         return cut_shares(bearings, places)

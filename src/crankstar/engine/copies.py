@@ -32,7 +32,7 @@ def with_values(record: R, **values: Any) -> R:
 
     >>> from crankstar.engine.records import Throw
     >>> with_values(Throw(radius=0.04, angle=0.0), angle=1.0)
-    Throw(angle=1.0, radius=0.04, z=0.0, rotating_mass=0.0)
+    Throw(angle=1.0, radius=0.04, z=0.0, rotating_mass=0.0, throw_mass=0.0)
     """
     own = {name: getattr(record, name) for name in type(record).model_fields}
     return checked(type(record), own | values)

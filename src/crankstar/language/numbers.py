@@ -51,6 +51,11 @@ def number(value: float, largest: float = 0.0, *, digits: int = 5) -> str:
     return f"{OPENING}{value!r}{MIDDLE}{text}{CLOSING}" if _KEPT.get() else text
 
 
+def order_text(order: float) -> str:
+    """A crank order or a speed ratio: a name more than a size, so that it never has a range."""
+    return f"{float(order):.5g}"
+
+
 def duration(seconds: float) -> str:
     """A time in rounded words: `3 s`, `4 min`, `2.5 h`, `12 days`.
 

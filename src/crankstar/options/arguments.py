@@ -7,7 +7,7 @@ with a sentence that says what to give.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from functools import wraps
 from inspect import Parameter, signature
 from math import isfinite, pi
@@ -24,6 +24,8 @@ from crankstar.mechanics.balance import Balance
 from crankstar.mechanics.excitation import Reference
 
 Result = TypeVar("Result")
+NUMBERS = {"factor", "share", "up", "right"}
+"""Arguments that are one number."""
 GREATEST_BARE_SPEED = 2500.0
 """Of a speed without unit [rad/s], 23,900 rpm; a greater number was meant in rpm."""
 
@@ -51,6 +53,10 @@ def read(function: Callable[..., Result]) -> Callable[..., Result]:
             _check_balance(function.__name__, given["result"])
         if given.get("speed") is not None:
             given["speed"] = _speed(given["speed"])
+        if given.get("orders") is not None:
+            given["orders"] = _orders(given["orders"])
+        for argument in NUMBERS & given.keys():
+            _check_number(argument, given[argument])
         if given.get("reference") is not None:
             engine = given["engine"] if "engine" in given else given["engines"][0]
             given["reference"] = _reference(given["reference"], engine)
@@ -136,9 +142,37 @@ def _speed(given: Any) -> float | str:
     return number
 
 
+def _orders(given: Any) -> tuple[float, ...]:
+    """Crank orders, a list of numbers above 0. Raises ValueError, TypeError."""
+    orders = given if isinstance(given, Iterable) and not isinstance(given, str) else None
+    numbers = None if orders is None else [*orders]
+    if numbers is None or not all(isinstance(number, Real) for number in numbers):
+        raise TypeError(_("orders takes numbers such as [1, 2, 4], not {given}", given=seen(given)))
+    out = tuple(map(float, numbers))
+    if not all(isfinite(order) and order > 0 for order in out):
+        raise ValueError(
+            _("orders is {given}; each must be greater than 0, such as [1, 2]", given=seen(given))
+        )
+    return out
+
+
+def _check_number(argument: str, given: Any) -> None:
+    """Raises TypeError for what is no number, ValueError for one that is not finite."""
+    if not isinstance(given, Real) or isinstance(given, bool):
+        raise TypeError(
+            _("{argument} takes a number, not {given}", argument=argument, given=seen(given))
+        )
+    if not isfinite(given):
+        raise ValueError(
+            _("{argument} is {given}; it must be finite", argument=argument, given=seen(given))
+        )
+
+
 def _reference(given: Any, engine: Engine) -> Reference:
     """A point of reference. Raises ValueError, TypeError."""
     if isinstance(given, Reference):
+        for name, place in given._asdict().items():
+            _check_number(f"reference.{name}", place)
         return given
     if isinstance(given, str):
         from crankstar.options import values
@@ -150,6 +184,7 @@ def _reference(given: Any, engine: Engine) -> Reference:
             raise ValueError(str(error).replace("--reference", "reference")) from None
         return point or Reference(0.0)
     if isinstance(given, Real) and not isinstance(given, bool):
+        _check_number("reference", given)
         return Reference(float(given))
     raise TypeError(
         _(

@@ -137,7 +137,16 @@ def paper(
                 most=f"{limits[1]:g}",
             )
         given[name] = value
-    return Paper(**given)
+    drawn = Paper(**given)
+    side = max(drawn.width or 0.0, drawn.height or 0.0)
+    if suffix == "png" and side / INCH * drawn.dpi > MOST_PIXELS:
+        raise refusal(
+            "--dpi",
+            f"{drawn.dpi:g}",
+            "a picture of this size has at most {most} dots per inch",
+            most=f"{int(MOST_PIXELS * INCH / side)}",
+        )
+    return drawn
 
 
 def _side(option: str, text: str) -> float:
@@ -149,5 +158,7 @@ def _side(option: str, text: str) -> float:
     return side
 
 
+INCH, MOST_PIXELS = 0.0254, 12_000
+"""Metres; the most pixels of a side that is given."""
 DPI, LETTERS, SIDES = (36.0, 2400.0), (8.0, 72.0), (0.02, 2.0)
 """The least and the greatest resolution, letters (pt) and side of a picture (m)."""

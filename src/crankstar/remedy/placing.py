@@ -156,7 +156,9 @@ def _placed(
 
     on_axis = roll_at(np.zeros_like(there))
     start = roll_at(there)
-    best = there + _least(matrix, start, low - there, high - there)
+    sought = there + _least(matrix, start, low - there, high - there)
+    cleared = [_cleared(place) for place in sought.reshape(-1, 2)]
+    best = np.array([edge for place in cleared for edge in (place.real, place.imag)])
     after = with_places(engine, dict(zip(names, best.reshape(-1, 2), strict=True)))
     free = _without_roll(matrix, start, there, {shaft.speed_ratio for shaft, _ in group})
     left = abs(roll_at(best))
@@ -164,7 +166,7 @@ def _placed(
     return after, Placing(
         order,
         tuple(names),
-        tuple(map(_cleared, best.reshape(-1, 2))),
+        tuple(cleared),
         free,
         abs(on_axis),
         left if left > ZERO * scale else 0.0,

@@ -17,7 +17,7 @@ import numpy as np
 from crankstar import spectra
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import NEGLIGIBLE, number
+from crankstar.language.numbers import NEGLIGIBLE, order_text
 from crankstar.mechanics.balance import Balance, Grouping, balance, grouped
 from crankstar.mechanics.excitation import Reference, rolling_moment
 from crankstar.mechanics.remains import Sums, orders_pushed, orders_turning, size, summed
@@ -139,7 +139,7 @@ def _shares(shown: Analysis, by: Grouping) -> Table:
     pairs = [(name, order) for name in ("force", "couple", "roll") for order in shown.orders]
     heads = [
         Column(
-            _("{quantity}, order {order}", quantity=_(QUANTITIES[name]), order=number(order)),
+            _("{quantity}, order {order}", quantity=_(QUANTITIES[name]), order=order_text(order)),
             getattr(units, name, units.moment),
         )
         for name, order in pairs

@@ -16,7 +16,7 @@ from crankstar import spectra
 from crankstar.engine.engine import Engine
 from crankstar.engine.motion import first_harmonic
 from crankstar.language.messages import N_, _, _n
-from crankstar.language.numbers import NEGLIGIBLE, number
+from crankstar.language.numbers import NEGLIGIBLE, order_text
 from crankstar.mechanics.balance import Units
 from crankstar.mechanics.remains import Sums, ranked
 from crankstar.spectra import Spectrum
@@ -156,7 +156,7 @@ def none_line(zero: Sequence[float]) -> tuple[str, ...]:
     >>> none_line((1.0, 3.0))
     ('None of orders 1, 3.',)
     """
-    orders = ", ".join(number(order) for order in sorted(zero))
+    orders = ", ".join(order_text(order) for order in sorted(zero))
     if not zero:
         return ()
     return (_n("None of order {orders}.", "None of orders {orders}.", len(zero), orders=orders),)

@@ -18,9 +18,7 @@ KEYS = {"radius": "cylinder.stroke", "mass": "cylinder.reciprocating_mass"}
 """The keys of a short file that give what is missing."""
 UNITS = {
     "short": N_("In m r ω². For newtons, add to the file: {keys}."),
-    "short or estimate": N_(
-        "In m r ω². For newtons, add to the file: {keys}; or estimate them with --estimate."
-    ),
+    "short or estimate": N_("In m r ω². For newtons: --estimate, or add {keys}."),
     "speed": N_('In m r ω². For newtons, add speed to the file, as in speed = "6000 rpm".'),
     "explicit": N_("In m r ω². For newtons, replace relative {keys} in the file and add speed."),
     "masses": N_("For newtons, add to the file: {keys}."),

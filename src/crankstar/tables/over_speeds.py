@@ -15,7 +15,7 @@ import numpy as np
 from crankstar import spectra
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import number
+from crankstar.language.numbers import order_text
 from crankstar.mechanics.balance import Balance, balance
 from crankstar.mechanics.excitation import Totals, rolling_moment
 from crankstar.mechanics.labelled import columns
@@ -108,7 +108,7 @@ def document(
     if orders and absent:
         none = _(
             "Nothing of orders {orders}: {parts}.",
-            orders=", ".join(number(order) for order in orders),
+            orders=", ".join(order_text(order) for order in orders),
             parts=", ".join(_(each.title) for each in absent),
         )
     doubtful = unverified(engine)
@@ -129,7 +129,7 @@ def _table(sweep: Sweep, component: Component, orders: Sequence[float]) -> Table
     size = np.abs(waves(component, there))
     places = [int(np.argmin(np.abs(there.force.orders - order))) for order in orders]
     heads = [Column(_("speed"), "rpm", label=True)]
-    heads += [Column(_("order {order}", order=number(order)), curve.unit) for order in orders]
+    heads += [Column(_("order {order}", order=order_text(order)), curve.unit) for order in orders]
     heads.append(Column(_("peak"), curve.unit))
     rows = tuple(
         (speed, *row, peak)

@@ -10,10 +10,12 @@ from crankstar.language.messages import N_, _
 from crankstar.language.numbers import NEGLIGIBLE, bearing_text, number
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.balance import Balance
-from crankstar.mechanics.remains import Sums, remains, sizes
+from crankstar.mechanics.remains import Sums, pushed, remains, sizes
 from crankstar.spectra import Spectrum
 from crankstar.tables.paths import vector_name
 
+FELT = 1e-6
+"""A peak smaller than this beside what all parts push is not worth a line."""
 NONE = {
     "force": N_("No force of any order."),
     "couple": N_("No couple of any order."),
@@ -82,6 +84,8 @@ def _peak(result: Balance, sums: Sums, name: str) -> str:
     if name in NONE and not remains(spectrum, getattr(result, name)):
         return _(NONE[name])
     top = spectra.peak(spectrum)
+    if name in NONE and top.value <= FELT * float(pushed(getattr(result, name)).max(initial=0.0)):
+        return ""
     unit = getattr(result.units, name, result.units.moment)
     return _(
         PEAKS[name],

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from math import ceil, floor, log10
 
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
@@ -36,7 +37,7 @@ def _clash_lines(engine: Engine) -> Iterator[str]:
             "first": clash.first,
             "second": clash.second,
             "distance": across.text(clash.distance),
-            "needed": across.text(float(f"{clash.needed:.2g}")),
+            "needed": across.text(_raised(clash.needed)),
         }
         yield (
             _(
@@ -51,6 +52,16 @@ def _clash_lines(engine: Engine) -> Iterator[str]:
                 **values,
             )
         )
+
+
+def _raised(length: float) -> float:
+    """A length to two figures, never less: what is nearer than it is too near.
+
+    >>> _raised(0.0901), _raised(0.12)
+    (0.091, 0.12)
+    """
+    step = 10.0 ** (floor(log10(length)) - 1)
+    return float(f"{ceil(length / step - 1e-9) * step:.2g}")
 
 
 def _lines(engine: Engine, placing: Placing, speed: float | None) -> Iterator[str]:

@@ -14,7 +14,7 @@ from crankstar.dynamics.bearings import Model
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Shaft, Weight
 from crankstar.language.messages import N_, _, _n
-from crankstar.language.numbers import number
+from crankstar.language.numbers import number, order_text
 from crankstar.mechanics.balance import Balance, Units, balance, total
 from crankstar.mechanics.balance import scales as scales_of
 from crankstar.mechanics.excitation import rolling_moment
@@ -222,7 +222,7 @@ def _remaining(job: Job) -> Table:
                     _(
                         "These weights make the {quantity} of order {order} larger than before.",
                         quantity=word,
-                        order=number(order),
+                        order=order_text(order),
                     )
                 )
     unit = after.units.moment

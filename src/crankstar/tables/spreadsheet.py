@@ -16,6 +16,7 @@ from crankstar.files.sheets import MAIN, Sheet
 from crankstar.files.workbook import add_sheets
 from crankstar.language.messages import _
 from crankstar.tables.cells import cell, head
+from crankstar.tables.conversion import in_units
 from crankstar.tables.machine import columns, plain_values
 from crankstar.tables.table import Column, Document, Remarks, Table
 
@@ -60,7 +61,7 @@ def _keyed(table: Table) -> bool:
 
 def _readable(table: Table) -> tuple[list[str], list[list[Any]]]:
     """Headings with units and values of the columns that a reader sees."""
-    shown = table.readable
+    shown = in_units(table.readable, prefixed=False)
     heads: list[str] = []
     for column in shown.columns:
         name, unit = column.heading, head(column)

@@ -7,21 +7,19 @@ import numpy as np
 from crankstar import spectra
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import number
+from crankstar.language.numbers import number, order_text
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.balance import Balance
 from crankstar.mechanics.remains import Sums, pushed, remains
 from crankstar.remedy import needs
 from crankstar.tables.conditions import unit_sentence
 from crankstar.tables.cures import cure_lines
-from crankstar.tables.peaks import part_peaks
+from crankstar.tables.peaks import FELT, part_peaks
 from crankstar.tables.table import Remarks
 from crankstar.tables.verdict import largest_sentence
 
 GRAVITY = 9.80665
 """Standard acceleration of free fall, m/s^2."""
-FELT = 1e-6
-"""A peak smaller than this beside what all parts push is not worth a line."""
 
 PEAKS = {
     "vertical": N_("vertical {size}"),
@@ -60,7 +58,7 @@ def _roll_sentence(result: Balance, sums: Sums) -> str:
     place = int(np.argmax(sizes))
     return _(
         "Roll of order {order}: {size}.",
-        order=number(sums.roll.orders[place]),
+        order=order_text(sums.roll.orders[place]),
         size=quantity_text(sizes[place], result.units.moment),
     )
 

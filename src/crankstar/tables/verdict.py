@@ -11,7 +11,7 @@ import numpy as np
 from crankstar import spectra
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import number
+from crankstar.language.numbers import order_text
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.balance import Balance, balance
 from crankstar.mechanics.remains import (
@@ -133,7 +133,7 @@ def _vector_sentences(name: str, result: Balance, sums: Sums) -> str:
     spectrum = getattr(sums, name)
     left, zero = ranked(spectrum, orders_pushed(result))
     if not left:
-        return _(NONE[name], order=number(USUAL_ORDERS))
+        return _(NONE[name], order=order_text(USUAL_ORDERS))
     remaining = spectra.selected(spectrum, left)
     largest = float(sizes(remaining).max())
     free = tuple(order for order in (1, 2) if order in zero)
@@ -144,7 +144,7 @@ def _vector_sentences(name: str, result: Balance, sums: Sums) -> str:
             minor.append(
                 _(
                     "order {order}: {size}",
-                    order=number(order),
+                    order=order_text(order),
                     size=quantity_text(size, getattr(result.units, name)),
                 )
             )
@@ -160,7 +160,7 @@ def largest_sentence(name: str, result: Balance, sums: Sums) -> str:
     spectrum = getattr(sums, name)
     left, zero = ranked(spectrum, orders_pushed(result))
     if not left:
-        return _(NONE[name], order=number(USUAL_ORDERS))
+        return _(NONE[name], order=order_text(USUAL_ORDERS))
     free = tuple(order for order in (1, 2) if order in zero)
     largest = _vector_sentence(name, result, spectra.selected(spectrum, left[:1]), 0)
     return f"{_(FREE[(name, *free)])} {largest}" if free else largest
@@ -189,7 +189,7 @@ def _moment_sentences(result: Balance, sums: Sums) -> str:
         place = int(np.argmax(amplitudes))
         if there[name] and amplitudes[place]:
             size = quantity_text(amplitudes[place], result.units.moment)
-            out.append(_(sentence, order=number(signal.orders[place]), size=size))
+            out.append(_(sentence, order=order_text(signal.orders[place]), size=size))
     return " ".join(out) or _("No rolling moment from inertia.")
 
 
