@@ -16,6 +16,7 @@ from tests.files.test_parts import PARTS, tree
 
 from crankstar.engine.copies import with_values
 from crankstar.engine.records import Weight
+from crankstar.files import engine_of as load_tree
 from crankstar.files import tree_text
 from crankstar.files.catalog import load
 from crankstar.mechanics.balance import balance, total
@@ -243,8 +244,69 @@ def test_shares_are_lever_rule_within_three_to_seven_tenths() -> None:
 
 
 @pytest.mark.parametrize(
+    ("typed", "grams_mm"),
+    [("38 g at 4 in", 3860.8), ("38 g @ 4in", 3860.8), ("1.3 oz at 10 cm", 3685.4)],
+)
+def test_a_mass_at_a_radius_is_an_unbalance_wherever_one_is_read(
+    run: Run, typed: str, grams_mm: float
+) -> None:
+    for spot in (typed, f"{typed} at 20 deg"):
+        (hole,) = json.loads(run("drill", "--unbalance", spot, *HOLE, "--json").out)["holes"]
+        assert hole["unbalance"] * 1e6 == pytest.approx(grams_mm, rel=1e-4)
+        assert hole["heavy_spot_deg"] == (20 if "deg" in spot else None)
+    line = ("grade", "--mass", "18 kg", "--speed", "6500 rpm", "--json", "--unbalance", typed)
+    (row,) = json.loads(run(*line).out)["measured"]
+    assert row["unbalance"] * 1e6 == pytest.approx(grams_mm, rel=1e-4)
+    weight = {"z": "10 mm", "angle": "0 deg", "unbalance": typed}
+    of = {**tree(), "crankshaft": [{"weight": [weight]}]}
+    engine = load_tree(of)
+    assert engine.shafts[0].weights[-1].unbalance * 1e6 == pytest.approx(grams_mm, rel=1e-4)
+
+
+def test_a_plane_without_unbalance_has_no_hole(run: Run) -> None:
+    said = run("drill", "--unbalance", "0", *HOLE).out
+    assert "nothing is to be drilled" in said
+    answer = json.loads(run("drill", "--unbalance", "0 g*mm, 300 g*mm at 5", *HOLE, "--json").out)
+    assert [(row["count"], row["at_deg"], row["mass"] > 0) for row in answer["holes"]] == [
+        (0, None, False),
+        (1, [5.0], True),
+    ]
+
+
+def test_csv_of_a_measured_unbalance_is_its_result(run: Run) -> None:
+    args = ("grade", "--mass", "18 kg", "--speed", "6500 rpm", "--unbalance", "60 g*mm, 30 g*mm")
+    rows = list(csv.DictReader(io.StringIO(run(*args, "--csv").out)))
+    answer = json.loads(run(*args, "--json").out)
+    assert [row["plane"] for row in rows] == ["front bearing", "rear bearing"]
+    assert [float(row["unbalance [kg*m]"]) for row in rows] == pytest.approx([60e-6, 30e-6])
+    assert float(rows[0]["grade_mm_s [mm/s]"]) == pytest.approx(answer["grade_measured"])
+    allowed = permissible(6.3, mass=18, speed=6500 * pi / 30) / 2
+    assert [float(row["permissible [kg*m]"]) for row in rows] == pytest.approx([allowed] * 2)
+
+
+def test_a_card_in_american_units_is_in_grams(run: Run, v8: str) -> None:
+    said = run("bobweight", v8, "--units", "us").out
+    assert column(said, "Bobweights", word=r"\d") == [1814] * 4
+    assert "lb/in³" in run("drill", "--unbalance", "1 oz*in", *HOLE, "--units", "us").out
+
+
+@pytest.mark.parametrize("verb", ["bobweight", "drill", "balance"])
+def test_a_factor_in_percent_without_its_sign_says_how_it_is_written(
+    run: Run, v8: str, verb: str
+) -> None:
+    hole = HOLE if verb == "drill" else ()
+    said = refused(run, verb, v8, "--factor", "52", *hole)
+    assert said.endswith("for 52 % write 52% or 0.52")
+
+
+@pytest.mark.parametrize(
     ("line", "words"),
     [
+        (("drill", "--unbalance", "38 at 4 in", *HOLE), "without a unit"),
+        (("drill", "--unbalance", "38 g at 4 furlongs", *HOLE), "a length is needed"),
+        (("drill", "--unbalance", "8 g at 4 in at 4 in", *HOLE), "an angle is needed"),
+        (("drill", "--unbalance", "8 g at -4 in", *HOLE), "not a number"),
+        (("grade", "--mass", "1 kg", "--speed", "9 rpm", "--unbalance", "2 g"), "add the radius"),
         (("drill",), "name an engine file"),
         (("drill", "--unbalance", "100 g*mm"), "give --diameter, --at-radius"),
         (("drill", "--unbalance", "100 g*mm", *HOLE, "--axial"), "give --greatest-depth"),

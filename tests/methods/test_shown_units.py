@@ -20,6 +20,7 @@ from crankstar.language.numbers import unit_text
 from crankstar.language.shown_units import (
     PREFIXED,
     UnitsError,
+    choice_text,
     quantity_text,
     read_choice,
     shown,
@@ -49,6 +50,7 @@ UNIT = (
 def si(number: float, unit: str) -> float:
     """A number with a printed unit in SI, by pint; a relative length counts as 1."""
     words = {"in": "inch", "a": "", "r": "", "in²": "inch**2", "m²": "m**2"}
+    words |= {"lb/in³": "lb/inch**3", "g/cm³": "g/cm**3"}
     product = "*".join(filter(None, (words.get(word, word) for word in unit.split())))
     return float(REGISTRY.Quantity(number, product).to_base_units().magnitude)
 
@@ -91,36 +93,57 @@ def test_a_printed_quantity_is_the_quantity(unit: str, value: float, choice: str
 @pytest.mark.parametrize(
     ("text", "choice"),
     [
-        ("kN", {"force": "kN"}),
-        ("kN m", {"moment": "kN*m"}),
-        ("kN, kN m", {"force": "kN", "moment": "kN*m"}),
-        ("g mm", {"unbalance": "g*mm"}),
-        ("kg m", {"unbalance": "kg*m"}),
-        ("oz in", {"unbalance": "oz*in"}),
-        ("oz-in", {"unbalance": "oz*in"}),
-        ("lb ft", {"moment": "lbf*ft"}),
-        ("lb", {"force": "lbf", "mass": "lb"}),
-        ("lb, N", {"force": "N", "mass": "lb"}),
-        ("in", {"length": "in"}),
-        ("deg", {"angle": "deg"}),
+        ("kN", {"force": ("kN",)}),
+        ("kN m", {"moment": ("kN*m",)}),
+        ("kN, kN m", {"force": ("kN",), "moment": ("kN*m",)}),
+        ("g mm", {"unbalance": ("g*mm",)}),
+        ("kg m", {"unbalance": ("kg*m",)}),
+        ("oz in", {"unbalance": ("oz*in",)}),
+        ("oz-in", {"unbalance": ("oz*in",)}),
+        ("lb ft", {"moment": ("lbf*ft",)}),
+        ("lb", {"force": ("lbf",), "mass": ("lb",)}),
+        ("lb, N", {"force": ("N",), "mass": ("lb",)}),
+        ("in", {"length": ("in",)}),
+        ("deg", {"angle": ("deg",)}),
         ("SI", {}),
-        ("si, kN", {"force": "kN"}),
+        ("si, kN", {"force": ("kN",)}),
     ],
 )
-def test_a_choice_has_one_unit_for_each_dimension(text: str, choice: dict[str, str]) -> None:
+def test_a_choice_has_one_unit_for_each_dimension(
+    text: str, choice: dict[str, tuple[str, ...]]
+) -> None:
     assert read_choice(text) == choice
 
 
 def test_the_american_units_are_pounds_feet_inches_and_ounce_inches() -> None:
     us = read_choice("us")
-    assert [us[name] for name in ("force", "moment", "mass", "length", "unbalance")] == [
-        "lbf",
-        "lbf*ft",
-        "lb",
-        "in",
-        "oz*in",
+    assert [us[name] for name in ("force", "moment", "length", "unbalance", "density")] == [
+        ("lbf",),
+        ("lbf*ft",),
+        ("in",),
+        ("oz*in",),
+        ("lb/in^3",),
     ]
-    assert read_choice("us, kN m") == {**us, "moment": "kN*m"}
+    assert read_choice("us, kN m") == {**us, "moment": ("kN*m",)}
+
+
+def test_american_masses_are_grams_as_on_a_bobweight_card_and_pounds_from_ten_on() -> None:
+    with shown_in(read_choice("us")):
+        assert [quantity_text(mass, "kg") for mass in (0.65, 2.0114, 4.5, 4.6)] == [
+            "650 g",
+            "2011.4 g",
+            "4500 g",
+            "10.141 lb",
+        ]
+        assert shown("kg", 1e4, prefixed=False).unit == "g"
+        assert quantity_text(7850, "kg/m^3") == "0.2836 lb/in³"
+    assert quantity_text(7850, "kg/m^3") == "7.85 g/cm³"
+
+
+@pytest.mark.parametrize("text", [*CHOICES, "us, kN", "us, lb"])
+def test_the_text_of_a_choice_names_it_again(text: str) -> None:
+    chosen = read_choice(text)
+    assert read_choice(choice_text(chosen)) == chosen
 
 
 @pytest.mark.parametrize(
@@ -153,7 +176,7 @@ def test_any_text_is_a_choice_or_a_sentence(text: str) -> None:
     except UnitsError as error:
         units, sentence = {}, str(error)
     assert sentence.isprintable()
-    assert all(is_physical(unit) for unit in units.values())
+    assert all(is_physical(unit) for chosen in units.values() for unit in chosen)
 
 
 def test_units_are_converted_once_however_often_they_are_asked_for() -> None:

@@ -68,7 +68,6 @@ def bobweight(
         partial(_factor, engine, settings, factor),
         partial(loaded_values, engine, settings, estimate=estimate),
     )
-    remedies.within_factors(share)
 
     def card(each: Engine) -> Document:
         return card_document(each, factor=share, machine=form != "txt")
@@ -83,7 +82,7 @@ def drill(
     *,
     options: Annotated[DrillOptions, FLAT] = DrillOptions(),  # noqa: B008  # it is frozen
     unbalance: Annotated[
-        str | None, option("--unbalance", "Or a mass, which is then at the radius.")
+        str | None, option("--unbalance", "A mass alone is at the radius of --at-radius.")
     ] = None,
     factor: Factor = None,
     weights: Annotated[str | None, option("--weights", "Default: ends.")] = None,
@@ -139,7 +138,6 @@ def _engine_holes(engine: Engine, made: Drill, factor: float, weights: str) -> D
             "what to drill is in grams and millimetres; add to the file what it leaves out of "
             "cylinder.stroke, layout.bore_pitch and cylinder.parts or the two masses"
         )
-    remedies.within_factors(factor)
     after = fitting.by_factor(engine, factor=factor, weights=remedies.weights(weights, engine))
     cranks = [shaft for shaft in engine.shafts if shaft.throws]
     lines = []

@@ -19,6 +19,9 @@ from crankstar.language.units import SIGNS, as_weight, definitions, measured
 _NUMBER = re.compile(
     r"\s*([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d{1,3})?)\s*(.*?)\s*", re.DOTALL
 )
+_AT = re.compile(r"\s+at\s+|\s*@\s*", re.IGNORECASE)
+"""Between a mass and its radius."""
+_WEIGHED, _ACROSS = Quantity("mass", "38 g"), Quantity("length", "100 mm")
 _LONGEST = 60
 """Letters: a longer text is no number with a unit."""
 _GREATEST_NUMBER = 1e300
@@ -77,6 +80,8 @@ def si(value: Any, quantity: Quantity) -> float:
 
     >>> round(si("3.25 in", Quantity("length", "82.5 mm")), 6)
     0.08255
+    >>> round(si("38 g at 4 in", Quantity("unbalance", "850 g*mm")) * 1e6, 1)  # g mm
+    3860.8
     >>> si("82 kg", Quantity("length", "82.5 mm"))  # doctest: +ELLIPSIS
     Traceback (most recent call last):
     crankstar...ValueFaultError: the value is "82 kg", a mass; a length is needed, such as "82.5 mm"
@@ -149,6 +154,8 @@ def _read(value: Any, quantity: Quantity) -> tuple[float, bool]:
             raise _fault("unit.needed", value, quantity)
         return float(value), False
     text = value.translate(SIGNS).replace("**", "^")
+    if quantity.dimension == "unbalance" and len(text) <= _LONGEST and _AT.search(text):
+        return _mass_at_radius(text, value, quantity), True
     match = _NUMBER.fullmatch(text) if len(text) <= _LONGEST else None
     if match is None:
         raise _fault("unit.not-a-number", value, quantity)
@@ -158,6 +165,19 @@ def _read(value: Any, quantity: Quantity) -> tuple[float, bool]:
     if abs(number) > _GREATEST_NUMBER:
         raise _fault("unit.too-large", value, quantity)
     return (number * _factor(unit, value, quantity), True) if unit else (number, False)
+
+
+def _mass_at_radius(text: str, value: str, quantity: Quantity) -> float:
+    """The unbalance of a mass at a radius, as balancing machines show it: "38 g at 4 in"."""
+    parts = _AT.split(text)
+    if len(parts) != 2:
+        raise _fault("unit.not-a-number", value, quantity)
+    (mass, weighed), (radius, long) = map(_read, parts, (_WEIGHED, _ACROSS))
+    if not (weighed and long):
+        raise _fault("unit.missing", value, quantity)
+    if radius < 0:
+        raise _fault("unit.not-a-number", value, quantity)
+    return mass * radius
 
 
 def _factor(unit: str, value: str, quantity: Quantity) -> float:
@@ -178,6 +198,8 @@ def _factor(unit: str, value: str, quantity: Quantity) -> float:
             ) from None
         raise _fault("unit.unknown", value, quantity, unit=seen(unit)) from None
     if unit_given.dimensions != wanted:
+        if quantity.dimension == "unbalance" and unit_given.dimensions == measured("kg").dimensions:
+            raise _fault("unit.radius-missing", value, quantity)
         named = [(name, kind.unit) for name, kind in _KINDS.items()] + list(_OTHERS.items())
         kinds = (name for name, of in named if measured(of).dimensions == unit_given.dimensions)
         raise _fault("unit.other-dimension", value, quantity, measured=next(kinds, "other"))

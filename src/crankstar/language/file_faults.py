@@ -79,6 +79,9 @@ SENTENCES: dict[str, str | Plural] = {
     "unit.other-dimension": N_(
         "{where} is {value}, {measured}; {dimension} is needed, such as {example}"
     ),
+    "unit.radius-missing": N_(
+        '{where} is {value}, a mass; add the radius at which it is, as in "38 g at 100 mm"'
+    ),
     "unit.bare-out-of-range": N_(
         "{where} is {value}, too large or too small; give a bare number near 1"
     ),

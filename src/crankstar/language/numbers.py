@@ -98,6 +98,7 @@ def unit_text(unit: str) -> str:
         unit.replace("w_0^2", "ω0²")
         .replace("w^2", "ω²")
         .replace("^2", "²")
+        .replace("^3", "³")
         .replace("A_k", "Aₖ")
         .replace("*", " ")
     )

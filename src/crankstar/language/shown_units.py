@@ -24,6 +24,7 @@ PREFIXED = {
     "length": ("mm", "m"),
     "unbalance": ("g*mm", "kg*mm", "kg*m"),
     "moment of inertia": ("kg*m^2",),
+    "density": ("g/cm^3",),
     "angle": ("deg",),
     "rotational speed": ("rpm",),
 }
@@ -35,6 +36,7 @@ NAMES = {
     "length": N_("length"),
     "unbalance": N_("unbalance"),
     "moment of inertia": N_("moment of inertia"),
+    "density": N_("density"),
     "angle": N_("angle"),
     "rotational speed": N_("rotational speed"),
 }
@@ -46,20 +48,27 @@ OTHERS = {
     "length": ("cm", "in", "ft"),
     "unbalance": ("g*cm", "oz*in"),
     "moment of inertia": ("kg*cm^2", "lb*in^2"),
+    "density": ("kg/m^3", "lb/in^3"),
 }
 """Units outside PREFIXED that a refusal names; any unit of the dimension is understood."""
-SYSTEMS: dict[str, dict[str, str]] = {
+Choice = Mapping[str, tuple[str, ...]]
+"""The units, smallest first, of each dimension that has chosen ones."""
+SYSTEMS: dict[str, Choice] = {
     "si": {},
     "us": {
-        "force": "lbf",
-        "moment": "lbf*ft",
-        "mass": "lb",
-        "length": "in",
-        "unbalance": "oz*in",
-        "moment of inertia": "lb*in^2",
+        "force": ("lbf",),
+        "moment": ("lbf*ft",),
+        "mass": ("g", "lb"),
+        "length": ("in",),
+        "unbalance": ("oz*in",),
+        "moment of inertia": ("lb*in^2",),
+        "density": ("lb/in^3",),
     },
 }
-"""Sets of units by their short names; what a set leaves out has an SI prefix."""
+"""Sets of units by their short names; what a set leaves out has an SI prefix.
+
+American crankshaft shops weigh pistons and bobweights in grams.
+"""
 LARGER = 10.0
 """How many of a unit the greatest value must reach for it to be preferred to a smaller one."""
 FIXED = ("angle", "rotational speed")
@@ -67,8 +76,6 @@ FIXED = ("angle", "rotational speed")
 _RELATIVE = ("a", "r")
 """Factors of a unit that stand for a size which the engine file does not give."""
 
-Choice = Mapping[str, str]
-"""A unit for each dimension that has a chosen one."""
 _choice: ContextVar[Choice] = ContextVar("units", default=SYSTEMS["si"])
 
 
@@ -109,7 +116,7 @@ def read_choice(text: str) -> Choice:
     A pound is a unit of mass and of force, and with a length one of moment.
 
     >>> read_choice("kN, kN m"), read_choice("lb ft")
-    ({'force': 'kN', 'moment': 'kN*m'}, {'moment': 'lbf*ft'})
+    ({'force': ('kN',), 'moment': ('kN*m',)}, {'moment': ('lbf*ft',)})
     """
     words = [word.strip() for word in text.split(",") if word.strip()]
     if not words:
@@ -134,21 +141,26 @@ def read_choice(text: str) -> Choice:
                     dimension=_(NAMES[dimension]),
                 )
             named[dimension] = unit
-    lone_pound = named.get("mass") in ("lb", "lbs", "pound")
-    weights = {"force": "lbf"} if lone_pound and "force" not in named else {}
-    return {**(SYSTEMS[systems[0]] if systems else {}), **weights, **named}
+    if named.get("mass") in ("lb", "lbs", "pound"):
+        named = {"force": "lbf", **named}
+    chosen = {dimension: (unit,) for dimension, unit in named.items()}
+    return {**(SYSTEMS[systems[0]] if systems else {}), **chosen}
 
 
 def choice_text(choice: Choice) -> str:
-    """The text that names a choice: a system, or its units with commas.
+    """The text that names a choice: a system, its units with commas, or both.
 
-    >>> choice_text({}), choice_text(SYSTEMS["us"]), choice_text({"force": "kN", "moment": "kN*m"})
-    ('si', 'us', 'kN, kN m')
+    >>> choice_text({}), choice_text(SYSTEMS["us"])
+    ('si', 'us')
+    >>> choice_text(read_choice("kN, kN m")), choice_text(read_choice("us, kN"))
+    ('kN, kN m', 'us, kN')
     """
-    for name, units in SYSTEMS.items():
-        if dict(choice) == units:
-            return name
-    return ", ".join(map(unit_text, choice.values()))
+    system = next(
+        (name for name in SYSTEMS if name != "si" and SYSTEMS[name].keys() <= choice.keys()), ""
+    )
+    own = SYSTEMS[system] if system else {}
+    units = [unit for name, chosen in choice.items() if chosen != own.get(name) for unit in chosen]
+    return ", ".join(filter(None, (system, *map(unit_text, units)))) or "si"
 
 
 def _of_word(word: str) -> Iterator[tuple[str, str]]:
@@ -220,17 +232,19 @@ def dimension(unit: str) -> tuple[str, str]:
 def shown(unit: str, largest: float, *, prefixed: bool = True) -> Shown:
     """The unit for values that are counted in `unit`, `largest` being the greatest of them.
 
-    `prefixed`: without a chosen unit, SI with a prefix that fits; else they stay as they are.
+    `prefixed`: of several chosen units the one that fits, without any SI with the prefix that fits.
+    Else the first of the chosen ones, or SI as it is, so that programs always find the same.
 
     >>> shown("N", 25_000.0), shown("m*r*w^2", 25_000.0)
     (Shown(unit='kN', factor=0.001), Shown(unit='m*r*w^2', factor=1.0))
     """
     name, relative = dimension(unit)
-    chosen = choice().get(name)
-    if not name or not (chosen or (prefixed and not are_kept())):
+    chosen = choice().get(name, ())
+    fits = prefixed and not are_kept()
+    if not name or not (chosen or fits):
         return Shown(unit, 1.0)
     own = unit.removesuffix(f"*{relative}") if relative else unit
-    wanted = chosen or _prefixed(own, largest, PREFIXED[name])
+    wanted = _prefixed(own, largest, chosen or PREFIXED[name]) if fits else chosen[0]
     end = f"*{relative}" if relative else ""
     same = spelt(wanted) == own
     return Shown(f"{wanted}{end}", 1.0 if same else _ratio(own, wanted))

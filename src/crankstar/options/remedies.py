@@ -137,27 +137,34 @@ def _at_most(
 
 
 def factor(text: str) -> float:
-    """A balance factor: a number, or a percentage.
+    """A balance factor: a number, or a percentage. Raises RequestError.
 
     >>> factor("0.52") == factor("52%") == factor("52 %")
     True
     """
-    share = text.strip().removesuffix("%").strip()
-    if re.fullmatch(r"[-+]?(\d{1,9}(\.\d*)?|\.\d+)", share, re.ASCII) is None:
+    typed = text.strip().removesuffix("%").strip()
+    if re.fullmatch(r"[-+]?(\d{1,9}(\.\d*)?|\.\d+)", typed, re.ASCII) is None:
         raise refusal("--factor", text, "give a share of the reciprocating mass, as in 0.5 or 52%")
-    return float(share) / (100 if "%" in text else 1)
-
-
-def within_factors(share: float) -> None:
-    """Refuse a balance factor beyond all that engines are built with. Raises RequestError."""
-    if not LEAST_FACTOR <= share <= GREATEST_FACTOR:
+    number = float(typed) / (100 if "%" in text else 1)
+    if LEAST_FACTOR <= number <= GREATEST_FACTOR:
+        return number
+    if 10 <= number <= 100 * GREATEST_FACTOR and "%" not in text:
         raise refusal(
             "--factor",
-            f"{share:g}",
-            "give a share of the reciprocating mass from {least} to {greatest}",
-            least=f"{LEAST_FACTOR:g}",
-            greatest=f"{GREATEST_FACTOR:g}",
+            text,
+            "that is {number} times the reciprocating mass; for {number} % write {percent} or "
+            "{share}",
+            number=f"{number:g}",
+            percent=f"{number:g}%",
+            share=f"{number / 100:g}",
         )
+    raise refusal(
+        "--factor",
+        text,
+        "give a share of the reciprocating mass from {least} to {greatest}",
+        least=f"{LEAST_FACTOR:g}",
+        greatest=f"{GREATEST_FACTOR:g}",
+    )
 
 
 def unbalance(option: str, text: str | None, engine: Engine) -> float | None:

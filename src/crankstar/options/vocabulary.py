@@ -152,8 +152,8 @@ OPTIONS = {
     ),
     "--greatest-depth": Option(
         "text",
-        'Greatest depth of a hole or length of a slug, such as "25 mm" (default: half the radius); '
-        "where one is not enough there are several.",
+        'Greatest depth of a hole or length of a slug, such as "25 mm" (default: half the radius; '
+        "with --axial it must be given); where one is not enough there are several.",
         ("--depth", "--max-depth", "--length"),
     ),
     "--greatest-split": Option(
@@ -352,8 +352,8 @@ OPTIONS = {
     ),
     "--unbalance": Option(
         "text",
-        "Unbalance that the balancing machine shows, plane by plane, with the direction of the "
-        'heavy spot, such as "850 g*mm at 20 deg, 400 g*mm at 200 deg".',
+        "Unbalance that the balancing machine shows, or a mass at a radius, plane by plane, with "
+        'the direction of the heavy spot, such as "850 g*mm at 20 deg, 38 g at 4 in at 200 deg".',
         ("--residual", "--measured"),
     ),
     "--uneven": Option(

@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
+import re
 from math import pi, radians
 from typing import NamedTuple
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from crankstar.engine.quantities import DENSITY, LENGTH, MASS, UNBALANCE, Quantity
+from crankstar.engine.quantities import ANGLE, DENSITY, LENGTH, MASS, UNBALANCE, Quantity
 from crankstar.files import units
 from crankstar.language.faults import ValueFaultError
 from crankstar.options import values as request
 from crankstar.options.refusals import RequestError, refusal
 from crankstar.options.vocabulary import meaning
-from crankstar.remedy.drilling import STEEL, TIP, Drill
-
-HEAVY_METAL = 17_000.0
-"""Density of usual tungsten alloys for crankshafts, kg/m^3."""
+from crankstar.remedy.drilling import STEEL, TIP, TUNGSTEN, Drill
 
 
 class DrillOptions(BaseModel):
@@ -85,7 +83,7 @@ def _slug(text: str) -> float:
     word = text.strip().lower()
     if word and not any(letter.isdigit() for letter in word):
         if word in ("tungsten", "heavy metal", "heavy-metal", "mallory"):
-            return HEAVY_METAL
+            return TUNGSTEN
         raise refusal("--slug", text, 'give a density, such as "17 g/cm^3", or tungsten')
     return size("--slug", text, DENSITY)
 
@@ -93,36 +91,57 @@ def _slug(text: str) -> float:
 def measured(text: str, *, radius: float | None = None, most: int = 24) -> list[Measured]:
     """Unbalances plane by plane, each with the direction of the heavy spot where it is given.
 
-    A mass is one at `radius`. Raises RequestError.
+    A mass without a radius is one at `radius`. Raises RequestError.
 
     >>> first, second = measured("850 g*mm at 20 deg, 10 g at 200 deg", radius=0.08)
     >>> round(first.unbalance * 1e6), round(second.unbalance * 1e6), round(second.angle, 4)
     (850, 800, 3.4907)
+    >>> round(measured("38 g at 4 in at 20 deg")[0].unbalance * 1e6, 1)
+    3860.8
     """
     parts = request.listed(text)
-    example = 'as in "850 g*mm at 20 deg, 400 g*mm at 200 deg"'
     if not 1 <= len(parts) <= most:
         raise refusal(
             "--unbalance",
             text,
             "give from 1 to {most} unbalances with commas, {example}",
             most=most,
-            example=example,
+            example='as in "850 g*mm at 20 deg, 38 g at 4 in at 200 deg"',
         )
     out: list[Measured] = []
     for part in parts:
-        amount, at, angle = (piece.strip() for piece in part.partition(" at "))
-        if at and len(request.listed(angle)) != 1:
-            raise refusal("--unbalance", part, "give a direction, {example}", example=example)
-        where = radians(request.degrees("--unbalance", angle)[0]) if at else None
+        amount, direction = _parted(part)
+        where = radians(request.degrees("--unbalance", direction)[0]) if direction else None
         out.append(Measured(_amount(amount, radius), where))
     return out
+
+
+def _parted(text: str) -> tuple[str, str]:
+    """An unbalance and its direction, which is empty where none is given."""
+    *before, last = re.split(r"\s+at\s+|\s*@\s*", text)
+    at_radius = len(before) == 1 and _reads(before[0], MASS) and not _is_direction(last)
+    return (text, "") if at_radius or not before else (" at ".join(before), last)
+
+
+def _is_direction(text: str) -> bool:
+    return units.is_bare(text) or _reads(text, ANGLE)
+
+
+def _reads(text: str, quantity: Quantity) -> bool:
+    try:
+        units.si(text, quantity)
+    except ValueFaultError:
+        return False
+    return True
 
 
 def _amount(text: str, radius: float | None) -> float:
     """An unbalance, or a mass times the radius."""
     if units.is_bare(text):
-        raise refusal("--unbalance", text, 'write it with a unit, such as "850 g*mm"')
+        example = "850 g*mm"
+        raise refusal(
+            "--unbalance", text, 'write it with a unit, such as "{example}"', example=example
+        )
     if radius is not None:
         try:
             value = units.si(text, MASS) * radius

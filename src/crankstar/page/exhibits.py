@@ -18,7 +18,7 @@ from crankstar.firing.strokes import WorkingCycle, working_cycle
 from crankstar.language.faults import EngineError
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import unit_text, values_kept
-from crankstar.language.shown_units import SYSTEMS, choice, choice_text, shown
+from crankstar.language.shown_units import SYSTEMS, choice, choice_text, dimension, shown
 from crankstar.mechanics import remains
 from crankstar.mechanics.balance import Balance, balance, scales
 from crankstar.page import orders as vectors
@@ -270,16 +270,21 @@ def units_of(engine: Engine, result: Balance, sums: remains.Sums) -> tuple[Units
             roll_factor=moment.factor,
             counted=(unit_text(own.force), unit_text(own.couple)),
             lengths=lengths,
-            mass=_unit("m" if "mass" in engine.relative else "kg"),
+            mass=_unit("m" if "mass" in engine.relative else "kg", _heaviest(engine)),
             inertia=_unit("m*r^2" if "mass" in engine.relative else "kg*m^2"),
         ),
         vectors.Scaling(force.factor, couple.factor, moment.factor),
     )
 
 
-def _unit(unit: str) -> Unit:
-    said = shown(unit, 1.0, prefixed=False)
+def _unit(unit: str, largest: float = 1.0) -> Unit:
+    """SI, or of the chosen units the one that fits."""
+    said = shown(unit, largest, prefixed=dimension(unit)[0] in choice())
     return Unit(label=unit_text(said.unit), factor=said.factor)
+
+
+def _heaviest(engine: Engine) -> float:
+    return max(cylinder.reciprocating_mass for cylinder in engine.cylinders)
 
 
 def offered() -> tuple[UnitsOffered, ...]:

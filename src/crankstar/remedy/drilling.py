@@ -30,6 +30,8 @@ from crankstar.remedy.kept import changes
 
 STEEL = 7850.0
 """Density of a steel crankshaft, kg/m^3."""
+TUNGSTEN = 17_000.0
+"""Density of usual tungsten alloys for crankshafts, kg/m^3."""
 TIP = 118 * pi / 180
 """Angle of the tip of a usual twist drill."""
 MOST_HOLES = 24
@@ -109,7 +111,7 @@ def mass_of_hole(depth: float, drill: Drill) -> float:
 
 
 def holes(unbalance: float, drill: Drill) -> Holes:
-    """The fewest equal holes that have this unbalance [kg m] together.
+    """The fewest equal holes that have this unbalance [kg m] together; for 0 there are none.
 
     Raises RemedyError where the drill is impossible, or no number of holes is enough.
 
@@ -119,6 +121,8 @@ def holes(unbalance: float, drill: Drill) -> Holes:
     (2, 25.4, 8.4)
     """
     possible(drill)
+    if not unbalance > 0:
+        return Holes(0, 0.0, 0.0, (), 0.0)
     if drill.slug is None and unbalance < unbalance_of_hole(0.0, drill):
         return _countersunk(unbalance, drill)
     greatest = 0.0
@@ -165,10 +169,11 @@ def possible(drill: Drill) -> None:
         )
     if drill.slug is not None and drill.slug <= drill.density:
         raise RemedyError(
-            "a slug of {slug} g/cm³ is no heavier than the {density} g/cm³ that it replaces; give "
-            "a denser metal, such as 17 g/cm³",
-            slug=f"{drill.slug / 1e3:.5g}",
-            density=f"{drill.density / 1e3:.5g}",
+            "a slug of {slug} is no heavier than the {density} that it replaces; give a denser "
+            "metal, such as {example}",
+            slug=quantity_text(drill.slug, "kg/m^3"),
+            density=quantity_text(drill.density, "kg/m^3"),
+            example=quantity_text(TUNGSTEN, "kg/m^3"),
         )
 
 

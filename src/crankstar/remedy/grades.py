@@ -9,7 +9,8 @@ centre of mass lies between its bearings, at L_A and L_B from them, the bearing 
 
 each at least 0.3 and at most 0.7 of U_per.
 
-Source: ISO 21940-11:2016, clauses 5 to 7 (before: ISO 1940-1).
+Source: the method of ISO 21940-11 (before: ISO 1940-1) as makers of tools and balancing machines
+publish it; the text of the standard itself was not at hand.
 """
 
 from __future__ import annotations

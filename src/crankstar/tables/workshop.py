@@ -10,7 +10,7 @@ from crankstar.language.messages import _
 from crankstar.language.numbers import number
 from crankstar.language.shown_units import quantity_text
 from crankstar.remedy.drilling import Drill, Holes
-from crankstar.remedy.grades import GRADES, grade_met, grade_of_planes, permissible
+from crankstar.remedy.grades import GRADES, grade_met, grade_of, grade_of_planes, permissible
 from crankstar.tables.scales import Scale
 from crankstar.tables.table import Column, Document, Table, Value, remarks
 
@@ -41,6 +41,8 @@ def drilling_document(
     lines: Sequence[str] = (),
 ) -> Document:
     """What to drill in each plane, or which slugs to fit; `lines` come first."""
+    if corrections and not any(each.holes.number for each in corrections):
+        lines = (*lines, _("No unbalance remains: nothing is to be drilled."))
     facts = {
         "diameter_mm": 1000 * drill.diameter,
         "radius_mm": 1000 * drill.radius,
@@ -84,14 +86,15 @@ def _holes(corrections: Sequence[Correction], drill: Drill, along: Scale | None)
         row += [each.unbalance, heavy, made.number, at]
         if along is not None:
             row.append(_bearings(each, turned - (each.pin or 0.0)))
-        row += [1000 * made.depth, 1000 * made.tip_depth, 1000 * made.mass]
+        depths = (1000 * made.depth, 1000 * made.tip_depth) if made.number else (None, None)
+        row += [*depths, 1000 * made.mass]
         rows.append(tuple(row))
     title = _("Heavy metal to fit") if slug else _("What to drill")
     return Table(title, tuple(columns), tuple(rows), notes=_notes(drill, along), key="holes")
 
 
 def _bearings(each: Correction, turned: float) -> tuple[float, ...] | None:
-    if each.angle is None:
+    if each.angle is None or not each.holes.number:
         return None
     return tuple(_degrees(each.angle + turned + angle) for angle in each.holes.angles)
 
@@ -105,35 +108,34 @@ def _notes(drill: Drill, along: Scale | None) -> tuple[str, ...]:
     values = {
         "diameter": quantity_text(1000 * drill.diameter, "mm"),
         "radius": quantity_text(1000 * drill.radius, "mm"),
-        "density": number(drill.density / 1000),
+        "density": quantity_text(drill.density, "kg/m^3"),
         "tip": number(degrees(drill.tip)),
     }
     if drill.slug is not None:
-        slug = number(drill.slug / 1000)
+        slug = quantity_text(drill.slug, "kg/m^3")
         how = (
             _(
-                "Slugs of {slug} g/cm³ and {diameter} parallel to the crank axis, {radius} from "
-                "it, net of the {density} g/cm³ drilled out.",
+                "Slugs of {slug} and {diameter} parallel to the crank axis, {radius} from "
+                "it, net of the {density} drilled out.",
                 slug=slug,
                 **values,
             )
             if drill.axial
             else _(
-                "Slugs of {slug} g/cm³ and {diameter}, flush with the rim at a radius of "
-                "{radius}, net of the {density} g/cm³ drilled out.",
+                "Slugs of {slug} and {diameter}, flush with the rim at a radius of "
+                "{radius}, net of the {density} drilled out.",
                 slug=slug,
                 **values,
             )
         )
     elif drill.axial:
         how = _(
-            "Holes of {diameter} parallel to the crank axis, {radius} from it, in {density} g/cm³.",
+            "Holes of {diameter} parallel to the crank axis, {radius} from it, in {density}.",
             **values,
         )
     else:
         how = _(
-            "Holes of {diameter} towards the crank axis from a radius of {radius}, in {density} "
-            "g/cm³.",
+            "Holes of {diameter} towards the crank axis from a radius of {radius}, in {density}.",
             **values,
         )
     tip = ""
@@ -164,7 +166,7 @@ class Rotor(NamedTuple):
 def grade_document(
     title: str, rotor: Rotor, *, grade: float | None, measured: Sequence[float] = ()
 ) -> Document:
-    """The permissible residual unbalance by grade, in newtons too; what was measured, graded."""
+    """The permissible residual unbalance by grade, and its force; before it what was measured."""
     grades = USUAL if grade is None else (grade,)
     facts = {
         "mass_kg": rotor.mass,
@@ -174,8 +176,8 @@ def grade_document(
     parts = [_permissible(rotor, grades)]
     lines: list[str] = []
     if measured:
-        parts.append(_measured(rotor, measured))
         worth = grade_of_planes(measured, mass=rotor.mass, speed=rotor.speed, planes=rotor.planes)
+        parts.insert(0, _measured(rotor, measured, grade_met(worth) if grade is None else grade))
         facts["grade_measured"] = worth
         lines.append(_verdict(worth, grade))
     return Document(title, (*remarks(*lines), *parts), facts)
@@ -232,21 +234,29 @@ def _permissible(rotor: Rotor, grades: Sequence[float]) -> Table:
     return Table(title, columns, tuple(rows), notes=(note,), key="permissible")
 
 
-def _measured(rotor: Rotor, measured: Sequence[float]) -> Table:
+def _measured(rotor: Rotor, measured: Sequence[float], grade: float | None) -> Table:
+    """Each plane beside what a grade permits it."""
+    both = len(measured) > 1
+    heading = _("permissible") if grade is None else _("G {grade}", grade=number(grade))
     columns = (
         Column(_("plane"), kind="text", key="plane", label=True),
         Column(_("measured"), "kg*m", key="unbalance"),
+        Column(heading, "kg*m", key="permissible"),
         Column(_("force"), "N", key="force"),
         Column(_("grade G"), "mm/s", key="grade_mm_s", digits=3),
+        Column(_("grade G"), "mm/s", key="permissible_grade_mm_s", machine=True),
     )
-    names = (_("front bearing"), _("rear bearing")) if len(measured) > 1 else (_("whole"),)
-    parts = rotor.planes if len(measured) > 1 else (1.0,)
+    names = (_("front bearing"), _("rear bearing")) if both else (_("whole"),)
+    parts = rotor.planes if both else (1.0,)
+    allowed = None if grade is None else permissible(grade, mass=rotor.mass, speed=rotor.speed)
     rows = tuple(
         (
             name,
             size,
+            None if allowed is None else allowed * share,
             size * rotor.speed**2,
-            grade_of_planes([size / share], mass=rotor.mass, speed=rotor.speed, planes=(1, 1)),
+            grade_of(size / share, mass=rotor.mass, speed=rotor.speed),
+            grade,
         )
         for name, size, share in zip(names, measured, parts, strict=True)
     )
