@@ -15,7 +15,7 @@ import pytest
 from tests.commands import Run
 from tests.files.test_estimate import tree_for
 
-from crankstar import spectra
+from crankstar import bearing_loads, bending_moment, spectra
 from crankstar.engine.engine import Engine
 from crankstar.files import engine_of
 from crankstar.files.box import ranges, scaled, spread
@@ -23,6 +23,7 @@ from crankstar.language.numbers import number, values_kept
 from crankstar.mechanics.balance import balance, total
 from crankstar.mechanics.remains import summed
 from crankstar.options.balancing import BalanceOptions, balanced
+from crankstar.remedy.counterweights import without_counterweights
 from crankstar.tables.bearings import bearing_document
 from crankstar.tables.ranges import ranged, sentence
 from crankstar.tables.remedies import balancing_sheet
@@ -216,6 +217,9 @@ def test_every_mass_keeps_the_orders_within_the_whiskers(run: Run) -> None:
         ("vector-star", "the vectors are those of the typical values"),
         ("polygon", "a resultant has its range"),
         ("forces", "Estimated masses or lengths"),
+        ("bearing-loads", "greatest loads have their ranges"),
+        ("bending", "peaks have their ranges"),
+        ("balance-shafts", "unbalances that rest on them are marked"),
         ("shaft", "Estimated bore pitch: arms are 0.923 to 1.1 times as long."),
     ],
 )
@@ -238,6 +242,42 @@ def test_a_resultant_has_the_range_of_any_masses(run: Run) -> None:
     for engine in variants(tree_for("vw-vr6"), count=8):
         couple = spectra.selected(total(balance(engine, speed=engine.speed)).couple, 1.0)
         assert low * 0.995 <= abs(couple.forward[0]) <= high * 1.005
+
+
+@pytest.mark.parametrize("chart", ["bearing-loads", "bending"])
+def test_peaks_on_the_crankshaft_have_the_range_of_any_masses(run: Run, chart: str) -> None:
+    heads = [
+        " ".join(panel["title"]["text"])
+        for panel in panels(drawn(run, "bmw-m52b28", chart, "--estimate"))
+    ]
+    ends = [
+        list(map(float, found.groups()))
+        for head in heads
+        if (found := re.search(r"([\d.]+) \(([\d.]+) to ([\d.]+)\) at", head))
+    ]
+    assert len(ends) == len(heads)
+    for engine in variants(tree_for("bmw-m52b28"), count=4):
+        if chart == "bearing-loads":
+            sizes = spectra.peaks(bearing_loads(engine, speed=engine.speed).load) / 1000  # in kN
+        else:
+            bare = without_counterweights(engine)
+            models: tuple[Any, ...] = (None, "determinate", "continuous")
+            bent = [bending_moment(bare, speed=engine.speed, model=model) for model in models]
+            sizes = [spectra.peaks(each.moment).max() for each in bent]
+        for (typical, low, high), size in zip(ends, sizes, strict=True):
+            assert low < typical < high
+            assert low * 0.995 <= size <= high * 1.005
+
+
+def test_shafts_sized_for_estimated_masses_are_marked(run: Run) -> None:
+    run("balance", "honda-b18c", "--estimate", "--shafts", "needed", "-o", "b18c.toml")
+    heads = [" ".join(panel.get("title", {}).get("text", [])) for panel in panels(
+        drawn(run, "b18c.toml", "balance-shafts"))]  # fmt: skip
+    assert [bool(re.search(r"unbalance \d+ g mm \(estimated\) at", head)) for head in heads] == [
+        False,
+        True,
+        True,
+    ]
 
 
 def test_engines_side_by_side_have_their_own_ranges(run: Run) -> None:

@@ -11,7 +11,7 @@ import pytest
 import crankstar
 from crankstar import charts
 from crankstar.charts.bending import course_of
-from crankstar.charts.drawing import BLUE
+from crankstar.charts.drawing import BLUE, brief
 from crankstar.dynamics.bearings import Model, bearing_loads, bending_moment
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.balance import balance
@@ -77,6 +77,43 @@ def test_farthest_point_of_a_polar_diagram_is_the_peak_in_the_table(
         origin = np.array([-domains[0][0] * scale, domains[1][1] * scale])
         farthest = np.hypot(*(path - origin).T).max() / scale
         assert farthest == pytest.approx(peak, abs=0.02 / scale + 2e-4 * peak)
+
+
+@pytest.mark.parametrize("quantity", ["main-bearing", "main-journal"])
+@pytest.mark.parametrize("name", ENGINES)
+def test_circles_of_a_polar_diagram_are_whole_and_the_outermost_has_its_value(
+    name: str, quantity: Any
+) -> None:
+    engine = crankstar.load(name)
+    chart = charts.polar_loads(engine, quantity=quantity)
+    greatest = float(peaks_of(bearing_loads(engine).load).max())
+    for panel in panels(chart):
+        if "no load" in str(panel):
+            continue
+        half = panel["layer"][0]["encoding"]["x"]["scale"]["domain"][1]
+        rows = [row for layer in panel["layer"] for row in layer.get("data", {}).get("values", [])]
+        lines: dict[int, list[complex]] = {}
+        for row in rows:
+            if row.get("width") == 0.5:
+                lines.setdefault(row["line"], []).append(complex(row["y2"], row["x2"]))
+        radii = [float(np.mean(np.abs(points))) for points in lines.values()]
+        assert 2 <= len(radii) <= 4
+        assert greatest <= max(radii) < half
+        for points, radius in zip(lines.values(), radii, strict=True):
+            assert points[0] == pytest.approx(points[-1])
+            assert np.abs(points) == pytest.approx(radius)
+        texts = {row["text"] for row in rows if "text" in row}
+        assert brief(max(radii)) in texts
+
+
+def test_of_many_loads_the_greatest_are_drawn_when_few_are_asked_for() -> None:
+    engine = crankstar.load("napier-deltic")
+    loads = peaks_of(bearing_loads(engine).load)
+    chart = charts.polar_loads(engine, most=3)
+    shown = [" ".join(panel["title"]["text"]) for panel in panels(chart)]
+    assert len(shown) == 3
+    assert brief(float(loads.max())) in " ".join(shown)
+    assert f"the 3 greatest of {len(loads)}" in " ".join(chart.to_dict()["title"]["subtitle"])
 
 
 @pytest.mark.parametrize("name", ENGINES)

@@ -143,6 +143,16 @@ def test_forces_in_newtons_are_those_of_the_answer_at_the_speed_of_the_engine(
         assert newton_metres == pytest.approx(sizes[float(row[0])], rel=1e-4, abs=1e-6)
 
 
+def test_a_short_report_of_many_bearings_draws_the_greatest_loads_and_says_so() -> None:
+    page = report(subject("man-s90mc-c", full=False))
+    words = re.sub(r"<[^>]+>", " ", page[page.index('<section id="bearings"') :])
+    words = " ".join(words[: words.index("Free response")].split())
+    assert "3 of 8 main bearings are drawn" in words
+    assert "crankstar report --full" in words
+    for number in range(1, 9):  # the table has all of them
+        assert re.search(rf"\b{number} \S+ assumed", words)
+
+
 def test_a_speed_that_is_asked_for_is_the_one_of_every_number() -> None:
     page = report(subject("audi-25-tfsi", speed=100.0, orders=(1.0, 2.0)))
     heads, *rows = Reader(page).table("Couple on the block")

@@ -31,6 +31,7 @@ Engines in, a chart out, and a chart as an SVG that needs no browser.
 | `firing_rings` | the cylinders round a circle at their firing angles |
 | `elevations` | the crankshaft from the side |
 | `cylinder_forces` | the forces on each cylinder at chosen crank angles |
+| `polar_grid` | the circles of a polar diagram, with their values |
 | `polar_loads` | the load on each main bearing or crank pin as a polar diagram |
 | `bending` | the bending moment along the crankshaft |
 | `balance_shafts` | the balance shafts from the front and from the side |

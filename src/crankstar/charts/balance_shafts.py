@@ -18,21 +18,26 @@ from crankstar.charts.canvas import panel_width
 from crankstar.charts.crank_stars import turns_together
 from crankstar.charts.drawing import BLUE, GREEN, GREY, Panel, brief, figure, named
 from crankstar.charts.elevations import along_of, shaft_panel
+from crankstar.charts.estimates import ends_of, estimate_lines, size_range
 from crankstar.charts.grammar import Chart
 from crankstar.charts.labels import Label, gathered
 from crankstar.charts.plane import Arrow, Dot, Frame, Plane, Stroke, picture
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Shaft
-from crankstar.language.messages import _
+from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
 from crankstar.mechanics.balance import default_reference
 from crankstar.remedy.clearance import balance_shafts, crank_sweep
+from crankstar.tables.ranges import estimated_paths
 from crankstar.tables.scales import scales
 
 HUB = 0.34
 """Radius of the arrow of rotation, in crank radii."""
 LONGEST = 0.95
 """Length of the greatest unbalance, in crank radii."""
+RANGES = N_("Estimated masses or lengths: unbalances that rest on them are marked.")
+SIZED = "balance_shaft.weight.unbalance"
+"""The key path of unbalances in an engine file."""
 MARGIN = 34.0
 """px around the shafts, for their names."""
 
@@ -54,7 +59,10 @@ def balance_shaft_chart(engine: Engine, *, theta: float = 0.0) -> Chart:
     along = along_of(engine)
     rows: list[list[Panel]] = [[_front(engine, own, theta)]]
     zero = default_reference(engine).z
-    rows += [[shaft_panel(engine, shaft, along, zero, name=_words(engine, shaft))] for shaft in own]
+    ends = [balance_shafts(each) for each in ends_of(engine)]
+    for place, shaft in enumerate(own):
+        words = _words(engine, shaft, [end[place] for end in ends])
+        rows.append([shaft_panel(engine, shaft, along, zero, name=words)])
     about = [named(engine)]
     if own:
         about.append(
@@ -63,6 +71,7 @@ def balance_shaft_chart(engine: Engine, *, theta: float = 0.0) -> Chart:
         about.append(_("below, from the side, front at the left, with the arms of the weights"))
     else:
         about.append(_("without balance shafts; `crankstar balance --shafts needed` adds them"))
+    about += estimate_lines([engine], drawn=_(RANGES))
     turns = turns_together(engine)
     title = _("Balance shafts, seen from the front")
     return figure(rows, title=title, subtitle=about, theta=theta, turns=turns)
@@ -150,8 +159,11 @@ def _rotation(centre: complex, radius: float, sense: int) -> tuple[Stroke, Arrow
     return Stroke((*points, begin), width=1.4), Arrow(tip, begin, colour=GREY, width=2)
 
 
-def _words(engine: Engine, shaft: Shaft) -> str:
-    """Name, ratio, sense, place, and unbalance of each direction with its bearing."""
+def _words(engine: Engine, shaft: Shaft, ends: Sequence[Shaft]) -> str:
+    """Name, ratio, sense, place, and unbalance of each direction with its bearing.
+
+    `ends` are the shaft in the middle and at the corners of the ranges of the engine.
+    """
     size = number(abs(float(shaft.speed_ratio)))
     turn = (
         _("{ratio} × crank speed, with the crank", ratio=size)
@@ -160,13 +172,22 @@ def _words(engine: Engine, shaft: Shaft) -> str:
     )
     across = scales(engine).across
     place = _("{up} up, {right} right", up=across.text(shaft.up), right=across.text(shaft.right))
-    return "\n".join([f"{shaft.name}: {turn}", place, *_unbalances(engine, shaft)])
+    return "\n".join([f"{shaft.name}: {turn}", place, *_unbalances(engine, shaft, ends)])
 
 
-def _unbalances(engine: Engine, shaft: Shaft) -> Iterator[str]:
-    """Unbalance and bearing at theta = 0 of each direction of weights."""
+def _unbalances(engine: Engine, shaft: Shaft, ends: Sequence[Shaft]) -> Iterator[str]:
+    """Unbalance and bearing at theta = 0 of each direction of weights, with its range."""
     unit = scales(engine).unbalance
-    for pull in pulls(shaft):
-        size = unit.text(float(f"{abs(pull.unbalance):.4g}"))
+    own = pulls(shaft)
+    others = [each for each in map(pulls, ends) if len(each) == len(own)]
+    for pull, *at_ends in zip(own, *others, strict=True):
+        size = abs(pull.unbalance)
+        between = size_range(size, [abs(end.unbalance) for end in at_ends])
+        text = unit.text(float(f"{size:.4g}"))
+        if between is not None:
+            low, high = (unit.text(float(f"{end:.3g}")) for end in between)
+            text = f"{text} {_('({low} to {high})', low=low, high=high)}"
+        elif SIZED in estimated_paths(engine):
+            text = _("{sentence} (estimated)", sentence=text)
         angle = brief(round(degrees(phase(pull.unbalance)), 6) + 0.0)
-        yield _("unbalance {size} at {angle}° when θ = 0", size=size, angle=angle)
+        yield _("unbalance {size} at {angle}° when θ = 0", size=text, angle=angle)

@@ -28,6 +28,7 @@ from crankstar.charts.drawing import (
     layered,
     named,
 )
+from crankstar.charts.estimates import ends_of, estimate_lines, range_text, size_range
 from crankstar.charts.grammar import Chart, Layer, field, of_rows, span
 from crankstar.charts.letters import SMALL, text_width
 from crankstar.dynamics.bearings import Bending, Model, bending_moment
@@ -48,6 +49,9 @@ STATES = {
     "determinate": N_("hinged at each main bearing"),
     "continuous": N_("one beam on all main bearings"),
 }
+RANGES = N_(
+    "Estimated masses or lengths: peaks have their ranges; lines are those of the typical values."
+)
 HEIGHT = 112.0
 """Height of a panel, px."""
 NUMBERS = 50.0
@@ -57,7 +61,10 @@ FOOT = 0.16
 
 
 class Course(NamedTuple):
-    """A bending moment along a shaft [place]: its envelope, and what it is at its worst moment."""
+    """A bending moment along a shaft [place]: its envelope, and what it is at its worst moment.
+
+    `ends` are its greatest values in the middle and at the corners of the ranges of the engine.
+    """
 
     label: str
     colour: str
@@ -66,6 +73,7 @@ class Course(NamedTuple):
     momentary: Real
     theta: float
     unit: str
+    ends: tuple[float, ...] = ()
 
     @property
     def greatest(self) -> float:
@@ -87,9 +95,10 @@ def bending_chart(
     models: tuple[Model, ...] = (model,) if model else ("determinate", "continuous")
     states: list[Model | None] = [None, *(models if len(cranks) == 1 else models[:1])]
     pairs = list(_compared(engine))
+    others = [own for own in map(list, map(_compared, ends_of(engine))) if len(own) == len(pairs)]
+    rows = list(zip(pairs, *others, strict=True))
     blocks: list[tuple[Shaft, Model | None, list[Course]]] = [
-        (shaft, state, [_course(each, label, colour, shaft.name, state, speed)
-                        for label, colour, each in pairs])
+        (shaft, state, [_course(own, ends, shaft.name, state, speed) for own, *ends in rows])
         for shaft in cranks
         for state in states
     ]  # fmt: skip
@@ -103,32 +112,42 @@ def bending_chart(
     title = _("Bending moment of the crank, in {unit}", unit=unit_text(said.unit))
     about = _("solid: greatest over the turn; dashed: at the crank angle of its peak")
     marks = _("triangles: main bearings; numbers: throws; front at the left")
-    return figure(
-        [[panel] for panel in panels], title=title, subtitle=[named(engine), about, marks]
-    )
+    lines = [named(engine), about, marks, *estimate_lines([engine], drawn=_(RANGES))]
+    return figure([[panel] for panel in panels], title=title, subtitle=lines)
 
 
-def _compared(engine: Engine) -> Iterator[tuple[str, str, Engine]]:
+class Compared(NamedTuple):
+    """An engine in words, and the colour of its lines."""
+
+    label: str
+    colour: str
+    engine: Engine
+
+
+def _compared(engine: Engine) -> Iterator[Compared]:
     """The engine without and with counterweights, in words; one engine where these are the same."""
     bare = without_counterweights(engine)
     weighted = any(shaft.weights for shaft in engine.shafts if shaft.throws)
-    yield _("without weights"), VERMILION, bare
+    yield Compared(_("without weights"), VERMILION, bare)
     if weighted:
-        yield _("with its weights"), BLUE, engine
+        yield Compared(_("with its weights"), BLUE, engine)
         return
     try:
         usual = with_web_weights(engine, factor=FACTOR)
     except (RemedyError, EngineError):  # too many weights for a crankshaft, or none fit
         return
     label = _("with weights, balance factor {factor}", factor=f"{FACTOR:g}")
-    yield label, BLUE, usual
+    yield Compared(label, BLUE, usual)
 
 
 def _course(
-    engine: Engine, label: str, colour: str, shaft: str, state: Model | None, speed: float | None
+    own: Compared, ends: Sequence[Compared], shaft: str, state: Model | None, speed: float | None
 ) -> Course:
-    bending = bending_moment(engine, shaft=shaft, speed=speed, model=state)
-    return course_of(bending, label=label, colour=colour)
+    bending, *others = (
+        bending_moment(each.engine, shaft=shaft, speed=speed, model=state) for each in (own, *ends)
+    )
+    greatest = tuple(float(spectra.peaks(end.moment).max(initial=0.0)) for end in others)
+    return course_of(bending, label=own.label, colour=own.colour)._replace(ends=greatest)
 
 
 def course_of(bending: Bending, *, label: str = "", colour: str = BLUE) -> Course:
@@ -217,12 +236,18 @@ def _head(
     if several:
         words = f"{shaft.name}, {words}"
     peaks = " / ".join(
-        _("{size} at {angle}°", size=brief(course.greatest * factor),
+        _("{size} at {angle}°", size=f"{brief(course.greatest * factor)}{_range(course, factor)}",
           angle=brief(round(degrees(course.theta), 6)))
         if course.greatest else "0"
         for course in courses
     )  # fmt: skip
     return "\n".join([words, _("peak {peaks}", peaks=peaks)])
+
+
+def _range(course: Course, factor: float) -> str:
+    """The range of the peak of a course."""
+    ends = size_range(course.greatest, course.ends)
+    return range_text(ends and (ends[0] * factor, ends[1] * factor))
 
 
 def _places(

@@ -18,8 +18,11 @@ FARTHER = (0.0, 9.0, 20.0, 32.0, 46.0, 62.0, 80.0, 100.0, 122.0, 146.0)
 """px beyond the gap of a label, in the order in which they are tried."""
 BESIDE = 75
 """Degrees aside from which a label has a leader, as it has where it is farther away."""
-ACROSS_TEXT, ACROSS_LINE = 4.0, 0.4
-"""The cost of a line through a text, and of a leader over a line, in steps of 14 px or 60 deg."""
+ACROSS_TEXT, ACROSS_FAINT, ACROSS_LINE = 4.0, 2.0, 0.4
+"""The cost of a line or faint lines through a text, and of a leader over a line.
+
+In steps of 14 px or 60 deg.
+"""
 GREATEST_LABELS = 150
 """Greatest number of legible labels."""
 GAP = 5.0
@@ -82,14 +85,17 @@ def apart(
     strokes: Sequence[tuple[complex, complex]],
     within: Box,
     around: Sequence[Box] = (),
+    faint: Sequence[tuple[complex, complex]] = (),
 ) -> list[Label]:
     """The labels, moved aside from other labels and strokes, with leaders where they are far.
 
-    `strokes` are the lines drawn at `theta`, from and to, px; `within` is the rectangle for labels,
-    `around` the occupied rectangles. Labels that find no place are left out.
+    `strokes` are the lines drawn at `theta`, from and to, px, and `faint` those on which a text may
+    stand rather than far away; `within` is the rectangle for labels, `around` the occupied
+    rectangles. Labels that find no place are left out.
     """
     taken: list[Box] = list(around)
     lines: Complex = np.array(strokes, complex).reshape(-1, 2)
+    thin: Complex = np.array(faint, complex).reshape(-1, 2)
     out: list[Label] = []
     for label in labels[:GREATEST_LABELS]:
         best: tuple[float, Label, Box] | None = None
@@ -100,10 +106,11 @@ def apart(
             here = box(tried, theta=theta, scale=scale)
             if not _inside(here, within) or any(meets(here, other) for other in taken):
                 continue
-            cost = least + ACROSS_TEXT * int(_hit(here, lines).sum())
+            cost = least + ACROSS_TEXT * int(crossed(here, lines).sum())
+            cost += ACROSS_FAINT * int(crossed(here, thin).any())
             if tried.led and (best is None or cost < best[0]):
                 leader = np.array([[point, leader_end(point, here)]])
-                cost += ACROSS_TEXT * sum(bool(_hit(other, leader)[0]) for other in taken)
+                cost += ACROSS_TEXT * sum(bool(crossed(other, leader)[0]) for other in taken)
                 cost += ACROSS_LINE * _crossings(leader[0], lines)
             if best is None or cost < best[0] - 1e-9:
                 best = (cost, tried, here)
@@ -166,7 +173,7 @@ def _inside(box: Box, frame: Box) -> bool:
     )
 
 
-def _hit(box: Box, lines: Complex) -> Real:
+def crossed(box: Box, lines: Complex) -> Real:
     """Which of the lines [line, end] run through a rectangle, whose height is taken tightly."""
     start, step = lines[:, 0] - box.middle, lines[:, 1] - lines[:, 0]
     enter, leave = np.zeros(len(lines)), np.ones(len(lines))

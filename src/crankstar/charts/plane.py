@@ -14,7 +14,7 @@ from cmath import exp
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from math import ceil, floor, log10
+from math import ceil, floor, log10, pi
 from typing import Any, NamedTuple
 
 from crankstar.charts.drawing import BLUE, GREY, Panel, checked_angle, layered
@@ -44,12 +44,13 @@ class Arrow(NamedTuple):
 
 
 class Stroke(NamedTuple):
-    """A line through points that stand still."""
+    """A line through points that stand still; labels may stand on one that is `faint`."""
 
     points: tuple[complex, ...]
     colour: str = GREY
     width: float = 1.0
     dashed: bool = False
+    faint: bool = False
 
 
 class Dot(NamedTuple):
@@ -89,13 +90,17 @@ class Frame(NamedTuple):
 
 @dataclass(frozen=True)
 class Plane:
-    """The drawn contents; `notes` are fixed labels, `labels` make room for each other."""
+    """The drawn contents; `notes` are fixed labels, `labels` make room for each other.
+
+    `clear` are places that further layers draw on and labels leave free.
+    """
 
     arrows: tuple[Arrow, ...] = ()
     strokes: tuple[Stroke, ...] = ()
     dots: tuple[Dot, ...] = ()
     labels: tuple[Label, ...] = ()
     notes: tuple[Label, ...] = ()
+    clear: tuple[Stroke | Dot, ...] = ()
 
 
 class Axes(NamedTuple):
@@ -153,7 +158,10 @@ def picture(
     scale = frame.scale
     shown = [arrow for arrow in plane.arrows if abs(arrow.end - arrow.start) * scale > SHORTEST]
     segments = [_segment(arrow, theta) for arrow in shown]
-    segments += [ends for stroke in plane.strokes for ends in pairwise(stroke.points)]
+    unseen = [each for each in plane.clear if isinstance(each, Stroke)]
+    faint: list[tuple[complex, complex]] = []
+    for stroke in (*plane.strokes, *unseen):
+        (faint if stroke.faint else segments).extend(pairwise(stroke.points))
     aside = 3 if axes is None else 0
     moved = apart(
         plane.labels,
@@ -161,7 +169,11 @@ def picture(
         scale=scale,
         strokes=[(start * scale, end * scale) for start, end in segments],
         within=Box(frame.middle * scale, frame.width / 2 + aside, frame.height / 2),
-        around=[box(note, theta=theta, scale=scale) for note in plane.notes],
+        around=[
+            *(box(note, theta=theta, scale=scale) for note in plane.notes),
+            *(_around(dot, scale) for dot in plane.clear if isinstance(dot, Dot)),
+        ],
+        faint=[(start * scale, end * scale) for start, end in faint],
     )
     labels = [*plane.notes, *moved]
     layers = [*_lines(plane.strokes, x, y), *_arrow_layers(shown, scale, x, y)]
@@ -204,6 +216,12 @@ BETWEEN_TICKS = 12.0
 def _segment(arrow: Arrow, theta: float) -> tuple[complex, complex]:
     phase = exp(1j * arrow.rate * theta)
     return arrow.place + arrow.start * phase, arrow.place + arrow.end * phase
+
+
+def _around(dot: Dot, scale: float) -> Box:
+    """The square about a dot that stands still, px."""
+    half = (dot.size / pi) ** 0.5
+    return Box((dot.place + dot.at) * scale, half, half)
 
 
 def _lines(strokes: Sequence[Stroke], x: Channel, y: Channel) -> list[Layer]:

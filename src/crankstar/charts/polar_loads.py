@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from math import cos, degrees, floor, log10, pi, sin
+from math import degrees, pi
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -33,10 +33,12 @@ from crankstar.charts.drawing import (
     named,
     numbers_text,
 )
+from crankstar.charts.estimates import ends_of, estimate_lines, range_text, size_range
 from crankstar.charts.grammar import DISC, Chart, Layer, field, of_rows
 from crankstar.charts.labels import Label, gathered
 from crankstar.charts.letters import SMALL, folded
 from crankstar.charts.plane import Dot, Frame, Plane, Stroke, coordinates, empty, picture
+from crankstar.charts.polar_grid import Grid, ground, polar_grid, values
 from crankstar.charts.sums import MOST_TURNS, checked_quantity
 from crankstar.dynamics.bearings import BearingLoads, Model, bearing_loads
 from crankstar.engine.engine import Engine
@@ -64,6 +66,10 @@ DASHED = {
     "crank-pin": N_("dashed: the cylinder axes"),
     "crank-pin-journal": N_("dashed: the throw at θ = 0"),
 }
+PATHS = N_(
+    "Estimated masses or lengths: greatest loads have their ranges; paths and circles are those of "
+    "the typical values."
+)
 MODELS = {
     "determinate": N_("crankshaft hinged at each main bearing"),
     "continuous": N_("crankshaft as one beam on all main bearings"),
@@ -71,34 +77,44 @@ MODELS = {
 MANY = 9
 """Panels up to which three stand in a row; of more, four."""
 MOST = 48
-"""Greatest number of panels; of more loads the greatest are drawn."""
+"""Greatest number of panels, unless another one is asked for."""
 WIDER = 1.25
 """Width of three panels in a row, in widths of a figure."""
-ASIDE, ABOVE = 31.0, 19.0
-"""px beside, and above and below the paths, for the crank angles at their dots."""
-TALLEST = 1.3
-"""Greatest height of a panel, in its widths."""
+NARROWEST = 130.0
+"""px: least width of a panel; where panels would be narrower, fewer stand in a row."""
+DOT, SUMMIT, NOW = 28.0, 90.0, 60.0
+"""Sizes of the dots every 90 degrees, at the greatest load and at the crank angle theta, px^2."""
+GAP = 7.0
+"""px between the middle of a dot and its crank angle."""
 SAMPLES = 361
 VISIBLE = 1e-4
 """Share of the greatest order below which an order does not move the drawn vector."""
 
 
 class Loading(NamedTuple):
-    """A loaded bearing or pin: its shaft, its words, its load, and the dashed directions."""
+    """A loaded bearing or pin: its shaft, its words, its load, and the dashed directions.
+
+    `ends` are the loads in the middle and at the corners of the ranges of an estimated engine.
+    """
 
     shaft: Shaft
     name: str
     load: Spectrum
     directions: tuple[float, ...]
+    ends: tuple[Spectrum, ...] = ()
 
 
 @dataclass(frozen=True)
 class Scale:
-    """What all panels share: the frame, the circles, px and the factor to the shown unit."""
+    """What all panels share: the grid, and the factor to the shown unit."""
 
-    frame: Frame
-    ring: float
+    grid: Grid
     factor: float
+
+    @property
+    def frame(self) -> Frame:
+        """Of a panel."""
+        return self.grid.frame
 
 
 def polar_loads(
@@ -108,52 +124,67 @@ def polar_loads(
     model: Model = "determinate",
     speed: float | None = None,
     theta: float = 0.0,
+    most: int = MOST,
 ) -> Chart:
     """The load on each main bearing, or of the rods on each crank pin, over a turn of the crank.
 
     `quantity`: in the frame of the block, or turning with the shaft (`main-journal`,
     `crank-pin-journal`). A dot every 90 degrees of the reference crankshaft; a large dot at the
     greatest load, whose length and crank angle stand above. The line goes to the load at `theta`
-    (radians). One scale, in N at `speed` (rad/s), without one in m r w^2. Raises ChartError.
+    (radians). One scale, in N at `speed` (rad/s), without one in m r w^2. Of more than
+    `most` loads the greatest are drawn. Raises ChartError.
     """
     checked_quantity(quantity, Loaded)
     loads = bearing_loads(engine, speed=speed, model=model)
-    every = list(_loadings(engine, loads, quantity))
-    loadings = _greatest(every)
+    others = [bearing_loads(each, speed=speed, model=model) for each in ends_of(engine)]
+    every = list(_loadings(engine, loads, others, quantity))
+    loadings = _greatest(every, most)
+    # each shaft begins a row, unless these are the greatest of all shafts
+    groups = _by_shaft(loadings) if len(loadings) == len(every) else [loadings]
     largest = max(spectra.peak(loading.load).value for loading in loadings)
     said = shown(loads.unit, largest)
-    columns = min(_most(loadings), 3 if len(loadings) <= MANY else 4)
-    side = WIDER * (figure_width() - 2 * BETWEEN) / 3 if columns > 2 else half_width()
+    columns, side = _columns(max(map(len, groups)), most=3 if len(loadings) <= MANY else 4)
     turning = quantity in TURNING
-    frame = _frame(loadings, said.factor, side=side, turning=turning)
-    scale = Scale(frame, _ring(largest * said.factor), said.factor)
+    scale = Scale(polar_grid(largest * said.factor, side=side), said.factor)
     rows = [
         [
             _panel(loading, head, scale, largest, turning=turning, theta=theta)
             for loading, head in zip(row, _heads(row, scale, largest, side), strict=True)
         ]
-        for row in _rows(loadings, columns)
+        for row in _rows(groups, columns)
     ]
     about = [
         _(MODELS[model]) if quantity.startswith("main") else "",
-        _("circles every {step} {unit}", step=brief(scale.ring), unit=unit_text(said.unit))
-        if largest
-        else "",
         _("large dot: the greatest load") if largest else "",
-        _("the {count} greatest of {all}", count=MOST, all=len(every)) if len(every) > MOST else "",
+        _("the {count} greatest of {all}", count=most, all=len(every)) if len(every) > most else "",
         _(DASHED[quantity]) if DASHED[quantity] and any(one.directions for one in loadings) else "",
     ]
+    lines = ["; ".join(filter(None, about)), *estimate_lines([engine], drawn=_(PATHS))]
     return figure(
         rows,
         title=_(TITLES[quantity], unit=unit_text(said.unit)),
-        subtitle=[named(engine), "; ".join(filter(None, about))],
+        subtitle=[named(engine), *filter(None, lines)],
         theta=theta,
         turns=max(_turns(loading, turning=turning) for loading in loadings),
     )
 
 
-def _loadings(engine: Engine, loads: BearingLoads, quantity: Loaded) -> Iterator[Loading]:
-    """The loaded bearings or pins, shaft by shaft from the front."""
+def _columns(count: int, *, most: int) -> tuple[int, float]:
+    """How many of so many panels stand in a row, and the width of each, px."""
+    if count <= 2:
+        return count, half_width()
+    row = WIDER * figure_width() * (1 if most == 3 else 4 / 3)
+    columns = min(count, most)
+    while columns > 2 and (row - BETWEEN * (most - 1)) / most < NARROWEST:
+        most -= 1
+        columns = min(count, most)
+    return columns, (row - BETWEEN * (most - 1)) / most
+
+
+def _loadings(
+    engine: Engine, loads: BearingLoads, others: Sequence[BearingLoads], quantity: Loaded
+) -> Iterator[Loading]:
+    """The loaded bearings or pins, shaft by shaft from the front; `others` at ends of ranges."""
     several = len({bearing.shaft for bearing in loads.bearings}) > 1
     turning = quantity in TURNING
     if quantity.startswith("main"):
@@ -165,7 +196,8 @@ def _loadings(engine: Engine, loads: BearingLoads, quantity: Loaded) -> Iterator
             words = _("bearing {number}", number=bearing.number)
             name = f"{shaft.name}: {words}" if several else words
             angles = tuple(dict.fromkeys(round(throw.angle, 9) for throw in near))
-            yield Loading(shaft, name, loads.load[index], angles)
+            ends = tuple(other.load[index] for other in others)
+            yield Loading(shaft, name, loads.load[index], angles, ends)
         return
     several = len({pin.shaft for pin in loads.pins}) > 1
     bearings = {cylinder.number: cylinder.bearing for cylinder in engine.cylinders}
@@ -177,15 +209,8 @@ def _loadings(engine: Engine, loads: BearingLoads, quantity: Loaded) -> Iterator
         name = f"{shaft.name}: {words}" if several else words
         axes = (round(bearings[number], 9) for number in pin.cylinders)
         angles = (shaft.throws[pin.throw - 1].angle,) if turning else tuple(dict.fromkeys(axes))
-        yield Loading(shaft, name, loads.pin[index], angles)
-
-
-def _ring(reach: float) -> float:
-    """A round step of which one to three circles lie within the reach."""
-    if not reach > 0:
-        return 1.0
-    power = 10.0 ** floor(log10(reach))
-    return next(step for step in (0.5 * power, power, 2 * power, 5 * power) if reach < 3.5 * step)
+        ends = tuple(other.pin[index] for other in others)
+        yield Loading(shaft, name, loads.pin[index], angles, ends)
 
 
 def _head(loading: Loading, scale: Scale, largest: float, side: float) -> list[str]:
@@ -194,7 +219,10 @@ def _head(loading: Loading, scale: Scale, largest: float, side: float) -> list[s
     if top.value <= NEGLIGIBLE * largest:
         return folded(loading.name, width=side)
     angle = brief(round(degrees(top.theta), 6))
-    words = _("{size} at {angle}°", size=brief(top.value * scale.factor), angle=angle)
+    ends = [spectra.peak(end).value * scale.factor for end in loading.ends]
+    between = size_range(top.value * scale.factor, ends)
+    size = f"{brief(top.value * scale.factor)}{range_text(between)}"
+    words = _("{size} at {angle}°", size=size, angle=angle)
     return [*folded(loading.name, width=side), *folded(words, width=side)]
 
 
@@ -202,29 +230,13 @@ def _angles(turns: int) -> np.ndarray:
     return np.linspace(0, 2 * pi * turns, SAMPLES * turns)
 
 
-def _frame(loadings: Sequence[Loading], factor: float, *, side: float, turning: bool) -> Frame:
-    """The frame of all panels: as wide as `side`, and as high as the paths need to one scale."""
-    paths = [
-        load_vectors(one, _angles(_turns(one, turning=turning)), turning=turning) * factor
-        for one in loadings
-    ]
-    every = np.concatenate([np.zeros(1), *paths])
-    across, top, bottom = np.abs(np.imag(every)).max(), np.real(every).max(), np.real(every).min()
-    least = 1e-3 * float(np.abs(every).max()) or 1.0
-    scale = min(
-        (side / 2 - ASIDE) / max(across, least),
-        (TALLEST * side - 2 * ABOVE) / max(top - bottom, least),
-    )
-    half, room = side / 2 / scale, ABOVE / scale
-    return Frame(-half, half, float(bottom) - room, float(top) + room, scale)
-
-
-def _greatest(loadings: Sequence[Loading]) -> list[Loading]:
-    """As many of the loads as there is room for, the greatest, in their order."""
-    if len(loadings) <= MOST:
+def _greatest(loadings: Sequence[Loading], most: int) -> list[Loading]:
+    """The greatest loads, up to `most`, in their order."""
+    if len(loadings) <= most:
         return list(loadings)
     peaks = [spectra.peak(loading.load).value for loading in loadings]
-    kept = sorted(range(len(peaks)), key=lambda place: -peaks[place])[:MOST]
+    top = max(peaks) or 1.0
+    kept = sorted(range(len(peaks)), key=lambda place: -round(peaks[place] / top, 9))[:most]
     return [loadings[place] for place in sorted(kept)]
 
 
@@ -233,14 +245,9 @@ def _by_shaft(loadings: Sequence[Loading]) -> list[list[Loading]]:
     return [[one for one in loadings if one.shaft.name == name] for name in names]
 
 
-def _most(loadings: Sequence[Loading]) -> int:
-    """The greatest number of loads on one shaft."""
-    return max(map(len, _by_shaft(loadings)))
-
-
-def _rows(loadings: Sequence[Loading], columns: int) -> Iterator[list[Loading]]:
-    """The loads in rows; those of each shaft begin a row."""
-    for own in _by_shaft(loadings):
+def _rows(groups: Sequence[list[Loading]], columns: int) -> Iterator[list[Loading]]:
+    """The loads in rows; each group begins a row."""
+    for own in groups:
         yield from (own[at : at + columns] for at in range(0, len(own), columns))
 
 
@@ -271,10 +278,11 @@ def _panel(
 ) -> Panel:
     """The path of one load."""
     frame = scale.frame
-    strokes = list(_ground(loading, scale, largest * scale.factor))
+    strokes = list(ground(scale.grid, loading.directions))
     top = spectra.peak(loading.load)
     if top.value <= NEGLIGIBLE * largest:
-        nothing = Plane(strokes=tuple(strokes[:2]), notes=(empty(frame, _("no load")),))
+        cross = tuple(stroke for stroke in strokes if stroke.faint)[:2]
+        nothing = Plane(strokes=cross, notes=(empty(frame, _("no load")),))
         return picture(nothing, frame, theta=theta, title=head)
     turns = _turns(loading, turning=turning)
 
@@ -282,52 +290,21 @@ def _panel(
         vectors = load_vectors(loading, angles, turning=turning) * scale.factor
         return [complex(vector) for vector in vectors]
 
-    path = at(_angles(turns))
+    path = Stroke(tuple(at(_angles(turns))), BLUE, 1.8)
     dots, labels = _marks(at(np.arange(4) * (pi / 2)), scale)
-    summit = Dot(at(np.array([top.theta]))[0], colour=ORANGE, size=90)
+    summit, here = at(np.array([top.theta, theta]))
+    dots.append(Dot(summit, colour=ORANGE, size=SUMMIT))
+    line = Stroke((0j, here))
+    lines = [path, line, *(stroke for stroke in strokes if not stroke.faint)]
     plane = Plane(
-        strokes=(*strokes, Stroke(tuple(path), BLUE, 1.8)),
-        dots=(*dots, summit),
+        strokes=(*strokes, path),
+        dots=tuple(dots),
         labels=tuple(labels),
+        notes=tuple(values(scale.grid, lines)),
+        clear=(line, Dot(here, size=NOW), *dots),
     )
     more = _now(loading, scale, turning=turning)
     return picture(plane, frame, theta=theta, title=head, more=more)
-
-
-def _ground(loading: Loading, scale: Scale, reach: float) -> Iterator[Stroke]:
-    """The cross, the circles and the dashed directions."""
-    frame, ring = scale.frame, scale.ring
-    long = reach + 4 / frame.scale
-    side = min(long, frame.right)
-    yield Stroke((-1j * side, 1j * side), width=0.6)
-    yield Stroke((max(-long, frame.bottom) + 0j, min(long, frame.top) + 0j), width=0.6)
-    around = np.exp(1j * np.linspace(0, 2 * pi, 181))
-    for count in range(1, floor(reach / ring * (1 + 1e-9)) + 1):
-        for arc in _inside(count * ring * around, frame):
-            yield Stroke(arc, width=0.5)
-    for angle in loading.directions:
-        way = complex(cos(angle), sin(angle))
-        up = frame.top if way.real > 0 else frame.bottom
-        reached = min(
-            long,
-            up / way.real if abs(way.real) > 1e-9 else long,
-            frame.right / abs(way.imag) if abs(way.imag) > 1e-9 else long,
-        )
-        yield Stroke((0j, way * reached), width=1.0, dashed=True)
-
-
-def _inside(points: Complex, frame: Frame) -> Iterator[tuple[complex, ...]]:
-    """The runs of points between the foot and the head of a frame."""
-    run: list[complex] = []
-    for point in points.tolist():
-        if frame.bottom <= point.real <= frame.top and frame.left <= point.imag <= frame.right:
-            run.append(point)
-            continue
-        if len(run) > 1:
-            yield tuple(run)
-        run = []
-    if len(run) > 1:
-        yield tuple(run)
 
 
 def _marks(places: Sequence[complex], scale: Scale) -> tuple[list[Dot], list[Label]]:
@@ -338,8 +315,8 @@ def _marks(places: Sequence[complex], scale: Scale) -> tuple[list[Dot], list[Lab
         place = places[group[0]]
         text = ", ".join(f"{90 * index}°" for index in group)
         way = place / abs(place) if abs(place) * scale.frame.scale > 2 else 1 + 0j
-        dots.append(Dot(place, size=28))
-        labels.append(Label(text, place, way, size=SMALL, gap=5.0))
+        dots.append(Dot(place, size=DOT))
+        labels.append(Label(text, place, way, size=SMALL, gap=GAP))
     return dots, labels
 
 
@@ -359,4 +336,4 @@ def _now(loading: Loading, scale: Scale, *, turning: bool) -> list[Layer]:
     line = base.mark("rule", color=VERMILION, strokeWidth=1.5).encode(
         x=x, y=y, x2=field("from"), y2=field("from")
     )
-    return [line, base.mark("point", **DISC, color=VERMILION, size=60).encode(x=x, y=y)]
+    return [line, base.mark("point", **DISC, color=VERMILION, size=NOW).encode(x=x, y=y)]

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from crankstar.charts.canvas import Canvas
-from crankstar.dynamics.bearings import BearingLoads, bearing_loads
-from crankstar.language.messages import _
+from crankstar.dynamics.bearings import bearing_loads
+from crankstar.language.messages import N_, _
 from crankstar.report.gallery import Gallery
 from crankstar.report.markup import figures, parts_html, section
 from crankstar.report.subject import Subject
@@ -12,41 +12,53 @@ from crankstar.tables.bearings import MODELS, peaks
 from crankstar.tables.html import paragraph
 from crankstar.tables.table import Remarks, Table
 
-MOST = 5
-"""Main bearings up to which the short report has room for them."""
+FEW = 5
+"""Main bearings up to which the short report draws them all."""
+GREATEST = 3
+"""How many of more bearings the short report draws, those with the greatest loads."""
+LONG_TABLE = 12
+"""Rows above which the table of the greatest loads is in the full report only."""
+REST = N_(
+    "{count} of {all} main bearings are drawn, those with the greatest loads; `crankstar report "
+    "--full` draws them all, with their table."
+)
 WIDE = Canvas(width=325.0)
 """Polar diagrams of three bearings abreast are as wide as a page of A4."""
-BESIDE = Canvas(width=400.0, stretch=0.62)
+BESIDE = Canvas(width=400.0, stretch=0.44)
 """Bending moments in low panels, as wide as a page."""
 
 
 def bearings(subject: Subject, gallery: Gallery) -> str:
-    """Polar diagrams of the main bearings, the bending moment, and the greatest loads."""
-    engine = subject.engine
-    loads = bearing_loads(engine, speed=subject.at)
-    if not (subject.full or _few(loads)):
-        return ""
+    """Polar diagrams of the main bearings, the bending moment, and the greatest loads.
+
+    A short report of many bearings draws the greatest loads, and says where the others are.
+    """
+    loads = bearing_loads(subject.engine, speed=subject.at)
+    one = len({bearing.shaft for bearing in loads.bearings}) == 1
+    whole = subject.full or (one and len(loads.bearings) <= FEW)
+    notes = [_(MODELS[loads.model])]
     drawn: list[str] = []
     if loads.bearings:
-        at = subject.at
         caption = _("The load on each main bearing over a turn, from inertia and weights.")
-        drawn.append(gallery.figure("bearing-loads", caption, "wide low", canvas=WIDE, speed=at))
+        options = {"canvas": WIDE, "speed": subject.at}
+        if not whole:
+            caption = _(
+                "The greatest loads on main bearings over a turn, from inertia and weights."
+            )
+            options["most"] = GREATEST
+            notes.append(_(REST, count=GREATEST, all=len(loads.bearings)))
+        drawn.append(gallery.figure("bearing-loads", caption, "wide low", **options))
+    if loads.bearings and whole:
         caption = _("The bending moment along the crankshaft, with counterweights and without.")
         model = None if subject.full else "determinate"
-        options = {"canvas": BESIDE, "speed": at, "model": model}
+        options = {"canvas": BESIDE, "speed": subject.at, "model": model}
         drawn.append(gallery.figure("bending", caption, "wide low", **options))
-    lead = paragraph(_(MODELS[loads.model]), "note")
-    tables = parts_html(subject.parts(_peaks))
+    lead = "".join(paragraph(note, "note") for note in notes)
+    table = subject.full or (not whole and len(loads.bearings) <= LONG_TABLE)
+    tables = parts_html(subject.parts(_peaks)) if table else ""
     return section(_("Bearings"), lead + figures(drawn) + tables, name="bearings")
 
 
 def _peaks(subject: Subject) -> list[Table | Remarks]:
-    """The greatest loads, which in the short report stand above the diagrams."""
-    loads = bearing_loads(subject.engine, speed=subject.at)
-    return [peaks(subject.engine, loads)] if subject.full else []
-
-
-def _few(loads: BearingLoads) -> bool:
-    """Whether the short report has room for drawings: one shaft in few bearings."""
-    one = len({bearing.shaft for bearing in loads.bearings}) == 1
-    return one and len(loads.bearings) <= MOST
+    """The greatest loads."""
+    return [peaks(subject.engine, bearing_loads(subject.engine, speed=subject.at))]
