@@ -86,9 +86,6 @@ _HOMES = {
 """The module of each public name. All are loaded on first use: a command line that is interrupted
 while numpy is being loaded ends quietly, since it is running before."""
 
-_UNREAD = ("load", "names", "widget")
-"""Functions that load engines themselves; the others take an Engine, a name or a path."""
-
 __all__ = [
     "Balance",
     "BearingLoads",
@@ -131,7 +128,7 @@ def __getattr__(name: str) -> Any:
     for module, public in _HOMES.items():
         if name in public:
             value = getattr(import_module(f"crankstar.{module}"), name)
-            if isfunction(value) and name not in _UNREAD:
+            if isfunction(value):
                 value = import_module("crankstar.options.arguments").read(value)
             globals()[name] = value
             return value

@@ -11,7 +11,9 @@ import pytest
 from tests.texts import SHORT
 
 import crankstar
+from crankstar.engine.copies import with_values
 from crankstar.mechanics.excitation import Reference
+from crankstar.tables.comparison import told_apart
 
 MORE: dict[str, dict[str, Any]] = {
     "derivation": {"order": 2},
@@ -105,6 +107,59 @@ def test_what_is_no_balance_is_refused_with_what_to_write(name: str, given: Any)
 def test_a_label_that_no_part_has_is_refused_with_those_there_are(call: Any, words: str) -> None:
     with pytest.raises(ValueError, match=f"^{words}"):
         call(crankstar.balance(crankstar.load("v4-90")))
+
+
+WRONG: Any = 5
+TWIN: Any = crankstar.load("v2-90")
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda: crankstar.load(WRONG), "load takes a name of the catalog or the path of an en"),
+        (lambda: crankstar.load(TWIN), 'of an engine file, not Engine "V-twin, 90 deg'),
+        (lambda: crankstar.load("i4", changes=WRONG), "changes takes a dict of values by key"),
+        (lambda: crankstar.load("i4", changes={WRONG: 1}), "not one with the key 5"),
+        (lambda: crankstar.widget(NOTHING), "widget takes an Engine, a name of the catalog"),
+        (lambda: crankstar.widget("i4", WRONG), "widget takes an Engine, a name of the cat"),
+        (lambda: crankstar.widget("i4", units=WRONG), "units takes text such as"),
+        (crankstar.compare, "compare takes one engine or more, as in compare"),
+        (lambda: crankstar.balance(NOTHING), "of an engine file, not None$"),
+        (lambda: crankstar.balance(TWIN, WRONG), r"it is called balance\(engine, \*, speed=None"),
+        (lambda: crankstar.sweep(TWIN, "balance_factor=0..1", tell=WRONG), "tell takes a func"),
+        (lambda: crankstar.with_counterweights(TWIN, factor=1, planes=WRONG), "planes takes pl"),
+        (lambda: crankstar.with_counterweights(TWIN, factor=1, planes=[NOTHING]), "planes takes"),
+        (lambda: crankstar.with_counterweights(TWIN, factor=1, bare=WRONG), "bare takes True or"),
+        (lambda: crankstar.with_balance_shaft(TWIN, ratio=-1, planes=WRONG), "planes takes pl"),
+        (lambda: crankstar.verdict(TWIN, relatives=WRONG), "relatives takes True or False"),
+    ],
+)
+def test_an_argument_of_the_wrong_kind_is_refused_with_what_is_wanted(
+    call: Any, words: str
+) -> None:
+    with pytest.raises(TypeError, match=words) as refused:
+        call()
+    assert "\n" not in str(refused.value)
+
+
+def test_planes_may_be_text_with_a_unit() -> None:
+    engine = crankstar.load("audi-25-tfsi")
+    metres = crankstar.with_counterweights(engine, factor=0.5, planes=[0.2, -0.2])
+    places: Any = ["200 mm", "-20 cm"]
+    assert crankstar.with_counterweights(engine, factor=0.5, planes=places) == metres
+    with pytest.raises(ValueError, match=r"^planes is .*a mass; a length is needed"):
+        crankstar.with_counterweights(engine, factor=0.5, planes=["2 kg", "3 kg"])
+
+
+@pytest.mark.parametrize(
+    "names", [["V8"] * 3, ["V8", "V8", "V8 (1)"], ["V8 (2)", "V8", "V8", "V8 (3)"]]
+)
+def test_engines_of_one_name_are_told_apart_in_a_comparison(names: list[str]) -> None:
+    own = told_apart(names)
+    assert len({*own}) == len(names)
+    twice = crankstar.compare(*[with_values(TWIN, name=name) for name in names], orders=[1])
+    heads = [column.heading for column in next(twice.tables).columns]
+    assert heads[1 : len(names) + 1] == own
 
 
 @pytest.mark.parametrize("name", of("orders"))

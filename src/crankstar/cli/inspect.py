@@ -237,6 +237,7 @@ def compare(
     own = tables.told_apart(
         [engine.name for engine in engines],
         [request.named(name) for name in names],
+        [one_line(name) for name in names],
         [", ".join(texts) for texts in changes],
     )
     made = tables.comparison if form in ("txt", "xlsx") else tables.answer

@@ -36,7 +36,7 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.main_bearings import main_bearings
 from crankstar.engine.records import Shaft
 from crankstar.language.messages import _
-from crankstar.language.quoting import seen
+from crankstar.language.quoting import given, seen
 from crankstar.mechanics.balance import scales
 from crankstar.mechanics.excitation import columns_of, rotors
 from crankstar.mechanics.mechanism import Mechanism, mechanism
@@ -185,7 +185,7 @@ def bending_moment(
         raise ValueError(
             _(
                 "there is no shaft {name}; the shafts are {names}",
-                name=seen(name),
+                name=given(name),
                 names=", ".join(map(seen, names)),
             )
         )
@@ -212,7 +212,7 @@ def bearing_shares(
         raise ValueError(
             _(
                 "{model} is no model of a crankshaft; give one of {models}",
-                model=seen(model),
+                model=given(model),
                 models=", ".join(get_args(Model)),
             )
         )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from numbers import Number
 from typing import Any
 
 CONTROL = re.compile(
@@ -43,3 +44,20 @@ def seen(value: Any) -> str:
     except ValueError:  # Python does not write whole numbers of thousands of digits
         return "a number of thousands of digits"
     return one_line(text.lower() if isinstance(value, bool) else text, longest=60)
+
+
+def given(value: Any) -> str:
+    """An argument of Python as quoted in a message: None and True as Python writes them.
+
+    >>> given(None), given(True), given("i4"), given([1, 2]), given(object)
+    ('None', 'True', '"i4"', 'a list', 'a type')
+    """
+    if value is None or isinstance(value, bool):
+        return str(value)
+    if isinstance(value, dict):
+        return "a dict"
+    if isinstance(value, str | int | float | complex | list | tuple):
+        return seen(value)
+    if isinstance(value, bytes | Number):
+        return one_line(str(value), longest=60)
+    return f"a {type(value).__name__}"

@@ -6,14 +6,14 @@ units of m r w^2 with m and r of the first cylinder.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, get_args
 
 from crankstar import spectra
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
-from crankstar.language.quoting import seen
+from crankstar.language.quoting import given
 from crankstar.mechanics import labelled
 from crankstar.mechanics.excitation import Reference, Totals, part_spectra
 from crankstar.mechanics.mechanism import mechanism
@@ -242,7 +242,7 @@ def of_parts(result: Balance, **wanted: object) -> Totals:
 
     Raises ValueError for another label, and for a cylinder or bank that no part has.
     """
-    _check_labels(result, wanted)
+    _check_labels(result, wanted.items())
     rows = [
         row
         for row, part in enumerate(result.parts)
@@ -260,22 +260,22 @@ def grouped(result: Balance, by: Grouping) -> dict[object, Totals]:
 
     Raises ValueError for another label.
     """
-    _check_labels(result, {by: None})
+    _check_labels(result, [(by, None)])
     labels = dict.fromkeys(getattr(part, by) for part in result.parts)
     return {label: of_parts(result, **{by: label}) for label in labels}
 
 
-def _check_labels(result: Balance, wanted: Mapping[str, object]) -> None:
+def _check_labels(result: Balance, wanted: Iterable[tuple[str, object]]) -> None:
     """Raises ValueError for labels and values that no part has.
 
     Of a kind there may be none, and a shaft may carry nothing.
     """
-    for label, value in wanted.items():
+    for label, value in wanted:
         if label not in Part._fields:
             raise ValueError(
                 _(
                     "{label} is no label of a part; give one of {labels}",
-                    label=seen(label),
+                    label=given(label),
                     labels=", ".join(Part._fields),
                 )
             )
@@ -289,7 +289,7 @@ def _check_labels(result: Balance, wanted: Mapping[str, object]) -> None:
                 _(
                     "no part has the {label} {value}; give one of {values}",
                     label=label,
-                    value=seen(value),
+                    value=given(value),
                     values=", ".join(str(each) for each in values if each is not None),
                 )
             )

@@ -1,24 +1,25 @@
 """Arguments of the public functions as people give them.
 
 An engine may be an Engine, a name of the catalog or a path; a speed a number in rad/s or text with
-its unit; a point of reference a Reference, z in metres, or text. What is something else is refused
-with a sentence that says what to give.
+its unit; a point of reference a Reference, z in metres, or text; planes metres or text. What is
+something else is refused with a sentence that says what to give.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from functools import wraps
-from inspect import Parameter, signature
+from inspect import Parameter, Signature, signature
 from math import isfinite, pi
 from numbers import Real
 from pathlib import Path
 from typing import Any, TypeVar
 
 from crankstar.engine.engine import Engine
-from crankstar.engine.quantities import SPEED
+from crankstar.engine.quantities import POSITION, SPEED
 from crankstar.language.faults import ValueFaultError
 from crankstar.language.messages import _
+from crankstar.language.quoting import given as quoted
 from crankstar.language.quoting import seen
 from crankstar.mechanics.balance import Balance
 from crankstar.mechanics.excitation import Reference
@@ -26,12 +27,18 @@ from crankstar.mechanics.excitation import Reference
 Result = TypeVar("Result")
 NUMBERS = {"factor", "share", "up", "right"}
 """Arguments that are one number."""
+FLAGS = {"bare", "relatives"}
+"""Arguments that are True or False."""
+READ_FILES = {"load", "widget"}
+"""Functions that read engine files themselves."""
+ENGINES = {"name", "engine", "beside"}
+"""Their arguments that name an engine."""
 GREATEST_BARE_SPEED = 2500.0
 """Of a speed without unit [rad/s], 23,900 rpm; a greater number was meant in rpm."""
 
 
 def read(function: Callable[..., Result]) -> Callable[..., Result]:
-    """The function, with arguments named engine, engines, speed and reference read as people write.
+    """The function, with its arguments read as people write them: by their names.
 
     >>> from crankstar.mechanics.balance import balance, total
     >>> twin = read(balance)("harley-45", reference="0 mm")
@@ -40,57 +47,106 @@ def read(function: Callable[..., Result]) -> Callable[..., Result]:
     TypeError: balance takes an Engine, a name of the catalog or the path of an engine file, not 5
     """
     asked = signature(function)
-    if not {"engine", "engines", "result"} & {*asked.parameters}:
-        return function
+    name = function.__name__
 
     @wraps(function)
     def reading(*args: Any, **kwargs: Any) -> Result:
-        bound = asked.bind(*args, **kwargs)
+        try:
+            bound = asked.bind(*args, **kwargs)
+        except TypeError as error:
+            raise TypeError(_miscalled(name, asked, error)) from None
         given = bound.arguments
-        named = given.get("engine")
-        _read_engines(function.__name__, given, asked.parameters)
+        engine = _read_engines(name, given, asked.parameters)
         if "result" in given:
-            _check_balance(function.__name__, given["result"])
-        if given.get("speed") is not None:
-            given["speed"] = _speed(given["speed"])
-        if given.get("orders") is not None:
-            given["orders"] = _orders(given["orders"])
-        for argument in NUMBERS & given.keys():
-            _check_number(argument, given[argument])
-        if given.get("reference") is not None:
-            engine = given["engine"] if "engine" in given else given["engines"][0]
-            given["reference"] = _reference(given["reference"], engine)
-        if "str" in str(asked.parameters.get("engine")) and isinstance(named, str | Path):
-            given["engine"] = str(named)  # it reads the file itself, whose keys it varies
+            _check_balance(name, given["result"])
+        for argument, value in given.items():
+            if argument in READERS and value is not None:
+                given[argument] = READERS[argument](value)
+            elif argument in NUMBERS | FLAGS:
+                _check_one(argument, value)
+        if engine is not None:
+            for argument, place in (("reference", _reference), ("planes", _planes)):
+                if given.get(argument) is not None:
+                    given[argument] = place(given[argument], engine)
         return function(*bound.args, **bound.kwargs)
 
     return reading
 
 
-def _read_engines(name: str, given: dict[str, Any], parameters: Mapping[str, Parameter]) -> None:
-    """Replace what names an engine by the engine."""
-    if "engine" in given:
-        given["engine"] = _engine(name, given["engine"])
-    if "engines" in parameters:
+def _miscalled(name: str, asked: Signature, error: TypeError) -> str:
+    """A call with too many arguments, too few, or others: how the function is called."""
+    plain = [
+        parameter.replace(annotation=Parameter.empty) for parameter in asked.parameters.values()
+    ]
+    form = str(asked.replace(parameters=plain, return_annotation=Signature.empty))
+    return _("{mistake}; it is called {form}", mistake=f"{name}: {error}", form=f"{name}{form}")
+
+
+def _read_engines(
+    name: str, given: dict[str, Any], parameters: Mapping[str, Parameter]
+) -> Engine | None:
+    """Replace what names an engine by the engine, the first of which it gives.
+
+    A function that reads files itself, whose keys it varies or shows, keeps names and paths.
+    """
+    if name in READ_FILES:
+        for argument in ENGINES & given.keys():
+            if argument != "beside" or given[argument] is not None:
+                check_engine(name, given[argument])
+    elif "engine" in given:
+        named = given["engine"]
+        given["engine"] = engine = _engine(name, named)
+        if "str" in str(parameters["engine"]) and isinstance(named, str | Path):
+            given["engine"] = str(named)  # it reads the file itself, whose keys it varies
+        return engine
+    elif "engines" in parameters:
         given["engines"] = tuple(_engine(name, each) for each in given.get("engines", ()))
+        if not given["engines"]:
+            raise TypeError(
+                _(
+                    "{function} takes one engine or more, as in {function}({example})",
+                    function=name,
+                    example='"i4", "i6"',
+                )
+            )
+        return given["engines"][0]
+    return None
+
+
+def check_engine(function: str, given: Any) -> None:
+    """Raises TypeError if it is no Engine and cannot name one."""
+    if isinstance(given, Engine) and function != "load":
+        return
+    if isinstance(given, str | Path):
+        return
+    raise TypeError(
+        _(
+            "{function} takes a name of the catalog or the path of an engine file, not {given}",
+            function=function,
+            given=_named(given),
+        )
+        if function == "load"
+        else _(
+            "{function} takes an Engine, a name of the catalog or the path of an engine file, not "
+            "{given}",
+            function=function,
+            given=_named(given),
+        )
+    )
 
 
 def _engine(function: str, given: Any) -> Engine:
     """An Engine as it is, one of a name or path as `crankstar.load` reads it. Raises TypeError."""
+    check_engine(function, given)
     if isinstance(given, Engine):
         return given
-    if isinstance(given, str | Path):
-        from crankstar.files.catalog import load  # no file is read without a name
+    from crankstar.files.catalog import load  # no file is read without a name
 
-        return load(given)
-    raise TypeError(
-        _(
-            "{function} takes an Engine, a name of the catalog or the path of an engine file, not "
-            "{given}",
-            function=function,
-            given=seen(given),
-        )
-    )
+    return load(given)
+
+
+def _named(given: Any) -> str:
+    return f"Engine {seen(given.name)}" if isinstance(given, Engine) else quoted(given)
 
 
 def _check_balance(function: str, given: Any) -> None:
@@ -101,7 +157,7 @@ def _check_balance(function: str, given: Any) -> None:
         _(
             "{function} takes a Balance, not {given}; write {function}(crankstar.balance(engine))",
             function=function,
-            given=f"Engine {seen(given.name)}" if isinstance(given, Engine) else seen(given),
+            given=_named(given),
         )
     )
 
@@ -132,12 +188,15 @@ def _speed(given: Any) -> float | str:
         raise TypeError(
             _(
                 'speed takes a number in rad/s or text such as "6000 rpm", not {given}',
-                given=seen(given),
+                given=quoted(given),
             )
         )
     if not (isfinite(number) and number > 0):
         raise ValueError(
-            _('speed is {given}; it must be greater than 0, such as "6000 rpm"', given=seen(given))
+            _(
+                'speed is {given}; it must be greater than 0, such as "6000 rpm"',
+                given=quoted(given),
+            )
         )
     return number
 
@@ -147,25 +206,105 @@ def _orders(given: Any) -> tuple[float, ...]:
     orders = given if isinstance(given, Iterable) and not isinstance(given, str) else None
     numbers = None if orders is None else [*orders]
     if numbers is None or not all(isinstance(number, Real) for number in numbers):
-        raise TypeError(_("orders takes numbers such as [1, 2, 4], not {given}", given=seen(given)))
+        raise TypeError(
+            _("orders takes numbers such as [1, 2, 4], not {given}", given=quoted(given))
+        )
     out = tuple(map(float, numbers))
     if not all(isfinite(order) and order > 0 for order in out):
         raise ValueError(
-            _("orders is {given}; each must be greater than 0, such as [1, 2]", given=seen(given))
+            _("orders is {given}; each must be greater than 0, such as [1, 2]", given=quoted(given))
         )
     return out
+
+
+def _check_one(argument: str, given: Any) -> None:
+    """Raises TypeError for what is no number, or neither True nor False where that is wanted."""
+    if argument in FLAGS:
+        if not isinstance(given, bool):
+            raise TypeError(
+                _(
+                    "{argument} takes True or False, not {given}",
+                    argument=argument,
+                    given=quoted(given),
+                )
+            )
+        return
+    _check_number(argument, given)
 
 
 def _check_number(argument: str, given: Any) -> None:
     """Raises TypeError for what is no number, ValueError for one that is not finite."""
     if not isinstance(given, Real) or isinstance(given, bool):
         raise TypeError(
-            _("{argument} takes a number, not {given}", argument=argument, given=seen(given))
+            _("{argument} takes a number, not {given}", argument=argument, given=quoted(given))
         )
     if not isfinite(given):
         raise ValueError(
-            _("{argument} is {given}; it must be finite", argument=argument, given=seen(given))
+            _("{argument} is {given}; it must be finite", argument=argument, given=quoted(given))
         )
+
+
+def _changes(given: Any) -> Mapping[str, Any]:
+    """Values of an engine file by key path. Raises TypeError."""
+    if isinstance(given, Mapping) and all(isinstance(key, str) for key in given):
+        return given
+    raise TypeError(
+        _(
+            "changes takes a dict of values by key path, such as {example}, not {given}",
+            example='{"cylinder.stroke": "90 mm"}',
+            given=_(
+                "one with the key {key}",
+                key=quoted(next(k for k in given if not isinstance(k, str))),
+            )
+            if isinstance(given, Mapping)
+            else quoted(given),
+        )
+    )
+
+
+def _tell(given: Any) -> Callable[..., Any]:
+    """A function to be told of progress. Raises TypeError."""
+    if callable(given):
+        return given
+    raise TypeError(
+        _(
+            "tell takes a function that is called with the progress, not {given}",
+            given=quoted(given),
+        )
+    )
+
+
+def _units(given: Any) -> str:
+    """Units as --units takes them. Raises TypeError."""
+    if isinstance(given, str):
+        return given
+    raise TypeError(
+        _('units takes text such as "us" or "kN, kN m", not {given}', given=quoted(given))
+    )
+
+
+def _planes(given: Any, engine: Engine) -> list[float]:
+    """Places along the shaft: metres, or text with a unit. Raises TypeError, ValueError."""
+    from crankstar.files import units
+
+    listed = isinstance(given, Iterable) and not isinstance(given, str | bytes | Mapping)
+    parts: list[Any] = [*given] if listed else [None]
+    if any(isinstance(part, bool) or not isinstance(part, Real | str) for part in parts):
+        raise TypeError(
+            _(
+                "planes takes places along the shaft in metres or as text, such as {example}, not "
+                "{given}",
+                example='[-0.2, 0.2] or ["-200 mm", "200 mm"]',
+                given=quoted(given),
+            )
+        )
+    read_place = units.reader(frozenset(engine.relative))
+    try:
+        return [
+            read_place(part, POSITION) if isinstance(part, str) else float(part) for part in parts
+        ]
+    except ValueFaultError as error:
+        raise ValueError(error.at("planes")) from None
 
 
 def _reference(given: Any, engine: Engine) -> Reference:
@@ -190,6 +329,16 @@ def _reference(given: Any, engine: Engine) -> Reference:
         _(
             'reference takes a crankstar.Reference, z in metres, or text such as "-120 mm", not '
             "{given}",
-            given=seen(given),
+            given=quoted(given),
         )
     )
+
+
+READERS: Mapping[str, Callable[[Any], Any]] = {
+    "speed": _speed,
+    "orders": _orders,
+    "changes": _changes,
+    "tell": _tell,
+    "units": _units,
+}
+"""What reads an argument of this name."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import chain, count
 from math import pi
 from typing import NamedTuple
 
@@ -35,15 +36,19 @@ def told_apart(names: Sequence[str], *marks: Sequence[str]) -> list[str]:
 
     >>> told_apart(["V8", "V8", "I4"], ["a.toml", "b.toml", "c.toml"])
     ['V8 (a.toml)', 'V8 (b.toml)', 'I4']
+    >>> told_apart(["V8", "V8", "V8 (2)"])
+    ['V8 (1)', 'V8 (3)', 'V8 (2)']
     """
     out: list[str] = []
     for place, name in enumerate(names):
         alike = [other for other, same in enumerate(names) if same == name]
-        count = str(alike.index(place) + 1)
         differing = (mark for mark in marks if len({mark[i] for i in alike}) == len(alike))
         mark = next(differing, None)
-        own = count if mark is None else mark[place] or _("as in the file")
-        out.append(name if len(alike) == 1 else f"{name} ({own})")
+        own = (mark[place] or _("as in the file"),) if mark is not None else ()
+        numbers = map(str, count(alike.index(place) + 1))
+        told = (f"{name} ({each})" for each in chain(own, numbers))
+        taken = {*out, *names}
+        out.append(name if len(alike) == 1 else next(each for each in told if each not in taken))
     return out
 
 
