@@ -1072,7 +1072,9 @@ def test_two_strokes_on_one_pin_are_refused() -> None:
 def test_a_unit_where_lengths_are_only_ratios_is_refused() -> None:
     tree = spoilt(SHORT)
     del tree["cylinder"]["stroke"]
-    assert codes(tree)["cylinder.bore"] == "unit.unknown-radius"
+    assert codes(tree)["the file"] == "unit.several-radius"
+    del tree["cylinder"]["bore"]
+    assert codes(tree)["cylinder.rod_length"] == "unit.unknown-radius"
     relative = codes(spoilt(EXPLICIT, relative=["mass"]))
     assert relative["cylinders[1].reciprocating_mass"] == "unit.relative-mass"
 

@@ -256,3 +256,25 @@ def test_the_template_says_which_part_belongs_in_which_key(kind: str) -> None:
         assert "big end" in line
         assert "crank pin:" in line
         assert "crank pin, webs; in no bobweight" in said["throw_mass"]
+
+
+@pytest.mark.parametrize("part", ["piston", "small_end", "big_end", "oil"])
+@pytest.mark.parametrize("rod", [{}, {"mass": "0.62 kg", "centre": "30 mm"}])
+def test_a_negative_part_is_the_only_mistake(part: str, rod: dict[str, str]) -> None:
+    of = tree(parts={**PARTS, part: "-900 g"})
+    if rod:
+        of["cylinder"]["rod"] = {**rod, "inertia": "0.002 kg*m^2"}
+    with pytest.raises(EngineFileError) as error:
+        engine_of(of)
+    assert [fault.path for fault in error.value.faults] == [("cylinder", "parts", part)]
+
+
+def test_a_radial_without_stroke_is_told_once_what_it_lacks() -> None:
+    of = tree_of(STARTERS["radial"])
+    del of["cylinder"]["stroke"]
+    with pytest.raises(EngineFileError) as error:
+        engine_of(of)
+    (fault,) = error.value.faults
+    assert fault.code == "unit.several-radius"
+    assert "gives no cylinder.stroke" in fault.sentence
+    assert "cylinder.rod_length, layout.knuckle_radius" in fault.sentence

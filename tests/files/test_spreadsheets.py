@@ -100,7 +100,7 @@ MISTAKES: dict[str, tuple[Change, str]] = {
     ),
     "heading away": (
         lambda book: book["engine"].__setitem__("B1", "val"),
-        'engine!1:1: the first row must have the heading "value"',
+        "engine!1:1: the first row must have the headings key, value, unit; there is no value",
     ),
     "heading twice": (
         lambda book: book["engine"].__setitem__("F1", "value"),
@@ -109,6 +109,19 @@ MISTAKES: dict[str, tuple[Change, str]] = {
     "sheet renamed": (
         lambda book: setattr(book["engine"], "title", "motor"),
         "there is no sheet engine; the sheets are: motor",
+    ),
+    "sheet capitalised": (
+        lambda book: setattr(book["engine"], "title", "Engine "),
+        'there is no sheet engine; rename the sheet "Engine "',
+    ),
+    "emptied": (
+        lambda book: book["engine"].delete_rows(1, 500),
+        "the sheet engine is empty; `crankstar new vee -o mine.xlsx` writes one",
+    ),
+    "only headings": (lambda book: book["engine"].delete_rows(2, 500), "the sheet engine is empty"),
+    "formatted to the end": (
+        lambda book: book["engine"].__setitem__("C99999", " "),
+        "the sheet engine reaches to the cell F99999; delete what stands or is formatted beyond",
     ),
     "table renamed": (
         lambda book: setattr(book["engine.layout.banks"], "title", "engine.layout.bank"),
@@ -126,6 +139,28 @@ def test_a_mistake_in_a_spreadsheet_is_one_sentence_with_its_cell(kind: str) -> 
     change, sentence = MISTAKES[kind]
     said = faults(spoilt("toyota-1uz-fe", change))
     assert any(sentence in line for line in said), said
+
+
+def test_merged_cells_are_the_only_mistake_of_their_row() -> None:
+    def merge(book: Any) -> None:
+        row = row_of(book, STROKE)
+        book["engine"].merge_cells(f"B{row}:C{row}")
+
+    (said,) = faults(spoilt("toyota-1uz-fe", merge))
+    assert "are merged" in said
+
+
+def test_titles_may_be_merged_and_headings_be_capital() -> None:
+    def note(book: Any) -> None:
+        page = book["engine"]
+        page["A1"].value, page["B1"].value = "Key", "VALUE"
+        page[f"A{page.max_row + 2}"].value = "my notes"
+        page.merge_cells(f"A{page.max_row}:F{page.max_row}")
+
+    plain, noted = (
+        engine_of(workbook_tree(spoilt("toyota-1uz-fe", *how), "x")) for how in ((), (note,))
+    )
+    assert plain == noted
 
 
 def test_a_mistake_names_the_very_cell_and_all_come_at_once() -> None:

@@ -111,3 +111,10 @@ def test_limits_and_unbalances_are_read_in_all_units() -> None:
         unbalance("--unbalance", text, engine) for text in ("10 oz in", "7200.77887375 g mm")
     )
     assert ounces == pytest.approx(grams, rel=1e-14)
+
+
+@pytest.mark.parametrize("option", ["--units", "--lang"])
+def test_an_option_of_every_command_that_stands_twice_is_refused(run: Run, option: str) -> None:
+    said = run("list", option, "us", f"{option}=si")
+    assert (said.code, said.out) == (2, "")
+    assert f"{option} stands twice; give it once" in said.err

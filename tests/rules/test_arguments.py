@@ -146,9 +146,10 @@ def test_planes_may_be_text_with_a_unit() -> None:
     engine = crankstar.load("audi-25-tfsi")
     metres = crankstar.with_counterweights(engine, factor=0.5, planes=[0.2, -0.2])
     places: Any = ["200 mm", "-20 cm"]
+    heavy: Any = ["200 mm", "3 kg"]
     assert crankstar.with_counterweights(engine, factor=0.5, planes=places) == metres
     with pytest.raises(ValueError, match=r"^planes is .*a mass; a length is needed"):
-        crankstar.with_counterweights(engine, factor=0.5, planes=["2 kg", "3 kg"])
+        crankstar.with_counterweights(engine, factor=0.5, planes=heavy)
 
 
 @pytest.mark.parametrize(

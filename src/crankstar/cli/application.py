@@ -109,6 +109,8 @@ def _units(words: list[str]) -> Choice:
 
 def _taken(words: list[str], name: str, variable: str) -> tuple[str, str | None]:
     """An option for all commands, taken out of the words, or its variable: which, and its value."""
+    if len([word for word in words if word.partition("=")[0] == name]) > 1:
+        raise RequestError("{option} stands twice; give it once", option=name)
     for place, word in enumerate(words):
         option, equals, value = word.partition("=")
         if option == name:

@@ -51,11 +51,15 @@ def tells_rotating(table: Mapping[str, Any]) -> bool:
 
 
 class _Sum(NamedTuple):
-    """A sum of parts: its key, in kg or the file's own unit of mass, as a file writes it."""
+    """A sum of parts: its key, in kg or the file's own unit of mass, as a file writes it.
+
+    Where a part is mistaken it only stands in for the mass, and says nothing of others.
+    """
 
     key: str
     total: float
     text: str | float
+    sure: bool = True
 
 
 def _short(tree: Tree) -> tuple[Tree, list[Fault]]:
@@ -129,7 +133,8 @@ def _on_throws(
                 continue
             total = sum(each.total for each in known)
             bare = all(isinstance(each.text, float) for each in known)
-            whole = _Sum("rotating_mass", total, total if bare else f"{total:.12g} kg")
+            sure = all(each.sure for each in known)
+            whole = _Sum("rotating_mass", total, total if bare else f"{total:.12g} kg", sure)
             where: Path = (key, place, "throw", number - 1)
             faults = [*faults, *_contradictions(where, throw, [whole])]
             own[number - 1] = {"rotating_mass": whole.text, **throw}
@@ -147,12 +152,12 @@ def _completed(
     sums = [each for each in _sums(both) if not on_throw or each.key != "rotating_mass"]
     sums = [each for each in sums if each.key != "rotating_mass" or "articulated" not in own]
     out = {**{each.key: each.text for each in sums}, **own}
-    faults = [] if _mistaken(both) else [*_contradictions(path, own, sums)]
+    faults = [*_contradictions(path, own, sums)]
     rod = both.get("rod")
     if isinstance(rod, dict):
         whole, more = _rod(rod, both, path)
         out["rod"] = whole
-        faults += more
+        faults += [] if _mistaken(both) else more
     return out, faults
 
 
@@ -164,9 +169,10 @@ def _sums(both: Mapping[str, Any]) -> list[_Sum]:
     for key, names in (("reciprocating_mass", RECIPROCATING), ("rotating_mass", ROTATING)):
         given = [name for name in names if name in parts and name not in apart]
         if given:
-            total = sum(_si(parts[name], MASS) or 0.0 for name in given)
+            total = sum(abs(_si(parts[name], MASS) or 0.0) for name in given)
             bare = not any(isinstance(parts[name], str) for name in given)
-            out.append(_Sum(key, total, total if bare else f"{total:.12g} kg"))
+            text = total if bare else f"{total:.12g} kg"
+            out.append(_Sum(key, total, text, not _mistaken(both)))
     return out
 
 
@@ -174,9 +180,9 @@ def _contradictions(
     path: Path, table: Mapping[str, Any], sums: Sequence[_Sum], name: str = ""
 ) -> Iterator[Fault]:
     """The masses of a table that are not what its parts come to."""
-    for key, total, _text in sums:
+    for key, total, _text, sure in sums:
         given = _si(table.get(name or key), MASS)
-        if given is not None and abs(given - total) > NEAR * max(given, total):
+        if sure and given is not None and abs(given - total) > NEAR * max(given, total):
             values = {"given": _grams(given), "total": _grams(total)}
             code = "reciprocating" if key == "reciprocating_mass" else "rotating"
             yield Fault((*path, name or key), f"parts.{code}", values)
@@ -188,6 +194,7 @@ def _rod(rod: Mapping[str, Any], both: Mapping[str, Any], path: Path) -> tuple[T
     small, big = (_si(parts.get(name), MASS) for name in ENDS)
     if small is None and big is None:
         return dict(rod), []
+    small, big = (None if end is None else abs(end) for end in (small, big))
     if small is None or big is None or small + big <= 0:
         missing = "small_end" if small is None else "big_end"
         return dict(rod), [Fault((*path, "parts", missing), "parts.end-missing")]

@@ -30,7 +30,7 @@ from crankstar.files.mistakes import Path as KeyPath
 from crankstar.files.mistakes import SpreadsheetTree, Tree, faults_of, mended, unknown_sources
 from crankstar.files.parts import tells_mass, with_sums
 from crankstar.files.source import read_tree
-from crankstar.language.faults import EngineError, Fault
+from crankstar.language.faults import EngineError, Fault, where
 from crankstar.language.quoting import seen
 
 
@@ -86,7 +86,7 @@ def _engine_of(tree: Tree, name: str) -> Engine:
     forms = chain([form_of(tree)], map(short_form, layouts))
     faults = [*draft.faults, *_elsewhere(contradictions, draft.faults)]
     faults += _elsewhere([*unknown_sources(tree, forms)], draft.faults)
-    faults = _in_file(tree, faults, explicit=explicit)
+    faults = _without_repeats(_in_file(tree, faults, explicit=explicit))
     cells: Mapping[KeyPath, str] = {}
     if isinstance(tree, SpreadsheetTree):
         known = [fault for fault in tree.faults if fault.path]
@@ -313,6 +313,22 @@ def _in_file(tree: Tree, faults: list[Fault], *, explicit: bool) -> list[Fault]:
         shared = fault.cylinder is not None and not explicit
         placed.setdefault((path,) if shared else (path, fault.sentence), fault._replace(path=path))
     return list(placed.values())
+
+
+def _without_repeats(faults: list[Fault]) -> list[Fault]:
+    """One fault for all values with units that need the same size or mass, which the file lacks."""
+    out: list[Fault] = []
+    for fault in faults:
+        alike = [each for each in faults if each.code == fault.code]
+        if not fault.code.startswith(_OF_UNKNOWN) or len(alike) == 1:
+            out.append(fault)
+        elif fault is alike[0]:
+            code = fault.code.replace(_OF_UNKNOWN, "unit.several-")
+            out.append(Fault((), code, {"paths": [where(each.path) for each in alike]}))
+    return out
+
+
+_OF_UNKNOWN = "unit.unknown-"
 
 
 def _short_place(tree: Tree, fault: Fault) -> tuple[str | int, ...]:

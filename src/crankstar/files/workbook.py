@@ -129,6 +129,7 @@ def _unpackable(raw: bytes, name: str) -> None:
 def _pages(raw: bytes, name: str, *, values: bool) -> dict[str, Any]:
     """The sheets of an engine by name. Raises EngineFileError."""
     from openpyxl import load_workbook
+    from openpyxl.utils import get_column_letter
 
     try:
         with warnings.catch_warnings():
@@ -139,6 +140,9 @@ def _pages(raw: bytes, name: str, *, values: bool) -> dict[str, Any]:
         raise refused(name, "not-spreadsheet") from None
     if MAIN not in sheets:
         named = ", ".join(one_line(sheet, longest=40) for sheet in islice(sheets, 12))
+        near = next((sheet for sheet in sheets if sheet.strip().lower() == MAIN), None)
+        if near is not None:
+            raise refused_sheet(name, "missing-near", sheet=MAIN, meant=seen(near))
         raise refused_sheet(name, "missing", sheet=MAIN, sheets=named)
     own = {
         title: page
@@ -146,8 +150,11 @@ def _pages(raw: bytes, name: str, *, values: bool) -> dict[str, Any]:
         if title == MAIN or title.startswith(f"{MAIN}.")
     }
     for title, page in own.items():
-        if page.max_row > GREATEST_ROWS or page.max_column > GREATEST_COLUMNS:
-            raise refused_sheet(name, "too-long", sheet=title, greatest=GREATEST_ROWS)
+        rows, columns = page.max_row, page.max_column
+        if rows > GREATEST_ROWS or columns > GREATEST_COLUMNS:
+            limits = {"rows": GREATEST_ROWS, "columns": get_column_letter(GREATEST_COLUMNS)}
+            corner = f"{get_column_letter(columns)}{rows}"
+            raise refused_sheet(name, "too-long", sheet=title, corner=corner, **limits)
     return own
 
 
@@ -168,8 +175,9 @@ class _Reading:
 
     def tree(self) -> SpreadsheetTree:
         """The tree of all sheets. Raises EngineFileError where a heading is missing."""
-        self._merged()
         rows = [*self._rows(MAIN, HEADS[:3])]
+        if not rows:
+            raise refused_sheet(self.name, "empty", sheet=MAIN)
         kind = next((row["value"][1] for row in rows if row["key"][1] == "layout.type"), None)
         tables = {tuple(title.split(".")[1:]) for title in self.pages if title != MAIN}
         hint: Tree = {path[0]: [] for path in tables}
@@ -185,12 +193,25 @@ class _Reading:
                 self._sources(title)
             elif path:
                 self._table(title, path)
+        self._merged()
         return SpreadsheetTree(self.out, self.cells, self.faults)
 
     def _merged(self) -> None:
+        """Faults of merged cells in rows that give a value; titles and notes may be merged."""
+        rows: dict[Path, list[str]] = {
+            path: re.split("[!:]", cell) for path, cell in self.cells.items()
+        }
         for title, page in self.pages.items():
             for cells in page.merged_cells.ranges:
-                self._fault("cell.merged", cell=f"{title}!{cells}")
+                within = range(cells.min_row, cells.max_row + 1)
+                touched: list[Path] = [
+                    path
+                    for path, (sheet, cell, *_) in rows.items()
+                    if sheet == title and int(re.sub("[A-Z]", "", cell)) in within
+                ]
+                if touched:
+                    own = min(touched, key=lambda path: path[0] == SOURCES)
+                    self._fault("cell.merged", path=own, cell=f"{title}!{cells}")
 
     def _fault(self, code: str, *, path: Path = (), **values: Any) -> None:
         self.faults.append(Fault(path, code, values))
@@ -208,8 +229,11 @@ class _Reading:
         """The rows of a sheet that are not empty: by heading the cell and its value."""
         page = self.pages[title]
         heads: dict[int, str] = {}
+        if title == MAIN and page.max_row == page.max_column == 1 and page["A1"].value is None:
+            raise refused_sheet(self.name, "empty", sheet=title)
         for cell in next(page.iter_rows(max_row=1), ()):
             text = str(cell.value).strip() if cell.value is not None else ""
+            text = text.lower() if text.lower() in needed else text
             if text and text in heads.values():
                 self._fault(
                     "sheet.heading-twice", cell=f"{title}!{cell.coordinate}", heading=seen(text)
@@ -217,12 +241,9 @@ class _Reading:
             elif text:
                 heads[cell.column] = text
         missing = [head for head in needed if head not in heads.values()]
-        for head in missing:
-            listed = ", ".join(needed)
-            self._fault(
-                "sheet.heading-missing", cell=f"{title}!1:1", heading=seen(head), headings=listed
-            )
         if missing:
+            names = {"headings": ", ".join(needed), "missing": ", ".join(missing)}
+            self._fault("sheet.heading-missing", cell=f"{title}!1:1", **names)
             raise EngineFileError(self.name, self.faults)
         for row in page.iter_rows(min_row=2):
             cells = {heads[c.column]: c for c in row if c.column in heads}

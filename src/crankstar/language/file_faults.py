@@ -97,6 +97,18 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} is {value}, but the file gives no reciprocating mass, so masses are in units of "
         "it; give a bare number, or the reciprocating mass"
     ),
+    "unit.several-radius": N_(
+        "the file gives no cylinder.stroke, but values across the crankshaft have units: {paths}; "
+        "give the stroke, or bare numbers in crank radii"
+    ),
+    "unit.several-pitch": N_(
+        "the file gives no layout.bore_pitch, but values along the crankshaft have units: "
+        "{paths}; give the bore pitch, or bare numbers in bore pitches"
+    ),
+    "unit.several-mass": N_(
+        "the file gives no cylinder.reciprocating_mass, but masses have units: {paths}; give the "
+        "reciprocating mass, or bare numbers in units of it"
+    ),
     "unit.relative-radius": N_(
         "{where} is {value}, but lengths across the crankshaft are in crank radii; give a bare "
         "number, or take radius out of relative"
@@ -199,11 +211,21 @@ SENTENCES: dict[str, str | Plural] = {
         "there is no sheet {sheet}; the sheets are: {sheets}. `crankstar new vee -o mine.xlsx` "
         "writes one to start from"
     ),
+    "sheet.missing-near": N_(
+        "there is no sheet {sheet}; rename the sheet {meant}, or write a form with `crankstar new "
+        "vee -o mine.xlsx`"
+    ),
+    "sheet.empty": N_(
+        "the sheet {sheet} is empty; `crankstar new vee -o mine.xlsx` writes one to start from"
+    ),
     "sheet.unknown": N_("the sheet {sheet} is no table of an engine; there are: {sheets}"),
     "sheet.unknown-near": N_("the sheet {sheet} is no table of an engine; did you mean {meant}?"),
-    "sheet.too-long": N_("the sheet {sheet} has more than {greatest} rows or columns"),
+    "sheet.too-long": N_(
+        "the sheet {sheet} reaches to the cell {corner}; delete what stands or is formatted beyond "
+        "row {rows} and column {columns}"
+    ),
     "sheet.heading-missing": N_(
-        "{cell}: the first row must have the heading {heading}; the headings are: {headings}"
+        "{cell}: the first row must have the headings {headings}; there is no {missing}"
     ),
     "sheet.heading-twice": N_("{cell}: the heading {heading} stands twice"),
     "cell.merged": N_("the cells {cell} are merged; unmerge them and fill each cell"),
