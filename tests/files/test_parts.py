@@ -190,6 +190,44 @@ def test_the_schema_knows_the_parts_in_both_forms() -> None:
     assert not validator.is_valid(tree(parts={"pistn": "1 g"}))
 
 
+@pytest.mark.parametrize("form", ["short", "own", "explicit"])
+@pytest.mark.parametrize("parts", [{}, {"piston": "510 g"}, PARTS])
+@pytest.mark.parametrize(
+    "rod",
+    [
+        {},
+        {"inertia": "0.002 kg*m^2"},
+        {"mass": "600 g"},
+        {"centre": "42.9 mm"},
+        {"mass": "600 g", "centre": "42.96 mm"},
+    ],
+)
+def test_the_schema_takes_the_rods_that_the_reader_takes(
+    form: str, parts: dict[str, str], rod: dict[str, str]
+) -> None:
+    """Except that it knows no sums: that an end is missing, or that two values differ."""
+    jsonschema = pytest.importorskip("jsonschema")
+    of = explicit(engine_of(tree())) if form == "explicit" else tree()
+    for cylinder in of["cylinders"] if form == "explicit" else [of["cylinder"]]:
+        for key in ("parts", "rod", "reciprocating_mass", "rotating_mass"):
+            cylinder.pop(key, None)
+        cylinder.update({"parts": parts} if parts else {"reciprocating_mass": "878 g"})
+    target = of["cylinders"][0] if form == "explicit" else of["cylinder"]
+    if form == "own":
+        of["cylinders"] = [{"number": 1}]
+        target = of["cylinders"][0]
+    target["rod"] = rod
+    codes: set[str] = set()
+    try:
+        engine_of(of)
+    except EngineFileError as error:
+        codes = {fault.code for fault in error.faults}
+    valid = jsonschema.Draft202012Validator(schema()).is_valid(of)
+    assert valid or codes
+    if codes and not any(code.startswith("parts.") for code in codes) and form != "own":
+        assert not valid
+
+
 def test_a_spreadsheet_of_an_engine_has_its_parts_and_gives_them_back() -> None:
     pytest.importorskip("openpyxl")
     again = workbook_tree(workbook_bytes(sheets_of(tree())), "v8.xlsx")

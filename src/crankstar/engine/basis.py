@@ -6,8 +6,9 @@ from fractions import Fraction
 from math import pi
 from typing import Annotated
 
-from pydantic import Field
+from pydantic import ConfigDict, Field
 
+from crankstar.engine.cylinder_parts import required_without_parts
 from crankstar.engine.quantities import (
     Angle,
     Length,
@@ -43,6 +44,8 @@ ASSUMED_ROD_RATIO = 4.0
 
 class Sizes(Record):
     """The sizes of a cylinder, in crank radii without a stroke, in its own mass without a mass."""
+
+    model_config = ConfigDict(json_schema_extra=required_without_parts())
 
     bore: Size | None = Field(default=None, description="cylinder diameter")
     stroke: Size | None = Field(default=None, description="twice the crank radius")
@@ -81,6 +84,8 @@ class Sizes(Record):
 
 class Override(Sizes):
     """What is different about one cylinder: anything of [cylinder], and its place."""
+
+    model_config = ConfigDict(json_schema_extra=None)  # its parts may be those of [cylinder]
 
     number: Ordinal = Field(description="of the cylinder that differs")
     offset: Length | None = Field(default=None, description="as in [cylinder]")  # pyright: ignore[reportIncompatibleVariableOverride]

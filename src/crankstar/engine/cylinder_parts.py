@@ -26,6 +26,22 @@ def without_required(*names: str) -> Any:
     return changed
 
 
+def required_without_parts(*names: str) -> Any:
+    """A change of the JSON Schema of a cylinder: it needs these where it has no parts.
+
+    A rod needs its mass and its centre where the parts lack one of its ends.
+    """
+    ends = {"parts": {"required": [*ENDS]}}
+
+    def changed(schema: dict[str, Any]) -> None:
+        without_required(*names)(schema)
+        schema["anyOf"] = [{"required": ["parts"]}, {"required": [*names]}]
+        schema["if"] = {"not": {"required": ["parts"], "properties": ends}}
+        schema["then"] = {"properties": {"rod": {"required": ["mass", "centre"]}}}
+
+    return changed
+
+
 class Rod(Record):
     """A connecting rod as a rigid body.
 
@@ -34,6 +50,8 @@ class Rod(Record):
     >>> Rod(mass=0.6, centre=0.04, inertia=0.002).mass
     0.6
     """
+
+    model_config = ConfigDict(json_schema_extra=without_required("mass", "centre"))
 
     mass: MovingMass = Field(
         description="mass of the whole rod; both ends together where parts give them"

@@ -16,7 +16,7 @@ from crankstar.engine.cylinder_parts import Articulation as Articulation
 from crankstar.engine.cylinder_parts import Parts as Parts
 from crankstar.engine.cylinder_parts import Record as Record
 from crankstar.engine.cylinder_parts import Rod as Rod
-from crankstar.engine.cylinder_parts import without_required
+from crankstar.engine.cylinder_parts import required_without_parts
 from crankstar.engine.quantities import (
     Angle,
     BearingStiffness,
@@ -181,7 +181,7 @@ class Cylinder(Record):
     (0.0, 0.0)
     """
 
-    model_config = ConfigDict(json_schema_extra=without_required("reciprocating_mass"))
+    model_config = ConfigDict(json_schema_extra=required_without_parts("reciprocating_mass"))
 
     number: Ordinal = Field(description="unique; cylinder 1 is the frontmost")
     shaft: Line = Field(description="name of the shaft its rod works on")

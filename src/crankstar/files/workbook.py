@@ -242,8 +242,12 @@ class _Reading:
                 heads[cell.column] = text
         missing = [head for head in needed if head not in heads.values()]
         if missing:
-            names = {"headings": ", ".join(needed), "missing": ", ".join(missing)}
-            self._fault("sheet.heading-missing", cell=f"{title}!1:1", **names)
+            self._fault(
+                "sheet.heading-missing",
+                cell=f"{title}!1:1",
+                headings=", ".join(needed),
+                missing=", ".join(missing),
+            )
             raise EngineFileError(self.name, self.faults)
         for row in page.iter_rows(min_row=2):
             cells = {heads[c.column]: c for c in row if c.column in heads}
