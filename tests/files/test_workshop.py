@@ -307,6 +307,7 @@ def test_a_factor_in_percent_without_its_sign_says_how_it_is_written(
         (("drill", "--unbalance", "8 g at 4 in at 4 in", *HOLE), "an angle is needed"),
         (("drill", "--unbalance", "8 g at -4 in", *HOLE), "not a number"),
         (("grade", "--mass", "1 kg", "--speed", "9 rpm", "--unbalance", "2 g"), "add the radius"),
+        (("drill", "--unbalance", "5 g*mm", *HOLE, "--greatest-depth", "1e-9 mm"), "too small"),
         (("drill",), "name an engine file"),
         (("drill", "--unbalance", "100 g*mm"), "give --diameter, --at-radius"),
         (("drill", "--unbalance", "100 g*mm", *HOLE, "--axial"), "give --greatest-depth"),
@@ -340,3 +341,14 @@ def test_each_mistake_is_one_clear_sentence(
 
 def test_planes_beyond_the_crankshaft_are_refused(run: Run, v8: str) -> None:
     assert "beyond the crankshaft" in refused(run, "drill", v8, "--weights", "2 m, -2 m", *HOLE)
+
+
+def test_a_place_that_ends_like_a_directory_is_none_for_a_file(run: Run, tmp_path: Path) -> None:
+    place = tmp_path / "cards"
+    assert "it is a directory" in refused(run, "bobweight", "i4", "-o", f"{place}/")
+    assert not place.exists()
+
+
+def test_crank_angles_that_are_none_are_refused(run: Run) -> None:
+    for line in (("analyze", "i4"), ("export", "i4", "-o", "i4.stl")):
+        assert "give crank angles, such as" in refused(run, *line, "--theta", ",")

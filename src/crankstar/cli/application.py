@@ -6,6 +6,7 @@ import os
 import re
 import sys
 from collections.abc import Sequence
+from contextlib import suppress
 from importlib.metadata import version
 from itertools import pairwise
 from typing import TYPE_CHECKING
@@ -140,7 +141,7 @@ def _spelt_out(arguments: Sequence[str]) -> list[str]:
 def _refuse_source(words: Sequence[str]) -> None:
     """Refuse to write on a file that the command reads. Raises OutputError."""
     apart = [re.sub("^-o(?=[^=])", "-o=", word) for word in words]
-    parts = [part for word in apart for part in word.split("=", 1) if "\0" not in part]
+    parts = [part for word in apart for part in word.split("=", 1) if _may_be_a_file(part)]
     for option, place in pairwise(parts):
         if option not in ("-o", "--output") or not is_file(place):
             continue
@@ -150,6 +151,12 @@ def _refuse_source(words: Sequence[str]) -> None:
                 "{file} is read by this command and would be lost; name another file with -o",
                 file=one_line(place),
             )
+
+
+def _may_be_a_file(text: str) -> bool:
+    with suppress(UnicodeEncodeError):
+        return b"\0" not in os.fsencode(text)
+    return False
 
 
 def _complaint(error: CycloptsError) -> str:

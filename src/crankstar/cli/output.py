@@ -115,7 +115,7 @@ def _refusing(place: str) -> Iterator[None]:
     """Have what is wrong with a place told as an OutputError; first, that it is a directory."""
     try:
         mode = _mode(place)
-        if mode is not None and stat.S_ISDIR(mode):
+        if place.endswith(os.sep) or (mode is not None and stat.S_ISDIR(mode)):
             _refuse(place, N_("it is a directory"))
         yield
     except OSError as error:

@@ -203,6 +203,9 @@ def derived_orders(text: str) -> list[Fraction]:
 
 def angles(text: str | None) -> list[float]:
     """Crank angles in radians."""
+    if text is not None and not listed(text):
+        example = '"0 deg, 90 deg"'
+        raise refusal("--theta", text, "give crank angles, such as {example}", example=example)
     with reading("--theta"):
         return [units.si(part, ANGLE) for part in listed(text)]
 

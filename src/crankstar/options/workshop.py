@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from math import pi, radians
 from typing import NamedTuple
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from crankstar.engine.quantities import ANGLE, DENSITY, LENGTH, MASS, UNBALANCE, Quantity
+from crankstar.engine.quantities import ANGLE, DENSITY, LEAST, LENGTH, MASS, UNBALANCE, Quantity
 from crankstar.files import units
 from crankstar.language.faults import ValueFaultError
 from crankstar.options import values as request
@@ -45,7 +46,7 @@ def size(option: str, text: str, quantity: Quantity) -> float:
             option, text, 'write it with a unit, such as "{example}"', example=quantity.example
         )
     with request.reading(option):
-        value = units.si(text, quantity)
+        value = units.si(text, replace(quantity, least=LEAST))
     if not value > 0:
         raise request.not_positive(option, text, quantity)
     return value
