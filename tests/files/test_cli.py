@@ -333,7 +333,7 @@ def test_check_tells_of_every_file_and_fails_if_one_fails(
 def test_new_writes_a_file_that_checks(run: Run, kind: str) -> None:
     text = run("new", kind).out
     assert text == STARTERS[kind]
-    assert run("new", kind, "-o", "new.toml") == (0, "", "")
+    assert run("new", kind, "-o", "new.toml") == (0, "", "Wrote new.toml\n")
     assert Path("new.toml").read_text(encoding="utf-8") == text
     assert run("check", "new.toml").code == 0
     assert run("analyze", "new.toml").code == 0
@@ -367,7 +367,7 @@ def test_a_lone_hyphen_is_standard_input(run: Run, file: str) -> None:
 @pytest.mark.parametrize("options", ANALYSES)
 def test_what_goes_to_a_file_is_what_is_printed(run: Run, file: str, options: list[str]) -> None:
     printed = run("analyze", file, *options).out
-    assert run("analyze", file, *options, "-o", "out.txt") == (0, "", "")
+    assert run("analyze", file, *options, "-o", "out.txt") == (0, "", "Wrote out.txt\n")
     assert Path("out.txt").read_text(encoding="utf-8") == printed
     assert oct(Path("out.txt").stat().st_mode & 0o777) == oct(0o666 & ~current_mask())
 

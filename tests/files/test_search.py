@@ -24,6 +24,7 @@ from crankstar.options.search import search_of
 from crankstar.options.words import SearchWords
 from crankstar.search.answer import answer_to
 from crankstar.search.question import All
+from crankstar.spectra import horizontal, vertical
 from crankstar.tables.machine import columns
 from crankstar.tables.search_stars import search_stars
 
@@ -355,3 +356,92 @@ def test_a_stopped_search_writes_what_it_has_and_nothing_over_a_file_where_it_ha
     assert left.value.code == 130
     assert (file.read_text(encoding="utf-8") == "old") == (count == 0)
     assert ("was not written" in capsys.readouterr().err) == (count == 0)
+
+
+MARINE = """
+format = 1
+name = "Marine seven"
+cycle = "two-stroke"
+speed = "76 rpm"
+firing_order = [1, 7, 2, 5, 4, 3, 6]
+cylinder = {bore = "900 mm", stroke = "3188 mm", rod_length = "3270 mm", \
+reciprocating_mass = "14 t", rotating_mass = "9 t"}
+layout = {type = "inline", bore_pitch = "1602 mm"}
+"""
+
+
+@pytest.fixture
+def marine(tmp_path: Path) -> str:
+    (tmp_path / "marine.toml").write_text(MARINE, encoding="utf-8")
+    return "marine.toml"
+
+
+@pytest.mark.parametrize(
+    ("limit", "told"),
+    [
+        ("M2=1200 kN*m", "M2 ≤ 1.2 MN m"),
+        ("M2 <= 1.2 MN m", "M2 ≤ 1.2 MN m"),
+        ("M2=1200000", "M2 ≤ 1.2 MN m"),
+        ("M2V=1200 kNm", "M2V ≤ 1.2 MN m"),
+    ],
+)
+def test_a_limit_may_have_a_unit_and_is_told_in_that_of_the_table(
+    run: Run, marine: str, limit: str, told: str
+) -> None:
+    out = run("search", marine, "--limit", limit).out
+    assert f"; limits: {told}\n" in out
+    assert [words[1] for words in table(out)] == ["1-7-2-5-4-3-6", "1-6-2-4-5-3-7", "1-5-2-4-6-3-7"]
+    words = " ".join(out.split())
+    assert "M1 0.99423 MN m, M2" in words  # as in the table, whose greatest value is 14 MN m
+    assert f"all stars with {told} were searched" in words
+
+
+@pytest.mark.parametrize(
+    ("about", "limit", "told"),
+    [
+        ("marine.toml", "M1=800 kg", 'M1 is "800 kg", a mass; a couple is needed'),
+        ("marine.toml", "M1=-8 kN m", 'as in M2=1.5 or M2="800 kN m"'),
+        ("marine.toml", "M2H=1", "M2H: the pistons of Marine seven do not act"),
+        ("man-s90mc-c", "M1=800 kN m", "give a number of m r ω² a"),
+        ("7", "M1=800 kN m", "without an engine there are no newtons"),
+        ("7", "M1H=1", "needs an engine"),
+        ("7", "T3V=1", "There is no quantity"),
+    ],
+)
+def test_a_limit_that_cannot_be_is_refused(
+    refused: Callable[..., str], marine: str, about: str, limit: str, told: str
+) -> None:
+    assert marine
+    assert told in " ".join(refused("search", about, "--limit", limit).split())
+
+
+def test_a_fault_of_two_options_is_told_once(refused: Callable[..., str]) -> None:
+    told = refused("search", "7", "--minimise", "roll", "--limit", "roll=1")
+    assert told.startswith("crankstar: --limit, --minimise: roll: the roll does not depend")
+    assert told.count("roll does not depend") == 1
+
+
+@pytest.mark.parametrize("weights", [False, True])
+def test_vertical_and_horizontal_moments_are_those_that_analyze_finds(
+    run: Run, marine: str, tmp_path: Path, weights: bool
+) -> None:
+    names = ["M1V", "M2V", "M1H"]
+    if weights:  # which differ between throws: only what the pistons do is searched
+        assert run("balance", marine, "--weights", "ends", "-o", "weighted.toml").code == 0
+        marine, names = "weighted.toml", names[:2]
+    asked = ("search", marine, "--minimise", ",".join(names))
+    row = json.loads(run(*asked, "--json").out)["rows"][1]
+    run(*asked, "--row", "2", "-o", "second.json")
+    made = load(str(tmp_path / "second.json"))
+    turned = total(balance(made, speed=made.speed)).couple
+    for name in names:
+        component = (vertical if name.endswith("V") else horizontal)(turned)
+        size = float(abs(component[turned.orders == int(name[1])][0]))
+        assert row[name] == pytest.approx(size, rel=1e-9)
+
+
+def test_the_row_of_a_search_or_of_orders_is_written_as_its_name_says(run: Run) -> None:
+    for words in (("orders", "i6"), ("search", "7")):
+        for name in ("row.toml", "row.json", "row.xlsx"):
+            assert run(*words, "--row", "2", "-o", name).err.endswith(f" {name}\n")
+            assert run("check", name).code == 0

@@ -24,7 +24,7 @@ def faults(about: Any, **words: Any) -> list[tuple[str, str]]:
     return [(".".join(map(str, each.path)), each.code) for each in raised.value.faults]
 
 
-@pytest.mark.parametrize("name", ["M0", "T0", "M101", "M1.5", "neighbours"])
+@pytest.mark.parametrize("name", ["M0", "T0", "M101", "M1.5", "M1V", "F2H", "neighbours"])
 def test_a_quantity_is_called_by_the_name_that_was_typed(name: str) -> None:
     assert measure(name).name == name
 

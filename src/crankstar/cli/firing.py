@@ -25,7 +25,7 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import Cycle
 from crankstar.language.messages import _, _n
 from crankstar.options import values as request
-from crankstar.options.forms import TABLES, form_of
+from crankstar.options.forms import ENGINES, TABLES, form_of
 from crankstar.options.values import RequestError, refusal
 
 if TYPE_CHECKING:
@@ -34,7 +34,8 @@ if TYPE_CHECKING:
 Top = Annotated[int, option("--top")]
 Row = Annotated[int | None, option("--row")]
 Place = Annotated[
-    str | None, option("--output", ".txt, .csv, .json, .xlsx, .parquet, or .toml with --row.")
+    str | None,
+    option("--output", ".txt, .csv, .json, .xlsx or .parquet; with --row .toml, .json or .xlsx."),
 ]
 
 
@@ -160,13 +161,13 @@ def vees(
 
 
 def _form(output: str | None, *, json: bool, csv: bool, row: int | None, top: int) -> str:
-    """The form of a list, or toml for the engine of a row. Raises RequestError."""
+    """The form of a list, or that of the engine of a row. Raises RequestError."""
     if top < 1:
         raise refusal("--top", top, "give a number from 1 up")
     if row is None:
         return form_of(output, TABLES, json=json, csv=csv)
     request.refuse_unused({"--json": json, "--csv": csv}, beside="--row")
-    return form_of(output, ("toml",))
+    return form_of(output, ENGINES)
 
 
 def _index(row: int, rows: Sequence[object], *, option: str = "--row") -> int:

@@ -69,7 +69,10 @@ def write(text: str, place: str | None) -> None:
 
 
 def write_bytes(content: bytes, place: str | None) -> None:
-    """Write bytes to standard output, or to a file, whole or not at all; raises OutputError."""
+    """Write bytes to standard output, or to a file, whole or not at all; raises OutputError.
+
+    A file is named on standard error once it is written, so that a pipe stays clean.
+    """
     if place in STANDARD_OUTPUT:
         _opened()
         sys.stdout.flush()
@@ -79,23 +82,19 @@ def write_bytes(content: bytes, place: str | None) -> None:
         mode = _mode(place)
         if mode is None or stat.S_ISREG(mode):
             _replace(Path(place).resolve(), content)
+            said = N_("Wrote {file}") if mode is None else N_("Replaced {file}")
+            complain(_(said, file=one_line(place)))
         else:
             _pour(place, content)
 
 
 def write_result(content: str | bytes, output: str | None, usual: str) -> None:
-    """Write to the file of -o; without one to the usual file, and say so on standard output."""
+    """Write to the file of -o, without one to the usual file."""
     place = usual if output is None else output
-    there = is_file(place)
     if isinstance(content, str):
         write(content, place)
     else:
         write_bytes(content, place)
-    if output is None:
-        values = {"file": one_line(place)}
-        write(
-            (_("Replaced {file}", **values) if there else _("Wrote {file}", **values)) + "\n", None
-        )
 
 
 def writable(place: str) -> None:

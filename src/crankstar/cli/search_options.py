@@ -31,7 +31,7 @@ class Form:
         str | None,
         option(
             "--output",
-            ".csv, .json or .parquet (all rows), .txt, .svg, .png, .pdf or .html (picture), .toml "
-            "(with --row).",
+            ".csv, .json, .xlsx or .parquet (all rows), .txt, .svg, .png, .pdf or .html (picture); "
+            "with --row .toml, .json or .xlsx.",
         ),
     ] = None

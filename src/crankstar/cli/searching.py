@@ -19,7 +19,7 @@ from crankstar.language.messages import _
 from crankstar.language.quoting import one_line
 from crankstar.options import charts as chart_request
 from crankstar.options import values as request
-from crankstar.options.forms import PICTURES, STANDARD_OUTPUT, TABLES, form_of, usual_place
+from crankstar.options.forms import ENGINES, PICTURES, STANDARD_OUTPUT, TABLES, form_of, usual_place
 from crankstar.options.values import RequestError, refusal
 from crankstar.options.words import SearchWords
 
@@ -67,7 +67,7 @@ def search(
             raise refusal("-o", form.output, "this is the checkpoint; name another file")
     answer = _job().answer_of(wanted, work, workers=workers)
     if answer.certificate.interrupted:
-        return _stopped(answer, wanted.engine, kind, form.output)
+        return _stopped(answer, wanted.engine, kind if row is None else "engine", form.output)
     if row is not None:
         _show_row(answer, wanted.engine, row, deviations, pace, form.output, tree)
     else:
@@ -116,13 +116,13 @@ def _stopped(answer: Answer, engine: Engine | None, kind: str, output: str | Non
 
 
 def _kind(form: Form) -> str:
-    """The form of the answer, toml for the engine of a row. Raises RequestError."""
+    """The form of the answer, or of the engine of a row. Raises RequestError."""
     if form.row is None and form.uneven is not None:
         raise RequestError("--uneven: name the row to refine, as in --row 2 --uneven 1,2,5")
     flags = {"--csv": form.csv, "--json": form.json}
     if form.row is not None:
         request.refuse_unused({**flags, "--chart": form.chart}, beside="--row")
-        return form_of(form.output, ("toml",))
+        return form_of(form.output, ENGINES)
     if form.chart is not None:
         request.refuse_unused(flags, beside="--chart")
         chart_request.charts()

@@ -65,7 +65,10 @@ def sweep(
     font_size: FontSize = None,
     output: Annotated[
         str | None,
-        option("--output", "A chart (.svg, .png, .pdf, .html, .json), .csv, or the table."),
+        option(
+            "--output",
+            "A chart (.svg, .png, .pdf, .html, .json) or a table (.csv, .xlsx, .parquet, .txt).",
+        ),
     ] = None,
 ) -> None:
     """Vary one or two values of an engine: force and couple over them, and the best values."""

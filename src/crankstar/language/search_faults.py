@@ -57,8 +57,8 @@ SENTENCES: dict[str, str | Plural] = {
     "later": N_("{given} angles are given for {cylinders} cylinders; give one for each."),
     # objectives and limits
     "no-quantity": N_(
-        "There is no quantity {given}; choose from couples (M1, M2), forces (F1), torsion (T3, "
-        "with {mode_shape}) and neighbours."
+        "There is no quantity {given}; choose from couples (M1, M2; M1V, M1H: in the vertical, in "
+        "the horizontal plane), forces (F1), torsion (T3, with {mode_shape}) and neighbours."
     ),
     "roll-alike": N_(
         "{given}: the roll does not depend on the star, because all stars have the same throw "
@@ -67,6 +67,14 @@ SENTENCES: dict[str, str | Plural] = {
     "order": N_("{name}: the order can be above 0, up to {most}."),
     "half-order": N_("{name}: inertia forces have whole orders only."),
     "no-force": N_("{name}: the pistons of {engine} make no inertia force of this order."),
+    "no-side": N_(
+        "{name}: the pistons of {engine} do not act that way, nor does anything that is alike on "
+        "all throws; leave it out."
+    ),
+    "horizontal-needs-engine": N_(
+        "{name}: what acts horizontally comes from rotating masses, so that it needs an engine; "
+        "of a number of cylinders M1 is vertical."
+    ),
     "needs-shape": N_("{name} needs a torsional mode, as in {mode_shape} 1,0.5,-0.5,-1."),
     "two-stroke-torsion": N_("{name}: a two-stroke engine has whole orders of torsion only."),
     "half-torsion": N_(
@@ -89,7 +97,19 @@ SENTENCES: dict[str, str | Plural] = {
     "none-named": N_("Name at least one quantity, as in M1,M2."),
     "too-many-objectives": N_("{count} objectives are named; there can be up to {most}."),
     "zero-neighbours": N_("Use {avoid_adjacent} to exclude neighbours in succession."),
-    "limit-form": N_("{given}: give a quantity and its greatest value, as in M2=1.5."),
+    "limit-form": N_(
+        '{given}: give a quantity and its greatest value, as in M2=1.5 or M2="800 kN m".'
+    ),
+    "unit-needs-engine": N_(
+        "{name}: without an engine there are no newtons; give a number of {unit}, or name an "
+        "engine instead of a number of cylinders."
+    ),
+    "unit-needs-newtons": N_(
+        "{name}: without masses, sizes and speed of {engine} there are no newtons; give a number "
+        "of {unit}, or add to its file what `crankstar analyze` names."
+    ),
+    "torsion-unit": N_("{name} has no unit; give a plain number."),
+    "amount": N_("{problem}"),
     "limit-whole": N_("{given}: the number of neighbours must be whole."),
     "shape-form": N_("{given}: give an amplitude for each cylinder, as in 1,0.5,-0.5,-1."),
     "shape-count": N_("{given} amplitudes are given for {cylinders} cylinders; give one for each."),

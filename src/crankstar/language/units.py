@@ -81,13 +81,13 @@ class Unit(NamedTuple):
 def spelt(unit: str) -> str:
     """A unit as it is written in a Column: products with `*`, powers with `^`.
 
-    >>> spelt("kg m2"), spelt("lb-ft"), spelt("N·m")
-    ('kg*m^2', 'lb*ft', 'N*m')
+    >>> spelt("kg m2"), spelt("lb-ft"), spelt("N·m"), spelt("RPM")
+    ('kg*m^2', 'lb*ft', 'N*m', 'rpm')
     """
     joined = re.sub(r"\s*([*/^])\s*", r"\1", unit.translate(SIGNS).replace("**", "^").strip())
     joined = re.sub(r"(?<=[A-Za-z])-(?=[A-Za-z])", "*", re.sub(r"\s+", "*", joined))
     joined = re.sub(r"([A-Za-z])(-?[1-4])", r"\1^\2", joined)
-    return "rpm" if joined in _REVOLUTIONS else joined
+    return "rpm" if joined in _REVOLUTIONS or joined.lower() == "rpm" else joined
 
 
 def as_weight(unit: str) -> str:

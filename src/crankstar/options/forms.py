@@ -14,6 +14,8 @@ STANDARD_OUTPUT = (None, "-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1")
 TABLES = ("txt", "csv", "json", "xlsx", "parquet")
 """Forms of a Document, as file names end; txt is for readers."""
 PICTURES = ("svg", "png", "pdf", "html")
+ENGINES = ("toml", "json", "xlsx")
+"""Forms of an engine file."""
 EXTRAS = {
     "xlsx": ("openpyxl", "spreadsheet"),
     "parquet": ("pyarrow", "parquet"),

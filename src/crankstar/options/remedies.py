@@ -16,7 +16,15 @@ from crankstar.language.messages import _
 from crankstar.language.quoting import one_line
 from crankstar.mechanics.balance import scales, unit_unbalance
 from crankstar.options.refusals import choice, refusal, refuse_unused
-from crankstar.options.values import fractions, length, not_positive, places, planes, reading
+from crankstar.options.values import (
+    bounded,
+    fractions,
+    length,
+    not_positive,
+    places,
+    planes,
+    reading,
+)
 from crankstar.remedy import Aim, Box, Limit, Plane, aim_unit, without_weights
 from crankstar.remedy.counterweights import GREATEST_FACTOR, LEAST_FACTOR
 from crankstar.remedy.fitting import Places, ShaftPlaces, Wanted
@@ -93,13 +101,13 @@ def limits(
     """
     out: list[Limit] = []
     for text in texts:
-        name, equals, value = text.partition("=")
-        if not equals or not value.strip():
+        name, value = bounded(text)
+        if not value:
             raise refusal(
                 "--limit", text, 'give a quantity and its limit, as in couple=50% or force="500 N"'
             )
         wanted = aim("--limit", name)
-        at_most = _at_most(wanted, value.strip(), text, engine, speed, model)
+        at_most = _at_most(wanted, value, text, engine, speed, model)
         out.append(Limit(wanted, at_most))
     return out
 

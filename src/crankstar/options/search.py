@@ -5,16 +5,20 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from fractions import Fraction
-from typing import TypeVar
+from typing import Any, TypeVar, cast
 
 from crankstar.engine.engine import Engine
+from crankstar.engine.quantities import COUPLE, FORCE
+from crankstar.files import units
+from crankstar.language.faults import ValueFaultError
 from crankstar.language.quoting import seen
-from crankstar.options.values import RequestError, listed, refusal
+from crankstar.options.values import RequestError, bounded, listed, refusal
 from crankstar.options.words import SearchWords
 from crankstar.search.faults import Faults, error
 from crankstar.search.options import (
     GREATEST_BEST,
     NEIGHBOURS,
+    Bound,
     Measure,
     NearValue,
     Search,
@@ -57,7 +61,7 @@ def _options(words: SearchWords, faults: Faults) -> SearchOptions:
                 values.append(read(part))
         return tuple(values) if len(values) == len(parts) or not every else None
 
-    limits: list[tuple[Measure, float]] = []
+    limits: list[Bound] = []
     for text in words.limit:
         with faults.at("limit"):
             limits.append(limit(text))
@@ -102,7 +106,7 @@ def weighted(text: str) -> tuple[float, Measure]:
     """A quantity with its weight. Raises SearchError.
 
     >>> weighted("2*M2")
-    (2.0, Measure(kind='M', order=Fraction(2, 1)))
+    (2.0, Measure(kind='M', order=Fraction(2, 1), side=''))
     """
     times, star, name = text.rpartition("*")
     weight = fraction(times) if star else Fraction(1)
@@ -120,10 +124,11 @@ def measure(text: str) -> Measure:
         return Measure("couple")
     if ROLL.fullmatch(name):
         raise error("", "roll-alike", given=name)
-    match = re.fullmatch(r"([FMT])(\d{1,3}(?:\.5|\.0)?)", name, re.ASCII)
-    if match is None:
+    match = re.fullmatch(r"([FMT])(\d{1,3}(?:\.5|\.0)?)([VH]?)", name, re.ASCII)
+    if match is None or (match[1] == "T" and match[3]):
         raise error("", "no-quantity", given=seen(name))
-    return Measure(match[1], Fraction(match[2]))  # pyright: ignore[reportArgumentType]
+    kind, order, side = cast("tuple[Any, str, Any]", match.groups())
+    return Measure(kind, Fraction(order), side)
 
 
 def vanishing(text: str) -> Measure:
@@ -133,30 +138,61 @@ def vanishing(text: str) -> Measure:
     return _vector(text)
 
 
-def limit(text: str) -> tuple[Measure, float]:
-    """A quantity and its greatest value: `M2=1.5`. Raises SearchError."""
-    name, equals, value = re.sub("<=|≤", "=", text).partition("=")
-    number = fraction(value)
-    if not equals or number is None or number < 0:
-        raise error("", "limit-form", given=text)
-    if name.strip() in SPELLINGS:
+def limit(text: str) -> Bound:
+    """A quantity and its greatest value: `M2=1.5`, `M1V=800 kN m`. Raises SearchError.
+
+    >>> limit("M1V <= 800 kN*m")
+    Bound(measure=Measure(kind='M', order=Fraction(1, 1), side='V'), greatest=800000.0, unit='N*m')
+    """
+    name, value = bounded(text)
+    if name in SPELLINGS:
+        number = fraction(value)
+        if number is None or number < 0:
+            raise error("", "limit-form", given=text)
         if number.denominator != 1:
             raise error("", "limit-whole", given=text)
-        return NEIGHBOURS, float(number)
-    return _vector(name), float(number)
+        return Bound(NEIGHBOURS, float(number))
+    if not value:
+        raise error("", "limit-form", given=text)
+    measured = _vector(name)
+    given = amount(value, measured)
+    if given is None:
+        raise error("", "limit-form", given=text)
+    return Bound(measured, *given)
+
+
+def amount(text: str, measured: Measure) -> tuple[float, str] | None:
+    """A value from 0 up and its unit: N or N*m, none for a bare number; None where it is none.
+
+    Raises SearchError for a unit of something else.
+    """
+    bare = fraction(text)
+    if bare is not None:
+        return None if bare < 0 else (float(bare), "")
+    if not re.match(r"\s*\+?[\d.]+(e[-+]?\d+)?\s*[a-z]", text, re.ASCII | re.IGNORECASE):
+        return None
+    moment = measured.kind == "M"
+    try:
+        return units.si(text, COUPLE if moment else FORCE), "N*m" if moment else "N"
+    except ValueFaultError as fault:
+        raise error("", "amount", problem=fault.at(measured.name)) from None
 
 
 def near_value(text: str) -> NearValue:
     """A value to as many decimals as are written: `M1=0.2673`. Raises SearchError."""
     name, _equals, value = (word.strip() for word in text.partition("="))
-    number = fraction(value)
     if name in SPELLINGS:
         raise error("", "all-with-neighbours")
-    if number is None or number < 0:
+    measured = _vector(name)
+    given = amount(value, measured)
+    if given is None:
         raise error("", "all-with-value", given=text)
-    rounded = value.replace(".", "").isdigit() and number != 0
-    off = 0.51 * 10.0 ** -len(value.partition(".")[2]) if rounded else 0.0
-    return NearValue(_vector(name), float(number), off)
+    length, unit = given
+    written = re.fullmatch(r"([\d.]+)(?![eE/])\s*([A-Za-z].*)?", value)
+    if written is None or not length:  # an exact value
+        return NearValue(measured, length, 0.0, unit)
+    last_place = 10.0 ** -len(written[1].partition(".")[2])
+    return NearValue(measured, length, 0.51 * last_place * length / float(written[1]), unit)
 
 
 def _vector(text: str) -> Measure:

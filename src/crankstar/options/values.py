@@ -34,6 +34,16 @@ def listed(text: str | None) -> list[str]:
     return [part.strip() for part in (text or "").split(",") if part.strip()]
 
 
+def bounded(text: str) -> tuple[str, str]:
+    """The name and the greatest value of a quantity in a limit; empty where it has none.
+
+    >>> bounded("M1V=800 kN m"), bounded("couple <= 50%")
+    (('M1V', '800 kN m'), ('couple', '50%'))
+    """
+    name, _equals, value = re.sub("<=|≤", "=", text).partition("=")
+    return name.strip(), value.strip()
+
+
 @contextmanager
 def reading(option: str, *, example: str = "") -> Iterator[None]:
     """Have the fault of a value told as that of an option. Raises RequestError."""

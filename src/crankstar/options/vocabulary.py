@@ -188,7 +188,8 @@ OPTIONS = {
     ),
     "--limit": Option(
         "several texts",
-        "Greatest permissible value of a quantity, as in QUANTITY=VALUE; repeatable.",
+        "Greatest permissible value of a quantity, as in QUANTITY=VALUE, with a unit or in that of "
+        "the result; repeatable.",
         ("--max", "--at-most"),
     ),
     "--mass": Option(

@@ -22,7 +22,8 @@ class SearchWords(BaseModel):
         default=None,
         description=meaning(
             "--minimise",
-            "Several with commas: couples M1, M2, ..., forces F1, ..., torsion T1.5, ..., "
+            "Several with commas: couples M1, M2, ... (M1V, M1H: the external moment in the "
+            "vertical, in the horizontal plane), forces F1, ..., torsion T1.5, ..., "
             "neighbours (cylinders side by side that fire in succession), couple (rms over a turn "
             "of the couple of orders 1, 2, 4 and 6 of an engine); else M1,M2. In a list of the "
             "best with weights, as in M1,2*M2.",
@@ -31,7 +32,8 @@ class SearchWords(BaseModel):
     )
     zero: str | None = Field(default=None, description=meaning("--zero"))
     limit: list[str] = Field(
-        default=[], description=meaning("--limit", "Such as M2=1.5 or neighbours=1.")
+        default=[],
+        description=meaning("--limit", 'Such as M2=1.5, M1V="800 kN m" or neighbours=1.'),
     )
     gaps: str | None = Field(default=None, description=meaning("--gaps"))
     fix: str | None = Field(default=None, description=meaning("--fix"))

@@ -32,7 +32,7 @@ from crankstar.mechanics.balance import Balance, balance
 from crankstar.search.engines import firing_order
 from crankstar.search.faults import SearchError, fault
 from crankstar.search.stars import Star, Stars
-from crankstar.search.sums import Objective, VectorSum, couple, force
+from crankstar.search.sums import Objective, Side, VectorSum, couple, force, sizes
 from crankstar.spectra import Spectrum
 
 ORDERS = (1, 2, 4, 6)
@@ -89,25 +89,31 @@ def star_of(engine: Engine, stars: Stars) -> Star | None:
     return None if stars.misfit(star) else star
 
 
-def force_of(engine: Engine, stars: Stars, order: int, *, speed: float | None = None) -> VectorSum:
+def force_of(
+    engine: Engine, stars: Stars, order: int, *, speed: float | None = None, side: Side = ""
+) -> VectorSum:
     """F_k of an engine: the largest value over a turn of its force of an order, for a star.
 
-    N at a speed or m r w^2. See `_sum_of` for what is counted.
+    N at a speed or m r w^2; of a `side` only what acts up or to the right. See `_sum_of` for what
+    is counted.
     """
-    return _sum_of(engine, force(stars, order), "force", speed)[0]
+    return _sum_of(engine, force(stars, order), "force", speed, side)[0]
 
 
-def couple_of(engine: Engine, stars: Stars, order: int, *, speed: float | None = None) -> VectorSum:
+def couple_of(
+    engine: Engine, stars: Stars, order: int, *, speed: float | None = None, side: Side = ""
+) -> VectorSum:
     """M_k of an engine: the largest value over a turn of its couple of an order, for a star.
 
-    About the middle, N m at a speed or m r w^2 a. See `_sum_of` for what is counted.
+    About the middle, N m at a speed or m r w^2 a; of a `side` the external moment in the vertical
+    plane (M_kV) or in the horizontal one (M_kH). See `_sum_of` for what is counted.
 
     >>> from crankstar.files.catalog import load
     >>> engine = load("sinitsyn-7-first")
     >>> round(couple_of(engine, stars_of(engine), 1).length((0, 4, 2, 5, 1, 3, 6)), 4)
     0.8516
     """
-    return _sum_of(engine, couple(stars, order), "couple", speed)[0]
+    return _sum_of(engine, couple(stars, order), "couple", speed, side)[0]
 
 
 def rms_couple(engine: Engine, stars: Stars, *, speed: float | None = None) -> Objective:
@@ -152,7 +158,11 @@ def with_star(
 
 
 def _sum_of(
-    engine: Engine, plain: VectorSum, quantity: Literal["force", "couple"], speed: float | None
+    engine: Engine,
+    plain: VectorSum,
+    quantity: Literal["force", "couple"],
+    speed: float | None,
+    side: Side = "",
 ) -> tuple[VectorSum, float]:
     """A sum of an engine, and its root mean square over a turn where its largest value is 1.
 
@@ -163,29 +173,38 @@ def _sum_of(
     named so; what all parts add is kept beside it.
     """
     order = int(plain.order)
+    plain = replace(plain, name=f"{plain.name}{side}", side=side)
     result = balance(engine, speed=speed, orders=sorted({1, order}))
     homes = _cylinders(engine, result)
     moving = np.array([part.cylinder is not None for part in result.parts])
     spectrum = getattr(result, quantity)
     unit = getattr(result.units, quantity)
-    sizes = np.abs(_vectors(engine, result.force[moving], homes[moving], order)[1:, 0])
-    if sizes.max() <= ALIKE * np.abs([result.force.forward, result.force.backward]).max():
+    pushes = np.abs(_vectors(engine, result.force[moving], homes[moving], order)[1:, 0])
+    if pushes.max() <= ALIKE * np.abs([result.force.forward, result.force.backward]).max():
         return replace(plain, scale=0.0, unit=unit), 0.0
-    shares = [rational.ratio(float(size), rounding=ALIKE) for size in sizes / sizes.max()]
+    shares = [rational.ratio(float(size), rounding=ALIKE) for size in pushes / pushes.max()]
     weights = tuple(share * own for share, own in zip(shares, plain.weights, strict=True))
     vectors = _vectors(engine, spectrum, homes, order)
     common = _common(vectors, weights)
     if common is not None and common.any():
         against, along = np.abs(common).tolist()
         rms = hypot(against, along) / (against + along)
-        return replace(plain, weights=weights, scale=against + along, unit=unit), rms
+        scale = _seen_from(side, common[None], greatest=against + along)
+        return replace(plain, weights=weights, scale=scale, unit=unit), rms
     of_pistons = _vectors(engine, spectrum[moving], homes[moving], order)
     in_phase = _common(of_pistons[:, :1], weights) is not None
     reach = sum(abs(weight) for weight in weights)
     size = 2 * float(np.abs(of_pistons[1:, 0]).sum() / reach) if reach else 0.0
+    size = _seen_from(side, of_pistons[1:], greatest=size)
     name = (PISTONS if in_phase else IN_PHASE).format(name=plain.name)
     parts = tuple((complex(a), complex(b)) for a, b in vectors[:, :: engine.sense])
     return replace(plain, name=name, weights=weights, scale=size, unit=unit, parts=parts), sqrt(0.5)
+
+
+def _seen_from(side: Side, vectors: np.ndarray, *, greatest: float) -> float:
+    """The share of a side in the greatest value, 0 where rounding leaves nothing else."""
+    share = float(sizes(vectors, side).sum() / sizes(vectors).sum()) if vectors.any() else 0.0
+    return share * greatest if share > ALIKE else 0.0
 
 
 def _cylinders(engine: Engine, result: Balance) -> np.ndarray:

@@ -24,10 +24,13 @@ class SearchError(ValueError):
         return self.text()
 
     def text(self, named: Callable[[str], str] = str) -> str:
-        """Each fault on a line, options named as the host writes them."""
+        """Each fault on a line, options named as the host writes them; one of several once."""
+        options: dict[str, list[str]] = {}
+        for fault in self.faults:
+            own = options.setdefault(said(fault, named), [])
+            own += [name for name in map(named, map(str, fault.path)) if name not in own]
         return "\n".join(
-            "".join(f"{named(str(option))}: " for option in fault.path) + said(fault, named)
-            for fault in self.faults
+            f"{', '.join(names)}: {words}" if names else words for words, names in options.items()
         )
 
 

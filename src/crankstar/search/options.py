@@ -14,6 +14,7 @@ from typing import Literal, NamedTuple
 
 from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import Cycle
+from crankstar.language.numbers import unit_text
 from crankstar.search import engine_stars, equivalence
 from crankstar.search.equivalence import Equivalence
 from crankstar.search.faults import Faults, SearchError, error
@@ -22,6 +23,7 @@ from crankstar.search.stars import Star, Stars
 from crankstar.search.sums import (
     Limit,
     Objective,
+    Side,
     VectorSum,
     check_torsion,
     couple,
@@ -37,15 +39,22 @@ GREATEST_BEST, USUAL_BEST = 10_000, 20
 
 
 class Measure(NamedTuple):
-    """A quantity of a star: a couple (M), force (F) or torsion (T) of an order, or one without."""
+    """A quantity of a star: a couple (M), force (F) or torsion (T) of an order, or one without.
+
+    side: of a force or couple only what acts vertically (V) or horizontally (H), as in the external
+    moments M1V and M1H; else its greatest value over a turn.
+    """
 
     kind: Literal["F", "M", "T", "couple", "neighbours"]
     order: Fraction = Fraction(0)
+    side: Side = ""
 
     @property
     def name(self) -> str:
-        """As it is written: `M1`, `T1.5`, `neighbours`."""
-        return f"{self.kind}{float(self.order):g}" if self.kind in ("F", "M", "T") else self.kind
+        """As it is written: `M1`, `M1V`, `T1.5`, `neighbours`."""
+        if self.kind not in ("F", "M", "T"):
+            return self.kind
+        return f"{self.kind}{float(self.order):g}{self.side}"
 
 
 NEIGHBOURS = Measure("neighbours")
@@ -53,12 +62,21 @@ USUAL = (Measure("M", Fraction(1)), Measure("M", Fraction(2)))
 """Minimised where nothing else is named, as far as they differ between stars."""
 
 
+class Bound(NamedTuple):
+    """A quantity and its greatest value in N or N*m, without a `unit` in that of the answer."""
+
+    measure: Measure
+    greatest: float
+    unit: str = ""
+
+
 class NearValue(NamedTuple):
-    """A length that a sum is to have, and by how much it may differ."""
+    """A length that a sum is to have, by how much it may differ, and the unit as in a Bound."""
 
     measure: Measure
     length: float
     off: float
+    unit: str = ""
 
 
 @dataclass(frozen=True)
@@ -79,7 +97,7 @@ class SearchOptions:
     symmetric: bool = False
     minimise: tuple[tuple[float, Measure], ...] | None = None
     zero: tuple[Measure, ...] = ()
-    limit: tuple[tuple[Measure, float], ...] = ()
+    limit: tuple[Bound, ...] = ()
     mode_shape: tuple[Fraction, ...] | None = None
     avoid_adjacent: bool = False
     ask: Front | Best | All | None = None
@@ -177,14 +195,14 @@ class _Questioner:
         objectives = tuple(objective for _weight, objective in weighted)
         limits: list[Limit] = []
         for path, bounds in (
-            ("zero", [(name, 0.0) for name in options.zero]),
+            ("zero", [Bound(name, 0.0) for name in options.zero]),
             ("limit", options.limit),
         ):
-            for measure, length in bounds:
+            for bound in bounds:
                 with faults.at(path):
-                    if measure != NEIGHBOURS:
-                        limits.append(Limit(self.vector(measure), length))
-        at_most = [length for measure, length in options.limit if measure == NEIGHBOURS]
+                    if bound.measure != NEIGHBOURS:
+                        limits.append(Limit(self.counted(bound), bound.greatest))
+        at_most = [bound.greatest for bound in options.limit if bound.measure == NEIGHBOURS]
         at_most += [0.0] if options.avoid_adjacent else []
         wanted = self._equivalence(objectives)
         ask = self._ask(weighted)
@@ -197,6 +215,18 @@ class _Questioner:
         least = min(at_most, default=inf)
         question = Question(self.stars, objectives, tuple(limits), least, ask)
         return Search(question, self.engine, wanted)
+
+    def counted(self, wanted: Bound | NearValue) -> VectorSum:
+        """The vector sum of a value, once it is counted in the unit of that. Raises SearchError."""
+        vector = self.vector(wanted.measure)
+        if wanted.unit in ("", vector.unit):
+            return vector
+        values = {"name": wanted.measure.name, "unit": unit_text(vector.unit)}
+        if wanted.measure.kind == "T":
+            raise error("", "torsion-unit", **values)
+        if self.engine is None:
+            raise error("", "unit-needs-engine", **values)
+        raise error("", "unit-needs-newtons", engine=self.engine.name, **values)
 
     def vector(self, measure: Measure) -> VectorSum:
         """The vector sum of a quantity. Raises SearchError."""
@@ -212,11 +242,16 @@ class _Questioner:
         if order.denominator != 1:
             raise error("", "half-order", name=name)
         if self.engine is None:
-            return (force if measure.kind == "F" else couple)(self.stars, int(order))
+            if measure.side == "H":
+                raise error("", "horizontal-needs-engine", name=name)
+            vector = (force if measure.kind == "F" else couple)(self.stars, int(order))
+            return replace(vector, name=name)
         of_engine = engine_stars.force_of if measure.kind == "F" else engine_stars.couple_of
-        vector = of_engine(self.engine, self.stars, int(order), speed=self.speed)
+        at = {"speed": self.speed, "side": measure.side}
+        vector = of_engine(self.engine, self.stars, int(order), **at)
         if vector.scale == 0:
-            raise error("", "no-force", name=name, engine=self.engine.name)
+            code = "no-side" if measure.side else "no-force"
+            raise error("", code, name=name, engine=self.engine.name)
         return vector
 
     def _objective(self, measure: Measure) -> Objective:
@@ -258,7 +293,7 @@ class _Questioner:
         if shape is None:
             return None
         measures = [measure for _weight, measure in options.minimise or ()]
-        measures += [*options.zero, *(measure for measure, _length in options.limit)]
+        measures += [*options.zero, *(bound.measure for bound in options.limit)]
         measures += [
             value.measure for value in options.all_with or () if not isinstance(value, int)
         ]
@@ -293,8 +328,8 @@ class _Questioner:
         with self.faults.at("all_with"):
             values = [value for value in wanted if not isinstance(value, int)]
             if values:
-                sums = tuple(self.vector(value.measure) for value in values)
-                return Equivalence(sums, None, tuple((at, off) for _, at, off in values))
+                sums = tuple(self.counted(value) for value in values)
+                return Equivalence(sums, None, tuple((each.length, each.off) for each in values))
             sums = tuple(vector for objective in objectives for _, vector in objective.terms)
             if not sums:
                 raise error("", "all-with-sums")

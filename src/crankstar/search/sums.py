@@ -21,6 +21,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import Literal
 
 import numpy as np
 
@@ -29,6 +30,8 @@ from crankstar.search.faults import error
 from crankstar.search.stars import Star, Stars
 from crankstar.spectra import ROUNDING
 
+Side = Literal["", "V", "H"]
+"""What of a vector counts: its greatest value over a turn, or what acts up or to the right."""
 SAME = 1e-9
 """Lengths nearer than this, in the unit of the weights, are equal; rounding is below 1e-13.
 
@@ -42,7 +45,7 @@ class VectorSum:
 
     parts: of an engine whose sum of all parts is not of this form, the two vectors of the parts
     that stay, then of each cylinder; the first turns by +t(d_j) - t(d_1), the second by its
-    negative. Their sum is `of_engine`.
+    negative. Their sum is `of_engine`, of which `side` counts.
     """
 
     name: str
@@ -52,6 +55,7 @@ class VectorSum:
     scale: float = 1.0
     unit: str = ""
     parts: tuple[tuple[complex, complex], ...] = ()
+    side: Side = ""
 
     @property
     def short(self) -> str:
@@ -85,7 +89,7 @@ class VectorSum:
         vectors = np.array(self.parts)
         angles = 2 * np.pi * np.array([0.0, *(turn - turns[0] for turn in turns)])
         sums = (vectors * np.exp(np.outer(angles, [1j, -1j]))).sum(axis=0)
-        size = float(np.abs(sums).sum())
+        size = float(sizes(sums, self.side))
         return size if size > ROUNDING * np.abs(vectors).sum() else 0.0
 
 
@@ -110,6 +114,20 @@ class Limit:
     sum: VectorSum
     greatest: float
     least: float = 0.0
+
+
+def sizes(vectors: np.ndarray, side: Side = "") -> np.ndarray:
+    """The greatest value over a turn of two vectors [..., 2] that turn against each other.
+
+    That is |f| + |b|; of what acts up (V) |f + conj(b)|, and to the right (H) |f - conj(b)|.
+
+    >>> [float(sizes(np.array([0.75, 0.25]), side)) for side in ("", "V", "H")]
+    [1.0, 1.0, 0.5]
+    """
+    one, other = vectors[..., 0], vectors[..., 1].conj()
+    if side:
+        return np.abs(one + other if side == "V" else one - other)
+    return np.abs(one) + np.abs(other)
 
 
 def force(stars: Stars, order: int) -> VectorSum:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from crankstar.derive.algebra import radicals as radical
@@ -9,7 +10,8 @@ from crankstar.derive.algebra.formula import has_decimal
 from crankstar.derive.algebra.typeset import text as formula_text
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _, _n
-from crankstar.language.numbers import number, unit_text
+from crankstar.language.numbers import number
+from crankstar.language.shown_units import quantity_text
 from crankstar.search import engine_stars
 from crankstar.search.answer import Answer, AnswerRow
 from crankstar.search.engines import firing_order
@@ -51,7 +53,24 @@ def search_stars(
         *sentences(answer, shown=len(shown), hints=hints),
     ]
     parts = (*remarks(census(question.stars)), table, Remarks(tuple(lines)))
-    return Document(heading(question), parts, _facts(answer))
+    return Document(heading(question, _tops(answer)), parts, _facts(answer))
+
+
+def _tops(answer: Answer) -> dict[str, float]:
+    """The greatest value in each unit in the table for readers, whose prefix sentences share."""
+    question, tops = answer.question, dict[str, float]()
+    for row in answer.rows[:ROWS]:
+        units = [objective.unit for objective in question.objectives]
+        columns = zip(units, row.values, strict=False)
+        own = ((vector.unit, vector.of_engine(row.star)) for vector in of_pistons(question))
+        for unit, value in (*columns, *own):
+            tops[unit] = max(tops.get(unit, 0.0), value)
+    return tops
+
+
+def _length(vector: VectorSum, length: float, tops: Mapping[str, float]) -> str:
+    """A length of a sum with its unit, that of the table."""
+    return quantity_text(length, vector.unit, beside=tops.get(vector.unit, 0.0))
 
 
 def _columns(question: Question) -> list[Column]:
@@ -173,12 +192,12 @@ def as_it_is(answer: Answer, engine: Engine | None) -> list[str]:
     if star is None:
         return []
     question = answer.question
-    own = set(question.stars.same(star))
+    own, tops = set(question.stars.same(star)), _tops(answer)
     rows = [
         place for place, row in enumerate(answer.rows, 1) if row.star in own or own & set(row.like)
     ]
     sums = ", ".join(
-        f"{vector.short} {number(vector.of_engine(star))} {unit_text(vector.unit)}"
+        f"{vector.short} {_length(vector, vector.of_engine(star), tops)}"
         for vector in question.sums
         if vector.unit
     )
@@ -197,13 +216,13 @@ def as_it_is(answer: Answer, engine: Engine | None) -> list[str]:
     ]
 
 
-def heading(question: Question) -> str:
-    """The question in a line."""
+def heading(question: Question, tops: Mapping[str, float] | None = None) -> str:
+    """The question in a line; limits in the units of a table with these greatest values."""
     stars = question.stars
     what = ", ".join(objective.name for objective in question.objectives)
     cylinders = _n("{count} cylinder", "{count} cylinders", stars.cylinders, count=stars.cylinders)
     values = {"cylinders": cylinders, "cycle": _(stars.cycle), "sums": what}
-    limits = [_limit(limit) for limit in question.limits]
+    limits = [_limit(limit, tops or {}) for limit in question.limits]
     if question.neighbours_at_most < float("inf"):
         most = question.neighbours_at_most
         limits.append(
@@ -223,14 +242,14 @@ def heading(question: Question) -> str:
     return asked
 
 
-def _limit(limit: Limit) -> str:
+def _limit(limit: Limit, tops: Mapping[str, float]) -> str:
     """A limit; one between two lengths that are next to each other is that length."""
     name = limit.sum.name
     if limit.greatest == 0:
         return f"{name} = 0"
     if limit.least > 0 and limit.greatest - limit.least < 0.05 * limit.greatest:
-        return f"{name} = {number((limit.greatest + limit.least) / 2)}"
-    return f"{name} ≤ {number(limit.greatest)}"
+        return f"{name} = {_length(limit.sum, (limit.greatest + limit.least) / 2, tops)}"
+    return f"{name} ≤ {_length(limit.sum, limit.greatest, tops)}"
 
 
 def census(stars: Stars) -> str:
@@ -299,7 +318,8 @@ def sentences(answer: Answer, *, shown: int, hints: Hints = TYPED) -> list[str]:
 def certificate(answer: Answer, hints: Hints = TYPED) -> str:
     """What was searched, and why no other star belongs to the answer."""
     proof = answer.certificate
-    regions = [_region(answer.question, vector, length) for vector, length in proof.regions]
+    tops = _tops(answer)
+    regions = [_region(answer.question, vector, length, tops) for vector, length in proof.regions]
     values = {
         "met": f"{proof.met:,}",
         "of": f"{proof.of:,}",
@@ -340,9 +360,9 @@ def certificate(answer: Answer, hints: Hints = TYPED) -> str:
     )
 
 
-def _region(question: Question, vector: VectorSum, length: float) -> str:
+def _region(question: Question, vector: VectorSum, length: float, tops: Mapping[str, float]) -> str:
     """A region that was searched; one that holds an exact zero as that."""
     zero = any(limit.sum == vector and limit.greatest == 0 for limit in question.limits)
     if zero and length < ZERO * vector.scale:
         return f"{vector.name} = 0"
-    return f"{vector.name} ≤ {number(length)}"
+    return f"{vector.name} ≤ {_length(vector, length, tops)}"
