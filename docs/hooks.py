@@ -9,13 +9,14 @@ from __future__ import annotations
 
 import re
 import shlex
-from contextlib import redirect_stdout
+from contextlib import redirect_stderr
 from fractions import Fraction
 from functools import lru_cache
 from html import escape
-from io import BytesIO, TextIOWrapper
+from io import StringIO
 from pathlib import Path
 from runpy import run_path
+from tempfile import TemporaryDirectory
 from typing import Any, Literal, get_args, get_origin
 
 from pydantic.fields import FieldInfo
@@ -76,7 +77,7 @@ SECTIONS: dict[type[Record], str] = {
 """Where the page describes the tables that other tables hold."""
 
 MARK = re.compile(
-    r"^<!-- (keys|options|figure|sources|errata|sinitsyn|kr250|orders|estimate|plot|search|"
+    r"^<!-- (keys|options|figure|sources|errata|sinitsyn|kr250|orders|estimate|plot|search|sweep|"
     r"glossary|commands): ?([^\n]*?) ?-->$(?:(?:(?!^<!-- ).)*?^<!-- end -->$)?",
     re.MULTILINE | re.DOTALL,
 )
@@ -119,6 +120,7 @@ def made(kind: str, argument: str) -> str:
         "orders": orders,
         "plot": plot,
         "search": search,
+        "sweep": sweep,
         "glossary": glossary,
         "commands": commands,
     }
@@ -287,17 +289,22 @@ def plot(words: str) -> str:
     return drawn(f"plot {words}")
 
 
+@lru_cache
+def sweep(words: str) -> str:
+    """What `crankstar sweep WORDS` draws."""
+    return drawn(f"sweep {words}")
+
+
 def drawn(command: str, *, kind: str = "chart") -> str:
     """What a command draws, with the colours of the page for its text, and the command under it."""
     from crankstar.charts import GREY
     from crankstar.cli import app
 
-    written = BytesIO()
-    with redirect_stdout(TextIOWrapper(written, encoding="utf-8")) as out:
-        words = [*shlex.split(command), "--output", "/dev/stdout"]
+    with TemporaryDirectory() as folder, redirect_stderr(StringIO()):
+        place = Path(folder) / "drawing.svg"
+        words = [*shlex.split(command), "--output", str(place)]
         app(words, exit_on_error=False, print_error=False)
-        out.flush()
-        drawing = written.getvalue().decode()
+        drawing = place.read_text(encoding="utf-8")
     shown = drawing.replace(GREY, "currentColor")
     caption = f"<figcaption><code>crankstar {escape(command)}</code></figcaption>"
     return f'<figure class="{kind}" markdown="0">{shown}{caption}</figure>'

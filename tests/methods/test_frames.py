@@ -121,11 +121,12 @@ def test_a_sweep_as_frame_and_data_set_has_every_value(
 ) -> None:
     sweep = swept("v2-90", over=over, values=values)
     frame, data = sweep.to_frame(), sweep.to_xarray()
+    column = f"{over} [{sweep.unit}]" if sweep.unit else over
     for row, value in enumerate(values):
         sums = Totals(*(spectrum[row] for spectrum in sweep.sums))
         for (quantity, direction), expected_values in expected(sums).items():
             rows = frame[
-                (frame[over] == value)
+                (frame[column] == value)
                 & (frame.quantity == quantity)
                 & (frame.direction == direction)
             ]

@@ -34,7 +34,7 @@ from crankstar.mechanics.mechanism import mechanism
 from crankstar.remedy import RemedyError
 from crankstar.spectra import Spectrum
 from crankstar.studies.best_value import Best, best
-from crankstar.studies.fields import Varied, subject
+from crankstar.studies.fields import Varied, source_of, subject
 from crankstar.studies.ranges import over_request
 from crankstar.studies.sweep import Sweep, swept, watched
 from crankstar.studies.variants import FEW, SweepError, variants
@@ -235,7 +235,7 @@ def test_a_sweep_is_as_its_engines_one_by_one(
             np.linspace(high, low, 5),
         ]
     )
-    make = subject(name, [Varied(path, unit)]).make
+    make = subject(source_of(name), [Varied(path, unit)]).make
     assert_one_by_one(make, numbers, lawful=lawful)
 
 
@@ -739,10 +739,11 @@ def test_what_a_request_may_look_like() -> None:
     ("x=0..1..2", "is not a number"), ("x=0,5..1", '"0,5"'),
     ("x=1 2, 3", '"1 2"'), ("x=" + "9" * 5000, "is not a number"),
     ("x=1", "is one value"), ("x=1,1", "is one value"), ("x=,", "is one value"),
-    ("x=0..0", "the range is empty"), ("x=0..1/1", "values, not 1"),
-    ("x=0..1/0", "give from 2 to 20000"),
-    ("x=0..1/20001", "give from 2 to 20000"), ("x=0..1/" + "9" * 5000, "give from 2 to 20000"),
-    ("x=0..1/3/4", "give from 2"), ("x=0..1/2.5", '"1/2.5" is not a number'),
+    ("x=0..0", "the range is empty"), ("x=0..1/1", "1 behind the slash"),
+    ("x=0..1/0", "give a whole number from 2 to 20000"),
+    ("x=0..1/20001", "from 2 to 20000"), ("x=0..1/" + "9" * 5000, "from 2 to 20000"),
+    ("x=0..1/1e9", "1e9 behind the slash is the number of values"),
+    ("x=0..1/3/4", "stands once"), ("x=0..1/2.5", "2.5 behind the slash"),
     ("x=0 deg..1 rad", "the units are deg, rad"),
     ("x=0 \x1b[31m..1 \x1b[32m", "the units are ?[31m"),
 ], ids=lambda text: str(text)[:20])  # fmt: skip
@@ -814,7 +815,7 @@ def test_every_number_that_a_message_names_can_be_swept() -> None:
         )
         assert len(named) > 5
         for path in named:
-            subject(name, [Varied(path)])
+            subject(source_of(name), [Varied(path)])
 
 
 NO_VALUES = [
@@ -870,5 +871,7 @@ def test_a_file_that_is_mistaken_tells_all_its_mistakes(tmp_path: Path) -> None:
 
 def test_fewer_values_than_probes_are_built_one_by_one() -> None:
     assert_one_by_one(
-        subject("v2-90", [Varied("balance_factor")]).make, np.linspace(0, 1, FEW), lawful=None
+        subject(source_of("v2-90"), [Varied("balance_factor")]).make,
+        np.linspace(0, 1, FEW),
+        lawful=None,
     )

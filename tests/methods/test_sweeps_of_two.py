@@ -23,7 +23,7 @@ from crankstar.mechanics.excitation import part_spectra
 from crankstar.studies import variants as variants_module
 from crankstar.studies.best_pair import best_pair, front
 from crankstar.studies.best_value import best
-from crankstar.studies.fields import Varied, subject
+from crankstar.studies.fields import Varied, source_of, subject
 from crankstar.studies.grids import grid_variants
 from crankstar.studies.sweep import sweep, swept, watched
 from crankstar.studies.variants import SweepError
@@ -68,7 +68,7 @@ def numbers(request: Request, count: int) -> np.ndarray:
 def test_engines_over_two_numbers_are_those_built_one_by_one(
     name: str, first: Request, second: Request, lawful: bool
 ) -> None:
-    make = subject(name, [Varied(*first[:2]), Varied(*second[:2])]).make
+    make = subject(source_of(name), [Varied(*first[:2]), Varied(*second[:2])]).make
     calls: list[tuple[float, float]] = []
 
     def counted(a: float, b: float) -> Engine:
@@ -91,7 +91,7 @@ def test_engines_over_two_numbers_are_those_built_one_by_one(
 
 def test_values_of_two_numbers_may_be_in_any_order_and_come_twice() -> None:
     names = [Varied("balance_factor"), Varied("layout.throws[2]", "deg")]
-    make = subject("v8-cross-plane", names).make
+    make = subject(source_of("v8-cross-plane"), names).make
     a = np.concatenate([np.linspace(1, 0, 18), [0.3, 0.3]])
     b = np.concatenate([np.linspace(90, 0, 17), np.linspace(5, 80, 9)])
     batches = grid_variants(make, a, b)
@@ -266,7 +266,7 @@ def test_a_sweep_of_two_as_data_set_has_dimensions_named_by_the_paths(tmp_path: 
     frame = made.to_frame()
     rows = frame.query("quantity == 'force' and direction == 'vertical' and order == 1")
     table = rows.pivot_table(
-        index="balance_factor", columns="layout.banks[1].bearing", values="amplitude"
+        index="balance_factor", columns="layout.banks[1].bearing [deg]", values="amplitude"
     )
     assert table.to_numpy() == pytest.approx(abs(data.force_vertical.sel(order=1)).values)
 
@@ -321,8 +321,8 @@ def test_paths_of_both_forms_can_be_varied_together() -> None:
         (["balance_factor=0..1 by -0.1"], "steps of -0.1 never lead from 0 to 1; write by 0.1"),
         (["balance_factor=1..0 by 0.1"], "steps of 0.1 never lead from 1 to 0; write by -0.1"),
         (["balance_factor=0..1 by 2"], "the step 2 is longer than the range"),
-        (["balance_factor=0..1 by 1e-9"], "give from 2 to 20000 values"),
-        (["balance_factor=0..1e300 by 1e-300"], "give from 2 to 20000 values"),
+        (["balance_factor=0..1 by 1e-9"], "make 1e+09 values; at most 20000"),
+        (["balance_factor=0..1e300 by 1e-300"], "values; at most 20000"),
         (["balance_factor=0..1/5 by 0.1"], "either the number of values"),
         (["balance_factor=0..1 by"], "is not a number"),
         (["balance_factor=0..1 by x"], '"x" is not a number'),

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from math import ceil, floor
 from typing import Any
 
 from crankstar.charts.grammar import Channel, Layer, field, of_rows, span
 from crankstar.language.messages import _
 from crankstar.spectra import Complex, Real
+
+STEPS = (1, 2, 5, 10, 15, 30, 45, 90, 180, 360, 720)
+"""Degrees between the marks of an axis."""
+MOST_TICKS = 8
 
 
 def across(turns: int, *, ticks: int, foot: bool, **axis: Any) -> Channel:
@@ -17,6 +22,17 @@ def across(turns: int, *, ticks: int, foot: bool, **axis: Any) -> Channel:
         axis={"values": list(range(0, 360 * turns + 1, ticks)), "labels": foot, **axis},
         title=_("crank angle θ (degrees)") if foot else None,
     )
+
+
+def angle_ticks(low: float, high: float) -> list[float]:
+    """Places along an axis in degrees at a step that divides a turn as engineers do.
+
+    >>> angle_ticks(0, 360), angle_ticks(-20, 70)
+    ([0, 45, 90, 135, 180, 225, 270, 315, 360], [-15, 0, 15, 30, 45, 60])
+    """
+    step = next((n for n in STEPS if (high - low) / n <= MOST_TICKS), (high - low) / 4)
+    first, last = ceil(low / step - 1e-9), floor(high / step + 1e-9)
+    return [place * step for place in range(first, last + 1)]
 
 
 def at_theta(turns: int, **formulas: str) -> Layer:

@@ -24,13 +24,15 @@ from crankstar.charts.drawing import (
 from crankstar.charts.grammar import DISC, Chart, Layer, constant, field, of_rows, span
 from crankstar.charts.labels import Box
 from crankstar.charts.letters import SMALL, TEXT, folded
-from crankstar.language.messages import _
+from crankstar.charts.sweeps import value_axis
+from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number, unit_text
 from crankstar.language.shown_units import quantity_text, shown
 from crankstar.spectra import Real
 from crankstar.studies.best_pair import BestPair, Unbeaten
 from crankstar.studies.best_value import FINENESS
 from crankstar.studies.sweep import Axis, Curve, Sweep
+from crankstar.tables.field_names import field_name
 
 HEIGHT = 250
 """Of a panel, px."""
@@ -64,7 +66,7 @@ def contours(
     rows = [[_panel(sweep, curve, optimum)] for curve, optimum in pairs]
     if front:
         rows.append([_front_panel(curves, front)])
-    names = {"first": sweep.axes[0].path, "second": sweep.axes[1].path}
+    names = {"first": field_name(sweep.axes[0].path), "second": field_name(sweep.axes[1].path)}
     labels = ", ".join(curve.label for curve in curves)
     title = _("{quantities} over {first} and {second}", quantities=labels, **names)
     subtitle = [sweep.engine.name, *_words(pairs, sweep)]
@@ -90,12 +92,19 @@ def _words(pairs: Sequence[tuple[Curve, BestPair | None]], sweep: Sweep) -> list
             "first": places[0],
             "second": places[1],
         }
-        lines.append(
-            _("{quantity}: {result} at every pair", **values)
-            if optimum.flat
-            else _("{quantity}: best at {first}, {second}: {result}", **values)
-        )
+        lines.append(_(_words_of(optimum), count=optimum.also + 1, **values))
     return lines
+
+
+def _words_of(optimum: BestPair) -> str:
+    """What is said of the best pair, by whether others are as good."""
+    if optimum.flat:
+        return N_("{quantity}: {result} at every pair")
+    if optimum.ridge:
+        return N_("{quantity}: {result} along a line of pairs, as at {first}, {second}")
+    if optimum.also:
+        return N_("{quantity}: {result} at {count} pairs, as at {first}, {second}")
+    return N_("{quantity}: best at {first}, {second}: {result}")
 
 
 def _panel(sweep: Sweep, curve: Curve, optimum: BestPair | None) -> Panel:
@@ -127,14 +136,8 @@ def _thinned(count: int) -> list[int]:
 
 
 def _axis(axis: Axis, name: str) -> dict[str, Any]:
-    title = f"{axis.path} ({axis.unit})" if axis.unit else axis.path
     room = panel_width() if name == "x" else curve_height(HEIGHT)
-    return field(
-        f"{name}:Q",
-        scale=span(float(axis.values.min()), float(axis.values.max())),
-        title=folded(title, width=room),
-        axis={"tickCount": 5, "grid": False},
-    )
+    return value_axis(axis, name, room=room, grid=False)
 
 
 def _colours(
@@ -156,7 +159,7 @@ def _colours(
         for i in range(CELLS[0])
         for j in range(CELLS[1])
     ]
-    name = f"{curve.label} ({unit_text(unit)})"
+    name = f"{curve.label} [{unit_text(unit)}]"
     legend = {
         "orient": "top",
         "title": folded(name, width=panel_width()),
@@ -224,7 +227,7 @@ def _front_panel(curves: Sequence[Curve], front: Sequence[Unbeaten]) -> Panel:
         field(
             f"{name}:Q",
             scale={**span(*_reach(values)), "zero": False},
-            title=folded(f"{curve.label} ({unit_text(said.unit)})", width=room),
+            title=folded(f"{curve.label} [{unit_text(said.unit)}]", width=room),
             axis={"tickCount": 5},
         )
         for name, values, curve, said, room in zip(

@@ -7,6 +7,7 @@ from itertools import cycle, islice
 from typing import Any
 
 from crankstar.charts.canvas import curve_height, panel_width
+from crankstar.charts.crank_angle import angle_ticks
 from crankstar.charts.drawing import (
     GREY,
     LINES,
@@ -17,38 +18,58 @@ from crankstar.charts.drawing import (
     figure,
     layered,
 )
-from crankstar.charts.grammar import DISC, Chart, field, of_rows, span
+from crankstar.charts.estimates import estimate_lines
+from crankstar.charts.grammar import DISC, Channel, Chart, field, of_rows, span
 from crankstar.charts.letters import folded
-from crankstar.language.messages import _
+from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number, unit_text
-from crankstar.language.shown_units import quantity_text, shown
+from crankstar.language.shown_units import Shown, quantity_text, shown
 from crankstar.spectra import Real
 from crankstar.studies.best_value import Best
-from crankstar.studies.sweep import Curve, Sweep
+from crankstar.studies.sweep import Axis, Curve, Sweep
+from crankstar.tables.field_names import axis_name, field_name
+from crankstar.tables.sweep_ranges import Band
 
 MOST_POINTS = 2000
 """Greatest number of drawn values of a curve."""
+BAND = N_("Estimated masses or lengths: the bands are the ranges of the curves.")
 ROUNDED = 1e-7
 """Share of the greatest value of a curve below which its best value is zero."""
 
 
-def swept(sweep: Sweep, curves: Sequence[Curve], *, best: Sequence[Best] = ()) -> Chart:
+def swept(
+    sweep: Sweep,
+    curves: Sequence[Curve],
+    *,
+    best: Sequence[Best] = (),
+    bands: Sequence[Band | None] = (),
+) -> Chart:
     """The curves of a sweep, a panel for each unit; `best`, one for each curve, is marked.
 
-    Raises ChartError without curves.
+    `bands` are the ranges of the curves where values of the engine are estimated. Raises
+    ChartError without curves.
     """
     if not curves:
         raise ChartError(_("there is no curve to draw; watch a quantity, such as force"))
     pairs = list(zip(curves, best or [None] * len(curves), strict=True))
+    ranged = list(bands) or [None] * len(curves)
     units = list(dict.fromkeys(curve.unit for curve in curves))
-    panels = [
-        _panel(sweep, _scaled([p for p in pairs if p[0].unit == unit]), foot=unit == units[-1])
-        for unit in units
-    ]
+    panels: list[Panel] = []
+    for unit in units:
+        own = [place for place, curve in enumerate(curves) if curve.unit == unit]
+        said = shown(unit, max(float(curves[place].values.max()) for place in own))
+        areas = [
+            row
+            for place in own
+            for row in _area(sweep.values, curves[place], ranged[place], said.factor)
+        ]
+        drawn = _scaled([pairs[place] for place in own], said)
+        panels.append(_panel(sweep, drawn, areas, foot=unit == units[-1]))
     labels = ", ".join(curve.label for curve in curves)
-    title = _("{quantities} over {path}", quantities=labels, path=sweep.path)
+    title = _("{quantities} over {path}", quantities=labels, path=field_name(sweep.path))
     title = title[0].upper() + title[1:]
-    subtitle = [sweep.engine.name, *_words(pairs, sweep)]
+    doubt = [_(BAND)] if any(bands) else estimate_lines([sweep.engine])
+    subtitle = [sweep.engine.name, *doubt, *_words(pairs, sweep)]
     return figure([[panel] for panel in panels], title=title, subtitle=subtitle)
 
 
@@ -64,18 +85,31 @@ def _words(pairs: Sequence[tuple[Curve, Best | None]], sweep: Sweep) -> list[str
         lines.append(
             _("{quantity}: {result} at every value", **result)
             if optimum.flat
-            else _(
-                "{quantity}: best at {value}, {result}",
-                value=f"{number(optimum.value)}{unit}",
-                **result,
-            )
+            else _("{quantity}: best at {value}, {result}", value=_places(optimum, unit), **result)
         )
     return lines
 
 
-def _scaled(pairs: Sequence[tuple[Curve, Best | None]]) -> list[tuple[Curve, Best | None]]:
+def _places(optimum: Best, unit: str) -> str:
+    """The best value; where several are as good, all of them."""
+    if optimum.stretch is not None:
+        low, high = map(number, optimum.stretch)
+        return _("{low} to {high}{unit}", low=low, high=high, unit=unit)
+    return f"{', '.join(map(number, (optimum.value, *optimum.also)))}{unit}"
+
+
+def value_axis(axis: Axis, name: str, *, room: float, foot: bool = True, **more: Any) -> Channel:
+    """The values of a swept number along an axis; its title at the foot only."""
+    low, high = float(axis.values.min()), float(axis.values.max())
+    ticks = {"values": angle_ticks(low, high)} if axis.unit == "deg" else {"tickCount": 5}
+    title = folded(axis_name(axis.path, axis.unit), width=room) if foot else None
+    return field(f"{name}:Q", scale=span(low, high), title=title, axis={**ticks, **more})
+
+
+def _scaled(
+    pairs: Sequence[tuple[Curve, Best | None]], said: Shown
+) -> list[tuple[Curve, Best | None]]:
     """Curves of one unit with their best values, in the unit that they are shown in."""
-    said = shown(pairs[0][0].unit, max(float(curve.values.max()) for curve, _ in pairs))
     return [
         (
             curve._replace(values=curve.values * said.factor, unit=said.unit),
@@ -85,23 +119,39 @@ def _scaled(pairs: Sequence[tuple[Curve, Best | None]]) -> list[tuple[Curve, Bes
     ]
 
 
-def _panel(sweep: Sweep, pairs: Sequence[tuple[Curve, Best | None]], *, foot: bool) -> Panel:
+def _area(values: Real, curve: Curve, band: Band | None, factor: float) -> list[dict[str, Any]]:
+    """The band of a curve from left to right, in the unit that it is shown in."""
+    if band is None:
+        return []
+    rows = zip(values.tolist(), band.low.tolist(), band.high.tolist(), strict=True)
+    return [
+        {"x": x, "y": low * factor, "y2": high * factor, "what": curve.label}
+        for x, low, high in sorted(rows)
+    ]
+
+
+def _panel(
+    sweep: Sweep,
+    pairs: Sequence[tuple[Curve, Best | None]],
+    areas: Sequence[dict[str, Any]],
+    *,
+    foot: bool,
+) -> Panel:
     names = [curve.label for curve, _ in pairs]
     colours = {"domain": names, "range": [*islice(cycle(PALETTE), len(names))]}
     legend = {**LINES, "columns": 2} if len(names) > 1 else None
-    name = f"{sweep.path} ({sweep.unit})" if sweep.unit else sweep.path
-    x = field(
-        "x:Q",
-        scale=span(float(sweep.values.min()), float(sweep.values.max())),
-        title=folded(name, width=panel_width()) if foot else None,
-        axis={"tickCount": 5},
-    )
-    reach = max(float(curve.values.max()) for curve, _ in pairs) or 1.0
+    x = value_axis(sweep.axes[0], "x", room=panel_width(), foot=foot)
+    reach = max(float(curve.values.max()) for curve, _ in pairs)
+    reach = max(reach, *(row["y2"] for row in areas), 0.0) if areas else reach or 1.0
     unit = unit_text(pairs[0][0].unit)
     y = field("y:Q", scale=span(0, 1.08 * reach), title=unit, axis={"tickCount": 4})
     rows = [row for curve, _ in pairs for row in _rows(sweep.values, curve)]
     lines = of_rows(rows).mark("line", strokeWidth=2.4, strokeJoin="round")
-    layers = [lines.encode(x=x, y=y, color=field("what:N", scale=colours, legend=legend))]
+    colour = field("what:N", scale=colours, legend=legend)
+    layers = [lines.encode(x=x, y=y, color=colour)]
+    if areas:
+        area = of_rows(areas).mark("area", opacity=0.25)
+        layers.insert(0, area.encode(x=x, y=y, y2=field("y2"), color=colour))
     marks = [
         {"x": best.value, "y": best.result, "what": curve.label}
         for curve, best in pairs

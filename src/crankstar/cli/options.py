@@ -150,11 +150,13 @@ def command_text(verb: str, engine: str, options: Mapping[str, Sequence[str] | N
     )
 
 
-def engine_with_tree(name: str, settings: Sequence[str] | None) -> tuple[Engine, dict[str, Any]]:
+def engine_with_tree(
+    name: str, settings: Sequence[str] | None, *, estimate: bool = False
+) -> tuple[Engine, dict[str, Any]]:
     """The engine of a name or file with the values of --set, and the tree of its file with them."""
-    shown, tree = tree_of(name)
-    changes = request.settings(settings)
-    return engine_of(tree, name=shown, changes=changes), changed(tree, changes, name=shown)
+    shown, tree, turned = estimated_tree(name, settings, estimate=estimate)
+    engine = engine_of(tree, name=shown, changes=turned)
+    return engine, changed(tree, turned, name=shown) if turned else tree
 
 
 def written_tree(engine: Engine, tree: Mapping[str, Any] | None = None) -> dict[str, Any]:

@@ -10,7 +10,15 @@ from typing import TYPE_CHECKING, Annotated, Any
 from cyclopts import Parameter
 
 from crankstar.cli.application import app
-from crankstar.cli.options import FLAT, Settings, Speed, engine_with_tree, together, write_engine
+from crankstar.cli.options import (
+    FLAT,
+    Estimating,
+    Settings,
+    Speed,
+    engine_with_tree,
+    together,
+    write_engine,
+)
 from crankstar.cli.output import complain, display, working, writable, write_result
 from crankstar.cli.search_options import Form, Work
 from crankstar.cli.tabulating import give
@@ -40,6 +48,7 @@ def search(
     words: Annotated[SearchWords, FLAT] = SearchWords(),  # noqa: B008  # it is frozen
     speed: Speed = None,
     settings: Settings = None,
+    estimate: Estimating = False,
     work: Annotated[Work, FLAT] = Work(),  # noqa: B008
     form: Annotated[Form, FLAT] = Form(),  # noqa: B008
 ) -> int | None:
@@ -52,10 +61,12 @@ def search(
     _check_work(work)
     pace, tree, about = None, None, options.whole_number(cylinders)
     if about is not None:
-        request.refuse_unused({"--set": settings, "--speed": speed}, without=_("an engine"))
+        given = {"--set": settings, "--speed": speed, "--estimate": estimate}
+        request.refuse_unused(given, without=_("an engine"))
     else:
         (about, tree), turning = together(
-            partial(engine_with_tree, cylinders, settings), partial(request.speed, speed)
+            partial(engine_with_tree, cylinders, settings, estimate=estimate),
+            partial(request.speed, speed),
         )
         pace = turning or about.speed
     wanted = options.search_of(about, words, speed=pace)

@@ -13,6 +13,7 @@ from crankstar.cli.options import (
     Csv,
     Dpi,
     EngineName,
+    Estimating,
     FontSize,
     Height,
     Json,
@@ -21,8 +22,8 @@ from crankstar.cli.options import (
     Speed,
     Theme,
     Width,
-    changed_tree,
-    loaded_engine,
+    estimated_tree,
+    loaded_values,
     option,
     together,
 )
@@ -56,6 +57,7 @@ def sweep(
     speed: Speed = None,
     reference: ReferencePoint = None,
     settings: Settings = None,
+    estimate: Estimating = False,
     json: Json = False,
     csv: Csv = False,
     theme: Theme = None,
@@ -82,14 +84,17 @@ def sweep(
     paper = chart_request.paper(kind, **looks) if picture and chart_request.charts() else None
     if output is not None:
         writable(output)
-    made = _Made(*_swept(engine, over, quantity, orders, speed, reference, settings), greatest)
+    made = _Made(
+        *_swept(engine, over, quantity, orders, speed, reference, settings, estimate), greatest
+    )
     if paper is not None:
         _draw(made, kind, paper, output)
         return
     document = made.document(form)
     tree = None
     if form == "xlsx":
-        tree = None if engine == STANDARD_INPUT else changed_tree(engine, settings)[1]
+        if engine != STANDARD_INPUT:
+            tree = estimated_tree(engine, settings, estimate=estimate)[1]
         document = replace(document, parts=(*document.parts, *made.document("txt").sentences))
     give(document, output, form=form, tree=tree)
 
@@ -102,6 +107,7 @@ def _swept(
     speed: str | None,
     reference: str | None,
     settings: list[str] | None,
+    estimate: bool,
 ) -> tuple[Sweep, list[Curve]]:
     """The sweep that is asked for, and its curves: each quantity of each order."""
     from crankstar.studies import sweep as sweeps
@@ -113,14 +119,18 @@ def _swept(
     if not names:
         raise RequestError("--quantity: give at least one quantity, such as force,couple")
     sweeps.check_watchable(*names)
-    point = reference and request.reference(reference, loaded_engine(engine, settings))
+    point = None
+    if reference is not None:
+        loaded = loaded_values(engine, settings, estimate=estimate).engine
+        point = request.reference(reference, loaded)
     what = one_line(", ".join(text.partition("=")[0].strip() for text in over), longest=80)
     with working(_("Sweeping {path} ...", path=what)) as tell:
         swept = sweeps.sweep(
             engine,
             over,
             changes=changes,
-            reference=point or None,
+            reference=point,
+            estimate=estimate,
             orders=wanted,
             speed="file" if turning is None else turning,
             tell=lambda done, of: tell(
@@ -147,12 +157,14 @@ class _Made:
     def __init__(self, swept: Sweep, curves: list[Curve], greatest: bool) -> None:
         from crankstar.studies.best_pair import best_pair, front
         from crankstar.studies.best_value import best
+        from crankstar.tables.sweep_ranges import bands
 
         self.sweep, self.curves, self.greatest = swept, curves, greatest
         self.pair = len(swept.axes) == 2
         find: Any = best_pair if self.pair else best
         self.bests: list[Any] = [find(swept, curve, greatest=greatest) for curve in curves]
         self.front: Sequence[Unbeaten] = ()
+        self.bands = bands(swept, curves, self.bests, greatest=greatest)
         if self.pair and len(curves) == 2:
             self.front = front(swept, curves[0], curves[1], greatest=greatest)
 
@@ -161,7 +173,7 @@ class _Made:
         from crankstar.tables import pair_sweeps, sweeps
 
         if form in ("csv", "parquet"):
-            return sweeps.amplitudes(self.sweep, self.curves)
+            return sweeps.amplitudes(self.sweep, self.curves, self.bands)
         made, curves, bests = self.sweep, self.curves, self.bests
         if self.pair:
             if form == "txt":
@@ -170,22 +182,28 @@ class _Made:
                 )
             return pair_sweeps.answer(made, curves, bests, self.front)
         if form == "txt":
-            return sweeps.sweep_document(made, curves, bests, greatest=self.greatest)
-        return sweeps.answer(made, curves, bests)
+            return sweeps.sweep_document(
+                made, curves, bests, bands=self.bands, greatest=self.greatest
+            )
+        return sweeps.answer(made, curves, bests, bands=self.bands)
 
 
 def _draw(made: _Made, kind: str, paper: Any, output: str | None) -> None:
     """Write the chart of a sweep."""
+    from crankstar.tables.field_names import field_name
+
     drawing = chart_request.charts()
     title = _(
         "{engine}: {curves} over {path}",
         engine=made.sweep.engine.name,
         curves=", ".join(curve.label for curve in made.curves),
-        path=", ".join(axis.path for axis in made.sweep.axes),
+        path=", ".join(field_name(axis.path) for axis in made.sweep.axes),
     )
     options: dict[str, Any] = {"best": made.bests}
     if made.pair:
         options["front"] = made.front
+    else:
+        options["bands"] = made.bands
     draw = partial(
         drawing.contours if made.pair else drawing.swept, made.sweep, made.curves, **options
     )

@@ -27,7 +27,7 @@ from crankstar.mechanics.excitation import Reference
 Result = TypeVar("Result")
 NUMBERS = {"factor", "share", "up", "right"}
 """Arguments that are one number."""
-FLAGS = {"bare", "relatives"}
+FLAGS = {"bare", "estimate", "relatives"}
 """Arguments that are True or False."""
 READ_FILES = {"load", "widget"}
 """Functions that read engine files themselves."""
@@ -59,6 +59,7 @@ def read(function: Callable[..., Result]) -> Callable[..., Result]:
         engine = _read_engines(name, given, asked.parameters)
         if "result" in given:
             _check_balance(name, given["result"])
+        _check_sweep(name, given)
         for argument, value in given.items():
             if argument in READERS and value is not None:
                 given[argument] = READERS[argument](value)
@@ -160,6 +161,38 @@ def _check_balance(function: str, given: Any) -> None:
             given=_named(given),
         )
     )
+
+
+def _check_sweep(function: str, given: Mapping[str, Any]) -> None:
+    """Raises TypeError for what is varied or watched and cannot be."""
+    if "over" in given:
+        texts = [given["over"]] if isinstance(given["over"], str) else given["over"]
+        if not isinstance(texts, list | tuple) or not all(isinstance(text, str) for text in texts):
+            raise TypeError(
+                _(
+                    'over takes text such as "balance_factor=0..1/11", or a list of two, not '
+                    "{given}",
+                    given=_named(given["over"]),
+                )
+            )
+    if "sweep" not in given:
+        return
+    from crankstar.studies.sweep import Sweep
+
+    if not isinstance(given["sweep"], Sweep):
+        raise TypeError(
+            _(
+                "{function} takes a Sweep, as crankstar.sweep gives it, not {given}",
+                function=function,
+                given=_named(given["sweep"]),
+            )
+        )
+    if not isinstance(given["what"], str):
+        raise TypeError(
+            _('what takes a quantity such as "force", not {given}', given=_named(given["what"]))
+        )
+    if given.get("order") is not None:
+        _check_number("order", given["order"])
 
 
 def _speed(given: Any) -> float | str:

@@ -14,8 +14,12 @@ from crankstar.studies.variants import SweepError
 
 FINENESS = 1e-5
 """Share of each range to which the best pair is found."""
+LEVEL = 1e-4
+"""Share of the greatest result by which the pairs of a ridge may differ."""
 PLACES, STAGES = 5, 40
 """Values of each number in a stage, and the most stages; each halves what is left, or moves it."""
+TRIED, CLOSER = 5, 9
+"""Values of one number that are tried for a ridge, and of the other in a stage."""
 
 
 class BestPair(NamedTuple):
@@ -23,6 +27,8 @@ class BestPair(NamedTuple):
 
     `at_edge`: by number, whether it is an end of its range, and might be better beyond. `flat`: the
     result is the same at every pair. `also`: at how many other pairs of the sweep it is as good.
+    `ridge`: for other values of one number there is one of the other that is as good, so that the
+    best pairs are a line.
     """
 
     values: tuple[float, float]
@@ -30,6 +36,7 @@ class BestPair(NamedTuple):
     at_edge: tuple[bool, bool]
     flat: bool
     also: int = 0
+    ridge: bool = False
 
 
 def best_pair(sweep: Sweep, curve: Curve, *, greatest: bool = False) -> BestPair:
@@ -60,9 +67,34 @@ def best_pair(sweep: Sweep, curve: Curve, *, greatest: bool = False) -> BestPair
         not axis.closed and value in (float(axis.values.min()), float(axis.values.max()))
         for axis, value in zip(sweep.axes, place, strict=True)
     ]
-    return BestPair(
-        (place[0], place[1]), sign * least, (edges[0], edges[1]), flat, 0 if flat else also
+    ridge = not flat and any(
+        _as_good_along(sweep, curve, which, sign, least + LEVEL * float(np.abs(cells).max()))
+        for which in (0, 1)
     )
+    ends = edges[0], edges[1]
+    return BestPair((place[0], place[1]), sign * least, ends, flat, 0 if flat else also, ridge)
+
+
+def _as_good_along(sweep: Sweep, curve: Curve, which: int, sign: float, enough: float) -> bool:
+    """Whether the other number can make up for any value of one of them, tried at some."""
+    own, other = sweep.axes[which], np.sort(sweep.axes[1 - which].values)
+    order = np.argsort(sweep.axes[1 - which].values)
+    for index in np.unique(np.linspace(0, own.values.size - 1, TRIED + 2).astype(int))[1:-1]:
+        line = np.take(sign * curve.values, index, axis=which)[order]
+        at = int(np.argmin(line))
+        low, high = other[max(at - 1, 0)], other[min(at + 1, other.size - 1)]
+        least = float(line[at])
+        while least > enough and high - low > FINENESS * float(np.ptp(other)):
+            closer = np.linspace(low, high, CLOSER)
+            boxes = [own.values[index : index + 1], closer]
+            again = sweep.again(*(boxes if which == 0 else boxes[::-1]))
+            line = sign * watched(again, curve.what, order=curve.order).values.ravel()
+            at = int(np.argmin(line))
+            low, high = closer[max(at - 1, 0)], closer[min(at + 1, CLOSER - 1)]
+            least = min(least, float(line[at]))
+        if least > enough:
+            return False
+    return True
 
 
 def _innermost(good: np.ndarray) -> tuple[int, int]:

@@ -12,19 +12,33 @@ from typing import Annotated, Any, NamedTuple, get_args, get_origin
 from crankstar import files
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
-from crankstar.engine.quantities import Quantity
+from crankstar.engine.quantities import ANGLE, Quantity
 from crankstar.engine.records import Record
-from crankstar.files import EngineFileError
+from crankstar.files import EngineFileError, units
+from crankstar.files.box import box
 from crankstar.files.catalog import tree_of
 from crankstar.files.forms import by_key, field_at, form_of, quantity_of, record_in
+from crankstar.files.mistakes import copied
 from crankstar.language.messages import _
 from crankstar.language.quoting import one_line, seen
 from crankstar.remedy import with_counterweights
 from crankstar.studies.variants import SweepError
 
+BANK_ANGLE = "layout.bank_angle"
+"""What moves both banks of a V engine about the middle between them; no key of its file."""
+INSTEAD = {"rod_ratio": "rod_length", "rod_length": "rod_ratio"}
+"""Of these a file gives one; the one that is varied takes the place of the other."""
 LISTED = 24
 """Paths that are named where another one cannot be swept."""
 _UNMOVED = ("firing_order", "firing_angles", "valves", "speed", "format")
+
+
+class Source(NamedTuple):
+    """An engine file that is studied: name and tree; the engine itself where it is as it came."""
+
+    name: str
+    tree: dict[str, Any]
+    engine: Engine | None = None
 
 
 class Subject(NamedTuple):
@@ -42,26 +56,62 @@ class Varied(NamedTuple):
     unit: str | None = None
 
 
-def subject(
-    name: str | Engine, over: Sequence[Varied], *, changes: Mapping[str, Any] | None = None
-) -> Subject:
-    """The engine `name` (catalog, file or "-") as a function of the numbers at these key paths.
+def source_of(
+    engine: str | Engine, *, changes: Mapping[str, Any] | None = None, estimate: bool = False
+) -> Source:
+    """The file of an engine, or of a name (catalog, file or "-"), with `changes` by key path.
+
+    `estimate` fills in what it leaves out. Raises EngineFileError.
+    """
+    own = isinstance(engine, Engine)
+    shown, tree = (engine.name, files.explicit(engine)) if own else tree_of(engine)
+    tree = files.changed(tree, changes or {}, name=shown)
+    if estimate:
+        from crankstar.files.estimate import estimated
+
+        tree = estimated(tree, name=shown).tree
+    _check_order(shown, tree)
+    return Source(shown, tree, engine if own and not changes and not estimate else None)
+
+
+def ends_of(source: Source, over: Sequence[Varied]) -> tuple[Source, ...]:
+    """The file in the middle and at the corners of the ranges of what is estimated and not varied.
+
+    None where there are no ranges. Raises EngineFileError.
+    """
+    varied = {path for each in over for path in (each.path, _instead(each.path))}
+    sources = source.tree.get("provenance")
+    kept = {k: v for k, v in sources.items() if k not in varied} if sources else {}
+    ends = box({**source.tree, "provenance": kept}, name=source.name)
+    trees = () if ends is None else (ends.middle, *ends.corners)
+    return tuple(
+        Source(source.name, {key: value for key, value in tree.items() if key != "provenance"})
+        for tree in trees  # whose sources take as long to check as an engine to build
+    )
+
+
+def _instead(path: str) -> str:
+    """The path of what a file may give instead of a value."""
+    *outer, last = path.split(".")
+    return ".".join((*outer, INSTEAD.get(last, last)))
+
+
+def subject(source: Source, over: Sequence[Varied]) -> Subject:
+    """The engine of a file as a function of the numbers at these key paths.
 
     A path is one of the short form or of the explicit form, or `balance_factor`; without any the
-    engine is as its file has it. `changes` sets other values first. Raises SweepError where there
-    is no such number, EngineFileError.
+    engine is as its file has it. Raises SweepError where there is no such number, EngineFileError.
 
-    >>> twin = subject("harley-45", [Varied("layout.banks[1].bearing", "deg")])
+    >>> twin = subject(source_of("harley-45"), [Varied("layout.banks[1].bearing", "deg")])
     >>> round(twin.make(45).cylinders[0].bearing, 6), twin.quantities[0].dimension
     (0.785398, 'angle')
     """
-    own = isinstance(name, Engine)
-    shown, tree = (name.name, files.explicit(name)) if own else tree_of(name)
-    tree = files.changed(tree, changes or {}, name=shown)
-    _check_order(shown, tree)
+    shown, tree = source.name, copied(source.tree)
     base = _base(shown, tree)
-    if not over and own and not changes:
-        return Subject(name, lambda: name, ())
+    tree = _without_others(tree, over)
+    if not over and source.engine is not None:
+        engine = source.engine
+        return Subject(engine, lambda: engine, ())
     if not over:
         return Subject(base, lambda: files.engine_of(tree, name=shown), ())
     forms = [tree] if base is None else [tree, _explicit(base)]
@@ -76,11 +126,10 @@ def subject(
         title = f"{shown} with {', '.join(_value_text(varied, number) for varied, number in given)}"
         engine = base
         for place, form in enumerate(forms):
-            changed = {
-                varied.path: f"{number!r} {varied.unit}" if varied.unit else number
-                for (varied, number), own in zip(given, stages, strict=True)
-                if own is form
-            }
+            changed: dict[str, Any] = {}
+            for (varied, number), own in zip(given, stages, strict=True):
+                if own is form:
+                    changed |= _changes(form, varied, number)
             if changed:
                 under = _explicit(engine) if place and engine is not base and engine else form
                 engine = files.engine_of(under, name=title, changes=changed)
@@ -89,6 +138,42 @@ def subject(
         return reduce(lambda e, n: with_counterweights(e, factor=n, bare=True), factors, engine)
 
     return Subject(base, make, quantities)
+
+
+def _without_others(tree: dict[str, Any], over: Sequence[Varied]) -> dict[str, Any]:
+    """The tree without what the file gives instead of a number that is varied."""
+    out = copied(tree)
+    for varied in over:
+        *outer, last = files.keys_of(varied.path)
+        table = _entry(out, outer)
+        if isinstance(table, dict):
+            table.pop(INSTEAD.get(str(last)), None)
+    return out
+
+
+def _changes(form: dict[str, Any], varied: Varied, number: float) -> dict[str, Any]:
+    """What a number of a sweep changes in a file, by key path."""
+    if varied.path != BANK_ANGLE:
+        return {varied.path: f"{number!r} {varied.unit}" if varied.unit else number}
+    first, second = (_angle(bank["bearing"]) for bank in form["layout"]["banks"])
+    angle = number if varied.unit is None else _angle(f"{number!r} {varied.unit}")
+    half = angle / 2 if first > second else -angle / 2
+    ends = ((first + second) / 2 + half, (first + second) / 2 - half)
+    return {f"layout.banks[{n}].bearing": end for n, end in enumerate(ends, 1)}
+
+
+def _angle(value: Any) -> float:
+    return units.si(value, ANGLE) if isinstance(value, str) else float(value)
+
+
+def _has_bank_angle(tree: dict[str, Any]) -> bool:
+    """Whether a file gives the bearings of two banks."""
+    banks = _entry(tree, ["layout", "banks"])
+    return (
+        isinstance(banks, list)
+        and len(banks) == 2
+        and all(isinstance(bank, dict) and "bearing" in bank for bank in banks)
+    )
 
 
 def _value_text(varied: Varied, number: float) -> str:
@@ -105,6 +190,12 @@ def _stages(
 ) -> list[dict[str, Any] | None]:
     """The form in which each path is a number, one for all if there is; None: a balance factor."""
     keys = [files.keys_of(varied.path) for varied in over]
+    if any(varied.path == BANK_ANGLE for varied in over):
+        bearings = [own for own in keys if own[:2] == ["layout", "banks"] and own[-1] == "bearing"]
+        if bearings:
+            raise SweepError(
+                "{path} moves both banks; vary it without their bearings", path=BANK_ANGLE
+            )
     for form in forms:
         if all(_is_number(form, own) and own[0] not in _UNMOVED for own in keys):
             return [form] * len(over)
@@ -123,6 +214,8 @@ def _stages(
 def _quantity(form: dict[str, Any], varied: Varied) -> Quantity | None:
     info = field_at(form_of(form), files.keys_of(varied.path))
     quantity = quantity_of(info) if info else None
+    if varied.path == BANK_ANGLE:
+        quantity = ANGLE
     if varied.unit and quantity is None:
         raise _plain_number(varied)
     return quantity
@@ -171,18 +264,24 @@ def _leaf(annotation: Any) -> Any:
     )
 
 
+def _entry(tree: Any, keys: Sequence[str | int]) -> Any:
+    """What the path leads to in a tree; an empty table where it has no such key."""
+    for key in keys:
+        if isinstance(key, str) and isinstance(tree, dict):
+            tree = tree.get(key, {})
+        elif isinstance(key, int) and isinstance(tree, list) and 0 <= key < len(tree):
+            tree = tree[key]
+        else:
+            return None
+    return tree
+
+
 def _is_number(tree: dict[str, Any], keys: Sequence[str | int]) -> bool:
     """Whether the path leads to a number that the tree has, or could have."""
+    if list(keys) == BANK_ANGLE.split("."):
+        return _has_bank_angle(tree)
     info = field_at(form_of(tree), keys)
-    table: Any = tree
-    for key in keys:
-        if isinstance(key, str) and isinstance(table, dict):
-            table = table.get(key, {})
-        elif isinstance(key, int) and isinstance(table, list) and 0 <= key < len(table):
-            table = table[key]
-        else:
-            return False
-    if info is None:
+    if info is None or _entry(tree, keys) is None:
         return False
     kind = _leaf(info.annotation)
     if kind is tuple and isinstance(keys[-1], int):
@@ -232,6 +331,8 @@ def _why_fixed(over: str, keys: Sequence[str | int], forms: Sequence[dict[str, A
     paths = {
         path: None for form in forms for path in ("balance_factor", *_numeric(form_of(form), form))
     }
+    if _has_bank_angle(forms[0]):
+        paths |= {BANK_ANGLE: None}
     own = [
         path
         for path in paths

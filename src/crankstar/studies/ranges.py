@@ -28,7 +28,7 @@ _NUMBER = re.compile(
 
 _NO_UNIT = re.compile(r"[.,\d]|/\d*\.")
 _BY = re.compile(r"\s+by\b\s*")
-_COUNT = re.compile(r"/\s*(\d+)(?!\.?\d)")
+_COUNT = re.compile(r"/\s*(\d+(?:\.\d+)?(?:[eE][-+]?\d+)?)(?!\.?\d)")
 
 
 class Over(NamedTuple):
@@ -107,9 +107,14 @@ def _values(wanted: str, asked: str, example: str, usual: int) -> tuple[tuple[fl
     if steps:
         return _stepped(span, steps[0], asked, example)
     counts = _COUNT.findall(wanted)
-    ends, unit = _numbers(_COUNT.sub(" ", wanted, count=1).split("..", 1), asked, example)
-    count = int(counts[0][:9]) if counts else usual
-    _check_count(count if len(counts) < 2 else 0, asked, counts[-1] if counts else "")
+    if len(counts) > 1:
+        raise SweepError(
+            "{asked}: the number of values stands once, behind a slash at the end, as in 0..1/11; "
+            "write fractions as decimals",
+            asked=asked,
+        )
+    count = _count(counts[0], asked) if counts else usual
+    ends, unit = _numbers(_COUNT.sub(" ", wanted).split("..", 1), asked, example)
     _check_ends(ends, asked)
     return tuple(np.linspace(ends[0], ends[1], count).tolist()), unit
 
@@ -138,19 +143,30 @@ def _stepped(span: str, step: str, asked: str, example: str) -> tuple[tuple[floa
         raise SweepError(
             "{asked}: the step {step} is longer than the range", asked=asked, step=f"{by:g}"
         )
-    _check_count(int(min(whole, 1e9)) + 1, asked, f"{whole + 1:.0f}")
+    if whole >= GREATEST_POINTS:
+        raise SweepError(
+            "{asked}: steps of {step} make {count} values; at most {most} can be swept",
+            asked=asked,
+            step=f"{by:g}",
+            count=f"{whole + 1:.6g}",
+            most=GREATEST_POINTS,
+        )
     values = first + by * np.arange(int(whole) + 1)
     return tuple(float(f"{value:.12g}") for value in values), unit
 
 
-def _check_count(count: int, asked: str, said: str) -> None:
+def _count(text: str, asked: str) -> int:
+    """The number of values behind a slash. Raises SweepError."""
+    count = int(text) if re.fullmatch(r"\d{1,9}", text, re.ASCII) else 0
     if not 2 <= count <= GREATEST_POINTS:
         raise SweepError(
-            "{asked}: give from 2 to {most} values, not {count}",
+            "{asked}: {count} behind the slash is the number of values; give a whole number from 2 "
+            "to {most}, as in 0..1/11",
             asked=asked,
             most=GREATEST_POINTS,
-            count=one_line(said, longest=20),
+            count=one_line(text, longest=20),
         )
+    return count
 
 
 def _check_ends(ends: Sequence[float], asked: str) -> None:

@@ -14,11 +14,12 @@ from crankstar.engine.quantities import ANGLE, SPEED, Quantity
 from crankstar.files import EngineFileError, keys_of, units
 from crankstar.language.faults import ValueFaultError
 from crankstar.language.quoting import one_line
+from crankstar.language.units import spelt
 from crankstar.mechanics.balance import Scale, Units, default_reference, scales
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.spectra import Real
-from crankstar.studies.fields import Subject, Varied, subject
+from crankstar.studies.fields import INSTEAD, Source, Subject, Varied, subject
 from crankstar.studies.grids import grid_variants
 from crankstar.studies.ranges import GREATEST_POINTS, MOST_AXES
 from crankstar.studies.sums import Group, closed, over_speeds, sums_of
@@ -111,21 +112,19 @@ class Study:
 
 
 def study(
-    name: str | Engine,
+    source: Source,
     over: Sequence[tuple[str, Sequence[float] | Real, str | None]],
     *,
-    changes: Mapping[str, Any] | None,
     reference: Reference | None,
     orders: Sequence[float] | None,
     speed: float | Literal["file"] | None,
 ) -> Study:
     """The study of an engine over numbers: key path, values, unit. Raises as `sweep` does."""
-    _check_apart([path for path, _values, _unit in over])
     numbers = {path.strip(): finite(values, path) for path, values, _unit in over}
     _check_count([each.size for each in numbers.values()])
     every = tuple(Varied(path.strip(), unit) for path, _values, unit in over)
     slow = tuple(each for each in every if each.path != SPEED_PATH)
-    what = subject(name, slow, changes=changes)
+    what = subject(source, slow)
     for each, quantity in zip(slow, what.quantities, strict=True):
         _check_unit(each, numbers[each.path], quantity, what.base)
     first = what.make(*(float(numbers[each.path][0]) for each in slow))
@@ -200,8 +199,8 @@ def finite(values: Sequence[float] | Real, over: str) -> Real:
     return numbers
 
 
-def _check_apart(paths: Sequence[str]) -> None:
-    """Refuse more numbers than can be varied at once, and one number twice."""
+def check_apart(paths: Sequence[str], changes: Mapping[str, Any]) -> None:
+    """Refuse more numbers than can be varied at once, one number twice, and one that is set."""
     if not 1 <= len(paths) <= MOST_AXES:
         raise SweepError("{count} numbers; one or two can be varied at once", count=len(paths))
     keys = [keys_of(path.strip()) for path in paths]
@@ -210,6 +209,14 @@ def _check_apart(paths: Sequence[str]) -> None:
             "{path} is varied twice; name another number for the second --over",
             path=one_line(paths[0], longest=80),
         )
+    for path in changes:
+        *outer, last = keys_of(path)
+        if [*outer, last] in keys or [*outer, INSTEAD.get(str(last))] in keys:
+            raise SweepError(
+                "{path} is set, but the values that are varied would replace it; leave one of the "
+                "two out",
+                path=one_line(path, longest=80),
+            )
 
 
 def _check_count(sizes: Sequence[int]) -> None:
@@ -243,9 +250,9 @@ def _no_unit(varied: Varied, quantity: Quantity) -> SweepError:
 def _shown_unit(varied: Varied, quantity: Quantity | None, base: Engine) -> str:
     """The unit of a number that is varied; the SI unit where its values have none."""
     if varied.path == SPEED_PATH:
-        return "rad/s" if varied.unit is None else varied.unit
+        return "rad/s" if varied.unit is None else spelt(varied.unit)
     if varied.unit is not None:
-        return varied.unit
+        return spelt(varied.unit)
     if quantity is None or quantity.relative_to & set(base.relative):
         return ""
     return units.si_unit(quantity)

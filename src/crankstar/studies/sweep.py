@@ -31,8 +31,9 @@ from crankstar.mechanics import labelled
 from crankstar.mechanics.balance import Units
 from crankstar.mechanics.excitation import Reference, Totals, rolling_moment
 from crankstar.spectra import Real, Spectrum
+from crankstar.studies.fields import Source, ends_of, source_of
 from crankstar.studies.ranges import over_requests
-from crankstar.studies.study import Study, study
+from crankstar.studies.study import Study, check_apart, study
 from crankstar.studies.sums import GREATEST_ORDER, Group, joined
 from crankstar.studies.variants import SweepError, Tell
 
@@ -69,8 +70,10 @@ class Sweep:
     `axes` are these numbers; the sums of all values, or pairs of values, are counted in `units`.
 
     `engine` is that of the first values. Engines of the same orders are a Group; there is more than
-    one where gear ratios or rods are swept. `speed` is the one of all [rad/s], None where it is
-    swept or where nothing is in newtons. Where the speed is swept, `highest_speed` is omega_0.
+    one where gear ratios or rods are swept. `again` sweeps other values; `ends` sweeps the same
+    ones for the engine in the middle and at the corners of the ranges of its estimated values.
+    `speed` is the one of all [rad/s], None where it is swept or where nothing is in newtons. Where
+    the speed is swept, `highest_speed` is omega_0.
     """
 
     axes: tuple[Axis, ...]
@@ -81,6 +84,7 @@ class Sweep:
     speed: float | None
     highest_speed: float | None
     again: Callable[..., Sweep] = field(repr=False, compare=False)
+    ends: Callable[[], tuple[Sweep, ...]] = field(repr=False, compare=False)
 
     @property
     def path(self) -> str:
@@ -128,12 +132,15 @@ class Sweep:
     def to_frame(self) -> pandas.DataFrame:
         """The amplitudes at every value as a tidy pandas data frame: one row an amplitude.
 
-        The first columns are the values, named by their paths; the others are those of
-        `Balance.to_frame`. attrs: their units, the speed (rad/s) and the reference point. Raises
-        ImportError without pandas.
+        The first columns are the engine and the values, named as in the CSV of `crankstar sweep` by
+        path and unit; the others are those of `Balance.to_frame`. attrs: units, the speed (rad/s)
+        and the reference point. Raises ImportError without pandas.
         """
-        flat = joined(self.groups, int(np.prod(self.shape)))
-        rows = labelled.columns(flat, self.units._asdict(), self.columns())
+        count = int(np.prod(self.shape))
+        labels: dict[str, Any] = {"engine": [self.engine.name] * count}
+        for axis, values in zip(self.axes, self.columns().values(), strict=True):
+            labels[f"{axis.path} [{axis.unit}]" if axis.unit else axis.path] = values
+        rows = labelled.columns(joined(self.groups, count), self.units._asdict(), labels)
         units = {f"unit of {axis.path}": axis.unit for axis in self.axes}
         return labelled.frame(rows, {**units, **self._facts})
 
@@ -190,11 +197,13 @@ def sweep(
     reference: Reference | None = None,
     orders: Sequence[float] | None = None,
     speed: float | Literal["file"] | None = "file",
+    estimate: bool = False,
     tell: Tell | None = None,
 ) -> Sweep:
     """What `crankstar sweep --over` computes; `watched` gives its curves. Raises as `swept` does.
 
-    `over` is one text, or two for two numbers that are varied at once.
+    `over` is one text, or two for two numbers that are varied at once. `estimate` fills in the
+    masses and lengths that the file leaves out; they stay as they are while others are varied.
 
     >>> twin = sweep("harley-45", "balance_factor=0..1/5")
     >>> watched(twin, "force.forward", order=1).values.round(6).tolist()
@@ -204,15 +213,10 @@ def sweep(
     [[1.0, 1.0], [0.0, 0.0], [1.0, 1.0]]
     """
     asked = over_requests([over] if isinstance(over, str) else [*over])
-    plan = study(
-        engine,
-        [(each.path, each.values, each.unit) for each in asked],
-        changes=changes,
-        reference=reference,
-        orders=orders,
-        speed=speed,
-    )
-    return _made(plan, [np.array(each.values) for each in asked], tell, close=True)
+    over_all = [(each.path, each.values, each.unit) for each in asked]
+    check_apart([each.path for each in asked], changes or {})
+    source = source_of(engine, changes=changes, estimate=estimate)
+    return _over(source, over_all, tell, reference=reference, orders=orders, speed=speed)
 
 
 def swept(
@@ -241,18 +245,28 @@ def swept(
     >>> watched(sweep, "force.forward", order=1).values.round(6).tolist()  # 0.5 cancels it
     [1.0, 0.5, 0.0]
     """
-    plan = study(
-        name,
-        [(over, values, unit)],
-        changes=changes,
-        reference=reference,
-        orders=orders,
-        speed=speed,
+    check_apart([over], changes or {})
+    source = source_of(name, changes=changes)
+    wanted = [(over, values, unit)]
+    return _over(source, wanted, tell, reference=reference, orders=orders, speed=speed)
+
+
+def _over(
+    source: Source,
+    over: Sequence[tuple[str, Sequence[float] | Real, str | None]],
+    tell: Tell | None,
+    **how: Any,
+) -> Sweep:
+    """The sweep of a file over numbers: key path, values, unit."""
+    plan = study(source, over, **how)
+    made = _made(plan, [np.asarray(values, float) for _path, values, _unit in over], tell)
+    return replace(
+        made,
+        ends=lambda: tuple(_over(end, over, None, **how) for end in ends_of(source, plan.over)),
     )
-    return _made(plan, [np.asarray(values, float)], tell, close=True)
 
 
-def _made(plan: Study, values: Sequence[Real], tell: Tell | None, *, close: bool) -> Sweep:
+def _made(plan: Study, values: Sequence[Real], tell: Tell | None, *, close: bool = True) -> Sweep:
     """The sweep of a study over these values."""
     closing = [close and plan.closes(place, values) for place in range(len(values))]
     axes = [
@@ -272,6 +286,7 @@ def _made(plan: Study, values: Sequence[Real], tell: Tell | None, *, close: bool
         speed=plan.speed,
         highest_speed=plan.highest,
         again=again,
+        ends=tuple,
     )
 
 

@@ -28,6 +28,8 @@
 | `vee_engines` | V engines that fire evenly |
 | `search_stars` | the stars of a search |
 | `uneven_angles` | uneven angles of a star |
+| `field_names` | the values of an engine file in words |
+| `sweep_ranges` | the ranges of a sweep of an estimated engine |
 | `sweeps` | a sweep and its best value |
 | `pair_sweeps` | a sweep of two numbers, its best pairs and its front |
 | `over_speeds` | amplitudes over the speed |

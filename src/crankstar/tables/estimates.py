@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from crankstar.engine.engine import Engine
 from crankstar.files import units
 from crankstar.files.estimate import Estimate
 from crankstar.language.messages import N_, _
-from crankstar.tables.table import Column, Document, Remarks, Table
+from crankstar.tables.ranges import estimated_paths
+from crankstar.tables.table import Column, Document, Remarks, Table, remarks
 
 TYPES = {
     "petrol": N_("petrol car"),
@@ -30,6 +32,16 @@ REASONS = {
     "car": N_("bore and speed as in petrol cars"),
 }
 """What tells the type of an engine."""
+
+
+def typical_remarks(engine: Engine) -> tuple[Remarks, ...]:
+    """What is estimated, where results are for typical values alone; none where nothing is."""
+    paths = estimated_paths(engine)
+    line = _(
+        "Estimated: {paths}. Results are for these typical values, without ranges.",
+        paths=", ".join(paths),
+    )
+    return remarks(line if paths else "", kind="doubt")
 
 
 def estimate_document(estimate: Estimate, *, name: str) -> Document:

@@ -11,6 +11,7 @@ from crankstar.language.numbers import number
 from crankstar.language.shown_units import quantity_text
 from crankstar.studies.best_pair import BestPair, Unbeaten
 from crankstar.studies.sweep import Curve, Sweep
+from crankstar.tables.sweep_ranges import estimate_remarks
 from crankstar.tables.sweeps import (
     FOUND,
     KINDS,
@@ -19,9 +20,9 @@ from crankstar.tables.sweeps import (
     evenly,
     every_value,
     facts,
-    speed_note,
+    notes,
 )
-from crankstar.tables.table import ROW_UNIT, Column, Document, Remarks, Table, remarks
+from crankstar.tables.table import ROW_UNIT, Column, Document, Remarks, Table
 
 ACROSS = 7
 """Values of the second number in a table for readers."""
@@ -43,10 +44,10 @@ def pair_document(
         best_sentence(sweep, curve, best, greatest=greatest)
         for curve, best in zip(curves, found, strict=True)
     ]
-    parts = (*tables, Remarks(tuple(bests), _("Best values")))
+    parts = (*estimate_remarks(sweep), *tables, Remarks(tuple(bests), _("Best values")))
     if front:
         parts = (*parts, _front_table(sweep, curves, front, greatest=greatest))
-    return Document(sweep.engine.name, (*parts, *remarks(speed_note(sweep), kind="note")))
+    return Document(sweep.engine.name, (*parts, *notes(sweep)))
 
 
 def _over_both(sweep: Sweep, curve: Curve) -> Table:
@@ -91,7 +92,9 @@ def best_sentence(sweep: Sweep, curve: Curve, found: BestPair, *, greatest: bool
     if greatest:
         best = _("Greatest {curve}: {result} at {first}, {second}.", **values)
     also = ""
-    if found.also:
+    if found.ridge:
+        also = _("It is one of many: the best pairs lie on a line.")
+    elif found.also:
         also = _n(
             "It is the same at {count} other pair.",
             "It is the same at {count} other pairs.",
@@ -144,7 +147,7 @@ def answer(
         *(Column(name, kind=KINDS[name], key=name) for name in ("curve", "unit")),
         *axis_columns(sweep),
         Column("result", ROW_UNIT, key="result"),
-        *(Column(name, key=name) for name in ("at_edge", "flat", "also")),
+        *(Column(name, key=name) for name in ("at_edge", "flat", "also", "ridge")),
     ]
     rows = tuple(
         (
@@ -155,6 +158,7 @@ def answer(
             any(best.at_edge),
             best.flat,
             best.also,
+            best.ridge,
         )
         for curve, best in zip(curves, found, strict=True)
     )

@@ -18,6 +18,7 @@ from crankstar.search.engines import firing_order
 from crankstar.search.question import All, Best, Front, Question
 from crankstar.search.stars import Stars
 from crankstar.search.sums import Limit, Objective, VectorSum, couple
+from crankstar.tables.estimates import typical_remarks
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
 ZERO = 1e-6
@@ -52,7 +53,8 @@ def search_stars(
         *as_it_is(answer, engine),
         *sentences(answer, shown=len(shown), hints=hints),
     ]
-    parts = (*remarks(census(question.stars)), table, Remarks(tuple(lines)))
+    doubt = () if engine is None else typical_remarks(engine)
+    parts = (*doubt, *remarks(census(question.stars)), table, Remarks(tuple(lines)))
     return Document(heading(question, _tops(answer)), parts, _facts(answer))
 
 

@@ -12,11 +12,25 @@ import numpy as np
 from crankstar.language.messages import _
 from crankstar.language.numbers import NEGLIGIBLE, number
 from crankstar.language.shown_units import quantity_text
+from crankstar.mechanics.balance import balance
 from crankstar.mechanics.labelled import AXIAL, VECTORS
 from crankstar.spectra import Real
 from crankstar.studies.best_value import Best
 from crankstar.studies.sweep import Curve, Sweep
-from crankstar.tables.table import ROW_UNIT, Column, Document, Kind, Remarks, Table, Value, remarks
+from crankstar.tables import ranges
+from crankstar.tables.conditions import missing_sentence, unit_sentence
+from crankstar.tables.sweep_ranges import Band, estimate_remarks, ranged_text
+from crankstar.tables.table import (
+    ROW_UNIT,
+    Column,
+    Document,
+    Kind,
+    Ranged,
+    Remarks,
+    Table,
+    Value,
+    remarks,
+)
 
 FOUND = 1e-7
 """Share of the greatest value of a curve to which its best value is found; less is zero."""
@@ -27,7 +41,12 @@ COLUMNS = 60
 
 
 def sweep_document(
-    sweep: Sweep, curves: Sequence[Curve], found: Sequence[Best], *, greatest: bool = False
+    sweep: Sweep,
+    curves: Sequence[Curve],
+    found: Sequence[Best],
+    *,
+    bands: Sequence[Band | None] = (),
+    greatest: bool = False,
 ) -> Document:
     """The values of a sweep, evenly chosen, each curve in one line, and the best values."""
     chosen = evenly(sweep.values.size)
@@ -35,14 +54,26 @@ def sweep_document(
     title = _("{count} values of {path}", **values)
     if len(chosen) < sweep.values.size:
         title = _("{shown} of {count} values of {path} (--csv writes all)", **values)
-    table = _table(sweep, curves, title, chosen)
+    ranged = list(bands) or [None] * len(curves)
+    table = _table(sweep, curves, ranged, title, chosen)
     bests = [
-        best_sentence(sweep, curve, best, greatest=greatest)
-        for curve, best in zip(curves, found, strict=True)
+        best_sentence(sweep, curve, best, band, greatest=greatest)
+        for curve, best, band in zip(curves, found, ranged, strict=True)
     ]
     bars = [f"{curve.label}: {_bars(curve)}" for curve in curves]
     lines = Remarks((*bars, *bests), _("Curves"))
-    return Document(sweep.engine.name, (table, lines, *remarks(speed_note(sweep), kind="note")))
+    head = estimate_remarks(sweep, ranged)
+    return Document(sweep.engine.name, (*head, table, lines, *notes(sweep)))
+
+
+def notes(sweep: Sweep) -> tuple[Remarks, ...]:
+    """The speed of the forces, or what the file lacks for newtons; what a varied speed does."""
+    engine = sweep.engine
+    if sweep.highest_speed is None:
+        counted = unit_sentence(engine, balance(engine, speed=sweep.speed, orders=[1]))
+    else:
+        counted = missing_sentence(engine)
+    return remarks(counted, speed_note(sweep), kind="note")
 
 
 def speed_note(sweep: Sweep) -> str:
@@ -59,19 +90,33 @@ def speed_note(sweep: Sweep) -> str:
     return f"{law} {unit}"
 
 
-def answer(sweep: Sweep, curves: Sequence[Curve], found: Sequence[Best]) -> Document:
+def answer(
+    sweep: Sweep,
+    curves: Sequence[Curve],
+    found: Sequence[Best],
+    *,
+    bands: Sequence[Band | None] = (),
+) -> Document:
     """All values of a sweep with its curves, and where each is best."""
+    ranged = list(bands) or [None] * len(curves)
     heads = tuple(
         Column(name, ROW_UNIT if name == "result" else "", KINDS.get(name, "number"), key=name)
         for name in ("curve", "unit", "value", "result", "at_edge", "flat")
     )
     bests = tuple(
-        (curve.label, curve.unit, best.value, best.result, best.at_edge, best.flat)
-        for curve, best in zip(curves, found, strict=True)
+        (
+            curve.label,
+            curve.unit,
+            best.value,
+            best.result if band is None else band.best,
+            best.at_edge,
+            best.flat,
+        )
+        for curve, best, band in zip(curves, found, ranged, strict=True)
     )
     return Document(
         sweep.engine.name,
-        (every_value(sweep, curves), Table("", heads, bests, key="best")),
+        (every_value(sweep, curves, ranged), Table("", heads, bests, key="best")),
         {**facts(sweep), "over": sweep.path, "unit": sweep.unit},
     )
 
@@ -96,15 +141,29 @@ def facts(sweep: Sweep) -> dict[str, object]:
         name: None if speed is None else float(f"{speed * 30 / np.pi:.12g}")
         for name, speed in (("speed_rpm", sweep.speed), ("highest_speed_rpm", sweep.highest_speed))
     }
-    return {"engine": sweep.engine.name, **rpm, "units": sweep.units._asdict(), "axes": axes}
+    counted = {"units": sweep.units._asdict(), "axes": axes}
+    return {"engine": sweep.engine.name, **rpm, **counted, **ranges.facts(sweep.engine)}
 
 
-def every_value(sweep: Sweep, curves: Sequence[Curve]) -> Table:
+def every_value(sweep: Sweep, curves: Sequence[Curve], bands: Sequence[Band | None] = ()) -> Table:
     """All values of a sweep with its curves: a row for each value, or pair of values."""
-    heads = [*axis_columns(sweep), *(Column(c.label, c.unit, key=c.label) for c in curves)]
-    columns = [*sweep.columns().values(), *(curve.values.ravel() for curve in curves)]
-    body = zip(*(column.tolist() for column in columns), strict=True)
-    return Table("", tuple(heads), tuple(body), key="values")
+    ranged = list(bands) or [None] * len(curves)
+    heads = [*axis_columns(sweep), *_curve_columns(curves, ranged)]
+    results = [_results(*pair) for pair in zip(curves, ranged, strict=True)]
+    columns = [column.tolist() for column in sweep.columns().values()]
+    return Table("", tuple(heads), tuple(zip(*columns, *results, strict=True)), key="values")
+
+
+def _curve_columns(curves: Sequence[Curve], bands: Sequence[Band | None]) -> list[Column]:
+    return [
+        Column(curve.label, curve.unit, key=curve.label, estimated=band is not None)
+        for curve, band in zip(curves, bands, strict=True)
+    ]
+
+
+def _results(curve: Curve, band: Band | None) -> list[Value]:
+    """The results of a curve, with their ranges."""
+    return [*(curve.values.ravel().tolist() if band is None else band.cells)]
 
 
 def axis_columns(sweep: Sweep) -> list[Column]:
@@ -126,7 +185,9 @@ WAYS = {
 """The direction of what is watched, as tables of amplitudes name it."""
 
 
-def amplitudes(sweep: Sweep, curves: Sequence[Curve]) -> Document:
+def amplitudes(
+    sweep: Sweep, curves: Sequence[Curve], bands: Sequence[Band | None] = ()
+) -> Document:
     """The results as a tidy table: one row an amplitude.
 
     Direction `greatest` is the greatest value of a vector over a turn; an empty order stands for
@@ -138,12 +199,12 @@ def amplitudes(sweep: Sweep, curves: Sequence[Curve]) -> Document:
         for name in ("order", "quantity", "direction")
     ]
     heads += [
-        Column("amplitude", ROW_UNIT, key="amplitude"),
+        Column("amplitude", ROW_UNIT, key="amplitude", estimated=any(bands)),
         Column("unit", kind="unit", key="unit"),
     ]
     places = [*zip(*(column.tolist() for column in sweep.columns().values()), strict=True)]
     rows: list[tuple[Value, ...]] = []
-    for curve in curves:
+    for curve, band in zip(curves, list(bands) or [None] * len(curves), strict=True):
         quantity, _dot, part = curve.what.partition(".")
         way = WAYS[part] if quantity in VECTORS else AXIAL
         if quantity in VECTORS and way in ("vertical", "horizontal"):
@@ -151,16 +212,27 @@ def amplitudes(sweep: Sweep, curves: Sequence[Curve]) -> Document:
         labels = (curve.order, quantity, way)
         rows += [
             (sweep.engine.name, *place, *labels, result, curve.unit)
-            for place, result in zip(places, curve.values.ravel().tolist(), strict=True)
+            for place, result in zip(places, _results(curve, band), strict=True)
         ]
     table = Table("", tuple(heads), tuple(rows), key="amplitudes")
     return Document(sweep.engine.name, (table,), facts(sweep))
 
 
-def _table(sweep: Sweep, curves: Sequence[Curve], title: str, chosen: Sequence[int]) -> Table:
-    heads = [*axis_columns(sweep), *(Column(c.label, c.unit, key=c.label) for c in curves)]
-    results = [cleared(curve)[chosen].tolist() for curve in curves]
-    body = zip(sweep.values[chosen].tolist(), *results, strict=True)
+def _table(
+    sweep: Sweep,
+    curves: Sequence[Curve],
+    bands: Sequence[Band | None],
+    title: str,
+    chosen: Sequence[int],
+) -> Table:
+    heads = [*axis_columns(sweep), *_curve_columns(curves, bands)]
+    clear = [curve._replace(values=cleared(curve)) for curve in curves]
+    results = [_results(*pair) for pair in zip(clear, bands, strict=True)]
+    body = zip(
+        sweep.values[chosen].tolist(),
+        *([each[place] for place in chosen] for each in results),
+        strict=True,
+    )
     return Table(title, tuple(heads), tuple(body), key="values")
 
 
@@ -182,7 +254,9 @@ def evenly(count: int, most: int = ROWS) -> list[int]:
     return sorted({round(place) for place in np.linspace(0, steps, most).tolist()})
 
 
-def best_sentence(sweep: Sweep, curve: Curve, found: Best, *, greatest: bool = False) -> str:
+def best_sentence(
+    sweep: Sweep, curve: Curve, found: Best, band: Band | None = None, *, greatest: bool = False
+) -> str:
     """The best value, where else it is as good, and whether it is an end of the range."""
     unit = f" {sweep.unit}" if sweep.unit else ""
     top = float(curve.values.max())
@@ -194,6 +268,8 @@ def best_sentence(sweep: Sweep, curve: Curve, found: Best, *, greatest: bool = F
         "path": sweep.path,
         "value": f"{number(found.value)}{unit}",
     }
+    if band is not None and isinstance(band.best, Ranged):
+        values["result"] = ranged_text(band.best, curve.unit, beside=top)
     if found.flat:
         return _("{curve}: {result} at every value; {path} has no effect.", **values)
     best = _("Least {curve}: {result} at {path} = {value}.", **values)
@@ -211,10 +287,19 @@ def best_sentence(sweep: Sweep, curve: Curve, found: Best, *, greatest: bool = F
     elif found.also:
         others = ", ".join(number(other) for other in found.also)
         also = _("The value is the same at {others}{unit}.", others=others, unit=unit)
+    reach = ""
+    if band is not None and band.reach is not None:
+        low, high = map(number, band.reach)
+        reach = _(
+            "Over the ranges of the estimated values it lies at {low} to {high}{unit}.",
+            low=low,
+            high=high,
+            unit=unit,
+        )
     # Nothing is less than zero, so beyond the end it cannot be better.
     beyond = found.at_edge and (greatest or found.result > FOUND * top)
     edge = _("This is an end of the range; a better value may lie beyond it.") if beyond else ""
-    return " ".join(filter(None, (best, also, edge)))
+    return " ".join(filter(None, (best, also, reach, edge)))
 
 
 def _bars(curve: Curve) -> str:

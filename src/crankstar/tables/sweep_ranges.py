@@ -1,0 +1,96 @@
+"""The ranges of a sweep whose engine has estimated values: a band about each curve.
+
+At each value of the swept number a result has the range that an analysis of that engine gives it
+(`ranges`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from crankstar.language.messages import _
+from crankstar.language.numbers import unit_text
+from crankstar.language.shown_units import shown
+from crankstar.spectra import Real
+from crankstar.studies.best_value import Best
+from crankstar.studies.sweep import Curve, Sweep, watched
+from crankstar.tables.cells import rough
+from crankstar.tables.estimates import typical_remarks
+from crankstar.tables.ranges import doubt, real_range
+from crankstar.tables.table import Ranged, Remarks
+
+ENDS = ("typical", "low", "high")
+MOST_VALUES = 2000
+"""Values of a sweep that are given with ranges; each takes as long as one for every corner."""
+
+
+class Band(NamedTuple):
+    """The range of a curve at every value; where it is best, and over the ranges of estimates.
+
+    `cells` are the results [n], those with a range Ranged; `best` is the best one, `reach` the
+    least and the greatest value of the sweep at which it may lie, None where they are the same.
+    """
+
+    cells: tuple[float | Ranged, ...]
+    best: float | Ranged
+    reach: tuple[float, float] | None
+
+    @property
+    def low(self) -> Real:
+        """The lowest results [n]."""
+        return np.array([getattr(cell, "low", cell) for cell in self.cells])
+
+    @property
+    def high(self) -> Real:
+        """The greatest results [n]."""
+        return np.array([getattr(cell, "high", cell) for cell in self.cells])
+
+
+def bands(
+    sweep: Sweep, curves: Sequence[Curve], found: Sequence[Best], *, greatest: bool = False
+) -> tuple[Band | None, ...]:
+    """The ranges of the curves of a sweep of one number; None of those that have none."""
+    none = (None,) * len(curves)
+    if len(sweep.axes) > 1 or sweep.values.size > MOST_VALUES:
+        return none
+    ends = sweep.ends()
+    if not ends:
+        return none
+    return tuple(
+        _band(sweep, ends, curve, best, greatest=greatest)
+        for curve, best in zip(curves, found, strict=True)
+    )
+
+
+def _band(
+    sweep: Sweep, ends: Sequence[Sweep], curve: Curve, best: Best, *, greatest: bool
+) -> Band | None:
+    others = np.array([watched(end, curve.what, order=curve.order).values for end in ends])
+    rows = np.column_stack([curve.values, others.T])
+    top = float(rows.max())
+    cells = tuple(real_range(row, top) for row in rows.tolist())
+    if not any(isinstance(cell, Ranged) for cell in cells):
+        return None
+    there = np.array([best.value])  # between those of the sweep
+    results = [watched(end.again(there), curve.what, order=curve.order) for end in ends]
+    at_best = real_range([best.result, *(float(each.values[0]) for each in results)], top)
+    places = sweep.values[(np.argmax if greatest else np.argmin)(rows, axis=0)].tolist()
+    lone = not (best.flat or best.also or best.stretch or sweep.axes[0].closed)
+    apart = lone and max(places) > min(places)
+    return Band(cells, at_best, (min(places), max(places)) if apart else None)
+
+
+def ranged_text(value: Ranged, unit: str, *, beside: float) -> str:
+    """A result with its range and unit, in a sentence."""
+    said = shown(unit, beside)
+    sizes = [rough(float(abs(n)) * said.factor) for n in (value.value, value.low, value.high)]
+    words = _("about {typical} ({low} to {high}, estimated)", **dict(zip(ENDS, sizes, strict=True)))
+    return f"{words} {unit_text(said.unit)}"
+
+
+def estimate_remarks(sweep: Sweep, bands: Sequence[Band | None] = ()) -> tuple[Remarks, ...]:
+    """What is estimated, before everything else, and whether results have their ranges."""
+    return doubt(sweep.engine) if any(bands) else typical_remarks(sweep.engine)

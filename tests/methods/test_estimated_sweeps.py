@@ -1,0 +1,104 @@
+"""Sweeps of estimated engines: the typical curve, and the band in which every other one lies."""
+
+from __future__ import annotations
+
+import csv
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from crankstar import cli
+from crankstar.charts.sweeps import swept as chart
+from crankstar.files import tree_text
+from crankstar.files.box import ranges, scaled
+from crankstar.files.catalog import tree_of
+from crankstar.files.estimate import estimated
+from crankstar.studies.best_value import best
+from crankstar.studies.sweep import sweep, watched
+from crankstar.tables.ranges import real_range
+from crankstar.tables.sweep_ranges import MOST_VALUES, bands
+
+OVER = "balance_factor=0..1/15"
+
+
+def test_every_engine_of_the_box_lies_in_the_band(tmp_path: Path) -> None:
+    tree = estimated(tree_of("triumph-675")[1]).tree
+    made = sweep("triumph-675", OVER, estimate=True)
+    curves = [watched(made, "couple"), watched(made, "roll")]
+    found = bands(made, curves, [best(made, curve) for curve in curves])
+    rng = np.random.default_rng(1)
+    for case in range(4):
+        factors = {path: rng.uniform(each.low, each.high) for path, each in ranges(tree).items()}
+        file = tmp_path / f"{case}.toml"
+        file.write_text(tree_text(scaled(tree, factors)), encoding="utf-8")
+        other = sweep(str(file), OVER)
+        for curve, band in zip(curves, found, strict=True):
+            assert band is not None
+            values = watched(other, curve.what).values
+            assert np.all(values <= band.high * (1 + 1e-9))
+            assert np.all(values >= band.low * (1 - 1e-9))
+            assert np.all(band.low <= curve.values)
+            assert np.all(curve.values <= band.high)
+
+
+def test_the_range_at_a_value_is_that_of_the_engine_with_it() -> None:
+    made = sweep("triumph-675", OVER, estimate=True)
+    curve = watched(made, "couple", order=1)
+    (band,) = bands(made, [curve], [best(made, curve)])
+    assert band is not None
+    ends = [
+        float(watched(sweep_of_two_values(end), "couple", order=1).values[0]) for end in made.ends()
+    ]
+    assert band.cells[0] == real_range([float(curve.values[0]), *ends], float(max(band.high)))
+
+
+def sweep_of_two_values(made):  # a Sweep, at its first values alone
+    """The engines one by one, without a law."""
+    return made.again(made.values[:2])
+
+
+def test_a_varied_value_has_no_range_of_its_own() -> None:
+    made = sweep("toyota-2jz", "cylinder.reciprocating_mass=400..600 g/15", estimate=True)
+    assert len(made.ends()) == 1 + 2**5  # the others: rod (3), throw and pitch
+    assert "cylinder.reciprocating_mass" not in made.engine.provenance
+
+
+def test_a_sweep_of_two_numbers_and_a_very_fine_one_have_no_ranges() -> None:
+    two = sweep("triumph-675", [OVER, "cylinder.offset=0..5 mm/4"], estimate=True)
+    fine = sweep("triumph-675", f"balance_factor=0..1/{MOST_VALUES + 1}", estimate=True)
+    for made in (two, fine):
+        curve = watched(made, "couple")
+        assert bands(made, [curve], []) == (None,)
+
+
+def test_the_band_is_drawn_and_written(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+
+    def run(*words: str) -> str:
+        asked = ["sweep", "triumph-675", "--estimate", "--over", OVER, "--quantity", "couple"]
+        with pytest.raises(SystemExit) as left:
+            cli.main([*asked, *words])
+        assert left.value.code == 0
+        return capsys.readouterr().out
+
+    row = next(csv.DictReader(run("--csv").splitlines()))
+    ends = [float(row[f"amplitude{end} (estimated)"]) for end in ("_low", "", "_high")]
+    assert 0 < ends[0] < ends[1] < ends[2]
+    first = json.loads(run("--json"))["values"][0]
+    assert [first[f"couple{end}"] for end in ("_low", "", "_high")] == ends
+    text = run()
+    assert text.splitlines()[1].startswith("Estimated: ")
+    assert "couple (estimated)" in text
+    assert "Least couple: about " in text
+    both = run("--over", "cylinder.offset=0..5 mm/4")
+    assert "typical values, without ranges" in " ".join(both.split())
+    made = sweep("triumph-675", OVER, estimate=True)
+    curve = watched(made, "couple")
+    found = [best(made, curve)]
+    spec = chart(made, [curve], best=found, bands=bands(made, [curve], found)).spec
+    assert "the bands are the" in json.dumps(spec)
+    assert '"area"' in json.dumps(spec)
