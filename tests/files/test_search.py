@@ -445,3 +445,19 @@ def test_the_row_of_a_search_or_of_orders_is_written_as_its_name_says(run: Run) 
         for name in ("row.toml", "row.json", "row.xlsx"):
             assert run(*words, "--row", "2", "-o", name).err.endswith(f" {name}\n")
             assert run("check", name).code == 0
+
+
+def test_an_estimated_engine_is_searched_in_newtons_and_says_so(
+    run: Run, refused: Callable[..., str]
+) -> None:
+    out = run("search", "toyota-2jz", "--estimate", "--limit", "M1=10 kN m").out
+    assert "[N m]" in out
+    assert "Results are for these typical values, without ranges." in " ".join(out.split())
+    assert "has no effect without an engine" in refused("search", "7", "--estimate")
+
+
+@pytest.mark.parametrize("unit", ["rpm", "RPM", "Rpm"])
+def test_revolutions_per_minute_are_read_in_any_case(run: Run, unit: str) -> None:
+    assert (
+        "at 6000 rpm" in run("analyze", "toyota-2jz", "--estimate", "--speed", f"6000 {unit}").out
+    )

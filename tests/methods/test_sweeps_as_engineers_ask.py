@@ -105,8 +105,8 @@ def test_charts_of_sweeps_have_the_words_of_the_field_and_marks_of_a_clock() -> 
     assert "angle of throw 2 [deg]" in words
     assert "layout.throws" not in words
     assert "[0, 45, 90, 135, 180, 225, 270, 315, 360]" in words
-    assert angle_ticks(0, 90) == [0, 15, 30, 45, 60, 75, 90]
-    assert angle_ticks(0, 720)[1] == 90
+    assert angle_ticks(low=0, high=90) == [0, 15, 30, 45, 60, 75, 90]
+    assert angle_ticks(low=0, high=720)[1] == 90
 
 
 def test_every_number_of_an_engine_file_has_a_name() -> None:

@@ -24,10 +24,10 @@ def across(turns: int, *, ticks: int, foot: bool, **axis: Any) -> Channel:
     )
 
 
-def angle_ticks(low: float, high: float) -> list[float]:
+def angle_ticks(*, low: float, high: float) -> list[float]:
     """Places along an axis in degrees at a step that divides a turn as engineers do.
 
-    >>> angle_ticks(0, 360), angle_ticks(-20, 70)
+    >>> angle_ticks(low=0, high=360), angle_ticks(low=-20, high=70)
     ([0, 45, 90, 135, 180, 225, 270, 315, 360], [-15, 0, 15, 30, 45, 60])
     """
     step = next((n for n in STEPS if (high - low) / n <= MOST_TICKS), (high - low) / 4)

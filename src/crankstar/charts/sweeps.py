@@ -101,7 +101,7 @@ def _places(optimum: Best, unit: str) -> str:
 def value_axis(axis: Axis, name: str, *, room: float, foot: bool = True, **more: Any) -> Channel:
     """The values of a swept number along an axis; its title at the foot only."""
     low, high = float(axis.values.min()), float(axis.values.max())
-    ticks = {"values": angle_ticks(low, high)} if axis.unit == "deg" else {"tickCount": 5}
+    ticks = {"values": angle_ticks(low=low, high=high)} if axis.unit == "deg" else {"tickCount": 5}
     title = folded(axis_name(axis.path, axis.unit), width=room) if foot else None
     return field(f"{name}:Q", scale=span(low, high), title=title, axis={**ticks, **more})
 
