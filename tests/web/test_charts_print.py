@@ -185,6 +185,20 @@ def test_text_on_paper_is_large_and_dark_enough(name: str, paper: charts.Paper, 
             assert stated is None or side == pytest.approx(stated / 0.0254 * 96, abs=0.1)
 
 
+@pytest.mark.parametrize(("width", "across"), [(0.254, 2), (0.120, 1)])
+def test_two_stars_lie_side_by_side_where_the_paper_is_wide(
+    width: float, across: int, page: Page
+) -> None:
+    engine = crankstar.load("napier-deltic")
+    slide = charts.Paper("light", width=width, height=0.143 if across == 2 else None)
+    made = charts.printed(partial(charts.vector_star, engine), slide, title="star")
+    assert [len(row.get("hconcat", [row])) for row in made.chart.to_dict()["vconcat"]] == (
+        [2] if across == 2 else [1, 1]
+    )
+    (picture,) = assert_clear({"star": made.scaled("mm")}, page)
+    assert min(text.size for text in picture.texts) * 72 / 96 >= slide.font_size - 0.01
+
+
 def test_contrast_is_that_of_the_guideline() -> None:
     assert contrast((0, 0, 0), (255, 255, 255)) == pytest.approx(21)
     assert contrast((118, 118, 118), (255, 255, 255)) == pytest.approx(4.54, abs=0.01)

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from crankstar.charts.canvas import half_width, panel_width
+from crankstar.charts.canvas import USUAL_WIDTH, half_width, panel_width
 from crankstar.charts.choices import order_shown
 from crankstar.charts.comparison import compared
 from crankstar.charts.drawing import ORANGE, Panel, numbers_text
@@ -143,7 +143,10 @@ def _systems(
 
 
 def _width(systems: Sequence[Stars], labels: int) -> float:
-    """Px of a panel; of many labels one that has its own row, or more."""
+    """Px of a panel; of many labels one that has its own row, or more, unless half is enough."""
+    least = (WIDER if labels > VERY_MANY else 1.0) * USUAL_WIDTH
+    if len(systems) == 1 and len(systems[0].stars) == 2 and half_width() >= least:
+        return half_width()
     if labels > VERY_MANY:
         return WIDER * panel_width()
     alone = len(systems) == len(systems[0].stars) == 1
