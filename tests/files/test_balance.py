@@ -165,7 +165,7 @@ def test_the_proof_is_printed(run: Run) -> None:
     out = " ".join(run("balance", "v8-cross-plane", "--weights", "ends", "--prove").out.split())
     assert "u₁ = (2√10/7) m r ∠ (−π + atan 2)" in out
     assert out.count("the residual is proved to vanish") == 1
-    three = run("balance", "triple-120", "--shafts", "all", "--prove").out
+    three = run("balance", "triple-120", "--weights", "pins", "--shafts", "all", "--prove").out
     assert three.count("the residual is proved to vanish") == 4  # the crankshaft, -1, 2 and -2
     assert "proved" not in run("balance", "triple-120", "--factor", "0.3", "--prove").out
 

@@ -21,10 +21,11 @@ import crankstar
 from crankstar import charts
 from crankstar.charts.drawing import numbers_text
 from crankstar.charts.letters import text_width
+from crankstar.engine.basis import Sizes
 from crankstar.engine.engine import Engine
 from crankstar.engine.layouts import Basis, inline
 from crankstar.language.numbers import number
-from crankstar.remedy import with_counterweights
+from crankstar.remedy import with_balance_shaft, with_counterweights
 
 OFTEN = (
     "single",
@@ -128,6 +129,20 @@ def test_every_figure_can_be_drawn_of_the_whole_catalog(name: str, engine: str) 
 @EVERY_CHART
 def test_figures_of_an_engine_with_balance_shafts_and_weights(name: str) -> None:
     compiled(with_counterweights(lanchester(), factor=0.5), charts.CHARTS[name])
+
+
+def test_the_unbalances_of_all_balance_shafts_are_in_one_unit() -> None:
+    basis = Basis(
+        name="twin",
+        cycle="four-stroke",
+        cylinder=Sizes(stroke=0.08, rod_length=0.14, reciprocating_mass=0.45, rotating_mass=0.0),
+    )
+    twin = inline(basis, throws=(0.0, 0.0), bore_pitch=0.09)
+    for ratio in (-1, 2):
+        twin = with_balance_shaft(twin, ratio=ratio, planes=[0.0])
+    text = str(charts.CHARTS["balance-shafts"].draw(twin).to_dict())
+    assert re.findall(r"unbalance \S+ (\S+ \S+) at", text) == ["kg mm", "kg mm"]
+    assert "arms of the weights in mm" in text
 
 
 @EVERY_CHART

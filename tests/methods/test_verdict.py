@@ -11,7 +11,9 @@ import pytest
 from crankstar import balance, load, spectra, total
 from crankstar.engine.banks import Bank, Crank
 from crankstar.engine.basis import Basis
+from crankstar.engine.copies import with_values
 from crankstar.engine.layouts import tandem
+from crankstar.engine.records import Rod
 from crankstar.files import catalog
 from crankstar.language.numbers import number
 from crankstar.mechanics.balance import scales
@@ -134,6 +136,18 @@ def test_neighbours_are_of_the_same_kind_and_nearest_first() -> None:
         assert load(name).cycle == "four-stroke"
         assert len(load(name).chambers) == 8
         assert np.abs(np.subtract(own, piston_balance(load(name)))).max() > 0.01
+
+
+def test_rods_as_bodies_do_not_change_the_balance_of_the_pistons() -> None:
+    twin = load("i2-270")
+    length = twin.cylinders[0].rod_length
+    body = Rod(mass=1.0, centre=0.3 * length, inertia=2.0)  # 0.3 of it goes up and down
+    cylinders = tuple(
+        with_values(cylinder, reciprocating_mass=0.7, rod=body) for cylinder in twin.cylinders
+    )
+    made = with_values(twin, name="with rods", cylinders=cylinders)
+    assert piston_balance(made) == pytest.approx(piston_balance(twin), abs=1e-9)
+    assert any("i2-270" in fact.sentence for fact in verdict(made) if "Same" in fact.sentence)
 
 
 def test_an_engine_alone_in_the_catalog_says_so() -> None:

@@ -17,7 +17,7 @@ import numpy as np
 from crankstar.charts.canvas import panel_width
 from crankstar.charts.crank_stars import turns_together
 from crankstar.charts.drawing import BLUE, GREEN, GREY, Panel, brief, figure, named
-from crankstar.charts.elevations import along_of, shaft_panel
+from crankstar.charts.elevations import along_of, arms_unit, shaft_panel
 from crankstar.charts.estimates import ends_of, estimate_lines, size_range
 from crankstar.charts.grammar import Chart
 from crankstar.charts.labels import Label, gathered
@@ -25,7 +25,8 @@ from crankstar.charts.plane import Arrow, Dot, Frame, Plane, Stroke, picture
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Shaft
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import number
+from crankstar.language.numbers import number, unit_text
+from crankstar.language.shown_units import shown
 from crankstar.mechanics.balance import default_reference
 from crankstar.remedy.clearance import balance_shafts, crank_sweep
 from crankstar.tables.ranges import estimated_paths
@@ -68,7 +69,12 @@ def balance_shaft_chart(engine: Engine, *, theta: float = 0.0) -> Chart:
         about.append(
             _("arrows: unbalance, crank green; thin arrows: sense of rotation; dashed: crank sweep")
         )
-        about.append(_("below, from the side, front at the left, with the arms of the weights"))
+        about.append(
+            _(
+                "below, from the side, front at the left, with the arms of the weights in {unit}",
+                unit=unit_text(arms_unit(engine)),
+            )
+        )
     else:
         about.append(_("without balance shafts; `crankstar balance --shafts needed` adds them"))
     about += estimate_lines([engine], drawn=_(RANGES))
@@ -176,16 +182,25 @@ def _words(engine: Engine, shaft: Shaft, ends: Sequence[Shaft]) -> str:
 
 
 def _unbalances(engine: Engine, shaft: Shaft, ends: Sequence[Shaft]) -> Iterator[str]:
-    """Unbalance and bearing at theta = 0 of each direction of weights, with its range."""
-    unit = scales(engine).unbalance
+    """Unbalance and bearing at theta = 0 of each direction of weights, with its range.
+
+    The unbalances of all shafts are in one unit.
+    """
+    scale = scales(engine).unbalance
+    sizes = [abs(pull.unbalance) for each in balance_shafts(engine) for pull in pulls(each)]
+    unit, factor = shown(scale.unit, max(sizes, default=0.0) * scale.factor)
+
+    def written(value: float, digits: int) -> str:
+        return f"{number(value * scale.factor * factor, digits=digits)} {unit_text(unit)}"
+
     own = pulls(shaft)
     others = [each for each in map(pulls, ends) if len(each) == len(own)]
     for pull, *at_ends in zip(own, *others, strict=True):
         size = abs(pull.unbalance)
         between = size_range(size, [abs(end.unbalance) for end in at_ends])
-        text = unit.text(float(f"{size:.4g}"))
+        text = written(size, 4)
         if between is not None:
-            low, high = (unit.text(float(f"{end:.3g}")) for end in between)
+            low, high = (written(end, 3) for end in between)
             text = f"{text} {_('({low} to {high})', low=low, high=high)}"
         elif SIZED in estimated_paths(engine):
             text = _("{sentence} (estimated)", sentence=text)

@@ -20,6 +20,7 @@ from crankstar.language.numbers import number, unit_text
 from crankstar.language.shown_units import Shown, shown
 from crankstar.mechanics.balance import default_reference
 from crankstar.mechanics.excitation import Reference
+from crankstar.tables.scales import scales
 
 ROW = 160.0
 """Height of the row of one shaft, px."""
@@ -88,10 +89,16 @@ def shaft_elevation(
 
 def _lengths(engine: Engine) -> Shown:
     """The unit of the arms, and the factor from the engine's own lengths along the shaft."""
-    if "pitch" in engine.relative:
-        return Shown("a", 1.0)
+    along = scales(engine).along
+    if along.unit != "mm":  # in bore pitches, or in crank radii
+        return Shown(along.unit, along.factor)
     said = shown("mm", 0.0)  # whatever their size: with SI prefixes drawings are in mm
     return Shown(said.unit, 1000.0 * said.factor)
+
+
+def arms_unit(engine: Engine) -> str:
+    """The unit in which the arms of a shaft are written."""
+    return _lengths(engine).unit
 
 
 def _arm_range(engine: Engine) -> list[str]:

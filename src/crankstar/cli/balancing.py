@@ -13,6 +13,7 @@ from crankstar.cli.options import (
     Estimating,
     Settings,
     Speed,
+    command_text,
     engine_over_ranges,
     option,
     together,
@@ -39,7 +40,9 @@ def balance(
 ) -> None:
     """Balance an engine with counterweights and balance shafts; print what remains."""
     from crankstar.derive import documents
+    from crankstar.mechanics.remains import OPTIMISED
     from crankstar.options.balancing import balanced, new_name
+    from crankstar.remedy import needs
     from crankstar.tables import remedies
     from crankstar.tables.ranges import ranged
     from crankstar.tables.table import remarks
@@ -51,13 +54,19 @@ def balance(
     )
     with working(_("balancing ...")):
         job = balanced(loaded, options, speed=speed, own_factor=own)
-        make = partial(balanced, options=options, speed=speed, own_factor=own)
+        make = partial(balanced, options=options, speed=speed, own_factor=own, like=job)
         document = ranged(lambda each: remedies.balancing_sheet(make(each)), spread, loaded)
         proof = []
         if prove:  # exact algebra is slow to load
             from crankstar.derive.cure import proofs
 
             proof = proofs(job.before, job.after)
+    if options.recommended and needs(job.after, zero=OPTIMISED):
+        command = command_text("balance", engine, {"--set": settings})
+        flags = {"--estimate": estimate, "--bare": options.bare}
+        words = [command, *(name for name, given in flags.items() if given), "--recommended"]
+        how = _("To fit these too: {command}", command=" ".join([*words, "--shafts all"]))
+        document = replace(document, parts=(*document.parts, *remarks(how)))
     if spread is not None:
         document = replace(
             document, parts=(*document.parts, *remarks(_(remedies.SIZED), kind="note"))

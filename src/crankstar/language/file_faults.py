@@ -86,8 +86,8 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} is {value}, too large or too small; give a bare number near 1"
     ),
     "unit.unknown-radius": N_(
-        "{where} is {value}, but the file gives no stroke, so lengths across the crankshaft are in "
-        "crank radii; give a bare number, or the stroke"
+        "{where} is {value}, but the file gives no stroke, so such lengths are in crank radii; "
+        "give a bare number, or the stroke"
     ),
     "unit.unknown-pitch": N_(
         "{where} is {value}, but the file gives no bore pitch, so lengths along the crankshaft are "
@@ -110,8 +110,8 @@ SENTENCES: dict[str, str | Plural] = {
         "reciprocating mass, or bare numbers in units of it"
     ),
     "unit.relative-radius": N_(
-        "{where} is {value}, but lengths across the crankshaft are in crank radii; give a bare "
-        "number, or take radius out of relative"
+        "{where} is {value}, but such lengths are in crank radii; give a bare number, or take "
+        "radius out of relative"
     ),
     "unit.relative-pitch": N_(
         "{where} is {value}, but lengths along the crankshaft are in bore pitches; give a bare "

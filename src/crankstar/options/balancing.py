@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from fractions import Fraction
+from typing import get_args
 
 from pydantic import BaseModel, ConfigDict, Field
 
@@ -14,6 +16,7 @@ from crankstar.options.refusals import RequestError
 from crankstar.options.vocabulary import meaning
 from crankstar.remedy import balance_shafts, fitting, placed
 from crankstar.remedy.kept import with_source
+from crankstar.remedy.sizing import Remedied, with_weights_like
 from crankstar.tables.remedies import Job
 
 
@@ -24,7 +27,10 @@ class BalanceOptions(BaseModel):
 
     factor: str | None = Field(default=None, description=meaning("--factor"))
     bare: bool = Field(default=False, description=meaning("--bare"))
-    weights: str = Field(default="pins", description=meaning("--weights", "Default: pins."))
+    weights: str | None = Field(
+        default=None,
+        description=meaning("--weights", "Default: pins; none where only shafts are asked for."),
+    )
     minimise: str | None = Field(
         default=None,
         description=meaning(
@@ -48,6 +54,7 @@ class BalanceOptions(BaseModel):
         default=None, description=meaning("--greatest-unbalance")
     )
     radius: str | None = Field(default=None, description=meaning("--radius"))
+    shaft_radius: str | None = Field(default=None, description=meaning("--shaft-radius"))
     shafts: str | None = Field(default=None, description=meaning("--shafts"))
     shaft_planes: str | None = Field(default=None, description=meaning("--shaft-planes"))
     shaft_place: str | None = Field(default=None, description=meaning("--shaft-place"))
@@ -65,93 +72,137 @@ PARTS = {
 
 
 def balanced(
-    engine: Engine, options: BalanceOptions, *, speed: str | None = None, own_factor: float = 0.5
+    engine: Engine,
+    options: BalanceOptions,
+    *,
+    speed: str | None = None,
+    own_factor: float = 0.5,
+    like: Job | None = None,
 ) -> Job:
     """The engine before and after; `own_factor` is the balance factor of its file.
 
-    Weights that are sized for estimated masses say so. Raises RequestError and RemedyError.
+    With `like` it is the remedy of that job, sized for the masses of this engine. Weights that are
+    sized for estimated masses say so. Raises RequestError and RemedyError.
     """
-    job = _balanced(engine, options, speed=speed, own_factor=own_factor)
+    if like is not None and engine is like.before:
+        return like
+    job = _balanced(engine, options, speed=speed, own_factor=own_factor, like=like)
     return job._replace(after=with_source(engine, job.after))
 
 
 def _balanced(
-    engine: Engine, options: BalanceOptions, *, speed: str | None, own_factor: float
+    engine: Engine,
+    options: BalanceOptions,
+    *,
+    speed: str | None,
+    own_factor: float,
+    like: Job | None,
 ) -> Job:
     for name, parts in PARTS.items():
         given = {f"--{part.replace('_', '-')}": getattr(options, part) for part in parts}
         if getattr(options, name) is None:
             request.refuse_unused(given, without=f"--{name}")
-    model = remedies.model(options.model)
-    places = remedies.weights(options.weights, engine)
-    radius = request.length("--radius", options.radius, engine, positive=True)
-    turning = engine.speed if speed is None else request.speed(speed)
+    job = Job(
+        engine,
+        engine,
+        radius=request.length("--radius", options.radius, engine, positive=True),
+        shaft_radius=request.length("--shaft-radius", options.shaft_radius, engine, positive=True),
+        speed=engine.speed if speed is None else request.speed(speed),
+        model=remedies.model(options.model),
+    )
     if options.recommended:
-        job = _recommended(engine, options)
-        return job._replace(radius=radius, speed=turning, model=model)
-    if _moves_only(options):
-        job = Job(engine, engine, None, radius=radius, speed=turning, model=model)
-    elif options.minimise is None:
+        job = _recommended(job, options, like)
+    else:
+        if fits_weights(options):
+            job = _with_weights(job, options, own_factor)
+            if like is not None:
+                after = with_weights_like(Remedied(like.before, like.after), engine, job.after)
+                job = job._replace(after=after)
+        else:
+            request.refuse_unused({"--radius": options.radius}, without="--weights")
+        job = _with_shafts(job, options, like)
+    if not balance_shafts(job.after):
+        request.refuse_unused({"--shaft-radius": options.shaft_radius}, without="--shafts")
+    return job
+
+
+def fits_weights(options: BalanceOptions) -> bool:
+    """Whether counterweights are asked for: by an option of theirs, or by none of another remedy.
+
+    >>> fits_weights(BalanceOptions()), fits_weights(BalanceOptions(shafts="-1"))
+    (True, False)
+    """
+    asked = any(text is not None for text in (options.factor, options.weights, options.minimise))
+    return asked or options.bare or not (options.shafts is not None or options.box)
+
+
+def _with_weights(job: Job, options: BalanceOptions, own_factor: float) -> Job:
+    """The job with counterweights of a balance factor, or with those that minimise an aim."""
+    engine = job.before
+    places = remedies.weights("pins" if options.weights is None else options.weights, engine)
+    if options.minimise is None:
         factor = own_factor if options.factor is None else remedies.factor(options.factor)
         after = fitting.by_factor(engine, factor=factor, weights=places, bare=options.bare)
-        job = Job(engine, after, factor, radius=radius, speed=turning, model=model)
-    else:
-        request.refuse_unused({"--factor": options.factor}, beside="--minimise")
-        best = fitting.best(
-            engine,
-            weights=places,
-            aim=remedies.aim("--minimise", options.minimise, pitch=options.pitch_share),
-            limits=remedies.limits(options.limit, engine, speed=turning, model=model),
-            greatest_unbalance=remedies.unbalance(
-                "--greatest-unbalance", options.greatest_unbalance, engine
-            ),
-            bare=options.bare,
-            model=model,
-        )
-        job = Job(engine, best.engine, None, best, radius, turning, model=model)
-    return _with_shafts(job, options)
+        return job._replace(after=after, factor=factor)
+    request.refuse_unused({"--factor": options.factor}, beside="--minimise")
+    best = fitting.best(
+        engine,
+        weights=places,
+        aim=remedies.aim("--minimise", options.minimise, pitch=options.pitch_share),
+        limits=remedies.limits(options.limit, engine, speed=job.speed, model=job.model),
+        greatest_unbalance=remedies.unbalance(
+            "--greatest-unbalance", options.greatest_unbalance, engine
+        ),
+        bare=options.bare,
+        model=job.model,
+    )
+    return job._replace(after=best.engine, best=best)
 
 
-def _moves_only(options: BalanceOptions) -> bool:
-    """Whether only the balance shafts of the file are placed, and the weights stay."""
-    others = (options.factor, options.minimise, options.shafts)
-    return bool(options.box) and not any(others) and not (options.bare or options.recommended)
-
-
-def _recommended(engine: Engine, options: BalanceOptions) -> Job:
+def _recommended(job: Job, options: BalanceOptions, like: Job | None) -> Job:
     """The job that fits what the verdict recommends. Raises RequestError."""
+    shafts = "all" if options.shafts == "all" else "needed"
     unused = {
         "--factor": options.factor,
         "--minimise": options.minimise,
-        "--weights": None if options.weights == "pins" else options.weights,
-        "--shafts": options.shafts,
+        "--weights": options.weights,
+        "--shafts": None if options.shafts in get_args(fitting.Wanted) else options.shafts,
         "--box": options.box,
+        **{f"--{part.replace('_', '-')}": getattr(options, part) for part in PARTS["shafts"]},
     }
     request.refuse_unused(unused, beside="--recommended")
-    fitted = fitting.recommended(engine, bare=options.bare)
+    first = job.before if like is None else like.before
+    fitted = fitting.recommended(first, bare=options.bare, shafts=shafts)
     if fitted is None:
         raise RequestError(
             "--recommended: no primary or secondary force or couple remains that weights or "
             "balance shafts remove"
         )
-    return Job(engine, fitted.after, fitted.factor, description=fitted.description)
+    fitted = fitting.recommended_like(fitted, first, job.before, bare=options.bare)
+    return job._replace(after=fitted.after, factor=fitted.factor, description=fitted.description)
 
 
-def _with_shafts(job: Job, options: BalanceOptions) -> Job:
+def _with_shafts(job: Job, options: BalanceOptions, like: Job | None) -> Job:
     """The job with its balance shafts, if any."""
     if options.shafts is None:
         return _with_moved_shafts(job, options) if options.box else job
     ratios = remedies.ratios(options.shafts)
     if options.box:
-        return _with_placed_shafts(job, options, ratios)
-    places = remedies.shaft_places(
-        job.before,
-        planes_text=options.shaft_planes,
-        place=options.shaft_place,
-        spacing=options.shaft_spacing,
-    )
-    after = fitting.with_shafts(job.after, ratios=ratios, places=places, level=options.level)
-    return job._replace(after=after)
+        job = _with_placed_shafts(job, options, ratios, like)
+    else:
+        places = remedies.shaft_places(
+            job.before,
+            planes_text=options.shaft_planes,
+            place=options.shaft_place,
+            spacing=options.shaft_spacing,
+        )
+        after = fitting.with_shafts(
+            job.after, ratios=ratios, places=places, level=options.level, like=_remedied(like)
+        )
+        job = job._replace(after=after)
+    fitted = {shaft.speed_ratio for shaft in job.after.shafts[len(job.before.shafts) :]}
+    idle = () if isinstance(ratios, str) else dict.fromkeys(r for r in ratios if r not in fitted)
+    return job._replace(idle=tuple(idle))
 
 
 def _with_moved_shafts(job: Job, options: BalanceOptions) -> Job:
@@ -171,22 +222,35 @@ def _with_moved_shafts(job: Job, options: BalanceOptions) -> Job:
 
 
 def new_name(job: Job, options: BalanceOptions) -> str:
-    """The name of the balanced engine: that of the file, and what was done to it."""
+    """The name of the balanced engine: that of the file, and what was done to it, said once."""
+    name = job.before.name
+    done: list[str] = []
     if options.recommended:
-        done = [_("balanced as recommended")]
-    elif _moves_only(options):
-        done = [_("balance shafts placed")]
+        done.append(_("balanced as recommended"))
     elif options.minimise is not None:
-        done = [_("weights for least {quantity}", quantity=_(options.minimise))]
-    else:
-        done = [_("balance factor {factor}", factor=f"{job.factor or 0.0:.6g}")]
+        done.append(_("weights for least {quantity}", quantity=_(options.minimise)))
+    elif job.factor is not None:
+        done.append(_("balance factor {factor}", factor=f"{job.factor:.6g}"))
+        name = _without_factor(name)
+    elif options.shafts is None:
+        done.append(_("balance shafts placed"))
     if options.shafts is not None:
         done.append(_("balance shafts: {ratios}", ratios=options.shafts))
-    return ", ".join((job.before.name, *done))
+    return ", ".join((name, *(words for words in done if f", {words}" not in name)))
+
+
+def _without_factor(name: str) -> str:
+    """The name of a balanced engine without its factor: its weights count in the new one."""
+    said = re.escape(", " + _("balance factor {factor}", factor="=")).replace("=", r"-?[\d.]+")
+    return re.sub(said, "", name)
+
+
+def _remedied(job: Job | None) -> Remedied | None:
+    return None if job is None else Remedied(job.before, job.after)
 
 
 def _with_placed_shafts(
-    job: Job, options: BalanceOptions, ratios: list[Fraction] | fitting.Wanted
+    job: Job, options: BalanceOptions, ratios: list[Fraction] | fitting.Wanted, like: Job | None
 ) -> Job:
     """The job with its balance shafts where they leave the least roll in their boxes."""
     fixed = {
@@ -198,6 +262,6 @@ def _with_placed_shafts(
     along = remedies.shaft_planes(options.shaft_planes, job.before)
     boxes = [remedies.box(text, job.before) for text in options.box]
     after, placings = fitting.with_placed_shafts(
-        job.after, ratios=ratios, boxes=boxes, planes=along
+        job.after, ratios=ratios, boxes=boxes, planes=along, like=_remedied(like)
     )
     return job._replace(after=after, placings=placings)

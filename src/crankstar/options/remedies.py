@@ -107,6 +107,10 @@ def limits(
                 "--limit", text, 'give a quantity and its limit, as in couple=50% or force="500 N"'
             )
         wanted = aim("--limit", name)
+        if wanted in [limit.aim for limit in out]:
+            raise refusal(
+                "--limit", text, "{name} already has a limit; give one", name=name.strip()
+            )
         at_most = _at_most(wanted, value, text, engine, speed, model)
         out.append(Limit(wanted, at_most))
     return out
@@ -225,6 +229,13 @@ def _reach(text: str, engine: Engine, example: str) -> tuple[float, float]:
     elif units.is_bare(first) and not units.is_bare(second):
         first = f"{first} {second.lstrip('+-.0123456789').strip()}"
     least, most = places("--box", [first, second], [LENGTH, LENGTH], engine, example)
+    if least > most:
+        raise refusal(
+            "--box",
+            text,
+            'give the smaller length first, as in "{turned}"',
+            turned=f"{second}..{first}",
+        )
     return least, most
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import replace
 from fractions import Fraction
 from math import degrees as rad2deg
 from pathlib import PurePath
@@ -22,6 +23,7 @@ from crankstar.mechanics.balance import Grouping
 from crankstar.mechanics.excitation import Reference
 from crankstar.options.refusals import RequestError, choice, refusal
 from crankstar.options.refusals import refuse_unused as refuse_unused  # with the other requests
+from crankstar.tables.scales import along_in_radii
 
 Derived = Literal["force", "couple", "torque"]
 Derivable = Literal["motion", "force", "couple", "torque"]
@@ -293,9 +295,15 @@ def places(
     option: str, parts: list[str], marks: list[Quantity], engine: Engine, example: str
 ) -> list[float]:
     """Lengths with their units, or bare where the engine counts in units of its own."""
-    read = units.reader(frozenset(engine.relative))
+    relative = frozenset(engine.relative)
+    if along_in_radii(engine):
+        marks = [replace(mark, relative_to=LENGTH.relative_to) for mark in marks]
+    read = units.reader(relative)
+    values: list[float] = []
     for part, mark in zip(parts, marks, strict=False):
-        if units.is_bare(part) and not mark.relative_to & frozenset(engine.relative):
+        counted = mark.relative_to & relative
+        if units.is_bare(part) and not counted:
             raise refusal(option, part, "write it with a unit, {example}", example=example)
-    with reading(option, example=example):
-        return [read(part, mark) for part, mark in zip(parts, marks, strict=False)]
+        with reading(option, example="" if counted else example):
+            values.append(read(part, mark))
+    return values

@@ -242,8 +242,8 @@ OPTIONS = {
     ),
     "--radius": Option(
         "text",
-        'Radius at which the masses of weights are given, such as "60 mm" (default: the crank '
-        "radius).",
+        'Radius of the centres of counterweights, for their masses, such as "60 mm" (default: the '
+        "crank radius).",
     ),
     "--recommended": Option(
         "nothing",
@@ -275,6 +275,9 @@ OPTIONS = {
         "text",
         "Positions of the weights along the balance shafts (default: beyond both ends).",
         ("--shaft-plane",),
+    ),
+    "--shaft-radius": Option(
+        "text", "Radius of the centres of balance shaft weights (default: the crank radius)."
     ),
     "--shaft-spacing": Option(
         "text",

@@ -39,6 +39,7 @@ from crankstar.page.scene import scene
 from crankstar.page.unit_records import Unit, Units, UnitsOffered
 from crankstar.remedy import fitting
 from crankstar.remedy.kept import with_source
+from crankstar.remedy.sizing import Remedied, resized
 from crankstar.tables import headings, remedies, strokes
 from crankstar.tables.conditions import can_be_estimated, unit_sentence, unit_sizes, unverified
 from crankstar.tables.ranges import estimated_paths, merged, ranged_lines
@@ -214,13 +215,15 @@ def fitted_with(
 
 def remedy_tables(engine: Engine, fit: Fit, over: Spread | None) -> tuple[Table, ...]:
     """The tables of weights and shafts; with ranges, for engines each fitted for its own masses."""
+    first = fit(engine)
+    if first is None:
+        return ()
 
     def sheet(each: Engine) -> Document:
-        done = fit(each)
-        if done is None:
-            return Document("", ())
+        own = fit(each)
+        after = resized(Remedied(engine, first.after), each, own and own.after)
         job = remedies.Job(
-            each, done.after, done.factor, speed=each.speed, description=done.description
+            each, after, first.factor, speed=each.speed, description=first.description
         )
         return Document("", tuple(remedies.parts(job)))
 

@@ -40,13 +40,14 @@ def chart(engine: Engine, key: str, *, spread: Spread | None = None) -> dict[str
     return drawn
 
 
-def fitted_spread(spread: Spread | None, after: Engine) -> Spread | None:
+def fitted_spread(spread: Spread | None, fitted: fitting.Fitted, after: Engine) -> Spread | None:
     """The fitted engine `after` over the ranges, each engine with weights for its own masses."""
-    fitted = [fitting.recommended(each) for each in spread.ends] if spread else []
-    engines = [one.after for one in fitted if one is not None]
-    if not engines or len(engines) < len(fitted):
+    if spread is None:
         return None
-    return Spread(after, engines[0], tuple(engines[1:]))
+    first, *others = (
+        fitting.recommended_like(fitted, spread.engine, each).after for each in spread.ends
+    )
+    return Spread(after, first, tuple(others))
 
 
 def _before_and_after(engine: Engine, spread: Spread | None) -> Any:
@@ -60,7 +61,7 @@ def _before_and_after(engine: Engine, spread: Spread | None) -> Any:
     before = with_values(engine, name=_("as it is"))
     after = with_values(fitted.after, name=_("with weights and shafts"))
     own = spread and spread._replace(engine=before)
-    with over_ranges([own, fitted_spread(spread, after)]):
+    with over_ranges([own, fitted_spread(spread, fitted, after)]):
         return side_by_side([before, after], "spectrum", speed=engine.speed)
 
 

@@ -177,8 +177,8 @@ def _check_roll(case: Setting, aim: Aim) -> None:
         size = size[np.abs(case.order - aim.order) < 1e-9]
     if not size.max(initial=0.0) > 0:
         raise RemedyError(
-            "the {aim} does not depend on the weights of these crankshafts; balance shafts change "
-            "it by their place: --shafts with --box",
+            "the {aim} does not depend on the weights of these crankshafts, only on the place of "
+            "balance shafts, which --shafts with --box finds; leave --minimise out",
             aim=aim_name(aim),
         )
 
@@ -268,8 +268,7 @@ def _settled(case: Setting, aim: Aim | None, limits: Sequence[Limit], most: floa
     peaky = [each for each in wanted if each.peaky]
     if peaky and turns > GREATEST_TURNS:
         raise RemedyError(
-            "{aim}: its period is {turns} turns of the geared shafts, too long to find "
-            "the peak; "
+            "{aim}: its period is {turns} turns of the geared shafts, too long to find the peak; "
             "minimise the rms instead",
             aim=aim_name(peaky[0]),
             turns=turns,
@@ -281,6 +280,7 @@ def _settled(case: Setting, aim: Aim | None, limits: Sequence[Limit], most: floa
     none = np.zeros(2 * case.order.size)
     # An aim may be small beside the weights themselves, which set the solver's precision.
     precision = CLOSE * max(1.0, *(measured(case, each, none) for each in wanted))
+    best, x = Solution(none, 0.0), none
     for _round in range(ROUNDS):
         groups = [cones(case, each, theta) for each, theta in zip(wanted, angles, strict=True)]
         first = groups.pop(0) if aim else [_together(cones(case, Aim("bearing"), none))]
@@ -303,17 +303,36 @@ def _settled(case: Setting, aim: Aim | None, limits: Sequence[Limit], most: floa
         if not any(more.size for more in missing):
             return best
         angles = [np.append(theta, more) for theta, more in zip(angles, missing, strict=True)]
-    raise RemedyError(
-        "the search for the best weights did not converge; use fewer planes, or minimise another "
-        "quantity"
-    )
+    return Solution(_drawn_in(case, limits, x, precision), best.bound)
+
+
+def _drawn_in(case: Setting, limits: Sequence[Limit], x: Real, precision: float) -> Real:
+    """The weights nearest to x, on the way to it from none, that are within the limits.
+
+    Limits that leave next to no room are neared too slowly. Raises RemedyError where the engine
+    without weights is not within them.
+    """
+
+    def within(share: float) -> bool:
+        return all(measured(case, aim, share * x) <= top + precision for aim, top, _ in limits)
+
+    if not within(0.0):
+        raise RemedyError(
+            "the search for the best weights did not converge; use fewer planes, or minimise "
+            "another quantity"
+        )
+    low, high = 0.0, 1.0
+    for _halving in range(30):
+        share = (low + high) / 2
+        low, high = (share, high) if within(share) else (low, share)
+    return low * x if low * np.abs(x).max() > NOISE else np.zeros_like(x)
 
 
 def _together(parts: Sequence[Cone]) -> Cone:
     """The norm of several vectors as one, with a little of the weights, so that one set is best."""
-    count = parts[0].matrix.shape[1]
-    matrix = np.concatenate([*(cone.matrix for cone in parts), GENTLE * np.eye(count)])
-    return Cone(matrix, np.concatenate([*(cone.shift for cone in parts), np.zeros(count)]))
+    gentle = GENTLE * np.eye(parts[0].matrix.shape[1])
+    matrix = np.concatenate([*(cone.matrix for cone in parts), gentle])
+    return Cone(matrix, np.concatenate([*(cone.shift for cone in parts), np.zeros(len(gentle))]))
 
 
 def _tidied(

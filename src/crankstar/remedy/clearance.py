@@ -8,10 +8,13 @@ crank sweeps its greatest throw and, for webs and big ends, `HALF_BORE` bores mo
 from __future__ import annotations
 
 from itertools import combinations
+from math import ceil, floor, log10
 from typing import NamedTuple
 
 from crankstar.engine.engine import Engine
+from crankstar.engine.main_bearings import room
 from crankstar.engine.records import Shaft
+from crankstar.remedy.counterweights import BEYOND
 
 HALF_BORE, SHAFT_BORE = 0.45, 0.22
 """Bores: webs and big ends beyond the throw, and the swept radius of a balance shaft."""
@@ -48,6 +51,31 @@ def crank_sweep(engine: Engine, shaft: Shaft | None = None) -> float:
     return max(throw.radius for each in shafts for throw in each.throws) + (
         HALF_BORE * bore_of(engine)
     )
+
+
+def raised(length: float) -> float:
+    """A length to two figures, never less: what is nearer than it is too near.
+
+    >>> raised(0.0901), raised(0.12)
+    (0.091, 0.12)
+    """
+    step = 10.0 ** (floor(log10(length)) - 1)
+    return float(f"{ceil(length / step - 1e-9) * step:.2g}")
+
+
+def beyond_ends(engine: Engine) -> tuple[tuple[Shaft, float], ...]:
+    """The balance shafts with a weight far beyond pins and cylinders, and its place z.
+
+    No such place is refused: a compensator of a ship may stand at the end of its engine room.
+    """
+    places = [throw.z for shaft in engine.shafts for throw in shaft.throws]
+    places += [cylinder.z for cylinder in engine.cylinders]
+    far = BEYOND * room(engine)
+    out: list[tuple[Shaft, float]] = []
+    for shaft in balance_shafts(engine):
+        outside = [w.z for w in shaft.weights if not min(places) - far <= w.z <= max(places) + far]
+        out += [(shaft, max(outside, key=abs))] if outside else []
+    return tuple(out)
 
 
 def clashes(engine: Engine) -> tuple[Clash, ...]:

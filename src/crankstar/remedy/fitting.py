@@ -38,6 +38,8 @@ from crankstar.remedy import (
     without_counterweights,
     without_weights,
 )
+from crankstar.remedy.clearance import SHAFT_BORE, balance_shafts, bore_of, raised
+from crankstar.remedy.sizing import Remedied, resized, with_shafts_like
 
 Places = Literal["pins", "webs", "ends"]
 """Places of weights other than given planes."""
@@ -137,7 +139,7 @@ def by_factor(
 
 
 @lru_cache(maxsize=256)  # the verdict, its tables and figures all ask for it, at every corner
-def recommended(engine: Engine, *, bare: bool = False) -> Fitted | None:
+def recommended(engine: Engine, *, bare: bool = False, shafts: Wanted = "needed") -> Fitted | None:
     """The engine with the cure that its verdict proposes; None where order 1 and 2 are balanced.
 
     Counterweights (`quiet_cranks`) cancel what turns with a crankshaft in order 1 and 2, beside
@@ -156,21 +158,31 @@ def recommended(engine: Engine, *, bare: bool = False) -> Fitted | None:
         after, factor = quiet_cranks(engine, bare=bare)
         weighted = any(shaft.weights for shaft in after.shafts if shaft.throws)
         weights = "removed" if not weighted else "webs" if factor is not None else "ends"
-    ratios = _ratios_of(after, lowest=True) if needs(after) else []
+    ratios = _ratios_of(after, lowest=shafts == "needed") if needs(after) else []
     if len(after.shafts) + len(ratios) > GREATEST_SHAFTS:
         ratios = []
     if ratios:
         paired = any(-ratio in ratios for ratio in ratios)
-        places = clear_places(engine, paired=paired)
-        after = with_shafts(after, ratios="needed", places=places)
+        alone = bool(balance_shafts(after)) or any(-ratio not in ratios for ratio in ratios)
+        places = clear_places(engine, paired=paired, about_another=alone)
+        after = with_shafts(after, ratios=shafts, places=places)
     return Fitted(after, weights, factor, tuple(ratios)) if weights or ratios else None
 
 
-def clear_places(engine: Engine, *, paired: bool) -> ShaftPlaces:
+def recommended_like(
+    fitted: Fitted, before: Engine, engine: Engine, *, bare: bool = False
+) -> Fitted:
+    """The cure of the engine `before`, sized for the masses of another one."""
+    own = recommended(engine, bare=bare)
+    like = Remedied(before, fitted.after)
+    return fitted._replace(after=resized(like, engine, None if own is None else own.after))
+
+
+def clear_places(engine: Engine, *, paired: bool, about_another: bool = False) -> ShaftPlaces:
     """The place of balance shafts clear of the first crankshaft, away from its cylinders.
 
-    They lie below it where cylinders point both ways; a pair lies side by side. Lengths to two
-    figures.
+    They lie below it where cylinders point both ways; a pair lies side by side, far enough apart
+    for another one between them if there is one. Lengths to two figures.
 
     >>> from crankstar.files.catalog import load
     >>> clear_places(load("i4"), paired=True)
@@ -181,13 +193,11 @@ def clear_places(engine: Engine, *, paired: bool) -> ShaftPlaces:
     reach = crank_sweep(engine)
     downward = sum(cos(cylinder.bearing) for cylinder in own) < -0.5 * len(own)
     away = 1 if downward else -1
-    return ShaftPlaces(
-        up=_rounded(away * BELOW * reach), apart=_rounded(BESIDE * reach) if paired else 0.0
-    )
-
-
-def _rounded(length: float) -> float:
-    return float(f"{length:.2g}")
+    own = SHAFT_BORE * bore_of(engine)
+    apart = raised(4 * own) if about_another else 0.0
+    apart = max(apart, float(f"{BESIDE * reach:.2g}"))
+    below = raised(max(BELOW * reach, reach + own))
+    return ShaftPlaces(up=away * below, apart=apart if paired else 0.0)
 
 
 def quiet_cranks(engine: Engine, *, bare: bool = False) -> tuple[Engine, float | None]:
@@ -261,14 +271,25 @@ def _planes(engine: Engine, weights: Places | Sequence[Plane]) -> list[Plane]:
 
 
 def with_shafts(
-    engine: Engine, *, ratios: Sequence[Fraction] | Wanted, places: ShaftPlaces, level: bool = False
+    engine: Engine,
+    *,
+    ratios: Sequence[Fraction] | Wanted,
+    places: ShaftPlaces,
+    level: bool = False,
+    like: Remedied | None = None,
 ) -> Engine:
     """The engine with balance shafts of these speed ratios, or with those that it needs.
 
     `needed` are those of the lowest order that remains, as engines are built; `all` those of the
-    first and the second. Shafts of the same ratio share the task equally. With `level` the two
-    shafts of a pair are moved to the heights at which the block does not roll. Raises RemedyError.
+    first and the second. Shafts of the same ratio share the task equally; one beside others with
+    nothing to cancel is left out. With `level` the two shafts of a pair are moved to the heights at
+    which the block does not roll. Those of a remedy `like` which it is to be are sized for this
+    engine. Raises RemedyError.
     """
+    if like is not None:
+        after = with_shafts_like(like, engine)
+        new = [shaft.speed_ratio for shaft in like.new_shafts]
+        return _levelled(after, new) if level else after
     wanted = (
         list(ratios)
         if not isinstance(ratios, str)
@@ -278,9 +299,10 @@ def with_shafts(
         raise RemedyError(
             "there is no pair of balance shafts to space; --shaft-place places a single shaft"
         )
+    bare = engine
     for place, ratio in enumerate(wanted):
-        if isinstance(ratios, str) and ratio not in {need.ratio for need in needs(engine)}:
-            continue  # the shafts before it have cancelled it
+        if len(wanted) > 1 and _idle(engine, ratio):
+            continue  # the shafts before it may have cancelled it
         planes = _along(engine, ratio) if places.planes is None else places.planes
         aside = (places.apart / 2 if ratio > 0 else -places.apart / 2) if -ratio in wanted else 0.0
         engine = with_balance_shaft(
@@ -291,15 +313,28 @@ def with_shafts(
             right=places.right + aside,
             share=1 / wanted[place:].count(ratio),
         )
-    if level:
-        pairs = sorted({abs(ratio) for ratio in wanted if -ratio in wanted})
-        if not pairs:
-            raise RemedyError(
-                "there is no pair of balance shafts to move; give two speed ratios, such as 2, -2"
-            )
-        for order in pairs:
-            engine = with_roll_cancelled(engine, order=order)
-    return engine
+    if engine is bare:
+        raise RemedyError(
+            "no force or couple turns with shafts of the speed ratios {ratios}; leave them out",
+            ratios=", ".join(map(str, wanted)),
+        )
+    return _levelled(engine, wanted) if level else engine
+
+
+def _levelled(engine: Engine, ratios: Sequence[Fraction]) -> Engine:
+    """The engine with its pairs of shafts at the heights at which the block does not roll."""
+    pairs = sorted({abs(ratio) for ratio in ratios if -ratio in ratios})
+    if not pairs:
+        raise RemedyError(
+            "there is no pair of balance shafts to move; give two speed ratios, such as 2, -2"
+        )
+    return reduce(lambda moved, order: with_roll_cancelled(moved, order=order), pairs, engine)
+
+
+def _idle(engine: Engine, ratio: Fraction) -> bool:
+    """Whether a shaft of a possible speed ratio would have nothing to cancel."""
+    possible = 0 < abs(ratio) <= GREATEST_RATIO
+    return possible and all(need.ratio != ratio for need in needs(engine, highest=GREATEST_RATIO))
 
 
 def with_placed_shafts(
@@ -308,12 +343,13 @@ def with_placed_shafts(
     ratios: Sequence[Fraction] | Wanted,
     boxes: Sequence[Box],
     planes: tuple[float, ...] | None = None,
+    like: Remedied | None = None,
 ) -> tuple[Engine, tuple[Placing, ...]]:
     """The engine with balance shafts where they leave the least roll in their boxes.
 
     `planes` are those of their weights. Raises RemedyError.
     """
-    after = with_shafts(engine, ratios=ratios, places=ShaftPlaces(planes))
+    after = with_shafts(engine, ratios=ratios, places=ShaftPlaces(planes), like=like)
     new = [shaft.name for shaft in after.shafts[len(engine.shafts) :]]
     return placed(after, shafts=new, boxes=boxes)
 

@@ -106,7 +106,7 @@ def placed(
             count=len(shafts),
         )
     for box in own:
-        _possible(box)
+        _possible(box, engine.across)
     by_order: dict[Fraction, list[tuple[Shaft, Box]]] = {}
     for name, box in zip(shafts, own, strict=True):
         shaft = engine.shaft(name)
@@ -126,13 +126,14 @@ def placed(
     return engine, tuple(placings)
 
 
-def _possible(box: Box) -> None:
+def _possible(box: Box, unit: str) -> None:
     for least, most in box:
         if not (isfinite(least) and isfinite(most) and least <= most):
             raise RemedyError(
-                "a box reaches from {least} to {most}; give the smaller length first",
+                "a box reaches from {least} to {most} {unit}; give the smaller length first",
                 least=f"{least:g}",
                 most=f"{most:g}",
+                unit=unit,
             )
 
 

@@ -139,7 +139,7 @@ def with_balance_shaft(
             count=len(engine.shafts),
             greatest=GREATEST_SHAFTS,
         )
-    vectors = _unbalances(engine, ratio, planes)
+    vectors = unbalances(engine, ratio, planes)
     if not vectors:
         raise RemedyError(
             "no force or couple of order {order} turns with a shaft of speed ratio {ratio}; "
@@ -152,20 +152,23 @@ def with_balance_shaft(
     return with_shaft(engine, shaft)
 
 
-def _unbalances(engine: Engine, ratio: Fraction, planes: Sequence[float]) -> list[complex]:
+def unbalances(
+    engine: Engine, ratio: Fraction, planes: Sequence[float], *, couple: bool = True
+) -> list[complex]:
     """The least unbalances in these planes that cancel what turns at a ratio; none if nothing does.
 
-    Raises RemedyError where one plane has a couple to cancel.
+    kg m (or m r), up + i right at theta = 0. Raises RemedyError where one plane has a couple to
+    cancel, unless the `couple` may remain.
     """
     reference = default_reference(engine)
     parts = part_spectra(mechanism(engine), reference=reference)
-    force, couple = _vectors(parts, ratio)
+    force, moment = _vectors(parts, ratio)
     arms, squared = [plane - reference.z for plane in planes], float(ratio) ** 2
-    if not (force or couple):
+    if not (force or moment):
         return []
     if len(arms) > 1:
-        return least_weights(force=-force / squared, moment=-couple / squared, planes=arms)
-    if abs(couple - arms[0] * force) > ZERO * _pushed(parts.couple):
+        return least_weights(force=-force / squared, moment=-moment / squared, planes=arms)
+    if couple and abs(moment - arms[0] * force) > ZERO * _pushed(parts.couple):
         raise RemedyError("one plane cannot cancel a couple; give two planes or more")
     return [-force / squared]
 
@@ -189,7 +192,7 @@ def with_turning_cancelled(engine: Engine, *, ratio: Fraction | int) -> Engine:
             "no crankshaft has the speed ratio {ratio}; use a balance shaft", ratio=ratio
         )
     at = [(shaft, plane) for shaft in shafts for plane in end_webs(engine, shaft)]
-    added = list(zip(at, _unbalances(engine, ratio, [plane for _, plane in at]), strict=False))
+    added = list(zip(at, unbalances(engine, ratio, [plane for _, plane in at]), strict=False))
     weights: dict[str, Sequence[Weight]] = {}
     for shaft in shafts:
         own = [(plane, vector) for (home, plane), vector in added if home is shaft]

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from crankstar.engine.copies import with_values
+from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
 from crankstar.page.figures import fitted_spread
 from crankstar.remedy import fitting
@@ -27,11 +30,11 @@ def remedies(subject: Subject, gallery: Gallery) -> str:
         _("The spectra before and after, on common axes."),
         "wide low",
         beside=after,
-        spreads=[fitted_spread(subject.spreads[0], after)],
+        spreads=[fitted_spread(subject.spreads[0], fitted, after)],
         speed=subject.at,
     )
-    tables = parts_html(subject.parts(_tables))
-    lead = "".join(map(paragraph, subject.lines(_description)))
+    tables = parts_html(subject.parts(partial(_tables, subject.engine, fitted)))
+    lead = paragraph(fitted.description)
     drawn = [spectra]
     if fitted.ratios and subject.full:
         caption = _("The balance shafts in their places, from the front and from the side.")
@@ -40,14 +43,7 @@ def remedies(subject: Subject, gallery: Gallery) -> str:
     return section(title, body, name="remedies")
 
 
-def _tables(subject: Subject) -> list[Table | Remarks]:
-    """The tables of the recommended weights and shafts."""
-    fitted = fitting.recommended(subject.engine)
-    if fitted is None:
-        return []
-    return list(parts(Job(subject.engine, fitted.after, fitted.factor, speed=subject.at)))
-
-
-def _description(subject: Subject) -> list[str]:
-    fitted = fitting.recommended(subject.engine)
-    return [fitted.description] if fitted is not None else []
+def _tables(engine: Engine, fitted: fitting.Fitted, subject: Subject) -> list[Table | Remarks]:
+    """The tables of the weights and shafts recommended for an engine, sized for the subject."""
+    own = fitting.recommended_like(fitted, engine, subject.engine)
+    return list(parts(Job(subject.engine, own.after, own.factor, speed=subject.at)))

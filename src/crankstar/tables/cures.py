@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 from crankstar import spectra
 from crankstar.engine.engine import Engine
@@ -82,19 +83,39 @@ def _alike(need: Need, other: Need) -> bool:
     return all(abs(a - b) <= EQUAL * max(a, b) for a, b in pairs)
 
 
-def proposal(engine: Engine, *, speed: float | None = None) -> str:
-    """The counterweights that remove what turns with the crankshafts, and what then remains.
+class Left(NamedTuple):
+    """What counterweights leave of the first order, in words, and their factor, if they have one.
 
-    In newtons at `speed` (rad/s). Nothing where they do not better the engine as it is.
+    `weighted`: whether there are any; an engine may be better without those it has.
+    """
+
+    words: str
+    factor: float | None
+    weighted: bool
+
+
+def left_by_counterweights(engine: Engine, *, speed: float | None = None) -> Left | None:
+    """What remains with the counterweights that remove what turns with the crankshafts.
+
+    In newtons at `speed` (rad/s). None where they do not better the engine as it is.
     """
     cranks = {shaft.speed_ratio for shaft in engine.shafts if shaft.throws}
     if not any(need.ratio in cranks for need in needs(engine, highest=1)):
-        return ""
+        return None
     fitted, factor = quiet_cranks(engine)
     if not _better(summed(balance(engine)), summed(balance(fitted))):
+        return None
+    weighted = any(shaft.weights for shaft in fitted.shafts if shaft.throws)
+    return Left(_left(balance(fitted, speed=speed)), factor, weighted)
+
+
+def proposal(engine: Engine, *, speed: float | None = None) -> str:
+    """The counterweights that remove what turns with the crankshafts, and what then remains."""
+    found = left_by_counterweights(engine, speed=speed)
+    if found is None:
         return ""
-    left = _left(balance(fitted, speed=speed))
-    if not any(shaft.weights for shaft in fitted.shafts if shaft.throws):
+    left, factor, weighted = found
+    if not weighted:
         return _("Without its counterweights the engine has {left}.", left=left)
     if factor is None:
         return _("Counterweights on the end webs leave {left}.", left=left)

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from math import ceil, floor, log10
 
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.balance import scales as scales_of
 from crankstar.remedy import Placing, clashes
+from crankstar.remedy.clearance import beyond_ends, raised
 from crankstar.tables.scales import scales
 from crankstar.tables.table import Remarks, remarks
 
@@ -26,7 +26,7 @@ def placing_lines(
     if lines and engine.block is not None:
         lines.append(_("The rolling moment is taken about the centre of mass of the block."))
     yield from remarks(*lines, title=_("Places of the balance shafts"))
-    yield from remarks(*_clash_lines(engine), kind="doubt")
+    yield from remarks(*_clash_lines(engine), *_beyond_lines(engine), kind="doubt")
 
 
 def _clash_lines(engine: Engine) -> Iterator[str]:
@@ -37,7 +37,7 @@ def _clash_lines(engine: Engine) -> Iterator[str]:
             "first": clash.first,
             "second": clash.second,
             "distance": across.text(clash.distance),
-            "needed": across.text(_raised(clash.needed)),
+            "needed": across.text(raised(clash.needed)),
         }
         yield (
             _(
@@ -54,14 +54,16 @@ def _clash_lines(engine: Engine) -> Iterator[str]:
         )
 
 
-def _raised(length: float) -> float:
-    """A length to two figures, never less: what is nearer than it is too near.
-
-    >>> _raised(0.0901), _raised(0.12)
-    (0.091, 0.12)
-    """
-    step = 10.0 ** (floor(log10(length)) - 1)
-    return float(f"{ceil(length / step - 1e-9) * step:.2g}")
+def _beyond_lines(engine: Engine) -> Iterator[str]:
+    """A sentence for each shaft with a weight far beyond the crankshaft."""
+    along = scales(engine).along
+    for shaft, z in beyond_ends(engine):
+        yield _(
+            "A weight of {name} is at z = {z}, far beyond the crankshaft: a shaft apart from the "
+            "engine, or a mistake.",
+            name=shaft.name,
+            z=along.text(z),
+        )
 
 
 def _lines(engine: Engine, placing: Placing, speed: float | None) -> Iterator[str]:

@@ -10,12 +10,14 @@ from typing import NamedTuple
 import numpy as np
 
 from crankstar import spectra
+from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.files.catalog import load, summaries
 from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import number
 from crankstar.mechanics.balance import balance
 from crankstar.mechanics.remains import size
+from crankstar.remedy.loads import reciprocating_mass
 
 COMPARED = 4
 """Engines that are compared one by one."""
@@ -33,10 +35,13 @@ class PistonBalance(NamedTuple):
 
 
 def piston_balance(engine: Engine) -> PistonBalance:
-    """Of the pistons (and rods as bodies) without rotating masses and weights."""
+    """Of the reciprocating masses, the rods' share at the pistons among them; m is all of one.
+
+    What turns with the crank pins, and weights, count for nothing.
+    """
     orders = (1.0, 2.0)
-    result = balance(engine, orders=orders)
-    rows = [row for row, part in enumerate(result.parts) if part.kind in ("piston", "rod")]
+    result = balance(_lumped(engine), orders=orders)
+    rows = [row for row, part in enumerate(result.parts) if part.kind == "piston"]
     lengths: list[float] = []
     for order in orders:
         for name in ("force", "couple"):
@@ -44,6 +49,17 @@ def piston_balance(engine: Engine) -> PistonBalance:
             arm = spacing(engine) / engine.pitch if name == "couple" else 1.0
             lengths.append(size(whole, order) / arm)
     return PistonBalance(*(0.0 if length < 1e-6 else length for length in lengths))
+
+
+def _lumped(engine: Engine) -> Engine:
+    """The engine whose rods are two masses each, in force the same as the rigid body."""
+    if not any(cylinder.rod for cylinder in engine.cylinders):
+        return engine
+    lumped = (
+        with_values(cylinder, reciprocating_mass=reciprocating_mass(cylinder), rod=None)
+        for cylinder in engine.cylinders
+    )
+    return with_values(engine, cylinders=tuple(lumped))
 
 
 def spacing(engine: Engine) -> float:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from cmath import phase
 from collections.abc import Iterator, Sequence
+from fractions import Fraction
 from math import pi
 from typing import NamedTuple
 
@@ -19,7 +20,7 @@ from crankstar.mechanics.balance import Balance, Units, balance, total
 from crankstar.mechanics.balance import scales as scales_of
 from crankstar.mechanics.excitation import rolling_moment
 from crankstar.mechanics.remains import OPTIMISED, Sums, size, summed
-from crankstar.remedy import Best, Placing, bearing_load, changes, needs
+from crankstar.remedy import Best, Placing, balance_shafts, bearing_load, changes, needs
 from crankstar.remedy.kept import Changes, vectors
 from crankstar.tables.bobweights import bobweights
 from crankstar.tables.certificate import certificate
@@ -45,19 +46,30 @@ class Job(NamedTuple):
     """An engine before and after, and by which balance factor or best weights.
 
     `description` says what was fitted where neither of them does.
-    Masses of weights are given at `radius` (m or crank radii), else at the crank radius; at `speed`
-    (rad/s) what remains is given in N and N m.
+    Masses of counterweights are given at `radius`, those of balance shafts at `shaft_radius` (m or
+    crank radii), else at the crank radius; at `speed` (rad/s) what remains is given in N and N m.
+    `idle` are the speed ratios of shafts that would have had nothing to do.
     """
 
     before: Engine
     after: Engine
-    factor: float | None
+    factor: float | None = None
     best: Best | None = None
     radius: float | None = None
     speed: float | None = None
     description: str = ""
     placings: tuple[Placing, ...] = ()
     model: Model = "determinate"
+    shaft_radius: float | None = None
+    idle: tuple[Fraction, ...] = ()
+
+    @property
+    def weighted(self) -> bool:
+        """Whether counterweights were sized, or taken away, and not left as they were."""
+        became = changes(self.before, self.after)
+        cranks = [became[shaft.name] for shaft in self.after.shafts if shaft.throws]
+        changed = any(each.added or each.replaced for each in cranks)
+        return self.factor is not None or self.best is not None or changed
 
 
 def balancing_sheet(job: Job) -> Document:
@@ -68,12 +80,14 @@ def balancing_sheet(job: Job) -> Document:
 def parts(job: Job) -> Iterator[Table | Remarks]:
     """The sheet without its title."""
     yield from remarks(job.description)
-    yield _bobweights(job)
+    if job.weighted:
+        yield _bobweights(job)
     if job.best is not None:
         yield Remarks(tuple(certificate(job.best)), _("Best weights"))
     yield _weights(job)
-    yield from turning(job.before, job.after, speed=job.speed)
-    if any(shaft.weights and not shaft.throws for shaft in job.after.shafts):
+    if job.weighted:
+        yield from turning(job.before, job.after, speed=job.speed)
+    if balance_shafts(job.after):
         yield _shafts(job)
         yield from placing_lines(job.after, job.placings, speed=job.speed)
     yield _remaining(job)
@@ -95,9 +109,9 @@ def _bobweights(job: Job) -> Table:
 def _weights(job: Job) -> Table:
     engine = job.after
     across, along, mass, unbalance = scales(engine)
-    radius = engine.throw(engine.first).radius if job.radius is None else job.radius
     became = changes(job.before, job.after)
-    kept = any(each.kept for each in became.values())
+    listed = [shaft for shaft in engine.shafts if job.weighted or not shaft.throws]
+    kept = any(became[shaft.name].kept for shaft in listed)
     columns = (
         Column(_("shaft"), kind="text", key="shaft", wraps=True, label=True),
         Column(_("weight"), kind="text", key="origin", machine=not kept),
@@ -113,17 +127,13 @@ def _weights(job: Job) -> Table:
             along.of(weight.z),
             bearing(weight.angle),
             weight.unbalance * unbalance.factor,
-            weight.unbalance / radius * mass.factor,
+            weight.unbalance / _radius(job, shaft) * mass.factor,
         )
-        for shaft in engine.shafts
+        for shaft in listed
         for origin, weights in _by_origin(became[shaft.name])
         for weight in weights
     )
-    at = _("the crank radius") if job.radius is None else across.text(radius)
-    note = _(
-        "Mass: that of a lump, or that missing from a ring, with its centre at {radius}.", radius=at
-    )
-    notes = [note] if rows else [_("No weights.")]
+    notes = _mass_notes(job, listed, across) if rows else [_("No weights.")]
     if gone := sum(len(each.replaced) for each in became.values()):
         notes.append(
             _n(
@@ -133,9 +143,48 @@ def _weights(job: Job) -> Table:
                 count=gone,
             )
         )
-    if kept and not any(each.added for each in became.values()):
+    if not job.weighted:
+        notes.append(
+            _(
+                "The crankshafts stay as they are; --factor, --weights or --minimise fits "
+                "counterweights."
+            )
+        )
+    elif kept and not any(each.added for each in became.values()):
         notes.append(_("The weights of the file suffice; none are added."))
     return Table(_("Weights"), columns, rows, notes=tuple(notes), key="weights")
+
+
+def _radius(job: Job, shaft: Shaft) -> float:
+    """The radius at which the masses of the weights of a shaft are given."""
+    given = job.radius if shaft.throws else job.shaft_radius
+    return job.after.throw(job.after.first).radius if given is None else given
+
+
+def _mass_notes(job: Job, listed: Sequence[Shaft], across: Scale) -> list[str]:
+    """At which radius masses are given; of two, which is whose."""
+    at = {
+        bool(shaft.throws): _("the crank radius") if given is None else across.text(given)
+        for shaft in listed
+        if shaft.weights
+        for given in (job.radius if shaft.throws else job.shaft_radius,)
+    }
+    if len(set(at.values())) > 1:
+        return [
+            _(
+                "Mass: that of a lump, or that missing from a ring, with its centre at {radius}, "
+                "on balance shafts at {shaft_radius}.",
+                radius=at[True],
+                shaft_radius=at[False],
+            )
+        ]
+    (radius,) = set(at.values())
+    return [
+        _(
+            "Mass: that of a lump, or that missing from a ring, with its centre at {radius}.",
+            radius=radius,
+        )
+    ]
 
 
 def _by_origin(own: Changes) -> tuple[tuple[str, tuple[Weight, ...]], ...]:
@@ -158,7 +207,7 @@ def _shafts(job: Job) -> Table:
         Column(_("right"), across.unit, key="right"),
         Column(_("rolling moment added"), result.units.moment, key="roll_added"),
     )
-    own = [shaft for shaft in engine.shafts if shaft.weights and not shaft.throws]
+    own = balance_shafts(engine)
     rows = tuple(
         (
             shaft.name,
@@ -171,12 +220,25 @@ def _shafts(job: Job) -> Table:
         )
         for shaft in own
     )
-    note = _(
-        "A shaft at 0, 0 adds no rolling moment; --shaft-place and --shaft-spacing give the real "
-        "place."
-    )
-    notes = (note,) if any(not (shaft.up or shaft.right) for shaft in own) else ()
-    return Table(_("Balance shafts"), columns, rows, notes=notes, key="balance_shafts")
+    notes: list[str] = []
+    if any(not (shaft.up or shaft.right) for shaft in own):
+        notes.append(
+            _(
+                "A shaft at 0, 0 adds no rolling moment; --shaft-place and --shaft-spacing give "
+                "the real place."
+            )
+        )
+    if job.idle:
+        ratios = ", ".join(map(str, job.idle))
+        notes.append(
+            _n(
+                "No shaft of speed ratio {ratios} is added: it would have nothing to do.",
+                "No shafts of speed ratios {ratios} are added: they would have nothing to do.",
+                len(job.idle),
+                ratios=ratios,
+            )
+        )
+    return Table(_("Balance shafts"), columns, rows, notes=tuple(notes), key="balance_shafts")
 
 
 def _task(shaft: Shaft) -> str:
@@ -205,11 +267,13 @@ def _roll_added(result: Balance, shaft: Shaft) -> float:
 
 
 def _remaining(job: Job) -> Table:
-    """The orders in which something was put on the engine, before and after."""
+    """The orders in which something was put on the engine, or remains, before and after."""
     before, after = (balance(engine, speed=job.speed) for engine in (job.before, job.after))
     sums = summed(before), summed(after)
     fitted = [shaft for shaft in job.after.shafts if shaft.weights]
-    orders = sorted({1.0} | {abs(float(shaft.speed_ratio)) for shaft in fitted})
+    left = [need.ratio for need in needs(job.after, zero=OPTIMISED)]
+    ratios = [*(shaft.speed_ratio for shaft in fitted), *left]
+    orders = sorted({1.0} | {abs(float(ratio)) for ratio in ratios})
     rows: list[tuple[Value, ...]] = []
     worse: list[str] = []
     for order in orders:

@@ -35,6 +35,12 @@ class Scales(NamedTuple):
     unbalance: Scale
 
 
+def along_in_radii(engine: Engine) -> bool:
+    """Whether lengths along the crankshaft are counted in crank radii, for want of a bore pitch."""
+    lone = len({cylinder.z for cylinder in engine.cylinders}) == 1 and engine.bore_pitch is None
+    return lone and "radius" in engine.relative
+
+
 def scales(engine: Engine) -> Scales:
     """The scales of an engine.
 
@@ -43,12 +49,11 @@ def scales(engine: Engine) -> Scales:
     ['r', 'a', 'm', 'm*r']
     """
     sized, weighed = "radius" not in engine.relative, "mass" not in engine.relative
-    lone = len({cylinder.z for cylinder in engine.cylinders}) == 1 and engine.bore_pitch is None
     metric, radii = Scale(1000.0, "mm"), Scale(1.0, "r")
     along = Scale(1.0, "a") if "pitch" in engine.relative else metric
     return Scales(
         metric if sized else radii,
-        radii if lone and not sized else along,
+        radii if along_in_radii(engine) else along,
         Scale(1.0, "kg" if weighed else "m"),
         Scale(1.0, f"kg*{'m' if sized else 'r'}")
         if weighed

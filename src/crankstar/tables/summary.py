@@ -13,7 +13,7 @@ from crankstar.mechanics.balance import Balance
 from crankstar.mechanics.remains import Sums, pushed, remains
 from crankstar.remedy import needs
 from crankstar.tables.conditions import unit_sentence
-from crankstar.tables.cures import cure_lines
+from crankstar.tables.cures import cure_lines, left_by_counterweights
 from crankstar.tables.peaks import FELT, part_peaks
 from crankstar.tables.table import Remarks
 from crankstar.tables.verdict import largest_sentence
@@ -35,7 +35,8 @@ def summary(engine: Engine, result: Balance, sums: Sums) -> Remarks:
     """The lines that answer how the engine shakes; ten in a terminal of 80 columns, with its name.
 
     Largest order of force, couple and rolling moment; peaks over a turn of their vertical and
-    horizontal parts; the remedy of the first vector that has one.
+    horizontal parts; what counterweights would leave, where the file gives none, else the remedy of
+    the first vector that has one.
     """
     remaining = [largest_sentence(name, result, sums) for name in ("force", "couple")]
     remaining.append(_roll_sentence(result, sums))
@@ -43,7 +44,7 @@ def summary(engine: Engine, result: Balance, sums: Sums) -> Remarks:
         unit_sentence(engine, result),
         " ".join(filter(None, remaining)),
         _peaks_sentence(engine, result, sums),
-        _remedy_sentence(engine),
+        _remedy_sentence(engine, result),
     )
     return Remarks(tuple(filter(None, lines)))
 
@@ -85,12 +86,35 @@ def _peaks_sentence(engine: Engine, result: Balance, sums: Sums) -> str:
     return f"{text} {share}"
 
 
-def _remedy_sentence(engine: Engine) -> str:
+def _bare_sentence(engine: Engine, result: Balance) -> str:
+    """What usual counterweights would leave, where the file gives none."""
+    if any(shaft.weights for shaft in engine.shafts if shaft.throws):
+        return ""
+    left = left_by_counterweights(engine, speed=result.speed)
+    if left is None:
+        return ""
+    if left.factor is None:
+        return _(
+            "No counterweights in the file; with two on the end webs: {left}.", left=left.words
+        )
+    return _(
+        "No counterweights in the file; with {share} % balanced: {left}.",
+        share=f"{100 * left.factor:g}",
+        left=left.words,
+    )
+
+
+def _remedy_sentence(engine: Engine, result: Balance) -> str:
     """The first remedy, and that there are others."""
-    cures = cure_lines(engine, needs(engine))
-    if not cures:
+    remaining = needs(engine)
+    if not remaining:
         return _("No primary or secondary force or couple remains.")
-    if len(cures) == 1:
-        return cures[0]
-    others = _("{count} more: crankstar verdict.", count=len(cures) - 1)
-    return f"{cures[0]} {others}"
+    bare = _bare_sentence(engine, result)
+    if bare:
+        cranks = {shaft.speed_ratio for shaft in engine.shafts if shaft.throws}
+        remaining = [need for need in remaining if need.ratio not in cranks]
+    lines = [*filter(None, [bare]), *cure_lines(engine, remaining)]
+    if len(lines) == 1:
+        return lines[0]
+    others = _("{count} more: crankstar verdict.", count=len(lines) - 1)
+    return f"{lines[0]} {others}"
