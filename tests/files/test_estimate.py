@@ -232,6 +232,31 @@ def test_ranges_are_no_wider_than_masses_alone_can_make_them() -> None:
         assert cell.high == pytest.approx(one.high * size, rel=1e-9, abs=1e-6)
 
 
+@pytest.mark.parametrize("form", ["layout", "explicit"])
+def test_the_inertia_of_a_rod_moves_with_its_mass_and_centre(form: str) -> None:
+    """Roads: the file scaled, and I m' b' (l - b') / m b (l - b) of the engine read from it."""
+    tree = tree_for("honda-b18c")
+    if form == "explicit":
+        tree = tomllib.loads(toml(engine_of(tree)))
+    before = engine_of(tree).first
+    factors = {"cylinder.rod.mass": 1.3, "cylinder.rod.centre": 0.9, "cylinder.rod.inertia": 1.1}
+    after = engine_of(scaled(tree, factors)).first
+    assert before.rod is not None
+    assert after.rod is not None
+    mass, centre = 1.3 * before.rod.mass, 0.9 * before.rod.centre
+    two = mass * centre * (before.rod_length - centre)
+    own = before.rod.mass * before.rod.centre * (before.rod_length - before.rod.centre)
+    assert after.rod.mass == pytest.approx(mass)
+    assert after.rod.centre == pytest.approx(centre)
+    assert after.rod.inertia == pytest.approx(1.1 * before.rod.inertia * two / own)
+
+
+def test_a_rod_named_in_no_place_is_left_as_it_is() -> None:
+    source = {"status": "estimated", "range": [0.5, 2.0], "moves_with": "cylinder.rod"}
+    tree = {"cylinder": {"rod": {"inertia": 3.0}}, "provenance": {"cylinder.rod.inertia": source}}
+    assert scaled(tree, {"cylinder.rod.inertia": 2.0})["cylinder"]["rod"] == {"inertia": 6.0}
+
+
 def test_a_file_written_gives_the_same_ranges_again(tmp_path: Path) -> None:
     for explicit in (False, True):
         tree = tree_for("gm-3800")

@@ -291,6 +291,22 @@ def test_engines_side_by_side_have_their_own_ranges(run: Run) -> None:
     assert all(rows for rows in ends)
 
 
+def shares(run: Run, *arguments: str) -> list[str]:
+    """The shares of force that `compare` prints."""
+    text = run("compare", *arguments, "--estimate", "--orders", "2,4").out
+    force = text[text.index("Force") : text.index("None of orders" if "None of" in text else "Coup")]
+    return re.findall(r"^ *(?:2|4|peak)  .*?  (\S[^)]*\)?)$", force, re.MULTILINE)
+
+
+def test_the_same_estimated_parts_move_together_in_a_comparison(run: Run) -> None:
+    """Force follows r^2 A_k w^2: another stroke has another share, whatever the masses are."""
+    same = shares(run, "honda-b18c", "honda-b18c", "--set", '2:cylinder.stroke="80 mm"')
+    assert same[0].split()[-1] == "83.81"
+    assert all("to" not in share for share in same)
+    others = shares(run, "honda-b18c", "yamaha-r1-crossplane")
+    assert any("to" in share for share in others)
+
+
 def test_the_report_marks_what_rests_on_estimates_from_the_first_page(run: Run) -> None:
     run("report", "bmw-m52b28", "--estimate", "-o", "report.html")
     text = re.sub(r"<[^>]+>", " ", Path("report.html").read_text())

@@ -250,7 +250,7 @@ def compare(
         return made([analysed.of(wanted) for analysed in shown], own)
 
     document = ranged_side_by_side(sheet, [each.spread for each in loaded], engines)
-    give(tables.with_shares(document, len(engines)), output, form=form)
+    give(tables.with_shares(document, engines), output, form=form)
 
 
 @app.command

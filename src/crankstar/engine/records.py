@@ -336,7 +336,10 @@ class Provenance(Record):
     )
     moves_with: Line | None = Field(
         default=None,
-        description="the estimated key with which it rises and falls; by itself if left out",
+        description=(
+            "the estimated key with which it rises and falls; `cylinder.rod`, of an inertia: two "
+            "masses at the ends of the rod; by itself if left out"
+        ),
     )
 
 

@@ -13,16 +13,23 @@ from itertools import product
 from typing import Any, NamedTuple
 
 from crankstar.engine.engine import Engine
+from crankstar.engine.quantities import LENGTH, MASS
+from crankstar.files import units
 from crankstar.files.changes import keys_of
 from crankstar.files.errors import refused
 from crankstar.files.forms import is_explicit
 from crankstar.files.mistakes import Tree, copied
 from crankstar.files.read import engine_of
+from crankstar.language.faults import ValueFaultError
 
 CONDITIONS = ("speed", "cylinder.bore", "cylinder.stroke")
 """Estimated values whose range is not carried into forces: these hold at that size and speed."""
 MOST_RANGES = 8
 """Values with a range that one file may have: twice as many corners with each."""
+
+
+ROD = "cylinder.rod"
+"""What the inertia of a rod moves with: that of two masses at its ends, of its mass and centre."""
 
 
 class Range(NamedTuple):
@@ -123,7 +130,42 @@ def scaled(tree: Tree, factors: Mapping[str, float]) -> Tree:
         factor = factors.get(path, 1.0) * factors.get(ends.moves_with, 1.0)
         for table, key in _places(out, path):
             table[key] = _times(table[key], factor)
+    for path, ends in ranges(tree).items():
+        if ends.moves_with == ROD:
+            _follow(tree, out, path)
     return out
+
+
+def _follow(tree: Tree, out: Tree, path: str) -> None:
+    """Let the inertia of each rod move with that of two masses at its ends."""
+    pairs = zip(_places(tree, ROD), _places(out, ROD), strict=True)
+    *_outer, last = keys_of(path)
+    for (before, key), (after, _key) in pairs:
+        own = two_masses(before)
+        if own > 0 and last in after[key]:
+            after[key][last] = _times(after[key][last], two_masses(after) / own)
+
+
+def two_masses(cylinder: Mapping[str, Any]) -> float:
+    """Moment of inertia of two masses at the ends of a cylinder's rod, m b (l - b), in kg m^2.
+
+    m the mass of the rod, b its centre from the big end, l its length; 0 where one is not given.
+
+    >>> rod = {"mass": "500 g", "centre": "40 mm"}
+    >>> two_masses({"stroke": "80 mm", "rod_ratio": 3.5, "rod": rod})
+    0.002
+    """
+    try:
+        rod = cylinder["rod"]
+        centre = units.si(rod["centre"], LENGTH)
+        length = (
+            units.si(cylinder["rod_length"], LENGTH)
+            if "rod_length" in cylinder
+            else cylinder["rod_ratio"] * units.si(cylinder["stroke"], LENGTH) / 2
+        )
+        return units.si(rod["mass"], MASS) * centre * (length - centre)
+    except (KeyError, TypeError, ValueFaultError):
+        return 0.0
 
 
 def _places(tree: Tree, path: str) -> Iterator[tuple[Any, Any]]:

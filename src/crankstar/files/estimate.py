@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 from crankstar.engine.engine import Engine
 from crankstar.engine.layouts import LAYOUTS
 from crankstar.engine.proportions import (
+    TWO_MASSES,
     Look,
     Proportion,
     inferred,
@@ -24,6 +25,7 @@ from crankstar.engine.proportions import (
 from crankstar.engine.quantities import LENGTH, Quantity
 from crankstar.engine.weighed import EngineType
 from crankstar.files import units
+from crankstar.files.box import ROD
 from crankstar.files.changes import keys_of
 from crankstar.files.errors import refused
 from crankstar.files.forms import field_at, form_of, is_explicit, quantity_of
@@ -71,16 +73,36 @@ class _Filling:
             table = table.setdefault(key, {})
         return table
 
-    def fill(self, path: str, sizes: Sequence[float], source: str, *, moves_with: str = "") -> None:
-        """Set a value to the second of the sizes (lowest, typical, highest), with its source."""
+    def fill(
+        self,
+        path: str,
+        sizes: Sequence[float],
+        source: str,
+        *,
+        moves_with: str = "",
+        own: Sequence[float] = (),
+    ) -> None:
+        """Set a value to the second of the sizes (lowest, typical, highest), with its source.
+
+        `own`: its ends as multiples of it while what it moves with stays; else they are the sizes'.
+        """
         *outer, last = map(str, keys_of(path))
         quantity = self._quantity(path)
         text = units.text(sizes[1], quantity, digits=4)
         self.table(*outer)[last] = text
         low, high = sizes[0], sizes[2]
-        self.mark(path, (low, units.si(text, quantity), high), source, moves_with=moves_with)
+        sizes = (low, units.si(text, quantity), high)
+        self.mark(path, sizes, source, moves_with=moves_with, own=own)
 
-    def mark(self, path: str, sizes: Sequence[float], source: str, *, moves_with: str = "") -> None:
+    def mark(
+        self,
+        path: str,
+        sizes: Sequence[float],
+        source: str,
+        *,
+        moves_with: str = "",
+        own: Sequence[float] = (),
+    ) -> None:
         """Give the source of a value that was filled in."""
         low, value, high = min(sizes), sizes[1], max(sizes)
         quantity = self._quantity(path)
@@ -88,7 +110,7 @@ class _Filling:
         self.table("provenance")[path] = {
             "status": "estimated",
             "source": f"{source}; {ends}",
-            "range": [float(f"{end / value:.4g}") for end in (low, high)],
+            "range": [float(f"{end:.4g}") for end in own or (low / value, high / value)],
             **({"moves_with": moves_with} if moves_with else {}),
         }
         self.filled.append(Filled(path, value, low, high, quantity, source, moves_with))
@@ -287,33 +309,41 @@ def _masses(filling: _Filling, laid_out: Engine, bore: float) -> None:
 def _rod(filling: _Filling, masses: Sequence[float], source: str, share: Proportion) -> None:
     """Mass, centre of mass and moment of inertia of the rod.
 
-    Its inertia enters forces as I - m b (l - b) with the centre at b, which is not linear in b:
-    between the ends of b it lies up to m (db/2)^2 lower than a straight line, so that the low end
-    of I is lower by as much.
+    Its inertia moves with that of two masses at its ends, m b (l - b) with the centre at b, and is
+    that over q. It enters forces as I - m b (l - b) = m b (l - b) (1/q - 1), which is not linear in
+    b: between the ends of b it lies up to m (db/2)^2 |1/q - 1| off a straight line, so that the
+    ends of 1/q are further from 1 by the factor `bow`.
     """
     cylinder = filling.tree["cylinder"]
     engine = engine_of({**filling.tree, "cylinder": {**cylinder}})
     length = engine.first.rod_length
     ends = [f.typical for f in filling.filled if f.path == "cylinder.rod_length"]
-    moves_with = "cylinder.rod_length" if ends else ""
     filling.table("cylinder", "rod")
     filling.fill("cylinder.rod.mass", masses, source)
     said = f"small end {share.typical:.3g} of the rod, all types"
     centres = [length * s for s in share.sizes]
+    moves_with = "cylinder.rod_length" if ends else ""
     filling.fill("cylinder.rod.centre", centres, said, moves_with=moves_with)
-    whole = [
-        rod_inertia(mass=m, rod_length=length, small_end=s) for m in masses for s in share.sizes
-    ]
+    least = min(c * (1 - c) for c in share.sizes)
+    bow = 1 + ((share.high - share.low) / 2) ** 2 / least
     typical = rod_inertia(mass=masses[1], rod_length=length, small_end=share.typical)[1]
-    bow = masses[2] * ((centres[2] - centres[0]) / 2) ** 2
-    low = max(min(least for least, _, _ in whole) - bow, 0.05 * typical)
-    high = max(greatest for _, _, greatest in whole)
-    if moves_with:  # with the square of the length
+    lengths = [1.0] * 3
+    if ends:
         ratio = proportion("rod length", filling.kind)
-        low *= (ratio.low / ratio.typical) ** 2
-        high *= (ratio.high / ratio.typical) ** 2
-    said = "two masses at the ends over 1.0965 (ICEF2002, 19 rods)"
-    filling.fill("cylinder.rod.inertia", [low, typical, high], said)
+        lengths = [size / ratio.typical for size in ratio.sizes]
+    whole = [
+        rod_inertia(mass=m, rod_length=length * size, small_end=c)
+        for m, size in zip(masses, lengths, strict=True)
+        for c in share.sizes
+    ]
+    low, high = min(each[0] for each in whole), max(each[2] for each in whole)
+    filling.fill(
+        "cylinder.rod.inertia",
+        [low, typical, high],
+        f"two masses at the ends over {TWO_MASSES[1]} (ICEF2002, 19 rods)",
+        moves_with=ROD,
+        own=[(1 - bow * (1 - 1 / q)) * TWO_MASSES[1] for q in (TWO_MASSES[2], TWO_MASSES[0])],
+    )
 
 
 def _absolute(tree: Tree, sizes: Mapping[str, float]) -> None:

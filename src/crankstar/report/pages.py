@@ -238,10 +238,12 @@ def beside(subject: Subject, gallery: Gallery) -> str:
             options = {"beside": other, "quantity": quantity, "speed": speed}
             drawn.append(gallery.figure("hodograph", _(ALL_PATHS[quantity]), "wide", **options))
     title = _("Comparison with {engine}", engine=other.name)
+    both = (subject.engine, other)
     compared = ranged_side_by_side(
         lambda each: comparison.comparison([subject.analysis_of(engine) for engine in each]),
         subject.spreads,
-        (subject.engine, other),
+        both,
     )
+    compared = comparison.with_shares(compared, both)
     tables = paragraph(compared.title) + parts_html(compared.parts)
     return section(title, tables + figures(drawn), name="beside")

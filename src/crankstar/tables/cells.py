@@ -38,7 +38,7 @@ ROUGH = 3
 
 
 def ranged_text(value: Ranged) -> str:
-    """A value with its range; of a wave the amplitude has one.
+    """A value with its range, if that is seen in ROUGH figures; of a wave the amplitude has one.
 
     >>> ranged_text(Ranged(1234.5, 900.0, 1600.0)), ranged_text(Ranged(2j, 1.5, 2.5))
     ('1230 (900 to 1600)', '2 (1.5 to 2.5) ∠ 90°')
@@ -46,6 +46,7 @@ def ranged_text(value: Ranged) -> str:
     size = abs(value.value) if isinstance(value.value, complex) else value.value
     typical, low, high = (rough(number) for number in (size, value.low, value.high))
     text = _("{typical} ({low} to {high})", typical=typical, low=low, high=high)
+    text = typical if low == high else text
     written = wave(value.value) if isinstance(value.value, complex) else ""
     return f"{text} ∠ {written.partition('∠ ')[2]}" if "∠" in written else text
 

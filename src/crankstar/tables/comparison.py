@@ -127,31 +127,46 @@ def _share(value: float, first: float, whole: float) -> float | None:
     return whole * value / first if first else None
 
 
-def with_shares(document: Document, count: int) -> Document:
-    """The comparison of `count` engines with the shares that follow from ranges, if it has any.
+def with_shares(document: Document, engines: Sequence[Engine]) -> Document:
+    """The comparison of engines with the shares that follow from ranges, if it has any.
 
     The ranges of two engines are independent: the least share is the least over the greatest. Where
-    the first may be nought there is none.
+    the first may be nought there is none. The same parts (`same_parts`) move together in both.
     """
+    free = [not same_parts(engines[0], engine) for engine in engines]
     parts = [
-        _with_shares(part, count) if isinstance(part, Table) and part.key else part
+        _with_shares(part, free) if isinstance(part, Table) and part.key else part
         for part in document.parts
     ]
     return replace(document, parts=tuple(parts))
 
 
-def _with_shares(table: Table, count: int) -> Table:
-    flat = table.key == "amplitudes"
+def same_parts(first: Engine, other: Engine) -> bool:
+    """Whether the estimated values of two engines are of one engine, or equal one by one."""
+    own, its = (
+        {path: source for path, source in engine.provenance.items() if source.range}
+        for engine in (first, other)
+    )
+    return own.keys() == its.keys() and (first.name == other.name or own == its)
+
+
+def _with_shares(table: Table, free: Sequence[bool]) -> Table:
+    flat, count = table.key == "amplitudes", len(free)
     if not any(isinstance(cell, Ranged) for row in table.rows for cell in row):
         return table
     rows: list[tuple[Value, ...]] = []
     for place, row in enumerate(table.rows):
         if flat:
             first = table.rows[place - place % count][GREATEST]
-            share = _ranged_share(row[GREATEST], first, 1) if place % count else row[-1]
-            rows.append((*row[:-1], share))
+            own = free[place % count] and place % count
+            rows.append((*row[:-1], _ranged_share(row[GREATEST], first, 1) if own else row[-1]))
         else:
-            shares = (_ranged_share(cell, row[1], 100) for cell in row[2 : count + 1])
+            shares = [
+                _ranged_share(cell, row[1], 100) if independent else own
+                for independent, cell, own in zip(
+                    free[1:], row[2 : count + 1], row[count + 1 :], strict=True
+                )
+            ]
             rows.append((*row[: count + 1], *shares))
     columns = [
         replace(column, estimated=any(isinstance(row[place], Ranged) for row in rows))
@@ -170,7 +185,7 @@ def _ranged_share(value: Value, first: Value, whole: float) -> Value:
     if len(sizes) < 2 or not sizes[1][1]:
         return None
     (size, low, high), (base, least, most) = sizes
-    if not (isinstance(value, Ranged) or isinstance(first, Ranged)):
+    if not high or not (isinstance(value, Ranged) or isinstance(first, Ranged)):
         return whole * size / base
     return Ranged(whole * size / base, whole * low / most, whole * high / least)
 

@@ -4,13 +4,16 @@ The analysis is made for the engine as given, for the one in the middle of all r
 at their corners, and its tables and sentences are laid upon each other. An amplitude is linear in
 each estimated value while the others are held, and the absolute value of what is linear is convex:
 over the box of ranges it is nowhere greater than at a corner. Where it is in the middle the mean of
-the corners, it is itself linear (nothing cancels), and nowhere less than at a corner; else nowhere
-less than
+the corners, it is itself linear (nothing cancels), and nowhere less than at a corner. Else the mean
+is greater by d, and it is nowhere less than
 
-    2 |f(middle)| - max |f(corner)|
+    2 |f(middle)| - max |f(corner)|,
 
-since the points x and 2 middle - x lie in the box together. A complex amplitude lies in the convex
-hull of those at the corners, whose distance from zero is its lower bound.
+since the points x and 2 middle - x lie in the box together. Where d is small this is far too low:
+f turns little, its part along f(middle) is linear, and what is across adds b^2 / 2 |f|, which is d
+on an average and about d |f(middle)| / |f| at a corner. Twice that below the least corner is taken,
+where it is higher (tests draw masses at random). A complex amplitude lies in the convex hull of
+those at the corners, whose distance from zero is its lower bound.
 """
 
 from __future__ import annotations
@@ -195,6 +198,8 @@ def sentence(line: str, others: Sequence[str]) -> str:
             return match[2]
         ends = {"low": rough(value.low), "high": rough(value.high)}
         typical = rough(float(value.value.real))
+        if ends["low"] == ends["high"]:
+            return _("about {typical} (estimated)", typical=typical)
         return _("about {typical} ({low} to {high}, estimated)", typical=typical, **ends)
 
     return _NUMBER.sub(written, line)
@@ -216,9 +221,10 @@ def _in_parts(line: str, others: Sequence[str]) -> str:
 
 
 def _marked(line: str) -> str:
-    """A sentence that is said to rest on estimates, before its full stop."""
-    words = plain(line).rstrip(".;,。")
-    return _("{sentence} (estimated)", sentence=words) + plain(line)[len(words) :]
+    """A sentence that is said to rest on estimates, before its full stop; its numbers rough."""
+    text = _NUMBER.sub(lambda match: rough(float(match[1])), line)
+    words = text.rstrip(".;,。")
+    return _("{sentence} (estimated)", sentence=words) + text[len(words) :]
 
 
 def _by_skeleton(clauses: Sequence[str]) -> dict[tuple[str, int], str]:
@@ -333,10 +339,12 @@ def real_range(numbers: Sequence[float], top: float) -> float | Ranged:
     least, most = min(numbers), max(numbers)
     if most - least <= SAME * max(top, abs(least), abs(most)):
         return value
-    mean = sum(corners) / len(corners)
-    if least < 0 or middle >= mean - LINEAR * most:
+    bend = sum(corners) / len(corners) - middle
+    if least < 0 or bend <= LINEAR * most:
         return Ranged(value, least, most)
-    return Ranged(value, max(0.0, min(least, 2 * middle - max(corners))), most)
+    far = 2 * middle - max(corners)
+    near = least - 2 * bend * middle / least if least > 0 else 0.0
+    return Ranged(value, max(0.0, min(least, max(far, near))), most)
 
 
 def complex_range(numbers: Sequence[complex], top: float) -> complex | Ranged:
