@@ -435,13 +435,13 @@ export interface SearchQuestion {
    */
   cycle?: ('two-stroke' | 'four-stroke') | null
   /**
-   * Quantity to minimise. Several with commas: couples M1, M2, ..., forces F1, ..., torsion T1.5, ..., neighbours (cylinders side by side that fire in succession), couple (rms over a turn of the couple of orders 1, 2, 4 and 6 of an engine); else M1,M2. In a list of the best with weights, as in M1,2*M2.
+   * Quantity to minimise. Several with commas: couples M1, M2, ... (M1V, M1H: the external moment in the vertical, in the horizontal plane), forces F1, ..., torsion T1.5, ..., neighbours (cylinders side by side that fire in succession), couple (rms over a turn of the couple of orders 1, 2, 4 and 6 of an engine); else M1,M2. In a list of the best with weights, as in M1,2*M2.
    */
   minimise?: string | null
   /** Quantities that must vanish, as in M2. */
   zero?: string | null
   /**
-   * Greatest permissible value of a quantity, as in QUANTITY=VALUE; repeatable. Such as M2=1.5 or neighbours=1.
+   * Greatest permissible value of a quantity, as in QUANTITY=VALUE, with a unit or in that of the result; repeatable. Such as M2=1.5, M1V="800 kN m" or neighbours=1.
    */
   limit?: string[]
   /** Gaps between cylinders from the front in pitches, as in 1,1,1.4; else equal. */
