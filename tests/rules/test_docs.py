@@ -82,20 +82,21 @@ def printed(command: str, folder: Path) -> str:
     name, *words = [command] if re.search(r"[|<>&;$*?~`]", own) else shlex.split(own)
     if name != "crankstar":
         return screens.shown(command, folder)
-    if pipe:
-        (folder / ".screen").write_text(printed(own, folder), encoding="utf-8")
-        return screens.shown(f"cat .screen | {rest}", folder)
     out = io.StringIO()
+    beside = io.StringIO() if pipe else out
     with (
         pytest.MonkeyPatch.context() as patch,
         redirect_stdout(out),
-        redirect_stderr(out),
+        redirect_stderr(beside),
         suppress(SystemExit),
     ):
         patch.chdir(folder)
         patch.setenv("HOME", str(folder))
         patch.setenv("COLUMNS", screens.WIDTH)
         cli.main(words)
+    if pipe:  # what is said of files does not go through it
+        (folder / ".screen").write_text(out.getvalue(), encoding="utf-8")
+        return beside.getvalue() + screens.shown(f"cat .screen | {rest}", folder)
     return screens.trimmed(out.getvalue())
 
 
