@@ -294,7 +294,7 @@ def test_engines_side_by_side_have_their_own_ranges(run: Run) -> None:
 def shares(run: Run, *arguments: str) -> list[str]:
     """The shares of force that `compare` prints."""
     text = run("compare", *arguments, "--estimate", "--orders", "2,4").out
-    force = text[text.index("Force") : text.index("None of orders" if "None of" in text else "Coup")]
+    force = text[text.index("Force") : text.index("Couple")]
     return re.findall(r"^ *(?:2|4|peak)  .*?  (\S[^)]*\)?)$", force, re.MULTILINE)
 
 
