@@ -212,10 +212,9 @@ def test_the_schema_takes_the_rods_that_the_reader_takes(
         for key in ("parts", "rod", "reciprocating_mass", "rotating_mass"):
             cylinder.pop(key, None)
         cylinder.update({"parts": parts} if parts else {"reciprocating_mass": "878 g"})
-    target = of["cylinders"][0] if form == "explicit" else of["cylinder"]
+    target: dict[str, Any] = of["cylinders"][0] if form == "explicit" else of["cylinder"]
     if form == "own":
-        of["cylinders"] = [{"number": 1}]
-        target = of["cylinders"][0]
+        of["cylinders"] = [target := {"number": 1}]
     target["rod"] = rod
     codes: set[str] = set()
     try:

@@ -25,6 +25,9 @@ from crankstar.tables.field_names import NAMES
 from crankstar.tables.pair_sweeps import best_sentence
 from crankstar.tables.sweeps import amplitudes, sweep_document
 
+SWEEP: Any = crankstar.sweep
+WATCHED: Any = crankstar.watched
+
 
 def force(name: str, **changes: str) -> float:
     """The forward vector of first order of an engine with values set."""
@@ -140,13 +143,13 @@ def test_the_columns_of_a_frame_are_those_of_the_csv() -> None:
 @pytest.mark.parametrize(
     ("call", "told"),
     [
-        (lambda: crankstar.sweep(None), "sweep: missing .*'over'"),
-        (lambda: crankstar.sweep(None, "x=0..1"), "path of an engine file, not None"),
-        (lambda: crankstar.sweep("i4", None), "over takes text .* not None"),
-        (lambda: crankstar.sweep("i4", "x", None), "sweep: too many"),
-        (lambda: crankstar.watched(None), "watched: missing .*'what'"),
-        (lambda: crankstar.watched(None, "force"), "takes a Sweep.* not None"),
-        (lambda: crankstar.watched(crankstar.load("i4"), "force"), "not Engine"),
+        (lambda: SWEEP(None), "sweep: missing .*'over'"),
+        (lambda: SWEEP(None, "x=0..1"), "path of an engine file, not None"),
+        (lambda: SWEEP("i4", None), "over takes text .* not None"),
+        (lambda: SWEEP("i4", "x", None), "sweep: too many"),
+        (lambda: WATCHED(None), "watched: missing .*'what'"),
+        (lambda: WATCHED(None, "force"), "takes a Sweep.* not None"),
+        (lambda: WATCHED(crankstar.load("i4"), "force"), "not Engine"),
     ],
 )
 def test_a_call_with_nothing_is_told_what_is_wanted(call: Any, told: str) -> None:

@@ -110,6 +110,7 @@ def test_a_label_that_no_part_has_is_refused_with_those_there_are(call: Any, wor
 
 
 WRONG: Any = 5
+BALANCE: Any = crankstar.balance
 TWIN: Any = crankstar.load("v2-90")
 
 
@@ -125,7 +126,7 @@ TWIN: Any = crankstar.load("v2-90")
         (lambda: crankstar.widget("i4", units=WRONG), "units takes text such as"),
         (crankstar.compare, "compare takes one engine or more, as in compare"),
         (lambda: crankstar.balance(NOTHING), "of an engine file, not None$"),
-        (lambda: crankstar.balance(TWIN, WRONG), r"it is called balance\(engine, \*, speed=None"),
+        (lambda: BALANCE(TWIN, WRONG), r"it is called balance\(engine, \*, speed=None"),
         (lambda: crankstar.sweep(TWIN, "balance_factor=0..1", tell=WRONG), "tell takes a func"),
         (lambda: crankstar.with_counterweights(TWIN, factor=1, planes=WRONG), "planes takes pl"),
         (lambda: crankstar.with_counterweights(TWIN, factor=1, planes=[NOTHING]), "planes takes"),
