@@ -124,7 +124,7 @@ def test_a_comparison_that_cannot_be_is_refused(
         (["balance", "i6", "--factor", "0.3"], "Six in line, balance factor 0.3"),
         (
             ["balance", "triple-120", "--shafts", "-1"],
-            "Three in line, 120 deg, balance factor 0.5, balance shafts: -1",
+            "Three in line, 120 deg, balance shafts: -1",
         ),
         (
             ["balance", "triple-120", "--minimise", "couple"],

@@ -265,10 +265,10 @@ def test_numbers_and_blanks_of_other_scripts_are_read(value: str) -> None:
             'is "5 zork", whose unit "zork" is not known; a mass is needed, such as "650 g"',
         ),
         (
-            "6000 RPM",
+            "6000 rpn",
             SPEED,
             (
-                'is "6000 RPM", whose unit "RPM" is not known (did you mean "rpm"?); a '
+                'is "6000 rpn", whose unit "rpn" is not known (did you mean "rpm"?); a '
                 'rotational speed is needed, such as "6000 rpm"'
             ),
         ),

@@ -156,7 +156,7 @@ def test_a_report_that_is_there_is_replaced_whole_and_the_command_in_it_names_no
         *("report", str(tmp_path / "mine.toml"), "--full"),
         *("--set", "layout.bore_pitch=100 mm", "-o", "r.html"),
     )
-    assert (ran.code, ran.err) == (0, "")
+    assert (ran.code, ran.err) == (0, "Replaced r.html\n")
     page = (tmp_path / "r.html").read_text(encoding="utf-8")
     assert page.endswith("</html>\n")
     assert (

@@ -155,7 +155,10 @@ PAPERS = [
     charts.Paper("print", width=0.084, font_size=8.0),
     charts.Paper("print", height=0.110, font_size=10.0),
 ]
-TALL = ("stroke-chart", "spectrum", "forces", "bending", "balance-shafts", "amplitudes")
+TALL = (
+    *("stroke-chart", "spectrum", "forces", "bending", "balance-shafts", "amplitudes"),
+    "bearing-loads",
+)
 """Charts that are taller than 110 mm with letters of 10 pt."""
 
 

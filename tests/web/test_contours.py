@@ -115,8 +115,8 @@ def test_values_read_from_the_picture_are_those_of_single_engines(
         force = spectra.selected(total(balance(engine)).force, [1.0])
         assert spectra.peak(force).value == pytest.approx(value, abs=0.02)
     names = {text.text for text in picture.texts}
-    assert {"balance_factor", "layout.banks[1].bearing (deg)"} <= names
-    assert "force of order 1 (m r ω²)" in names
+    assert {"balance factor", "direction of bank 1 [deg]"} <= names
+    assert "force of order 1 [m r ω²]" in names
     fills = [bytes.fromhex(fill[1:]) for fill in THEMES[theme].fills.values()]
     for text in picture.texts:
         assert text.size * 72 / 96 >= 7.99
@@ -135,8 +135,8 @@ def test_two_results_have_their_contours_and_their_front_without_collision(page:
         assert picture.collisions() == []
         assert picture.cut() == []
         names = " ".join(text.text for text in picture.texts)
-        assert "force (m r ω²)" in names
-        assert "roll (m r² ω²)" in names
+        assert "force [m r ω²]" in names
+        assert "roll [m r² ω²]" in names
 
 
 def test_a_chart_of_two_is_written_in_every_form(run: Run, tmp_path: Path) -> None:

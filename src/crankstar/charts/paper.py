@@ -83,12 +83,14 @@ def printed(draw: Callable[[], Chart], paper: Paper, *, title: str) -> Print:
             )
         )
     room = tuple(None if side is None else side / paper.px for side in (paper.width, paper.height))
-    canvas, size, best = Canvas(), (0.0, 0.0), None
+    canvas, best = Canvas(), None
+    sizes: list[tuple[float, float]] = []
     for _try in range(TRIES if any(room) else 1):
         with drawn_on(canvas):
             chart = themed(draw(), paper.theme)
         drawing = svg(chart, title)
         size = _size(drawing)
+        sizes.append(size)
         if _fits(size, room):
             best = (chart, drawing, size) if best is None or size > best[2] else best
         following = _following(canvas, size, room)
@@ -96,7 +98,7 @@ def printed(draw: Callable[[], Chart], paper: Paper, *, title: str) -> Print:
             break
         canvas = following
     if best is None:
-        raise _too_small(paper, size)
+        raise _too_small(paper, min(sizes, key=lambda size: _excess(size, room)))
     chart, drawing, size = best
     wide, high = (own if side is None else side for own, side in zip(size, room, strict=True))
     return Print(chart, drawing, (wide, high), paper)
@@ -108,6 +110,11 @@ def _size(drawing: str) -> tuple[float, float]:
     if match is None:
         raise ValueError("a drawing without its size")
     return float(match[1]), float(match[2])
+
+
+def _excess(size: tuple[float, float], room: tuple[float | None, ...]) -> float:
+    """How much larger than the room a figure is, on its worse side."""
+    return max(own / side for own, side in zip(size, room, strict=True) if side is not None)
 
 
 def _fits(size: tuple[float, float], room: tuple[float | None, ...]) -> bool:

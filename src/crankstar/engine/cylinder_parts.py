@@ -35,9 +35,11 @@ def required_without_parts(*names: str) -> Any:
 
     def changed(schema: dict[str, Any]) -> None:
         without_required(*names)(schema)
-        schema["anyOf"] = [{"required": ["parts"]}, {"required": [*names]}]
-        schema["if"] = {"not": {"required": ["parts"], "properties": ends}}
-        schema["then"] = {"properties": {"rod": {"required": ["mass", "centre"]}}}
+        whole = {"properties": {"rod": {"required": ["mass", "centre"]}}}
+        schema["allOf"] = [
+            {"if": {"not": {"required": ["parts"]}}, "then": {"required": [*names]}},
+            {"if": {"not": {"required": ["parts"], "properties": ends}}, "then": whole},
+        ]
 
     return changed
 

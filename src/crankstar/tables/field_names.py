@@ -64,7 +64,7 @@ def field_name(path: str) -> str:
     """A value of an engine file as engineers call it, with what it belongs to.
 
     >>> field_name("cylinder.rod_length"), field_name("layout.throws[2]")
-    ('rod length', 'throw angle of throw 2')
+    ('rod length', 'angle of throw 2')
     >>> field_name("shaft[1].weight[3].unbalance")
     'unbalance of weight 3 of shaft 1'
     """
