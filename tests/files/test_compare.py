@@ -122,10 +122,7 @@ def test_a_comparison_that_cannot_be_is_refused(
     ("words", "name"),
     [
         (["balance", "i6", "--factor", "0.3"], "Six in line, balance factor 0.3"),
-        (
-            ["balance", "triple-120", "--shafts", "-1"],
-            "Three in line, 120 deg, balance shafts: -1",
-        ),
+        (["balance", "triple-120", "--shafts", "-1"], "Three in line, 120 deg, balance shafts: -1"),
         (
             ["balance", "triple-120", "--minimise", "couple"],
             "Three in line, 120 deg, weights for least couple",

@@ -164,7 +164,7 @@ def test_decimals_are_said_to_be_decimals(run: Run) -> None:
         (["--orders", "1/0"], "as in 2 or 1,2,4,6"),
         (["--speed", "fast"], "--speed"),
         (["--power", "two"], "whole number"),
-        (["--reference", "x"], "--reference is \"x\""),
+        (["--reference", "x"], '--reference is "x"'),
     ],
 )
 def test_a_request_that_cannot_be_met_is_refused_in_a_sentence(

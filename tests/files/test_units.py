@@ -268,7 +268,7 @@ def test_numbers_and_blanks_of_other_scripts_are_read(value: str) -> None:
             "6000 rpn",
             SPEED,
             (
-                'is "6000 rpn", whose unit "rpn" is not known (did you mean "rpm"?); a '
+                'is "6000 rpn", whose unit "rpn" is not known; a '
                 'rotational speed is needed, such as "6000 rpm"'
             ),
         ),
