@@ -9,6 +9,7 @@ millionth, so that none is absurdly small.
 
 from __future__ import annotations
 
+import os
 from collections import Counter
 from collections.abc import Callable, Sequence
 from fractions import Fraction
@@ -41,6 +42,9 @@ from crankstar.engine.records import (
     Weight,
 )
 from crankstar.language.faults import EngineError
+
+LONG = os.environ.get("HYPOTHESIS_PROFILE") == "long"
+"""Whether the long suite runs, which can afford many examples of what takes a second each."""
 
 Draw = Callable[[st.SearchStrategy[Any]], Any]
 

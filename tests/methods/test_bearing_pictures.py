@@ -21,7 +21,10 @@ from crankstar.spectra import peaks as peaks_of
 from crankstar.spectra import selected, value
 from crankstar.tables.bearings import bending, peaks, pins
 
-ENGINES = ["i4", "v8-cross-plane", "i2-270", "radial-9", "napier-deltic", "brough-golden-dream"]
+ENGINES = [
+    *("i4", "v8-cross-plane", "i2-270", "radial-9", "brough-golden-dream"),
+    pytest.param("napier-deltic", marks=pytest.mark.long),
+]
 QUANTITIES = ("main-bearing", "main-journal", "crank-pin", "crank-pin-journal")
 NUMBER = r"-?[\d.]+(?:e-?\d+)?"
 

@@ -17,7 +17,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from tests.newton import road
-from tests.strategies import OF_ANY_KIND, engines
+from tests.strategies import LONG, OF_ANY_KIND, engines
 
 from crankstar import balance
 from crankstar.charts import CHARTS, ChartError
@@ -120,7 +120,7 @@ def test_the_sums_are_those_of_the_public_answer(name: str) -> None:
                 )
 
 
-@settings(max_examples=15)
+@settings(max_examples=200 if LONG else 3)
 @given(engines(known=True), st.floats(0, 12))
 def test_arrows_are_what_the_bodies_do_but_for_orders_that_are_left_out(
     engine: Engine, theta: float
@@ -366,7 +366,7 @@ def test_figures_are_in_the_units_of_the_numbers_beside_them(name: str, unit: st
     assert made["title"]["text"] == [f"Force over the crank angle, in {unit}"]
 
 
-@settings(max_examples=25)
+@settings(max_examples=200 if LONG else 5)
 @given(st.one_of(*OF_ANY_KIND.values()))
 def test_any_engine_at_all_has_an_exhibit_and_perhaps_a_fitted_one(engine: Engine) -> None:
     assume(not motion.unreachable(engine) and not unfit(engine))  # as for every engine of a file
@@ -376,10 +376,10 @@ def test_any_engine_at_all_has_an_exhibit_and_perhaps_a_fitted_one(engine: Engin
     json.loads(json.dumps(shown.model_dump(mode="json"), allow_nan=False))
 
 
-LONG = [pytest.param(name, marks=pytest.mark.long) for name in ("v8-cross-plane", "vw-vr6")]
+LARGE = [pytest.param(name, marks=pytest.mark.long) for name in ("v8-cross-plane", "vw-vr6")]
 
 
-@pytest.mark.parametrize("name", ["kr250-racer", "single", *LONG])
+@pytest.mark.parametrize("name", ["kr250-racer", "single", *LARGE])
 def test_every_key_of_an_exhibit_can_be_asked_for(name: str) -> None:
     engine, shown = load(name), told(name)
     assert len({key.key for key in shown.charts}) == len(shown.charts)
