@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import jsonschema
 import numpy as np
 import pytest
 
@@ -183,7 +184,6 @@ def test_the_explicit_form_takes_its_masses_from_parts_too() -> None:
 
 
 def test_the_schema_knows_the_parts_in_both_forms() -> None:
-    jsonschema = pytest.importorskip("jsonschema")
     validator = jsonschema.Draft202012Validator(schema())
     validator.validate(tree())
     validator.validate(explicit(engine_of(tree())))
@@ -206,7 +206,6 @@ def test_the_schema_takes_the_rods_that_the_reader_takes(
     form: str, parts: dict[str, str], rod: dict[str, str]
 ) -> None:
     """Except that it knows no sums: that an end is missing, or that two values differ."""
-    jsonschema = pytest.importorskip("jsonschema")
     of = explicit(engine_of(tree())) if form == "explicit" else tree()
     for cylinder in of["cylinders"] if form == "explicit" else [of["cylinder"]]:
         for key in ("parts", "rod", "reciprocating_mass", "rotating_mass"):
@@ -228,7 +227,6 @@ def test_the_schema_takes_the_rods_that_the_reader_takes(
 
 
 def test_a_spreadsheet_of_an_engine_has_its_parts_and_gives_them_back() -> None:
-    pytest.importorskip("openpyxl")
     again = workbook_tree(workbook_bytes(sheets_of(tree())), "v8.xlsx")
     assert again["cylinder"]["parts"] == PARTS
     assert engine_of(again) == engine_of(tree())

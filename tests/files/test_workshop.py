@@ -10,6 +10,7 @@ from itertools import pairwise
 from math import pi
 from pathlib import Path
 
+import openpyxl
 import pytest
 from tests.commands import Run
 from tests.files.test_parts import PARTS, tree
@@ -102,7 +103,6 @@ def test_csv_and_json_of_the_card_agree(run: Run, v8: str) -> None:
 
 
 def test_a_spreadsheet_of_the_card_has_every_table(run: Run, v8: str, tmp_path: Path) -> None:
-    openpyxl = pytest.importorskip("openpyxl")
     run("bobweight", v8, "-o", str(tmp_path / "card.xlsx"))
     book = openpyxl.load_workbook(tmp_path / "card.xlsx")
     assert {"parts", "bobweights", "overbalance"} <= set(book.sheetnames)

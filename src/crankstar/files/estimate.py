@@ -39,6 +39,13 @@ POWERS["moment of inertia"] = {"mass": 1, "radius": 2}
 """Powers of the units m and r in a quantity; lengths have their own unit once."""
 
 
+class Bond(NamedTuple):
+    """The key that a value moves with; its own ends, as multiples, while that key stays."""
+
+    key: str = ""
+    ends: tuple[float, ...] = ()
+
+
 class Filled(NamedTuple):
     """A value filled in: its key path, SI number with range, what it measures, its source."""
 
@@ -74,36 +81,21 @@ class _Filling:
         return table
 
     def fill(
-        self,
-        path: str,
-        sizes: Sequence[float],
-        source: str,
-        *,
-        moves_with: str = "",
-        own: Sequence[float] = (),
+        self, path: str, sizes: Sequence[float], source: str, bond: Bond | None = None
     ) -> None:
-        """Set a value to the second of the sizes (lowest, typical, highest), with its source.
-
-        `own`: its ends as multiples of it while what it moves with stays; else they are the sizes'.
-        """
+        """Set a value to the second of the sizes (lowest, typical, highest), with its source."""
         *outer, last = map(str, keys_of(path))
         quantity = self._quantity(path)
         text = units.text(sizes[1], quantity, digits=4)
         self.table(*outer)[last] = text
         low, high = sizes[0], sizes[2]
-        sizes = (low, units.si(text, quantity), high)
-        self.mark(path, sizes, source, moves_with=moves_with, own=own)
+        self.mark(path, (low, units.si(text, quantity), high), source, bond)
 
     def mark(
-        self,
-        path: str,
-        sizes: Sequence[float],
-        source: str,
-        *,
-        moves_with: str = "",
-        own: Sequence[float] = (),
+        self, path: str, sizes: Sequence[float], source: str, bond: Bond | None = None
     ) -> None:
         """Give the source of a value that was filled in."""
+        moves_with, own = bond or Bond()
         low, value, high = min(sizes), sizes[1], max(sizes)
         quantity = self._quantity(path)
         ends = " to ".join(units.text(end, quantity, digits=3) for end in (low, high))
@@ -322,8 +314,7 @@ def _rod(filling: _Filling, masses: Sequence[float], source: str, share: Proport
     filling.fill("cylinder.rod.mass", masses, source)
     said = f"small end {share.typical:.3g} of the rod, all types"
     centres = [length * s for s in share.sizes]
-    moves_with = "cylinder.rod_length" if ends else ""
-    filling.fill("cylinder.rod.centre", centres, said, moves_with=moves_with)
+    filling.fill("cylinder.rod.centre", centres, said, Bond("cylinder.rod_length" if ends else ""))
     least = min(c * (1 - c) for c in share.sizes)
     bow = 1 + ((share.high - share.low) / 2) ** 2 / least
     typical = rod_inertia(mass=masses[1], rod_length=length, small_end=share.typical)[1]
@@ -341,8 +332,7 @@ def _rod(filling: _Filling, masses: Sequence[float], source: str, share: Proport
         "cylinder.rod.inertia",
         [low, typical, high],
         f"two masses at the ends over {TWO_MASSES[1]} (ICEF2002, 19 rods)",
-        moves_with=ROD,
-        own=[(1 - bow * (1 - 1 / q)) * TWO_MASSES[1] for q in (TWO_MASSES[2], TWO_MASSES[0])],
+        Bond(ROD, tuple((1 - bow * (1 - 1 / q)) * TWO_MASSES[1] for q in TWO_MASSES[::-2])),
     )
 
 
