@@ -80,7 +80,9 @@ def trimmed(text: str) -> str:
 
 def alike(text: str) -> str:
     """A page without the last digits of very long numbers, which differ between machines."""
-    return re.sub(r"-?\d+\.\d{11,}(?:e-?\d+)?", lambda found: f"{float(found.group()):.9g}", text)
+    return re.sub(
+        r"-?\d+\.\d{11,}(?:e-?\d+)?", lambda found: str(float(f"{float(found.group()):.9g}")), text
+    )
 
 
 def main() -> None:

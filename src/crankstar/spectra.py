@@ -16,6 +16,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import lru_cache
 from math import lcm
 from typing import Any, NamedTuple
 
@@ -199,13 +200,12 @@ def ellipse(forward: complex, backward: complex) -> Ellipse:
 
 def period(spectrum: Spectrum) -> int:
     """Turns of the crankshaft after which the signal repeats: the orders' common denominator."""
-    return lcm(
-        *(
-            Fraction(order).limit_denominator(10_000).denominator
-            for order in spectrum.orders.tolist()
-        ),
-        1,
-    )
+    return lcm(*map(_denominator, spectrum.orders.tolist()), 1)
+
+
+@lru_cache(maxsize=4096)
+def _denominator(order: float) -> int:
+    return Fraction(order).limit_denominator(10_000).denominator
 
 
 def peak(spectrum: Spectrum) -> Peak:
@@ -350,7 +350,7 @@ def _maxima(spectrum: Spectrum, starts: Real, step: float, *, side: int) -> _Max
         ahead = np.clip(theta[going] + move, starts[going] - step, starts[going] + step)
         far = np.abs(ahead - theta[going]) > 1e-6 * step
         theta[going] = ahead
-        going = going[far] if each else going
+        going = going[far]
         if not going.size:
             break
     return _Maxima(theta, length, hollow)
@@ -359,10 +359,7 @@ def _maxima(spectrum: Spectrum, starts: Real, step: float, *, side: int) -> _Max
 def _derivatives(spectrum: Spectrum, theta: Real) -> list[Complex]:
     """The vector and its two derivatives by theta, of one spectrum at each angle or row by row."""
     rate = 1j * spectrum.sense * spectrum.orders
-    forward, backward = spectrum.forward * rate, spectrum.backward * -rate
-    velocity = replace(spectrum, forward=forward, backward=backward)
-    parts = spectrum, velocity, scaled(spectrum, -(spectrum.orders**2))
-    if spectrum.forward.ndim == 1:
-        return [value(part, theta) for part in parts]
-    phase = np.exp(1j * spectrum.sense * spectrum.orders * theta[:, None])
-    return [(part.forward * phase + part.backward * np.conj(phase)).sum(axis=-1) for part in parts]
+    phase = np.exp(rate * theta[:, None])
+    with_crank, against = spectrum.forward * phase, spectrum.backward * np.conj(phase)
+    both, apart = with_crank + against, with_crank - against
+    return [both.sum(axis=-1), (rate * apart).sum(axis=-1), (rate**2 * both).sum(axis=-1)]

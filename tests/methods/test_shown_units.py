@@ -47,12 +47,17 @@ UNIT = (
 )
 
 
-def si(number: float, unit: str) -> float:
-    """A number with a printed unit in SI, by pint; a relative length counts as 1."""
+@cache
+def factor(unit: str) -> float:
+    """A printed unit in SI, by pint; a relative length counts as 1."""
     words = {"in": "inch", "a": "", "r": "", "in²": "inch**2", "m²": "m**2"}
     words |= {"lb/in³": "lb/inch**3", "g/cm³": "g/cm**3"}
     product = "*".join(filter(None, (words.get(word, word) for word in unit.split())))
-    return float(REGISTRY.Quantity(number, product).to_base_units().magnitude)
+    return float(REGISTRY.Quantity(1.0, product).to_base_units().magnitude)
+
+
+def si(number: float, unit: str) -> float:
+    return number * factor(unit)
 
 
 def is_physical(unit: str) -> bool:

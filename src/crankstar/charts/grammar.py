@@ -83,11 +83,17 @@ class Chart:
         return {"$schema": SCHEMA, **self.spec}
 
     def to_altair(self) -> Any:
-        """The same figure as an Altair chart, to be changed, saved or put beside others."""
+        """The same figure as an Altair chart, to be changed, saved or put beside others.
+
+        Altair compares every part with the schema, which takes seconds for a large figure.
+        """
         import altair
 
         return altair.Chart.from_dict(self.to_dict())
 
     def _repr_mimebundle_(self, *_: Any, **__: Any) -> Any:
-        """The figure in a notebook."""
-        return self.to_altair()._repr_mimebundle_()
+        """The figure in a notebook, by the renderer that is chosen for Altair."""
+        import altair
+
+        renderer = altair.renderers.get()
+        return renderer(self.to_dict()) if renderer else {}

@@ -8,6 +8,7 @@ from math import copysign, pi
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from crankstar.charts.letters import TEXT, text_width
 from crankstar.spectra import Complex, Real
@@ -106,11 +107,11 @@ def apart(
             here = box(tried, theta=theta, scale=scale)
             if not _inside(here, within) or any(meets(here, other) for other in taken):
                 continue
-            cost = least + ACROSS_TEXT * int(crossed(here, lines).sum())
-            cost += ACROSS_FAINT * int(crossed(here, thin).any())
+            cost = least + ACROSS_TEXT * int(crossed([here], lines).sum())
+            cost += ACROSS_FAINT * int(crossed([here], thin).any())
             if tried.led and (best is None or cost < best[0]):
                 leader = np.array([[point, leader_end(point, here)]])
-                cost += ACROSS_TEXT * sum(bool(crossed(other, leader)[0]) for other in taken)
+                cost += ACROSS_TEXT * int(crossed(taken, leader).sum())
                 cost += ACROSS_LINE * _crossings(leader[0], lines)
             if best is None or cost < best[0] - 1e-9:
                 best = (cost, tried, here)
@@ -173,20 +174,21 @@ def _inside(box: Box, frame: Box) -> bool:
     )
 
 
-def crossed(box: Box, lines: Complex) -> Real:
-    """Which of the lines [line, end] run through a rectangle, whose height is taken tightly."""
-    start, step = lines[:, 0] - box.middle, lines[:, 1] - lines[:, 0]
-    enter, leave = np.zeros(len(lines)), np.ones(len(lines))
+def crossed(boxes: Sequence[Box], lines: Complex) -> NDArray[np.bool_]:
+    """Which lines [line, end] run through which rectangles, [box, line]; height taken tightly."""
+    sizes: Complex = np.array(boxes, complex).reshape(-1, 3)
+    start, step = lines[:, 0] - sizes[:, :1], lines[:, 1] - lines[:, 0]
+    enter, leave = np.zeros(start.shape), np.ones(start.shape)
     for at, along, half in (
-        (np.imag(start), np.imag(step), box.across),
-        (np.real(start), np.real(step), 0.8 * box.upright),
+        (np.imag(start), np.imag(step), np.real(sizes[:, 1:2])),
+        (np.real(start), np.real(step), 0.8 * np.real(sizes[:, 2:])),
     ):
         still = np.abs(along) < 1e-9
         safe = np.where(still, 1.0, along)
-        ends = np.stack([(-half - at) / safe, (half - at) / safe])
+        one, other = (-half - at) / safe, (half - at) / safe
         beside = still & (np.abs(at) >= half)
-        enter = np.maximum(enter, np.where(still, 0.0, ends.min(axis=0)) + 2.0 * beside)
-        leave = np.minimum(leave, np.where(still, 1.0, ends.max(axis=0)))
+        enter = np.maximum(enter, np.where(still, 0.0, np.minimum(one, other)) + 2.0 * beside)
+        leave = np.minimum(leave, np.where(still, 1.0, np.maximum(one, other)))
     return enter < leave
 
 

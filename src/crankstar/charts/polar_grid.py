@@ -99,7 +99,7 @@ def _column(grid: Grid, lines: Complex, way: complex, side: int) -> list[Label]:
         inner = (here.middle * way.conjugate()).real
         inner -= here.across if way.imag else here.upright
         below = grid.radii[place - 1] * scale if place else 0.0
-        free = not crossed(here, lines).any() and not any(meets(here, other) for other in taken)
+        free = not crossed([here], lines).any() and not any(meets(here, other) for other in taken)
         if free and inner > below:
             kept.append(label)
             taken.append(here)

@@ -76,12 +76,15 @@ def _page(chart: Chart, title: str) -> str:
     """A page with all its scripts; the names of engines in it are text only."""
     from html import escape
 
-    shown = Chart(_disarmed(chart.spec)).to_altair()
-    text = shown.to_html(inline=True, embed_options={"actions": False, "renderer": "svg"})
+    import vl_convert
+
+    bare = {"usermeta": {"embedOptions": {"actions": False}}}
+    tree = _disarmed({**chart.to_dict(), **bare})
+    text = vl_convert.vegalite_to_html(tree, bundle=True, renderer="svg")
     text = text.replace(BRACKET, "\\u003c").replace(json.dumps(BRACKET)[1:-1], "\\u003c")
     viewport = '<meta name="viewport" content="width=device-width">'
-    head = f"<head><title>{escape(title)}</title>{viewport}\n{_licences()}"
-    return text.replace("<head>", head, 1)
+    head = f"<title>{escape(title)}</title>{viewport}\n{_licences()}"
+    return text.replace("<title>Chart</title>", head, 1)
 
 
 def _licences() -> str:
