@@ -11,16 +11,7 @@ import crankstar
 from crankstar.derive import derivation, documents
 
 ORDERS = (1, 2, 4, 6)
-QUICK = {
-    "single",
-    "v8-cross-plane",
-    "radial-9",
-    "vw-vr6",
-    "kr250-racer",
-    "napier-deltic",
-    "sinitsyn-7-first",
-    "subaru-ej25",
-}
+QUICK = {"v8-cross-plane", "vw-vr6", "kr250-racer", "sinitsyn-7-first"}
 ENGINES = [
     name if name in QUICK else pytest.param(name, marks=pytest.mark.long)
     for name in crankstar.names()

@@ -16,11 +16,9 @@ from crankstar.files.catalog import load
 Build = Callable[..., Path]
 LAYOUTS = [
     "v8-cross-plane",
-    "audi-25-tfsi",
-    "radial-9",
     "pratt-whitney-wasp",
-    "kr250-racer",
     "jumo-205",
+    *(pytest.param(name, marks=pytest.mark.long) for name in ("audi-25-tfsi", "kr250-racer")),
 ]
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, get_args
 
 from crankstar import spectra
@@ -158,7 +159,7 @@ def balance(
     [0.] [1.436983]
     """
     reference = reference or default_reference(engine)
-    raw = part_spectra(mechanism(engine), reference=reference, orders=orders)
+    raw = _spectra(engine, reference, None if orders is None else tuple(orders))
     scale, units = scales(engine, speed)
     return Balance(
         parts=parts(engine),
@@ -170,6 +171,14 @@ def balance(
         units=units,
         speed=speed if units.force == "N" else None,
     )
+
+
+@lru_cache(maxsize=256)  # figures and sheets of an estimated engine want those of every corner
+def _spectra(engine: Engine, reference: Reference, orders: tuple[float, ...] | None) -> Totals:
+    """The spectra of all parts at 1 rad/s, in SI units."""
+    out = part_spectra(mechanism(engine), reference=reference, orders=orders)
+    out.force.orders.setflags(write=False)  # those of every Balance of this engine
+    return out
 
 
 class Scale(NamedTuple):

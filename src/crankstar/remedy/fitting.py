@@ -193,10 +193,10 @@ def clear_places(engine: Engine, *, paired: bool, about_another: bool = False) -
     reach = crank_sweep(engine)
     downward = sum(cos(cylinder.bearing) for cylinder in own) < -0.5 * len(own)
     away = 1 if downward else -1
-    own = SHAFT_BORE * bore_of(engine)
-    apart = raised(4 * own) if about_another else 0.0
+    radius = SHAFT_BORE * bore_of(engine)
+    apart = raised(4 * radius) if about_another else 0.0
     apart = max(apart, float(f"{BESIDE * reach:.2g}"))
-    below = raised(max(BELOW * reach, reach + own))
+    below = raised(max(BELOW * reach, reach + radius))
     return ShaftPlaces(up=away * below, apart=apart if paired else 0.0)
 
 
