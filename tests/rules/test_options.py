@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
+from functools import cache
 from typing import Any, Literal, get_args, get_origin
 
 import pytest
@@ -18,6 +19,7 @@ COMMANDS = sorted(name for name in cli.app if not name.startswith("-"))
 BUILT_IN = {"--help", "--version"}
 
 
+@cache
 def options(command: str) -> dict[str, Argument]:
     """The options of a command by their first name."""
     arguments = cli.app[command].assemble_argument_collection()
