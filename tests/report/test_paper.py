@@ -23,7 +23,17 @@ MARGIN, A4 = 18, 297
 """mm: the margins above and below, and the height of the paper."""
 LEAST_FILLED = 0.5
 OFTEN = ("v8-cross-plane", "audi-25-tfsi")
-SELDOM = ("napier-deltic", "radial-9", "single", "i4", "boxer-6", "kr250-racer", "man-s90mc-c", "jumo-205", "vw-vr6")
+SELDOM = (
+    "napier-deltic",
+    "radial-9",
+    "single",
+    "i4",
+    "boxer-6",
+    "kr250-racer",
+    "man-s90mc-c",
+    "jumo-205",
+    "vw-vr6",
+)
 ENGINES = [*OFTEN, *(pytest.param(name, marks=pytest.mark.long) for name in SELDOM)]
 
 
