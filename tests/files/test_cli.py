@@ -19,6 +19,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from tests.catalog import EVERY_ENGINE
 from tests.commands import Ran, Run
 from tests.texts import EXPLICIT, SHORT
 
@@ -84,7 +85,7 @@ def test_list_can_be_narrowed(run: Run) -> None:
     assert not re.search(r"^(single|v2-90|boxer-6) ", out, re.MULTILINE)
 
 
-@pytest.mark.parametrize("name", crankstar.names())
+@EVERY_ENGINE
 def test_every_engine_of_the_catalog_can_be_shown_analyzed_and_checked(run: Run, name: str) -> None:
     title = crankstar.load(name).name
     assert run("show", name).out.startswith(title)

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.catalog import EVERY_ENGINE
 from tests.commands import Run
 from tests.texts import EXPLICIT
 
@@ -18,7 +19,6 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.main_bearings import main_bearings, pin_groups, webs
 from crankstar.engine.records import Shaft, Weight
 from crankstar.files import EngineFileError, engine_of, rewritten, toml, tree_of
-from crankstar.files.catalog import names
 from crankstar.files.catalog import tree_of as catalog_tree
 from crankstar.language.faults import where
 from crankstar.remedy import with_counterweights, with_web_weights, without_counterweights
@@ -210,7 +210,7 @@ def assert_same(engine: Engine, other: Engine) -> None:
         assert np.abs(a.backward - b.backward).max(initial=0) < 1e-9 * size
 
 
-@pytest.mark.parametrize("name", names())
+@EVERY_ENGINE
 def test_a_balanced_engine_is_written_in_the_form_of_its_file(name: str) -> None:
     _, tree = catalog_tree(name)
     before = engine_of(tree)

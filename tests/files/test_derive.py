@@ -10,6 +10,7 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
+from tests.catalog import EVERY_ENGINE
 from tests.commands import Run
 from tests.texts import SHORT
 
@@ -54,7 +55,7 @@ def parsed(formula: str) -> ElementTree.Element:
     return ElementTree.fromstring(formula)  # noqa: S314
 
 
-@pytest.mark.parametrize("name", crankstar.names())
+@EVERY_ENGINE
 def test_the_formulas_of_a_page_are_well_formed(name: str) -> None:
     engine = crankstar.load(name)
     page = documents.html([derivation(engine, order, "couple") for order in (1, 2)])

@@ -211,14 +211,14 @@ def test_every_mass_keeps_the_orders_within_the_whiskers(run: Run) -> None:
 @pytest.mark.parametrize(
     ("chart", "words"),
     [
-        ("spectrum", "thin line is the range"),
         ("over-turn", "the band is the range"),
         ("hodograph", "the path is that of the typical values"),
         ("vector-star", "the vectors are those of the typical values"),
-        ("polygon", "a resultant has its range"),
         ("forces", "Estimated masses or lengths"),
         ("bearing-loads", "greatest loads have their ranges"),
         ("bending", "peaks have their ranges"),
+        pytest.param("spectrum", "thin line is the range", marks=pytest.mark.long),
+        pytest.param("polygon", "a resultant has its range", marks=pytest.mark.long),
         ("balance-shafts", "unbalances that rest on them are marked"),
         ("shaft", "Estimated bore pitch: arms are 0.923 to 1.1 times as long."),
     ],

@@ -12,13 +12,14 @@ import openpyxl
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.catalog import EVERY_ENGINE
 from tests.strategies import OF_ANY_KIND
 
 import crankstar
 import crankstar.spectra
 from crankstar.engine.engine import Engine
 from crankstar.files import EngineFileError, engine_of, explicit, read
-from crankstar.files.catalog import load, names, tree_of
+from crankstar.files.catalog import load, tree_of
 from crankstar.files.sheets import sheets_of
 from crankstar.files.source import tree_of as text_tree
 from crankstar.files.starters import STARTERS
@@ -35,7 +36,7 @@ def test_any_engine_comes_back_from_a_spreadsheet(engine: Engine) -> None:
     assert back(explicit(engine)) == engine_of(explicit(engine))
 
 
-@pytest.mark.parametrize("name", names())
+@EVERY_ENGINE
 def test_every_file_of_the_catalog_comes_back_in_its_own_form(name: str) -> None:
     _shown, tree = tree_of(name)
     assert back(tree) == load(name)

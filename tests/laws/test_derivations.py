@@ -18,6 +18,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.catalog import EVERY_ENGINE
 from tests.exactly import (
     MP,
     Amplitudes,
@@ -95,7 +96,7 @@ def checked(
     return told
 
 
-@pytest.mark.parametrize("name", sorted(catalog.names()))
+@EVERY_ENGINE
 def test_every_line_of_every_engine_of_the_catalog_comes_to_the_balance(name: str) -> None:
     engine = catalog.load(name)
     for order in (1, 2, 4, 6):
@@ -425,7 +426,7 @@ for quantity in ("force", "couple"):
 # -----------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", sorted(catalog.names()))
+@EVERY_ENGINE
 def test_what_is_said_of_the_real_engine_is_what_it_does(name: str) -> None:
     engine = catalog.load(name)
     for order in (1, 2, 4):

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from numpy.typing import NDArray
+from tests.catalog import EVERY_ENGINE
 from tests.newton import direction, placed, road
 from tests.strategies import OF_ANY_KIND
 
@@ -72,7 +73,7 @@ def assert_in_equilibrium(engine: Engine, angles: int = 24) -> None:
         assert np.abs(wall @ direction(np.array(cylinder.bearing))).max() <= TOLERANCE * size
 
 
-@pytest.mark.parametrize("name", crankstar.names())
+@EVERY_ENGINE
 def test_the_rods_of_every_engine_of_the_catalog_are_in_equilibrium(name: str) -> None:
     assert_in_equilibrium(crankstar.load(name))
 

@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
+from tests.catalog import EVERY_ENGINE
 from tests.newton import placed
 from tests.strategies import OF_ANY_KIND
 
@@ -99,7 +100,7 @@ def _clock(points: NDArray[Any]) -> NDArray[Any]:
 
 
 @pytest.mark.parametrize("model", MODELS)
-@pytest.mark.parametrize("name", crankstar.names())
+@EVERY_ENGINE
 def test_bearings_and_walls_carry_what_shakes_the_block(name: str, model: Model) -> None:
     assert_carried(crankstar.load(name), model)
 

@@ -19,6 +19,7 @@ import jsonschema_rs
 import numpy as np
 import pytest
 from altair.vegalite.v6.schema.core import load_schema
+from tests.catalog import EVERY_NAME
 from tests.methods.test_charts import ENGINES, drawn, kind, lanchester, panels
 
 import crankstar
@@ -113,7 +114,10 @@ def huge() -> Engine:
 
 
 @EVERY_CHART
-@pytest.mark.parametrize("engine", SPREAD)
+@pytest.mark.parametrize(
+    "engine",
+    [*OFTEN[:4], *(pytest.param(name, marks=pytest.mark.long) for name in (*OFTEN[4:], *SELDOM))],
+)
 def test_every_figure_can_be_drawn_of_every_kind_of_engine(name: str, engine: str) -> None:
     options = {"theta": 0.4} if "theta" in charts.CHARTS[name].options else {}
     sound(
@@ -125,7 +129,7 @@ def test_every_figure_can_be_drawn_of_every_kind_of_engine(name: str, engine: st
 
 @pytest.mark.long
 @EVERY_CHART
-@pytest.mark.parametrize("engine", crankstar.names())
+@pytest.mark.parametrize("engine", EVERY_NAME)
 def test_every_figure_can_be_drawn_of_the_whole_catalog(name: str, engine: str) -> None:
     compiled(crankstar.load(engine), charts.CHARTS[name])
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -73,10 +74,9 @@ def test_a_sweep_of_two_numbers_and_a_very_fine_one_have_no_ranges() -> None:
         assert bands(made, [curve], []) == (None,)
 
 
-def test_the_band_is_drawn_and_written(
-    capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(tmp_path)
+@pytest.fixture
+def run(capsys: pytest.CaptureFixture[str]) -> Callable[..., str]:
+    """What a sweep of an estimated engine prints."""
 
     def run(*words: str) -> str:
         asked = ["sweep", "triumph-675", "--estimate", "--over", OVER, "--quantity", "couple"]
@@ -85,17 +85,27 @@ def test_the_band_is_drawn_and_written(
         assert left.value.code == 0
         return capsys.readouterr().out
 
+    return run
+
+
+@pytest.mark.long
+def test_every_form_of_a_sweep_has_the_same_band(run: Callable[..., str]) -> None:
+    row = next(csv.DictReader(run("--csv").splitlines()))
+    ends = [float(row[f"amplitude{end} (estimated)"]) for end in ("_low", "", "_high")]
+    first = json.loads(run("--json"))["values"][0]
+    assert [first[f"couple{end}"] for end in ("_low", "", "_high")] == ends
+    both = run("--over", "cylinder.offset=0..5 mm/4")
+    assert "typical values, without ranges" in " ".join(both.split())
+
+
+def test_the_band_is_drawn_and_written(run: Callable[..., str]) -> None:
     row = next(csv.DictReader(run("--csv").splitlines()))
     ends = [float(row[f"amplitude{end} (estimated)"]) for end in ("_low", "", "_high")]
     assert 0 < ends[0] < ends[1] < ends[2]
-    first = json.loads(run("--json"))["values"][0]
-    assert [first[f"couple{end}"] for end in ("_low", "", "_high")] == ends
     text = run()
     assert text.splitlines()[1].startswith("Estimated: ")
     assert "couple (estimated)" in text
     assert "Least couple: about " in text
-    both = run("--over", "cylinder.offset=0..5 mm/4")
-    assert "typical values, without ranges" in " ".join(both.split())
     made = sweep("triumph-675", OVER, estimate=True)
     curve = watched(made, "couple")
     found = [best(made, curve)]

@@ -16,6 +16,7 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+from tests.catalog import EVERY_ENGINE
 from tests.newton import road
 from tests.strategies import LONG, OF_ANY_KIND, engines
 
@@ -155,7 +156,7 @@ def test_arrows_are_what_the_bodies_do_but_for_orders_that_are_left_out(
         assert abs(at(cylinder.force, shown.orders, shown.sense, theta) - expected) < 1e-7 * largest
 
 
-@pytest.mark.parametrize("name", names())
+@EVERY_ENGINE
 def test_orders_that_are_left_out_are_not_missed(name: str) -> None:
     """The page's force, couple and roll are the negative rates of change of momentum, to 0.1 %.
 

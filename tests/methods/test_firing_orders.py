@@ -9,6 +9,7 @@ from math import pi, radians
 
 import pytest
 from hypothesis import given
+from tests.catalog import EVERY_ENGINE
 from tests.strategies import OF_LAYOUT, engines
 
 import crankstar
@@ -92,7 +93,7 @@ def test_the_even_orders_are_those_among_all_permutations_that_fire_evenly(name:
     assert set(found) == by_brute_force(dead_centres(engine), engine.cycle_angle)
 
 
-@pytest.mark.parametrize("name", crankstar.names())
+@EVERY_ENGINE
 def test_the_order_of_every_engine_of_the_catalog_is_found(name: str) -> None:
     engine = crankstar.load(name)
     together = name == "kr250-racer-simultaneous"

@@ -12,6 +12,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
+from tests.catalog import EVERY_ENGINE
 from tests.newton import road
 
 import crankstar
@@ -57,7 +58,7 @@ def added(engine: Engine, found: Fitted) -> list[Fraction]:
     return [shaft.speed_ratio for shaft in found.after.shafts[len(engine.shafts) :]]
 
 
-@pytest.mark.parametrize("name", crankstar.names())
+@EVERY_ENGINE
 def test_nothing_is_left_of_what_the_verdict_says_can_be_taken_away(name: str) -> None:
     engine, told, found = crankstar.load(name), cured(name), recommended(crankstar.load(name))
     if found is None:
@@ -80,7 +81,7 @@ def test_nothing_is_left_of_what_the_verdict_says_can_be_taken_away(name: str) -
         ), ratio
 
 
-@pytest.mark.parametrize("name", crankstar.names())
+@EVERY_ENGINE
 def test_what_is_left_is_of_a_higher_order_than_what_was_taken_by_shafts(name: str) -> None:
     engine, found = crankstar.load(name), recommended(crankstar.load(name))
     if found is None:
@@ -90,7 +91,7 @@ def test_what_is_left_is_of_a_higher_order_than_what_was_taken_by_shafts(name: s
     assert not orders & {1}
 
 
-@pytest.mark.parametrize("name", crankstar.names())
+@EVERY_ENGINE
 def test_the_factor_of_the_verdict_is_that_of_the_fitted_engine(name: str) -> None:
     found = recommended(crankstar.load(name))
     factors = [float(said.group(1)) for sentence in cured(name) if (said := FACTOR.match(sentence))]
@@ -128,7 +129,7 @@ def test_where_no_factor_will_do_the_end_webs_follow_none(name: str) -> None:
         with_turning_cancelled(engine, ratio=7)
 
 
-@pytest.mark.parametrize("name", crankstar.names())
+@EVERY_ENGINE
 def test_shafts_are_drawn_where_they_are_reckoned_and_clear_of_the_crank(name: str) -> None:
     engine, found = crankstar.load(name), recommended(crankstar.load(name))
     if found is None:

@@ -12,18 +12,18 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.catalog import EVERY_ENGINE
 from tests.newton import placed
 from tests.strategies import OF_ANY_KIND
 
 from crankstar.engine.engine import Engine
-from crankstar.files.catalog import load, names
+from crankstar.files.catalog import load
 from crankstar.page.proportions import proportions
 from crankstar.page.records import CylinderShown, Scene, ShaftShown, Web
 from crankstar.page.scene import STEEL, scene
 from crankstar.remedy import fitting
 from crankstar.remedy.fitting import ShaftPlaces
 
-EVERY_ENGINE = pytest.mark.parametrize("name", names())
 ROUNDING = 1e-9
 STEPS = 97
 """Crank angles at which parts are looked for: a prime, so that no symmetry hides one."""

@@ -16,7 +16,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.claims import CLAIMS
-from tests.strategies import engines
+from tests.strategies import LONG, engines
 
 import crankstar
 from crankstar import files, spectra
@@ -240,7 +240,7 @@ def test_a_sweep_is_as_its_engines_one_by_one(
 
 
 @given(engines(tight=False), st.integers(0, 10_000), st.floats(0.01, 2.0))
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=100 if LONG else 8, deadline=None)
 def test_any_number_of_any_engine_as_one_by_one(engine: Engine, pick: int, span: float) -> None:
     tree = files.explicit(engine.model_copy(update={"firing_order": (), "firing_angles": None}))
     places: list[tuple[str, float]] = []

@@ -7,6 +7,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
+from tests.catalog import EVERY_ENGINE
 
 from crankstar import balance, load, spectra, total
 from crankstar.engine.banks import Bank, Crank
@@ -14,7 +15,6 @@ from crankstar.engine.basis import Basis
 from crankstar.engine.copies import with_values
 from crankstar.engine.layouts import tandem
 from crankstar.engine.records import Rod
-from crankstar.files import catalog
 from crankstar.language.numbers import number
 from crankstar.mechanics.balance import scales
 from crankstar.remedy import main_bearings, needs
@@ -34,7 +34,7 @@ BEARINGS = {
 """Main bearings of the real engines of these layouts."""
 
 
-@pytest.mark.parametrize("name", catalog.names())
+@EVERY_ENGINE
 def test_free_and_remaining_orders_are_those_of_the_balance(name: str) -> None:
     engine = load(name)
     facts = verdict(engine, relatives=False)
@@ -197,7 +197,7 @@ def test_the_verdict_on_exhaust_pulses_and_on_who_fires_after_whom(
     assert told(name) == sentences
 
 
-@pytest.mark.parametrize("name", catalog.names())
+@EVERY_ENGINE
 def test_only_cross_plane_eights_burble_and_the_verdict_on_firing_is_short(name: str) -> None:
     sentences = told(name)
     eights = {

@@ -7,6 +7,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from tests.catalog import EVERY_ENGINE
 
 import crankstar
 from crankstar.engine.copies import with_values
@@ -27,7 +28,7 @@ ENGINES = (
 SPACE = "{http://www.w3.org/2000/svg}"
 
 
-@pytest.mark.parametrize("name", crankstar.names())
+@EVERY_ENGINE
 def test_rods_have_their_length_and_pistons_are_on_their_axes(name: str) -> None:
     engine = crankstar.load(name)
     for cylinder, place in zip(engine.cylinders, placed(engine), strict=True):

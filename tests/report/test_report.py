@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -22,7 +23,11 @@ from crankstar.tables.machine import tree
 from crankstar.tables.table import Column, Table
 
 HOSTILE = "</script><img src=x onerror=alert(1)><style>*{}</style> & \"'`\\ 01"
-ENGINES = ("v8-cross-plane", "audi-25-tfsi", "single", "kr250-production", "jumo-205")
+ENGINES = (
+    "v8-cross-plane",
+    "audi-25-tfsi",
+    *(pytest.param(name, marks=pytest.mark.long) for name in ("kr250-production", "jumo-205")),
+)
 
 
 def subject(name: str, **more: Any) -> Subject:
@@ -32,16 +37,14 @@ def subject(name: str, **more: Any) -> Subject:
     return Subject(engine_of(tree, name=name), tree, command, **{"full": True, **more})
 
 
-@pytest.fixture(scope="module")
-def written() -> dict[str, str]:
-    return {name: report(subject(name)) for name in ENGINES}
+@cache
+def written(name: str) -> str:
+    return report(subject(name))
 
 
 @pytest.mark.parametrize("name", ENGINES)
-def test_a_report_is_well_formed_and_nothing_in_it_can_run_or_be_fetched(
-    written: dict[str, str], name: str
-) -> None:
-    read = Reader(written[name])
+def test_a_report_is_well_formed_and_nothing_in_it_can_run_or_be_fetched(name: str) -> None:
+    read = Reader(written(name))
     assert not {"script", "link", "img", "iframe", "object", "embed", "form", "base"} & {
         tag.name for tag in read.tags
     }
@@ -65,10 +68,10 @@ def test_a_report_is_well_formed_and_nothing_in_it_can_run_or_be_fetched(
 
 
 @pytest.mark.parametrize("name", ENGINES)
-def test_every_section_is_there(written: dict[str, str], name: str) -> None:
+def test_every_section_is_there(name: str) -> None:
     sections = [
         tag.attributes["id"]
-        for tag in Reader(written[name]).tags
+        for tag in Reader(written(name)).tags
         if tag.name == "section" and "id" in tag.attributes
     ]
     always = [
@@ -85,8 +88,8 @@ def test_every_section_is_there(written: dict[str, str], name: str) -> None:
         "remedies",
     ]
     assert sections == [*always, "derivations", "sources", "conventions", "again"]
-    assert written[name].count("<svg") >= 10
-    assert "<!--figure" not in written[name]
+    assert written(name).count("<svg") >= 10
+    assert "<!--figure" not in written(name)
 
 
 def size_of(order: dict[str, Any], quantity: str) -> float:
@@ -95,14 +98,12 @@ def size_of(order: dict[str, Any], quantity: str) -> float:
 
 
 @pytest.mark.parametrize("name", ENGINES)
-def test_the_table_of_orders_says_what_the_machine_readable_answer_says(
-    written: dict[str, str], name: str
-) -> None:
+def test_the_table_of_orders_says_what_the_machine_readable_answer_says(name: str) -> None:
     """Table values times the harmonic of the first piston are the answer of --json."""
     engine = crankstar.load(name)
     result = balance(engine)
     public = tree(answer(engine, result))
-    read = Reader(written[name])
+    read = Reader(written(name))
     for quantity in ("force", "couple"):
         title = f"{quantity.capitalize()} by the vector stars"
         if title not in read.tables:
@@ -130,12 +131,10 @@ def test_the_table_of_orders_says_what_the_machine_readable_answer_says(
                 )
 
 
-def test_forces_in_newtons_are_those_of_the_answer_at_the_speed_of_the_engine(
-    written: dict[str, str],
-) -> None:
+def test_forces_in_newtons_are_those_of_the_answer_at_the_speed_of_the_engine() -> None:
     engine = crankstar.load("audi-25-tfsi")
     public = tree(answer(engine, balance(engine, speed=engine.speed)))
-    heads, *rows = Reader(written["audi-25-tfsi"]).table("Couple on the block")
+    heads, *rows = Reader(written("audi-25-tfsi")).table("Couple on the block")
     sizes = {one["order"]: size_of(one, "couple") for one in public["orders"]}
     for row in rows:
         assert "[N m]" in heads[-1]
@@ -169,21 +168,19 @@ def test_a_speed_that_is_asked_for_is_the_one_of_every_number() -> None:
 
 
 @pytest.mark.parametrize("name", ENGINES)
-def test_the_verdict_and_every_source_are_in_it(written: dict[str, str], name: str) -> None:
+def test_the_verdict_and_every_source_are_in_it(name: str) -> None:
     engine = crankstar.load(name)
-    shown = plain(Reader(written[name]).text())
+    shown = plain(Reader(written(name)).text())
     assert all(plain(fact.sentence) in shown for fact in verdict.verdict(engine))
-    rows = Reader(written[name]).table("Sources of the values")[1:]
+    rows = Reader(written(name)).table("Sources of the values")[1:]
     assert rows == [
         [path, origin.status, origin.source] for path, origin in engine.provenance.items()
     ]
 
 
 @pytest.mark.parametrize("name", ENGINES)
-def test_numbers_that_are_read_have_true_minus_signs_and_raised_powers(
-    written: dict[str, str], name: str
-) -> None:
-    read = Reader(written[name])
+def test_numbers_that_are_read_have_true_minus_signs_and_raised_powers(name: str) -> None:
+    read = Reader(written(name))
     shown = [data for path, data in read.texts if not {"style", "pre", "svg", "math"} & set(path)]
     assert not [data for data in shown if re.search(r"(?<![\w.])-\d|\de[-+−]\d", data)]
     assert any("−0.00" in data for data in shown)
@@ -204,21 +201,19 @@ def test_where_two_crankshafts_turn_against_each_other_counterweights_take_both_
         assert abs(left.forward[0]) + abs(left.backward[0]) < 1e-9
 
 
-def test_a_long_table_may_run_over_pages_and_a_lone_cylinder_has_no_millimetres(
-    written: dict[str, str],
-) -> None:
+def test_a_long_table_may_run_over_pages_and_a_lone_cylinder_has_no_millimetres() -> None:
     columns = (Column("a"), Column("b"))
     assert 'class="table short"' in part_html(Table("", columns, ((1.0, 2.0),) * 8))
     assert 'class="table"' in part_html(Table("", columns, ((1.0, 2.0),) * 14))
-    assert Reader(written["single"]).table("Weights")[0][1] == "z[r]"
+    assert Reader(written("single")).table("Weights")[0][1] == "z[r]"
     racer = Reader(report(subject("kr250-racer"))).table("Shafts")
     assert racer[0][-1].endswith("[m r]")
     assert racer[2][-1] == "0.5"  # the balance factor of the racer is a half
-    assert Reader(written["jumo-205"]).table("Shafts")[7][0] == "second, -1000 mm up, 0 mm right"
+    assert Reader(written("jumo-205")).table("Shafts")[7][0] == "second, -1000 mm up, 0 mm right"
 
 
-def test_values_that_nobody_vouches_for_are_marked_beside_them(written: dict[str, str]) -> None:
-    page = written["audi-25-tfsi"]
+def test_values_that_nobody_vouches_for_are_marked_beside_them() -> None:
+    page = written("audi-25-tfsi")
     assert (
         '<dt>Rod length between centres</dt><dd>144 mm <span class="doubt">unverified</span></dd>'
         in page
@@ -232,11 +227,9 @@ def test_values_that_nobody_vouches_for_are_marked_beside_them(written: dict[str
 
 
 @pytest.mark.parametrize("name", ["v8-cross-plane", "audi-25-tfsi"])
-def test_derivations_are_there_with_what_is_proved_to_be_zero(
-    written: dict[str, str], name: str
-) -> None:
+def test_derivations_are_there_with_what_is_proved_to_be_zero(name: str) -> None:
     engine = crankstar.load(name)
-    page = written[name]
+    page = written(name)
     proved = [
         f"{quantity} of order {order}"
         for quantity in ("force", "couple")
@@ -254,8 +247,8 @@ def test_orders_that_are_named_are_derived_in_full() -> None:
     assert "Every cylinder along its own axis" in page
 
 
-def test_the_same_engine_gives_the_same_bytes(written: dict[str, str]) -> None:
-    assert report(subject("single")) == written["single"]
+def test_the_same_engine_gives_the_same_bytes() -> None:
+    assert report(subject("single")) == written("single")
 
 
 def test_the_name_of_an_engine_is_text_everywhere() -> None:
@@ -301,27 +294,27 @@ def test_an_engine_without_a_firing_order_has_no_strokes_but_a_sentence() -> Non
     assert "Strokes and events" not in page
 
 
-def test_remedies_leave_what_a_balance_says_they_leave(written: dict[str, str]) -> None:
-    heads, *rows = Reader(written["v8-cross-plane"]).table("Remaining unbalance")
+def test_remedies_leave_what_a_balance_says_they_leave() -> None:
+    heads, *rows = Reader(written("v8-cross-plane")).table("Remaining unbalance")
     (couple,) = (row for row in rows if row[:2] == ["1", "couple"])
     assert couple[heads.index("before")] == "3.1623"  # √10
     assert couple[heads.index("now")] == "0"
 
 
-def test_the_file_in_the_report_is_the_engine(written: dict[str, str]) -> None:
+def test_the_file_in_the_report_is_the_engine() -> None:
     """What is printed at the end can be read again and is the same engine."""
     import tomllib
 
     (file,) = [
         data
-        for path, data in Reader(written["audi-25-tfsi"]).texts
+        for path, data in Reader(written("audi-25-tfsi")).texts
         if path[-2:] == ("pre", "code") and "format" in data
     ]
     assert engine_of(tomllib.loads(file), name="again") == crankstar.load("audi-25-tfsi")
 
 
-def test_a_cross_plane_crankshaft_whirls_in_a_circle(written: dict[str, str]) -> None:
-    rows = Reader(written["v8-cross-plane"]).table("Paths by order")
+def test_a_cross_plane_crankshaft_whirls_in_a_circle() -> None:
+    rows = Reader(written("v8-cross-plane")).table("Paths by order")
     assert rows[1][1] == rows[1][3] == "circle with the crank"
 
 

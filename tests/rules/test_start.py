@@ -38,6 +38,9 @@ MAY_LOAD = {
 }
 """A command, and the heavy modules that it cannot do without. Search 5 has its loops compiled."""
 
+SELDOM = {"analyze i4 --json", "check i4", "strokes i4", "verdict i4", "derive i4"}
+"""Commands that load as much as others do; seen in the long tests."""
+
 SAID = """
 import sys
 from crankstar.__main__ import main
@@ -49,7 +52,10 @@ finally:
 """
 
 
-@pytest.mark.parametrize("command", MAY_LOAD)
+@pytest.mark.parametrize(
+    "command",
+    [pytest.param(command, marks=[pytest.mark.long] * (command in SELDOM)) for command in MAY_LOAD],
+)
 def test_a_command_loads_the_heavy_libraries_it_needs_and_no_other(
     command: str, tmp_path: Path
 ) -> None:

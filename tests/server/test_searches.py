@@ -162,6 +162,7 @@ def test_searches_are_stopped_with_what_they_have_and_only_so_many_run_at_once()
         assert ended(server, again)["state"] == "done"
 
 
+@pytest.mark.long
 def test_a_search_that_takes_much_longer_than_was_thought_is_stopped(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

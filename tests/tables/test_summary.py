@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from rich.cells import cell_len
 from rich.console import Console
+from tests.catalog import EVERY_ENGINE
 
 from crankstar import load, names, spectra
 from crankstar.engine.copies import with_values
@@ -35,7 +36,7 @@ def printed(name: str, *, speed: float | None = None) -> list[str]:
     return [line.rstrip() for line in file.getvalue().splitlines()]
 
 
-@pytest.mark.parametrize("name", names())
+@EVERY_ENGINE
 def test_the_first_ten_lines_say_how_an_engine_shakes(name: str) -> None:
     lines = printed(name)
     first = lines[: lines.index("")]

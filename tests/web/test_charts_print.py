@@ -23,7 +23,7 @@ from crankstar.remedy import with_counterweights
 
 __all__ = ["refused", "run"]
 
-OFTEN = ("single", "v8-cross-plane", "kr250-racer", "vw-vr6", "audi-25-tfsi")
+OFTEN = ("v8-cross-plane", "kr250-racer", "vw-vr6")
 ENGINES = [
     pytest.param(name, marks=[pytest.mark.long] * (name not in OFTEN)) for name in crankstar.names()
 ]
@@ -151,7 +151,13 @@ TALL = (
 """Charts that are taller than 110 mm with letters of 10 pt."""
 
 
-@pytest.mark.parametrize("paper", PAPERS, ids=str)
+@pytest.mark.parametrize(
+    "paper",
+    [
+        pytest.param(paper, id=str(paper), marks=[pytest.mark.long] * (place in (0, 3)))
+        for place, paper in enumerate(PAPERS)
+    ],
+)
 @pytest.mark.parametrize(
     "name", ["v8-cross-plane", pytest.param("napier-deltic", marks=pytest.mark.long)]
 )

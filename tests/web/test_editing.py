@@ -89,6 +89,7 @@ def test_a_bank_angle_that_is_typed_moves_the_bank(editing: Page) -> None:
     assert on_stage(editing)["file"]["layout"]["banks"][0]["bearing"] == "30 deg"
 
 
+@pytest.mark.long
 def test_a_bare_number_takes_the_unit_that_was_there(editing: Page) -> None:
     field(editing, BEARING).fill("60")
     eventually(lambda: bank_angles(editing), [60, -45])
@@ -120,6 +121,7 @@ def test_a_change_is_on_the_stage_at_once(editing: Page) -> None:
     assert statistics.median(took) < 1000, took
 
 
+@pytest.mark.long
 def test_a_change_is_drawn_once(editing: Page) -> None:
     editing.add_init_script(CARD)
     editing.add_init_script(COUNTED)
@@ -148,6 +150,7 @@ def test_what_is_wrong_stands_beside_its_field_and_the_engine_stays(editing: Pag
     eventually(lambda: bank_angles(editing), [40, -45])
 
 
+@pytest.mark.long
 def test_the_list_of_mistakes_leads_to_fields_even_where_they_are_folded(editing: Page) -> None:
     editing.locator("summary", has_text="Valves or ports").click()
     opens = field(editing, "valves.intake_opens")
@@ -219,6 +222,7 @@ def test_a_throw_is_turned_by_its_wheel_with_the_mouse_and_the_keys(editing: Pag
     expect(wheel).to_have_attribute("aria-valuetext", "136 degrees clockwise from up")
 
 
+@pytest.mark.long
 def test_a_firing_order_that_no_longer_fits_is_left_out_with_one_click(editing: Page) -> None:
     field(editing, "edit:layout.throws[2]").fill("180 deg")
     expect(field(editing, "edit:firing_order-wrong")).to_contain_text("cannot fire")
@@ -239,6 +243,7 @@ def test_throws_are_added_moved_and_removed(editing: Page) -> None:
     assert throws() == ["90 deg", "0 deg", "-90 deg", "-90 deg"]
 
 
+@pytest.mark.long
 def test_an_engine_of_the_catalog_is_chosen_with_keys_alone(editing: Page) -> None:
     box = editing.get_by_role("combobox", name="Engine of the catalog")
     box.focus()
@@ -263,6 +268,7 @@ def test_another_layout_begins_as_an_engine(editing: Page) -> None:
         expect(editing.locator(".mistakes")).to_have_count(0)
 
 
+@pytest.mark.long
 def test_the_explicit_form_is_the_same_engine_part_by_part(editing: Page) -> None:
     before = on_stage(editing)
     editing.get_by_label("Type", exact=True).select_option("explicit")
@@ -294,6 +300,7 @@ def test_every_key_of_the_schema_has_a_field(editing: Page, server: Server) -> N
     assert not missing
 
 
+@pytest.mark.long
 def test_a_file_is_opened_by_a_drop_wherever_one_looks(editing: Page, server: Server) -> None:
     editing.get_by_role("tab", name="Verdict").click()
     text = server.ask("api/toml", {"engine": "kr250-racer"}).json["toml"]
@@ -393,6 +400,7 @@ def test_a_search_is_cancelled(editing: Page) -> None:
     expect(dialog.get_by_role("button", name="Search")).to_be_enabled()
 
 
+@pytest.mark.long
 def test_a_search_that_nobody_waits_for_is_stopped(editing: Page) -> None:
     editing.get_by_role("button", name="Find a better crank").click()
     dialog = editing.get_by_role("dialog")
@@ -405,6 +413,7 @@ def test_a_search_that_nobody_waits_for_is_stopped(editing: Page) -> None:
     eventually(lambda: editing.request.get(address).json()["state"], "cancelled")
 
 
+@pytest.mark.long
 def test_a_balance_factor_that_is_no_number_is_told_and_fits_nothing(editing: Page) -> None:
     before = on_stage(editing)["file"]
     editing.get_by_placeholder("best").fill("half")

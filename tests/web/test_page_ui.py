@@ -86,6 +86,7 @@ def test_the_roll_of_an_engine_whose_cylinders_do_not_roll_by_themselves_is_told
         assert numbers(page)["Rolling moment"] == pytest.approx(rolls, abs=0.02 * abs(fifth))
 
 
+@pytest.mark.long
 def test_only_the_chosen_order_is_counted(built_page: Build, page: Page) -> None:
     opened(page, built_page(CROSS), "a=40&orders=4")
     assert numbers(page)["Couple up"] == 0
@@ -160,6 +161,7 @@ def test_figures_follow_the_crank_angle(built_page: Build, page: Page) -> None:
     assert places[1] - places[0] > 20
 
 
+@pytest.mark.long
 def test_a_figure_out_of_view_rests_while_the_engine_turns_and_is_right_after(
     built_page: Build, page: Page
 ) -> None:
@@ -181,6 +183,7 @@ def test_a_figure_out_of_view_rests_while_the_engine_turns_and_is_right_after(
     assert figures.evaluate_all(drawn) == stopped != moved
 
 
+@pytest.mark.long
 def test_a_figure_keeps_its_size_while_it_turns(built_page: Build, page: Page) -> None:
     opened(page, built_page(CROSS, figures=True), "a=0&of=couple")
     tab(page, "Stars")
@@ -224,6 +227,7 @@ def test_a_link_shows_the_same_again(built_page: Build, page: Page) -> None:
     expect(page.get_by_role("tab", name="Verdict")).to_have_attribute("aria-selected", "true")
 
 
+@pytest.mark.long
 def test_a_page_that_plays_does_not_write_its_angle_all_the_time(
     built_page: Build, page: Page
 ) -> None:
@@ -338,6 +342,7 @@ def test_derivations_are_typeset(built_page: Build, page: Page) -> None:
     ).to_be_visible()
 
 
+@pytest.mark.long
 def test_the_whirl_is_switched_on_at_a_size_that_is_seen_and_its_estimate_is_named(
     built_page: Build, page: Page
 ) -> None:
@@ -363,6 +368,7 @@ def test_colours_are_changed_by_a_button_and_kept(built_page: Build, page: Page)
     page.wait_for_function("() => location.hash.includes('theme=dark')")
 
 
+@pytest.mark.long
 def test_a_figure_that_is_not_there_says_so_and_can_be_asked_for_again(
     built_page: Build, page: Page
 ) -> None:

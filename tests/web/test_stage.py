@@ -128,7 +128,13 @@ def test_the_whirl_moves_all_that_is_drawn_and_is_taken_away_from_what_is_read(
     assert farthest_off(load(ENGINE), drawn(page)) < 1e-6
 
 
-@pytest.mark.parametrize("name", ["audi-25-tfsi", "pratt-whitney-wasp", "napier-deltic"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "napier-deltic",
+        *(pytest.param(n, marks=pytest.mark.long) for n in ("audi-25-tfsi", "radial-9")),
+    ],
+)
 def test_crank_pins_are_drawn_where_their_shafts_carry_them(
     name: str, built_page: Build, page: Page
 ) -> None:
@@ -193,7 +199,7 @@ PAPER = """() => {
 """The share of the printed picture that is painted, and how many other canvases are printed."""
 
 
-@pytest.mark.parametrize("theme", ["light", "dark"])
+@pytest.mark.parametrize("theme", ["light", pytest.param("dark", marks=pytest.mark.long)])
 def test_what_is_printed_shows_the_engine(theme: str, built_page: Build, page: Page) -> None:
     page.add_init_script(CARD)
     opened(page, built_page(ENGINE), f"a=40&theme={theme}")

@@ -55,9 +55,11 @@ def number(text: str) -> float:
 @pytest.mark.parametrize(
     "name",
     [
-        "kr250-racer",
         "jumo-205",
-        *(pytest.param(name, marks=pytest.mark.long) for name in ("pratt-whitney-wasp", "vw-vr6")),
+        *(
+            pytest.param(name, marks=pytest.mark.long)
+            for name in ("kr250-racer", "pratt-whitney-wasp", "vw-vr6")
+        ),
     ],
 )
 def test_the_numbers_at_an_angle_are_the_rates_of_change_of_momentum(

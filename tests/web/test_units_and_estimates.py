@@ -75,6 +75,7 @@ def test_a_file_changes_its_units_in_every_panel(file_page: Path, page: Page) ->
     expect(page.get_by_role("tabpanel")).not_to_contain_text("mm")
 
 
+@pytest.mark.long
 def test_the_choice_is_in_the_link_and_kept(file_page: Path, page: Page) -> None:
     opened(page, file_page, "a=0&units=us")
     settled(page)
@@ -98,6 +99,7 @@ def test_units_that_a_file_does_not_hold_are_refused_in_a_sentence(
     assert handle(page, "state.units") == ""
 
 
+@pytest.mark.long
 def test_a_file_written_in_other_units_offers_them(tmp_path: Path, page: Page) -> None:
     path = tmp_path / "other.html"
     with shown_in(read_choice("kN, kN m")):

@@ -136,6 +136,7 @@ def test_figures_and_derivations_are_asked_of_the_kernel(show: Show, page: Page)
     expect(page.get_by_role("tabpanel").locator("math").first).to_be_visible(timeout=20_000)
 
 
+@pytest.mark.long
 def test_two_on_one_page_do_not_know_each_other(show: Show, page: Page) -> None:
     show("v8-cross-plane", theta=30.0)
     show("single", theta=60.0)
@@ -149,6 +150,7 @@ def test_two_on_one_page_do_not_know_each_other(show: Show, page: Page) -> None:
     assert [cell(page, "page.theta", index) for index in (0, 1)] == [31, 200]
 
 
+@pytest.mark.long
 def test_another_engine_takes_the_place_of_the_first(show: Show, page: Page) -> None:
     widget = show("v8-cross-plane", theta=30.0)
     widget.show("single")
@@ -160,6 +162,7 @@ def test_another_engine_takes_the_place_of_the_first(show: Show, page: Page) -> 
     assert cell(page, "page.theta") == 30
 
 
+@pytest.mark.long
 def test_nothing_is_left_when_the_cell_is_cleared(show: Show, page: Page) -> None:
     page.emulate_media(reduced_motion="no-preference")
     show("v8-cross-plane", playing=True)

@@ -173,7 +173,7 @@ def balance(
     )
 
 
-@lru_cache(maxsize=256)  # figures and sheets of an estimated engine want those of every corner
+@lru_cache(maxsize=160)  # figures and sheets of an estimated engine want those of every corner
 def _spectra(engine: Engine, reference: Reference, orders: tuple[float, ...] | None) -> Totals:
     """The spectra of all parts at 1 rad/s, in SI units."""
     out = part_spectra(mechanism(engine), reference=reference, orders=orders)
