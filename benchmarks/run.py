@@ -213,10 +213,8 @@ def rows() -> list[tables.Row]:
     """What is measured, the figure, and the budget where there is one."""
     out: list[tables.Row] = []
     for name, engine in engines().items():
-        seconds = timed(
-            lambda engine=engine: total(balance(engine, reference=elsewhere())), runs=101
-        )
-        count = len(engine.cylinders)
+        seconds = timed(lambda e=engine: total(balance(e, reference=elsewhere())), runs=101)
+        cylinders = len(engine.cylinders)
         out.append(
             (
                 f"Balance, {name}",

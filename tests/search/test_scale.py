@@ -173,6 +173,7 @@ def test_a_lost_process_of_this_machine_changes_nothing(middle):
     assert not {process.pid for process in active_children()} - {process.pid for process in others}
 
 
+@pytest.mark.long
 def test_a_lost_worker_of_a_cluster_changes_nothing(middle, daskers):
     killed = []
 
@@ -386,7 +387,7 @@ def fifteen():
     return answer_to(front(15))
 
 
-@pytest.mark.parametrize("workers", ["0", "2"])
+@pytest.mark.parametrize("workers", [pytest.param("0", marks=pytest.mark.long), "2"])
 def test_sigterm_ends_a_search_quietly_with_its_workers_and_its_semaphores(workers, tmp_path):
     with started(workers, tmp_path / "file") as process:
         children = psutil.Process(process.pid).children(recursive=True)
@@ -431,6 +432,7 @@ def test_a_search_killed_in_the_middle_goes_on_and_leaves_no_processes(tmp_path,
     )
 
 
+@pytest.mark.long
 def test_a_scheduler_that_does_not_answer_is_told_in_time(monkeypatch):
     monkeypatch.setattr(executors, "SCHEDULER_SECONDS", 1.0)
     with socket.create_server(("127.0.0.1", 0)) as silent:

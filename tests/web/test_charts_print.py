@@ -95,7 +95,14 @@ def numbers(picture: Measured) -> set[int]:
     return out
 
 
-@pytest.mark.parametrize("name", ["napier-deltic", "radial-9", "v8-cross-plane", "jumo-205"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "radial-9",
+        "v8-cross-plane",
+        *(pytest.param(name, marks=pytest.mark.long) for name in ("napier-deltic", "jumo-205")),
+    ],
+)
 def test_every_cylinder_is_named_in_its_star_and_polygon(name: str, page: Page) -> None:
     engine = crankstar.load(name)
     drawings = [

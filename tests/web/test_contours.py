@@ -93,7 +93,9 @@ def labels_of(picture: Measured) -> list[tuple[float, float, float]]:
     ]
 
 
-@pytest.mark.parametrize("theme", ["light", "dark", "print"])
+@pytest.mark.parametrize(
+    "theme", ["light", *(pytest.param(one, marks=pytest.mark.long) for one in ("dark", "print"))]
+)
 def test_values_read_from_the_picture_are_those_of_single_engines(
     theme: charts.Theme, page: Page
 ) -> None:

@@ -205,6 +205,7 @@ def test_a_drag_moves_the_engine_while_it_lasts_and_is_one_step(editing: Page) -
     expect(editing.get_by_role("button", name="Undo")).to_be_disabled()
 
 
+@pytest.mark.long
 def test_a_throw_is_turned_by_its_wheel_with_the_mouse_and_the_keys(editing: Page) -> None:
     wheel = editing.get_by_role("slider", name="Throw 2, wheel")
     wheel.scroll_into_view_if_needed()
@@ -231,6 +232,7 @@ def test_a_firing_order_that_no_longer_fits_is_left_out_with_one_click(editing: 
     expect(editing.locator(".mistakes")).to_have_count(0)
 
 
+@pytest.mark.long
 def test_throws_are_added_moved_and_removed(editing: Page) -> None:
     throws = lambda: [  # noqa: E731
         box.input_value() for box in editing.locator("[id='edit:layout.throws'] input").all()
@@ -261,6 +263,7 @@ def test_an_engine_of_the_catalog_is_chosen_with_keys_alone(editing: Page) -> No
     expect(editing.get_by_label("Type", exact=True)).to_have_value("tandem")
 
 
+@pytest.mark.long
 def test_another_layout_begins_as_an_engine(editing: Page) -> None:
     for kind in ("inline", "boxer", "radial", "opposed", "tandem"):
         editing.get_by_label("Type", exact=True).select_option(kind)
@@ -321,6 +324,7 @@ def test_a_file_is_opened_by_a_drop_wherever_one_looks(editing: Page, server: Se
     ).to_be_visible()
 
 
+@pytest.mark.long
 def test_a_file_that_is_no_engine_is_told_of_and_changes_nothing(editing: Page) -> None:
     before = on_stage(editing)
     dropped(
@@ -388,6 +392,7 @@ def test_a_row_of_a_search_becomes_the_engine(editing: Page) -> None:
     eventually(lambda: bank_angles(editing), [45, -45])
 
 
+@pytest.mark.long
 def test_a_search_is_cancelled(editing: Page) -> None:
     editing.get_by_role("button", name="Find a better crank").click()
     dialog = editing.get_by_role("dialog")
@@ -422,6 +427,7 @@ def test_a_balance_factor_that_is_no_number_is_told_and_fits_nothing(editing: Pa
     assert on_stage(editing)["file"] == before
 
 
+@pytest.mark.long
 def test_a_search_that_cannot_be_is_refused_in_a_sentence(editing: Page) -> None:
     editing.get_by_role("button", name="Find a better crank").click()
     dialog = editing.get_by_role("dialog")
@@ -466,6 +472,7 @@ def test_the_editor_and_its_search_can_be_read_and_used(editing: Page) -> None:
         assert barriers(editing) == []
 
 
+@pytest.mark.long
 def test_nothing_reaches_over_the_edge(browser: Browser, server: Server) -> None:
     complaints: list[str] = []
     with watched(browser, complaints) as page:

@@ -51,7 +51,13 @@ def tab(page: Page, name: str) -> Locator:
     return page.get_by_role("tabpanel")
 
 
-@pytest.mark.parametrize("name", [CROSS, "audi-25-tfsi", "kr250-racer"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        CROSS,
+        *(pytest.param(name, marks=pytest.mark.long) for name in ("audi-25-tfsi", "kr250-racer")),
+    ],
+)
 def test_the_numbers_below_the_stage_are_those_of_python(
     name: str, built_page: Build, page: Page
 ) -> None:
@@ -97,6 +103,7 @@ def test_only_the_chosen_order_is_counted(built_page: Build, page: Page) -> None
     assert handle(page, "state.orders") is None
 
 
+@pytest.mark.long
 def test_the_dot_in_the_table_is_where_the_vector_points(built_page: Build, page: Page) -> None:
     opened(page, built_page(CROSS), "a=0&tab=orders")
     couple = total(balance(load(CROSS))).couple
@@ -114,7 +121,7 @@ def test_the_dot_in_the_table_is_where_the_vector_points(built_page: Build, page
 CENTRES = "all => all.map(one => [one.cx.baseVal.value, one.cy.baseVal.value])"
 
 
-@pytest.mark.parametrize("name", [CROSS, "kr250-racer"])
+@pytest.mark.parametrize("name", [CROSS, pytest.param("kr250-racer", marks=pytest.mark.long)])
 def test_loads_on_bearings_are_those_of_python_at_every_angle(
     name: str, built_page: Build, page: Page
 ) -> None:
@@ -243,6 +250,7 @@ def test_a_page_that_plays_does_not_write_its_angle_all_the_time(
     assert "a=" not in page.url
 
 
+@pytest.mark.long
 def test_the_address_that_is_changed_by_hand_is_followed(built_page: Build, page: Page) -> None:
     opened(page, built_page(CROSS), "a=10&tab=orders")
     page.evaluate("location.hash = 'a=77&tab=about&camera=side&whatever=<b>'")
@@ -358,6 +366,7 @@ def test_the_whirl_is_switched_on_at_a_size_that_is_seen_and_its_estimate_is_nam
     expect(page.get_by_role("tabpanel")).to_contain_text("1000 ×")
 
 
+@pytest.mark.long
 def test_colours_are_changed_by_a_button_and_kept(built_page: Build, page: Page) -> None:
     opened(page, built_page(CROSS), "a=0")
     button = page.get_by_role("button", name=re.compile("^Colours"))
@@ -393,7 +402,9 @@ def test_names_are_text_everywhere(tmp_path: Path, page: Page) -> None:
     expect(page.get_by_role("heading", level=1)).to_have_text(HOSTILE)
 
 
-@pytest.mark.parametrize("share", [0.1, 0.5, 0.999])
+@pytest.mark.parametrize(
+    "share", [0.999, *(pytest.param(share, marks=pytest.mark.long) for share in (0.1, 0.5))]
+)
 def test_a_file_that_is_cut_short_says_what_to_do(
     share: float, built_page: Build, tmp_path: Path, page: Page
 ) -> None:
@@ -404,6 +415,7 @@ def test_a_file_that_is_cut_short_says_what_to_do(
     expect(page.locator("body")).to_contain_text(INCOMPLETE)
 
 
+@pytest.mark.long
 def test_a_complete_file_does_not_say_that_it_is_incomplete(built_page: Build, page: Page) -> None:
     opened(page, built_page(CROSS))
     expect(page.locator("body")).not_to_contain_text(INCOMPLETE)
@@ -430,13 +442,14 @@ def written() -> str:
             "cannot be read",
         ),
         ("<data>", "", "cannot be read"),
-        ("<data>", "null", "cannot be read"),
-        (
+        pytest.param("<data>", "null", "cannot be read", marks=pytest.mark.long),
+        pytest.param(
             "<data>",
             '{"exhibition": {"engines": []}, "libraries": [], "fitted": []}',
             "cannot be read",
+            marks=pytest.mark.long,
         ),
-        (r'(?<="data": ").{900}', "", "cannot be read"),
+        pytest.param(r'(?<="data": ").{900}', "", "cannot be read", marks=pytest.mark.long),
         (r'(?<="data": ".{900}).{4}', "!!!!", "cannot be read"),
         (r'(?<="data": ".{900}).*?</script>', "</script>", "cannot be read"),
     ],

@@ -27,8 +27,14 @@ def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return out
 
 
-@pytest.mark.parametrize("scheme", ["light", "dark"])
-@pytest.mark.parametrize("width", [400, 1600])
+@pytest.mark.parametrize(
+    ("width", "scheme"),
+    [
+        (400, "light"),
+        (1600, "dark"),
+        *(pytest.param(*one, marks=pytest.mark.long) for one in ((400, "dark"), (1600, "light"))),
+    ],
+)
 def test_a_report_fits_the_window_and_takes_its_colours(
     page: Page, place: Path, width: int, scheme: str
 ) -> None:
@@ -72,7 +78,7 @@ ON_AN_AXIS = """() => [...document.querySelectorAll('figure svg')].flatMap(svg =
 })"""
 
 
-@pytest.mark.parametrize("name", ["single", "jumo-205"])
+@pytest.mark.parametrize("name", ["jumo-205", pytest.param("single", marks=pytest.mark.long)])
 def test_words_in_the_spectra_and_paths_do_not_lie_over_each_other(
     page: Page, name: str, tmp_path: Path
 ) -> None:

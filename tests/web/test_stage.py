@@ -81,6 +81,7 @@ def test_what_changes_is_drawn_and_what_does_not_is_not_drawn_again(
     )
 
 
+@pytest.mark.long
 def test_keys_and_dragging_turn_the_free_view_and_home_puts_it_back(
     built_page: Build, page: Page
 ) -> None:
@@ -152,6 +153,7 @@ def test_crank_pins_are_drawn_where_their_shafts_carry_them(
             assert math.dist((up, right), place) < 2e-6 * throw.radius
 
 
+@pytest.mark.long
 def test_a_graphics_card_that_goes_away_and_comes_back_leaves_the_same_picture(
     built_page: Build, page: Page
 ) -> None:
@@ -172,6 +174,7 @@ def test_a_graphics_card_that_goes_away_and_comes_back_leaves_the_same_picture(
     assert seen(page) == before
 
 
+@pytest.mark.long
 def test_without_a_graphics_card_what_moves_is_drawn_coarsely_and_finely_once_it_rests(
     built_page: Build, page: Page
 ) -> None:

@@ -80,7 +80,9 @@ def test_the_numbers_at_an_angle_are_the_rates_of_change_of_momentum(
             assert abs(value - wanted) < 1e-3 * greatest + 1e-5, (degrees, said, expected)
 
 
-@pytest.mark.parametrize("rotation", ["clockwise", "counter-clockwise"])
+@pytest.mark.parametrize(
+    "rotation", ["counter-clockwise", pytest.param("clockwise", marks=pytest.mark.long)]
+)
 def test_a_free_block_moves_against_its_moving_parts(
     rotation: str, tmp_path: Path, page: Page
 ) -> None:
