@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from typing import Any, get_args
 
 import numpy as np
@@ -19,6 +20,7 @@ from crankstar.dynamics.bearings import Model, bearing_loads, bending_moment
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.engine.main_bearings import main_bearings
+from crankstar.engine.records import Rod
 from crankstar.mechanics.balance import unit_unbalance
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.mechanism import mechanism
@@ -193,3 +195,64 @@ def test_fewer_bearings_carry_more() -> None:
     assert len(main_bearings(three, three.shafts[0])) == 3
     five, few = (spectra.peaks(bearing_loads(e).load).max() for e in (engine, three))
     assert few > five
+
+
+def in_two_masses(engine: Engine, *, bodies: bool) -> Engine:
+    """The engine with rods of 0.6 of a piston at 0.3 of their length: as bodies, or in two masses.
+
+    The moment of inertia of the bodies is that of the two masses.
+    """
+    cylinders = []
+    on_pins: dict[tuple[str, int], float] = defaultdict(float)
+    for cylinder in engine.cylinders:
+        length = cylinder.rod_length
+        mass = 0.6 * cylinder.reciprocating_mass
+        rod = Rod(mass=mass, centre=0.3 * length, inertia=mass * 0.3 * 0.7 * length**2)
+        values = {"rod": rod, "reciprocating_mass": cylinder.reciprocating_mass}
+        if not bodies:
+            values = {"rod": None, "reciprocating_mass": cylinder.reciprocating_mass + 0.3 * mass}
+            on_pins[cylinder.shaft, cylinder.throw] += 0.7 * mass
+        cylinders.append(with_values(cylinder, **values))
+    shafts = [
+        with_values(
+            shaft,
+            throws=tuple(
+                with_values(
+                    throw,
+                    rotating_mass=on_pins[shaft.name, number],
+                    throw_mass=0.3 * engine.first.reciprocating_mass,
+                )
+                for number, throw in enumerate(shaft.throws, 1)
+            ),
+        )
+        for shaft in engine.shafts
+    ]
+    return with_values(engine, cylinders=tuple(cylinders), shafts=tuple(shafts))
+
+
+@pytest.mark.parametrize("name", ["audi-25-tfsi", "v8-cross-plane", "kr250-racer", "jumo-205"])
+def test_a_pin_carries_the_same_by_rods_that_are_bodies_or_two_masses(name: str) -> None:
+    """What hangs on a pin loads it; the masses of the throw itself do not."""
+    engine = crankstar.load(name)
+    bodies, masses = (
+        bearing_loads(in_two_masses(engine, bodies=each), speed=100.0) for each in (True, False)
+    )
+    theta = np.linspace(0, 2 * np.pi, 41)
+    own, other = (spectra.value(loads.pin, theta) for loads in (bodies, masses))
+    scale = 1.0
+    if bodies.unit != "N":  # of m r w^2, where m is the reciprocating mass
+        of_bodies, of_masses = (in_two_masses(engine, bodies=each) for each in (True, False))
+        scale = unit_unbalance(of_masses) / unit_unbalance(of_bodies)
+    assert np.abs(own).max() > 0
+    assert np.abs(other * scale - own).max() < TOLERANCE * np.abs(own).max()
+
+
+def test_the_rotating_mass_pulls_at_its_pin_outward_with_m_r_w_squared() -> None:
+    engine = crankstar.load("single")
+    throw = with_values(engine.shafts[0].throws[0], rotating_mass=0.45)
+    heavy = with_values(engine, shafts=(with_values(engine.shafts[0], throws=(throw,)),))
+    more, less = (spectra.selected(bearing_loads(e).pin, 1.0) for e in (heavy, engine))
+    before = engine.shafts[0].throws[0].rotating_mass
+    outward = (0.45 - before) / engine.first.reciprocating_mass
+    assert more.forward - less.forward == pytest.approx(outward * np.exp(1j * throw.angle))
+    assert more.backward == pytest.approx(less.backward)

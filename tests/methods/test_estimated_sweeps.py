@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import re
 from collections.abc import Callable
 from pathlib import Path
 
@@ -11,6 +12,7 @@ import numpy as np
 import pytest
 
 from crankstar import cli
+from crankstar.charts.drawing import svg
 from crankstar.charts.sweeps import swept as chart
 from crankstar.files import tree_text
 from crankstar.files.box import ranges, scaled
@@ -112,3 +114,15 @@ def test_the_band_is_drawn_and_written(run: Callable[..., str]) -> None:
     spec = chart(made, [curve], best=found, bands=bands(made, [curve], found)).spec
     assert "the bands are the" in json.dumps(spec)
     assert '"area"' in json.dumps(spec)
+
+
+def test_panels_of_one_and_of_two_curves_have_their_own_colours() -> None:
+    made = sweep("kr250-racer", "balance_factor=0..1/3", estimate=True)
+    curves = [watched(made, name) for name in ("force", "couple", "roll")]
+    assert [curve.unit for curve in curves] == ["N", "N*m", "N*m"]
+    drawn = svg(chart(made, curves), "x")
+    colours = re.findall(r'stroke="(#[0-9a-f]{6})" stroke-width="2.4"', drawn)
+    assert len(colours) == 3
+    assert colours[0] == colours[1] != colours[2]
+    assert ">couple<" in drawn
+    assert ">roll<" in drawn

@@ -359,3 +359,47 @@ def test_steps_end_at_the_end_of_the_range_or_before_it() -> None:
     assert values("balance_factor=0.1..0.7 by 0.1") == [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7]
     assert values("speed=600..6000 rpm by 1800") == [600, 2400, 4200, 6000]
     assert values("layout.throws[2]=90..0 deg by -30 deg") == [90, 60, 30, 0]
+
+
+TWIN_FILE = """
+name = "twin"
+cycle = "four-stroke"
+[cylinder]
+stroke = "75 mm"
+rod_length = "140 mm"
+reciprocating_mass = "450 g"
+rotating_mass = "380 g"
+[layout]
+type = "inline"
+throws = ["0 deg", "270 deg"]
+bore_pitch = "95 mm"
+"""
+
+
+@pytest.mark.parametrize(
+    "over",
+    [
+        ["balance_factor=0..1", "layout.throws[2]=0..360 deg"],
+        ["balance_factor=0..1/5", "layout.throws[2]=180..360 deg by 45"],
+        ["layout.throws[2]=180..360 deg/7", "balance_factor=0..1/4"],
+    ],
+    ids=str,
+)
+def test_the_best_pair_of_few_values_is_that_of_many(over: list[str], tmp_path: Path) -> None:
+    """The force of a twin is least in a narrow bend at the end of one range."""
+    file = tmp_path / "twin.toml"
+    file.write_text(TWIN_FILE, encoding="utf-8")
+    made = sweep(str(file), over)
+    found = best_pair(made, watched(made, "force"))
+    many = sweep(str(file), ["balance_factor=0..1/21", "layout.throws[2]=180..200 deg/101"])
+    assert found.result <= float(watched(many, "force").values.min())
+    factor = found.values[0 if over[0].startswith("balance") else 1]
+    assert factor == 1
+    assert True in found.at_edge
+
+
+def test_an_order_that_was_not_asked_for_is_refused_and_not_nought() -> None:
+    made = sweep("i2-270", "layout.throws[2]=0..360 deg/5", orders=[1])
+    assert watched(made, "couple", order=1).values.max() > 0
+    with pytest.raises(SweepError, match="no order 2; its orders are 1"):
+        watched(made, "couple", order=2)

@@ -70,7 +70,9 @@ def swept(
     title = title[0].upper() + title[1:]
     doubt = [_(BAND)] if any(bands) else estimate_lines([sweep.engine])
     subtitle = [sweep.engine.name, *doubt, *_words(pairs, sweep)]
-    return figure([[panel] for panel in panels], title=title, subtitle=subtitle)
+    made = figure([[panel] for panel in panels], title=title, subtitle=subtitle)
+    own = {"color": "independent"}  # each panel has its own curves
+    return Chart({**made.spec, "resolve": {"scale": own, "legend": own}})
 
 
 def _words(pairs: Sequence[tuple[Curve, Best | None]], sweep: Sweep) -> list[str]:

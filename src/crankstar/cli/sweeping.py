@@ -80,7 +80,7 @@ def sweep(
     if not picture:
         given = {f"--{name.replace('_', '-')}": value for name, value in looks.items()}
         request.refuse_unused(given, beside=_("a table"))
-    form = kind if picture else form_of(output, TABLES, json=json, csv=csv)
+    form = kind if picture else form_of(output, (*TABLES, *PICTURES), json=json, csv=csv)
     paper = chart_request.paper(kind, **looks) if picture and chart_request.charts() else None
     if output is not None:
         writable(output)

@@ -71,8 +71,9 @@ class CrankPin(NamedTuple):
 class BearingLoads:
     """Spectra [part, order] in `unit`, order 0 (steady) first, each of the parts beside it.
 
-    `load` of `bearings`, `pin` of `pins`: what its rods put on each crank pin; `guide` of each of
-    `cylinders`: what its piston puts on the wall.
+    `load` of `bearings`; `pin` of `pins`: what its rods put on each crank pin, with the rotating
+    mass of its throw, which hangs on it; `guide` of each of `cylinders`: what its piston puts on
+    the wall.
 
     >>> from crankstar.files.catalog import load
     >>> loads = bearing_loads(load("v2-90"))
@@ -133,6 +134,7 @@ def bearing_loads(
     pins: list[CrankPin] = []
     parts: list[Spectrum] = []
     on_pins: list[Spectrum] = []
+    hanging = _turning(_with_hanging_masses(machine, engine), loads)
     for index, shaft in enumerate(engine.shafts):
         places, forces = _forces(machine, loads, index)
         own = main_bearings(engine, shaft)
@@ -147,7 +149,8 @@ def bearing_loads(
             ]
             cylinders = tuple(engine.cylinders[row].number for row in rods)
             pins.append(CrankPin(shaft.name, number, throw.z, cylinders))
-            on_pins.append(_shared(np.ones((1, len(rods))), loads.pin[rods]))
+            own = _stacked([loads.pin[rods], hanging[[len(on_pins)]]])
+            on_pins.append(_shared(np.ones((1, len(rods) + 1)), own))
     return BearingLoads(
         tuple(bearings),
         spectra.scaled(_stacked(parts), scale.force),
@@ -230,16 +233,27 @@ def _forces(machine: Mechanism, loads: PinLoads, index: int) -> tuple[list[float
     """Places and forces of the rods, throws and weights of a shaft, at 1 rad/s."""
     rows = [row for row, on in enumerate(machine.cylinder_shaft) if on == index]
     turning = [row for row, on in enumerate(machine.rotor_shaft) if on == index]
-    columns = columns_of(machine, 1, loads.pin.orders[1:].tolist())
-    vectors = rotors(machine, columns)
+    places = [*np.asarray(machine.z)[rows], *np.asarray(machine.unbalance_z)[turning]]
+    forces = _stacked([loads.pin[rows], _turning(machine, loads)[turning]])
+    return [float(z) for z in places], forces
+
+
+def _turning(machine: Mechanism, loads: PinLoads) -> Spectrum:
+    """The forces of throws and weights [rotor, order], by the orders of the pin loads."""
+    vectors = rotors(machine, columns_of(machine, 1, loads.pin.orders[1:].tolist()))
     still = np.zeros((len(machine.rotor_shaft), 1))
-    rotating = replace(
+    return replace(
         loads.pin,
         forward=np.concatenate([still, vectors.forward], axis=-1),
         backward=np.concatenate([still, vectors.backward], axis=-1),
     )
-    places = [*np.asarray(machine.z)[rows], *np.asarray(machine.unbalance_z)[turning]]
-    return [float(z) for z in places], _stacked([loads.pin[rows], rotating[turning]])
+
+
+def _with_hanging_masses(machine: Mechanism, engine: Engine) -> Mechanism:
+    """The machine with what hangs on its crank pins alone: rotating masses, not the throws' own."""
+    hanging = [throw.rotating_mass * throw.radius for s in engine.shafts for throw in s.throws]
+    weights = [0.0] * (len(machine.rotor_shaft) - len(hanging))
+    return replace(machine, unbalance=np.array([*hanging, *weights]))
 
 
 def _shared(shares: Real, forces: Spectrum) -> Spectrum:

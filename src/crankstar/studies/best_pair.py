@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -16,8 +17,13 @@ FINENESS = 1e-5
 """Share of each range to which the best pair is found."""
 LEVEL = 1e-4
 """Share of the greatest result by which the pairs of a ridge may differ."""
-PLACES, STAGES = 5, 40
-"""Values of each number in a stage, and the most stages; each halves what is left, or moves it."""
+BANDS = 3
+"""Parts of each range, from the best pair of each of which the best one is looked for."""
+PLACES, STAGES, NEAR = 5, 16, 0.01
+"""Values of each number in a stage; the most stages, each of which halves what is left, or moves
+it; the share of each range to which they go."""
+ROUNDS, TRIALS = 3, 150
+"""Searches by a simplex from the best pair so far, and the most pairs that each of them tries."""
 TRIED, CLOSER = 5, 9
 """Values of one number that are tried for a ridge, and of the other in a stage."""
 
@@ -58,9 +64,9 @@ def best_pair(sweep: Sweep, curve: Curve, *, greatest: bool = False) -> BestPair
     flat = float(np.ptp(cells)) <= even
     if not flat and (greatest or least > even):
         try:
-            place, refined = _refined(sweep, curve, place, least, sign)
-            also = also if refined >= least - even else 0
-            least = refined
+            found, refined = _refined(sweep, curve, _starts(sweep, cells), sign)
+            if refined < least - even:
+                place, least, also = found, refined, 0
         except (EngineFileError, SweepError):
             pass  # not every number between two good ones is one: a ratio of teeth
     edges = [
@@ -114,12 +120,87 @@ def _apart(sweep: Sweep, cells: Real) -> Real:
     return cells[rows, columns]
 
 
+def _starts(sweep: Sweep, cells: Real) -> list[list[float]]:
+    """The best pairs of a sweep in each of some parts of its ranges."""
+    places: set[tuple[int, int]] = set()
+    for which in (0, 1):
+        size = cells.shape[which]
+        for band in np.array_split(np.arange(size), min(BANDS, size)):
+            part = np.take(cells, band, axis=which)
+            at = [int(index) for index in np.unravel_index(np.argmin(part), part.shape)]
+            at[which] = int(band[at[which]])
+            places.add((at[0], at[1]))
+    return [
+        [float(axis.values[at]) for axis, at in zip(sweep.axes, place, strict=True)]
+        for place in sorted(places)
+    ]
+
+
 def _refined(
-    sweep: Sweep, curve: Curve, place: list[float], least: float, sign: float
+    sweep: Sweep, curve: Curve, starts: Sequence[list[float]], sign: float
 ) -> tuple[list[float], float]:
-    """The best pair near one of the sweep: boxes around it, each half as large or moved."""
+    """The best pair near those of the sweep: boxes around each, then a simplex from the best.
+
+    Where it is best the result has an edge as a rule, of which the method of Nelder and Mead needs
+    no slope.
+    """
+    from scipy.optimize import minimize
+
+    place, least = min((_closer(sweep, curve, start, sign) for start in starts), key=lambda p: p[1])
+    spans = np.array([float(np.ptp(axis.values)) for axis in sweep.axes])
+    bounds = [
+        (None, None) if axis.closed else (float(axis.values.min()), float(axis.values.max()))
+        for axis in sweep.axes
+    ]
+    tops = np.array([np.inf if high is None else high for _low, high in bounds])
+    whole = float(np.abs(curve.values).max())
+    for _round in range(ROUNDS):
+        step = NEAR * spans * np.where(place + NEAR * spans > tops, -1, 1)
+        simplex = np.array(place) + np.array([[0, 0], [step[0], 0], [0, step[1]]])
+        found = minimize(
+            lambda trial: _single(sweep, curve, trial, sign),
+            place,
+            method="Nelder-Mead",
+            bounds=bounds,
+            options={
+                "initial_simplex": simplex,
+                "xatol": FINENESS * float(spans.min()),
+                "fatol": ALIKE * whole,
+                "maxfev": TRIALS,
+            },
+        )
+        better = found.fun < least - LEVEL * whole
+        if found.fun < least:
+            place, least = found.x.tolist(), float(found.fun)
+        if not better:
+            break
+    at_ends = [_at_end(axis, value) for axis, value in zip(sweep.axes, place, strict=True)]
+    there = _single(sweep, curve, at_ends, sign)
+    if there <= least + LEVEL**2 * whole:
+        place, least = at_ends, there
+    return [_in_range(axis, value) for axis, value in zip(sweep.axes, place, strict=True)], least
+
+
+def _at_end(axis: Axis, value: float) -> float:
+    """The end of a range that a value is at but for the fineness of the search, or the value."""
+    ends = () if axis.closed else (float(axis.values.min()), float(axis.values.max()))
+    near = FINENESS * float(np.ptp(axis.values))
+    return next((end for end in ends if abs(value - end) <= near), value)
+
+
+def _single(sweep: Sweep, curve: Curve, place: Sequence[float], sign: float) -> float:
+    """The result of one pair."""
+    again = sweep.again(*(np.array([float(value)]) for value in place))
+    return sign * float(watched(again, curve.what, order=curve.order).values[0, 0])
+
+
+def _closer(
+    sweep: Sweep, curve: Curve, place: list[float], sign: float
+) -> tuple[list[float], float]:
+    """A better pair near one of the sweep: boxes around it, each half as large or moved."""
     spans = [float(np.ptp(axis.values)) for axis in sweep.axes]
     reach = [_step(axis, value) for axis, value in zip(sweep.axes, place, strict=True)]
+    least = _single(sweep, curve, place, sign)
     for _stage in range(STAGES):
         boxes = [
             _box(axis, value, step)
@@ -127,14 +208,14 @@ def _refined(
         ]
         cells = sign * watched(sweep.again(*boxes), curve.what, order=curve.order).values
         at = [int(index) for index in np.unravel_index(np.argmin(cells), cells.shape)]
-        if cells[at[0], at[1]] < least:
+        if cells[at[0], at[1]] < least - ALIKE * abs(least):
             least = float(cells[at[0], at[1]])
             place = [float(box[index]) for box, index in zip(boxes, at, strict=True)]
         inside = all(0 < index < PLACES - 1 for index in at)
         reach = [step / (2 if inside else 1.4) for step in reach]
-        if all(step <= FINENESS * span for step, span in zip(reach, spans, strict=True)):
+        if all(step <= NEAR * span for step, span in zip(reach, spans, strict=True)):
             break
-    return [_in_range(axis, value) for axis, value in zip(sweep.axes, place, strict=True)], least
+    return place, least
 
 
 def _step(axis: Axis, value: float) -> float:

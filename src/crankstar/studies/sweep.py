@@ -73,7 +73,8 @@ class Sweep:
     one where gear ratios or rods are swept. `again` sweeps other values; `ends` sweeps the same
     ones for the engine in the middle and at the corners of the ranges of its estimated values.
     `speed` is the one of all [rad/s], None where it is swept or where nothing is in newtons. Where
-    the speed is swept, `highest_speed` is omega_0.
+    the speed is swept, `highest_speed` is omega_0. `orders` are those that were asked for, None of
+    all.
     """
 
     axes: tuple[Axis, ...]
@@ -83,6 +84,7 @@ class Sweep:
     reference: Reference
     speed: float | None
     highest_speed: float | None
+    orders: tuple[float, ...] | None
     again: Callable[..., Sweep] = field(repr=False, compare=False)
     ends: Callable[[], tuple[Sweep, ...]] = field(repr=False, compare=False)
 
@@ -285,6 +287,7 @@ def _made(plan: Study, values: Sequence[Real], tell: Tell | None, *, close: bool
         reference=plan.reference,
         speed=plan.speed,
         highest_speed=plan.highest,
+        orders=None if plan.orders is None else tuple(plan.orders),
         again=again,
         ends=tuple,
     )
@@ -320,6 +323,12 @@ def watched(sweep: Sweep, what: str, *, order: float | None = None) -> Curve:
             "there is no order {order}; give a crank order above 0 up to {most}",
             order=f"{order:g}",
             most=GREATEST_ORDER,
+        )
+    if order is not None and sweep.orders is not None and order not in sweep.orders:
+        raise SweepError(
+            "the sweep has no order {order}; its orders are {orders}",
+            order=f"{order:g}",
+            orders=", ".join(f"{each:g}" for each in sweep.orders),
         )
     quantity, _dot, part = what.partition(".")
     peaks = np.zeros(int(np.prod(sweep.shape)))
