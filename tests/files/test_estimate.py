@@ -15,6 +15,7 @@ from typing import Any
 import pytest
 from tests.commands import Run
 
+from crankstar import files
 from crankstar.engine import proportions
 from crankstar.engine.engine import Engine
 from crankstar.engine.weighed import ENGINES
@@ -360,3 +361,39 @@ def test_types_and_displacements_are_checked(refused: Callable[..., str]) -> Non
     assert "--type" in refused("estimate", "i4", "--type", "steam")
     assert "--displacement" in refused("estimate", "i4", "--displacement", "2 kg")
     assert "--displacement" in refused("estimate", "i4", "--displacement", "0 l")
+
+
+@pytest.mark.parametrize(
+    ("entry", "said"),
+    [
+        ('"layout.throws" = { status = "estimated", range = [0.8, 1.2] }', "only these may have"),
+        ('"firing_order" = { status = "estimated", range = [0.8, 1.2] }', "only these may have"),
+        ('"layout" = { status = "estimated", range = [0.8, 1.2] }', "only these may have"),
+        (
+            '"cylinder.reciprocating_mass" = { status = "estimated", range = ["1 kg", "2 kg"] }',
+            "range",
+        ),
+        (
+            '"cylinder.bore" = { status = "estimated", range = [1, 2], moves_with = ["x"] }',
+            "moves_with",
+        ),
+    ],
+)
+@pytest.mark.parametrize("form", ["short", "explicit"])
+def test_odd_ranges_are_mistakes_of_the_file(entry: str, said: str, form: str, run: Run) -> None:
+    _name, tree = tree_of("audi-25-tfsi")
+    tree = tree if form == "short" else files.explicit(load("i4"))
+    text = tree_text({key: value for key, value in tree.items() if key != "provenance"})
+    Path("odd.toml").write_text(f"{text}\n[provenance]\n{entry}\n", encoding="utf-8")
+    for verb in ("analyze", "check"):
+        ended = run(verb, "odd.toml")
+        assert ended.code == 2
+        assert said in " ".join((ended.out + ended.err).split())
+
+
+def test_a_range_written_as_text_is_a_range() -> None:
+    tree = tree_of("audi-25-tfsi")[1]
+    mass = {"status": "estimated", "range": "0.8, 1.25"}
+    weighed = {**tree["cylinder"], "reciprocating_mass": "450 g"}
+    made = {**tree, "cylinder": weighed, "provenance": {"cylinder.reciprocating_mass": mass}}
+    assert ranges(made)["cylinder.reciprocating_mass"][:2] == (0.8, 1.25)

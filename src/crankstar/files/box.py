@@ -12,8 +12,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import product
 from typing import Any, NamedTuple
 
+from pydantic import ValidationError
+
 from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import LENGTH, MASS
+from crankstar.engine.records import Provenance
 from crankstar.files import units
 from crankstar.files.changes import keys_of
 from crankstar.files.errors import refused
@@ -90,12 +93,13 @@ def ranges(tree: Mapping[str, Any]) -> dict[str, Range]:
     sources = tree.get("provenance")
     entries = sources.items() if isinstance(sources, dict) else ()
     out: dict[str, Range] = {}
-    for path, source in entries:
-        if not isinstance(source, dict) or source.get("status") != "estimated":
+    for path, entry in entries:
+        try:
+            source = Provenance.model_validate(entry)
+        except ValidationError:  # which reading the file tells
             continue
-        ends = source.get("range")
-        if path not in CONDITIONS and isinstance(ends, list | tuple) and len(ends) == 2:
-            out[path] = Range(float(ends[0]), float(ends[1]), source.get("moves_with") or "")
+        if source.status == "estimated" and source.range and path not in CONDITIONS:
+            out[path] = Range(*source.range, source.moves_with or "")
     return out
 
 
@@ -187,14 +191,17 @@ def _places(tree: Tree, path: str) -> Iterator[tuple[Any, Any]]:
 
 
 def _place(tree: Any, keys: Sequence[str | int]) -> Iterator[tuple[Any, Any]]:
+    if not keys:
+        return
     *outer, last = keys
     try:
         for key in outer:
             tree = tree[key]
-        tree[last]
+        value = tree[last]
     except (KeyError, IndexError, TypeError):
         return
-    yield tree, last
+    if isinstance(value, str | int | float) or last == "rod":
+        yield tree, last
 
 
 def _times(value: Any, factor: float) -> Any:

@@ -187,6 +187,24 @@ def unknown_sources(tree: Tree, forms: Iterable[type[Record]]) -> Iterator[Fault
         yield Fault(("provenance", name), f"provenance.{code}", values)
 
 
+RANGED = (
+    *("reciprocating_mass", "rotating_mass", "throw_mass", "big_end_mass"),
+    *("mass", "centre", "inertia", "rod_length", "rod_ratio", "bore_pitch", "row_pitch"),
+    *("bore", "stroke", "radius", "unbalance", "speed"),
+)
+"""Values that may have a range: their keys. Forces are computed at the ends of it."""
+
+
+def needless_ranges(tree: Tree) -> Iterator[Fault]:
+    """A fault for each range in [provenance] of a value that cannot have one."""
+    table = tree.get("provenance")
+    for name, source in table.items() if isinstance(table, dict) else ():
+        if not isinstance(source, dict) or source.get("range") is None:
+            continue
+        if not isinstance(name, str) or name.rpartition(".")[2] not in RANGED:
+            yield Fault(("provenance", name), "provenance.range", {"keys": ", ".join(RANGED)})
+
+
 def _paths(record: type[Record], before: str = "") -> Iterator[str]:
     """The paths of all values of a record and the records in it, without places in lists."""
     for key, info in by_key(record).items():

@@ -27,7 +27,14 @@ from crankstar.files.changes import changed, throw_angles, with_weights_along
 from crankstar.files.errors import EngineFileError
 from crankstar.files.forms import form_of, is_explicit, short_form
 from crankstar.files.mistakes import Path as KeyPath
-from crankstar.files.mistakes import SpreadsheetTree, Tree, faults_of, mended, unknown_sources
+from crankstar.files.mistakes import (
+    SpreadsheetTree,
+    Tree,
+    faults_of,
+    mended,
+    needless_ranges,
+    unknown_sources,
+)
 from crankstar.files.parts import tells_mass, with_sums
 from crankstar.files.source import read_tree
 from crankstar.language.faults import EngineError, Fault, where
@@ -85,7 +92,7 @@ def _engine_of(tree: Tree, name: str) -> Engine:
     layouts = LAYOUTS if explicit or _layout_faults(tree.get("layout")) else ()
     forms = chain([form_of(tree)], map(short_form, layouts))
     faults = [*draft.faults, *_elsewhere(contradictions, draft.faults)]
-    faults += _elsewhere([*unknown_sources(tree, forms)], draft.faults)
+    faults += _elsewhere([*unknown_sources(tree, forms), *needless_ranges(tree)], draft.faults)
     faults = _without_repeats(_in_file(tree, faults, explicit=explicit))
     cells: Mapping[KeyPath, str] = {}
     if isinstance(tree, SpreadsheetTree):

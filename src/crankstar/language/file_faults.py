@@ -131,6 +131,9 @@ SENTENCES: dict[str, str | Plural] = {
     "key.unknown": N_("{where} is not a key of an engine file; there are: {keys}"),
     "key.no-text": N_("{where} has the key {value}; keys are text of whole characters"),
     "provenance.misspelt": N_("{where} names no value of this file; did you mean {meant}?"),
+    "provenance.range": N_(
+        "{where} has a range, which only these may have: {keys}; leave range out"
+    ),
     "provenance.unknown": N_(
         "{where} names no value of this file; give a key path, such as cylinder.bore"
     ),
