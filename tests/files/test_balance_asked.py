@@ -217,3 +217,17 @@ def test_a_name_does_not_pile_up_what_was_done(run: Run, twin: str, tmp_path: Pa
     assert load(other).name == "twin, balance factor 0.6, balance shafts: -1"
     run("balance", again, "--shafts", "-1", "-o", other)
     assert load(other).name == "twin, balance factor 0.5, balance shafts: -1"
+
+
+def test_a_limit_that_the_balance_shafts_do_not_keep_is_refused(run: Run, tmp_path: Path) -> None:
+    file, place = tmp_path / "opposed.toml", tmp_path / "out.toml"
+    file.write_text(TWIN.replace('"0 deg", "0 deg"', '"0 deg", "180 deg"'), encoding="utf-8")
+    asked = ["balance", str(file), "--minimise", "couple", "--weights", "ends", "-o", str(place)]
+    ended = run(*asked, "--limit", "yaw=0 N m", "--shafts", "needed")
+    assert ended.code == 2
+    assert "with the balance shafts" in ended.err
+    assert not place.exists()
+    run(*asked, "--limit", "yaw=0 N m")
+    kept = balance(load(place))
+    (yaw,) = abs(spectra.horizontal(spectra.selected(total(kept).couple, 1.0)))
+    assert yaw < 1e-6

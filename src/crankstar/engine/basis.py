@@ -24,7 +24,7 @@ from crankstar.engine.quantities import (
 )
 from crankstar.engine.records import (
     GREATEST_CYLINDERS,
-    GREATEST_THROWS,
+    GREATEST_WEIGHTS,
     Articulation,
     BearingCount,
     Bearings,
@@ -138,7 +138,7 @@ class Crankshaft(Record):
         default=(),
         validation_alias="weight",
         serialization_alias="weight",
-        max_length=GREATEST_THROWS,
+        max_length=GREATEST_WEIGHTS,
         description="its counterweights, besides those of balance_factor",
     )
 
@@ -160,7 +160,7 @@ class BalanceShaft(Record):
         default=(),
         validation_alias="weight",
         serialization_alias="weight",
-        max_length=GREATEST_THROWS,
+        max_length=GREATEST_WEIGHTS,
         description="its weights",
     )
     bearings: Bearings = ()

@@ -41,7 +41,9 @@ from crankstar.engine.quantities import (
 
 GREATEST_CYLINDERS = 256
 GREATEST_THROWS = 256
-"""Throws of one shaft; weights, main bearings and webs as well."""
+"""Throws of one shaft; main bearings and webs as well."""
+GREATEST_WEIGHTS = 4 * GREATEST_THROWS
+"""Weights of one shaft: on both webs of each throw, and as many of its file."""
 
 Bearings = Annotated[
     tuple[Position, ...],
@@ -161,7 +163,7 @@ class Shaft(Record):
         default=(),
         validation_alias="weight",
         serialization_alias="weight",
-        max_length=GREATEST_THROWS,
+        max_length=GREATEST_WEIGHTS,
         description="its counterweights and balance weights",
     )
     bearings: Bearings = ()

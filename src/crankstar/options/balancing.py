@@ -10,14 +10,19 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
+from crankstar.language.numbers import number, unit_text
 from crankstar.options import remedies
 from crankstar.options import values as request
 from crankstar.options.refusals import RequestError
 from crankstar.options.vocabulary import meaning
-from crankstar.remedy import balance_shafts, fitting, placed
+from crankstar.remedy import aim_unit, balance_shafts, fitting, placed, without_weights
+from crankstar.remedy.aim_names import aim_name
 from crankstar.remedy.kept import with_source
 from crankstar.remedy.sizing import Remedied, with_weights_like
 from crankstar.tables.remedies import Job
+
+KEPT = 1e-6
+"""What a limit may be exceeded by, of it and in its unit."""
 
 
 class BalanceOptions(BaseModel):
@@ -121,6 +126,8 @@ def _balanced(
         else:
             request.refuse_unused({"--radius": options.radius}, without="--weights")
         job = _with_shafts(job, options, like)
+        if like is None:
+            _check_limits(job)
     if not balance_shafts(job.after):
         request.refuse_unused({"--shaft-radius": options.shaft_radius}, without="--shafts")
     return job
@@ -180,6 +187,23 @@ def _recommended(job: Job, options: BalanceOptions, like: Job | None) -> Job:
         )
     fitted = fitting.recommended_like(fitted, first, job.before, bare=options.bare)
     return job._replace(after=fitted.after, factor=fitted.factor, description=fitted.description)
+
+
+def _check_limits(job: Job) -> None:
+    """Refuse balance shafts with which a limit is not kept, beside the best weights."""
+    if job.best is None or len(job.after.shafts) == len(job.before.shafts):
+        return
+    for limit, _value in job.best.limits:
+        now = without_weights(job.after, limit.aim, bare=False, model=job.model)
+        if not limit.implied and now > limit.at_most * (1 + KEPT) + KEPT:
+            raise RequestError(
+                "--limit: with the balance shafts the {aim} is {found} {unit}, over its limit of "
+                "{limit} {unit}; leave --shafts out, or the limit",
+                aim=aim_name(limit.aim),
+                found=number(now),
+                limit=number(limit.at_most),
+                unit=unit_text(aim_unit(limit.aim)),
+            )
 
 
 def _with_shafts(job: Job, options: BalanceOptions, like: Job | None) -> Job:
