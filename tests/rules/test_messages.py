@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import gettext
+import json
 import re
 import runpy
 import string
@@ -15,10 +16,11 @@ from tests.catalog import OFTEN
 from tests.strategies import LONG
 
 import crankstar
-from crankstar import cli
+from crankstar import charts, cli
 from crankstar.files import explicit
 from crankstar.language.messages import LANGUAGES, _n, spoken
 from crankstar.report import Subject, report
+from crankstar.tables.strokes import strokes
 from crankstar.tables.verdict import verdict
 
 TOOL = runpy.run_path(str(Path(__file__).resolve().parents[2] / "messages.py"))
@@ -190,3 +192,13 @@ def test_no_heading_or_sentence_of_a_report_lacks_its_translation(name: str, ask
     assert len(asked.sentences) > 150
     for language in LANGUAGES[1:]:
         assert asked.without_translation(language) == set()
+
+
+def test_firing_angles_and_exhaust_groups_are_in_the_language() -> None:
+    engine = crankstar.load("i4")
+    with spoken("ja"):
+        chart = json.dumps(charts.stroke_chart(engine).to_dict(), ensure_ascii=False)
+        lines = str(strokes(engine))
+    assert "全気筒" in chart
+    assert "all cylinders:" not in chart
+    assert "1 は 0, 3 は 180" in lines

@@ -89,7 +89,7 @@ def succession_text(steps: Sequence[Follower]) -> str:
 def _ring(fired: Firing) -> list[str]:
     """Whether the firing is even, and the crank angle at which each cylinder fires."""
     places = ", ".join(
-        f"{n} at {number(round(a % fired.cycle_deg, 9))}"
+        _("{number} at {angle}", number=n, angle=number(round(a % fired.cycle_deg, 9)))
         for n, a in zip(fired.order, fired.angles_deg, strict=True)
     )
     where = _(
