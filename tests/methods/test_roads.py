@@ -72,9 +72,10 @@ def test_the_harmonics_of_a_piston_are_those_of_its_travel(clearance: float, off
     expected = harmonics_by_quadrature(rod_ratio, offset)
     count = min(len(exact), len(expected))
     assert np.abs(exact - expected[:count])[1:].max() <= 1e-12 * np.abs(expected).max()
-    assert (
-        np.abs(expected[count : 2 * count]).max() <= 1e-12 * np.abs(expected).max()
-    )  # nothing was left out
+    # nothing was left out but what the quadrature rounds, which k^2 magnifies
+    rounding = float(np.finfo(np.longdouble).eps) * np.arange(len(expected)) ** 2
+    beyond = (np.abs(expected) - rounding)[count : 2 * count]
+    assert beyond.max() <= 1e-12 * np.abs(expected).max()
     assert exact[0] == 0
 
 
