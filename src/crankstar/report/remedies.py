@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from functools import partial
 
+from crankstar.charts.canvas import Canvas
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
-from crankstar.language.messages import _
+from crankstar.language.messages import N_, _
 from crankstar.page.figures import fitted_spread
 from crankstar.remedy import fitting
 from crankstar.report.gallery import Gallery
@@ -15,6 +16,12 @@ from crankstar.report.subject import Subject
 from crankstar.tables.html import paragraph
 from crankstar.tables.remedies import Job, parts
 from crankstar.tables.table import Remarks, Table
+
+LOW = Canvas(stretch=0.6)
+"""Spectra in low panels."""
+LONG_TABLE = 12
+"""Rows above which a table of weights is in the full report only."""
+ELSEWHERE = N_("{table}: a table in the report with --full.")
 
 
 def remedies(subject: Subject, gallery: Gallery) -> str:
@@ -30,10 +37,17 @@ def remedies(subject: Subject, gallery: Gallery) -> str:
         _("The spectra before and after, on common axes."),
         "wide low",
         beside=after,
+        canvas=Canvas() if subject.full else LOW,
         spreads=[fitted_spread(subject.spreads[0], fitted, after)],
         speed=subject.at,
     )
-    tables = parts_html(subject.parts(partial(_tables, subject.engine, fitted)))
+    shown = subject.parts(partial(_tables, subject.engine, fitted))
+    long = [part for part in shown if isinstance(part, Table) and len(part.rows) > LONG_TABLE]
+    if not subject.full:
+        shown = [part for part in shown if part not in long]
+    tables = parts_html(shown)
+    if long and not subject.full:
+        tables += "".join(paragraph(_(ELSEWHERE, table=part.title), "note") for part in long)
     lead = paragraph(fitted.description)
     drawn = [spectra]
     if fitted.ratios and subject.full:

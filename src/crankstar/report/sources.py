@@ -31,7 +31,7 @@ CONVENTIONS = (
         "of the first order."
     ),
 )
-MOST_ORIGINS = 12
+MOST_ORIGINS = 8
 """Sources of values that a short report lists."""
 STYLE = re.compile(r"\s*<style>(.*?)</style>", re.DOTALL)
 
@@ -53,9 +53,9 @@ def sources(subject: Subject, gallery: Gallery) -> str:  # noqa: ARG001 - one si
 
 
 def conventions(subject: Subject, gallery: Gallery) -> str:  # noqa: ARG001
-    """The signs in three paragraphs and a drawing."""
+    """The signs in three paragraphs, in a full report with a drawing."""
     lines = "".join(paragraph(_(line)) for line in CONVENTIONS)
-    drawing = figure(STYLE.sub("", _frame()), _("Frame and signs."), "wide")
+    drawing = figure(STYLE.sub("", _frame()), _("Frame and signs."), "wide") if subject.full else ""
     return section(_("Conventions"), lines + drawing, name="conventions")
 
 
