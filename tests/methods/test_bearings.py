@@ -220,7 +220,7 @@ def in_two_masses(engine: Engine, *, bodies: bool) -> Engine:
                 with_values(
                     throw,
                     rotating_mass=on_pins[shaft.name, number],
-                    throw_mass=0.3 * engine.first.reciprocating_mass,
+                    throw_mass=0.0 if bodies else 0.3 * engine.first.reciprocating_mass,
                 )
                 for number, throw in enumerate(shaft.throws, 1)
             ),
