@@ -8,6 +8,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from crankstar import derive
+from crankstar.charts.canvas import Canvas
 from crankstar.derive import documents
 from crankstar.firing.strokes import working_cycle
 from crankstar.language.faults import EngineError
@@ -31,6 +32,14 @@ LONG_TABLE = 12
 """Rows above which a table by throw or by cylinder is in the full report only."""
 MANY = 16
 """Pistons above which only results are given; the steps of an order of a Deltic take ten pages."""
+CROWDED = 9
+"""Pistons above which vectors take the whole width, those against the crank beside the others.
+
+Of many they stay in a column, one star below the other: more than half a page would not hold their
+numbers.
+"""
+ACROSS = Canvas(width=610.0)
+"""For figures of the whole width, on paper at their own size."""
 LEVEL = re.compile(r"(?<=<h)[23](?=>)|(?<=</h)[23](?=>)")
 """The level of a heading of a derivation, which is in a section of the report."""
 PATHS = {
@@ -150,6 +159,8 @@ def vectors(subject: Subject, gallery: Gallery) -> str:
     for quantity in BOTH:
         for order in _starred(subject, quantity):
             options = {"order": order, "quantity": quantity, "speed": subject.at}
+            if CROWDED < len(subject.engine.cylinders) <= MANY:
+                options |= {"kind": "wide", "canvas": ACROSS}
             named = {"order": number(order)}
             remaining = order in subject.remaining(quantity)
             star = gallery.figure("vector-star", _(STARS[quantity], **named), **options)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from functools import partial
 
-from crankstar.charts.canvas import Canvas
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
@@ -17,8 +16,6 @@ from crankstar.tables.html import paragraph
 from crankstar.tables.remedies import Job, parts
 from crankstar.tables.table import Remarks, Table
 
-LOW = Canvas(stretch=0.6)
-"""Spectra in low panels."""
 LONG_TABLE = 12
 """Rows above which a table of weights is in the full report only."""
 ELSEWHERE = N_("{table}: a table in the report with --full.")
@@ -37,7 +34,6 @@ def remedies(subject: Subject, gallery: Gallery) -> str:
         _("The spectra before and after, on common axes."),
         "wide low",
         beside=after,
-        canvas=Canvas() if subject.full else LOW,
         spreads=[fitted_spread(subject.spreads[0], fitted, after)],
         speed=subject.at,
     )
