@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 from playwright.sync_api import Page, expect
+from tests.web.browsing import too_wide
 from tests.web.engine_page import handle, opened
 from tests.web.serving import Server
 
@@ -191,3 +192,10 @@ def test_a_page_with_estimates_shows_them_and_their_ranges(tmp_path: Path, page:
     page.get_by_role("tab", name="Balancing").click()
     settled(page)
     expect(page.get_by_role("tabpanel")).to_contain_text("sized for their own masses")
+    page.set_viewport_size({"width": 390, "height": 844})
+    found = {}
+    for tab in page.get_by_role("tab").all():
+        tab.click()
+        found[tab.inner_text()] = too_wide(page)
+    assert len(found) > 8
+    assert {name: told for name, told in found.items() if told} == {}
