@@ -181,7 +181,7 @@ def test_the_kernel_answers_in_units_and_estimates() -> None:
 
 def test_a_page_with_estimates_shows_them_and_their_ranges(tmp_path: Path, page: Page) -> None:
     path = tmp_path / "estimated.html"
-    tree = estimated(tree_of("kr250-racer")[1]).tree
+    tree = estimated(tree_of("vw-vr6")[1]).tree
     path.write_text(document(held([engine_of(tree)], files_given=[tree])), "utf-8")
     opened(page, path)
     expect(page.locator(".name .badge")).to_have_text("estimated")
