@@ -47,7 +47,9 @@ export function Header() {
             <h1>{exhibit.name}</h1>
             <p class="about">
               {rotationText(exhibit)}
-              {exhibit.speed_rpm !== null && ` · ${Number(exhibit.speed_rpm.toPrecision(6))} rpm`}
+              {exhibit.speed_rpm !== null && (
+                <> · {t('{speed} rpm', { speed: Number(exhibit.speed_rpm.toPrecision(6)) })}</>
+              )}
               <Estimates exhibit={exhibit} />
             </p>
           </div>
