@@ -18,8 +18,8 @@ from crankstar.charts.drawing import (
     Panel,
     checked_order,
     figure,
+    heading,
     layered,
-    named,
 )
 from crankstar.charts.estimates import ends_of, estimate_lines, size_range
 from crankstar.charts.grammar import Chart, constant, field, of_rows, own, span
@@ -97,7 +97,7 @@ def amplitudes(
         [_panel(rpm(sweep), part, names, foot=part is shown_parts[-1])] for part in shown_parts
     ]
     lines = estimate_lines([engine], drawn=_(BAND))
-    subtitle = [named(engine), *_words(engine, sweep), *lines]
+    subtitle = [*heading(engine), *_words(engine, sweep), *lines]
     if not panels:
         panels, subtitle = [[_empty(rpm(sweep))]], [*subtitle, _(NOTHING)]
     return figure(panels, title=_("Amplitude over the speed"), subtitle=subtitle)

@@ -16,7 +16,7 @@ import numpy as np
 
 from crankstar.charts.canvas import panel_width
 from crankstar.charts.crank_stars import turns_together
-from crankstar.charts.drawing import BLUE, GREEN, GREY, Panel, brief, figure, named
+from crankstar.charts.drawing import BLUE, GREEN, GREY, Panel, brief, figure, heading
 from crankstar.charts.elevations import along_of, arms_unit, shaft_panel
 from crankstar.charts.estimates import ends_of, estimate_lines, size_range
 from crankstar.charts.grammar import Chart
@@ -64,7 +64,7 @@ def balance_shaft_chart(engine: Engine, *, theta: float = 0.0) -> Chart:
     for place, shaft in enumerate(own):
         words = _words(engine, shaft, [end[place] for end in ends])
         rows.append([shaft_panel(engine, shaft, along, zero, name=words)])
-    about = [named(engine)]
+    about = heading(engine)
     if own:
         about.append(
             _("arrows: unbalance, crank green; thin arrows: sense of rotation; dashed: crank sweep")

@@ -25,8 +25,8 @@ from crankstar.charts.drawing import (
     Panel,
     brief,
     figure,
+    heading,
     layered,
-    named,
 )
 from crankstar.charts.estimates import ends_of, estimate_lines, range_text, size_range
 from crankstar.charts.grammar import Chart, Layer, field, of_rows, span
@@ -112,7 +112,7 @@ def bending_chart(
     title = _("Bending moment of the crank, in {unit}", unit=unit_text(said.unit))
     about = _("solid: greatest over the turn; dashed: at the crank angle of its peak")
     marks = _("triangles: main bearings; numbers: throws; front at the left")
-    lines = [named(engine), about, marks, *estimate_lines([engine], drawn=_(RANGES))]
+    lines = [*heading(engine), about, marks, *estimate_lines([engine], drawn=_(RANGES))]
     return figure([[panel] for panel in panels], title=title, subtitle=lines)
 
 

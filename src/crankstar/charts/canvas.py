@@ -14,10 +14,14 @@ BETWEEN, BESIDE = 18.0, 68.0
 
 @dataclass(frozen=True)
 class Canvas:
-    """The width of a panel that stands alone, px; the height of curves in their usual height."""
+    """The width of a panel that stands alone, px; the height of curves in their usual height.
+
+    `named` is whether the titles name the engine, which on a page of its own goes without saying.
+    """
 
     width: float = USUAL_WIDTH
     stretch: float = 1.0
+    named: bool = True
 
 
 _USUAL = Canvas()
@@ -56,6 +60,11 @@ def half_width() -> float:
 def curve_height(usual: float) -> float:
     """Of a panel of curves or bars, whose scales may differ, px."""
     return usual * _CANVAS.get().stretch
+
+
+def names_engine() -> bool:
+    """Whether titles name the engine."""
+    return _CANVAS.get().named
 
 
 def relative_width() -> float:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from crankstar.charts.canvas import half_width
-from crankstar.charts.drawing import ChartError, Panel, figure, named, stacked
+from crankstar.charts.drawing import ChartError, Panel, figure, heading, named, stacked
 from crankstar.charts.estimates import estimate_lines
 from crankstar.charts.grammar import Chart
 from crankstar.charts.letters import folded
@@ -30,7 +30,7 @@ def compared(
     """
     lines = estimate_lines(engines, drawn=ranges)
     if len(engines) == 1:
-        subtitle = [named(engines[0]), *lines]
+        subtitle = [*heading(engines[0]), *lines]
         return figure(blocks[0], title=title, subtitle=subtitle, theta=theta, turns=turns)
     width = half_width()
     columns = [

@@ -10,7 +10,7 @@ from math import lcm, pi
 import numpy as np
 
 from crankstar.charts.canvas import panel_width
-from crankstar.charts.drawing import BLUE, GREY, Panel, figure, numbers_text
+from crankstar.charts.drawing import BLUE, GREY, Panel, figure, heading, numbers_text
 from crankstar.charts.grammar import Chart
 from crankstar.charts.labels import Label, gathered
 from crankstar.charts.plane import Arrow, Dot, Frame, Plane, Stroke, label_margin, picture
@@ -43,7 +43,7 @@ def crank_star(engine: Engine, *, theta: float = 0.0) -> Chart:
     the direction of rotation.
     """
     panel, moved = crank_panel(engine, theta=theta)
-    subtitle = [engine.name]
+    subtitle = heading(engine)
     if moved:
         subtitle.append(_("distances between shafts not to scale"))
     title = _("Crank star, seen from the front")

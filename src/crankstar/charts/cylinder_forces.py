@@ -25,8 +25,8 @@ from crankstar.charts.drawing import (
     checked_angle,
     checked_order,
     figure,
+    heading,
     layered,
-    named,
 )
 from crankstar.charts.estimates import estimate_lines
 from crankstar.charts.grammar import COLOUR, Chart, field, of_rows, span
@@ -148,7 +148,9 @@ def force_arrows(
     title = _("Forces of each cylinder, in m r ω²")
     shown = [entry for entry in key if entry[0]]
     return figure(
-        [[_key(shown)], *panels], title=title, subtitle=[named(engine), *estimate_lines([engine])]
+        [[_key(shown)], *panels],
+        title=title,
+        subtitle=[*heading(engine), *estimate_lines([engine])],
     )
 
 

@@ -8,7 +8,7 @@ from html import escape
 from math import degrees, isfinite
 from typing import TYPE_CHECKING, Any
 
-from crankstar.charts.canvas import BETWEEN, curve_height, panel_width
+from crankstar.charts.canvas import BETWEEN, curve_height, names_engine, panel_width
 from crankstar.charts.grammar import Chart, Layer
 from crankstar.charts.letters import TEXT, folded
 from crankstar.language.messages import MessageError, _
@@ -163,6 +163,13 @@ def named(engine: Engine) -> str:
     if engine.sense > 0:
         return engine.name
     return _("{engine}; turns counter-clockwise", engine=engine.name)
+
+
+def heading(engine: Engine) -> list[str]:
+    """What a figure of one engine says below its title: its name, unless the canvas leaves it."""
+    if names_engine():
+        return [named(engine)]
+    return [] if engine.sense > 0 else [_("turns counter-clockwise")]
 
 
 def checked_angle(theta: float) -> float:

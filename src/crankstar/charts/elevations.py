@@ -9,7 +9,16 @@ from typing import Any, NamedTuple
 
 from crankstar.charts.canvas import panel_width
 from crankstar.charts.crank_stars import turns_together
-from crankstar.charts.drawing import BLUE, GREY, VERMILION, Panel, figure, layered, numbers_text
+from crankstar.charts.drawing import (
+    BLUE,
+    GREY,
+    VERMILION,
+    Panel,
+    figure,
+    heading,
+    layered,
+    numbers_text,
+)
 from crankstar.charts.grammar import COLOUR, Chart, field, of_rows, own, span
 from crankstar.charts.letters import SMALL, TEXT, text_width
 from crankstar.charts.plane import turning
@@ -82,7 +91,7 @@ def shaft_elevation(
             unit=unit_text(_lengths(engine).unit),
         )
     height = _("at θ = {theta}°, heights to scale", theta=f"{degrees(theta):.4g}")
-    subtitle = [engine.name, height, *_arm_range(engine)]
+    subtitle = [*heading(engine), height, *_arm_range(engine)]
     turns = turns_together(engine)
     return figure(rows, title=title, subtitle=subtitle, theta=theta, turns=turns)
 

@@ -9,7 +9,7 @@ from math import pi, radians
 import numpy as np
 
 from crankstar.charts.canvas import panel_width
-from crankstar.charts.drawing import GREY, PALETTE, VERMILION, figure, numbers_text
+from crankstar.charts.drawing import GREY, PALETTE, VERMILION, figure, heading, numbers_text
 from crankstar.charts.grammar import Chart
 from crankstar.charts.labels import Label
 from crankstar.charts.letters import TEXT, folded, text_width
@@ -66,7 +66,7 @@ def firing_ring(engine: Engine, *, theta: float = 0.0) -> Chart:
     return figure(
         [[picture(plane, frame, theta=theta)]],
         title=_("Firing ring over {cycle} deg", cycle=f"{engine.cycle_angle:.0f}"),
-        subtitle=[engine.name, *words],
+        subtitle=[*heading(engine), *words],
         theta=theta,
         turns=turns,
     )

@@ -30,7 +30,7 @@ from crankstar.charts.drawing import (
     Panel,
     brief,
     figure,
-    named,
+    heading,
     numbers_text,
 )
 from crankstar.charts.estimates import ends_of, estimate_lines, range_text, size_range
@@ -163,7 +163,7 @@ def polar_loads(
     return figure(
         rows,
         title=_(TITLES[quantity], unit=unit_text(said.unit)),
-        subtitle=[named(engine), *filter(None, lines)],
+        subtitle=[*heading(engine), *filter(None, lines)],
         theta=theta,
         turns=max(_turns(loading, turning=turning) for loading in loadings),
     )

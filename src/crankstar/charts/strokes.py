@@ -18,6 +18,7 @@ from crankstar.charts.drawing import (
     ChartError,
     Panel,
     figure,
+    heading,
     layered,
 )
 from crankstar.charts.grammar import Channel, Chart, Layer, constant, field, of_rows, span
@@ -92,7 +93,7 @@ def stroke_chart(engine: Engine, *, theta: float = 0.0) -> Chart:
     return figure(
         [[panel] for panel in panels],
         title=_("Stroke chart"),
-        subtitle=[engine.name, *words],
+        subtitle=[*heading(engine), *words],
         theta=theta,
         turns=turns,
     )

@@ -56,7 +56,7 @@ def bearings(subject: Subject, gallery: Gallery) -> str:
     lead = "".join(paragraph(note, "note") for note in notes)
     table = subject.full or (not whole and len(loads.bearings) <= LONG_TABLE)
     tables = parts_html(subject.parts(_peaks)) if table else ""
-    return section(_("Bearings"), lead + figures(drawn) + tables, name="bearings")
+    return section(_("Bearings"), f"{lead}<div>{tables}</div>{figures(drawn)}", name="bearings")
 
 
 def _peaks(subject: Subject) -> list[Table | Remarks]:

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from contextvars import copy_context
+from dataclasses import replace
 from typing import Any
 
 from crankstar.charts import CHARTS, GREY, ChartError, over_ranges, side_by_side, svg
@@ -69,6 +70,7 @@ class Gallery:
     ) -> Chart:
         """A figure of the engine, or `of` another one, alone or `beside` one more."""
         engine = of or self._matter.engine
+        canvas = replace(canvas, named=beside is not None)
         with drawn_on(canvas), over_ranges([*self._matter.spreads, *spreads]):
             if beside is not None:
                 return side_by_side([engine, beside], name, **options)

@@ -144,7 +144,7 @@ def orders(subject: Subject, gallery: Gallery) -> str:
         drawn.append(gallery.figure("hodograph", caption, **options))
     notes = "".join(paragraph(line, "note") for line in subject.lines(_conditions))
     tables = parts_html(subject.parts(lambda each: analysis.tables(each.shown)))
-    return section(_("Orders"), notes + figures(drawn) + tables, name="orders")
+    return section(_("Orders"), f"{notes}<div>{tables}</div>{figures(drawn)}", name="orders")
 
 
 def _conditions(subject: Subject) -> list[str]:
