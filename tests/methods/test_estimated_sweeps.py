@@ -125,4 +125,4 @@ def test_panels_of_one_and_of_two_curves_have_their_own_colours() -> None:
     assert len(colours) == 3
     assert colours[0] == colours[1] != colours[2]
     assert ">couple<" in drawn
-    assert ">roll<" in drawn
+    assert ">rolling moment<" in drawn

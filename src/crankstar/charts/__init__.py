@@ -35,6 +35,7 @@ Engines in, a chart out, and a chart as an SVG that needs no browser.
 | `polar_loads` | the load on each main bearing or crank pin as a polar diagram |
 | `bending` | the bending moment along the crankshaft |
 | `balance_shafts` | the balance shafts from the front and from the side |
+| `curve_names` | the results of a sweep in the words of the field |
 | `sweeps` | a result over a number of the engine |
 | `contours` | lines along which a result has one value, with their labels |
 | `pair_sweeps` | results over two numbers of the engine, and the front of two results |

@@ -21,6 +21,7 @@ from crankstar.charts.elevations import along_of, arms_unit, shaft_panel
 from crankstar.charts.estimates import ends_of, estimate_lines, size_range
 from crankstar.charts.grammar import Chart
 from crankstar.charts.labels import Label, gathered
+from crankstar.charts.letters import together
 from crankstar.charts.plane import Arrow, Dot, Frame, Plane, Stroke, picture
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Shaft
@@ -72,7 +73,7 @@ def balance_shaft_chart(engine: Engine, *, theta: float = 0.0) -> Chart:
         about.append(
             _(
                 "below, from the side, front at the left, with the arms of the weights in {unit}",
-                unit=unit_text(arms_unit(engine)),
+                unit=together(unit_text(arms_unit(engine))),
             )
         )
     else:

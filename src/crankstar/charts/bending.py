@@ -30,7 +30,7 @@ from crankstar.charts.drawing import (
 )
 from crankstar.charts.estimates import ends_of, estimate_lines, range_text, size_range
 from crankstar.charts.grammar import Chart, Layer, field, of_rows, span
-from crankstar.charts.letters import SMALL, text_width
+from crankstar.charts.letters import SMALL, text_width, together
 from crankstar.dynamics.bearings import Bending, Model, bending_moment
 from crankstar.engine.engine import Engine
 from crankstar.engine.main_bearings import main_bearings
@@ -109,7 +109,7 @@ def bending_chart(
         _panel(engine, shaft, state, each, said.factor, several=len(cranks) > 1, first=not place)
         for place, (shaft, state, each) in enumerate(blocks)
     ]
-    title = _("Bending moment of the crank, in {unit}", unit=unit_text(said.unit))
+    title = _("Bending moment of the crank, in {unit}", unit=together(unit_text(said.unit)))
     about = _("solid: greatest over the turn; dashed: at the crank angle of its peak")
     marks = _("triangles: main bearings; numbers: throws; front at the left")
     lines = [*heading(engine), about, marks, *estimate_lines([engine], drawn=_(RANGES))]

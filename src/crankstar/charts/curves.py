@@ -26,6 +26,7 @@ from crankstar.charts.grammar import (
     own,
     span,
 )
+from crankstar.charts.letters import together
 from crankstar.charts.sums import Engines, Quantity, Signal, Sum, in_one_unit, several, sums
 from crankstar.language.messages import N_, _
 from crankstar.mechanics.excitation import Reference
@@ -161,7 +162,7 @@ def over_turn(
         ]
         for each, orders in zip(curves, shown, strict=True)
     ]
-    title = _(TITLES[choice.quantity], unit=wholes[0].unit)
+    title = _(TITLES[choice.quantity], unit=together(wholes[0].unit))
     return compared(
         engines, blocks, title=title, speed=speed, theta=theta, turns=turns, ranges=_(BAND)
     )

@@ -20,7 +20,7 @@ from crankstar.charts.drawing import (
     numbers_text,
 )
 from crankstar.charts.grammar import COLOUR, Chart, field, of_rows, own, span
-from crankstar.charts.letters import SMALL, TEXT, text_width
+from crankstar.charts.letters import SMALL, TEXT, text_width, together
 from crankstar.charts.plane import turning
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Cylinder, Shaft
@@ -88,7 +88,7 @@ def shaft_elevation(
     else:
         title = _(
             "Crankshaft from the side, front at the left; arms in {unit}",
-            unit=unit_text(_lengths(engine).unit),
+            unit=together(unit_text(_lengths(engine).unit)),
         )
     height = _("at θ = {theta}°, heights to scale", theta=f"{degrees(theta):.4g}")
     subtitle = [*heading(engine), height, *_arm_range(engine)]

@@ -9,7 +9,7 @@ from crankstar.charts.drawing import GREY, Panel, layered
 from crankstar.charts.front_numbers import MOST_LISTED
 from crankstar.charts.grammar import field, of_rows, span
 from crankstar.charts.letters import SMALL, text_width
-from crankstar.charts.search_values import columns, order_lines
+from crankstar.charts.search_values import columns, order_lines, values_of
 from crankstar.language.messages import _
 from crankstar.language.numbers import number
 
@@ -28,7 +28,7 @@ def front_key(answer: Answer) -> Panel:
     """Number, firing order, values, and neighbours that fire in succession."""
     heads = columns(answer)
     names, listed = [head.name for head in heads], answer.rows[:MOST_LISTED]
-    cells = [[number(value, digits=4) for value in row.values] for row in listed]
+    cells = [[number(value, digits=4) for value in values_of(row, heads)] for row in listed]
     if not any(head.counted for head in heads):
         names.append(_("neighbours"))
         cells = [[*own, str(row.neighbours)] for own, row in zip(cells, listed, strict=True)]

@@ -13,7 +13,7 @@ from crankstar.charts.front_keys import front_key
 from crankstar.charts.front_numbers import DOT, HEIGHT, point_numbers
 from crankstar.charts.grammar import DISC, Chart, constant, field, of_rows
 from crankstar.charts.letters import SMALL, TEXT
-from crankstar.charts.search_values import Column, columns, engine_text
+from crankstar.charts.search_values import Column, columns, engine_text, values_of
 from crankstar.language.messages import _
 from crankstar.search.engines import firing_order
 from crankstar.search.question import Front
@@ -46,10 +46,10 @@ def pareto_front(
         )
     if not answer.rows:
         raise ChartError(_("there is no star to draw: the search found none within the limits"))
-    if others is not None and columns(others)[:2] != heads[:2]:
+    if others is not None and _objectives(others) != _objectives(answer):
         raise ChartError(_("the other stars have other objectives; the first two must be the same"))
-    points = [row.values for row in answer.rows]
-    pale = [row.values for row in others.rows] if others is not None else []
+    points = [values_of(row, heads) for row in answer.rows]
+    pale = [values_of(row, heads[:2]) for row in others.rows] if others is not None else []
     measured = [place for place in (0, 1) if not heads[place].counted]
     if logarithmic is None:
         logarithmic = any(spans_decades([point[place] for point in points]) for place in measured)
@@ -83,7 +83,7 @@ def _front_panel(
         dots = of_rows([_spot(spot, across, upward) for spot in spots])
         style = {**DISC, "opacity": 0.4, "size": 16, "color": GREY}
         layers.append(dots.mark("point", **style).encode(x=x, y=y))
-    points = [row.values for row in answer.rows]
+    points = [values_of(row, heads) for row in answer.rows]
     steps = _steps(points, across, upward) if len(heads) == 2 else []
     if steps:
         line = of_rows(steps).mark("line", color=GREY, strokeWidth=1.3, strokeDash=[5, 3])
@@ -109,8 +109,16 @@ def _row(
     """A point: its place, number, firing order and values."""
     row = answer.rows[place]
     order = "-".join(map(str, firing_order(answer.question.stars, row.star)))
-    values = {f"value{column}": row.values[column] for column in range(len(heads))}
-    return {**_spot(row.values, across, upward), "row": place + 1, "order": order, **values}
+    values = values_of(row, heads)
+    named = {f"value{column}": value for column, value in enumerate(values)}
+    return {**_spot(values, across, upward), "row": place + 1, "order": order, **named}
+
+
+def _objectives(answer: Answer) -> list[tuple[str, str]]:
+    """The names and units of the first two values, as the search counts them."""
+    question = answer.question
+    named = [(each.name, each.unit) for each in (*question.objectives, *question.functions)]
+    return named[:2]
 
 
 def _spot(values: Sequence[float], across: Axis, upward: Axis) -> dict[str, float]:

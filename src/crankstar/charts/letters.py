@@ -8,11 +8,12 @@ from __future__ import annotations
 
 from unicodedata import east_asian_width
 
+NO_BREAK = "\N{NO-BREAK SPACE}"
 SMALL, TEXT = 12, 13
 """Sizes of letters, px."""
 WIDTHS = {
     0.3: "'ijlIJ",
-    0.33: " ,.·/:;|",
+    0.33: f" {NO_BREAK},.·/:;|",
     0.4: "f()[]t-!¹²³r",
     0.47: '"',
     0.5: "*_°´–",
@@ -47,11 +48,18 @@ def _width(letter: str) -> float:
     return 1.0 if east_asian_width(letter) in "WF" else USUAL
 
 
+def together(text: str) -> str:
+    """A text that `folded` keeps in one line, such as a unit."""
+    return text.replace(" ", NO_BREAK)
+
+
 def folded(text: str, *, width: float, size: float = TEXT) -> list[str]:
     """A text in lines of a width, px: between words, between Japanese letters, in words too long.
 
     >>> folded("one two three", width=60), folded("慣性偶力", width=30)
     (['one two', 'three'], ['慣性', '偶力'])
+    >>> folded(f"force in {together('m r ω²')}", width=90)
+    ['force in', 'm r ω²']
     """
     lines = [""]
     for word in _words(text):
@@ -61,7 +69,7 @@ def folded(text: str, *, width: float, size: float = TEXT) -> list[str]:
             if text_width((lines[-1] + letter).rstrip(), size) > width and lines[-1]:
                 lines.append("")
             lines[-1] += letter
-    return [line.strip() for line in lines if line.strip()] or [""]
+    return [line.strip().replace(NO_BREAK, " ") for line in lines if line.strip()] or [""]
 
 
 def _words(text: str) -> list[str]:

@@ -10,6 +10,7 @@ import numpy as np
 
 from crankstar.charts.canvas import curve_height, panel_width
 from crankstar.charts.contours import Contour, labelled_contours
+from crankstar.charts.curve_names import curve_name, names_of
 from crankstar.charts.drawing import (
     BLUE,
     DEEP,
@@ -67,8 +68,7 @@ def contours(
     if front:
         rows.append([_front_panel(curves, front)])
     names = {"first": field_name(sweep.axes[0].path), "second": field_name(sweep.axes[1].path)}
-    labels = ", ".join(curve.label for curve in curves)
-    title = _("{quantities} over {first} and {second}", quantities=labels, **names)
+    title = _("{quantities} over {first} and {second}", quantities=names_of(curves), **names)
     subtitle = [sweep.engine.name, *_words(pairs, sweep)]
     made = figure(rows, title=title[0].upper() + title[1:], subtitle=subtitle)
     own = {"color": "independent"}
@@ -87,7 +87,7 @@ def _words(pairs: Sequence[tuple[Curve, BestPair | None]], sweep: Sweep) -> list
             for axis, value in zip(sweep.axes, optimum.values, strict=True)
         ]
         values = {
-            "quantity": curve.label,
+            "quantity": curve_name(curve),
             "result": quantity_text(least, curve.unit, beside=top),
             "first": places[0],
             "second": places[1],
@@ -159,7 +159,7 @@ def _colours(
         for i in range(CELLS[0])
         for j in range(CELLS[1])
     ]
-    name = f"{curve.label} [{unit_text(unit)}]"
+    name = f"{curve_name(curve)} [{unit_text(unit)}]"
     legend = {
         "orient": "top",
         "title": folded(name, width=panel_width()),
@@ -227,7 +227,7 @@ def _front_panel(curves: Sequence[Curve], front: Sequence[Unbeaten]) -> Panel:
         field(
             f"{name}:Q",
             scale={**span(*_reach(values)), "zero": False},
-            title=folded(f"{curve.label} [{unit_text(said.unit)}]", width=room),
+            title=folded(f"{curve_name(curve)} [{unit_text(said.unit)}]", width=room),
             axis={"tickCount": 5},
         )
         for name, values, curve, said, room in zip(

@@ -36,7 +36,7 @@ from crankstar.charts.drawing import (
 from crankstar.charts.estimates import ends_of, estimate_lines, range_text, size_range
 from crankstar.charts.grammar import DISC, Chart, Layer, field, of_rows
 from crankstar.charts.labels import Label, gathered
-from crankstar.charts.letters import SMALL, folded
+from crankstar.charts.letters import SMALL, folded, together
 from crankstar.charts.plane import Dot, Frame, Plane, Stroke, coordinates, empty, picture
 from crankstar.charts.polar_grid import Grid, ground, polar_grid, values
 from crankstar.charts.sums import MOST_TURNS, checked_quantity
@@ -162,7 +162,7 @@ def polar_loads(
     lines = ["; ".join(filter(None, about)), *estimate_lines([engine], drawn=_(PATHS))]
     return figure(
         rows,
-        title=_(TITLES[quantity], unit=unit_text(said.unit)),
+        title=_(TITLES[quantity], unit=together(unit_text(said.unit))),
         subtitle=[*heading(engine), *filter(None, lines)],
         theta=theta,
         turns=max(_turns(loading, turning=turning) for loading in loadings),
@@ -278,12 +278,11 @@ def _panel(
 ) -> Panel:
     """The path of one load."""
     frame = scale.frame
-    strokes = list(ground(scale.grid, loading.directions))
     top = spectra.peak(loading.load)
     if top.value <= NEGLIGIBLE * largest:
-        cross = tuple(stroke for stroke in strokes if stroke.faint)[:2]
-        nothing = Plane(strokes=cross, notes=(empty(frame, _("no load")),))
+        nothing = Plane(notes=(empty(frame, _("no load")),))
         return picture(nothing, frame, theta=theta, title=head)
+    strokes = list(ground(scale.grid, loading.directions))
     turns = _turns(loading, turning=turning)
 
     def at(angles: np.ndarray) -> list[complex]:

@@ -8,7 +8,7 @@ from crankstar.charts.canvas import half_width
 from crankstar.charts.crank_stars import crank_panel
 from crankstar.charts.drawing import ChartError, Panel, checked_angle, figure
 from crankstar.charts.grammar import Chart
-from crankstar.charts.search_values import columns, engine_text, order_lines, units_text
+from crankstar.charts.search_values import columns, engine_text, order_lines, units_text, values_of
 from crankstar.language.messages import _
 from crankstar.language.numbers import number
 from crankstar.search.engines import engine
@@ -52,7 +52,7 @@ def _panel(answer: Answer, place: int, theta: float) -> Panel:
     heads = columns(answer)
     values = [
         f"{head.name} {number(value, digits=4)}"
-        for head, value in zip(heads, row.values, strict=True)
+        for head, value in zip(heads, values_of(row, heads), strict=True)
     ]
     if not any(head.counted for head in heads):
         values.append(_("neighbours {count}", count=row.neighbours))

@@ -7,9 +7,10 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
 from crankstar.charts.drawing import numbers_text
-from crankstar.charts.letters import SMALL, text_width
+from crankstar.charts.letters import SMALL, text_width, together
 from crankstar.language.messages import _, _n
 from crankstar.language.numbers import unit_text
+from crankstar.language.shown_units import shown
 from crankstar.search.engines import firing_order
 from crankstar.search.stars import Stars
 
@@ -18,11 +19,15 @@ if TYPE_CHECKING:
 
 
 class Column(NamedTuple):
-    """A value of a found star: its name, its unit, whether it is a count."""
+    """A value of a found star: its name, the unit it is shown in, whether it is a count.
+
+    `factor` is what a value of the search is multiplied by in that unit.
+    """
 
     name: str
     unit: str
     counted: bool
+    factor: float = 1.0
 
     @property
     def title(self) -> str:
@@ -31,14 +36,27 @@ class Column(NamedTuple):
 
 
 def columns(answer: Answer) -> tuple[Column, ...]:
-    """The values of found stars: the objectives, then those of Python functions."""
+    """The values of found stars as they are shown: the objectives, then Python functions."""
     question = answer.question
     named = [
         Column(each.name, each.unit, counted=bool(each.neighbours) and not each.terms)
         for each in question.objectives
     ]
     named += [Column(judge.name, judge.unit, counted=False) for judge in question.functions]
-    return tuple(named)
+    tops: dict[str, float] = {}  # values of one unit have one prefix
+    for row in answer.rows:
+        for column, value in zip(named, row.values, strict=True):
+            tops[column.unit] = max(tops.get(column.unit, 0.0), abs(value))
+    units = [shown(column.unit, tops.get(column.unit, 0.0)) for column in named]
+    return tuple(
+        column._replace(unit=unit.unit, factor=unit.factor)
+        for column, unit in zip(named, units, strict=True)
+    )
+
+
+def values_of(row: AnswerRow, heads: Sequence[Column]) -> tuple[float, ...]:
+    """The values of a star in the units of the columns."""
+    return tuple(value * head.factor for value, head in zip(row.values, heads, strict=False))
 
 
 def engine_text(stars: Stars) -> str:
@@ -63,7 +81,7 @@ def units_text(heads: Sequence[Column]) -> str:
         _(
             "{values} in {unit}",
             values=", ".join(head.name for head in heads if head.unit == unit),
-            unit=unit_text(unit),
+            unit=together(unit_text(unit)),
         )
         for unit in units
     )

@@ -8,6 +8,7 @@ from typing import Any
 
 from crankstar.charts.canvas import curve_height, panel_width
 from crankstar.charts.crank_angle import angle_ticks
+from crankstar.charts.curve_names import curve_name, names_of
 from crankstar.charts.drawing import (
     GREY,
     LINES,
@@ -20,7 +21,7 @@ from crankstar.charts.drawing import (
 )
 from crankstar.charts.estimates import estimate_lines
 from crankstar.charts.grammar import DISC, Channel, Chart, field, of_rows, span
-from crankstar.charts.letters import folded
+from crankstar.charts.letters import folded, text_width, together
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number, unit_text
 from crankstar.language.shown_units import Shown, quantity_text, shown
@@ -33,6 +34,12 @@ from crankstar.tables.sweep_ranges import Band
 MOST_POINTS = 2000
 """Greatest number of drawn values of a curve."""
 BAND = N_("Estimated masses or lengths: the bands are the ranges of the curves.")
+HEIGHT = 190
+"""px: the usual height of a panel."""
+STROKE = 30
+"""px: of a stroke of the legend with the room about it."""
+DASHES = ([1, 0], [6, 3], [2, 2])
+"""Of the curves that have the first colours, the same again, and once more."""
 ROUNDED = 1e-7
 """Share of the greatest value of a curve below which its best value is zero."""
 
@@ -65,13 +72,12 @@ def swept(
         ]
         drawn = _scaled([pairs[place] for place in own], said)
         panels.append(_panel(sweep, drawn, areas, foot=unit == units[-1]))
-    labels = ", ".join(curve.label for curve in curves)
-    title = _("{quantities} over {path}", quantities=labels, path=field_name(sweep.path))
+    title = _("{quantities} over {path}", quantities=names_of(curves), path=field_name(sweep.path))
     title = title[0].upper() + title[1:]
     doubt = [_(BAND)] if any(bands) else estimate_lines([sweep.engine])
     subtitle = [sweep.engine.name, *doubt, *_words(pairs, sweep)]
     made = figure([[panel] for panel in panels], title=title, subtitle=subtitle)
-    own = {"color": "independent"}  # each panel has its own curves
+    own = {"color": "independent", "strokeDash": "independent"}  # each panel has its own curves
     return Chart({**made.spec, "resolve": {"scale": own, "legend": own}})
 
 
@@ -83,7 +89,8 @@ def _words(pairs: Sequence[tuple[Curve, Best | None]], sweep: Sweep) -> list[str
             continue
         top = float(curve.values.max())
         least = optimum.result if optimum.result > ROUNDED * top else 0.0
-        result = {"quantity": curve.label, "result": quantity_text(least, curve.unit, beside=top)}
+        text = quantity_text(least, curve.unit, beside=top)
+        result = {"quantity": curve_name(curve), "result": together(text)}
         lines.append(
             _("{quantity}: {result} at every value", **result)
             if optimum.flat
@@ -127,7 +134,7 @@ def _area(values: Real, curve: Curve, band: Band | None, factor: float) -> list[
         return []
     rows = zip(values.tolist(), band.low.tolist(), band.high.tolist(), strict=True)
     return [
-        {"x": x, "y": low * factor, "y2": high * factor, "what": curve.label}
+        {"x": x, "y": low * factor, "y2": high * factor, "what": curve_name(curve)}
         for x, low, high in sorted(rows)
     ]
 
@@ -139,23 +146,29 @@ def _panel(
     *,
     foot: bool,
 ) -> Panel:
-    names = [curve.label for curve, _ in pairs]
+    names = [curve_name(curve) for curve, _ in pairs]
     colours = {"domain": names, "range": [*islice(cycle(PALETTE), len(names))]}
-    legend = {**LINES, "columns": 2} if len(names) > 1 else None
+    legend = _legend(names) if len(names) > 1 else None
     x = value_axis(sweep.axes[0], "x", room=panel_width(), foot=foot)
     reach = max(float(curve.values.max()) for curve, _ in pairs)
     reach = max(reach, *(row["y2"] for row in areas), 0.0) if areas else reach or 1.0
     unit = unit_text(pairs[0][0].unit)
-    y = field("y:Q", scale=span(0, 1.08 * reach), title=unit, axis={"tickCount": 4})
+    said = unit if len(names) > 1 else folded(f"{names[0]} [{together(unit)}]", width=HEIGHT)
+    y = field("y:Q", scale=span(0, 1.08 * reach), title=said, axis={"tickCount": 4})
     rows = [row for curve, _ in pairs for row in _rows(sweep.values, curve)]
     lines = of_rows(rows).mark("line", strokeWidth=2.4, strokeJoin="round")
     colour = field("what:N", scale=colours, legend=legend)
-    layers = [lines.encode(x=x, y=y, color=colour)]
+    ways = {"x": x, "y": y, "color": colour}
+    if len(names) > len(PALETTE):  # the colours come again, with dashes
+        dashes = [DASHES[place // len(PALETTE) % len(DASHES)] for place in range(len(names))]
+        scale = {"domain": names, "range": dashes}
+        ways["strokeDash"] = field("what:N", scale=scale, legend=legend)
+    layers = [lines.encode(**ways)]
     if areas:
         area = of_rows(areas).mark("area", opacity=0.25)
         layers.insert(0, area.encode(x=x, y=y, y2=field("y2"), color=colour))
     marks = [
-        {"x": best.value, "y": best.result, "what": curve.label}
+        {"x": best.value, "y": best.result, "what": curve_name(curve)}
         for curve, best in pairs
         if best is not None and not best.flat
     ]
@@ -163,11 +176,18 @@ def _panel(
         drop = of_rows(marks).mark("rule", color=GREY, strokeDash=[3, 3], strokeWidth=1)
         style = {**DISC, "filled": False, "size": 90, "strokeWidth": 2.2, "color": VERMILION}
         layers += [drop.encode(x=x), of_rows(marks).mark("point", **style).encode(x=x, y=y)]
-    return layered(layers, width=panel_width(), height=curve_height(190))
+    return layered(layers, width=panel_width(), height=curve_height(HEIGHT))
+
+
+def _legend(names: Sequence[str]) -> dict[str, Any]:
+    """Two names in a row where they have room; its strokes are not as pale as bands."""
+    room = panel_width() / 2 - STROKE
+    columns = 2 if max(map(text_width, names)) <= room else 1
+    return {**LINES, "columns": columns, "labelLimit": panel_width(), "symbolOpacity": 1}
 
 
 def _rows(values: Real, curve: Curve) -> list[dict[str, Any]]:
     step = max(1, values.size // MOST_POINTS)
     pairs = sorted(zip(values.tolist(), curve.values.tolist(), strict=True))
     kept = [*pairs[::step], pairs[-1]] if step > 1 else pairs
-    return [{"x": x, "y": y, "what": curve.label} for x, y in kept]
+    return [{"x": x, "y": y, "what": curve_name(curve)} for x, y in kept]

@@ -17,6 +17,7 @@ from crankstar.charts.drawing import ORANGE, Panel, numbers_text
 from crankstar.charts.estimates import range_text, size_range
 from crankstar.charts.grammar import Chart
 from crankstar.charts.labels import Label, gathered
+from crankstar.charts.letters import together
 from crankstar.charts.plane import (
     BAR,
     Arrow,
@@ -171,7 +172,7 @@ def _figure(
     return compared(
         engines,
         blocks,
-        title=_(titles[systems[0].quantity], order=f"{order:g}", unit=unit),
+        title=_(titles[systems[0].quantity], order=f"{order:g}", unit=together(unit)),
         speed=speed,
         theta=theta,
         turns=Fraction(order).limit_denominator(10_000).denominator,
@@ -265,7 +266,7 @@ def result_text(shown: Stars, star: Star) -> str:
     return _(
         "resultant {size} {unit}\n{angle}",
         size=f"{rough(abs(star.resultant))}{range_text(ends)}" if ends else size,
-        unit=shown.unit,
+        unit=together(shown.unit),
         angle=angle_text(shown, star.resultant),
     )
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import shlex
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import asdict, dataclass
 from functools import partial
 from pathlib import Path
 from typing import Annotated, Any, NamedTuple
@@ -63,11 +64,22 @@ Settings = Annotated[list[str] | None, option("--set")]
 Estimating = Annotated[bool, option("--estimate")]
 Json = Annotated[bool, option("--json")]
 Csv = Annotated[bool, option("--csv")]
-Theme = Annotated[str | None, option("--theme")]
-Width = Annotated[str | None, option("--width")]
-Height = Annotated[str | None, option("--height")]
-Dpi = Annotated[float | None, option("--dpi")]
-FontSize = Annotated[float | None, option("--font-size")]
+
+
+@dataclass(frozen=True)
+class Looks:
+    """How a picture looks: its colours, its size and the size of its letters."""
+
+    theme: Annotated[str | None, option("--theme")] = None
+    width: Annotated[str | None, option("--width")] = None
+    height: Annotated[str | None, option("--height")] = None
+    dpi: Annotated[float | None, option("--dpi")] = None
+    font_size: Annotated[float | None, option("--font-size")] = None
+
+    def refuse(self, beside: str) -> None:
+        """Refuse what is given beside something that is no picture. Raises RequestError."""
+        given = {f"--{name.replace('_', '-')}": value for name, value in asdict(self).items()}
+        request.refuse_unused(given, beside=beside)
 
 
 def together(*readings: Callable[[], Any]) -> tuple[Any, ...]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from functools import partial
 from typing import Annotated
 
@@ -9,16 +10,13 @@ from cyclopts import Parameter
 
 from crankstar.cli.application import app
 from crankstar.cli.options import (
-    Dpi,
+    FLAT,
     EngineName,
     Estimating,
-    FontSize,
-    Height,
+    Looks,
     ReferencePoint,
     Settings,
     Speed,
-    Theme,
-    Width,
     loaded_values,
     option,
     together,
@@ -65,11 +63,7 @@ def plot(
     reference: ReferencePoint = None,
     settings: Settings = None,
     estimate: Estimating = False,
-    theme: Theme = None,
-    width: Width = None,
-    height: Height = None,
-    dpi: Dpi = None,
-    font_size: FontSize = None,
+    looks: Annotated[Looks, FLAT] = Looks(),  # noqa: B008  # it is frozen
     output: Annotated[
         str | None,
         option(
@@ -83,9 +77,7 @@ def plot(
     drawing = chart_request.charts()
     figure = drawing.CHARTS[request.choice("chart", chart, drawing.CHARTS)]
     suffix = chart_request.suffix(output, drawing.SUFFIXES)
-    paper = chart_request.paper(
-        suffix, theme=theme, width=width, height=height, dpi=dpi, font_size=font_size
-    )
+    paper = chart_request.paper(suffix, **asdict(looks))
     _turning, *each = together(
         partial(request.speed, speed),
         partial(loaded_values, engine, settings, estimate=estimate),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from functools import partial
 from pathlib import PurePath
 from types import ModuleType
@@ -13,6 +14,7 @@ from crankstar.cli.application import app
 from crankstar.cli.options import (
     FLAT,
     Estimating,
+    Looks,
     Settings,
     Speed,
     engine_with_tree,
@@ -50,12 +52,18 @@ def search(
     settings: Settings = None,
     estimate: Estimating = False,
     work: Annotated[Work, FLAT] = Work(),  # noqa: B008
+    looks: Annotated[Looks, FLAT] = Looks(),  # noqa: B008
     form: Annotated[Form, FLAT] = Form(),  # noqa: B008
 ) -> int | None:
     """Find better cranks: all arrangements of evenly spaced throws, searched with proof."""
     from crankstar.options import search as options
 
-    kind, row = _kind(form), request.within("--row", form.row, most=GREATEST_ROW)
+    kind, paper = _kind(form), None
+    if kind in PICTURES:
+        paper = chart_request.paper(kind, **asdict(looks))
+    else:
+        looks.refuse(_("an engine") if form.row is not None else _("a table"))
+    row = request.within("--row", form.row, most=GREATEST_ROW)
     workers = request.within("--workers", work.workers, most=GREATEST_WORKERS)
     deviations = options.deviations(form.uneven) if form.uneven is not None else None
     _check_work(work)
@@ -82,7 +90,7 @@ def search(
     if row is not None:
         _show_row(answer, wanted.engine, row, deviations, pace, form.output, tree)
     else:
-        _show(cylinders, answer, wanted.engine, kind, form.chart, form.output)
+        _show(cylinders, answer, wanted.engine, kind, form.chart, form.output, paper)
     return None
 
 
@@ -151,14 +159,17 @@ def _show(
     kind: str,
     chart: str | None,
     output: str | None,
+    paper: Any = None,
 ) -> None:
     """Write the answer in the form asked for; `about` is the word for what was searched."""
     from crankstar.tables import search_stars as tables
 
     if kind in PICTURES:
         drawing = chart_request.charts()
-        figure = drawing.best_stars(answer) if chart == "stars" else drawing.pareto_front(answer)
-        content = drawing.saved(figure, kind, title=tables.heading(answer.question))
+        title = tables.heading(answer.question)
+        draw = drawing.best_stars if chart == "stars" else drawing.pareto_front
+        made = drawing.printed(partial(draw, answer), paper, title=title)
+        content = drawing.saved_print(made, kind, title=title)
         write_result(content, output, usual_place(about, "search", chart or "front", kind=kind))
     else:
         limit = tables.ROWS if kind == "txt" else None

@@ -3,25 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import asdict, replace
 from functools import partial
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Annotated, Any
 
 from crankstar.cli.application import app
 from crankstar.cli.options import (
+    FLAT,
     Csv,
-    Dpi,
     EngineName,
     Estimating,
-    FontSize,
-    Height,
     Json,
+    Looks,
     ReferencePoint,
     Settings,
     Speed,
-    Theme,
-    Width,
     estimated_tree,
     loaded_values,
     option,
@@ -60,11 +57,7 @@ def sweep(
     estimate: Estimating = False,
     json: Json = False,
     csv: Csv = False,
-    theme: Theme = None,
-    width: Width = None,
-    height: Height = None,
-    dpi: Dpi = None,
-    font_size: FontSize = None,
+    looks: Annotated[Looks, FLAT] = Looks(),  # noqa: B008  # it is frozen
     output: Annotated[
         str | None,
         option(
@@ -76,12 +69,12 @@ def sweep(
     """Vary one or two values of an engine: force and couple over them, and the best values."""
     kind = PurePath(output or "").suffix.lower().removeprefix(".")
     picture = kind in (*PICTURES, "json") and not (json or csv)
-    looks = {"theme": theme, "width": width, "height": height, "dpi": dpi, "font_size": font_size}
     if not picture:
-        given = {f"--{name.replace('_', '-')}": value for name, value in looks.items()}
-        request.refuse_unused(given, beside=_("a table"))
+        looks.refuse(_("a table"))
     form = kind if picture else form_of(output, (*TABLES, *PICTURES), json=json, csv=csv)
-    paper = chart_request.paper(kind, **looks) if picture and chart_request.charts() else None
+    paper = (
+        chart_request.paper(kind, **asdict(looks)) if picture and chart_request.charts() else None
+    )
     if output is not None:
         writable(output)
     made = _Made(

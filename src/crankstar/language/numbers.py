@@ -40,11 +40,15 @@ def are_kept() -> bool:
 
 
 def number(value: float, largest: float = 0.0, *, digits: int = 5) -> str:
-    """A number to five figures, if possible without an exponent; 0 if negligible to `largest`."""
+    """A number to five figures, if possible without an exponent; 0 if negligible to `largest`.
+
+    >>> number(66450.2), number(66450.2, digits=4), number(1e-7)
+    ('66450', '66450', '1e-07')
+    """
     value = float(value)
     if abs(value) <= NEGLIGIBLE * largest or value == 0:
         value, text = 0.0, "0"
-    elif 1e5 <= abs(value) < 1e9:
+    elif 10**digits <= abs(value) < 1e9:
         text = f"{value:.0f}"
     else:
         text = f"{value:.{digits}g}"
