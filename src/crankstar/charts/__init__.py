@@ -63,6 +63,7 @@ from crankstar.charts.amplitudes import amplitudes
 from crankstar.charts.balance_shafts import balance_shaft_chart
 from crankstar.charts.bending import bending_chart
 from crankstar.charts.crank_stars import crank_star
+from crankstar.charts.curve_names import names_of
 from crankstar.charts.curves import over_turn
 from crankstar.charts.cylinder_forces import force_arrows
 from crankstar.charts.drawing import GREY, ChartError, svg
@@ -103,6 +104,7 @@ __all__ = [
     "force_arrows",
     "hodograph",
     "judged",
+    "names_of",
     "over_ranges",
     "over_rods",
     "over_turn",

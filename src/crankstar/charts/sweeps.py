@@ -153,7 +153,8 @@ def _panel(
     reach = max(float(curve.values.max()) for curve, _ in pairs)
     reach = max(reach, *(row["y2"] for row in areas), 0.0) if areas else reach or 1.0
     unit = unit_text(pairs[0][0].unit)
-    said = unit if len(names) > 1 else folded(f"{names[0]} [{together(unit)}]", width=HEIGHT)
+    height = curve_height(HEIGHT)
+    said = unit if len(names) > 1 else folded(f"{names[0]} [{together(unit)}]", width=height)
     y = field("y:Q", scale=span(0, 1.08 * reach), title=said, axis={"tickCount": 4})
     rows = [row for curve, _ in pairs for row in _rows(sweep.values, curve)]
     lines = of_rows(rows).mark("line", strokeWidth=2.4, strokeJoin="round")
@@ -176,7 +177,7 @@ def _panel(
         drop = of_rows(marks).mark("rule", color=GREY, strokeDash=[3, 3], strokeWidth=1)
         style = {**DISC, "filled": False, "size": 90, "strokeWidth": 2.2, "color": VERMILION}
         layers += [drop.encode(x=x), of_rows(marks).mark("point", **style).encode(x=x, y=y)]
-    return layered(layers, width=panel_width(), height=curve_height(HEIGHT))
+    return layered(layers, width=panel_width(), height=height)
 
 
 def _legend(names: Sequence[str]) -> dict[str, Any]:

@@ -189,7 +189,7 @@ def _draw(made: _Made, kind: str, paper: Any, output: str | None) -> None:
     title = _(
         "{engine}: {curves} over {path}",
         engine=made.sweep.engine.name,
-        curves=", ".join(curve.label for curve in made.curves),
+        curves=drawing.names_of(made.curves),
         path=", ".join(field_name(axis.path) for axis in made.sweep.axes),
     )
     options: dict[str, Any] = {"best": made.bests}
