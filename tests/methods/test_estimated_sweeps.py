@@ -126,3 +126,20 @@ def test_panels_of_one_and_of_two_curves_have_their_own_colours() -> None:
     assert colours[0] == colours[1] != colours[2]
     assert ">couple<" in drawn
     assert ">rolling moment<" in drawn
+
+
+def test_each_of_many_curves_has_its_own_stroke_and_one_legend_in_words() -> None:
+    made = sweep("audi-25-tfsi", "balance_factor=0..1/3")
+    asked = ("couple", "couple.pitch", "couple.yaw", "couple.forward", "roll", "torque")
+    curves = [watched(made, name, order=order) for name in asked for order in (1, 5)]
+    drawn = svg(chart(made, curves), "x")
+    strokes = re.findall(r'<path[^>]*stroke="(#\w+)" stroke-width="2.4"([^>]*)', drawn)
+    dashes = [re.search(r'stroke-dasharray="([\d,]+)"', more) for _colour, more in strokes]
+    looks = [
+        (colour, dash and dash[1]) for (colour, _more), dash in zip(strokes, dashes, strict=True)
+    ]
+    assert len(looks) == len(set(looks)) == len(curves)
+    for words in ("pitch M_V of order 1", "couple with the crank of order 5", "rolling moment"):
+        assert words in drawn
+    assert drawn.count(">inertia torque of order 5<") == 1
+    assert "couple.pitch" not in drawn

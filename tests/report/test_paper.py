@@ -124,6 +124,19 @@ def test_figures_and_tables_are_numbered_through_and_referred_to() -> None:
     assert 'class="refs"' in page
 
 
+def test_figures_leave_the_name_of_the_engine_to_the_page_but_not_its_sense() -> None:
+    page = report(subject("man-s90mc-c", full=False))
+    drawn = re.findall(r"<figure[^>]*>(.*?)<figcaption[^>]*>(.*?)</figcaption>", page, re.DOTALL)
+    assert len(drawn) > 10
+    stars = [drawing for drawing, caption in drawn if "vectors of order" in caption]
+    assert stars
+    assert all(">turns counter-clockwise<" in drawing for drawing in stars)
+    for drawing, caption in drawn:
+        words = re.sub(r"<title.*?</title>|<[^>]*>", "", drawing)
+        assert ("7S90MC" in words) == ("before and after" in caption), caption
+        assert "\N{NO-BREAK SPACE}" not in drawing
+
+
 def test_only_the_full_report_has_derivations_and_the_engine_file() -> None:
     short, full = (report(subject("i4", full=full)) for full in (False, True))
     for words in ('id="derivations"', 'class="file"', "harmonic"):
