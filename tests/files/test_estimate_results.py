@@ -351,3 +351,30 @@ def test_a_sentence_that_others_lack_is_marked_once() -> None:
     with values_kept():
         own = f"A weight of {number(2.0)} g, at the front."
     assert sentence(own, ["", ""]) == "A weight of 2 g, at the front (estimated)."
+
+
+def spans_of(text: str) -> list[list[float]]:
+    """The typical value, the least and the greatest of every range in a text."""
+    found = re.findall(r"([\d.e+-]+) \(([\d.e+-]+) to ([\d.e+-]+)", text)
+    return [[float(part) for part in parts] for parts in found]
+
+
+@pytest.mark.parametrize("name", ["kr250-racer", "vw-vr6", "triumph-675", "bmw-m52b28"])
+def test_a_roll_has_one_range_in_words_and_in_the_table(run: Run, name: str) -> None:
+    """And masses drawn at random leave no roll beyond it."""
+    out = re.sub(r"\s+", " ", run("analyze", name, "--estimate", "--units", "N, N m").out)
+    said = re.search(r"Roll of order (\d+): about ([^)]*)", out)
+    assert said is not None
+    moments = out[out.index("Moments about the crank axis") :]
+    row = re.search(rf" {said[1]} ([\d.]+ \([^)]*)\) ∠", moments)
+    assert row is not None
+    (span,) = spans_of(said[2])
+    assert [span] == spans_of(row[1])
+    told = re.sub(r"\s+", " ", run("verdict", name, "--estimate", "--units", "N, N m").out)
+    assert span in spans_of(told[told.index("largest at order") :])
+    typical, low, high = span
+    assert low < typical < high
+    for engine in variants(tree_for(name), count=20):
+        roll = summed(balance(engine, speed=engine.speed)).roll
+        size = abs(spectra.amplitude(spectra.selected(roll, [float(said[1])])))[0]
+        assert low * 0.995 <= size <= high * 1.005

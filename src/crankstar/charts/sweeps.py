@@ -150,12 +150,13 @@ def _panel(
     colours = {"domain": names, "range": [*islice(cycle(PALETTE), len(names))]}
     legend = _legend(names) if len(names) > 1 else None
     x = value_axis(sweep.axes[0], "x", room=panel_width(), foot=foot)
-    reach = max(float(curve.values.max()) for curve, _ in pairs)
-    reach = max(reach, *(row["y2"] for row in areas), 0.0) if areas else reach or 1.0
+    tops = [float(curve.values.max()) for curve, _ in pairs]
+    reach = max(*tops, *(row["y2"] for row in areas), 0.0)
+    ticks = {"tickCount": 4} if reach > 0 else {"values": [0]}
     unit = unit_text(pairs[0][0].unit)
     height = curve_height(HEIGHT)
     said = unit if len(names) > 1 else folded(f"{names[0]} [{together(unit)}]", width=height)
-    y = field("y:Q", scale=span(0, 1.08 * reach), title=said, axis={"tickCount": 4})
+    y = field("y:Q", scale=span(0, 1.08 * reach or 1.0), title=said, axis=ticks)
     rows = [row for curve, _ in pairs for row in _rows(sweep.values, curve)]
     lines = of_rows(rows).mark("line", strokeWidth=2.4, strokeJoin="round")
     colour = field("what:N", scale=colours, legend=legend)

@@ -39,20 +39,23 @@ def are_kept() -> bool:
     return _KEPT.get()
 
 
-def number(value: float, largest: float = 0.0, *, digits: int = 5) -> str:
+def number(value: complex, largest: float = 0.0, *, digits: int = 5) -> str:
     """A number to five figures, if possible without an exponent; 0 if negligible to `largest`.
+
+    Of a complex amplitude the absolute value, with the range of the amplitude (`tables.ranges`).
 
     >>> number(66450.2), number(66450.2, digits=4), number(1e-7)
     ('66450', '66450', '1e-07')
     """
-    value = float(value)
+    own = complex(value) if isinstance(value, complex) else float(value)
+    value = abs(own) if isinstance(own, complex) else own
     if abs(value) <= NEGLIGIBLE * largest or value == 0:
-        value, text = 0.0, "0"
+        own, text = 0.0, "0"
     elif 10**digits <= abs(value) < 1e9:
         text = f"{value:.0f}"
     else:
         text = f"{value:.{digits}g}"
-    return f"{OPENING}{value!r}{MIDDLE}{text}{CLOSING}" if _KEPT.get() else text
+    return f"{OPENING}{own!r}{MIDDLE}{text}{CLOSING}" if _KEPT.get() else text
 
 
 def order_text(order: float) -> str:

@@ -261,8 +261,10 @@ def _ratio(unit: str, wanted: str) -> float:
     return float(f"{measured(unit).factor / measured(wanted).factor:.15g}")
 
 
-def quantity_text(value: float, unit: str, *, beside: float = 0.0) -> str:
-    """A value with its unit as it is shown; 0 where it is negligible to `beside`.
+def quantity_text(value: complex, unit: str, *, beside: float = 0.0) -> str:
+    """A value, or the size of a complex amplitude, with its unit as it is shown.
+
+    0 where it is negligible to `beside`.
 
     >>> quantity_text(25_321.0, "N"), quantity_text(5.6569, "m*r*w^2")
     ('25.321 kN', '5.6569 m r ω²')

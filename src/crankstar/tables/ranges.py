@@ -189,15 +189,17 @@ def sentence(line: str, others: Sequence[str]) -> str:
         return plain(line)
     if any(_skeleton(other) != _skeleton(line) for other in others):
         return _in_parts(line, others) if all(others) else _marked(line)
-    values = [[float(n) for n, _text in _NUMBER.findall(each)] for each in (line, *others)]
+    values = [[_value(n) for n, _text in _NUMBER.findall(each)] for each in (line, *others)]
     columns = iter(zip(*values, strict=True))
 
     def written(match: re.Match[str]) -> str:
-        value = real_range(list(next(columns)), 0.0)
+        numbers = next(columns)
+        waves = any(isinstance(each, complex) for each in numbers)
+        value = complex_range(numbers, 0.0) if waves else real_range(numbers, 0.0)
         if not isinstance(value, Ranged):
             return match[2]
         ends = {"low": rough(value.low), "high": rough(value.high)}
-        typical = rough(float(value.value.real))
+        typical = rough(_size(value.value))
         if ends["low"] == ends["high"]:
             return _("about {typical} (estimated)", typical=typical)
         return _("about {typical} ({low} to {high}, estimated)", typical=typical, **ends)
@@ -220,9 +222,18 @@ def _in_parts(line: str, others: Sequence[str]) -> str:
     return _marked(line)
 
 
+def _value(text: str) -> float | complex:
+    """What a number in a sentence is kept as."""
+    return complex(text) if "j" in text else float(text)
+
+
+def _size(value: float | complex) -> float:
+    return abs(value) if isinstance(value, complex) else value
+
+
 def _marked(line: str) -> str:
     """A sentence that is said to rest on estimates, before its full stop; its numbers rough."""
-    text = _NUMBER.sub(lambda match: rough(float(match[1])), line)
+    text = _NUMBER.sub(lambda match: rough(_size(_value(match[1]))), line)
     words = text.rstrip(".;,。")
     return _("{sentence} (estimated)", sentence=words) + text[len(words) :]
 

@@ -51,16 +51,16 @@ def summary(engine: Engine, result: Balance, sums: Sums) -> Remarks:
 
 def _roll_sentence(result: Balance, sums: Sums) -> str:
     """The largest order of the rolling moment."""
-    sizes = np.abs(spectra.amplitude(sums.roll))
-    if not sizes.size or not (
+    waves = spectra.amplitude(sums.roll)
+    if not waves.size or not (
         remains(sums.torque, result.torque) or remains(sums.axis_moment, result.axis_moment)
     ):
         return _("No rolling moment from inertia.")
-    place = int(np.argmax(sizes))
+    place = int(np.argmax(np.abs(waves)))
     return _(
         "Roll of order {order}: {size}.",
         order=order_text(sums.roll.orders[place]),
-        size=quantity_text(sizes[place], result.units.moment),
+        size=quantity_text(complex(waves[place]), result.units.moment),
     )
 
 

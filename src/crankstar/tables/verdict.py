@@ -185,10 +185,10 @@ def _moment_sentences(result: Balance, sums: Sums) -> str:
     out: list[str] = []
     for name, sentence in MOMENTS.items():
         signal = getattr(sums, name)
-        amplitudes = np.abs(spectra.amplitude(signal))
-        place = int(np.argmax(amplitudes))
+        amplitudes = spectra.amplitude(signal)
+        place = int(np.argmax(np.abs(amplitudes)))
         if there[name] and amplitudes[place]:
-            size = quantity_text(amplitudes[place], result.units.moment)
+            size = quantity_text(complex(amplitudes[place]), result.units.moment)
             out.append(_(sentence, order=order_text(signal.orders[place]), size=size))
     return " ".join(out) or _("No rolling moment from inertia.")
 
