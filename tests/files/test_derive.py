@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import re
 import tomllib
 from collections.abc import Callable
@@ -326,3 +327,36 @@ def test_vectors_counted_in_a_negative_harmonic_are_said_to_be(
     for quantity in ("force", "couple"):
         out = run("derive", "ducati-90", "--orders", order, "--quantity", quantity).out
         assert (f"A_{order} is negative" in " ".join(out.split())) == negative
+
+
+FIVE = """
+format = 1
+name = "five"
+cycle = "four-stroke"
+speed = "6000 rpm"
+firing_order = [1, 2, 4, 5, 3]
+source = "made up"
+cylinder.stroke = "90 mm"
+cylinder.rod_length = "140 mm"
+cylinder.reciprocating_mass = "520 g"
+cylinder.rotating_mass = "450 g"
+layout = { type = "inline", bore_pitch = "88 mm" }
+"""
+
+
+def test_masses_that_are_given_stand_before_the_root_of_the_star(run: Run, tmp_path: Path) -> None:
+    """The couple of the star, sqrt(50 - 22 sqrt 5)/2 m r w^2 a, times shares of the masses."""
+    place = tmp_path / "five.toml"
+    place.write_text(FIVE, encoding="utf-8")
+    out = run("derive", str(place), "--orders", "1", "--quantity", "couple").out
+    assert "no short closed form" not in out
+    star = math.sqrt(50 - 22 * math.sqrt(5)) / 2
+    shares = {"M_up": 97 / 52, "M_right": 45 / 52, "M_+": 71 / 52, "M_−": 1 / 2}
+    end = out[out.index("The resultant") :]
+    for name, share in shares.items():
+        told = re.search(rf" {re.escape(name)} = \((\d*)√\(50 − 22√5\)/(\d+)\) a", end)
+        assert told is not None, name
+        value = int(told[1] or 1) * math.sqrt(50 - 22 * math.sqrt(5)) / int(told[2])
+        assert value == pytest.approx(share * star, rel=1e-12)
+    newtons = 0.52 * 0.045 * (200 * math.pi) ** 2 * 0.088
+    assert f"at most {97 / 52 * star * newtons:.6g} N m" in out

@@ -138,7 +138,7 @@ def test_two_results_have_their_contours_and_their_front_without_collision(page:
         assert picture.cut() == []
         names = " ".join(text.text for text in picture.texts)
         assert "force [m r ω²]" in names
-        assert "roll [m r² ω²]" in names
+        assert "rolling moment [m r² ω²]" in names
 
 
 def test_a_chart_of_two_is_written_in_every_form(run: Run, tmp_path: Path) -> None:

@@ -103,6 +103,15 @@ class Number:
         )
 
     @property
+    def content(self) -> Fraction:
+        """The rational factor without which the coefficients are whole and have no common one."""
+        values = [value for value in self.poly.coeffs() if value != 0]
+        if not values:
+            return Fraction(1)
+        below = lcm(*(int(value.q) for value in values))
+        return Fraction(gcd(*(int(value.p) * (below // int(value.q)) for value in values)), below)
+
+    @property
     def zero(self) -> bool:
         """Whether the number is zero: decided, not estimated."""
         return self.poly.is_zero()

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from cmath import phase
 from fractions import Fraction
-from math import isqrt, lcm, pi
+from math import gcd, isqrt, lcm, pi
 
 from flint import arb
 
@@ -63,9 +63,12 @@ def closed(value: Number) -> Formula:
     >>> text(closed(cosine(Fraction(1, 24)))), text(closed(cosine(Fraction(1, 7))))
     ('(√6 + √2)/4', '0.6234898…')
     """
-    radical = _radical(value)
-    if radical is not None and _short(over_one_denominator(radical)):
-        return over_one_denominator(radical)
+    content = value.content
+    for factor in dict.fromkeys((Fraction(1), content)):
+        radical = _radical(value.times(1 / factor))
+        form = None if radical is None else over_one_denominator(product(factor, radical))
+        if form is not None and _short(form):
+            return form
     with cyclotomic.precision(DIGITS):
         return Decimal(value.enclosed().real)
 
@@ -82,14 +85,23 @@ def _short(formula: Formula) -> bool:
 
 @remembered
 def length(value: Number) -> Formula:
-    """The magnitude of a complex number."""
-    square = value * value.conjugate
-    candidates = [_root_of(square)]
-    turn = bearing_turn(value)
-    if turn is not None:
-        candidates.append(_radical(value.turned(-turn)))
-    forms = [over_one_denominator(form) for form in candidates if form is not None]
-    forms = [form for form in forms if _short(form)]
+    """The magnitude of a complex number.
+
+    What is common to its coefficients stands before the root, where the rest is short.
+
+    >>> from crankstar.derive.algebra.cyclotomic import root
+    >>> five = (root(Fraction(1, 5)) + root(Fraction(1, 4))).times(Fraction(97, 104))
+    >>> text(length(five))
+    '97√(2 + √(5/2 + √5/2))/104'
+    """
+    square, turn = value * value.conjugate, bearing_turn(value)
+    forms: list[Formula] = []
+    for factor in dict.fromkeys((Fraction(1), value.content)):
+        candidates = [_root_of(square.times(1 / factor**2))]
+        if turn is not None:
+            candidates.append(_radical(value.times(1 / factor).turned(-turn)))
+        whole = [product(factor, form) for form in candidates if form is not None]
+        forms += [form for form in map(over_one_denominator, whole) if _short(form)]
     if forms:
         return min(forms, key=_shown)
     with cyclotomic.precision(DIGITS):
@@ -226,9 +238,11 @@ def over_one_denominator(formula: Formula) -> Formula:
         return product(size, over_one_denominator(rest))
     if isinstance(formula, Root):
         inner, below = _numerator(formula.radicand)
+        common = gcd(*(coefficient(term)[0].numerator for term in terms_of(inner)))
+        taken, left = squares(common)
         outside, missing = squares(below)
-        above = Root(_over_all(inner, Fraction(missing)))
-        return product(Fraction(1, outside * missing), above)
+        above = Root(_over_all(inner, Fraction(left * missing, common)))
+        return product(Fraction(taken, outside * missing), above)
     above, below = _numerator(formula)
     return formula if below == 1 or not isinstance(formula, Sum) else Ratio(above, number(below))
 
