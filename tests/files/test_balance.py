@@ -34,6 +34,8 @@ type = "inline"
 throws = ["0 deg", "120 deg", "240 deg"]
 bore_pitch = "90 mm"
 """
+NEWTON_METRES = 0.5 * 0.04 * (6000 * np.pi / 30) ** 2 * 0.09
+"""m r ω² a of it at its speed."""
 
 
 @pytest.fixture
@@ -113,18 +115,15 @@ def test_best_weights_come_with_their_certificate(run: Run, known: str, tmp_path
     target = tmp_path / "best.toml"
     out = " ".join(
         run(
-            "balance", known, "--weights", "ends", "--minimise", "rms couple", "-o", str(target)
+            *("--units", "N m", "balance", known, "--weights", "ends"),
+            *("--minimise", "rms couple", "-o", str(target)),
         ).out.split()
     )
     found = re.search(
-        (
-            r"Rms couple: (\S+) m r ω² a; (\S+) m r ω² a with bare crankshafts\..* bound .*: "
-            r"(\S+) m r ω² a"
-        ),
-        out,
+        r"Rms couple: (\S+) N m; (\S+) N m with bare crankshafts\..* bound .*: (\S+) N m", out
     )
     assert found
-    value, bare, bound = map(float, found.groups())
+    value, bare, bound = (float(number) / NEWTON_METRES for number in found.groups())
     one = total(balance(load(target))).couple
     assert value == pytest.approx(
         float(np.sqrt((np.abs(one.forward) ** 2 + np.abs(one.backward) ** 2).sum())), rel=1e-4
@@ -135,10 +134,11 @@ def test_best_weights_come_with_their_certificate(run: Run, known: str, tmp_path
 
 def test_limits_in_newtons_in_shares_and_bare_are_one_limit(run: Run, known: str) -> None:
     bare = float(without_weights(load(known), Aim("couple")))
-    newtons = float(0.8 * bare * 0.5 * 0.04 * (6000 * np.pi / 30) ** 2 * 0.09)
-    told = re.compile(r"Limit of peak couple: (\S+) of (\S+) m r")
+    newtons = 0.8 * bare * NEWTON_METRES
+    told = re.compile(r"Limit of peak couple: (\S+) N m of (\S+) N m, not reached")
+    ask = ("--units", "N m", "balance", known, "--weights", "webs", "--minimise", "bearing")
     shown = [
-        told.search(run("balance", known, "--weights", "webs", "--minimise", "bearing", *given).out)
+        told.search(" ".join(run(*ask, *given).out.split()))
         for given in (
             ("--limit", "couple=80%"),
             ("--limit", f"couple={newtons!r} N m"),
@@ -146,8 +146,10 @@ def test_limits_in_newtons_in_shares_and_bare_are_one_limit(run: Run, known: str
             ("--limit", f"couple={4 * newtons!r} N m", "--speed", "12000 rpm"),
         )
     ]
-    assert None not in shown
-    assert len({found.groups() for found in shown if found}) == 1
+    told_of = [tuple(map(float, found.groups())) for found in shown if found]
+    at_speed = [tuple(each) for each in (*told_of[:3], np.array(told_of[3]) / 4)]
+    assert at_speed == [pytest.approx((at_speed[0][0], newtons), rel=1e-4)] * 4
+    assert 0 < at_speed[0][0] < newtons
 
 
 def test_a_couple_is_not_bought_with_a_force(run: Run, tmp_path: Path) -> None:

@@ -10,13 +10,12 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
-from crankstar.language.numbers import number, unit_text
 from crankstar.options import remedies
 from crankstar.options import values as request
 from crankstar.options.refusals import RequestError
 from crankstar.options.vocabulary import meaning
-from crankstar.remedy import aim_unit, balance_shafts, fitting, placed, without_weights
-from crankstar.remedy.aim_names import aim_name
+from crankstar.remedy import balance_shafts, fitting, placed, without_weights
+from crankstar.remedy.aim_names import aim_name, aim_text
 from crankstar.remedy.kept import with_source
 from crankstar.remedy.sizing import Remedied, with_weights_like
 from crankstar.tables.remedies import Job
@@ -162,6 +161,7 @@ def _with_weights(job: Job, options: BalanceOptions, own_factor: float) -> Job:
         ),
         bare=options.bare,
         model=job.model,
+        speed=job.speed,
     )
     return job._replace(after=best.engine, best=best)
 
@@ -197,12 +197,11 @@ def _check_limits(job: Job) -> None:
         now = without_weights(job.after, limit.aim, bare=False, model=job.model)
         if not limit.implied and now > limit.at_most * (1 + KEPT) + KEPT:
             raise RequestError(
-                "--limit: with the balance shafts the {aim} is {found} {unit}, over its limit of "
-                "{limit} {unit}; leave --shafts out, or the limit",
+                "--limit: with the balance shafts the {aim} is {found}, over its limit of {limit}; "
+                "leave --shafts out, or the limit",
                 aim=aim_name(limit.aim),
-                found=number(now),
-                limit=number(limit.at_most),
-                unit=unit_text(aim_unit(limit.aim)),
+                found=aim_text(limit.aim, now, job.before, job.speed),
+                limit=aim_text(limit.aim, limit.at_most, job.before, job.speed),
             )
 
 

@@ -20,7 +20,7 @@
 """
 
 from crankstar.engine.main_bearings import end_planes, end_webs, main_bearings, webs
-from crankstar.remedy.aim_names import aim_name, aim_unit
+from crankstar.remedy.aim_names import aim_name, aim_text, aim_unit
 from crankstar.remedy.aims import Aim, Plane
 from crankstar.remedy.best import Best, Limit, bearing_load, best_weights, without_weights
 from crankstar.remedy.clearance import Clash, balance_shafts, clashes, crank_sweep
@@ -55,6 +55,7 @@ __all__ = [
     "Plane",
     "RemedyError",
     "aim_name",
+    "aim_text",
     "aim_unit",
     "balance_shafts",
     "bearing_load",

@@ -4,13 +4,33 @@ from __future__ import annotations
 
 from typing import Any
 
+from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
+from crankstar.language.shown_units import quantity_text
+from crankstar.mechanics.balance import scales
 from crankstar.remedy.aims import Aim
 
 
 def aim_unit(aim: Aim) -> str:
     """The unit of an aim, for readers."""
     return {"couple": "m r ω² a", "roll": "m r² ω²"}.get(aim.quantity, "m r ω²")
+
+
+def aim_text(
+    aim: Aim, value: float, engine: Engine, speed: float | None, *, beside: float = 0.0
+) -> str:
+    """A value of an aim as readers see it: in N or N m at a speed (rad/s), else in m r w^2.
+
+    0 where it is negligible to `beside`.
+
+    >>> from crankstar.files.catalog import load
+    >>> aim_text(Aim("couple"), 0.5, load("i4"), None)
+    '0.5 m r ω² a'
+    """
+    kind = {"couple": "couple", "roll": "moment"}.get(aim.quantity, "force")
+    own, units = scales(engine, speed)
+    factor = getattr(own, kind) / getattr(scales(engine, None)[0], kind)
+    return quantity_text(value * factor, getattr(units, kind), beside=beside * factor)
 
 
 def aim_name(aim: Aim) -> str:

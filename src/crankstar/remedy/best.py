@@ -9,6 +9,7 @@ lower bound that no weights within the limits can beat.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from typing import NamedTuple, get_args
 
 import numpy as np
@@ -21,7 +22,7 @@ from crankstar.engine.records import Weight
 from crankstar.language.messages import _
 from crankstar.mechanics.balance import unit_unbalance
 from crankstar.mechanics.excitation import Reference
-from crankstar.remedy.aim_names import aim_name, aim_unit
+from crankstar.remedy.aim_names import aim_name, aim_text
 from crankstar.remedy.aims import Aim, Plane, Quantity, Setting, cones, maxima, measured, setting
 from crankstar.remedy.counterweights import (
     RemedyError,
@@ -95,6 +96,7 @@ def best_weights(
     reference: Reference | None = None,
     bare: bool = False,
     model: Model = "determinate",
+    speed: float | None = None,
 ) -> Best:
     """The weights in these planes that minimise `aim`, beside those of the crankshafts.
 
@@ -102,7 +104,7 @@ def best_weights(
 
     `greatest_unbalance` (m r of the first cylinder) bounds each of them; the default is twice the
     unbalance of all pins. `model`: how main bearings share a load. Raises RemedyError, also where
-    the limits cannot be met, and by how much.
+    the limits cannot be met, and by how much (in N at `speed`, rad/s, if that is given).
 
     >>> from crankstar.files.catalog import load
     >>> middle = [Plane("crank", 0.0)]
@@ -126,11 +128,11 @@ def best_weights(
     try:
         x, bound = _least(case, aim, limits, most)
         if x is None:
-            raise RemedyError(_infeasible(case, limits, most))
+            told = partial(aim_text, engine=engine, speed=speed)
+            raise RemedyError(_infeasible(case, limits, most, told))
     except MissingSolverError:
-        raise RemedyError(
-            'the best weights need Clarabel: pip install "crankstar[weights]"'
-        ) from None
+        needed = 'the best weights need Clarabel: pip install "crankstar[weights]"'
+        raise RemedyError(needed) from None
     x = _tidied(case, planes, x, [aim, *(limit.aim for limit in limits)], most)
     value = measured(case, aim, x)
     return Best(
@@ -368,33 +370,31 @@ def _parts(vectors: Complex) -> Real:
     return np.ascontiguousarray(vectors, complex).view(float)
 
 
-def _infeasible(case: Setting, limits: Sequence[Limit], most: float) -> str:
+def _infeasible(case: Setting, limits: Sequence[Limit], most: float, told: partial[str]) -> str:
     """The sentence on a limit that cannot be met, alone or together with the others."""
     for limit in limits:
         x = _least(case, limit.aim, [], most).x
         least = measured(case, limit.aim, x) if x is not None else np.inf
         if least > limit.at_most:
             return _(
-                "the limit of {limit} {unit}, {aim}, cannot be met with these planes and "
-                "unbalances up to {unbalance} m r; the least is {least}, {excess} more",
-                limit=f"{limit.at_most:g}",
-                unit=aim_unit(limit.aim),
+                "the limit of {limit}, {aim}, cannot be met with these planes and unbalances up to "
+                "{unbalance} m r; the least is {least}, {excess} more",
+                limit=told(limit.aim, limit.at_most),
                 aim=aim_name(limit.aim),
                 unbalance=f"{most:g}",
-                least=f"{least:g}",
-                excess=f"{least - limit.at_most:.3g}",
+                least=told(limit.aim, least),
+                excess=told(limit.aim, least - limit.at_most),
             )
-    last = limits[-1]
-    x = _least(case, last.aim, limits[:-1], most).x
+    *others, last = limits
+    x = _least(case, last.aim, others, most).x
     if x is None:
-        return _infeasible(case, limits[:-1], most)
+        return _infeasible(case, others, most, told)
     least = measured(case, last.aim, x)
     return _(
-        "the limits cannot be met together: within the others the least {aim} is {least} {unit}, "
+        "the limits cannot be met together: within the others the least {aim} is {least}, "
         "{excess} more than {limit}",
-        least=f"{least:g}",
-        unit=aim_unit(last.aim),
+        least=told(last.aim, least),
         aim=aim_name(last.aim),
-        excess=f"{least - last.at_most:.3g}",
-        limit=f"{last.at_most:g}",
+        excess=told(last.aim, least - last.at_most),
+        limit=told(last.aim, last.at_most),
     )

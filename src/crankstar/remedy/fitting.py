@@ -230,6 +230,7 @@ def best(
     greatest_unbalance: float | None = None,
     bare: bool = False,
     model: Model = "determinate",
+    speed: float | None = None,
 ) -> Best:
     """The best weights in these places, beside those of the crankshafts; `bare`: instead.
 
@@ -251,6 +252,7 @@ def best(
         greatest_unbalance=greatest_unbalance,
         bare=bare,
         model=model,
+        speed=speed,
     )
 
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 from math import degrees
 
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import number
-from crankstar.remedy import Best, Limit, aim_name, aim_unit
+from crankstar.remedy import Best, Limit, aim_name, aim_text
 
 BEARINGS = {
     "determinate": N_("Bearing loads are those of the shaft hinged at its main bearings."),
@@ -16,34 +15,33 @@ ANGLES = 8
 """Crank angles of a peak that are named."""
 
 
-def certificate(best: Best) -> list[str]:
+def certificate(best: Best, *, speed: float | None = None) -> list[str]:
     """The value reached, its lower bound, the angles of the peak, and a sentence for each limit.
 
-    A limit is given beside its value, with whether it binds.
+    A limit is given beside its value, with whether it binds; at a speed (rad/s) in N and N m.
     """
     aim = aim_name(best.aim)
-    unit = aim_unit(best.aim)
+
+    def told(value: float) -> str:
+        return aim_text(best.aim, value, best.engine, speed, beside=best.before)
+
     values = {
         "aim": f"{aim[:1].upper()}{aim[1:]}",
-        "value": number(best.value, best.before),
-        "before": number(best.before),
-        "bound": number(best.bound, best.before, digits=7),
-        "unit": unit,
+        "value": told(best.value),
+        "before": told(best.before),
+        "bound": told(best.bound),
     }
     lines = [
-        _("{aim}: {value} {unit}; {before} {unit} with the weights of the file alone.", **values)
+        _("{aim}: {value}; {before} with the weights of the file alone.", **values)
         if best.kept
-        else _("{aim}: {value} {unit}; {before} {unit} with bare crankshafts.", **values)
+        else _("{aim}: {value}; {before} with bare crankshafts.", **values)
     ]
     if best.limits:
         lines.append(
-            _(
-                "Lower bound for weights in these planes, within the limits: {bound} {unit}.",
-                **values,
-            )
+            _("Lower bound for weights in these planes, within the limits: {bound}.", **values)
         )
     else:
-        lines.append(_("Lower bound for weights in these planes: {bound} {unit}.", **values))
+        lines.append(_("Lower bound for weights in these planes: {bound}.", **values))
     lines.append(_("The bound is that of the dual convex problem."))
     if "bearing" in {best.aim.quantity, *(limit.aim.quantity for limit, _value in best.limits)}:
         lines.append(_(BEARINGS[best.model]))
@@ -51,10 +49,10 @@ def certificate(best: Best) -> list[str]:
         shown = ", ".join(f"{degrees(angle):.4g}" for angle in best.angles[:ANGLES])
         more = " ..." if len(best.angles) > ANGLES else ""
         lines.append(_("Crank angles of the peak: {angles} deg.", angles=shown + more))
-    return lines + [_limit(best, limit, value) for limit, value in best.limits]
+    return lines + [_limit(best, limit, value, speed) for limit, value in best.limits]
 
 
-def _limit(best: Best, limit: Limit, value: float) -> str:
+def _limit(best: Best, limit: Limit, value: float, speed: float | None) -> str:
     if limit.implied and best.kept:
         return _(
             "The {aim} is kept at or below that with the weights of the file alone; --limit allows "
@@ -68,10 +66,9 @@ def _limit(best: Best, limit: Limit, value: float) -> str:
         )
     values = {
         "aim": aim_name(limit.aim),
-        "found": number(value, best.before),
-        "limit": number(limit.at_most, best.before),
-        "unit": aim_unit(limit.aim),
+        "found": aim_text(limit.aim, value, best.engine, speed, beside=limit.at_most),
+        "limit": aim_text(limit.aim, limit.at_most, best.engine, speed, beside=value),
     }
     if value > limit.at_most * (1 - 1e-5) - 1e-9:
-        return _("Limit of {aim}: {found} of {limit} {unit}, reached.", **values)
-    return _("Limit of {aim}: {found} of {limit} {unit}, not reached.", **values)
+        return _("Limit of {aim}: {found} of {limit}, reached.", **values)
+    return _("Limit of {aim}: {found} of {limit}, not reached.", **values)

@@ -83,7 +83,7 @@ def parts(job: Job) -> Iterator[Table | Remarks]:
     if job.weighted:
         yield _bobweights(job)
     if job.best is not None:
-        yield Remarks(tuple(certificate(job.best)), _("Best weights"))
+        yield Remarks(tuple(certificate(job.best, speed=job.speed)), _("Best weights"))
     yield _weights(job)
     if job.weighted:
         yield from turning(job.before, job.after, speed=job.speed)
