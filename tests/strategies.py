@@ -275,10 +275,16 @@ def engines(draw: Draw, *, known: bool = False, max_shafts: int = 4, tight: bool
     status = st.sampled_from(["published", "computed", "unverified", "placeholder"])
     range_of = st.tuples(st.sampled_from([0.5, 0.81]), st.sampled_from([1.0, 1.25]))
     provenance = st.builds(Provenance, status=status, source=maybe(TEXTS, "")) | st.builds(
-        Provenance,
-        status=st.just("estimated"),
-        range=maybe(range_of, None),
-        moves_with=maybe(st.just("speed"), None),
+        Provenance, status=st.just("estimated"), range=maybe(range_of, None)
+    )
+    bound = st.builds(
+        lambda ends: {
+            "speed": Provenance(status="estimated", range=ends),
+            "shaft[1].throw[1].radius": Provenance(
+                status="estimated", range=ends, moves_with="speed"
+            ),
+        },
+        range_of,
     )
     engine = Engine.model_validate(
         {
@@ -289,7 +295,8 @@ def engines(draw: Draw, *, known: bool = False, max_shafts: int = 4, tight: bool
             "source": draw(maybe(TEXTS, "")),
             "notes": draw(maybe(TEXTS, "")),
             "provenance": draw(
-                st.dictionaries(
+                bound
+                | st.dictionaries(
                     st.sampled_from(["speed", "shaft[1].throw[1].radius"]), provenance, max_size=2
                 )
             ),

@@ -371,11 +371,24 @@ def test_types_and_displacements_are_checked(refused: Callable[..., str]) -> Non
         ('"layout" = { status = "estimated", range = [0.8, 1.2] }', "only these may have"),
         (
             '"cylinder.reciprocating_mass" = { status = "estimated", range = ["1 kg", "2 kg"] }',
-            "range",
+            "give multiples of the value without a unit, such as [0.9, 1.1]",
         ),
+        ('"cylinder.reciprocating_mass" = { status = "estimated", range = [1.2, 0.8] }', "lowest"),
+        ('"cylinder.reciprocating_mass" = { status = "estimated", range = [2, 3] }', "with 1"),
+        ('"cylinder.reciprocating_mass" = { status = "estimated", range = [0.5] }', "range"),
         (
             '"cylinder.bore" = { status = "estimated", range = [1, 2], moves_with = ["x"] }',
             "moves_with",
+        ),
+        *(
+            (
+                f'"cylinder.bore" = {{ status = "estimated", range = [1, 2], {with_} }}',
+                f"{with_.replace(' =', ' is')}; name another key of [provenance]",
+            )
+            for with_ in (
+                f'moves_with = "{key}"'
+                for key in ("cylinder.bore", "cylinder.rod", "cylinder.stroke", "moon")
+            )
         ),
     ],
 )

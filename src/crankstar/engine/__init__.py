@@ -4,6 +4,7 @@
 |---|---|
 | `quantities` | types of values: physical quantities with their units, printable text |
 | `cylinder_parts` | the base of all records; a rod, and the parts of a cylinder as weighed |
+| `provenance` | where a value comes from, and its range if it is estimated |
 | `records` | the frozen records: shafts, throws, weights, cylinders, rods, valves, block |
 | `assembly` | shafts and cylinders put together, and what follows without motion |
 | `basis` | what a layout needs besides angles: name, cycle, firing order, sizes |

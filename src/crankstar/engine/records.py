@@ -17,6 +17,7 @@ from crankstar.engine.cylinder_parts import Parts as Parts
 from crankstar.engine.cylinder_parts import Record as Record
 from crankstar.engine.cylinder_parts import Rod as Rod
 from crankstar.engine.cylinder_parts import required_without_parts
+from crankstar.engine.provenance import Provenance as Provenance
 from crankstar.engine.quantities import (
     Angle,
     BearingStiffness,
@@ -30,11 +31,9 @@ from crankstar.engine.quantities import (
     Ordinal,
     Position,
     Rotation,
-    ShareOfValue,
     Size,
     Speed,
     SpeedRatio,
-    Status,
     Text,
     Unbalance,
 )
@@ -307,42 +306,6 @@ class Block(Record):
         if self.inertia_up is None or self.inertia_right is None or self.inertia_z is None:
             return None
         return self.inertia_up, self.inertia_right, self.inertia_z
-
-
-def _numbers(value: Any) -> Any:
-    """A list from the cell of a spreadsheet, numbers with commas or semicolons; others as given."""
-    if not isinstance(value, str):
-        return value
-    try:
-        return tuple(float(part) for part in value.replace(";", ",").split(","))
-    except ValueError:
-        return value
-
-
-class Provenance(Record):
-    """Where a value of an engine file comes from."""
-
-    status: Status = Field(
-        description=(
-            "published: read in a source; computed; unverified: from memory; placeholder: a "
-            "guess; estimated: by proportions of such engines (`crankstar estimate`)"
-        )
-    )
-    source: Text = Field(default="", description="where it was read, or how it was computed")
-    range: Annotated[tuple[ShareOfValue, ShareOfValue] | None, BeforeValidator(_numbers)] = Field(
-        default=None,
-        examples=[[0.8, 1.25]],
-        description=(
-            "of an estimated value: the lowest and the highest it may be, as multiples of it"
-        ),
-    )
-    moves_with: Line | None = Field(
-        default=None,
-        description=(
-            "the estimated key with which it rises and falls; `cylinder.rod`, of an inertia: two "
-            "masses at the ends of the rod; by itself if left out"
-        ),
-    )
 
 
 def _no_switch(value: Any) -> Any:

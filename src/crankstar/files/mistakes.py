@@ -195,14 +195,26 @@ RANGED = (
 """Values that may have a range: their keys. Forces are computed at the ends of it."""
 
 
-def needless_ranges(tree: Tree) -> Iterator[Fault]:
-    """A fault for each range in [provenance] of a value that cannot have one."""
+def range_faults(tree: Tree) -> Iterator[Fault]:
+    """A fault for each range in [provenance] that a value cannot have, or that moves with none."""
     table = tree.get("provenance")
-    for name, source in table.items() if isinstance(table, dict) else ():
-        if not isinstance(source, dict) or source.get("range") is None:
-            continue
-        if not isinstance(name, str) or name.rpartition(".")[2] not in RANGED:
+    entries = table.items() if isinstance(table, dict) else ()
+    with_range = {
+        name: source
+        for name, source in entries
+        if isinstance(source, dict) and source.get("range") is not None
+    }
+    leading = [name for name, source in with_range.items() if not source.get("moves_with")]
+    for name, source in with_range.items():
+        last = name.rpartition(".")[2] if isinstance(name, str) else ""
+        if last not in RANGED:
             yield Fault(("provenance", name), "provenance.range", {"keys": ", ".join(RANGED)})
+        other = source.get("moves_with")
+        if isinstance(other, str) and other not in leading:
+            if other == "cylinder.rod" and last == "inertia":
+                continue
+            path = ("provenance", name, "moves_with")
+            yield Fault(path, "provenance.moves-with", {"value": seen(other)})
 
 
 def _paths(record: type[Record], before: str = "") -> Iterator[str]:

@@ -32,7 +32,7 @@ from crankstar.files.mistakes import (
     Tree,
     faults_of,
     mended,
-    needless_ranges,
+    range_faults,
     unknown_sources,
 )
 from crankstar.files.parts import tells_mass, with_sums
@@ -92,7 +92,7 @@ def _engine_of(tree: Tree, name: str) -> Engine:
     layouts = LAYOUTS if explicit or _layout_faults(tree.get("layout")) else ()
     forms = chain([form_of(tree)], map(short_form, layouts))
     faults = [*draft.faults, *_elsewhere(contradictions, draft.faults)]
-    faults += _elsewhere([*unknown_sources(tree, forms), *needless_ranges(tree)], draft.faults)
+    faults += _elsewhere([*unknown_sources(tree, forms), *range_faults(tree)], draft.faults)
     faults = _without_repeats(_in_file(tree, faults, explicit=explicit))
     cells: Mapping[KeyPath, str] = {}
     if isinstance(tree, SpreadsheetTree):

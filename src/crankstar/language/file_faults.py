@@ -134,6 +134,17 @@ SENTENCES: dict[str, str | Plural] = {
     "provenance.range": N_(
         "{where} has a range, which only these may have: {keys}; leave range out"
     ),
+    "provenance.multiples": N_(
+        "{where} is {value}; give multiples of the value without a unit, such as [0.9, 1.1]"
+    ),
+    "provenance.ends": N_(
+        "{where} is {value}; give the lowest and the highest multiple of the value, with 1 between "
+        "them, such as [0.9, 1.1]"
+    ),
+    "provenance.moves-with": N_(
+        "{where} is {value}; name another key of [provenance] that has a range and moves with none "
+        "itself, or cylinder.rod for the inertia of a rod"
+    ),
     "provenance.unknown": N_(
         "{where} names no value of this file; give a key path, such as cylinder.bore"
     ),
