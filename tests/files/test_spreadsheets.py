@@ -19,7 +19,9 @@ import crankstar
 import crankstar.spectra
 from crankstar.engine.engine import Engine
 from crankstar.files import EngineFileError, engine_of, explicit, read
+from crankstar.files.box import ranges
 from crankstar.files.catalog import load, tree_of
+from crankstar.files.estimate import estimated
 from crankstar.files.sheets import sheets_of
 from crankstar.files.source import tree_of as text_tree
 from crankstar.files.starters import STARTERS
@@ -140,6 +142,63 @@ def test_a_mistake_in_a_spreadsheet_is_one_sentence_with_its_cell(kind: str) -> 
     change, sentence = MISTAKES[kind]
     said = faults(spoilt("toyota-1uz-fe", change))
     assert any(sentence in line for line in said), said
+
+
+COMPLETED = estimated(tree_of("gm-3800")[1], name="gm-3800").tree
+"""An engine with estimated masses."""
+RECIPROCATING, INERTIA = "cylinder.reciprocating_mass", "cylinder.rod.inertia"
+FORMULA = "is a formula without a stored value"
+SOURCE_MISTAKES: dict[str, tuple[Change, str, str]] = {
+    "status": (put("cylinder.bore", "rumour", "D"), "D8", 'is "rumour"; it can be "published"'),
+    "status by formula": (put("cylinder.bore", "=A1", "D"), "D8", FORMULA),
+    "range": (put(RECIPROCATING, "1.2, 1.1", "F"), "F11", "is [1.2, 1.1]; give the lowest and"),
+    "range by formula": (put(RECIPROCATING, "=1", "F"), "F11", FORMULA),
+    "range of words": (put(RECIPROCATING, "a, b", "F"), "F11", 'is "a, b"; give multiples of the value without'),
+    "astray": (put(INERTIA, "cylinder.rodd", "G"), "G15", 'is "cylinder.rodd"; name another key'),
+    "key by formula": (put("cylinder.bore", "=B1", "A"), "A8", FORMULA),
+    "other key": (
+        lambda book: book["engine.provenance"].__setitem__("A2", "layout.bankss"),
+        "A2",
+        'did you mean "layout.banks"?',
+    ),
+    "other key by formula": (
+        lambda book: book["engine.provenance"].__setitem__("A2", "=A1"),
+        "A2",
+        FORMULA,
+    ),
+    "other status": (
+        lambda book: book["engine.provenance"].__setitem__("B2", "rumour"),
+        "B2",
+        'is "rumour"; it can be "published"',
+    ),
+}
+
+
+def spoilt_sources(*changes: Change) -> bytes:
+    """The spreadsheet of an engine with estimated masses after changes by hand."""
+    book = openpyxl.load_workbook(io.BytesIO(workbook_bytes(sheets_of(COMPLETED))))
+    for change in changes:
+        change(book)
+    out = io.BytesIO()
+    book.save(out)
+    return out.getvalue()
+
+
+@pytest.mark.parametrize("kind", SOURCE_MISTAKES)
+def test_a_mistake_in_a_source_is_the_only_one_and_names_its_cell(kind: str) -> None:
+    change, cell, sentence = SOURCE_MISTAKES[kind]
+    (said,) = faults(spoilt_sources(change))
+    assert f"!{cell} " in said
+    assert sentence in said
+
+
+@pytest.mark.parametrize("form", ["short", "explicit"])
+def test_ranges_of_estimated_values_come_back(form: str) -> None:
+    tree = explicit(engine_of(COMPLETED)) if form == "explicit" else COMPLETED
+    again = workbook_tree(workbook_bytes(sheets_of(tree)), "mine.xlsx")
+    assert ranges(again) == ranges(tree)
+    assert len(ranges(tree)) >= 5
+    assert engine_of(again) == engine_of(tree)
 
 
 def test_merged_cells_are_the_only_mistake_of_their_row() -> None:

@@ -27,7 +27,7 @@ def _numbers(value: Any) -> Any:
 def _about_one(ends: tuple[float, float] | None) -> tuple[float, float] | None:
     """The ends of a range with the value itself between them. Raises ValueFaultError."""
     if ends is not None and not ends[0] <= 1 <= ends[1]:
-        raise ValueFaultError("provenance.ends", value=seen(list(ends)))
+        raise ValueFaultError("provenance.ends", value=f"[{ends[0]:g}, {ends[1]:g}]")
     return ends
 
 

@@ -7,6 +7,7 @@
 | `errors` | the error of a file |
 | `mistakes` | validation errors as faults; a corrected copy of a tree |
 | `sheets` | a tree of keys as the form of a spreadsheet, and back |
+| `cells` | the cells of that form to a tree, with every fault |
 | `workbook` | that form in an .xlsx file, written and read |
 | `source` | a file to its text and its tree of keys |
 | `changes` | values of a tree set by key path |

@@ -1,16 +1,16 @@
 """An engine file as the form that spreadsheet users know: sheets of cells, and back.
 
 The sheet `engine` has a row for each value: key, value, unit, status and source of the value,
-meaning. A list of tables, such as the throws of a shaft, has a sheet of its own, `engine.shaft` or
-`engine.shaft.throw`, with a row for each table, units in the headings, and in a column `in shaft`
-the number of the row of the table that it belongs to. `engine.provenance` has the sources of all
-other values.
+range and what it moves with where it is estimated, meaning. A list of tables, such as the throws
+of a shaft, has a sheet of its own, `engine.shaft` or `engine.shaft.throw`, with a row for each
+table, units in the headings, and in a column `in shaft` the number of the row of the table that it
+belongs to. `engine.provenance` has the sources of all other values.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal, NamedTuple, get_args, get_origin
 
@@ -19,6 +19,8 @@ from crankstar.files.forms import by_key, field_at, form_of, quantity_of, record
 
 MAIN = "engine"
 HEADS = ("key", "value", "unit", "status", "source", "meaning")
+BOUNDS = ("range", "moves_with")
+"""Headings before the meaning where a value has them: more of its source than HEADS tell."""
 SOURCES = "provenance"
 ROW = "row"
 """Heading of the numbers by which a table in a list is named; only read by people."""
@@ -66,9 +68,11 @@ def sheets_of(tree: Mapping[str, Any], *, blank: bool = False) -> list[Sheet]:
             leaves.setdefault(".".join(path), None)
         for path in lists(form):
             tables.setdefault(path, [])
-    main = Sheet(MAIN, HEADS)
+    own = {key: sources.pop(key) for key in leaves if key in sources}
+    more = tuple(head for head in BOUNDS if any(source.get(head) for source in own.values()))
+    main = Sheet(MAIN, (*HEADS[:-1], *more, *HEADS[-1:]))
     for key, value in sorted(leaves.items(), key=lambda item: _place(form, item[0])):
-        _add_value(main, form, key, value, sources.pop(key, {}))
+        _add_value(main, form, key, value, own.get(key, {}))
     every = [main]
     for path, rows in tables.items():
         holds = any(other[: len(path)] == path for other in tables if other != path)
@@ -151,7 +155,8 @@ def _add_value(
     sheet.choices[row, 3] = _words(_status())
     meaning = (info.description if info else "") or ""
     unit = unit or (usual[0] if usual and value is None else None)
-    sheet.rows.append([key, cell, unit, source.get("status"), source.get("source"), meaning])
+    told = [_cell(source.get(head), measured=False)[0] for head in sheet.heads[3:-1]]
+    sheet.rows.append([key, cell, unit, *told, meaning])
 
 
 def _status() -> Any:
@@ -173,7 +178,7 @@ def _table(
     form: type[Record], path: tuple[str, ...], rows: list[_Row], *, blank: bool, numbered: bool
 ) -> Sheet:
     """The sheet of a list of tables; `numbered`: others are in them, which name their rows."""
-    outer = [path[:size] for size in range(1, len(path)) if _is_list(form, path[:size])]
+    outer = [path[:size] for size in range(1, len(path)) if is_list(form, path[:size])]
     keys = dict.fromkeys(key for row in rows for key in row.values)
     info = field_at(form, path)
     record = record_in(info.annotation) if info else None
@@ -198,7 +203,8 @@ def _table(
     return Sheet(".".join((MAIN, *path)), tuple(heads), body)
 
 
-def _is_list(form: type[Record], path: tuple[str, ...]) -> bool:
+def is_list(form: type[Record], path: Sequence[str | int]) -> bool:
+    """Whether a list stands at a path of a form."""
     info = field_at(form, path)
     return info is not None and bool(depth(info.annotation))
 
