@@ -153,7 +153,11 @@ SOURCE_MISTAKES: dict[str, tuple[Change, str, str]] = {
     "status by formula": (put("cylinder.bore", "=A1", "D"), "D8", FORMULA),
     "range": (put(RECIPROCATING, "1.2, 1.1", "F"), "F11", "is [1.2, 1.1]; give the lowest and"),
     "range by formula": (put(RECIPROCATING, "=1", "F"), "F11", FORMULA),
-    "range of words": (put(RECIPROCATING, "a, b", "F"), "F11", 'is "a, b"; give multiples of the value without'),
+    "range of words": (
+        put(RECIPROCATING, "a, b", "F"),
+        "F11",
+        "give multiples of the value without",
+    ),
     "astray": (put(INERTIA, "cylinder.rodd", "G"), "G15", 'is "cylinder.rodd"; name another key'),
     "key by formula": (put("cylinder.bore", "=B1", "A"), "A8", FORMULA),
     "other key": (
