@@ -380,3 +380,10 @@ def test_what_is_not_known_is_counted_in_itself() -> None:
         with pytest.raises(ValueFaultError) as error:
             units.reader(frozenset({"radius"}), because=because)(value, LENGTH)
         assert error.value.code == code
+
+
+@pytest.mark.parametrize("text", ["0..360 deg by 10", "0...90", "10 … 20 deg", "1.5 .. 2 deg"])
+def test_a_range_where_one_value_is_wanted_is_told_as_such(text: str) -> None:
+    with pytest.raises(ValueFaultError) as error:
+        units.si(text, Quantity("angle", "90 deg"))
+    assert 'a range; one value is needed, such as "90 deg"' in error.value.at("--theta")

@@ -143,3 +143,9 @@ def test_each_of_many_curves_has_its_own_stroke_and_one_legend_in_words() -> Non
         assert words in drawn
     assert drawn.count(">inertia torque of order 5<") == 1
     assert "couple.pitch" not in drawn
+
+
+def test_a_sweep_of_a_dimension_says_that_estimates_stay_behind(run: Callable[..., str]) -> None:
+    note = "they do not change with cylinder.rod_length"
+    assert note not in run()
+    assert note in " ".join(run("--over", "cylinder.rod_length=110..130 mm/3").split())

@@ -33,6 +33,9 @@ BANKS: Any = "banks"
 
 NOWHERE: Any = math.nan
 NOTHING: Any = None
+FAR: Any = 1e300
+UNHASHABLE: Any = []
+ODD_OVER: Any = ["balance_factor=0..1", 1]
 CONTNUOUS: Any = "contnuous"
 
 
@@ -185,6 +188,11 @@ def test_what_are_no_orders_is_refused(name: str, orders: Any, words: str) -> No
     ("call", "words"),
     [
         (lambda i4: crankstar.balance(i4, reference=NOWHERE), "reference is nan; it must be fin"),
+        (lambda i4: crankstar.balance(i4, reference=FAR), r"reference is 1e\+300; it must be wi"),
+        (lambda i4: crankstar.balance(i4, reference=UNHASHABLE), "reference takes a crankstar"),
+        (lambda i4: crankstar.sweep(i4, ODD_OVER), "a list of two such texts, not 1"),
+        (lambda i4: crankstar.derivation(i4, NOWHERE), "The order is nan; give a crank order"),
+        (lambda i4: crankstar.family(i4, 2, "force", symbol=UNHASHABLE), "a list cannot be kept"),
         (lambda i4: crankstar.with_counterweights(i4, factor=NOWHERE), "factor is nan; it must"),
         (lambda i4: crankstar.with_counterweights(i4, factor=NOTHING), "factor takes a number"),
         (

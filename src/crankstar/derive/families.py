@@ -42,6 +42,7 @@ from crankstar.derive.records import (
 from crankstar.derive.vee_family import vee
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
+from crankstar.language.quoting import given
 
 PHI, COUNT = Symbol("phi"), Symbol("n")
 
@@ -58,11 +59,11 @@ def family(engine: Engine, order: float | Fraction, quantity: Quantity, *, symbo
     >>> text(up.chain[-1])
     '2 cos² α cos(θ − α)'
     """
-    if symbol not in FAMILIES:
+    if symbol not in tuple(FAMILIES):
         raise DerivationError(
             _(
                 "{symbol} cannot be kept as a symbol; choose from {symbols}.",
-                symbol=repr(symbol),
+                symbol=given(symbol),
                 symbols=", ".join(FAMILIES),
             )
         )

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from fractions import Fraction
 from math import isfinite
-from numbers import Real
+from numbers import Rational, Real
 
 from crankstar.derive import positions
 from crankstar.derive.algebra import cyclotomic, enclosure
@@ -239,7 +239,7 @@ def _order(order: float | Fraction) -> Fraction:
     if not isinstance(order, Real) or isinstance(order, bool):
         raise refused
     try:
-        given = Fraction(order)
+        given = Fraction(order if isinstance(order, Rational) else float(order))
     except (ValueError, OverflowError):
         raise refused from None
     wanted = given.limit_denominator(1000)

@@ -160,6 +160,8 @@ def _read(value: Any, quantity: Quantity) -> tuple[float, bool]:
     if match is None:
         raise _fault("unit.not-a-number", value, quantity)
     number, unit = float(match.group(1)), match.group(2)
+    if re.search(r"\d\s*(\.\.|…)", text):
+        raise _fault("unit.range", value, quantity)
     if re.match(r",\d", unit):
         raise _fault("unit.decimal-comma", value, quantity)
     if abs(number) > _GREATEST_NUMBER:

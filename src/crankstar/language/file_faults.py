@@ -63,6 +63,7 @@ SENTENCES: dict[str, str | Plural] = {
     "unit.not-a-number": N_(
         "{where} is {value}, not a number with a unit; {dimension} is needed, such as {example}"
     ),
+    "unit.range": N_("{where} is {value}, a range; one value is needed, such as {example}"),
     "unit.decimal-comma": N_(
         "{where} is {value}; write numbers with a decimal point and no other commas, as "
         "in {example}"

@@ -49,8 +49,8 @@ def seen(value: Any) -> str:
 def given(value: Any) -> str:
     """An argument of Python as quoted in a message: None and True as Python writes them.
 
-    >>> given(None), given(True), given("i4"), given([1, 2]), given(object)
-    ('None', 'True', '"i4"', 'a list', 'a type')
+    >>> given(None), given(True), given("i4"), given([1, 2]), given(object())
+    ('None', 'True', '"i4"', 'a list', 'an object')
     """
     if value is None or isinstance(value, bool):
         return str(value)
@@ -60,4 +60,5 @@ def given(value: Any) -> str:
         return seen(value)
     if isinstance(value, bytes | Number):
         return one_line(str(value), longest=60)
-    return f"a {type(value).__name__}"
+    name = type(value).__name__
+    return f"{'an' if name[0] in 'aeiouAEIO' else 'a'} {name}"

@@ -37,6 +37,10 @@ GREATEST_BARE_SPEED = 2500.0
 """Of a speed without unit [rad/s], 23,900 rpm; a greater number was meant in rpm."""
 
 
+GREATEST_PLACE = 1000.0
+"""Metres, as far as lengths along a crankshaft go."""
+
+
 def read(function: Callable[..., Result]) -> Callable[..., Result]:
     """The function, with its arguments read as people write them: by their names.
 
@@ -166,13 +170,15 @@ def _check_balance(function: str, given: Any) -> None:
 def _check_sweep(function: str, given: Mapping[str, Any]) -> None:
     """Raises TypeError for what is varied or watched and cannot be."""
     if "over" in given:
-        texts = [given["over"]] if isinstance(given["over"], str) else given["over"]
-        if not isinstance(texts, list | tuple) or not all(isinstance(text, str) for text in texts):
+        over = given["over"]
+        texts = over if isinstance(over, list | tuple) else [over]
+        odd = [text for text in texts if not isinstance(text, str)]
+        if odd:
             raise TypeError(
                 _(
-                    'over takes text such as "balance_factor=0..1/11", or a list of two, not '
-                    "{given}",
-                    given=_named(given["over"]),
+                    'over takes text such as "balance_factor=0..1/11", or a list of two such '
+                    "texts, not {given}",
+                    given=_named(odd[0]),
                 )
             )
     if "sweep" not in given:
@@ -277,6 +283,20 @@ def _check_number(argument: str, given: Any) -> None:
         )
 
 
+def _check_place(argument: str, given: Any) -> None:
+    """Raises TypeError for what is no number, ValueError for one far from any engine."""
+    _check_number(argument, given)
+    if abs(given) > GREATEST_PLACE:
+        raise ValueError(
+            _(
+                "{argument} is {given}; it must be within {greatest} m of the engine",
+                argument=argument,
+                given=quoted(given),
+                greatest=f"{GREATEST_PLACE:g}",
+            )
+        )
+
+
 def _changes(given: Any) -> Mapping[str, Any]:
     """Values of an engine file by key path. Raises TypeError."""
     if isinstance(given, Mapping) and all(isinstance(key, str) for key in given):
@@ -344,7 +364,7 @@ def _reference(given: Any, engine: Engine) -> Reference:
     """A point of reference. Raises ValueError, TypeError."""
     if isinstance(given, Reference):
         for name, place in given._asdict().items():
-            _check_number(f"reference.{name}", place)
+            _check_place(f"reference.{name}", place)
         return given
     if isinstance(given, str):
         from crankstar.options import values
@@ -356,7 +376,7 @@ def _reference(given: Any, engine: Engine) -> Reference:
             raise ValueError(str(error).replace("--reference", "reference")) from None
         return point or Reference(0.0)
     if isinstance(given, Real) and not isinstance(given, bool):
-        _check_number("reference", given)
+        _check_place("reference", given)
         return Reference(float(given))
     raise TypeError(
         _(

@@ -73,7 +73,18 @@ def notes(sweep: Sweep) -> tuple[Remarks, ...]:
         counted = unit_sentence(engine, balance(engine, speed=sweep.speed, orders=[1]))
     else:
         counted = missing_sentence(engine)
-    return remarks(counted, speed_note(sweep), kind="note")
+    return remarks(counted, speed_note(sweep), _estimates_note(sweep), kind="note")
+
+
+def _estimates_note(sweep: Sweep) -> str:
+    """That estimated masses do not follow a bore, stroke or rod that is varied."""
+    sizes = [axis.path for axis in sweep.axes if axis.path.rpartition(".")[2] in SIZES]
+    if not sizes or not ranges.estimated_paths(sweep.engine):
+        return ""
+    return _(
+        "The estimated values are those of the engine file; they do not change with {paths}.",
+        paths=", ".join(sizes),
+    )
 
 
 def speed_note(sweep: Sweep) -> str:
@@ -121,6 +132,8 @@ def answer(
     )
 
 
+SIZES = {"bore", "stroke", "rod_length"}
+"""Dimensions of a cylinder from which masses are estimated."""
 KINDS: dict[str, Kind] = {"curve": "text", "unit": "unit"}
 
 
