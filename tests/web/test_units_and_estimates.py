@@ -12,6 +12,8 @@ from tests.web.browsing import too_wide
 from tests.web.engine_page import handle, opened
 from tests.web.serving import Server
 
+from crankstar import spectra
+from crankstar.dynamics.bearings import bearing_loads
 from crankstar.files import engine_of
 from crankstar.files.box import spread
 from crankstar.files.catalog import load, tree_of
@@ -71,6 +73,15 @@ def test_a_file_changes_its_units_in_every_panel(file_page: Path, page: Page) ->
     page.get_by_role("tab", name="Forces").click()
     settled(page)
     assert "lbf" in page.locator("figure .drawing").first.inner_text()
+    page.get_by_role("tab", name="Bearings").click()
+    expect(page.get_by_role("tabpanel")).to_contain_text("weights, in lbf;")
+    loads = spectra.peaks(bearing_loads(engine, speed=engine.speed).load).tolist()
+    captions = page.locator(".polar-loads figcaption").all_inner_texts()
+    assert [text.endswith("no load") for text in captions] == [load < 1e-9 for load in loads]
+    numbers = re.findall(r"\n([\d.]+) at", "".join(captions))
+    pounds = [load / POUND for load in loads if load > 1e-9]
+    assert [float(text) for text in numbers] == pytest.approx(pounds, rel=5e-4)
+    expect(page.get_by_role("columnheader", name="greatest [lbf]")).to_have_count(2)
     page.get_by_role("tab", name="Whirl").click()
     expect(page.get_by_role("tabpanel")).to_contain_text("lb in²")
     expect(page.get_by_role("tabpanel")).not_to_contain_text("mm")
@@ -186,6 +197,15 @@ def test_a_page_with_estimates_shows_them_and_their_ranges(tmp_path: Path, page:
     opened(page, path)
     expect(page.locator(".name .badge")).to_have_text("estimated")
     assert re.search(r"\(.+ to .+\)", page.locator(".now .range").first.inner_text())
+    page.get_by_role("tab", name="Bearings").click()
+    expect(page.get_by_role("tabpanel").locator(".badge")).to_have_text("estimated, with ranges")
+    ends = spread(tree)
+    assert ends is not None
+    loads = [spectra.peaks(bearing_loads(e, speed=e.speed).load) / 1000 for e in ends.engines]
+    for index, text in enumerate(page.locator(".polar-loads figcaption").all_inner_texts()):
+        low, high = map(float, re.findall(r"\n[\d.]+ \(([\d.]+) to ([\d.]+)\) at", text)[0])
+        assert low == pytest.approx(min(float(own[index]) for own in loads), rel=5e-3)
+        assert high == pytest.approx(max(float(own[index]) for own in loads), rel=5e-3)
     page.get_by_role("tab", name="Forces").click()
     settled(page)
     assert "the band is" in page.locator("figure .drawing").first.inner_text()

@@ -62,6 +62,7 @@ export interface Exhibit {
   cylinders: PartForce[]
   whirl: Whirl
   bearings: Bearings
+  bearing_numbers: BearingNumbers
   scene: Scene
   table: Row[]
   verdict: Fact[]
@@ -158,14 +159,16 @@ export interface Whirl {
   /** sentences on estimates of mass, centre and inertia; empty if all are given */
   assumed: string[]
 }
-/** What journals push on their bearings, and rods on their pins, from inertia and weights. */
+/**
+ * What journals push on their bearings, and rods on their pins, from inertia and weights.
+ *
+ * Drawn to one scale, so that their unit says nothing.
+ */
 export interface Bearings {
   orders: number[]
-  unit: string
   /** how the bearings share the load, as a sentence */
   model: string
   loads: LoadShown[]
-  tables: Table[]
 }
 /** The load on a main bearing, or of the rods on a crank pin, at the orders of `Bearings`. */
 export interface LoadShown {
@@ -178,8 +181,16 @@ export interface LoadShown {
   peak: number
   /** the crank angle at which it is so long, radians */
   peak_theta: number
-  /** the same as a phrase */
-  greatest: string
+}
+/** The numbers of `Bearings`, in the units that are shown, with the ranges of estimates. */
+export interface BearingNumbers {
+  bearing_unit: string
+  pin_unit: string
+  /** of each load the greatest over a turn, and its crank angle */
+  greatest: string[]
+  /** whether the numbers rest on estimates and have ranges */
+  estimated: boolean
+  tables: Table[]
 }
 /** A table as it is printed: heads with units, rows, notes under it. */
 export interface Table {

@@ -3,45 +3,98 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import degrees
 
 import numpy as np
 
 from crankstar import spectra
 from crankstar.dynamics.bearings import BearingLoads, bearing_loads
 from crankstar.engine.engine import Engine
+from crankstar.files.box import Spread
 from crankstar.language.messages import _
-from crankstar.language.numbers import number, unit_text
-from crankstar.language.shown_units import shown
+from crankstar.language.numbers import number, unit_text, values_kept
 from crankstar.page.orders import vectors
 from crankstar.page.printed import printed
-from crankstar.page.records import Bearings, LoadShown
+from crankstar.page.records import BearingNumbers, Bearings, LoadShown
 from crankstar.spectra import Spectrum
 from crankstar.tables.bearings import MODELS, peaks, pins
+from crankstar.tables.cells import ranged_text
+from crankstar.tables.conversion import in_units
+from crankstar.tables.ranges import merged
+from crankstar.tables.table import Document, Ranged, Table, Value
 
 SMALL = 1e-4
 """Share of the greatest order below which an order is not sent."""
 
 
 def bearings_shown(engine: Engine) -> Bearings:
-    """The loads of an engine at the speed of its file, order by order, with their tables.
+    """The loads of an engine at the speed of its file, order by order.
 
     >>> from crankstar.files.catalog import load
-    >>> shown = bearings_shown(load("i4"))
-    >>> [load.name for load in shown.loads][:2], len(shown.tables)
-    (['bearing 1', 'bearing 2'], 2)
+    >>> [load.name for load in bearings_shown(load("i4")).loads][:2]
+    ['bearing 1', 'bearing 2']
     """
     loads = bearing_loads(engine, speed=engine.speed)
-    orders = _orders(loads)
-    every = [spectra.peak(part).value for part in (*_each(loads.load), *_each(loads.pin))]
-    said = shown(loads.unit, max(every))
     return Bearings(
-        orders=orders,
-        unit=unit_text(said.unit),
+        orders=(orders := _orders(loads)),
         model=_(MODELS[loads.model]),
-        loads=tuple(_loads(engine, loads, orders, said.factor)),
-        tables=printed((peaks(engine, loads), pins(loads))),
+        loads=tuple(_loads(engine, loads, orders)),
     )
+
+
+def bearing_numbers(engine: Engine, over: Spread | None = None) -> BearingNumbers:
+    """Their greatest values and tables, in the units of the context; with ranges over a Spread.
+
+    >>> from crankstar.files.catalog import load
+    >>> bearing_numbers(load("kr250-racer")).greatest[0]
+    '0.375 at 0°'
+    """
+
+    def sheet(each: Engine) -> Document:
+        loads = bearing_loads(each, speed=each.speed)
+        return Document("", (peaks(each, loads), pins(loads)))
+
+    if over is None:
+        document = sheet(engine)
+    else:
+        with values_kept():
+            documents = [sheet(each) for each in over.engines]
+        document = merged(documents)
+    on_bearings, on_pins = (in_units(table.readable) for table in document.tables)
+    cells = [cell for table in (on_bearings, on_pins) for cell in _greatest(table)]
+    return BearingNumbers(
+        bearing_unit=_unit(on_bearings),
+        pin_unit=_unit(on_pins),
+        greatest=tuple(_phrase(size, angle) for size, angle in cells),
+        estimated=any(isinstance(size, Ranged) for size, _angle in cells),
+        tables=printed(document.tables),
+    )
+
+
+def _column(table: Table, key: str) -> int:
+    return next(place for place, column in enumerate(table.columns) if column.key == key)
+
+
+def _unit(table: Table) -> str:
+    return unit_text(table.columns[_column(table, "peak/value")].unit)
+
+
+def _greatest(table: Table) -> list[tuple[Value, Value]]:
+    """The greatest value of each row, and the crank angle of it; None where there is no load."""
+    size, angle = (_column(table, key) for key in ("peak/value", "peak/theta_deg"))
+    return [(row[size], row[angle]) for row in table.rows]
+
+
+def _phrase(size: Value, angle: Value) -> str:
+    if angle is None:
+        return _("no load")
+    return _("{size} at {angle}°", size=_figure(size), angle=_figure(angle))
+
+
+def _figure(value: Value) -> str:
+    """A number in four figures, or with its range."""
+    if isinstance(value, Ranged):
+        return ranged_text(value)
+    return number(value, digits=4) if isinstance(value, float | int) else ""
 
 
 def _orders(loads: BearingLoads) -> tuple[float, ...]:
@@ -53,46 +106,28 @@ def _orders(loads: BearingLoads) -> tuple[float, ...]:
     return tuple(kept)
 
 
-def _each(spectrum: Spectrum) -> list[Spectrum]:
-    return [spectrum[index] for index in range(len(spectrum.forward))]
-
-
-def _loads(
-    engine: Engine, loads: BearingLoads, orders: tuple[float, ...], factor: float
-) -> Iterator[LoadShown]:
+def _loads(engine: Engine, loads: BearingLoads, orders: tuple[float, ...]) -> Iterator[LoadShown]:
     """The main bearings, then the crank pins."""
     several = len({bearing.shaft for bearing in loads.bearings}) > 1
     for index, bearing in enumerate(loads.bearings):
         words = _("bearing {number}", number=bearing.number)
         name = f"{bearing.shaft}: {words}" if several else words
-        yield _load(engine, "bearing", bearing.shaft, name, loads.load[index], orders, factor)
+        yield _load(engine, "bearing", bearing.shaft, name, loads.load[index], orders)
     for index, pin in enumerate(loads.pins):
         words = _("pin {number}", number=pin.throw)
         name = f"{pin.shaft}: {words}" if several else words
-        yield _load(engine, "pin", pin.shaft, name, loads.pin[index], orders, factor)
+        yield _load(engine, "pin", pin.shaft, name, loads.pin[index], orders)
 
 
 def _load(
-    engine: Engine,
-    on: str,
-    shaft: str,
-    name: str,
-    load: Spectrum,
-    orders: tuple[float, ...],
-    factor: float,
+    engine: Engine, on: str, shaft: str, name: str, load: Spectrum, orders: tuple[float, ...]
 ) -> LoadShown:
-    scaled = spectra.scaled(load, factor)
-    top = spectra.peak(scaled)
+    top = spectra.peak(load)
     return LoadShown(
         on="bearing" if on == "bearing" else "pin",
         name=name,
         speed_ratio=float(engine.shaft(shaft).speed_ratio),
-        load=vectors(scaled, orders),
+        load=vectors(load, orders),
         peak=top.value,
         peak_theta=top.theta,
-        greatest=_(
-            "{size} at {angle}°",
-            size=number(float(f"{top.value:.4g}")),
-            angle=number(float(f"{degrees(top.theta):.4g}")),
-        ),
     )

@@ -22,7 +22,7 @@ from crankstar.language.shown_units import SYSTEMS, choice, choice_text, dimensi
 from crankstar.mechanics import remains
 from crankstar.mechanics.balance import Balance, balance, scales
 from crankstar.page import orders as vectors
-from crankstar.page.bearing_loads import bearings_shown
+from crankstar.page.bearing_loads import bearing_numbers, bearings_shown
 from crankstar.page.keys import chart_keys, derivation_keys
 from crankstar.page.printed import printed
 from crankstar.page.proportions import proportions
@@ -163,6 +163,7 @@ def in_units(engine: Engine, over: Spread | None, *, relatives: bool) -> dict[st
         "units": units,
         "heading": ranged_lines(_heading, over, engine),
         "table": vectors.rows(sums, remains.orders_shown(result, sums), scaling=scaling, ends=ends),
+        "bearing_numbers": bearing_numbers(engine, over),
         "verdict": tuple(
             Fact(about=subject_of[fact.about], sentence=fact.sentence) for fact in facts
         ),

@@ -235,16 +235,28 @@ class LoadShown(Shown):
     load: Vectors
     peak: float = Field(description="the greatest length over the turn")
     peak_theta: float = Field(description="the crank angle at which it is so long, radians")
-    greatest: str = Field(description="the same as a phrase")
 
 
 class Bearings(Shown):
-    """What journals push on their bearings, and rods on their pins, from inertia and weights."""
+    """What journals push on their bearings, and rods on their pins, from inertia and weights.
+
+    Drawn to one scale, so that their unit says nothing.
+    """
 
     orders: tuple[float, ...]
-    unit: str
     model: str = Field(description="how the bearings share the load, as a sentence")
     loads: tuple[LoadShown, ...]
+
+
+class BearingNumbers(Shown):
+    """The numbers of `Bearings`, in the units that are shown, with the ranges of estimates."""
+
+    bearing_unit: str
+    pin_unit: str
+    greatest: tuple[str, ...] = Field(
+        description="of each load the greatest over a turn, and its crank angle"
+    )
+    estimated: bool = Field(description="whether the numbers rest on estimates and have ranges")
     tables: tuple[Table, ...]
 
 
@@ -317,6 +329,7 @@ class Exhibit(Shown):
     cylinders: tuple[PartForce, ...]
     whirl: Whirl
     bearings: Bearings
+    bearing_numbers: BearingNumbers
     scene: Scene
     table: tuple[Row, ...]
     verdict: tuple[Fact, ...]

@@ -52,3 +52,31 @@ export function pathOf(
   )
   return { path: `M${points.join('L')}`, dots }
 }
+
+/** How far a label stands from its dot, and how close two may come, across and upright. */
+const AWAY = [0.25, 0.16] as const
+const ROOM = [0.38, 0.17] as const
+
+/** The places of labels outside of dots; null for one that would stand on another. */
+export function labelsOf(
+  dots: readonly (readonly [string, string])[],
+): ([number, number] | null)[] {
+  const kept: [number, number][] = []
+  return dots.map(([across, upright]) => {
+    const [x, y] = [Number(across), Number(upright)]
+    const far = Math.hypot(x, y)
+    const [right, down] = far > 0 ? [x / far, y / far] : [0, 1]
+    const place: [number, number] = [round(x + AWAY[0] * right), round(y + AWAY[1] * down)]
+    const crowded = kept.some(
+      ([otherX, otherY]) =>
+        Math.abs(otherX - place[0]) < ROOM[0] && Math.abs(otherY - place[1]) < ROOM[1],
+    )
+    if (crowded) return null
+    kept.push(place)
+    return place
+  })
+}
+
+function round(value: number): number {
+  return Math.round(value * 1000) / 1000
+}

@@ -93,7 +93,14 @@ export function exhibit(changes: Partial<Exhibit> = {}): Exhibit {
     orders: [1],
     total: { force: none, couple: none, roll: [[0, 0]], torque: [[0, 0]] },
     cylinders: [{ number: 1, z: 0, force: none }],
-    bearings: { orders: [1], unit: 'N', model: '', loads: [], tables: [] },
+    bearings: { orders: [1], model: '', loads: [] },
+    bearing_numbers: {
+      bearing_unit: 'N',
+      pin_unit: 'N',
+      greatest: [],
+      estimated: false,
+      tables: [],
+    },
     whirl: {
       centre: [0.3, 0.1, 0.5],
       mass: 1,

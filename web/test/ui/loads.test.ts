@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest'
 import type { LoadShown } from '../../src/exhibit'
-import { loadVector, pathOf, pointText } from '../../src/ui/loads'
+import { labelsOf, loadVector, pathOf, pointText } from '../../src/ui/loads'
 
 const load = (changes: Partial<LoadShown>): LoadShown => ({
   on: 'bearing',
@@ -18,7 +18,6 @@ const load = (changes: Partial<LoadShown>): LoadShown => ({
   },
   peak: 1,
   peak_theta: 0,
-  greatest: '1 at 0°',
   ...changes,
 })
 
@@ -62,4 +61,21 @@ test('up is upward and right is to the right in the drawing', () => {
     [-1, 0],
   ])
   expect(path.startsWith('M0.0000 -1.0000L')).toBe(true)
+})
+
+test('labels stand outside of their dots, and none on another', () => {
+  const apart = labelsOf([
+    ['0', '-1'],
+    ['1', '0'],
+    ['0', '1'],
+    ['-1', '0'],
+  ])
+  expect(apart.map((place) => place && Math.hypot(...place) > 1.1)).toEqual(Array(4).fill(true))
+  // two dots at one place have one label, one beyond has its own
+  const [first, second, third] = labelsOf([
+    ['0.10', '0'],
+    ['0.09', '0.01'],
+    ['-0.1', '0'],
+  ])
+  expect([first, second, third]).toEqual([[0.35, 0], null, [-0.35, 0]])
 })

@@ -4,7 +4,7 @@ import { t } from '../../language/messages'
 import { Choice } from '../Choice'
 import { useExhibit, useFollower } from '../context'
 import { DataTable } from '../DataTable'
-import { type Frame, loadVector, pathOf, pointText, STEPS } from '../loads'
+import { type Frame, labelsOf, loadVector, pathOf, pointText, STEPS } from '../loads'
 
 type On = LoadShown['on']
 
@@ -13,9 +13,11 @@ export function Bearings() {
   const exhibit = useExhibit()
   const [on, setOn] = useState<On>('bearing')
   const [frame, setFrame] = useState<Frame>('block')
-  const { bearings, sense, turns } = exhibit
-  const shown = bearings.loads.filter((load) => load.on === on)
-  const largest = Math.max(...shown.map((load) => load.peak), 0)
+  const { bearings, bearing_numbers: numbers, sense, turns } = exhibit
+  const shown = bearings.loads.flatMap((load, index) =>
+    load.on === on ? [{ load, greatest: numbers.greatest[index] ?? '' }] : [],
+  )
+  const largest = Math.max(...shown.map(({ load }) => load.peak), 0)
   return (
     <>
       <div class="controls">
@@ -40,19 +42,20 @@ export function Bearings() {
       </div>
       <p>
         {t('From inertia and weights, in {unit}; greatest load and its crank angle above each.', {
-          unit: bearings.unit,
+          unit: on === 'bearing' ? numbers.bearing_unit : numbers.pin_unit,
         })}{' '}
-        {on === 'bearing' && bearings.model}
+        {on === 'bearing' && bearings.model}{' '}
+        {numbers.estimated && <span class="badge">{t('estimated, with ranges')}</span>}
       </p>
       <div class="polar-loads" data-on={on} data-frame={frame}>
-        {shown.map((load) => (
+        {shown.map(({ load, greatest }) => (
           <Polar
             key={`${load.name} ${frame}`}
-            {...{ load, bearings, sense, turns, frame, largest }}
+            {...{ load, greatest, bearings, sense, turns, frame, largest }}
           />
         ))}
       </div>
-      {bearings.tables.map((table) => (
+      {numbers.tables.map((table) => (
         <DataTable key={table.title} table={table} />
       ))}
     </>
@@ -61,6 +64,7 @@ export function Bearings() {
 
 interface Props {
   readonly load: LoadShown
+  readonly greatest: string
   readonly bearings: Loads
   readonly sense: number
   readonly turns: number
@@ -69,7 +73,7 @@ interface Props {
 }
 
 /** One load over the turn, up upward, with a dot every 90 degrees and the load at the angle. */
-function Polar({ load, bearings, sense, turns, frame, largest }: Props) {
+function Polar({ load, greatest, bearings, sense, turns, frame, largest }: Props) {
   const now = useRef<SVGGElement>(null)
   const at = useMemo(
     () => loadVector(load, bearings.orders, sense, frame),
@@ -90,15 +94,16 @@ function Polar({ load, bearings, sense, turns, frame, largest }: Props) {
     },
     [at, scale],
   )
+  const labels = useMemo(() => labelsOf(drawn.dots), [drawn])
   const [peakX, peakY] = pointText(at(load.peak_theta), scale)
   return (
     <figure>
       <figcaption>
         {load.name}
         <br />
-        {load.peak > 0 ? load.greatest : t('no load')}
+        {greatest}
       </figcaption>
-      <svg viewBox="-1.3 -1.3 2.6 2.6" role="img" aria-label={`${load.name}: ${load.greatest}`}>
+      <svg viewBox="-1.45 -1.3 2.9 2.6" role="img" aria-label={`${load.name}: ${greatest}`}>
         <path class="cross" d="M-1.1 0H1.1M0 -1.1V1.1" />
         <circle class="ring" r="0.5" />
         <circle class="ring" r="1" />
@@ -107,9 +112,11 @@ function Polar({ load, bearings, sense, turns, frame, largest }: Props) {
           drawn.dots.map(([x, y], index) => (
             <g key={index}>
               <circle class="dot" cx={x} cy={y} r="0.045" />
-              <text x={labelAt(x)} y={labelAt(y)}>
-                {`${(360 / STEPS) * index}°`}
-              </text>
+              {labels[index] && (
+                <text x={labels[index][0]} y={labels[index][1]}>
+                  {`${(360 / STEPS) * index}°`}
+                </text>
+              )}
             </g>
           ))}
         {load.peak > 0 && <circle class="peak" cx={peakX} cy={peakY} r="0.075" />}
@@ -120,10 +127,4 @@ function Polar({ load, bearings, sense, turns, frame, largest }: Props) {
       </svg>
     </figure>
   )
-}
-
-/** A little farther out than a dot. */
-function labelAt(place: string): string {
-  const value = Number(place)
-  return (value + 0.17 * Math.sign(value || 1)).toFixed(3)
 }
