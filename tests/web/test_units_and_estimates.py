@@ -14,6 +14,7 @@ from tests.web.serving import Server
 
 from crankstar import spectra
 from crankstar.dynamics.bearings import bearing_loads
+from crankstar.dynamics.whirl import body
 from crankstar.files import engine_of
 from crankstar.files.box import spread
 from crankstar.files.catalog import load, tree_of
@@ -206,6 +207,13 @@ def test_a_page_with_estimates_shows_them_and_their_ranges(tmp_path: Path, page:
         low, high = map(float, re.findall(r"\n[\d.]+ \(([\d.]+) to ([\d.]+)\) at", text)[0])
         assert low == pytest.approx(min(float(own[index]) for own in loads), rel=5e-3)
         assert high == pytest.approx(max(float(own[index]) for own in loads), rel=5e-3)
+    page.get_by_role("tab", name="Whirl").click()
+    masses = [body(engine, along=1.0).mass for engine in ends.engines]
+    text = page.get_by_role("tabpanel").inner_text()
+    mass, low, high = re.findall(r"Mass: ([\d.]+) \(([\d.]+) to ([\d.]+)\) kg", text)[0]
+    wanted = [masses[0], min(masses), max(masses)]
+    assert [float(mass), float(low), float(high)] == pytest.approx(wanted, rel=5e-3)
+    assert re.search(r"front end\t[\d.]+ \([\d.]+ to [\d.]+\) mm", text)
     page.get_by_role("tab", name="Forces").click()
     settled(page)
     assert "the band is" in page.locator("figure .drawing").first.inner_text()

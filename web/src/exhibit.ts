@@ -61,6 +61,8 @@ export interface Exhibit {
   total: Sum
   cylinders: PartForce[]
   whirl: Whirl
+  /** the same in the middle and at the corners of the ranges of estimated values */
+  whirl_ends: Whirl[]
   bearings: Bearings
   bearing_numbers: BearingNumbers
   scene: Scene

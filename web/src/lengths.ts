@@ -1,4 +1,5 @@
 import type { Unit } from './exhibit'
+import { t } from './language/messages'
 
 /** A number with four figures. */
 function figures(value: number): string {
@@ -27,4 +28,27 @@ export function lengthText(length: number, units: readonly Unit[]): string {
 /** A number with its unit. */
 export function quantityText(value: number, unit: string): string {
   return `${figures(value)} ${unit}`
+}
+
+/** A number with its unit; with others of the same quantity, the range that they span. */
+export function rangedText(
+  value: number,
+  others: readonly number[],
+  { label, factor }: Unit,
+): string {
+  const [low, high] = [Math.min(value, ...others), Math.max(value, ...others)]
+  if (high - low <= 1e-6 * Math.abs(value)) return quantityText(value * factor, label)
+  const [typical, least, most] = [value, low, high].map((each) => rough(each * factor)) as [
+    string,
+    string,
+    string,
+  ]
+  if (least === most) return `${typical} ${label}`
+  const text = t('{typical} ({low} to {high})', { typical, low: least, high: most })
+  return `${text} ${label}`
+}
+
+/** A number that rests on estimates, with three figures. */
+function rough(value: number): string {
+  return figures(Number(value.toPrecision(3)))
 }

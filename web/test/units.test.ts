@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest'
 import type { Exhibit } from '../src/exhibit'
-import { lengthText } from '../src/lengths'
+import { lengthText, rangedText } from '../src/lengths'
 import { rangeText } from '../src/ui/Now'
 import { InUnits } from '../src/units'
 import { exhibit } from './stage/engine'
@@ -29,6 +29,14 @@ test('a length in a chosen unit has no other', () => {
 test('lengths without a size are in crank radii', () => {
   expect(lengthText(2.5, RADII)).toBe('2.5 crank radii')
   expect(lengthText(0, RADII)).toBe('0 crank radii')
+})
+
+test('a length over a range has three figures and its ends', () => {
+  const unit = { label: 'mm', factor: 1e3 }
+  expect(rangedText(0.0123456, [], unit)).toBe('12.35 mm')
+  expect(rangedText(0.0123456, [0.0123456], unit)).toBe('12.35 mm')
+  expect(rangedText(0.0123456, [0.01, 0.015678], unit)).toBe('12.3 (10 to 15.7) mm')
+  expect(rangedText(0.0123456, [0.012347], unit)).toBe('12.3 mm')
 })
 
 test('a range goes from the least to the greatest', () => {

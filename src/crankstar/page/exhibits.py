@@ -135,6 +135,9 @@ def exhibit(
         total=vectors.sums_of(sums, orders),
         cylinders=vectors.by_cylinder(engine, result, orders, along=along),
         whirl=vectors.free_response(engine, orders, along=along),
+        whirl_ends=tuple(
+            vectors.free_response(each, orders, along=along) for each in (over.ends if over else ())
+        ),
         bearings=bearings_shown(engine),
         scene=scene(engine),
         strokes=printed(strokes.tables(engine, cycle)) if cycle else (),

@@ -328,6 +328,9 @@ class Exhibit(Shown):
     total: Sum
     cylinders: tuple[PartForce, ...]
     whirl: Whirl
+    whirl_ends: tuple[Whirl, ...] = Field(
+        description="the same in the middle and at the corners of the ranges of estimated values"
+    )
     bearings: Bearings
     bearing_numbers: BearingNumbers
     scene: Scene

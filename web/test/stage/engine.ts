@@ -110,6 +110,7 @@ export function exhibit(changes: Partial<Exhibit> = {}): Exhibit {
       turn: [[0, 0]],
       assumed: [],
     },
+    whirl_ends: [],
     scene: {
       length_unit: 'm',
       low: [-2, -2, -1],

@@ -1,6 +1,7 @@
+import { useMemo } from 'preact/hooks'
 import type { Exhibit } from '../../exhibit'
 import { t } from '../../language/messages'
-import { lengthText, quantityText } from '../../lengths'
+import { lengthText, lengthUnit, rangedText } from '../../lengths'
 import { Switch } from '../../Switch'
 import { set } from '../../state'
 import { useApp, useExhibit } from '../context'
@@ -17,8 +18,9 @@ export function WhirlPanel() {
   const { store } = app
   const exhibit = useExhibit()
   const orders = store.orders.value
-  const { whirl, units } = exhibit
+  const { whirl, whirl_ends: ends, units } = exhibit
   const most = suggestedMagnification(exhibit)
+  const displacement = useMemo(() => paths(exhibit, orders), [exhibit, orders])
   return (
     <>
       <p>
@@ -53,7 +55,7 @@ export function WhirlPanel() {
         </div>
       )}
       <OrderChoice />
-      <DataTable table={paths(exhibit, orders)} />
+      <DataTable table={displacement} />
       <DataTable
         table={{
           title: t('Block'),
@@ -63,14 +65,22 @@ export function WhirlPanel() {
             [t('centre of mass'), ...whirl.centre.map((place) => lengthText(place, units.lengths))],
             [
               t('moment of inertia about the axis'),
-              ...whirl.inertia.map((size) =>
-                quantityText(size * units.inertia.factor, units.inertia.label),
+              ...whirl.inertia.map((size, axis) =>
+                rangedText(
+                  size,
+                  ends.map(({ inertia }) => inertia[axis] ?? size),
+                  units.inertia,
+                ),
               ),
             ],
           ],
           notes: [
             t('Mass: {mass}', {
-              mass: quantityText(whirl.mass * units.mass.factor, units.mass.label),
+              mass: rangedText(
+                whirl.mass,
+                ends.map(({ mass }) => mass),
+                units.mass,
+              ),
             }),
           ],
         }}
@@ -88,26 +98,33 @@ function magnified(factor: number): string {
   return factor.toLocaleString('en', { maximumSignificantDigits: 2, useGrouping: false })
 }
 
-/** An angle in degrees; rounding errors are 0. */
-function degreesText(angle: number): string {
-  return angle < 1e-12 ? '0' : quantityText((angle * 180) / Math.PI, '°').replace(' °', '°')
+/** An angle in degrees, with its range; rounding errors are 0. */
+function degreesText(angle: number, others: readonly number[]): string {
+  const unit = { label: '°', factor: 180 / Math.PI }
+  return angle < 1e-12 ? '0' : rangedText(angle, others, unit).replace(/ °$/, '°')
 }
 
+/** How far the two ends go and the block rolls, over the ranges of an estimated engine. */
 function paths(exhibit: Exhibit, orders: readonly number[] | null) {
   const { lengths } = exhibit.units
+  const ends = exhibit.whirl_ends.map((whirl) => ({ ...exhibit, whirl }))
   const [front = 0, rear = 0] = reachOf(exhibit, orders)
+  const others = ends.map((each) => reachOf(each, orders))
+  const rolls = ends.map((each) => rollOf(each, orders))
+  const at = (end: number) => others.map((reach) => reach[end] ?? 0)
+  const length = (size: number, end: number) => {
+    const text = lengthText(size, lengths)
+    return text === '0' ? text : rangedText(size, at(end), lengthUnit(size, lengths))
+  }
   return {
     title: t('Displacement of the crank axis'),
-    heads: [t('end'), t('greatest')],
+    heads: [t('end'), ends.length ? t('greatest (estimated)') : t('greatest')],
     numeric: [false, true],
     rows: [
-      [t('front end'), lengthText(front, lengths)],
-      [t('rear end'), lengthText(rear, lengths)],
-      [t('roll angle'), degreesText(rollOf(exhibit, orders))],
+      [t('front end'), length(front, 0)],
+      [t('rear end'), length(rear, 1)],
+      [t('roll angle'), degreesText(rollOf(exhibit, orders), rolls)],
     ],
-    notes: [
-      t('True size, not magnified.'),
-      ...(exhibit.estimated.length ? [t('Estimated, from the typical masses.')] : []),
-    ],
+    notes: [t('True size, not magnified.')],
   }
 }
