@@ -22,6 +22,7 @@ from crankstar.engine.layouts import tandem
 from crankstar.firing.numbering import with_order
 from crankstar.firing.orders import even_orders
 from crankstar.firing.strokes import exhaust_groups, exhaust_intervals, working_cycle
+from crankstar.language.messages import spoken
 
 ENGINES = (
     "v8-cross-plane",
@@ -276,3 +277,14 @@ def test_crankshafts_of_different_speed_are_refused_in_a_sentence() -> None:
     for figure in (charts.stroke_chart, charts.firing_ring):
         with pytest.raises(charts.ChartError, match="all crankshafts must turn equally fast"):
             figure(engine)
+
+
+@pytest.mark.parametrize(("language", "left"), [("ja", "バンク left"), ("ru", "ряд left")])
+def test_exhaust_groups_are_named_in_the_language(language: str, left: str) -> None:
+    engine = crankstar.load("toyota-1uz-fe")
+    assert exhaust_groups(engine)[0].name == "bank left"
+    with spoken(language):
+        assert exhaust_groups(engine)[0].name == left
+        assert any(left in fact.sentence for fact in crankstar.verdict(engine, relatives=False))
+        ring = charts.saved(charts.firing_ring(engine), "svg", title="x")
+        assert left in words_of(ring)

@@ -104,7 +104,7 @@ def _title(cycle: WorkingCycle, group: ExhaustGroup) -> str:
     if not group.name or len(group.chambers) == 1:
         return group.name
     intervals = spacing(exhaust_intervals(cycle, group.chambers))
-    return _("{group}: exhausts {intervals}", group=_(group.name), intervals=intervals)
+    return _("{group}: exhausts {intervals}", group=group.name, intervals=intervals)
 
 
 def spacing(steps: Sequence[Follower]) -> str:

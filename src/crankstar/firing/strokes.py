@@ -33,6 +33,7 @@ from crankstar.engine.valves import Timing, timing
 from crankstar.firing.intervals import Firing, firing
 from crankstar.firing.succession import Follower, once_round
 from crankstar.language.faults import EngineError, Fault
+from crankstar.language.messages import _
 
 StrokeName = Literal["power", "exhaust", "intake", "compression"]
 EVEN = 1e-3
@@ -192,18 +193,30 @@ def exhaust_groups(engine: Engine) -> tuple[ExhaustGroup, ...]:
     """
     if engine.valves is not None and engine.valves.manifolds:
         return tuple(
-            ExhaustGroup(f"manifold {', '.join(map(str, manifold))}", manifold)
+            ExhaustGroup(
+                _("manifold {cylinders}", cylinders=", ".join(map(str, manifold))), manifold
+            )
             for manifold in engine.valves.manifolds
         )
     first = {pistons[0].number: number for number, pistons in engine.chambers.items()}
     groups = [
-        ExhaustGroup(name if name.startswith(("bank", "row")) else f"bank {name}", chambers)
+        ExhaustGroup(_bank(name), chambers)
         for name, numbers in engine.banks.items()
         if (chambers := tuple(first[number] for number in numbers if number in first))
     ]
     return (
-        tuple(groups) if len(groups) > 1 else (ExhaustGroup("all cylinders", groups[0].chambers),)
+        tuple(groups)
+        if len(groups) > 1
+        else (ExhaustGroup(_("all cylinders"), groups[0].chambers),)
     )
+
+
+def _bank(name: str) -> str:
+    """What a bank is called: "bank left", "bank 1", "row 2"."""
+    kind, _space, rest = name.partition(" ")
+    if kind == "row" and rest:
+        return _("row {name}", name=rest)
+    return _("bank {name}", name=rest if kind == "bank" and rest else name)
 
 
 def exhaust_intervals(strokes: WorkingCycle, group: Sequence[int]) -> tuple[Follower, ...]:

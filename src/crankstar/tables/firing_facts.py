@@ -130,7 +130,7 @@ def _pulses(engine: Engine, groups: Sequence[Pulses]) -> str:
     if len(groups) < 2:
         return ""  # all cylinders exhaust as they fire
     intervals = {round(step.interval_deg, 3) for group in groups for step in group.steps}
-    bank = groups[0].name.startswith("bank")
+    bank = engine.valves is None or not engine.valves.manifolds
     if len(intervals) == 1:
         interval = number(intervals.pop())
         if bank:
