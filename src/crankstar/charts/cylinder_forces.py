@@ -49,7 +49,7 @@ STEP, GREATEST_STEP = 13.0, 32.0
 """px between the feet of the arrows of a cylinder."""
 LONGEST_OBLIQUE = 44.0
 """px: the same where cylinders are not upright, so that it ends before their neighbours."""
-PLACE, PLACE_OBLIQUE = 55.0, 82.0
+PLACE, PLACE_OBLIQUE = 72.0, 82.0
 """px for a cylinder in a row, where all are upright and where they are not."""
 MOST_IN_ROW = 9
 """Cylinders up to which a crank angle has one row; more have rows of equal length."""
