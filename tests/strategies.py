@@ -273,10 +273,13 @@ def engines(draw: Draw, *, known: bool = False, max_shafts: int = 4, tight: bool
     cylinders = _shared(draw, draw(_cylinders(turning, tight=tight)), turning)
     cylinders = _weighed(cylinders, turning) if draw(st.booleans()) else cylinders
     status = st.sampled_from(["published", "computed", "unverified", "placeholder"])
-    range_of = st.tuples(st.sampled_from([0.5, 0.81]), st.sampled_from([1.0, 1.25]))
-    provenance = st.builds(Provenance, status=status, source=maybe(TEXTS, "")) | st.builds(
-        Provenance, status=st.just("estimated"), range=maybe(range_of, None)
-    )
+    wide = st.tuples(st.sampled_from([0.5, 0.81]), st.sampled_from([1.0, 1.25]))
+    shorter = st.tuples(st.sampled_from([0.5, 0.81]), st.just(1.0))  # a longer throw may not turn
+    sources = {
+        path: st.builds(Provenance, status=status, source=maybe(TEXTS, ""))
+        | st.builds(Provenance, status=st.just("estimated"), range=maybe(ends, None))
+        for path, ends in (("speed", wide), ("shaft[1].throw[1].radius", shorter))
+    }
     bound = st.builds(
         lambda ends: {
             "speed": Provenance(status="estimated", range=ends),
@@ -284,7 +287,7 @@ def engines(draw: Draw, *, known: bool = False, max_shafts: int = 4, tight: bool
                 status="estimated", range=ends, moves_with="speed"
             ),
         },
-        range_of,
+        shorter,
     )
     engine = Engine.model_validate(
         {
@@ -294,12 +297,7 @@ def engines(draw: Draw, *, known: bool = False, max_shafts: int = 4, tight: bool
             "speed": draw(maybe(SPEEDS)),
             "source": draw(maybe(TEXTS, "")),
             "notes": draw(maybe(TEXTS, "")),
-            "provenance": draw(
-                bound
-                | st.dictionaries(
-                    st.sampled_from(["speed", "shaft[1].throw[1].radius"]), provenance, max_size=2
-                )
-            ),
+            "provenance": draw(bound | st.fixed_dictionaries({}, optional=sources)),
             "relative": ()
             if known
             else draw(

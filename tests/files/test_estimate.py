@@ -410,3 +410,33 @@ def test_a_range_written_as_text_is_a_range() -> None:
     weighed = {**tree["cylinder"], "reciprocating_mass": "450 g"}
     made = {**tree, "cylinder": weighed, "provenance": {"cylinder.reciprocating_mass": mass}}
     assert ranges(made)["cylinder.reciprocating_mass"][:2] == (0.8, 1.25)
+
+
+TOO_WIDE = 'provenance."cylinders[1].rod_length".range is too wide: at 0.8 times the value '
+
+
+@pytest.mark.parametrize(
+    ("rod", "radius", "said"),
+    [
+        ([0.8, 1.3], [0.9, 1.0], TOO_WIDE),
+        ([0.9, 1.3], [0.9, 1.1], "provenance: the ranges are too wide: at the ends of several "),
+        ([0.9, 1.3], [0.9, 1.0], ""),
+    ],
+)
+def test_ranges_that_reach_no_engine_are_named(
+    rod: list[float], radius: list[float], said: str, run: Run
+) -> None:
+    """A rod of 95 mm turns with a crank of 80 mm, neither alone with one of 88, nor one of 76."""
+    changes = {"cylinder.stroke": "160 mm", "cylinder.rod_length": "95 mm"}
+    tree = files.explicit(load("audi-25-tfsi", changes=changes))
+    entries = {"cylinders[1].rod_length": rod, "shaft[1].throw[1].radius": radius}
+    tree["provenance"] = {
+        path: {"status": "estimated", "range": ends} for path, ends in entries.items()
+    }
+    Path("wide.toml").write_text(tree_text(tree), encoding="utf-8")
+    for verb in ("check", "analyze"):
+        ended = run(verb, "wide.toml")
+        assert ended.code == (2 if said else 0)
+        words = " ".join((ended.out + ended.err).split())
+        assert said in words
+        assert ("too short to turn with crank radius" in words) == bool(said)

@@ -7,11 +7,10 @@ from typing import Annotated
 from cyclopts import Parameter
 
 from crankstar.cli.application import app
-from crankstar.cli.options import Output, option
+from crankstar.cli.options import Output, loaded_values, option
 from crankstar.cli.output import complain, display, is_file, write, write_bytes
 from crankstar.engine.engine import Engine
 from crankstar.files import STANDARD_INPUT, EngineFileError, tree_of
-from crankstar.files.catalog import load
 from crankstar.language.messages import _, _n
 from crankstar.language.quoting import one_line
 from crankstar.options.forms import form_of
@@ -30,7 +29,7 @@ def check(
     failed = 0
     for name in files:
         try:
-            loaded = load(name)
+            loaded = loaded_values(name, None, estimate=False).engine
         except EngineFileError as error:
             failed += 1
             complain(str(error))

@@ -19,11 +19,11 @@ from crankstar.engine.quantities import LENGTH, MASS
 from crankstar.engine.records import Provenance
 from crankstar.files import units
 from crankstar.files.changes import keys_of
-from crankstar.files.errors import refused
+from crankstar.files.errors import EngineFileError, refused
 from crankstar.files.forms import is_explicit
-from crankstar.files.mistakes import Tree, copied
+from crankstar.files.mistakes import SpreadsheetTree, Tree, copied
 from crankstar.files.read import engine_of
-from crankstar.language.faults import ValueFaultError
+from crankstar.language.faults import Fault, ValueFaultError
 
 CONDITIONS = ("speed", "cylinder.bore", "cylinder.stroke")
 """Estimated values whose range is not carried into forces: these hold at that size and speed."""
@@ -73,15 +73,38 @@ def spread(
 ) -> Spread | None:
     """The engines of a tree over the ranges of its estimated values; None where it has none.
 
-    Raises EngineFileError.
+    Raises EngineFileError, which names the ranges at whose ends it is no engine.
     """
     ends = box(tree, name=name)
     if ends is None:
         return None
-    own, middle, *corners = (
-        engine_of(each, name=name, changes=changes) for each in (tree, ends.middle, *ends.corners)
-    )
+    own = engine_of(tree, name=name, changes=changes)
+    try:
+        middle, *corners = (
+            engine_of(each, name=name, changes=changes) for each in (ends.middle, *ends.corners)
+        )
+    except EngineFileError as error:
+        raise _too_wide(tree, name, changes, error) from None
     return Spread(own, middle, tuple(corners))
+
+
+def _too_wide(
+    tree: Tree, name: str, changes: Mapping[str, Any] | None, error: EngineFileError
+) -> EngineFileError:
+    """The error of ranges at whose ends there is no engine; `error` is that of some of them."""
+    faults: list[Fault] = []
+    for path, ends in ranges(tree).items():
+        for end in (ends.low, ends.high):
+            try:
+                engine_of(scaled(tree, {path: end}), name=name, changes=changes)
+            except EngineFileError as alone:
+                values = {"end": end, "mistake": alone.faults[0].sentence}
+                faults.append(Fault(("provenance", path, "range"), "provenance.wide", values))
+    if not faults:
+        values = {"mistake": error.faults[0].sentence}
+        faults.append(Fault(("provenance",), "provenance.wide-together", values))
+    cells = tree.cells if isinstance(tree, SpreadsheetTree) else None
+    return EngineFileError(name, faults, cells)
 
 
 def ranges(tree: Mapping[str, Any]) -> dict[str, Range]:

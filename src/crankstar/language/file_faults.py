@@ -146,6 +146,10 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} is {value}; name another key of [provenance] that has a range and moves with none "
         "itself, or cylinder.rod for the inertia of a rod"
     ),
+    "provenance.wide": N_("{where} is too wide: at {end} times the value {mistake}"),
+    "provenance.wide-together": N_(
+        "{where}: the ranges are too wide: at the ends of several {mistake}"
+    ),
     "provenance.unknown": N_(
         "{where} names no value of this file; give a key path, such as cylinder.bore"
     ),
