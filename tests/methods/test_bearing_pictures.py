@@ -155,12 +155,12 @@ def test_peak_of_the_bending_picture_is_that_of_the_table(name: str, model: Mode
         if model not in (None, held):
             continue
         table = bending(engine, speed=None, model=held)
-        free, in_bearings = (float(row[2]) for row in table.rows)  # type: ignore[arg-type]
+        inside, in_bearings = (float(row[2]) for row in table.rows)  # type: ignore[arg-type]
         titles = {" ".join(panel["title"]["text"]): panel for panel in panels(chart)}
         words = "one beam" if held == "continuous" else "hinged"
         for title, panel in titles.items():
-            wanted = free if title.startswith("without bearings") else in_bearings
-            if title.startswith((words, "without bearings")):
+            wanted = inside if title.startswith("in the end bearings") else in_bearings
+            if title.startswith((words, "in the end bearings")):
                 assert drawn_peak(panel, "with its weights") == pytest.approx(wanted, rel=1e-9)
 
 

@@ -45,7 +45,7 @@ from crankstar.spectra import Real
 FACTOR = 0.5
 """Balance factor of the weights that are compared where the engine file gives none."""
 STATES = {
-    None: N_("without bearings: what acts along the free shaft"),
+    None: N_("in the end bearings alone: what the crankshaft bears inside"),
     "determinate": N_("hinged at each main bearing"),
     "continuous": N_("one beam on all main bearings"),
 }
@@ -86,10 +86,10 @@ def bending_chart(
 ) -> Chart:
     """The bending moment along every crankshaft, with its counterweights and without.
 
-    Panels: the free shaft, and the shaft in its main bearings by the `model`, or by both models
-    where none is named and there is one crankshaft. The engine is compared with bare crankshafts;
-    one without counterweights with usual ones, on all webs by a balance factor of a half. N m at
-    `speed` (rad/s), without one m r w^2 a. Raises ChartError.
+    Panels: the shaft in its two end bearings, and in all main bearings by the `model`, or by both
+    models where none is named and there is one crankshaft. The engine is compared with bare
+    crankshafts; one without counterweights with usual ones, on all webs by a balance factor of a
+    half. N m at `speed` (rad/s), without one m r w^2 a. Raises ChartError.
     """
     cranks = [shaft for shaft in engine.shafts if shaft.throws]
     models: tuple[Model, ...] = (model,) if model else ("determinate", "continuous")

@@ -194,7 +194,7 @@ def walls(loads: BearingLoads) -> Table:
 
 
 def bending(engine: Engine, *, speed: float | None, model: Model) -> Table:
-    """The greatest bending moment of each crankshaft: free, and on its main bearings."""
+    """The greatest bending moment of each crankshaft, in its end bearings alone and in all."""
     along = scales(engine).along
     cranks = [shaft.name for shaft in engine.shafts if shaft.throws]
     unit = bending_moment(engine, shaft=cranks[0], speed=speed).unit
@@ -207,7 +207,7 @@ def bending(engine: Engine, *, speed: float | None, model: Model) -> Table:
     rows: list[tuple[Value, ...]] = []
     for name in cranks:
         states: tuple[tuple[str, Model | None], ...]
-        states = ((_("free"), None), (_("in its bearings"), model))
+        states = ((_("in its end bearings"), None), (_("in all its bearings"), model))
         for words, held in states:
             bend = bending_moment(engine, shaft=name, speed=speed, model=held)
             sizes = spectra.peaks(bend.moment)
