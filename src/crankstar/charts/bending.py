@@ -112,7 +112,12 @@ def bending_chart(
     title = _("Bending moment of the crank, in {unit}", unit=together(unit_text(said.unit)))
     about = _("solid: greatest over the turn; dashed: at the crank angle of its peak")
     marks = _("triangles: main bearings; numbers: throws; front at the left")
-    lines = [*heading(engine), about, marks, *estimate_lines([engine], drawn=_(RANGES))]
+    lines = [
+        *heading(engine, speed=speed),
+        about,
+        marks,
+        *estimate_lines([engine], drawn=_(RANGES)),
+    ]
     return figure([[panel] for panel in panels], title=title, subtitle=lines)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from crankstar.charts.canvas import half_width
-from crankstar.charts.drawing import ChartError, Panel, figure, heading, named, stacked
+from crankstar.charts.drawing import ChartError, Panel, figure, heading, named, speed_lines, stacked
 from crankstar.charts.estimates import estimate_lines
 from crankstar.charts.grammar import Chart
 from crankstar.charts.letters import folded
@@ -30,7 +30,7 @@ def compared(
     """
     lines = estimate_lines(engines, drawn=ranges)
     if len(engines) == 1:
-        subtitle = [*heading(engines[0]), *lines]
+        subtitle = [*heading(engines[0], speed=speed), *lines]
         return figure(blocks[0], title=title, subtitle=subtitle, theta=theta, turns=turns)
     width = half_width()
     columns = [
@@ -40,6 +40,7 @@ def compared(
     if speed is None:
         title = _("{title}, each in its own m, r and a", title=title)
     rows = [columns[i : i + 2] for i in range(0, len(columns), 2)]
+    lines = [*speed_lines(engines, speed), *lines]
     return figure(rows, title=title, subtitle=lines, theta=theta, turns=turns)
 
 

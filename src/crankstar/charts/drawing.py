@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from html import escape
-from math import degrees, isfinite
+from math import degrees, isfinite, pi
 from typing import TYPE_CHECKING, Any
 
 from crankstar.charts.canvas import BETWEEN, curve_height, names_engine, panel_width
@@ -165,11 +165,21 @@ def named(engine: Engine) -> str:
     return _("{engine}; turns counter-clockwise", engine=engine.name)
 
 
-def heading(engine: Engine) -> list[str]:
-    """What a figure of one engine says below its title: its name, unless the canvas leaves it."""
+def heading(engine: Engine, *, speed: float | None = None) -> list[str]:
+    """What a figure of one engine says below its title: its name, unless the canvas leaves it.
+
+    With the `speed` (rad/s) of its forces, where they are in newtons.
+    """
     if names_engine():
-        return [named(engine)]
+        return [named(engine), *speed_lines([engine], speed)]
     return [] if engine.sense > 0 else [_("turns counter-clockwise")]
+
+
+def speed_lines(engines: Sequence[Engine], speed: float | None) -> list[str]:
+    """At which speed the forces of engines are, where that is known and they have masses."""
+    if speed is None or any({"mass", "radius"} & {*engine.relative} for engine in engines):
+        return []
+    return [_("at {rpm} rpm", rpm=number(speed * 30 / pi))]
 
 
 def checked_angle(theta: float) -> float:

@@ -163,7 +163,7 @@ def polar_loads(
     return figure(
         rows,
         title=_(TITLES[quantity], unit=together(unit_text(said.unit))),
-        subtitle=[*heading(engine), *filter(None, lines)],
+        subtitle=[*heading(engine, speed=speed), *filter(None, lines)],
         theta=theta,
         turns=max(_turns(loading, turning=turning) for loading in loadings),
     )
