@@ -10,6 +10,7 @@ import tomllib
 from collections.abc import Callable
 from pathlib import Path
 
+import openpyxl
 import pytest
 from tests.commands import Run
 from tests.texts import SHORT
@@ -156,3 +157,14 @@ def test_a_key_without_its_table_is_refused_with_its_path(
     message = refused("analyze", "i4", "--set", setting)
     assert path in message
     assert "source" not in message
+
+
+def test_a_spreadsheet_has_orders_and_shares_as_numbers(run: Run) -> None:
+    assert run("compare", "i4", "i6", "-o", "both.xlsx").code == 0
+    rows = [*openpyxl.load_workbook("both.xlsx")["force"].iter_rows(values_only=True)]
+    assert rows[0][3] == "Six in line, of the first [%]"
+    numbers = {row[0]: row[1:] for row in rows[1:]}
+    assert {2, 4, 6, "peak"} <= numbers.keys()
+    for order in (2, 6, "peak"):
+        first, other, share = (float(str(value)) for value in numbers[order])
+        assert math.isclose(share, 100 * other / first, abs_tol=1e-12)

@@ -55,7 +55,7 @@ def test_a_bare_crankshaft_is_told_with_what_counterweights_would_leave() -> Non
     said = " ".join(printed("single"))
     assert (
         "No counterweights in the file; with 50 % balanced: a primary force of 0.5 m r ω², "
-        "rotating against the crankshaft. 2 more: crankstar verdict."
+        "rotating against the crankshaft. Cures: crankstar verdict."
     ) in said
     assert "with two on the end webs: a primary" in " ".join(printed("vw-vr6"))
     for weighted in ("parallel-twin-180", "i4"):  # its own, or none needed

@@ -74,7 +74,7 @@ class Looks:
     width: Annotated[str | None, option("--width")] = None
     height: Annotated[str | None, option("--height")] = None
     dpi: Annotated[float | None, option("--dpi")] = None
-    font_size: Annotated[float | None, option("--font-size")] = None
+    font_size: Annotated[str | None, option("--font-size")] = None
 
     def refuse(self, beside: str) -> None:
         """Refuse what is given beside something that is no picture. Raises RequestError."""

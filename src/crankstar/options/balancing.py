@@ -174,10 +174,14 @@ def _recommended(job: Job, options: BalanceOptions, like: Job | None) -> Job:
         "--minimise": options.minimise,
         "--weights": options.weights,
         "--shafts": None if options.shafts in get_args(fitting.Wanted) else options.shafts,
-        "--box": options.box,
         **{f"--{part.replace('_', '-')}": getattr(options, part) for part in PARTS["shafts"]},
     }
     request.refuse_unused(unused, beside="--recommended")
+    if options.box:
+        raise RequestError(
+            "--box: --recommended places its shafts itself; name them to place them, as in "
+            "--factor 0.5 --shafts -1 --box"
+        )
     first = job.before if like is None else like.before
     fitted = fitting.recommended(first, bare=options.bare, shafts=shafts)
     if fitted is None:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from types import ModuleType
 from typing import Any, get_args
 
 from crankstar.dynamics.bearings import Model
 from crankstar.engine.engine import Engine
-from crankstar.engine.quantities import LENGTH
+from crankstar.engine.quantities import Quantity
 from crankstar.files import units
 from crankstar.language.messages import N_, _
 from crankstar.options import values as request
@@ -108,14 +109,14 @@ def paper(
     width: str | None,
     height: str | None,
     dpi: float | None,
-    font_size: float | None,
+    font_size: str | None,
 ) -> Any:
     """The paper of a figure. Raises RequestError, also for sizes that the form does not have."""
     from crankstar.charts.paper import Paper
     from crankstar.charts.themes import THEMES
 
     sized = suffix in ("svg", "png", "pdf")
-    texts = {"--width": width, "--height": height, "--font-size": font_size and f"{font_size:g}"}
+    texts = {"--width": width, "--height": height, "--font-size": font_size}
     request.refuse_unused({} if sized else texts, beside=f".{suffix}")
     resolution = {"--dpi": dpi and f"{dpi:g}"}
     request.refuse_unused({} if suffix == "png" else resolution, beside=f".{suffix}")
@@ -125,7 +126,8 @@ def paper(
     for name, text in (("width", width), ("height", height)):
         if text is not None:
             given[name] = _side(f"--{name}", text)
-    for name, value, limits in (("dpi", dpi, DPI), ("font_size", font_size, LETTERS)):
+    letters = None if font_size is None else _points(font_size)
+    for name, value, limits in (("dpi", dpi, DPI), ("font_size", letters, LETTERS)):
         if value is None:
             continue
         if not limits[0] <= value <= limits[1]:
@@ -149,15 +151,25 @@ def paper(
     return drawn
 
 
+def _points(text: str) -> float:
+    """The size of letters in points, with their unit or without."""
+    match = re.fullmatch(r"\s*(\d+(?:\.\d*)?)\s*(pt|points?)?\s*", text)
+    if match is None:
+        raise refusal("--font-size", text, 'give a number of points, such as 9 or "9 pt"')
+    return float(match[1])
+
+
 def _side(option: str, text: str) -> float:
     """A side of a picture, m."""
-    with request.reading(option, example="120 mm"):
-        side = 0.0 if units.is_bare(text) else units.si(text, LENGTH)
+    with request.reading(option):
+        side = 0.0 if units.is_bare(text) else units.si(text, PAGE)
     if not SIDES[0] <= side <= SIDES[1]:
         raise refusal(option, text, "give a length from 20 mm to 2 m, such as 120 mm or 5 in")
     return side
 
 
+PAGE = Quantity("length", "120 mm")
+"""A side of a picture."""
 INCH, MOST_PIXELS = 0.0254, 12_000
 """Metres; the most pixels of a side that is given."""
 DPI, LETTERS, SIDES = (36.0, 2400.0), (8.0, 72.0), (0.02, 2.0)

@@ -121,7 +121,7 @@ OPTIONS = {
         ("--fixed", "--throws"),
     ),
     "--font-size": Option(
-        "number",
+        "text",
         "Size of the smallest letters on paper in points, 8 or more (default: 9).",
         ("--letters", "--text-size"),
     ),

@@ -12,7 +12,7 @@ from crankstar import spectra
 from crankstar.engine.engine import Engine
 from crankstar.firing.intervals import firing
 from crankstar.language.messages import _
-from crankstar.language.numbers import NEGLIGIBLE, number
+from crankstar.language.numbers import NEGLIGIBLE
 from crankstar.mechanics.balance import Balance
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.remains import Sums, size, summed
@@ -192,7 +192,9 @@ def _ranged_share(value: Value, first: Value, whole: float) -> Value:
 
 def _quantity(name: str, compared: _Compared) -> Table:
     *orders, (_whole, peaks) = _sizes(name, compared)
-    rows = [(number(order or 0.0), cells) for order, cells in orders if any(cells)]
+    rows: list[tuple[Value, list[float]]] = [
+        (order, cells) for order, cells in orders if any(cells)
+    ]
     if rows:
         rows.append((_("peak"), peaks))
     shares = [
@@ -201,6 +203,7 @@ def _quantity(name: str, compared: _Compared) -> Table:
             "%",
             digits=4,
             optional=1,
+            key=_("{engine}, of the first", engine=name),
         )
         for name in compared.names[1:]
     ]

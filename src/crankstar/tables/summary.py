@@ -116,5 +116,4 @@ def _remedy_sentence(engine: Engine, result: Balance) -> str:
     lines = [*filter(None, [bare]), *cure_lines(engine, remaining)]
     if len(lines) == 1:
         return lines[0]
-    others = _("{count} more: crankstar verdict.", count=len(lines) - 1)
-    return f"{lines[0]} {others}"
+    return " ".join((lines[0], _("Cures: crankstar verdict.")))

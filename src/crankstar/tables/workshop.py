@@ -224,7 +224,8 @@ def _permissible(rotor: Rotor, grades: Sequence[float]) -> Table:
         rows.append((grade, *each, *(size * rotor.speed**2 for size in each)))
     note = _(
         "U = G m / ω with m = {mass} and n = {rpm} rpm; its force is U ω². The bearings share it "
-        "{front} to {rear}, by their distances from the centre of mass.",
+        "{front} to {rear}, by their distances from the centre of mass (--bearing-distances; "
+        "default: equal).",
         mass=quantity_text(rotor.mass, "kg"),
         rpm=number(rotor.speed * 30 / pi),
         front=number(rotor.planes[0]),
