@@ -407,6 +407,10 @@ BAD_LINES = [
     (["analyze", "X", "--speed", ""], 'is "", not a number with a unit'),
     (["analyze", "X", "--speed", "9" * 5000], "not a number with a unit"),
     (["analyze", "X", "--speed", "6\x1b[31m rpm"], 'whose unit "?[31m rpm" is not known'),
+    *((["analyze", "X", "--speeds", f"1000..{speed} rpm"], "too large for an engine; give one")
+        for speed in ("1e6", "1e100", "1e300")),
+    *((["analyze", "X", form, "-o", f"x.{suffix}"], f"the name must end in .{form[2:]}")
+        for form in ("--json", "--csv") for suffix in ("svg", "png", "pdf", "html", "toml")),
     *((["analyze", "X", "--orders", orders],
         "give numbers above 0 up to 1000 with commas") for orders in (
         "garbage", "nan", "inf", "1e999", "0", "-1", "", ",", "1;2", "1/0", "1001", "1,x",

@@ -12,6 +12,7 @@ import openpyxl
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from openpyxl.chart import BarChart, Reference
 from tests.catalog import EVERY_ENGINE
 from tests.strategies import OF_ANY_KIND
 
@@ -109,6 +110,11 @@ MISTAKES: dict[str, tuple[Change, str]] = {
         lambda book: book["engine"].__setitem__("F1", "value"),
         'engine!F1: the heading "value" stands twice',
     ),
+    "heading misspelt": (
+        lambda book: book["engine"].__setitem__("G1", "rnage"),
+        'engine!G1: the heading "rnage" is not read; did you mean range?',
+    ),
+    "unit by formula": (put(STROKE, "=A1", "C"), "(cylinder.stroke) is a formula without a stored"),
     "sheet renamed": (
         lambda book: setattr(book["engine"], "title", "motor"),
         "there is no sheet engine; the sheets are: motor",
@@ -170,6 +176,13 @@ SOURCE_MISTAKES: dict[str, tuple[Change, str, str]] = {
         "A2",
         FORMULA,
     ),
+    "other key twice": (
+        lambda book: book["engine.provenance"].__setitem__(
+            "A3", book["engine.provenance"]["A2"].value
+        ),
+        "A3:",
+        "stands twice; leave one of them out",
+    ),
     "other status": (
         lambda book: book["engine.provenance"].__setitem__("B2", "rumour"),
         "B2",
@@ -192,7 +205,7 @@ def spoilt_sources(*changes: Change) -> bytes:
 def test_a_mistake_in_a_source_is_the_only_one_and_names_its_cell(kind: str) -> None:
     change, cell, sentence = SOURCE_MISTAKES[kind]
     (said,) = faults(spoilt_sources(change))
-    assert f"!{cell} " in said
+    assert f"!{cell}" in said
     assert sentence in said
 
 
@@ -251,6 +264,39 @@ def test_a_row_of_a_table_names_the_row_it_is_in() -> None:
         "engine.shaft.throw!A2 is 7; it must be the number of a row of the sheet engine.shaft, "
         "from 1 to 1"
     )
+
+
+@pytest.mark.parametrize("number", [2, 3, True, "two", 1.5])
+def test_a_row_has_the_number_that_it_calls_itself_by(number: Any) -> None:
+    book = openpyxl.load_workbook(io.BytesIO(workbook_bytes(sheets_of(explicit(load("i4"))))))
+    assert book["engine.shaft"]["A1"].value == "row"
+    book["engine.shaft"]["A2"].value = number
+    out = io.BytesIO()
+    book.save(out)
+    (said,) = faults(out.getvalue())
+    assert said.startswith("engine.shaft!A2 is ")
+    assert "this row is number 1 of its table: number the rows from 1, or clear" in said
+
+
+def test_true_is_no_row() -> None:
+    book = openpyxl.load_workbook(io.BytesIO(workbook_bytes(sheets_of(explicit(load("i4"))))))
+    book["engine.shaft.throw"]["A2"].value = True
+    out = io.BytesIO()
+    book.save(out)
+    assert faults(out.getvalue())[0].startswith("engine.shaft.throw!A2 is true; it must be the")
+
+
+def test_a_spreadsheet_with_a_sheet_of_its_own_for_a_chart_is_read() -> None:
+    book = openpyxl.load_workbook(io.BytesIO(workbook_bytes(sheets_of(tree_of("i4")[1]))))
+    sheet = book.create_chartsheet("chart")
+    chart = BarChart()
+    chart.add_data(
+        Reference(book["engine"], min_col=2, min_row=1, max_row=5), titles_from_data=True
+    )
+    sheet.add_chart(chart)
+    out = io.BytesIO()
+    book.save(out)
+    assert engine_of(workbook_tree(out.getvalue(), "mine.xlsx")) == load("i4")
 
 
 def zipped(**files: bytes) -> bytes:

@@ -7,6 +7,7 @@ import math
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from tests.texts import SHORT
 
@@ -270,3 +271,34 @@ def test_equal_engines_have_equal_hashes() -> None:
     first, again = crankstar.load("i4"), crankstar.load("i4")
     assert hash(first) == hash(again)
     assert len({first, again, crankstar.load("i6")}) == 2
+
+
+@pytest.mark.parametrize("name", of("speed"))
+@pytest.mark.parametrize("given", [10**400, 1e300, math.inf, math.nan, -1, 0])
+def test_no_engine_turns_at_such_a_speed(name: str, given: Any) -> None:
+    with pytest.raises(ValueError, match=r"^speed is .*; it must be greater than 0 and that of an"):
+        getattr(crankstar, name)("i4", **MORE.get(name, {}) | {"speed": given})
+
+
+@pytest.mark.parametrize("name", of("speed"))
+@pytest.mark.parametrize("given", [np.array([600.0, 700.0]), True, [600.0]])
+def test_a_speed_is_one_number(name: str, given: Any) -> None:
+    with pytest.raises(TypeError, match=r"^speed takes a number in rad/s or text such as"):
+        getattr(crankstar, name)("i4", **MORE.get(name, {}) | {"speed": given})
+
+
+@pytest.mark.parametrize("name", of("orders"))
+@pytest.mark.parametrize("given", [1e300, 10**400, 1001, math.inf, math.nan, 0, -1])
+def test_an_order_is_one_that_an_engine_may_have(name: str, given: Any) -> None:
+    with pytest.raises(ValueError, match=r"^orders has .*; each must be greater than 0 and at"):
+        getattr(crankstar, name)("i4", **MORE.get(name, {}) | {"orders": [1, given]})
+
+
+@pytest.mark.parametrize(
+    "place", [{"planes": [1e9, -1]}, {"up": 10**400}, {"right": math.inf}, {"up": math.nan}]
+)
+def test_a_balance_shaft_is_near_its_engine(place: dict[str, Any]) -> None:
+    with pytest.raises(ValueError, match=r"must be (within 1000 m of the engine|finite)$"):
+        crankstar.with_balance_shaft(
+            crankstar.load("i4"), **{"ratio": 2, "planes": [1, -1]} | place
+        )

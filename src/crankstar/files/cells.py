@@ -112,6 +112,7 @@ class Cells:
                 )
             elif text:
                 heads[cell.column] = text
+                self._check_heading(title, cell.coordinate, text)
         missing = [head for head in needed if head not in heads.values()]
         if missing:
             self._fault(
@@ -128,6 +129,15 @@ class Cells:
                     head: (f"{title}!{c.coordinate}", self._content(title, c))
                     for head, c in cells.items()
                 }
+
+    def _check_heading(self, title: str, cell: str, text: str) -> None:
+        """A fault where a heading of the main sheet looks like one that is read, but is none."""
+        known = (*HEADS, *BOUNDS)
+        near = get_close_matches(text.lower(), known, 1, 0.8)
+        if title == MAIN and text not in known and near:
+            self._fault(
+                "sheet.heading-near", cell=f"{title}!{cell}", heading=seen(text), meant=near[0]
+            )
 
     def _content(self, title: str, cell: Any) -> Any:
         """What a cell holds; for a formula what was stored for it, a Fault where that is none."""
@@ -146,7 +156,7 @@ class Cells:
 
     def _value(self, row: Mapping[str, tuple[str, Any]]) -> None:
         """A row of the main sheet: a value by its key path, and its source."""
-        (key_cell, key), (cell, value), (_unit_cell, unit) = (row[head] for head in HEADS[:3])
+        (key_cell, key), (cell, value), (unit_cell, unit) = (row[head] for head in HEADS[:3])
         if key is None:
             if value is not None and not isinstance(value, Fault):
                 self._fault("cell.no-key", cell=cell, value=seen(value), heading=seen("key"))
@@ -157,6 +167,8 @@ class Cells:
         path = tuple(str(key).strip().split("."))
         told = {head: row[head] for head in (*HEADS[3:-1], *BOUNDS) if head in row}
         self._source(".".join(path), key_cell, told)
+        if isinstance(unit, Fault) and value is not None and not isinstance(value, Fault):
+            value, cell = unit, unit_cell
         if value is not None:
             self._put(self.out, path, path, value, unit, cell, key_cell=key_cell)
 
@@ -206,6 +218,8 @@ class Cells:
             cell, key = row.pop("key")
             if isinstance(key, Fault):
                 self._broken(key, cell)
+            elif (SOURCES, str(key)) in self.cells:
+                self._fault("cell.key-twice", cell=cell, key=one_line(str(key), longest=40))
             elif key is not None:
                 self._source(str(key), cell, row)
 
@@ -233,11 +247,19 @@ class Cells:
             rows.append(table)
             number = re.sub(r".*![A-Z]+", "", next(iter(row.values()))[0])
             self.cells[whole] = f"{title}!{number}:{number}"
+            if ROW in row:
+                self._check_number(*row[ROW], len(rows))
             for head, (cell, value) in row.items():
                 key, unit = heading(head)
                 if head not in (ROW, *inside) and value is not None:
                     keys = key.split(".")
                     self._put(table, keys, (*whole, *keys), value, unit, cell, key_cell=cell)
+
+    def _check_number(self, cell: str, number: Any, right: int) -> None:
+        """A fault where a row calls itself by another number than the one that it has."""
+        if number is not None and (isinstance(number, bool | Fault) or number != right):
+            value = "" if isinstance(number, Fault) else number
+            self._fault("cell.row-number", cell=cell, value=seen(value), right=right)
 
     def _home(
         self, row: Mapping[str, tuple[str, Any]], outer: Sequence[Path], inside: Sequence[str]
@@ -251,7 +273,7 @@ class Cells:
                 place = (*place, key)
             cell, number = row[head]
             count = len(home) if isinstance(home, list) else 0
-            if not (isinstance(number, int | float) and number in range(1, count + 1)):
+            if isinstance(number, bool) or number not in range(1, count + 1):
                 sheet = ".".join((MAIN, *map(str, above)))
                 value = number if not isinstance(number, Fault) else ""
                 self._fault("cell.no-row", cell=cell, value=seen(value), sheet=sheet, count=count)

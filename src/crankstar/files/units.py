@@ -213,6 +213,11 @@ def si_unit(quantity: Quantity) -> str:
     return _KINDS[quantity.dimension].short
 
 
+def greatest(quantity: Quantity) -> float:
+    """The greatest number of a quantity of an engine, in its SI unit."""
+    return _KINDS[quantity.dimension].greatest
+
+
 def text(number: float, quantity: Quantity, *, digits: int = 15) -> str:
     """An SI number as text with the unit a reader expects.
 

@@ -247,6 +247,11 @@ SENTENCES: dict[str, str | Plural] = {
         "{cell}: the first row must have the headings {headings}; there is no {missing}"
     ),
     "sheet.heading-twice": N_("{cell}: the heading {heading} stands twice"),
+    "sheet.heading-near": N_("{cell}: the heading {heading} is not read; did you mean {meant}?"),
+    "cell.row-number": N_(
+        "{cell} is {value}; this row is number {right} of its table: number the rows from 1, or "
+        "clear the column"
+    ),
     "cell.merged": N_("the cells {cell} are merged; unmerge them and fill each cell"),
     "cell.key-twice": N_("{cell}: the key {key} stands twice; leave one of them out"),
     "cell.no-key": N_("{cell} is {value}, but the row has no key in the column {heading}"),

@@ -8,6 +8,7 @@
 | `values` | speeds, orders, angles, points of reference, settings |
 | `remedies` | weights, what they minimise, balance shafts |
 | `workshop` | a drill, a measured unbalance, a grade, as a balancing shop types them |
+| `numbers` | numbers of the public functions as people give them: speeds, orders, places |
 | `arguments` | the arguments of the public functions as people give them |
 | `forms` | the form in which a result is written |
 | `words` | the options of a search as typed |

@@ -10,35 +10,25 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from functools import wraps
 from inspect import Parameter, Signature, signature
-from math import isfinite, pi
 from numbers import Real
 from pathlib import Path
 from typing import Any, TypeVar
 
 from crankstar.engine.engine import Engine
-from crankstar.engine.quantities import POSITION, SPEED
+from crankstar.engine.quantities import POSITION
 from crankstar.language.faults import ValueFaultError
 from crankstar.language.messages import _
 from crankstar.language.quoting import given as quoted
 from crankstar.language.quoting import seen
 from crankstar.mechanics.balance import Balance
 from crankstar.mechanics.excitation import Reference
+from crankstar.options.numbers import check_number, check_place, is_number, orders, speed
 
 Result = TypeVar("Result")
-NUMBERS = {"factor", "share", "up", "right"}
-"""Arguments that are one number."""
-FLAGS = {"bare", "estimate", "relatives"}
-"""Arguments that are True or False."""
 READ_FILES = {"load", "widget"}
 """Functions that read engine files themselves."""
 ENGINES = {"name", "engine", "beside"}
 """Their arguments that name an engine."""
-GREATEST_BARE_SPEED = 2500.0
-"""Of a speed without unit [rad/s], 23,900 rpm; a greater number was meant in rpm."""
-
-
-GREATEST_PLACE = 1000.0
-"""Metres, as far as lengths along a crankshaft go."""
 
 
 def read(function: Callable[..., Result]) -> Callable[..., Result]:
@@ -67,8 +57,8 @@ def read(function: Callable[..., Result]) -> Callable[..., Result]:
         for argument, value in given.items():
             if argument in READERS and value is not None:
                 given[argument] = READERS[argument](value)
-            elif argument in NUMBERS | FLAGS:
-                _check_one(argument, value)
+            elif argument in CHECKS:
+                CHECKS[argument](argument, value)
         if engine is not None:
             for argument, place in (("reference", _reference), ("planes", _planes)):
                 if given.get(argument) is not None:
@@ -198,103 +188,7 @@ def _check_sweep(function: str, given: Mapping[str, Any]) -> None:
             _('what takes a quantity such as "force", not {given}', given=_named(given["what"]))
         )
     if given.get("order") is not None:
-        _check_number("order", given["order"])
-
-
-def _speed(given: Any) -> float | str:
-    """A speed in rad/s; `file` is for the function itself. Raises ValueError, TypeError."""
-    if given == "file":
-        return given
-    if isinstance(given, str):
-        from crankstar.files import units
-
-        try:
-            number = units.si(given, SPEED)
-        except ValueFaultError as error:
-            raise ValueError(error.at("speed")) from None
-    elif isinstance(given, Real) and not isinstance(given, bool):
-        number = float(given)
-        if number > GREATEST_BARE_SPEED:
-            raise ValueError(
-                _(
-                    "speed is {given} rad/s, which is {rpm} rpm; if {given} rpm is meant, write "
-                    'speed="{given} rpm"',
-                    given=f"{number:.6g}",
-                    rpm=f"{number * 30 / pi:.6g}",
-                )
-            )
-    else:
-        raise TypeError(
-            _(
-                'speed takes a number in rad/s or text such as "6000 rpm", not {given}',
-                given=quoted(given),
-            )
-        )
-    if not (isfinite(number) and number > 0):
-        raise ValueError(
-            _(
-                'speed is {given}; it must be greater than 0, such as "6000 rpm"',
-                given=quoted(given),
-            )
-        )
-    return number
-
-
-def _orders(given: Any) -> tuple[float, ...]:
-    """Crank orders, a list of numbers above 0. Raises ValueError, TypeError."""
-    orders = given if isinstance(given, Iterable) and not isinstance(given, str) else None
-    numbers = None if orders is None else [*orders]
-    if numbers is None or not all(isinstance(number, Real) for number in numbers):
-        raise TypeError(
-            _("orders takes numbers such as [1, 2, 4], not {given}", given=quoted(given))
-        )
-    out = tuple(map(float, numbers))
-    if not all(isfinite(order) and order > 0 for order in out):
-        raise ValueError(
-            _("orders is {given}; each must be greater than 0, such as [1, 2]", given=quoted(given))
-        )
-    return out
-
-
-def _check_one(argument: str, given: Any) -> None:
-    """Raises TypeError for what is no number, or neither True nor False where that is wanted."""
-    if argument in FLAGS:
-        if not isinstance(given, bool):
-            raise TypeError(
-                _(
-                    "{argument} takes True or False, not {given}",
-                    argument=argument,
-                    given=quoted(given),
-                )
-            )
-        return
-    _check_number(argument, given)
-
-
-def _check_number(argument: str, given: Any) -> None:
-    """Raises TypeError for what is no number, ValueError for one that is not finite."""
-    if not isinstance(given, Real) or isinstance(given, bool):
-        raise TypeError(
-            _("{argument} takes a number, not {given}", argument=argument, given=quoted(given))
-        )
-    if not isfinite(given):
-        raise ValueError(
-            _("{argument} is {given}; it must be finite", argument=argument, given=quoted(given))
-        )
-
-
-def _check_place(argument: str, given: Any) -> None:
-    """Raises TypeError for what is no number, ValueError for one far from any engine."""
-    _check_number(argument, given)
-    if abs(given) > GREATEST_PLACE:
-        raise ValueError(
-            _(
-                "{argument} is {given}; it must be within {greatest} m of the engine",
-                argument=argument,
-                given=quoted(given),
-                greatest=f"{GREATEST_PLACE:g}",
-            )
-        )
+        check_number("order", given["order"])
 
 
 def _changes(given: Any) -> Mapping[str, Any]:
@@ -351,6 +245,9 @@ def _planes(given: Any, engine: Engine) -> list[float]:
                 given=quoted(given),
             )
         )
+    for part in parts:
+        if not isinstance(part, str):
+            check_place("planes", part)
     read_place = units.reader(frozenset(engine.relative))
     try:
         return [
@@ -364,7 +261,7 @@ def _reference(given: Any, engine: Engine) -> Reference:
     """A point of reference. Raises ValueError, TypeError."""
     if isinstance(given, Reference):
         for name, place in given._asdict().items():
-            _check_place(f"reference.{name}", place)
+            check_place(f"reference.{name}", place)
         return given
     if isinstance(given, str):
         from crankstar.options import values
@@ -375,8 +272,8 @@ def _reference(given: Any, engine: Engine) -> Reference:
         except RequestError as error:
             raise ValueError(str(error).replace("--reference", "reference")) from None
         return point or Reference(0.0)
-    if isinstance(given, Real) and not isinstance(given, bool):
-        _check_place("reference", given)
+    if is_number(given):
+        check_place("reference", given)
         return Reference(float(given))
     raise TypeError(
         _(
@@ -387,11 +284,25 @@ def _reference(given: Any, engine: Engine) -> Reference:
     )
 
 
+def _check_flag(argument: str, given: Any) -> None:
+    """Raises TypeError for what is neither True nor False."""
+    if not isinstance(given, bool):
+        raise TypeError(
+            _("{argument} takes True or False, not {given}", argument=argument, given=quoted(given))
+        )
+
+
 READERS: Mapping[str, Callable[[Any], Any]] = {
-    "speed": _speed,
-    "orders": _orders,
+    "speed": speed,
+    "orders": orders,
     "changes": _changes,
     "tell": _tell,
     "units": _units,
 }
 """What reads an argument of this name."""
+CHECKS: Mapping[str, Callable[[str, Any], None]] = {
+    **dict.fromkeys(("factor", "share"), check_number),
+    **dict.fromkeys(("up", "right"), check_place),
+    **dict.fromkeys(("bare", "estimate", "relatives"), _check_flag),
+}
+"""What refuses a wrong argument of this name."""

@@ -43,6 +43,8 @@ def form_of(
         raise refusal(
             "-o", place, "the name ends in .{suffix}; leave --{flag} out", suffix=suffix, flag=flag
         )
+    if flag and suffix in (*PICTURES, "toml"):
+        raise refusal("-o", place, "the name must end in {names}", names=f".{flag}")
     form = flag or suffix or (forms[0] if piped or forms[0] in ("txt", "toml") else "")
     if form not in forms:
         names = ", ".join(f".{name}" for name in forms)

@@ -1,0 +1,112 @@
+"""Numbers of the public functions as people give them: speeds, crank orders, places."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from math import inf, pi
+from numbers import Real
+from typing import Any
+
+from crankstar.engine.quantities import SPEED
+from crankstar.language.faults import ValueFaultError
+from crankstar.language.messages import _
+from crankstar.language.quoting import given as quoted
+
+GREATEST_BARE_SPEED = 2500.0
+"""Of a speed without unit [rad/s], 23,900 rpm; a greater number was meant in rpm."""
+BEYOND_ENGINES = 1e6
+"""No engine turns so fast, in rad/s or rpm."""
+GREATEST_ORDER = 1000
+GREATEST_PLACE = 1000.0
+"""Metres, as far as lengths along a crankshaft go."""
+
+
+def speed(given: Any) -> float | str:
+    """A speed in rad/s; `file` is for the function itself. Raises ValueError, TypeError."""
+    if isinstance(given, str):
+        if given == "file":
+            return given
+        from crankstar.files import units
+
+        try:
+            number = units.si(given, SPEED)
+        except ValueFaultError as error:
+            raise ValueError(error.at("speed")) from None
+    elif is_number(given):
+        number = float(given) if abs(given) < BEYOND_ENGINES else inf
+        if GREATEST_BARE_SPEED < number < inf:
+            raise ValueError(
+                _(
+                    "speed is {given} rad/s, which is {rpm} rpm; if {given} rpm is meant, write "
+                    'speed="{given} rpm"',
+                    given=f"{number:.6g}",
+                    rpm=f"{number * 30 / pi:.6g}",
+                )
+            )
+    else:
+        raise TypeError(
+            _(
+                'speed takes a number in rad/s or text such as "6000 rpm", not {given}',
+                given=quoted(given),
+            )
+        )
+    if not 0 < number < inf:
+        raise ValueError(
+            _(
+                "speed is {given}; it must be greater than 0 and that of an engine, such as "
+                '"6000 rpm"',
+                given=quoted(given),
+            )
+        )
+    return number
+
+
+def orders(given: Any) -> tuple[float, ...]:
+    """Crank orders, a list of numbers above 0. Raises ValueError, TypeError."""
+    listed = given if isinstance(given, Iterable) and not isinstance(given, str) else None
+    numbers = None if listed is None else [*listed]
+    if numbers is None or not all(map(is_number, numbers)):
+        raise TypeError(
+            _("orders takes numbers such as [1, 2, 4], not {given}", given=quoted(given))
+        )
+    wrong = [order for order in numbers if not 0 < order <= GREATEST_ORDER]
+    if wrong:
+        raise ValueError(
+            _(
+                "orders has {given}; each must be greater than 0 and at most {greatest}",
+                given=quoted(wrong[0]),
+                greatest=GREATEST_ORDER,
+            )
+        )
+    return tuple(map(float, numbers))
+
+
+def is_number(given: Any) -> bool:
+    """Whether it is a number; True and False are none."""
+    return isinstance(given, Real) and not isinstance(given, bool)
+
+
+def check_number(argument: str, given: Any) -> None:
+    """Raises TypeError for what is no number, ValueError for one that is not finite."""
+    if not is_number(given):
+        raise TypeError(
+            _("{argument} takes a number, not {given}", argument=argument, given=quoted(given))
+        )
+    if not -inf < given < inf:
+        raise ValueError(
+            _("{argument} is {given}; it must be finite", argument=argument, given=quoted(given))
+        )
+
+
+def check_place(argument: str, given: Any) -> None:
+    """Raises TypeError for what is no number, ValueError for one far from any engine."""
+    check_number(argument, given)
+    if abs(given) > GREATEST_PLACE:
+        raise ValueError(
+            _(
+                "{argument} is {given}; it must be within {greatest} m of the engine",
+                argument=argument,
+                given=quoted(given),
+                greatest=f"{GREATEST_PLACE:g}",
+            )
+        )
