@@ -108,7 +108,7 @@ def test_roll_on_the_command_line(run: Run) -> None:
         (("i4", "--minimise", "rolls"), "choose from"),
         (("i4", "--model", "stiff"), "choose from determinate, continuous"),
         (("i4", "--box", "-2..-1, 0"), "no balance shafts to place"),
-        (("i4", "--recommended", "--box", "-2..-1, 0"), "--box has no effect"),
+        (("i4", "--recommended", "--box", "-2..-1, 0"), "--recommended places its shafts itself"),
         (("square-four", "--minimise", "force", "--limit", "roll=50%"), "cannot be met"),
     ],
 )
