@@ -461,3 +461,11 @@ def test_a_shaft_stands_at_a_place_without_rounding_errors(run: Run, tmp_path: P
     shaft = load(place).shafts[-1]
     assert abs(shaft.up) > 1e-4
     assert shaft.right == 0.0
+
+
+def test_a_sweep_of_the_factor_of_an_engine_with_weights_says_that_they_add(run: Run) -> None:
+    note = "The engine file has weights on the crankshaft; those of the balance factor are added"
+    over = ("--over", "balance_factor=0..1/3", "--quantity", "force")
+    run("balance", "single", "--factor", "0.5", "-o", "half.toml")
+    assert note in " ".join(run("sweep", "half.toml", *over).out.split())
+    assert note not in " ".join(run("sweep", "single", *over).out.split())

@@ -74,7 +74,7 @@ class Sweep:
     ones for the engine in the middle and at the corners of the ranges of its estimated values.
     `speed` is the one of all [rad/s], None where it is swept or where nothing is in newtons. Where
     the speed is swept, `highest_speed` is omega_0. `orders` are those that were asked for, None of
-    all.
+    all. `adds`: a balance factor is varied whose weights are added to others of the crankshaft.
     """
 
     axes: tuple[Axis, ...]
@@ -87,6 +87,7 @@ class Sweep:
     orders: tuple[float, ...] | None
     again: Callable[..., Sweep] = field(repr=False, compare=False)
     ends: Callable[[], tuple[Sweep, ...]] = field(repr=False, compare=False)
+    adds: bool = False
 
     @property
     def path(self) -> str:
@@ -262,8 +263,10 @@ def _over(
     """The sweep of a file over numbers: key path, values, unit."""
     plan = study(source, over, **how)
     made = _made(plan, [np.asarray(values, float) for _path, values, _unit in over], tell)
+    weighted = any(shaft.get("weight") for shaft in source.tree.get("crankshaft", ()))
     return replace(
         made,
+        adds=weighted and any(varied.path == "balance_factor" for varied in plan.over),
         ends=lambda: tuple(_over(end, over, None, **how) for end in ends_of(source, plan.over)),
     )
 

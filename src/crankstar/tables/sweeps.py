@@ -73,7 +73,12 @@ def notes(sweep: Sweep) -> tuple[Remarks, ...]:
         counted = unit_sentence(engine, balance(engine, speed=sweep.speed, orders=[1]))
     else:
         counted = missing_sentence(engine)
-    return remarks(counted, speed_note(sweep), _estimates_note(sweep), kind="note")
+    added = _(
+        "The engine file has weights on the crankshaft; those of the balance factor are added to "
+        "them."
+    )
+    more = (_estimates_note(sweep), added if sweep.adds else "")
+    return remarks(counted, speed_note(sweep), *more, kind="note")
 
 
 def _estimates_note(sweep: Sweep) -> str:
