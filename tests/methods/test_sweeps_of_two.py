@@ -26,6 +26,7 @@ from crankstar.studies.best_pair import best_pair, front
 from crankstar.studies.best_value import best
 from crankstar.studies.fields import Varied, source_of, subject
 from crankstar.studies.grids import grid_variants
+from crankstar.studies.ranges import over_request
 from crankstar.studies.sweep import sweep, swept, watched
 from crankstar.studies.variants import SweepError
 
@@ -329,6 +330,10 @@ def test_paths_of_both_forms_can_be_varied_together() -> None:
         (["balance_factor=0..1 by x"], '"x" is not a number'),
         (["layout.throws[2]=0..9 deg by 1 rad"], "the units are deg, rad"),
         (["balance_factor=1..1 by 0.1"], "the range is empty"),
+        (["balance_factor=0..1/-5"], "-5 behind the slash is the number of values"),
+        (["balance_factor=0,,1"], '"" is not a number'),
+        (["balance_factor=,"], '"" is not a number'),
+        (["speed=1..1e300 rpm"], "the speed is 1e+300 rpm, too large for an engine"),
     ],
     ids=lambda value: str(value)[:50],
 )
@@ -337,6 +342,11 @@ def test_what_cannot_be_varied_is_refused_with_a_sentence(over: Sequence[str], t
         sweep("i2-360", over)
     assert told in str(error.value)
     assert len(str(error.value)) < 1500
+
+
+def test_an_ellipsis_is_a_range_and_a_last_comma_is_nothing() -> None:
+    assert over_request("balance_factor=0…1/3") == over_request("balance_factor=0..1/3")
+    assert over_request("balance_factor=0, 1,").values == (0.0, 1.0)
 
 
 def test_a_speed_that_is_given_and_varied_is_refused() -> None:

@@ -28,7 +28,7 @@ _NUMBER = re.compile(
 
 _NO_UNIT = re.compile(r"[.,\d]|/\d*\.")
 _BY = re.compile(r"\s+by\b\s*")
-_COUNT = re.compile(r"/\s*(\d+(?:\.\d+)?(?:[eE][-+]?\d+)?)(?!\.?\d)")
+_COUNT = re.compile(r"/\s*([-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?)(?!\.?\d)")
 
 
 class Over(NamedTuple):
@@ -93,8 +93,9 @@ def speeds_request(text: str, *, option: str = "--speeds") -> Over:
 
 def _values(wanted: str, asked: str, example: str, usual: int) -> tuple[tuple[float, ...], str]:
     """The values that a text names, one by one or as a range, and their unit."""
+    wanted = wanted.replace("…", "..")
     if ".." not in wanted:
-        parts = [part for part in wanted.split(",") if part.strip()]
+        parts = wanted.strip().removesuffix(",").split(",")
         values, unit = _numbers(parts, asked, example)
         if len(set(values)) < 2:
             raise SweepError(
