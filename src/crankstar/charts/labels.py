@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from cmath import exp
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from math import copysign, pi
 from typing import NamedTuple
 
@@ -17,6 +17,10 @@ ASIDE = (0, 25, -25, 50, -50, 80, -80, 115, -115, 150, -150, 180)
 """Degrees from the preferred direction of a label, in the order in which they are tried."""
 FARTHER = (0.0, 9.0, 20.0, 32.0, 46.0, 62.0, 80.0, 100.0, 122.0, 146.0)
 """px beyond the gap of a label, in the order in which they are tried."""
+PLACES = tuple(
+    (farther, turn, abs(turn) / 60 + farther / 14) for farther in FARTHER for turn in ASIDE
+)
+"""The places of a label in the order in which they are tried: farther, aside, and the cost."""
 BESIDE = 75
 """Degrees aside from which a label has a leader, as it has where it is farther away."""
 ACROSS_TEXT, ACROSS_FAINT, ACROSS_LINE = 4.0, 2.0, 0.4
@@ -101,9 +105,10 @@ def apart(
     for label in labels[:GREATEST_LABELS]:
         best: tuple[float, Label, Box] | None = None
         point, _way = _point(label, theta=theta, scale=scale)
-        for tried, least in _places(label):
+        for farther, turn, least in PLACES:
             if best is not None and least >= best[0] - 1e-9:
                 continue
+            tried = _moved(label, farther, turn)
             here = box(tried, theta=theta, scale=scale)
             if not _inside(here, within) or any(meets(here, other) for other in taken):
                 continue
@@ -124,14 +129,11 @@ def apart(
     return out
 
 
-def _places(label: Label) -> Iterator[tuple[Label, float]]:
-    """The places of a label, each with its cost: aside and farther away."""
-    for farther in FARTHER:
-        for turn in ASIDE:
-            direction = label.direction * exp(1j * turn * pi / 180)
-            led = farther > FARTHER[1] or abs(turn) > BESIDE
-            tried = label._replace(direction=direction, gap=label.gap + farther, led=led)
-            yield tried, abs(turn) / 60 + farther / 14
+def _moved(label: Label, farther: float, turn: float) -> Label:
+    """The label farther from its point, and turned aside by so many degrees."""
+    led = farther > FARTHER[1] or abs(turn) > BESIDE
+    direction = label.direction * exp(1j * turn * pi / 180)
+    return label._replace(direction=direction, gap=label.gap + farther, led=led)
 
 
 def leader_end(point: complex, box: Box) -> complex:

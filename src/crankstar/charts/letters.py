@@ -6,6 +6,7 @@ it is apart in Arial, Helvetica and Noto Sans as well.
 
 from __future__ import annotations
 
+from functools import lru_cache
 from unicodedata import east_asian_width
 
 NO_BREAK = "\N{NO-BREAK SPACE}"
@@ -32,6 +33,7 @@ USUAL = 0.65
 _WIDTH = {letter: width for width, letters in WIDTHS.items() for letter in letters}
 
 
+@lru_cache(maxsize=4096)
 def text_width(text: str, size: float = TEXT) -> float:
     """About how wide the longest line of a text is, px.
 
