@@ -5,7 +5,6 @@
 | `help` | the help in the reader's language |
 | `output` | where results go: terminal, pipe or file |
 | `options` | options that several verbs share |
-| `application` | how a command line is read, and how the process ends |
 | `tabulating` | a Document as tables, JSON, CSV, a spreadsheet or Parquet |
 | `speed_ranges` | what `analyze --speeds` prints |
 | `inspect` | list, show, analyze, bearings, compare, verdict, strokes |
@@ -24,43 +23,9 @@
 | `serving` | serve |
 | `exporting` | export |
 | `files` | check, new, schema |
+| `application` | how a command line is read, the verbs by name, how the process ends |
 """
 
-from crankstar.cli import (
-    balancing,
-    deriving,
-    estimating,
-    exporting,
-    files,
-    firing,
-    inspect,
-    options,
-    picturing,
-    reporting,
-    searching,
-    serving,
-    showing,
-    sweeping,
-    workshop,
-)
 from crankstar.cli.application import app, main
 
-__all__ = [
-    "app",
-    "balancing",
-    "deriving",
-    "estimating",
-    "exporting",
-    "files",
-    "firing",
-    "inspect",
-    "main",
-    "options",
-    "picturing",
-    "reporting",
-    "searching",
-    "serving",
-    "showing",
-    "sweeping",
-    "workshop",
-]
+__all__ = ["app", "main"]

@@ -29,6 +29,35 @@ if TYPE_CHECKING:
 
 LEAST_WIDTH = 20
 """Columns of help, at least."""
+VERBS = {
+    "analyze": "inspect:analyze",
+    "balance": "balancing:balance",
+    "bearings": "inspect:bearings",
+    "bobweight": "workshop:bobweight",
+    "check": "files:check",
+    "compare": "inspect:compare",
+    "derive": "deriving:derive",
+    "drill": "workshop:drill",
+    "errata": "deriving:errata",
+    "estimate": "estimating:estimate",
+    "export": "exporting:export",
+    "grade": "workshop:grade",
+    "list": "inspect:list_engines",
+    "new": "files:new",
+    "orders": "firing:orders",
+    "page": "showing:page",
+    "plot": "picturing:plot",
+    "report": "reporting:write_report",
+    "schema": "files:schema",
+    "search": "searching:search",
+    "serve": "serving:serve",
+    "show": "inspect:show",
+    "strokes": "inspect:strokes",
+    "sweep": "sweeping:sweep",
+    "vees": "firing:vees",
+    "verdict": "inspect:verdict",
+}
+"""The module of this room and the function of each verb; only the one that is asked is loaded."""
 app = App(
     name="crankstar",
     help="Compute how a piston engine shakes, why, and what to do about it. ENGINE is a name from "
@@ -44,6 +73,8 @@ app = App(
 app.register_install_completion_command(
     help="Install completion of commands and options in this shell."
 )
+for _verb, _place in VERBS.items():
+    app.command(f"crankstar.cli.{_place}", name=_verb)
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
@@ -58,6 +89,8 @@ def main(arguments: Sequence[str] | None = None) -> None:
                 from crankstar.cli.help import TranslatedHelp
 
                 app.help_formatter = TranslatedHelp()
+                if not VERBS.keys() & set(words):  # the list of verbs has a line of each
+                    app.resolved_commands()
                 if columns := os.environ.get("COLUMNS"):  # help is endless in a column or two
                     width = int(columns) if columns.isdecimal() and len(columns) < 5 else 80
                     os.environ["COLUMNS"] = str(max(width, LEAST_WIDTH))

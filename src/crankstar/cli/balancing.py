@@ -6,7 +6,6 @@ from dataclasses import replace
 from functools import partial
 from typing import Annotated
 
-from crankstar.cli.application import app
 from crankstar.cli.options import (
     FLAT,
     EngineName,
@@ -26,7 +25,6 @@ from crankstar.options import values as request
 from crankstar.options.balancing import BalanceOptions
 
 
-@app.command
 def balance(
     engine: EngineName,
     /,

@@ -5,7 +5,6 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Annotated
 
-from crankstar.cli.application import app
 from crankstar.cli.options import (
     EngineName,
     Output,
@@ -23,7 +22,6 @@ from crankstar.options.forms import form_of
 from crankstar.options.values import refusal
 
 
-@app.command
 def derive(
     engine: EngineName,
     /,
@@ -108,7 +106,6 @@ def derive(
         write(documents.FORMATS[form](chapters, letters), output)
 
 
-@app.command
 def errata(
     *, source: Annotated[str | None, option("--source")] = None, output: Output = None
 ) -> None:

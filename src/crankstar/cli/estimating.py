@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Annotated, Any, get_args
 
-from crankstar.cli.application import app
 from crankstar.cli.options import Csv, EngineName, Json, Settings, changed_tree, option, write_tree
 from crankstar.cli.tabulating import give
 from crankstar.engine.quantities import VOLUME
@@ -26,7 +25,6 @@ def _volume(text: str | None) -> float | None:
     return volume
 
 
-@app.command
 def estimate(
     engine: EngineName,
     /,

@@ -5,7 +5,6 @@ from __future__ import annotations
 from functools import partial
 from typing import Annotated
 
-from crankstar.cli.application import app
 from crankstar.cli.options import (
     EngineName,
     ReferencePoint,
@@ -22,7 +21,6 @@ from crankstar.options.forms import form_of
 from crankstar.options.values import refusal
 
 
-@app.command
 def export(
     engine: EngineName,
     /,

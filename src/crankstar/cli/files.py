@@ -6,7 +6,6 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
-from crankstar.cli.application import app
 from crankstar.cli.options import Output, loaded_values, option
 from crankstar.cli.output import complain, display, is_file, write, write_bytes
 from crankstar.engine.engine import Engine
@@ -17,7 +16,6 @@ from crankstar.options.forms import form_of
 from crankstar.options.values import RequestError, choice, refusal
 
 
-@app.command
 def check(
     *files: Annotated[str, Parameter(help="Engine files, or names from the catalog.")],
 ) -> int:
@@ -54,7 +52,6 @@ def _good(name: str, engine: Engine) -> str:
     return _("{file}: good ({engine})", file=file, engine=engine_text)
 
 
-@app.command
 def new(
     layout: Annotated[
         str, Parameter(help="inline, vee, boxer, tandem, opposed, radial or explicit.")
@@ -79,7 +76,6 @@ def new(
     write_bytes(workbook_bytes(sheets_of(tree_of(STARTERS[layout]), blank=True)), output)
 
 
-@app.command
 def schema(*, output: Output = None) -> None:
     """Print the JSON Schema of engine files, for completion and checks in an editor."""
     from crankstar.files import schema as file_schema

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Annotated, cast, get_args
 
 from cyclopts import Parameter
 
-from crankstar.cli.application import app
 from crankstar.cli.options import (
     Csv,
     EngineName,
@@ -43,7 +42,6 @@ REASONS = 4
 """Dead centres that are named as the reason why nothing fires evenly."""
 
 
-@app.command
 def orders(
     engine: EngineName,
     /,
@@ -117,7 +115,6 @@ def _asked(engine: Engine, intervals: str | None, tolerance: str | None) -> List
     return Listing(engine, possible, asked_deg=wanted, tolerance_deg=near)
 
 
-@app.command
 def vees(
     cylinders: Annotated[
         int, Parameter(help="Number of cylinders, even, up to 16.", converter=whole)

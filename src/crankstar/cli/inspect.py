@@ -10,7 +10,6 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any, cast, get_args
 
-from crankstar.cli.application import app
 from crankstar.cli.options import (
     Csv,
     EngineName,
@@ -43,7 +42,6 @@ if TYPE_CHECKING:
     from crankstar.tables.table import Document
 
 
-@app.command(name="list")
 def list_engines(
     *,
     cylinders: Annotated[int | None, option("--cylinders")] = None,
@@ -64,7 +62,6 @@ def list_engines(
     display(catalog(matching))
 
 
-@app.command
 def show(
     engine: EngineName,
     /,
@@ -85,7 +82,6 @@ def show(
         give(description(loaded), output, form=form_of(output, TABLES), tree=tree)
 
 
-@app.command
 def analyze(
     engine: EngineName,
     /,
@@ -159,7 +155,6 @@ def analyze(
         display(document, output)
 
 
-@app.command
 def bearings(
     engine: EngineName,
     /,
@@ -198,7 +193,6 @@ def bearings(
     give(document, output, form=form)
 
 
-@app.command
 def compare(
     first: EngineName,
     second: EngineName,
@@ -253,7 +247,6 @@ def compare(
     give(tables.with_shares(document, engines), output, form=form)
 
 
-@app.command
 def verdict(
     engine: EngineName,
     /,
@@ -289,7 +282,6 @@ def verdict(
     give(document, output, form=form_of(output, ("txt", "xlsx")))
 
 
-@app.command
 def strokes(
     engine: EngineName, /, *, settings: Settings = None, json: Json = False, output: Output = None
 ) -> None:

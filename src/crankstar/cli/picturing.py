@@ -8,7 +8,6 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
-from crankstar.cli.application import app
 from crankstar.cli.options import (
     FLAT,
     EngineName,
@@ -29,7 +28,6 @@ from crankstar.options.forms import usual_place
 from crankstar.options.values import RequestError
 
 
-@app.command
 def plot(
     engine: EngineName,
     chart: Annotated[

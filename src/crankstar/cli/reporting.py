@@ -6,7 +6,6 @@ from functools import partial
 from typing import Annotated
 
 from crankstar.charts.fonts import missing_letters
-from crankstar.cli.application import app
 from crankstar.cli.options import (
     EngineName,
     Estimating,
@@ -29,7 +28,6 @@ SHOWN = 12
 """Letters without a font that are named."""
 
 
-@app.command(name="report")
 def write_report(
     engine: EngineName,
     /,

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from cyclopts import Parameter
 
-from crankstar.cli.application import app
 from crankstar.cli.options import (
     FLAT,
     Estimating,
@@ -40,7 +39,6 @@ GREATEST_WORKERS = 1024
 GREATEST_ROW = 200_000
 
 
-@app.command
 def search(
     cylinders: Annotated[
         str, Parameter(help="Number of cylinders, or an in-line engine (name or file).")

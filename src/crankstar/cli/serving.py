@@ -6,7 +6,6 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
-from crankstar.cli.application import app
 from crankstar.cli.options import Estimating, Settings, command_text, engine_over_ranges, option
 from crankstar.cli.output import complain, working
 from crankstar.language.messages import _
@@ -16,7 +15,6 @@ from crankstar.options.values import RequestError
 GREATEST_PORT = 65535
 
 
-@app.command
 def serve(
     engine: Annotated[
         str, Parameter(help="Engine to open: name from the catalog, or file.")

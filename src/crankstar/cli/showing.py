@@ -5,7 +5,6 @@ from __future__ import annotations
 from functools import partial
 from typing import Annotated
 
-from crankstar.cli.application import app
 from crankstar.cli.options import (
     EngineName,
     Estimating,
@@ -21,7 +20,6 @@ from crankstar.options import values as request
 from crankstar.options.forms import form_of, refuse_terminal, usual_place
 
 
-@app.command
 def page(
     engine: EngineName,
     /,

@@ -8,7 +8,6 @@ from functools import partial
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Annotated, Any
 
-from crankstar.cli.application import app
 from crankstar.cli.options import (
     FLAT,
     Csv,
@@ -40,7 +39,6 @@ if TYPE_CHECKING:
     from crankstar.tables.table import Document
 
 
-@app.command
 def sweep(
     engine: EngineName,
     /,

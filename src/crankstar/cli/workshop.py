@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
-from crankstar.cli.application import app
 from crankstar.cli.options import (
     ENGINE,
     FLAT,
@@ -47,7 +46,6 @@ def _factor(name: str, settings: list[str] | None, text: str | None) -> float:
     return request.own_factor(name, settings, otherwise=0.5)
 
 
-@app.command
 def bobweight(
     engine: EngineName,
     /,
@@ -75,7 +73,6 @@ def bobweight(
     give(ranged(card, spread, loaded), output, form=form)
 
 
-@app.command
 def drill(
     engine: AnyEngine = None,
     /,
@@ -167,7 +164,6 @@ def _engine_holes(engine: Engine, made: Drill, factor: float, weights: str) -> D
     return drilling_document(engine.name, corrections, made, along=along, lines=lines)
 
 
-@app.command
 def grade(
     engine: AnyEngine = None,
     /,
