@@ -99,8 +99,8 @@ def apart(
     rectangles. Labels that find no place are left out.
     """
     taken: list[Box] = list(around)
-    lines: Complex = np.array(strokes, complex).reshape(-1, 2)
-    thin: Complex = np.array(faint, complex).reshape(-1, 2)
+    lines: Complex = np.array([*faint, *strokes], complex).reshape(-1, 2)
+    faintly = len(faint)
     out: list[Label] = []
     for label in labels[:GREATEST_LABELS]:
         best: tuple[float, Label, Box] | None = None
@@ -112,12 +112,13 @@ def apart(
             here = box(tried, theta=theta, scale=scale)
             if not _inside(here, within) or any(meets(here, other) for other in taken):
                 continue
-            cost = least + ACROSS_TEXT * int(crossed([here], lines).sum())
-            cost += ACROSS_FAINT * int(crossed([here], thin).any())
+            through = crossed([here], lines)[0]
+            cost = least + ACROSS_TEXT * int(through[faintly:].sum())
+            cost += ACROSS_FAINT * int(through[:faintly].any())
             if tried.led and (best is None or cost < best[0]):
                 leader = np.array([[point, leader_end(point, here)]])
                 cost += ACROSS_TEXT * int(crossed(taken, leader).sum())
-                cost += ACROSS_LINE * _crossings(leader[0], lines)
+                cost += ACROSS_LINE * _crossings(leader[0], lines[faintly:])
             if best is None or cost < best[0] - 1e-9:
                 best = (cost, tried, here)
         if best is not None:
@@ -177,21 +178,23 @@ def _inside(box: Box, frame: Box) -> bool:
 
 
 def crossed(boxes: Sequence[Box], lines: Complex) -> NDArray[np.bool_]:
-    """Which lines [line, end] run through which rectangles, [box, line]; height taken tightly."""
+    """Which lines [line, end] run through which rectangles, [box, line]; height taken tightly.
+
+    A line misses a rectangle where the two lie apart across, upright or along the normal of the
+    line (separating axes).
+    """
+    half = (lines[:, 1] - lines[:, 0]) / 2
+    up, right = np.real(half), np.imag(half)
     sizes: Complex = np.array(boxes, complex).reshape(-1, 3)
-    start, step = lines[:, 0] - sizes[:, :1], lines[:, 1] - lines[:, 0]
-    enter, leave = np.zeros(start.shape), np.ones(start.shape)
-    for at, along, half in (
-        (np.imag(start), np.imag(step), np.real(sizes[:, 1:2])),
-        (np.real(start), np.real(step), 0.8 * np.real(sizes[:, 2:])),
-    ):
-        still = np.abs(along) < 1e-9
-        safe = np.where(still, 1.0, along)
-        one, other = (-half - at) / safe, (half - at) / safe
-        beside = still & (np.abs(at) >= half)
-        enter = np.maximum(enter, np.where(still, 0.0, np.minimum(one, other)) + 2.0 * beside)
-        leave = np.minimum(leave, np.where(still, 1.0, np.maximum(one, other)))
-    return enter < leave
+    off = lines[:, 0] + half - sizes[:, :1]
+    across, upright = np.real(sizes[:, 1:2]), 0.8 * np.real(sizes[:, 2:])
+    ahead, aside = np.real(off), np.imag(off)
+    high, wide = np.abs(up), np.abs(right)
+    return (
+        (np.abs(aside) < across + wide)
+        & (np.abs(ahead) < upright + high)
+        & (np.abs(aside * up - ahead * right) <= across * high + upright * wide)
+    )
 
 
 def _crossings(leader: Complex, lines: Complex) -> int:
