@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields
 from fractions import Fraction
+from functools import cache
 from typing import Any
 
 from flint import arb, fmpz
@@ -144,6 +145,8 @@ Formula = (
     | Integral
 )
 
+LEAVES = (Rational, Decimal, Symbol, Pi)
+"""The formulas that have no others in them."""
 NOUGHT = Rational(Fraction(0))
 UNIT = Rational(Fraction(1))
 THETA = Symbol("theta")
@@ -168,7 +171,7 @@ def product(*factors: Formula | Fraction | int) -> Formula:
     others: list[Formula] = []
     for f in flat:
         if isinstance(f, Rational):
-            rational *= f.value
+            rational = f.value if rational == 1 else rational * f.value
         elif isinstance(f, Decimal) and f.ball < 0:
             rational = -rational
             others.append(Decimal(-f.ball, f.digits))
@@ -263,11 +266,17 @@ def coefficient(formula: Formula) -> tuple[Fraction, Formula]:
 def parts(formula: Formula) -> Iterator[Formula]:
     """A formula and all formulas in it."""
     yield formula
-    for field in fields(formula):
-        inner = getattr(formula, field.name)
+    for name in _names(type(formula)):
+        inner = getattr(formula, name)
         for part in inner if isinstance(inner, tuple) else (inner,):
             if isinstance(part, Formula):
                 yield from parts(part)
+
+
+@cache
+def _names(kind: type[Formula]) -> tuple[str, ...]:
+    """The names of the fields in which a formula may have others."""
+    return tuple(field.name for field in fields(kind)) if kind not in LEAVES else ()
 
 
 def letters_of(formula: Formula) -> set[str]:
@@ -299,7 +308,9 @@ def renamed(formula: Formula, names: Mapping[str, Formula]) -> Formula:
 
     if isinstance(formula, Symbol):
         return names.get(formula.name, formula)
-    tree = replace(
-        formula, **{field.name: of(getattr(formula, field.name)) for field in fields(formula)}
-    )
-    return product(*tree.factors) if isinstance(tree, Product) else tree
+    if isinstance(formula, LEAVES):
+        return formula
+    if isinstance(formula, Product):
+        return product(*map(of, formula.factors))
+    kind = type(formula)
+    return kind(*(of(getattr(formula, name)) for name in _names(kind)))
