@@ -36,7 +36,7 @@ def letters_of(script: Script, text: Iterable[str]) -> str:
     >>> letters_of(JAPANESE, "慣性 a 力"), letters_of(CYRILLIC, "сила F")
     ('力性慣', 'аилс')
     """
-    return "".join(sorted({letter for letter in text if _is_of(script, letter)}))
+    return "".join(sorted(letter for letter in set(text) if _is_of(script, letter)))
 
 
 def _is_of(script: Script, letter: str) -> bool:

@@ -6,7 +6,7 @@ from base64 import b64encode
 from io import BytesIO
 from pathlib import Path
 
-from crankstar.charts.fonts import SCRIPTS, Script, font_file, letters_of
+from crankstar.charts.fonts import JAPANESE, SCRIPTS, Script, font_file, letters_of
 
 
 def faces(text: str) -> tuple[str, str]:
@@ -47,6 +47,9 @@ def _part(place: Path, script: Script, letters: str) -> bytes:
 
     options = subset.Options(flavor="woff", layout_features=["kern"], recalc_timestamp=False)
     font = TTFont(str(place), recalcTimestamp=False)
+    if script is JAPANESE:  # set in squares, without kerning; these tables take longest to read
+        for tag in {"BASE", "GPOS", "GSUB"} & set(font.keys()):
+            del font[tag]
     if script.family == "Noto Sans":  # a variable font, at its regular weight and width
         from fontTools.varLib.instancer import instantiateVariableFont
 
