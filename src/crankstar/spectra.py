@@ -214,21 +214,36 @@ def peak(spectrum: Spectrum) -> Peak:
     Samples over the period show where it can be; Newton's method on |v|^2 goes from each of these
     to the maximum beside it.
     """
-    if spectrum.orders.size == 0 or not (np.any(spectrum.forward) or np.any(spectrum.backward)):
-        return Peak(0.0, 0.0, 0j)
+    return tops(spectrum[None])[0]
+
+
+def tops(spectrum: Spectrum) -> list[Peak]:
+    """The `peak` of every vector of a batch [vector, n]."""
+    out = [Peak(0.0, 0.0, 0j)] * len(spectrum.forward)
+    moving = np.flatnonzero((spectrum.forward != 0).any(-1) | (spectrum.backward != 0).any(-1))
+    if not moving.size:
+        return out
+    spectrum = spectrum[moving]
     period_angle = 2 * np.pi * period(spectrum)
-    lengths = np.abs(_over_period(spectrum))
-    step = period_angle / lengths.size
-    starts = _candidates(lengths) * step
+    samples = np.abs(_over_period(spectrum))
+    step = period_angle / samples.shape[-1]
+    near = [_candidates(lengths) for lengths in samples]
+    rows = np.repeat(np.arange(len(near)), [places.size for places in near])
+    starts, own = np.concatenate(near) * step, spectrum[rows]
     # Between two maxima close together lies a minimum: go from it to either side.
-    maxima = [_maxima(spectrum, starts, step, side=side).theta for side in (1, -1)]
-    theta = np.concatenate([starts, *maxima]) % period_angle
+    maxima = [_maxima(own, starts, step, side=side).theta for side in (1, -1)]
+    theta, rows = np.concatenate([starts, *maxima]) % period_angle, np.tile(rows, 3)
     theta = np.where(period_angle - theta < 1e-9, 0.0, theta)
-    lengths = np.abs(value(spectrum, theta))
+    lengths = np.abs(_derivatives(spectrum[rows], theta)[0])
+    greatest = np.zeros(moving.size)
+    np.maximum.at(greatest, rows, lengths)
     # Equal peaks differ by rounding, and by how near Newton's method came: take the first.
-    first = float(np.min(theta[lengths >= lengths.max() * (1 - 1e-9)]))
-    here = complex(value(spectrum, first))
-    return Peak(abs(here), 0.0 if first < 1e-9 else first, here)
+    first, high = np.full(moving.size, np.inf), lengths >= greatest[rows] * (1 - 1e-9)
+    np.minimum.at(first, rows[high], theta[high])
+    first = np.where(first < 1e-9, 0.0, first)
+    for row, angle, here in zip(moving, first, _derivatives(spectrum, first)[0], strict=True):
+        out[row] = Peak(abs(complex(here)), float(angle), complex(here))
+    return out
 
 
 POINTS, POINTS_AT_MOST = 16, 1 << 22

@@ -47,7 +47,7 @@ from crankstar.language.messages import N_, _
 from crankstar.language.numbers import unit_text
 from crankstar.language.shown_units import shown
 from crankstar.mechanics.remains import NEGLIGIBLE
-from crankstar.spectra import Complex, Spectrum
+from crankstar.spectra import Complex, Peak, Spectrum
 
 Loaded = Literal["main-bearing", "main-journal", "crank-pin", "crank-pin-journal"]
 """What the load acts on: bearings or pins in the frame of the block, or turning with the shaft."""
@@ -92,7 +92,7 @@ VISIBLE = 1e-4
 
 
 class Loading(NamedTuple):
-    """A loaded bearing or pin: its shaft, its words, its load, and the dashed directions.
+    """A loaded bearing or pin: its shaft, its words, its load, its peak, and the dashed directions.
 
     `ends` are the loads in the middle and at the corners of the ranges of an estimated engine.
     """
@@ -100,6 +100,7 @@ class Loading(NamedTuple):
     shaft: Shaft
     name: str
     load: Spectrum
+    top: Peak
     directions: tuple[float, ...]
     ends: tuple[Spectrum, ...] = ()
 
@@ -141,7 +142,7 @@ def polar_loads(
     loadings = _greatest(every, most)
     # each shaft begins a row, unless these are the greatest of all shafts
     groups = _by_shaft(loadings) if len(loadings) == len(every) else [loadings]
-    largest = max(spectra.peak(loading.load).value for loading in loadings)
+    largest = max(loading.top.value for loading in loadings)
     said = shown(loads.unit, largest)
     columns, side = _columns(max(map(len, groups)), most=3 if len(loadings) <= MANY else 4)
     turning = quantity in TURNING
@@ -188,6 +189,7 @@ def _loadings(
     several = len({bearing.shaft for bearing in loads.bearings}) > 1
     turning = quantity in TURNING
     if quantity.startswith("main"):
+        tops = spectra.tops(loads.load)
         for index, bearing in enumerate(loads.bearings):
             shaft = engine.shaft(bearing.shaft)
             ahead = [t for t in shaft.throws if t.z > bearing.z]
@@ -197,10 +199,11 @@ def _loadings(
             name = f"{shaft.name}: {words}" if several else words
             angles = tuple(dict.fromkeys(round(throw.angle, 9) for throw in near))
             ends = tuple(other.load[index] for other in others)
-            yield Loading(shaft, name, loads.load[index], angles, ends)
+            yield Loading(shaft, name, loads.load[index], tops[index], angles, ends)
         return
     several = len({pin.shaft for pin in loads.pins}) > 1
     bearings = {cylinder.number: cylinder.bearing for cylinder in engine.cylinders}
+    tops = spectra.tops(loads.pin)
     for index, pin in enumerate(loads.pins):
         shaft = engine.shaft(pin.shaft)
         words = _("pin {number}", number=pin.throw)
@@ -210,12 +213,12 @@ def _loadings(
         axes = (round(bearings[number], 9) for number in pin.cylinders)
         angles = (shaft.throws[pin.throw - 1].angle,) if turning else tuple(dict.fromkeys(axes))
         ends = tuple(other.pin[index] for other in others)
-        yield Loading(shaft, name, loads.pin[index], angles, ends)
+        yield Loading(shaft, name, loads.pin[index], tops[index], angles, ends)
 
 
 def _head(loading: Loading, scale: Scale, largest: float, side: float) -> list[str]:
     """The name of a panel, and its greatest load with the crank angle, in lines."""
-    top = spectra.peak(loading.load)
+    top = loading.top
     if top.value <= NEGLIGIBLE * largest:
         return folded(loading.name, width=side)
     angle = brief(round(degrees(top.theta), 6))
@@ -234,7 +237,7 @@ def _greatest(loadings: Sequence[Loading], most: int) -> list[Loading]:
     """The greatest loads, up to `most`, in their order."""
     if len(loadings) <= most:
         return list(loadings)
-    peaks = [spectra.peak(loading.load).value for loading in loadings]
+    peaks = [loading.top.value for loading in loadings]
     top = max(peaks) or 1.0
     kept = sorted(range(len(peaks)), key=lambda place: -round(peaks[place] / top, 9))[:most]
     return [loadings[place] for place in sorted(kept)]
@@ -278,7 +281,7 @@ def _panel(
 ) -> Panel:
     """The path of one load."""
     frame = scale.frame
-    top = spectra.peak(loading.load)
+    top = loading.top
     if top.value <= NEGLIGIBLE * largest:
         nothing = Plane(notes=(empty(frame, _("no load")),))
         return picture(nothing, frame, theta=theta, title=head)

@@ -5,7 +5,8 @@ from __future__ import annotations
 from cmath import exp
 from collections.abc import Callable, Sequence
 from fractions import Fraction
-from itertools import pairwise
+from functools import lru_cache
+from itertools import accumulate, pairwise
 from typing import Any
 
 import numpy as np
@@ -232,14 +233,12 @@ def _label(
     return Label(text, anchor, way, rate, colour=COLOURS[vectors[0].kind])
 
 
-def _corners(star: Star) -> list[complex]:
-    corners = [0j]
-    for vector in star.vectors:
-        corners.append(corners[-1] + vector.value)
-    return corners
+def _corners(star: Star) -> tuple[complex, ...]:
+    return tuple(accumulate((vector.value for vector in star.vectors), initial=0j))
 
 
-def _circle(points: Sequence[complex]) -> tuple[complex, float]:
+@lru_cache(maxsize=64)  # the frame of all stars asks for each, then its own panel
+def _circle(points: tuple[complex, ...]) -> tuple[complex, float]:
     """Nearly the smallest circle about points, by ever shorter steps to the farthest."""
     places = np.array(points)
     ups, rights = np.real(places), np.imag(places)
@@ -274,8 +273,9 @@ def result_text(shown: Stars, star: Star) -> str:
 def _polygon_panel(shown: Stars, star: Star, frame: Frame, theta: float) -> Panel:
     if not star.vectors:
         return _nothing(shown, star, frame, theta)
-    corners = np.array(_corners(star))
-    moved = (corners - _circle(corners.tolist())[0]).tolist()
+    corners = _corners(star)
+    centre = _circle(corners)[0]
+    moved = [corner - centre for corner in corners]
     arrows = [
         Arrow(end, start, rate=star.rate, colour=COLOURS[vector.kind])
         for vector, (start, end) in zip(star.vectors, pairwise(moved), strict=True)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from typing import Literal
 
 import numpy as np
 
@@ -109,25 +110,18 @@ def _orders(loads: BearingLoads) -> tuple[float, ...]:
 def _loads(engine: Engine, loads: BearingLoads, orders: tuple[float, ...]) -> Iterator[LoadShown]:
     """The main bearings, then the crank pins."""
     several = len({bearing.shaft for bearing in loads.bearings}) > 1
-    for index, bearing in enumerate(loads.bearings):
-        words = _("bearing {number}", number=bearing.number)
-        name = f"{bearing.shaft}: {words}" if several else words
-        yield _load(engine, "bearing", bearing.shaft, name, loads.load[index], orders)
-    for index, pin in enumerate(loads.pins):
-        words = _("pin {number}", number=pin.throw)
-        name = f"{pin.shaft}: {words}" if several else words
-        yield _load(engine, "pin", pin.shaft, name, loads.pin[index], orders)
-
-
-def _load(
-    engine: Engine, on: str, shaft: str, name: str, load: Spectrum, orders: tuple[float, ...]
-) -> LoadShown:
-    top = spectra.peak(load)
-    return LoadShown(
-        on="bearing" if on == "bearing" else "pin",
-        name=name,
-        speed_ratio=float(engine.shaft(shaft).speed_ratio),
-        load=vectors(load, orders),
-        peak=top.value,
-        peak_theta=top.theta,
-    )
+    bearings = [(own.shaft, _("bearing {number}", number=own.number)) for own in loads.bearings]
+    pins = [(pin.shaft, _("pin {number}", number=pin.throw)) for pin in loads.pins]
+    kinds: tuple[tuple[Literal["bearing", "pin"], Sequence[tuple[str, str]], Spectrum], ...]
+    kinds = (("bearing", bearings, loads.load), ("pin", pins, loads.pin))
+    for on, places, load in kinds:
+        tops = spectra.tops(load)
+        for index, ((shaft, words), top) in enumerate(zip(places, tops, strict=True)):
+            yield LoadShown(
+                on=on,
+                name=f"{shaft}: {words}" if several else words,
+                speed_ratio=float(engine.shaft(shaft).speed_ratio),
+                load=vectors(load[index], orders),
+                peak=top.value,
+                peak_theta=top.theta,
+            )

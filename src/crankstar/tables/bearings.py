@@ -90,11 +90,16 @@ def _steady(spectrum: Spectrum) -> np.ndarray:
     return (still.forward + still.backward)[:, 0]
 
 
-def _peak_cells(spectrum: Spectrum, largest: float) -> tuple[Value, ...]:
-    """Greatest, at which crank angle, where it points."""
-    top = spectra.peak(spectrum)
-    angle = round(degrees(top.theta), 6) + 0.0 if top.value > NEGLIGIBLE * largest else None
-    return top.value, angle, _place(top.vector, largest)
+def _peak_cells(loads: Spectrum, largest: float) -> list[tuple[Value, ...]]:
+    """Of each load its greatest, at which crank angle, where it points."""
+    return [
+        (
+            top.value,
+            round(degrees(top.theta), 6) + 0.0 if top.value > NEGLIGIBLE * largest else None,
+            _place(top.vector, largest),
+        )
+        for top in spectra.tops(loads)
+    ]
 
 
 def _peak_columns(unit: str) -> tuple[Column, ...]:
@@ -118,12 +123,12 @@ def peaks(engine: Engine, loads: BearingLoads) -> Table:
     )
     largest = float(spectra.peaks(loads.load).max(initial=0.0))
     steady = np.abs(_steady(loads.load))
+    tops = _peak_cells(loads.load, largest)
     rows: list[tuple[Value, ...]] = []
-    for index, bearing in enumerate(loads.bearings):
+    for bearing, top, mean in zip(loads.bearings, tops, steady.tolist(), strict=True):
         place = _("assumed") if bearing.assumed else _("from the file")
         cells = (bearing.shaft, bearing.number, along.of(bearing.z), place)
-        top = _peak_cells(loads.load[index], largest)
-        rows.append((*cells, *top, float(steady[index])))
+        rows.append((*cells, *top, mean))
     doubtful = frozenset(i for i, bearing in enumerate(loads.bearings) if bearing.assumed)
     title = _("Loads on main bearings from inertia and weights, over a turn")
     return Table(title, columns, tuple(rows), key="bearings", doubtful=doubtful)
@@ -176,8 +181,8 @@ def pins(loads: BearingLoads) -> Table:
     )
     largest = float(spectra.peaks(loads.pin).max(initial=0.0))
     rows = tuple(
-        (pin.shaft, pin.throw, pin.cylinders, *_peak_cells(loads.pin[index], largest))
-        for index, pin in enumerate(loads.pins)
+        (pin.shaft, pin.throw, pin.cylinders, *top)
+        for pin, top in zip(loads.pins, _peak_cells(loads.pin, largest), strict=True)
     )
     return Table(_("Loads of the rods on crank pins"), columns, rows, key="pins")
 
@@ -186,10 +191,8 @@ def walls(loads: BearingLoads) -> Table:
     """The greatest guide force of each piston on its cylinder."""
     columns = (Column(_("cylinder"), key="cylinder", label=True), *_peak_columns(loads.unit))
     largest = float(spectra.peaks(loads.pin).max(initial=0.0))
-    rows = tuple(
-        (own, *_peak_cells(loads.guide[index], largest))
-        for index, own in enumerate(loads.cylinders)
-    )
+    tops = _peak_cells(loads.guide, largest)
+    rows = tuple((own, *top) for own, top in zip(loads.cylinders, tops, strict=True))
     return Table(_("Guide forces of the pistons on their cylinders"), columns, rows, key="guides")
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cache
 from itertools import pairwise
 from math import isclose
 from typing import NamedTuple
@@ -79,11 +80,8 @@ def relative_lines(engine: Engine) -> list[str]:
     own = piston_balance(engine)
     count = len(engine.chambers)
     rows = [row for row in summaries() if row.cylinders == count and row.cycle == engine.cycle]
-    others = [
-        (row.name, piston_balance(other))
-        for row in rows
-        if (other := load(row.name)).name != engine.name
-    ]
+    known = [(row.name, *_of_catalog(row.name)) for row in rows]
+    others = [(name, other) for name, title, other in known if title != engine.name]
     if not others:
         return [
             _n(
@@ -104,7 +102,7 @@ def relative_lines(engine: Engine) -> list[str]:
     for name, other in others:
         if name not in equal:
             key = next(
-                (known for known in different if np.allclose(known, other, rtol=0.05, atol=0.01)),
+                (near for near in different if np.allclose(near, other, rtol=0.05, atol=0.01)),
                 other,
             )
             different.setdefault(key, []).append(name)
@@ -118,6 +116,13 @@ def relative_lines(engine: Engine) -> list[str]:
         )
         for other in nearest[:COMPARED]
     ]
+
+
+@cache
+def _of_catalog(name: str) -> tuple[str, PistonBalance]:
+    """The title and the balance of an engine of the catalog."""
+    engine = load(name)
+    return engine.name, piston_balance(engine)
 
 
 def _names(names: Sequence[str]) -> str:

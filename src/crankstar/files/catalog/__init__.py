@@ -108,6 +108,7 @@ class Summary(NamedTuple):
     cycle: str
 
 
+@cache
 def summaries() -> tuple[Summary, ...]:
     """A summary of every engine in the catalog, without building them."""
     return tuple(_summary(name) for name in names())
