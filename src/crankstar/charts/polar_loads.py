@@ -86,7 +86,7 @@ DOT, SUMMIT, NOW = 28.0, 90.0, 60.0
 """Sizes of the dots every 90 degrees, at the greatest load and at the crank angle theta, px^2."""
 GAP = 7.0
 """px between the middle of a dot and its crank angle."""
-SAMPLES = 361
+SAMPLES = 181
 VISIBLE = 1e-4
 """Share of the greatest order below which an order does not move the drawn vector."""
 

@@ -6,7 +6,7 @@
 | `subject` | the engine, its speed and orders |
 | `projections` | directions of sight, solids drawn along them |
 | `views` | the engine from the front, the side and above, in third-angle projection |
-| `gallery` | the figures, drawn in threads |
+| `gallery` | the figures |
 | `title` | the data sheet, and what the verdict says besides the front page |
 | `front` | the front page for a reader in a hurry, and the contents |
 | `pages` | crankshaft, strokes, orders, vectors, derivations, comparison |

@@ -8,12 +8,10 @@ from hashlib import sha256
 from importlib.resources import files
 
 from crankstar import __version__
-from crankstar.derive.documents import ALIGNED
 from crankstar.language.messages import N_, _, language
 from crankstar.report import (
     bearings,
     front,
-    gallery,
     lettering,
     numbering,
     pages,
@@ -22,6 +20,7 @@ from crankstar.report import (
     title,
     whirling,
 )
+from crankstar.report.gallery import Gallery
 from crankstar.report.subject import Subject
 from crankstar.tables.html import paragraph, text
 
@@ -46,16 +45,15 @@ PAGES: tuple[tuple[str, pages.Page], ...] = (
 
 def report(subject: Subject, *, tell: Callable[[str], None] = lambda _: None) -> str:
     """The report as the text of an HTML file; `tell` is called with what is being written."""
-    with gallery.opened(subject) as drawings:
-        body = []
-        for progress, page in PAGES:
-            tell(_(progress))
-            body.append(page(subject, drawings))
-        tell(_("Writing the verdict ..."))
-        body.insert(1, title.data_section(subject) + title.verdict_section(subject))
-        first = front.front(subject)
-        tell(_("Drawing ..."))
-        sections = numbering.numbered(drawings.filled("\n".join(body)), figures=1)
+    drawings = Gallery(subject)
+    body = []
+    for progress, page in PAGES:
+        tell(_(progress))
+        body.append(page(subject, drawings))
+    tell(_("Writing the verdict ..."))
+    body.insert(1, title.data_section(subject) + title.verdict_section(subject))
+    first = front.front(subject)
+    sections = numbering.numbered("\n".join(body), figures=1)
     first = first.replace("<figcaption>", f'<figcaption id="figure-1"><b>{_figure_one()}</b> ', 1)
     first += front.contents(numbering.entries(sections))
     note = "" if subject.full else paragraph(_(SHORT), "note")
@@ -77,7 +75,10 @@ def _page(name: str, inner: str) -> str:
     sheet = files("crankstar.report").joinpath("sheet.css").read_text(encoding="utf-8")
     rules, families = lettering.faces(inner + name)
     lettered = rules + lettering.rules_of(families)
-    style = f"\n{sheet}{ALIGNED}{sources.frame_style()}\n{lettered}{_running(name)}"
+    aligned = ""
+    if "<math" in inner:  # the exact algebra is slow to load
+        from crankstar.derive.documents import ALIGNED as aligned  # noqa: N811
+    style = f"\n{sheet}{aligned}{sources.frame_style()}\n{lettered}{_running(name)}"
     allowed = f"sha256-{b64encode(sha256(style.encode()).digest()).decode()}"
     fonts = "font-src data:; " if families else ""
     policy = (

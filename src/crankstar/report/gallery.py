@@ -1,13 +1,14 @@
-"""The figures of a report, drawn in threads while its pages are written."""
+"""The figures of a report, each drawn as its page asks for it.
+
+vl-convert draws one picture at a time and holds Python meanwhile: threads would win nothing.
+"""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
-from concurrent.futures import Future, ThreadPoolExecutor
-from contextlib import contextmanager
-from contextvars import copy_context
+from collections.abc import Sequence
 from dataclasses import replace
+from itertools import count
 from typing import Any
 
 from crankstar.charts import CHARTS, GREY, ChartError, over_ranges, side_by_side, svg
@@ -22,40 +23,23 @@ NAMED = re.compile(r'(\bid="|url\(#|href="#)')
 """The names of parts in a drawing, which must differ from those of other drawings on the page."""
 COLUMN = Canvas(width=244.0, stretch=0.75)
 """A figure is as wide as half a page of A4, where its letters have 9 pt."""
-PLACE = re.compile(r"<!--figure (\d+)-->")
 
 
 class Gallery:
-    """Figures of `CHARTS` in the making; pages hold places for them."""
+    """Figures of `CHARTS` for a report."""
 
-    def __init__(self, subject: Subject, pool: ThreadPoolExecutor) -> None:
-        self._matter, self._pool = subject, pool
-        self._drawn: list[Future[str]] = []
+    def __init__(self, subject: Subject) -> None:
+        self._matter, self._numbers = subject, count()
 
     def figure(self, name: str, caption: str, kind: str = "", **options: Any) -> str:
-        """The place of a figure with a caption, which stays empty if the figure cannot be drawn."""
-        count = len(self._drawn)
-        # a thread knows neither the units nor the language that were chosen
-        run = copy_context().run
-        self._drawn.append(
-            self._pool.submit(run, self._figure, count, name, caption, kind, options)
-        )
-        # no other text can hold this, since every text is escaped
-        return f"<!--figure {count}-->"
-
-    def filled(self, page: str) -> str:
-        """A page with its figures in their places."""
-        return PLACE.sub(lambda place: self._drawn[int(place.group(1))].result(), page)
-
-    def _figure(
-        self, count: int, name: str, caption: str, kind: str, options: dict[str, Any]
-    ) -> str:
+        """A figure with a caption as HTML; empty if the figure cannot be drawn."""
+        own = f"g{next(self._numbers)}-"
         try:
             drawing = svg(self._chart(name, **options), f"{self._matter.engine.name}: {name}")
         except ChartError:
             return ""
         return figure(
-            NAMED.sub(rf"\g<1>g{count}-", drawing.replace(GREY, "currentColor")), caption, kind
+            NAMED.sub(rf"\g<1>{own}", drawing.replace(GREY, "currentColor")), caption, kind
         )
 
     def _chart(
@@ -75,13 +59,3 @@ class Gallery:
             if beside is not None:
                 return side_by_side([engine, beside], name, **options)
             return CHARTS[name].draw(engine, **options)
-
-
-@contextmanager
-def opened(subject: Subject) -> Iterator[Gallery]:
-    """A gallery that draws in threads; figures not begun when it closes are not drawn."""
-    pool = ThreadPoolExecutor(2)  # one draws while the other waits for its picture
-    try:
-        yield Gallery(subject, pool)
-    finally:
-        pool.shutdown(cancel_futures=True)

@@ -9,7 +9,6 @@ from fractions import Fraction
 
 from crankstar import derive
 from crankstar.charts.canvas import Canvas
-from crankstar.derive import documents
 from crankstar.firing.strokes import working_cycle
 from crankstar.language.faults import EngineError
 from crankstar.language.messages import N_, _
@@ -194,6 +193,8 @@ def derivations(subject: Subject, gallery: Gallery) -> str:  # noqa: ARG001 - on
     """The exact derivation of each order: step by step, or the result alone."""
     if not (subject.full or subject.orders):
         return ""
+    from crankstar.derive import documents  # the exact algebra is slow to load
+
     many = len(subject.engine.cylinders) > MANY
     chapters: list[derive.Chapter] = []
     zero: list[str] = []
