@@ -10,6 +10,7 @@ import pytest
 from tests.newton import road
 
 from crankstar import balance, load, spectra, total
+from crankstar.dynamics.bearings import bearing_loads
 from crankstar.engine.copies import with_shaft, with_weights
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Shaft, Weight
@@ -213,6 +214,7 @@ def test_bearing_loads_are_those_of_beams_between_bearings(name: str) -> None:
     )
     weights = x[0::2] + 1j * x[1::2]
     result = balance(engine)
+    guide = spectra.selected(bearing_loads(engine).guide, [1.0])
     greatest = 0.0
     for shaft in engine.shafts:
         bearings = main_bearings(engine, shaft)
@@ -228,6 +230,11 @@ def test_bearing_loads_are_those_of_beams_between_bearings(name: str) -> None:
                 continue
             z = next(c.z for c in engine.cylinders if c.number == part.cylinder)
             loads_at.append((z, complex(one.forward[row, 0]), complex(one.backward[row, 0])))
+        for cylinder, forward, backward in zip(
+            engine.cylinders, guide.forward[:, 0], guide.backward[:, 0], strict=True
+        ):
+            if cylinder.shaft == shaft.name:  # the wall carries it, not the pin
+                loads_at.append((cylinder.z, -complex(forward), -complex(backward)))
         rows = [
             row
             for row, part in enumerate(result.parts)

@@ -25,7 +25,7 @@ from crankstar.mechanics.balance import unit_unbalance
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.mechanics.pin_loads import pin_loads
-from crankstar.remedy import with_web_weights
+from crankstar.remedy import bearing_load, with_web_weights
 
 MODELS = get_args(Model)
 TOLERANCE = 1e-9
@@ -264,3 +264,18 @@ def test_the_rotating_mass_pulls_at_its_pin_outward_with_m_r_w_squared() -> None
     outward = (0.45 - before) / engine.first.reciprocating_mass
     assert more.forward - less.forward == pytest.approx(outward * np.exp(1j * throw.angle))
     assert more.backward == pytest.approx(less.backward)
+
+
+@pytest.mark.parametrize("model", MODELS)
+@EVERY_ENGINE
+def test_the_load_that_weights_lessen_is_that_of_the_bearings(name: str, model: Model) -> None:
+    """The first-order load of `balance` is the greatest that `bearings` has of that order."""
+    engine = crankstar.load(name)
+    loads = bearing_loads(engine, model=model)
+    greatest = 0.0
+    for row, bearing in enumerate(loads.bearings):
+        shaft = engine.shaft(bearing.shaft)
+        if shaft.throws:
+            first = spectra.selected(loads.load[row], abs(float(shaft.speed_ratio)))
+            greatest = max(greatest, float(abs(first.forward[0]) + abs(first.backward[0])))
+    assert bearing_load(engine, model=model) == pytest.approx(greatest, rel=1e-9, abs=1e-12)

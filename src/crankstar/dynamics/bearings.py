@@ -137,7 +137,7 @@ def bearing_loads(
     on_pins: list[Spectrum] = []
     hanging = _turning(_with_hanging_masses(machine, engine), loads)
     for index, shaft in enumerate(engine.shafts):
-        places, forces = _forces(machine, loads, index)
+        places, forces = shaft_forces(machine, loads, index)
         own = main_bearings(engine, shaft)
         if own:
             parts.append(_shared(bearing_shares(engine, shaft, places, model=model), forces))
@@ -196,7 +196,7 @@ def bending_moment(
         )
     index = names.index(name)
     own = engine.shafts[index]
-    places, forces = _forces(machine, pin_loads(machine), index)
+    places, forces = shaft_forces(machine, pin_loads(machine), index)
     bearings = main_bearings(engine, own)
     z = _along([*places, *bearings])
     if model is None:
@@ -234,8 +234,11 @@ def bearing_shares(
     return continuous_shares(bearings, places, compliance=compliance)
 
 
-def _forces(machine: Mechanism, loads: PinLoads, index: int) -> tuple[list[float], Spectrum]:
-    """Places and forces of the rods, throws and weights of a shaft, at 1 rad/s."""
+def shaft_forces(machine: Mechanism, loads: PinLoads, index: int) -> tuple[list[float], Spectrum]:
+    """Places and forces of the rods, throws and weights of a shaft, at 1 rad/s.
+
+    Those of the rods are what the pins carry, the side thrust of the pistons with it.
+    """
     rows = [row for row, on in enumerate(machine.cylinder_shaft) if on == index]
     turning = [row for row, on in enumerate(machine.rotor_shaft) if on == index]
     places = [*np.asarray(machine.z)[rows], *np.asarray(machine.unbalance_z)[turning]]

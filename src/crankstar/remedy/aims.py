@@ -14,10 +14,9 @@ over the period (rms); of the force, of the couple, or of one of its components 
 couple's up, yaw its right); of the roll; of the amplitude of one order of the roll; or the load on
 the main bearings.
 
-The load is the first-order inertia force that a crankshaft hands to one of its main bearings, of
-what turns and of what goes to and fro, shared as `dynamics.bearings` does. The side thrust
-of the pistons is left out, which changes it by the square of crank radius over rod length, some per
-cent.
+The load is the first-order force that a crankshaft hands to one of its main bearings: what its
+rods push on their pins, the side thrust of the pistons with it, and what turns, shared as
+`dynamics.bearings` does.
 """
 
 from __future__ import annotations
@@ -29,11 +28,12 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 
 from crankstar import spectra
-from crankstar.dynamics.bearings import Model, bearing_shares
+from crankstar.dynamics.bearings import Model, bearing_shares, shaft_forces
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.balance import default_reference, scales, unit_unbalance
 from crankstar.mechanics.excitation import Reference, part_spectra, rolling_moment, total
 from crankstar.mechanics.mechanism import mechanism
+from crankstar.mechanics.pin_loads import pin_loads
 from crankstar.remedy.programme import Cone
 from crankstar.remedy.rolling import roll_of
 from crankstar.spectra import Complex, Real, Spectrum
@@ -119,7 +119,7 @@ def setting(
         forward=tuple(bool(each > 0) for each in ratio),
         squared=ratio**2,
         arm=np.array([(plane.z - reference.z) / engine.pitch for plane in planes]),
-        loads=tuple(_loads(engine, planes, spectra.scaled(parts.force, 1 / unit), model)),
+        loads=tuple(_loads(engine, planes, model)),
         roll=_with_orders(
             spectra.scaled(rolling_moment(total(parts)), 1 / _moment(engine)), np.abs(ratio)
         ),
@@ -156,27 +156,28 @@ def _with_orders(spectrum: Spectrum, kept: Real) -> Spectrum:
 
 
 def _loads(
-    engine: Engine, planes: Sequence[Plane], force: Spectrum, model: Model
+    engine: Engine, planes: Sequence[Plane], model: Model
 ) -> list[tuple[Real, complex, complex]]:
     """For each main bearing its share of a weight in each plane, and its bare vectors."""
-    bearing_loads: list[tuple[Real, complex, complex]] = []
+    out: list[tuple[Real, complex, complex]] = []
     machine = mechanism(engine)
-    repeats = (len(force.forward) - len(machine.rotor_shaft)) // len(machine.z)
-    z = [*machine.z] * repeats + [*machine.unbalance_z]
-    on = np.array([*machine.cylinder_shaft] * repeats + [*machine.rotor_shaft])
+    pushed = pin_loads(machine)
     for index, shaft in enumerate(engine.shafts):
-        own = spectra.selected(force, [abs(float(shaft.speed_ratio))])
         if not shaft.throws:
             continue
-        shares = bearing_shares(engine, shaft, z, model=model) * (on == index)
+        places, forces = shaft_forces(machine, pushed, index)
+        own = spectra.scaled(
+            spectra.selected(forces, [abs(float(shaft.speed_ratio))]), 1 / unit_unbalance(engine)
+        )
+        shares = bearing_shares(engine, shaft, places, model=model)
         own_planes = np.array([plane.shaft == shaft.name for plane in planes])
         plane_shares = bearing_shares(engine, shaft, [p.z for p in planes], model=model)
         for share, plane in zip(shares, plane_shares * own_planes, strict=True):
             ahead, behind = complex(share @ own.forward[:, 0]), complex(share @ own.backward[:, 0])
             if shaft.speed_ratio < 0:
                 ahead, behind = behind, ahead
-            bearing_loads.append((plane, ahead, behind))
-    return bearing_loads
+            out.append((plane, ahead, behind))
+    return out
 
 
 def with_unbalance(case: Setting, x: Real, quantity: Literal["force", "couple"]) -> Spectrum:
