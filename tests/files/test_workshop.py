@@ -352,3 +352,10 @@ def test_a_place_that_ends_like_a_directory_is_none_for_a_file(run: Run, tmp_pat
 def test_crank_angles_that_are_none_are_refused(run: Run) -> None:
     for line in (("analyze", "i4"), ("export", "i4", "-o", "i4.stl")):
         assert "give crank angles, such as" in refused(run, *line, "--theta", ",")
+
+
+def test_an_unbalance_without_a_direction_is_corrected_at_the_heavy_spot(run: Run) -> None:
+    hole = ("drill", "--diameter", "10 mm", "--at-radius", "70 mm", "--unbalance")
+    words = "at the heavy spot that the machine shows"
+    assert words in " ".join(run(*hole, "1.2 oz*in").out.split())
+    assert words not in " ".join(run(*hole, "1.2 oz*in at 30 deg").out.split())

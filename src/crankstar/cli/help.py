@@ -52,6 +52,7 @@ def sentences(app: App) -> list[str]:
         texts[text] = None
         return text
 
+    app.resolved_commands()  # so that the list of them has a line of each
     app.help_formatter = TranslatedHelp(recorded)
     for command in ([], *([name] for name in app if not name.startswith("-"))):
         app.help_print(command, console=Console(file=StringIO()))

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from math import degrees, pi
 from typing import NamedTuple
 
-from crankstar.language.messages import _
+from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
 from crankstar.language.shown_units import quantity_text
 from crankstar.remedy.drilling import Drill, Holes
@@ -90,7 +90,21 @@ def _holes(corrections: Sequence[Correction], drill: Drill, along: Scale | None)
         row += [*depths, 1000 * made.mass]
         rows.append(tuple(row))
     title = _("Heavy metal to fit") if slug else _("What to drill")
-    return Table(title, tuple(columns), tuple(rows), notes=_notes(drill, along), key="holes")
+    notes = list(_notes(drill, along))
+    if any(each.angle is None and each.holes.number for each in corrections):
+        notes.append(_(NO_SLUG if slug else NO_HOLE))
+    return Table(title, tuple(columns), tuple(rows), notes=tuple(notes), key="holes")
+
+
+NO_HOLE = N_(
+    "Without a direction: at the heavy spot that the machine shows; for degrees, give it as in "
+    '"12 g mm at 30 deg".'
+)
+NO_SLUG = N_(
+    "Without a direction: opposite the heavy spot that the machine shows; for degrees, give it as "
+    'in "12 g mm at 30 deg".'
+)
+"""Where to correct an unbalance whose direction was not given."""
 
 
 def _bearings(each: Correction, turned: float) -> tuple[float, ...] | None:
