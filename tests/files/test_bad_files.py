@@ -143,24 +143,6 @@ def test_a_source_of_a_value_that_no_file_has_is_refused(
 
 
 @pytest.mark.parametrize(
-    ("text", "key", "entries"),
-    [
-        (SHORT, "layout.banks[3].bearing", "layout.banks has 2 entries"),
-        (SHORT, "layout.banks[0].bearing", "layout.banks has 2 entries"),
-        (EXPLICIT, "shaft[1].throw[99].angle", r"shaft\[1\].throw has \d+ entr"),
-        (EXPLICIT, "shaft[7].throw[99].angle", "shaft has 2 entries"),
-    ],
-)
-def test_a_source_of_an_entry_that_a_list_has_not_is_refused(
-    text: str, key: str, entries: str
-) -> None:
-    ((place, sentence),) = told(spoilt(text, provenance={key: {"status": "published"}})).items()
-    assert place == f'provenance."{key}"'
-    assert re.search(entries, sentence)
-    assert sentence.endswith("counted from 1; name one of them")
-
-
-@pytest.mark.parametrize(
     ("text", "key"),
     [
         (SHORT, "layout.banks[1].bearing"),

@@ -21,9 +21,8 @@
 | `catalog` | the engines of the package, and a file or engine by its name |
 """
 
-from crankstar.files.changes import changed
+from crankstar.files.changes import changed, keys_of
 from crankstar.files.errors import EngineFileError
-from crankstar.files.mistakes import keys_of
 from crankstar.files.read import engine_of, read
 from crankstar.files.rewritten import rewritten, rewritten_by_parts
 from crankstar.files.source import STANDARD_INPUT, read_tree, tree_of

@@ -18,9 +18,10 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import LENGTH, MASS
 from crankstar.engine.records import Provenance
 from crankstar.files import units
+from crankstar.files.changes import keys_of
 from crankstar.files.errors import EngineFileError, refused
 from crankstar.files.forms import is_explicit
-from crankstar.files.mistakes import SpreadsheetTree, Tree, copied, keys_of
+from crankstar.files.mistakes import SpreadsheetTree, Tree, copied
 from crankstar.files.read import engine_of
 from crankstar.language.faults import Fault, ValueFaultError
 

@@ -13,7 +13,7 @@ from crankstar.engine.copies import throws_of_weights, with_values, wrapped
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Shaft
 from crankstar.files.errors import EngineFileError, refused
-from crankstar.files.mistakes import SpreadsheetTree, Tree, copied, keys_of
+from crankstar.files.mistakes import SpreadsheetTree, Tree, copied
 from crankstar.files.source import GREATEST_DEPTH
 from crankstar.language.faults import Fault, where
 from crankstar.language.quoting import one_line, seen
@@ -78,6 +78,16 @@ def _without_estimates(tree: Tree, changes: Mapping[str, Any]) -> Tree:
         )
     }
     return tree if len(kept) == len(sources) else {**tree, "provenance": kept}
+
+
+def keys_of(path: str) -> list[str | int]:
+    """The keys of a path: names, and places in lists counted from nought."""
+    if not re.fullmatch(r"[^.\[\]]+(\.[^.\[\]]+|\[\d{1,6}\])*", path):
+        return [path]
+    return [
+        int(index) - 1 if index else key
+        for index, key in re.findall(r"\[(\d+)\]|([^.\[\]]+)", path)
+    ]
 
 
 def _can_hold(table: Any, key: str | int) -> bool:

@@ -26,9 +26,10 @@ from crankstar.engine.quantities import LENGTH, Quantity
 from crankstar.engine.weighed import EngineType
 from crankstar.files import units
 from crankstar.files.box import ROD
+from crankstar.files.changes import keys_of
 from crankstar.files.errors import refused
 from crankstar.files.forms import field_at, form_of, is_explicit, quantity_of
-from crankstar.files.mistakes import Tree, copied, keys_of
+from crankstar.files.mistakes import Tree, copied
 from crankstar.files.parts import tells_rotating
 from crankstar.files.read import engine_of
 from crankstar.language.faults import ValueFaultError

@@ -12,7 +12,7 @@ from pydantic import ValidationError
 
 from crankstar.engine.records import Record
 from crankstar.files.forms import by_key, example, field_at, quantity_of, record_in
-from crankstar.language.faults import EngineError, Fault, ValueFaultError, where
+from crankstar.language.faults import EngineError, Fault, ValueFaultError
 from crankstar.language.quoting import seen
 
 Tree = dict[str, Any]
@@ -181,33 +181,10 @@ def unknown_sources(tree: Tree, forms: Iterable[type[Record]]) -> Iterator[Fault
             break
         paths += _paths(form)
         names = [name for name in names if re.sub(r"\[\d+\]", "", name) not in paths]
-    for name in table if isinstance(table, dict) else ():
-        yield from _missing_row(tree, str(name))
     for name in names:
         near = _near(name, paths)
         code, values = ("misspelt", {"meant": f'"{near}"'}) if near else ("unknown", {})
         yield Fault(("provenance", name), f"provenance.{code}", values)
-
-
-def keys_of(path: str) -> list[str | int]:
-    """The keys of a path: names, and places in lists counted from nought."""
-    if not re.fullmatch(r"[^.\[\]]+(\.[^.\[\]]+|\[\d{1,6}\])*", path):
-        return [path]
-    return [
-        int(index) - 1 if index else key
-        for index, key in re.findall(r"\[(\d+)\]|([^.\[\]]+)", path)
-    ]
-
-
-def _missing_row(tree: Tree, name: str) -> Iterator[Fault]:
-    """The fault of a source that names an entry which a list of the file has not."""
-    keys = keys_of(name)
-    for place, key in enumerate(keys):
-        rows = _at(tree, tuple(keys[:place]))
-        if isinstance(key, int) and isinstance(rows, list) and not 0 <= key < len(rows):
-            values = {"list": where(tuple(keys[:place])), "count": len(rows)}
-            yield Fault(("provenance", name), "provenance.row", values)
-            return
 
 
 RANGED = (

@@ -13,8 +13,8 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.layouts import LAYOUTS
 from crankstar.engine.records import Record
 from crankstar.files import units
+from crankstar.files.changes import keys_of
 from crankstar.files.forms import field_at, quantity_of, short_form
-from crankstar.files.mistakes import keys_of
 
 DESCRIPTION = (
     "An engine file of crankstar: the short form, by layout, or the explicit form with shafts "

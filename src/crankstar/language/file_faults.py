@@ -153,10 +153,6 @@ SENTENCES: dict[str, str | Plural] = {
     "provenance.unknown": N_(
         "{where} names no value of this file; give a key path, such as cylinder.bore"
     ),
-    "provenance.row": Plural(
-        "{where}: {list} has {count} entry, counted from 1; name that one",
-        "{where}: {list} has {count} entries, counted from 1; name one of them",
-    ),
     "type.list-of-tables": N_(
         "{where} is {value}; a list of tables is needed, each of them headed [[{key}]]"
     ),
