@@ -61,7 +61,36 @@ def test_without_arguments_and_with_help_it_tells_its_verbs(run: Run) -> None:
     for arguments in ([], ["--help"], ["-h"]):
         result = run(*arguments)
         assert result.code == 0
-        assert all(re.search(rf"\b{verb}\b", result.out) for verb in VERBS)
+        assert all(re.search(rf"^│ {verb} +\w{{3}}", result.out, re.MULTILINE) for verb in VERBS)
+
+
+@pytest.mark.parametrize("words", [(), ("--lang", "ja"), ("--lang", "ru")])
+def test_a_new_process_tells_what_each_verb_does(words: tuple[str, ...]) -> None:
+    """The verbs are loaded when they are asked for; the list of all of them has to ask."""
+    told = subprocess.run([*COMMAND, *words], capture_output=True, check=True, encoding="utf-8")
+    assert all(re.search(rf"^│ {verb} +\w{{3}}", told.stdout, re.MULTILINE) for verb in VERBS)
+
+
+def test_completion_is_installed_with_the_options_of_all_verbs(tmp_path: Path) -> None:
+    home = {**os.environ, "HOME": str(tmp_path), "SHELL": "/bin/bash"}
+    asked = [*COMMAND, "--install-completion", "--shell", "bash"]
+    subprocess.run(asked, env=home, capture_output=True, check=True)
+    (script,) = tmp_path.rglob("completions/crankstar")
+    text = script.read_text(encoding="utf-8")
+    assert all(option in text for option in ("--speeds", "--minimise", "--greatest-depth"))
+    before = (tmp_path / ".bashrc").read_bytes()
+    told = subprocess.run([*asked, "-o", "-"], env=home, capture_output=True, check=False)
+    assert told.returncode == 2
+    assert b"writes a file that the shell reads" in told.stderr
+    assert (tmp_path / ".bashrc").read_bytes() == before
+
+
+@pytest.mark.parametrize("columns", ["²", "-3", "x", "0", ""])
+def test_a_width_that_is_none_is_passed_over(columns: str) -> None:
+    """Rich takes a superscript for a digit, and int does not."""
+    sized = {**os.environ, "COLUMNS": columns, "LINES": columns}
+    told = subprocess.run([*COMMAND, "list"], env=sized, capture_output=True, check=True)
+    assert b"kr250-racer" in told.stdout
 
 
 @pytest.mark.parametrize("verb", VERBS)

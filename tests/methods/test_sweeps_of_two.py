@@ -26,7 +26,7 @@ from crankstar.studies.best_pair import best_pair, front
 from crankstar.studies.best_value import best
 from crankstar.studies.fields import Varied, source_of, subject
 from crankstar.studies.grids import grid_variants
-from crankstar.studies.ranges import over_request
+from crankstar.studies.ranges import over_request, speeds_request
 from crankstar.studies.sweep import sweep, swept, watched
 from crankstar.studies.variants import SweepError
 
@@ -401,3 +401,17 @@ def test_an_order_that_was_not_asked_for_is_refused_and_not_nought() -> None:
     assert watched(made, "couple", order=1).values.max() > 0
     with pytest.raises(SweepError, match="no order 2; its orders are 1"):
         watched(made, "couple", order=2)
+
+
+@pytest.mark.parametrize("text", ["600...6000 rpm", "0...1", "0....5 by .1", "0…..1"])
+def test_three_full_stops_are_read_in_no_way(text: str) -> None:
+    """They were read as two before a decimal: 600 to 0.6 rpm."""
+    for read in (speeds_request, lambda range_: over_request(f"balance_factor={range_}")):
+        with pytest.raises(SweepError, match="three full stops or more"):
+            read(text)
+
+
+@pytest.mark.parametrize("text", ["-1e308..1e308", "0..1e308 by 1e307", "0, 1e301"])
+def test_numbers_beyond_any_engine_are_refused_without_a_warning(text: str) -> None:
+    with pytest.raises(SweepError, match="is too large"):
+        over_request(f"balance_factor={text}")

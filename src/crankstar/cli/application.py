@@ -27,6 +27,7 @@ from crankstar.search.faults import SearchError
 if TYPE_CHECKING:
     from pydantic_core import ErrorDetails
 
+COMPLETION = "--install-completion"
 LEAST_WIDTH = 20
 """Columns of help, at least."""
 VERBS = {
@@ -71,7 +72,7 @@ app = App(
     suppress_keyboard_interrupt=False,
 )
 app.register_install_completion_command(
-    help="Install completion of commands and options in this shell."
+    COMPLETION, help="Install completion of commands and options in this shell."
 )
 for _verb, _place in VERBS.items():
     app.command(f"crankstar.cli.{_place}", name=_verb)
@@ -82,6 +83,9 @@ def main(arguments: Sequence[str] | None = None) -> None:
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(errors=spelling.register())  # pyright: ignore[reportAttributeAccessIssue]
+    for size in ("COLUMNS", "LINES"):  # rich takes every digit for a number, also "²"
+        if not os.environ.get(size, "0").isdecimal():
+            del os.environ[size]
     words = list(sys.argv[1:] if arguments is None else arguments)
     try:
         with spoken(_language(words)), shown_in(_units(words)):
@@ -104,8 +108,10 @@ def main(arguments: Sequence[str] | None = None) -> None:
         code = _refuse(str(error))
     except SearchError as error:
         code = _refuse(error.text(lambda option: f"--{option.replace('_', '-')}"))
-    except (BrokenPipeError, SystemExit):  # rich raises SystemExit for a broken pipe
+    except BrokenPipeError:
         code = 0  # the reader of the pipe has all it wanted
+    except SystemExit as ended:  # rich raises it for a broken pipe, cyclopts without a shell
+        code = 2 if ended.code and COMPLETION in words else 0
     except OSError as error:
         code = _refuse(_unwritable(error))
     except MemoryError:
@@ -159,6 +165,11 @@ def _spelt_out(arguments: Sequence[str]) -> list[str]:
 
     It would take a lone hyphen, a file name, for an option; --shafts must have a value.
     """
+    if COMPLETION in arguments and "-" in arguments:
+        raise RequestError(
+            "{option} writes a file that the shell reads when it starts; name one, or leave -o out",
+            option=COMPLETION,
+        )
     pairs = zip(["", *arguments], arguments, strict=False)
     named = {"-o": "/dev/stdout", "--output": "/dev/stdout"}
     words = [named.get(before, STANDARD_INPUT) if word == "-" else word for before, word in pairs]

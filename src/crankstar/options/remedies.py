@@ -28,6 +28,7 @@ from crankstar.options.values import (
 from crankstar.remedy import Aim, Box, Limit, Plane, aim_unit, without_weights
 from crankstar.remedy.counterweights import GREATEST_FACTOR, LEAST_FACTOR
 from crankstar.remedy.fitting import Places, ShaftPlaces, Wanted
+from crankstar.studies.ranges import dotted
 
 
 def weights(text: str, engine: Engine) -> list[Plane] | Places:
@@ -213,7 +214,7 @@ def shaft_planes(text: str | None, engine: Engine) -> tuple[float, ...] | None:
 
 def box(text: str, engine: Engine) -> Box:
     """The places open to a balance shaft: up and right of the crankshaft, each from .. to."""
-    parts = [part.strip() for part in text.split(",")]
+    parts = [part.strip() for part in dotted(text, f"--box {one_line(text)}").split(",")]
     example = _('as in "-120..-60 mm, -80..80 mm"')
     if len(parts) != 2:
         raise refusal("--box", text, "give up and right, {example}", example=example)

@@ -12,6 +12,8 @@ from crankstar.language.quoting import one_line, seen
 from crankstar.studies.variants import SweepError
 
 MOST_AXES = 2
+GREATEST = 1e300
+"""The sum and the difference of two numbers up to this are numbers."""
 GREATEST_POINTS = 20_000
 """Values of one number."""
 USUAL_POINTS = 201
@@ -91,9 +93,27 @@ def speeds_request(text: str, *, option: str = "--speeds") -> Over:
     return Over("speed", *_values(text, asked, example, USUAL_OF[MOST_AXES]))
 
 
+def dotted(text: str, asked: str) -> str:
+    """A text in which an ellipsis is two full stops. Raises SweepError for three of them.
+
+    >>> dotted("600…6000 rpm", "")
+    '600..6000 rpm'
+
+    Three may be an ellipsis, or two before a decimal that begins with a point.
+    """
+    text = text.replace("…", "..")
+    if "..." in text:
+        raise SweepError(
+            "{asked}: three full stops or more can be read in two ways; write two between the ends "
+            "of a range, as in 0..1, and 0.5 for .5",
+            asked=asked,
+        )
+    return text
+
+
 def _values(wanted: str, asked: str, example: str, usual: int) -> tuple[tuple[float, ...], str]:
     """The values that a text names, one by one or as a range, and their unit."""
-    wanted = wanted.replace("…", "..")
+    wanted = dotted(wanted, asked)
     if ".." not in wanted:
         parts = wanted.strip().removesuffix(",").split(",")
         values, unit = _numbers(parts, asked, example)
@@ -149,7 +169,7 @@ def _stepped(span: str, step: str, asked: str, example: str) -> tuple[tuple[floa
             "{asked}: steps of {step} make {count} values; at most {most} can be swept",
             asked=asked,
             step=f"{by:g}",
-            count=f"{whole + 1:.6g}",
+            count=f"{whole + 1:.6g}" if np.isfinite(whole) else "1e+308",
             most=GREATEST_POINTS,
         )
     values = first + by * np.arange(int(whole) + 1)
@@ -179,7 +199,9 @@ def _numbers(parts: Sequence[str], asked: str, example: str) -> tuple[list[float
     """Numbers, and the one unit that some or all of them have."""
     matches = [_NUMBER.fullmatch(part) if len(part) <= 60 else None for part in parts]
     for part, match in zip(parts, matches, strict=True):
-        if not match or not np.isfinite(float(match[1])) or _NO_UNIT.match(match[2]):
+        if match and abs(float(match[1])) > GREATEST:
+            raise SweepError("{asked}: {part} is too large", asked=asked, part=seen(part.strip()))
+        if not match or _NO_UNIT.match(match[2]):
             raise SweepError(
                 "{asked}: {part} is not a number, with or without a unit; give values, {example}",
                 asked=asked,
