@@ -339,6 +339,21 @@ def test_no_sample_of_any_spectrum_is_longer_than_its_peak(spectrum: Spectrum) -
     assert_peak(spectrum)
 
 
+@given(st.lists(st.floats(0.001, 1.56), min_size=1, max_size=5), st.sampled_from([1, 2, 3, 5]))
+def test_of_equal_peaks_in_a_batch_each_vector_has_its_first(
+    delays: list[float], order: int
+) -> None:
+    """cos n(theta - d) has its greatest length n times in half a turn; nothing has none."""
+    late = np.array(delays)[:, None] / order
+    wave = np.append(np.exp(-1j * order * late), [[0.0]], axis=0)
+    batch = spectra.real_signal(np.array([float(order)]), wave)
+    *found, nothing = spectra.tops(batch)
+    first = np.array(delays) / order % (np.pi / order)
+    assert [top.theta for top in found] == pytest.approx(first.tolist(), abs=1e-7)
+    assert [top.value for top in found] == pytest.approx([1.0] * len(delays), rel=1e-12)
+    assert nothing == spectra.Peak(0.0, 0.0, 0j)
+
+
 def test_the_higher_of_two_nearly_equal_peaks_is_found() -> None:
     forward, backward = np.array([0.5 + 0.2j, -1.5 + 0.5j]), np.array([-1.6 + 0.9j, 0.6 - 1.2j])
     assert_peak(Spectrum(np.array([1.0, 2.0]), forward, backward))  # 4.618653, not 4.614653
