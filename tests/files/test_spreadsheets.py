@@ -136,6 +136,18 @@ MISTAKES: dict[str, tuple[Change, str]] = {
         lambda book: setattr(book["engine.layout.banks"], "title", "engine.layout.bank"),
         "the sheet engine.layout.bank is no table of an engine; did you mean engine.layout.banks?",
     ),
+    "table with another mark": (
+        lambda book: setattr(book["engine.layout.banks"], "title", "engine_layout_banks"),
+        "the sheet engine_layout_banks is no table of an engine; did you mean engine.layout.banks?",
+    ),
+    "table in capitals": (
+        lambda book: setattr(book["engine.layout.banks"], "title", "Engine.Layout.Banks1"),
+        "the sheet Engine.Layout.Banks1 is no table of an engine; did you mean engine.layout.banks",
+    ),
+    "number without a heading": (
+        lambda book: book["engine.layout.banks"].__setitem__("J3", 900),
+        "engine.layout.banks!J3 is 900, but its column has no heading in the first row",
+    ),
     "bearing textual": (
         lambda book: book["engine.layout.banks"].__setitem__("B2", "left"),
         "engine.layout.banks!B2 (layout.banks[1].bearing) is",

@@ -35,6 +35,15 @@ def refused_sheet(name: str, code: str, **values: Any) -> EngineFileError:
     return EngineFileError(name, [Fault((), f"sheet.{code}", values)])
 
 
+def spelt(title: str) -> list[str]:
+    """The words of the name of a sheet, whatever parts them and in capitals or not.
+
+    >>> spelt("Engine_Shaft.throw"), spelt("engine.shaft.throw")
+    (['engine', 'shaft', 'throw'], ['engine', 'shaft', 'throw'])
+    """
+    return re.split(r"[\s._-]+", title.strip().lower())
+
+
 class Cells:
     """The sheets of an engine while they are read: tree, cells and faults so far."""
 
@@ -51,20 +60,23 @@ class Cells:
         if not rows:
             raise refused_sheet(self.name, "empty", sheet=MAIN)
         kind = next((row["value"][1] for row in rows if row["key"][1] == "layout.type"), None)
-        tables = {tuple(title.split(".")[1:]) for title in self.pages if title != MAIN}
+        titles = [title for title in self.pages if title.startswith(f"{MAIN}.")]
+        tables = {tuple(title.split(".")[1:]) for title in titles}
         hint: Tree = {path[0]: [] for path in tables}
         self.form = form_of(hint if kind is None else {"layout": {"type": kind}})
         for row in rows:
             self._value(row)
         known = [*lists(self.form), (SOURCES,)]
-        for title in sorted(self.pages, key=lambda title: title.count(".")):
+        for title in sorted(titles, key=lambda title: title.count(".")):
             path = tuple(title.split(".")[1:])
-            if path and path not in known:
+            if path not in known:
                 self._unknown(title, known)
             elif path == (SOURCES,):
                 self._sources(title)
-            elif path:
+            else:
                 self._table(title, path)
+        for title in sorted(self.pages.keys() - {MAIN, *titles}):  # others are left alone
+            self._unknown(title, known, near=True)
         self._merged()
         return SpreadsheetTree(self.out, self.cells, self.faults)
 
@@ -88,13 +100,14 @@ class Cells:
     def _fault(self, code: str, *, path: Path = (), **values: Any) -> None:
         self.faults.append(Fault(path, code, values))
 
-    def _unknown(self, title: str, known: Sequence[Path]) -> None:
+    def _unknown(self, title: str, known: Sequence[Path], *, near: bool = False) -> None:
+        """A fault of a sheet that is no table of an engine; `near`: only if it nearly is one."""
         names = [".".join((MAIN, *map(str, path))) for path in known]
-        near = get_close_matches(title, names, 1, 0.8)
+        meant = get_close_matches(".".join(spelt(title)), names, 1, 0.9 if near else 0.8)
         values: dict[str, Any] = {"sheet": one_line(title, longest=40)}
-        if near:
-            self._fault("sheet.unknown-near", meant=near[0], **values)
-        else:
+        if meant:
+            self._fault("sheet.unknown-near", meant=meant[0], **values)
+        elif not near:
             self._fault("sheet.unknown", sheets=", ".join(names), **values)
 
     def _rows(self, title: str, needed: Sequence[str]) -> Iterator[dict[str, tuple[str, Any]]]:
@@ -123,6 +136,9 @@ class Cells:
             )
             raise EngineFileError(self.name, self.faults)
         for row in page.iter_rows(min_row=2):
+            for c in row:
+                if c.column not in heads and isinstance(c.value, int | float):
+                    self._fault("cell.no-heading", cell=f"{title}!{c.coordinate}", value=c.value)
             cells = {heads[c.column]: c for c in row if c.column in heads}
             if any(c.value is not None and str(c.value).strip() for c in cells.values()):
                 yield {

@@ -13,7 +13,7 @@ from itertools import islice
 from pathlib import PurePosixPath
 from typing import Any
 
-from crankstar.files.cells import Cells, refused_sheet
+from crankstar.files.cells import Cells, refused_sheet, spelt
 from crankstar.files.errors import refused
 from crankstar.files.mistakes import SpreadsheetTree
 from crankstar.files.sheets import MAIN, Cell, Sheet
@@ -137,11 +137,7 @@ def _pages(raw: bytes, name: str, *, values: bool) -> dict[str, Any]:
         if near is not None:
             raise refused_sheet(name, "missing-near", sheet=MAIN, meant=seen(near))
         raise refused_sheet(name, "missing", sheet=MAIN, sheets=named)
-    own = {
-        title: page
-        for title, page in sheets.items()
-        if title == MAIN or title.startswith(f"{MAIN}.")
-    }
+    own = {title: page for title, page in sheets.items() if spelt(title)[0] == MAIN}
     for title, page in own.items():
         rows, columns = page.max_row, page.max_column
         if rows > GREATEST_ROWS or columns > GREATEST_COLUMNS:
