@@ -537,3 +537,16 @@ def test_results_alone_are_printed_whole_though_another_says_the_same() -> None:
     for page in documents.html_parts(results):
         assert said in page
         assert "<math" in page
+
+
+def test_a_product_in_the_place_of_a_letter_is_multiplied_out_in_front() -> None:
+    """2 x with 3 y for x is 6 y, also below a root and beside what has no letters."""
+    x, y, three = Symbol("x"), Symbol("y"), formula.number(3)
+    names = {"x": formula.product(3, y)}
+    assert formula.renamed(formula.product(2, x), names) == formula.product(6, y)
+    under = formula.Root(formula.summed(x, three))
+    assert formula.renamed(under, names) == formula.Root(
+        formula.summed(formula.product(3, y), three)
+    )
+    assert formula.renamed(formula.Power(x, 2), {"x": y}) == formula.Power(y, 2)
+    assert formula.renamed(formula.Applied("cos", x), {"x": y}) == formula.Applied("cos", y)

@@ -354,6 +354,17 @@ def test_of_equal_peaks_in_a_batch_each_vector_has_its_first(
     assert nothing == spectra.Peak(0.0, 0.0, 0j)
 
 
+def test_of_two_peaks_beside_one_sample_the_first_is_told() -> None:
+    """cos x - b cos 3x has a minimum at 0 between two maxima, sin^2 x = (9 b - 1)/12 b."""
+    late, b = 2 * np.pi * 10 / (16 * (3 + 4)), 1 / 9 + 1e-4  # between samples 9 and 11
+    orders = np.array([1.0, 3.0])
+    wave = np.array([1.0, -b]) * np.exp(-1j * orders * late)
+    (top,) = spectra.tops(spectra.real_signal(orders, wave[None]))
+    aside = np.arcsin(np.sqrt((9 * b - 1) / (12 * b)))
+    assert top.theta == pytest.approx(late - aside, abs=1e-6)
+    assert top.value == pytest.approx(np.cos(aside) - b * np.cos(3 * aside), rel=1e-12)
+
+
 def test_the_higher_of_two_nearly_equal_peaks_is_found() -> None:
     forward, backward = np.array([0.5 + 0.2j, -1.5 + 0.5j]), np.array([-1.6 + 0.9j, 0.6 - 1.2j])
     assert_peak(Spectrum(np.array([1.0, 2.0]), forward, backward))  # 4.618653, not 4.614653
