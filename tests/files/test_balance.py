@@ -14,7 +14,8 @@ import numpy as np
 import pytest
 
 from crankstar import balance, load, spectra, total
-from crankstar.mechanics.remains import size, summed
+from crankstar.mechanics.bounds import size
+from crankstar.mechanics.remains import summed
 from crankstar.remedy import Aim, bearing_load, without_weights
 
 Run = Callable[..., Any]

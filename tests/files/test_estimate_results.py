@@ -19,7 +19,8 @@ from crankstar import bearing_loads, bending_moment, spectra
 from crankstar.engine.engine import Engine
 from crankstar.files import engine_of
 from crankstar.files.box import ranges, scaled, spread
-from crankstar.language.numbers import number, values_kept
+from crankstar.language.kept import values_kept
+from crankstar.language.numbers import number
 from crankstar.mechanics.balance import balance, total
 from crankstar.mechanics.remains import summed
 from crankstar.options.balancing import BalanceOptions, balanced

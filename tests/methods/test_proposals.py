@@ -10,7 +10,8 @@ from crankstar import load
 from crankstar.engine.engine import Engine
 from crankstar.files import catalog, engine_of, toml, tree_of
 from crankstar.mechanics.balance import balance
-from crankstar.mechanics.remains import size, summed
+from crankstar.mechanics.bounds import size
+from crankstar.mechanics.remains import summed
 from crankstar.remedy import RemedyError, fitting, needs
 from crankstar.tables.cures import cure_lines, proposal
 from crankstar.tables.verdict import verdict

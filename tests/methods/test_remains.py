@@ -8,6 +8,7 @@ from crankstar.engine.basis import Basis, Sizes
 from crankstar.engine.layouts import inline
 from crankstar.files.catalog import load
 from crankstar.mechanics.balance import balance
+from crankstar.mechanics.bounds import size
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.remains import (
     orders_drawn,
@@ -15,7 +16,6 @@ from crankstar.mechanics.remains import (
     orders_shown,
     orders_turning,
     remains,
-    size,
     sizes,
     summed,
 )

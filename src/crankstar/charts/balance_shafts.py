@@ -198,7 +198,7 @@ def _unbalances(engine: Engine, shaft: Shaft, ends: Sequence[Shaft]) -> Iterator
     others = [each for each in map(pulls, ends) if len(each) == len(own)]
     for pull, *at_ends in zip(own, *others, strict=True):
         size = abs(pull.unbalance)
-        between = size_range(size, [abs(end.unbalance) for end in at_ends])
+        between = size_range(pull.unbalance, [end.unbalance for end in at_ends])
         text = written(size, 4)
         if between is not None:
             low, high = (written(end, 3) for end in between)

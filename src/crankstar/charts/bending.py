@@ -36,9 +36,11 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.main_bearings import main_bearings
 from crankstar.engine.records import Shaft
 from crankstar.language.faults import EngineError
+from crankstar.language.kept import values_kept
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import unit_text
 from crankstar.language.shown_units import shown
+from crankstar.mechanics import bounds
 from crankstar.remedy.counterweights import RemedyError, with_web_weights, without_counterweights
 from crankstar.spectra import Real
 
@@ -63,7 +65,7 @@ FOOT = 0.16
 class Course(NamedTuple):
     """A bending moment along a shaft [place]: its envelope, and what it is at its worst moment.
 
-    `ends` are its greatest values in the middle and at the corners of the ranges of the engine.
+    `reach` is the range of its greatest value, if the engine has ranges.
     """
 
     label: str
@@ -73,7 +75,7 @@ class Course(NamedTuple):
     momentary: Real
     theta: float
     unit: str
-    ends: tuple[float, ...] = ()
+    reach: tuple[float, float] | None = None
 
     @property
     def greatest(self) -> float:
@@ -148,11 +150,13 @@ def _compared(engine: Engine) -> Iterator[Compared]:
 def _course(
     own: Compared, ends: Sequence[Compared], shaft: str, state: Model | None, speed: float | None
 ) -> Course:
-    bending, *others = (
+    bendings = [
         bending_moment(each.engine, shaft=shaft, speed=speed, model=state) for each in (own, *ends)
-    )
-    greatest = tuple(float(spectra.peaks(end.moment).max(initial=0.0)) for end in others)
-    return course_of(bending, label=own.label, colour=own.colour)._replace(ends=greatest)
+    ]
+    with values_kept():
+        tops = [bounds.highest(bending.moment) for bending in bendings]
+    course = course_of(bendings[0], label=own.label, colour=own.colour)
+    return course._replace(reach=size_range(tops[0], tops[1:]))
 
 
 def course_of(bending: Bending, *, label: str = "", colour: str = BLUE) -> Course:
@@ -251,8 +255,8 @@ def _head(
 
 def _range(course: Course, factor: float) -> str:
     """The range of the peak of a course."""
-    ends = size_range(course.greatest, course.ends)
-    return range_text(ends and (ends[0] * factor, ends[1] * factor))
+    reach = course.reach
+    return range_text(reach and (reach[0] * factor, reach[1] * factor))
 
 
 def _places(

@@ -9,8 +9,9 @@ from crankstar.charts.drawing import checked_order
 from crankstar.charts.sums import Quantity, checked_quantity
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.balance import balance
+from crankstar.mechanics.bounds import size
 from crankstar.mechanics.excitation import Reference
-from crankstar.mechanics.remains import MINOR, USUAL_ORDERS, pushed, size, sizes, summed
+from crankstar.mechanics.remains import MINOR, USUAL_ORDERS, pushed, sizes, summed
 
 
 class Choice(NamedTuple):

@@ -15,10 +15,12 @@ from contextvars import ContextVar
 from crankstar import spectra
 from crankstar.engine.engine import Engine
 from crankstar.files.box import Spread
+from crankstar.language.kept import values_kept
 from crankstar.language.messages import _
-from crankstar.spectra import Real, Spectrum
+from crankstar.mechanics import bounds
+from crankstar.spectra import Spectrum
 from crankstar.tables.cells import rough
-from crankstar.tables.ranges import estimated_paths, real_range
+from crankstar.tables.ranges import estimated_paths, number_range
 from crankstar.tables.table import Ranged
 
 _SPREADS: ContextVar[tuple[Spread, ...]] = ContextVar("spreads", default=())
@@ -55,10 +57,20 @@ def estimate_lines(engines: Sequence[Engine], *, drawn: str = "") -> list[str]:
     return [drawn if with_ranges else _("Estimated masses or lengths.")]
 
 
-def size_range(own: float, others: Sequence[float]) -> tuple[float, float] | None:
-    """The lowest and the highest of a size that is convex in each value; None where it is known."""
-    ranged = real_range([own, *others], 0.0) if others else own
+def size_range(own: complex, others: Sequence[complex]) -> tuple[float, float] | None:
+    """The lowest and the highest of a size, or of an amplitude's; None where it is known.
+
+    A size is convex in each estimated value, an amplitude linear.
+    """
+    ranged = number_range([own, *others]) if others else own
     return (ranged.low, ranged.high) if isinstance(ranged, Ranged) else None
+
+
+def peak_range(spectrum: Spectrum, others: Sequence[Spectrum]) -> tuple[float, float] | None:
+    """The lowest and the highest peak over a turn; None where it is known."""
+    with values_kept():
+        own, *ends = [bounds.peak(each).value for each in (spectrum, *others)]
+    return size_range(own, ends)
 
 
 def range_text(ends: tuple[float, float] | None) -> str:
@@ -73,12 +85,11 @@ def length_ranges(spectrum: Spectrum, others: Sequence[Spectrum]) -> list[tuple[
     """The range of the greatest length of each order of a spectrum, none where there is none."""
     if not others:
         return []
-    tables = [_lengths(each, spectrum.orders) for each in (spectrum, *others)]
-    return [
-        size_range(float(column[0]), [float(size) for size in column[1:]])
-        or (float(column[0]), float(column[0]))
-        for column in zip(*tables, strict=True)
-    ]
+    with values_kept():
+        sizes = [
+            [bounds.size(each, order) for each in (spectrum, *others)] for order in spectrum.orders
+        ]
+    return [size_range(own, ends) or (float(own), float(own)) for own, *ends in sizes]
 
 
 def axis_ranges(spectrum: Spectrum, others: Sequence[Spectrum]) -> list[tuple[float, float] | None]:
@@ -88,14 +99,9 @@ def axis_ranges(spectrum: Spectrum, others: Sequence[Spectrum]) -> list[tuple[fl
     own, *ends = [spectra.selected(each, spectrum.orders[:1]) for each in (spectrum, *others)]
     sides: list[tuple[float, float]] = []
     for side in ("forward", "backward"):
-        sizes = [float(abs(getattr(each, side)[0])) for each in (own, *ends)]
-        sides.append(size_range(sizes[0], sizes[1:]) or (sizes[0], sizes[0]))
+        waves = [complex(getattr(each, side)[0]) for each in (own, *ends)]
+        sides.append(size_range(waves[0], waves[1:]) or (abs(waves[0]), abs(waves[0])))
     (low, high), (least, most) = sides
     minor = (max(0.0, low - most, least - high), max(high - least, most - low))
     major = length_ranges(spectrum, others)[0]
     return [ends if ends[1] > ends[0] else None for ends in (major, minor)]
-
-
-def _lengths(spectrum: Spectrum, orders: Real) -> list[float]:
-    chosen = spectra.selected(spectrum, orders)
-    return (abs(chosen.forward) + abs(chosen.backward)).tolist()

@@ -33,7 +33,7 @@ from crankstar.charts.drawing import (
     heading,
     numbers_text,
 )
-from crankstar.charts.estimates import ends_of, estimate_lines, range_text, size_range
+from crankstar.charts.estimates import ends_of, estimate_lines, peak_range, range_text
 from crankstar.charts.grammar import DISC, Chart, Layer, field, of_rows
 from crankstar.charts.labels import Label, gathered
 from crankstar.charts.letters import SMALL, folded, together
@@ -222,8 +222,10 @@ def _head(loading: Loading, scale: Scale, largest: float, side: float) -> list[s
     if top.value <= NEGLIGIBLE * largest:
         return folded(loading.name, width=side)
     angle = brief(round(degrees(top.theta), 6))
-    ends = [spectra.peak(end).value * scale.factor for end in loading.ends]
-    between = size_range(top.value * scale.factor, ends)
+    between = peak_range(
+        spectra.scaled(loading.load, scale.factor),
+        [spectra.scaled(end, scale.factor) for end in loading.ends],
+    )
     size = f"{brief(top.value * scale.factor)}{range_text(between)}"
     words = _("{size} at {angle}°", size=size, angle=angle)
     return [*folded(loading.name, width=side), *folded(words, width=side)]

@@ -257,7 +257,7 @@ def is_closed(star: Star) -> bool:
 
 def result_text(shown: Stars, star: Star) -> str:
     """Closed, or the length and the plane of the resultant."""
-    ends = size_range(abs(star.resultant), [abs(end) for end in star.ends])
+    ends = size_range(star.resultant, star.ends)
     if is_closed(star):
         words = _("closed")
         return f"{words}{range_text(ends)} {shown.unit}" if ends else words

@@ -3,6 +3,7 @@
 | module, bottom to top | one line |
 |---|---|
 | `messages` | sentences in the reader's language, from gettext catalogs |
+| `kept` | numbers that keep their values, sizes with what bounds them, for ranges |
 | `numbers` | numbers, amplitudes, units and durations as text |
 | `units` | the units that are read and shown, with their factors |
 | `quoting` | text from outside, quoted on one printable line |

@@ -3,40 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
-from contextlib import contextmanager
-from contextvars import ContextVar
 from math import degrees
 
 import numpy as np
 
+from crankstar.language.kept import CLOSING, MIDDLE, OPENING, are_kept, value_text
+
 NEGLIGIBLE = 1e-9
 """A number smaller than this share of the largest beside it is written as 0."""
-
-
-_KEPT: ContextVar[bool] = ContextVar("values kept", default=False)
-OPENING, MIDDLE, CLOSING = "\ue000", "\ue001", "\ue002"
-"""Around the value and the writing of a number whose value is kept; no text of a file has them."""
-
-
-@contextmanager
-def values_kept() -> Iterator[None]:
-    """Have every number in a sentence carry its value, for one that states a range in its place.
-
-    >>> with values_kept():
-    ...     number(0.5) == f"{OPENING}0.5{MIDDLE}0.5{CLOSING}"
-    True
-    """
-    before = _KEPT.set(True)
-    try:
-        yield
-    finally:
-        _KEPT.reset(before)
-
-
-def are_kept() -> bool:
-    """Whether numbers carry their values, so that one unit has to do for all of a range."""
-    return _KEPT.get()
 
 
 def number(value: complex, largest: float = 0.0, *, digits: int = 5) -> str:
@@ -47,15 +21,15 @@ def number(value: complex, largest: float = 0.0, *, digits: int = 5) -> str:
     >>> number(66450.2), number(66450.2, digits=4), number(1e-7)
     ('66450', '66450', '1e-07')
     """
-    own = complex(value) if isinstance(value, complex) else float(value)
-    value = abs(own) if isinstance(own, complex) else own
+    own = value
+    value = abs(value) if isinstance(value, complex) else float(value)
     if abs(value) <= NEGLIGIBLE * largest or value == 0:
         own, text = 0.0, "0"
     elif 10**digits <= abs(value) < 1e9:
         text = f"{value:.0f}"
     else:
         text = f"{value:.{digits}g}"
-    return f"{OPENING}{own!r}{MIDDLE}{text}{CLOSING}" if _KEPT.get() else text
+    return f"{OPENING}{value_text(own)}{MIDDLE}{text}{CLOSING}" if are_kept() else text
 
 
 def order_text(order: float) -> str:

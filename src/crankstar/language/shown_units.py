@@ -12,8 +12,9 @@ from contextvars import ContextVar
 from functools import lru_cache
 from typing import NamedTuple
 
+from crankstar.language.kept import are_kept
 from crankstar.language.messages import N_, MessageError, _
-from crankstar.language.numbers import are_kept, number, unit_text
+from crankstar.language.numbers import number, unit_text
 from crankstar.language.quoting import seen
 from crankstar.language.units import as_weight, measured, spelt
 

@@ -9,5 +9,6 @@
 | `batches` | the sums of a whole batch of engines in bounded memory |
 | `labelled` | spectra with labels: rows of amplitudes, pandas data frames, xarray data sets |
 | `balance` | the labelled record of an excitation, in N and N m or in units of m r w^2 |
+| `bounds` | greatest values and peaks, with what bounds them where ranges are made |
 | `remains` | what remains of a balance: zero, negligible or worth a cure |
 """

@@ -76,11 +76,6 @@ def sizes(spectrum: Spectrum) -> Real:
     return np.abs(spectrum.forward) + np.abs(spectrum.backward)
 
 
-def size(spectrum: Spectrum, order: float) -> float:
-    """The greatest value of one order over a turn."""
-    return float(sizes(spectra.selected(spectrum, [order]))[0])
-
-
 def pushed(parts: Spectrum) -> Real:
     """What all parts push together at each order, without regard to direction."""
     return sizes(parts).sum(axis=0)

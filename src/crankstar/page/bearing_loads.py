@@ -11,8 +11,9 @@ from crankstar import spectra
 from crankstar.dynamics.bearings import BearingLoads, bearing_loads
 from crankstar.engine.engine import Engine
 from crankstar.files.box import Spread
+from crankstar.language.kept import values_kept
 from crankstar.language.messages import _
-from crankstar.language.numbers import number, unit_text, values_kept
+from crankstar.language.numbers import number, unit_text
 from crankstar.page.orders import vectors
 from crankstar.page.printed import printed
 from crankstar.page.records import BearingNumbers, Bearings, LoadShown

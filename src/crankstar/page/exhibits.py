@@ -16,8 +16,9 @@ from crankstar.engine.engine import Engine
 from crankstar.files.box import Spread, spread
 from crankstar.firing.strokes import WorkingCycle, working_cycle
 from crankstar.language.faults import EngineError
+from crankstar.language.kept import values_kept
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import unit_text, values_kept
+from crankstar.language.numbers import unit_text
 from crankstar.language.shown_units import SYSTEMS, choice, choice_text, dimension, shown
 from crankstar.mechanics import remains
 from crankstar.mechanics.balance import Balance, balance, scales

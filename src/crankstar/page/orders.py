@@ -11,14 +11,16 @@ import numpy as np
 from crankstar import spectra
 from crankstar.dynamics import whirl
 from crankstar.engine.engine import Engine
+from crankstar.language.kept import values_kept
 from crankstar.language.numbers import NEGLIGIBLE, number, wave
 from crankstar.mechanics.balance import Balance, of_parts
+from crankstar.mechanics.bounds import greatest, length
 from crankstar.mechanics.remains import Sums, ranked
 from crankstar.page.records import Pair, PartForce, Quantity, Row, Sum, Vectors, Whirl
 from crankstar.spectra import Complex, Spectrum
 from crankstar.tables.cells import ranged_text
 from crankstar.tables.paths import shape
-from crankstar.tables.ranges import complex_range, real_range
+from crankstar.tables.ranges import number_range
 from crankstar.tables.table import Ranged
 
 MINUS = "\N{MINUS SIGN}"
@@ -146,16 +148,15 @@ def _rows(
     if not vector:
         largest = max(_largest(sums.roll), _largest(sums.torque))
     chosen = spectra.selected(spectrum, orders)
-    own, *others = [
-        _sizes(spectra.selected(getattr(each, quantity), orders), vector=vector)
-        for each in (sums, *ends)
-    ]
+    with values_kept():
+        own, *others = [
+            _sizes(spectra.selected(getattr(each, quantity), orders), vector=vector)
+            for each in (sums, *ends)
+        ]
     for index, order in enumerate(orders):
         sizes = own[index]
         path = spectra.ellipse(complex(chosen.forward[index]), complex(chosen.backward[index]))
-        written = _written(
-            sizes, [each[index] for each in others], factor, largest, signal=not vector
-        )
+        written = _written(sizes, [each[index] for each in others], factor, largest)
         remains = sizes.greatest > NEGLIGIBLE * largest
         yield Row(
             order=order,
@@ -177,14 +178,15 @@ def _sizes(spectrum: Spectrum, *, vector: bool) -> list[_Sizes]:
     """The amplitudes of every order of a spectrum; a signal has one, its greatest value too."""
     if not vector:
         signal = spectra.amplitude(spectrum).tolist()
-        return [_Sizes(amplitude, 0j, abs(amplitude)) for amplitude in signal]
+        return [_Sizes(wave, 0j, length(wave)) for wave in signal]
     up, right = spectra.vertical(spectrum).tolist(), spectra.horizontal(spectrum).tolist()
-    most = (np.abs(spectrum.forward) + np.abs(spectrum.backward)).tolist()
+    ways = zip(spectrum.forward.tolist(), spectrum.backward.tolist(), strict=True)
+    most = [greatest(*each) for each in ways]
     return [_Sizes(*each) for each in zip(up, right, most, strict=True)]
 
 
 def _written(
-    own: _Sizes, others: Sequence[_Sizes], factor: float, largest: float, *, signal: bool
+    own: _Sizes, others: Sequence[_Sizes], factor: float, largest: float
 ) -> tuple[str, str, str, bool]:
     """The three as they are printed, with their ranges; whether one has a range."""
     top = largest * factor
@@ -194,14 +196,9 @@ def _written(
     shown: list[complex | Ranged] = []
     for place in ("up", "right"):
         waves = [factor * complex(getattr(each, place)) for each in (own, *others)]
-        shown.append(complex_range(waves, top))
-    most = [factor * each.greatest for each in (own, *others)]
-    wave_of_signal = shown[0]
+        shown.append(number_range(waves, top))
+    greatest = number_range([factor * each.greatest for each in (own, *others)], top)
     texts = [ranged_text(each) if isinstance(each, Ranged) else wave(each, top) for each in shown]
-    greatest = real_range(most, top)
-    if isinstance(greatest, Ranged) and isinstance(wave_of_signal, Ranged) and signal:
-        # all of it is one wave, whose phase bounds it better
-        greatest = Ranged(most[0], wave_of_signal.low, wave_of_signal.high)
     text = ranged_text(greatest) if isinstance(greatest, Ranged) else number(greatest, top)
     ranged = any(isinstance(each, Ranged) for each in (*shown, greatest))
     return _seen(texts[0]), _seen(texts[1]), _seen(text), ranged

@@ -21,8 +21,8 @@
 
 from crankstar.engine.main_bearings import end_planes, end_webs, main_bearings, webs
 from crankstar.remedy.aim_names import aim_name, aim_text, aim_unit
-from crankstar.remedy.aims import Aim, Plane
-from crankstar.remedy.best import Best, Limit, bearing_load, best_weights, without_weights
+from crankstar.remedy.aims import Aim, Plane, bearing_load
+from crankstar.remedy.best import Best, Limit, best_weights, without_weights
 from crankstar.remedy.clearance import Clash, balance_shafts, clashes, crank_sweep
 from crankstar.remedy.counterweights import (
     RemedyError,

@@ -30,6 +30,7 @@ import numpy as np
 from crankstar import spectra
 from crankstar.dynamics.bearings import Model, bearing_shares, shaft_forces
 from crankstar.engine.engine import Engine
+from crankstar.language.kept import bounded
 from crankstar.mechanics.balance import default_reference, scales, unit_unbalance
 from crankstar.mechanics.excitation import Reference, part_spectra, rolling_moment, total
 from crankstar.mechanics.mechanism import mechanism
@@ -224,6 +225,13 @@ def measured(case: Setting, aim: Aim, x: Real) -> float:
     if aim.rms:
         return float(np.sqrt((np.abs(vector.forward) ** 2 + np.abs(vector.backward) ** 2).sum()))
     return spectra.peak(vector).value
+
+
+def bearing_load(engine: Engine, *, model: Model = "determinate") -> float:
+    """The greatest first-order load on a main bearing with the present weights, m r w^2."""
+    case = setting(engine, [], model=model)
+    rows = [(ahead, behind) for _shares, ahead, behind in case.loads]
+    return bounded(measured(case, Aim("bearing"), np.zeros(0)), rows)
 
 
 def maxima(case: Setting, aim: Aim, x: Real, *, above: float) -> Real:

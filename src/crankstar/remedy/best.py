@@ -193,11 +193,6 @@ def without_weights(
     return measured(setting(start, [], model=model), aim, np.zeros(0))
 
 
-def bearing_load(engine: Engine, *, model: Model = "determinate") -> float:
-    """The greatest first-order load on a main bearing with the present weights, m r w^2."""
-    return measured(setting(engine, [], model=model), Aim("bearing"), np.zeros(0))
-
-
 def _possible(engine: Engine, planes: Sequence[Plane]) -> None:
     names = [shaft.name for shaft in engine.shafts if shaft.throws]
     foreign = [plane.shaft for plane in planes if plane.shaft not in names]

@@ -10,7 +10,7 @@ from typing import Any, Literal
 from crankstar import spectra
 from crankstar.engine.engine import Engine
 from crankstar.files.box import Spread
-from crankstar.language.numbers import values_kept
+from crankstar.language.kept import values_kept
 from crankstar.mechanics import remains
 from crankstar.page.records import Scene
 from crankstar.page.scene import scene

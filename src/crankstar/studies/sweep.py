@@ -333,22 +333,23 @@ def watched(sweep: Sweep, what: str, *, order: float | None = None) -> Curve:
             order=f"{order:g}",
             orders=", ".join(f"{each:g}" for each in sweep.orders),
         )
-    quantity, _dot, part = what.partition(".")
     peaks = np.zeros(int(np.prod(sweep.shape)))
     for group in sweep.groups:
-        spectrum = _part(_quantity(group.sums, quantity), part)
+        spectrum = spectrum_of(group.sums, what)
         if order is not None:
             spectrum = spectra.selected(spectrum, [order])
             peaks[group.rows] = (np.abs(spectrum.forward) + np.abs(spectrum.backward))[:, 0]
         else:
             peaks[group.rows] = spectra.peaks(spectrum)
-    unit = getattr(sweep.units, quantity, sweep.units.moment)
+    unit = getattr(sweep.units, what.partition(".")[0], sweep.units.moment)
     label = what if order is None else f"{what} of order {order:g}"
     return Curve(what, order, peaks.reshape(sweep.shape), unit, label)
 
 
-def _quantity(sums: Totals, name: str) -> Spectrum:
-    return rolling_moment(sums) if name == "roll" else getattr(sums, name)
+def spectrum_of(sums: Totals, what: str) -> Spectrum:
+    """What is watched of some sums, one of WATCHABLE [..., order]."""
+    quantity, _dot, part = what.partition(".")
+    return _part(rolling_moment(sums) if quantity == "roll" else getattr(sums, quantity), part)
 
 
 def _part(spectrum: Spectrum, part: str) -> Spectrum:

@@ -10,6 +10,7 @@
 | `machine` | a Document as JSON, a Table as CSV |
 | `spreadsheet` | a Document as a spreadsheet (.xlsx) |
 | `arrow` | a Table as an Apache Arrow table |
+| `hulls` | how far convex hulls of amplitudes are from zero |
 | `ranges` | analyses of estimated engines: each number with its range |
 | `estimates` | what `estimate` fills in |
 | `headings` | an engine's lines: cycle, cylinders, rotation, firing order |

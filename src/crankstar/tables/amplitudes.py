@@ -14,7 +14,9 @@ import numpy as np
 
 from crankstar import spectra
 from crankstar.engine.engine import Engine
+from crankstar.language.kept import are_kept
 from crankstar.mechanics.balance import Balance, Grouping, grouped, total
+from crankstar.mechanics.bounds import lengths
 from crankstar.mechanics.excitation import Totals
 from crankstar.mechanics.labelled import columns
 from crankstar.mechanics.remains import orders_pushed
@@ -60,6 +62,9 @@ def document(name: str, rows: Mapping[str, Any]) -> Document:
     """Columns as a tidy table of an engine, its name before them."""
     count = len(rows["order"])
     lists = [np.asarray(values, object).tolist() for values in ([name] * count, *rows.values())]
+    if are_kept():
+        waves = rows["amplitude"] * np.exp(1j * np.radians(rows["phase_deg"]))
+        lists[1 + [*rows].index("amplitude")] = lengths(waves)
     heads = tuple(map(_column, ("engine", *rows)))
     table = Table("", heads, tuple(zip(*lists, strict=True)), key="amplitudes")
     return Document(name, (table,), {"engine": name})

@@ -19,8 +19,9 @@ from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import NEGLIGIBLE, order_text
 from crankstar.mechanics.balance import Balance, Grouping, balance, grouped
+from crankstar.mechanics.bounds import lengths, size
 from crankstar.mechanics.excitation import Reference, rolling_moment
-from crankstar.mechanics.remains import Sums, orders_pushed, orders_turning, size, summed
+from crankstar.mechanics.remains import Sums, orders_pushed, orders_turning, summed
 from crankstar.tables.by_order import (
     MOMENTS,
     QUANTITIES,
@@ -172,8 +173,10 @@ def _at_angles(shown: Analysis, sums: Sums, angles: Sequence[float]) -> Table:
             heads.append(Column(_(words), unit))
         else:
             heads += [Column(_(head), unit) for head in AT_ANGLES[name]]
-            parts += [np.imag(vectors), np.abs(vectors)]
+            parts.append(np.imag(vectors))
         least = NEGLIGIBLE * spectra.peak(signal).value
         columns += [np.where(np.abs(part) > least, part, 0.0).tolist() for part in parts]
+        if name not in MOMENTS:
+            columns.append(lengths(np.where(np.abs(vectors) > least, vectors, 0)))
     rows = tuple(zip(*columns, strict=True))
     return Table(_("All orders together at these crank angles"), tuple(heads), rows)

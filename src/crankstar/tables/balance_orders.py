@@ -11,8 +11,9 @@ from crankstar.engine.motion import first_harmonic
 from crankstar.language.messages import _
 from crankstar.language.numbers import number
 from crankstar.mechanics.balance import Balance, Units, total
+from crankstar.mechanics.bounds import greatest
 from crankstar.mechanics.excitation import Totals, rolling_moment
-from crankstar.mechanics.remains import orders_pushed, sizes, summed
+from crankstar.mechanics.remains import orders_pushed, summed
 from crankstar.tables.paths import shape
 from crankstar.tables.peaks import part_peaks
 from crankstar.tables.table import ROW_UNIT, Column, Document, Table, Value
@@ -90,7 +91,7 @@ def rows(engine: Engine, sums: Totals, orders: Sequence[float]) -> tuple[tuple[V
             parts = (vector.forward, vector.backward)
             waves = (spectra.vertical(vector), spectra.horizontal(vector))
             cells += [complex(part[row]) for part in (*parts, *waves)]
-            cells.append(float(sizes(vector)[row]))
+            cells.append(greatest(*(complex(part[row]) for part in parts)))
         external = [complex(part(vectors[1])[row]) for part in PARTS]
         out.append((*cells, *external, *(complex(signal[row]) for signal in signals)))
     return tuple(out)

@@ -13,6 +13,7 @@ from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import NEGLIGIBLE
 from crankstar.mechanics.balance import balance
+from crankstar.mechanics.bounds import greatest, highest, length, tops
 from crankstar.spectra import Spectrum
 from crankstar.tables.conditions import unit_sentence, unit_sizes
 from crankstar.tables.headings import heading
@@ -98,7 +99,7 @@ def _peak_cells(loads: Spectrum, largest: float) -> list[tuple[Value, ...]]:
             round(degrees(top.theta), 6) + 0.0 if top.value > NEGLIGIBLE * largest else None,
             _place(top.vector, largest),
         )
-        for top in spectra.tops(loads)
+        for top in tops(loads)
     ]
 
 
@@ -122,13 +123,13 @@ def peaks(engine: Engine, loads: BearingLoads) -> Table:
         Column(_("mean"), loads.unit, key="mean"),
     )
     largest = float(spectra.peaks(loads.load).max(initial=0.0))
-    steady = np.abs(_steady(loads.load))
+    steady = _steady(loads.load).tolist()
     tops = _peak_cells(loads.load, largest)
     rows: list[tuple[Value, ...]] = []
-    for bearing, top, mean in zip(loads.bearings, tops, steady.tolist(), strict=True):
+    for bearing, top, mean in zip(loads.bearings, tops, steady, strict=True):
         place = _("assumed") if bearing.assumed else _("from the file")
         cells = (bearing.shaft, bearing.number, along.of(bearing.z), place)
-        rows.append((*cells, *top, mean))
+        rows.append((*cells, *top, length(mean)))
     doubtful = frozenset(i for i, bearing in enumerate(loads.bearings) if bearing.assumed)
     title = _("Loads on main bearings from inertia and weights, over a turn")
     return Table(title, columns, tuple(rows), key="bearings", doubtful=doubtful)
@@ -166,7 +167,7 @@ def by_order(loads: BearingLoads, orders: Sequence[float]) -> Table:
             if order == 0:
                 waves = [complex((forward + backward).real), complex((forward + backward).imag)]
             words = _("steady") if order == 0 else shape(path)
-            ends = (words, forward, backward, path.semi_major)
+            ends = (words, forward, backward, greatest(forward, backward))
             rows.append((bearing.shaft, bearing.number, float(order), *waves, *ends))
     return Table(_("Main bearings by order"), columns, tuple(rows), key="orders")
 
@@ -215,6 +216,6 @@ def bending(engine: Engine, *, speed: float | None, model: Model) -> Table:
             bend = bending_moment(engine, shaft=name, speed=speed, model=held)
             sizes = spectra.peaks(bend.moment)
             worst = int(np.argmax(sizes >= sizes.max() * (1 - 1e-9)))
-            rows.append((name, words, float(sizes[worst]), along.of(bend.z[worst])))
+            rows.append((name, words, highest(bend.moment), along.of(bend.z[worst])))
     title = _("Bending moment of the crankshaft")
     return Table(title, columns, tuple(rows), key="bending")

@@ -17,6 +17,7 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.motion import first_harmonic
 from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import NEGLIGIBLE, order_text
+from crankstar.mechanics import bounds
 from crankstar.mechanics.balance import Units
 from crankstar.mechanics.remains import Sums, ranked
 from crankstar.spectra import Spectrum
@@ -54,7 +55,7 @@ def components(quantity: str, whole: Spectrum, orders: Sequence[float], *, unit:
     rows: list[tuple[Value, ...]] = []
     for row, order in enumerate(left):
         path = spectra.ellipse(complex(chosen.forward[row]), complex(chosen.backward[row]))
-        rows.append((order, *_waves(chosen, row), shape(path), path.semi_major))
+        rows.append((order, *_waves(chosen, row), shape(path), _greatest(chosen, row)))
     notes = none_line(zero)
     if quantity == "couple" and rows:
         notes += (_("Positive pitch lifts the front; positive yaw pushes it to the right."),)
@@ -66,6 +67,11 @@ def _waves(spectrum: Spectrum, row: int) -> list[complex]:
     waves = [complex(part(spectrum)[row]) for part in (spectra.vertical, spectra.horizontal)]
     largest = max(map(abs, waves))
     return [wave if abs(wave) > NEGLIGIBLE * largest else 0j for wave in waves]
+
+
+def _greatest(spectrum: Spectrum, row: int) -> float:
+    """The greatest value of an order over a turn."""
+    return bounds.greatest(complex(spectrum.forward[row]), complex(spectrum.backward[row]))
 
 
 def star_sums(
@@ -86,8 +92,8 @@ def star_sums(
     )
     rows: list[tuple[Value, ...]] = []
     for row, (order, factor) in enumerate(zip(left, factors, strict=True)):
-        path = spectra.ellipse(complex(divided.forward[row]), complex(divided.backward[row]))
-        rows.append((order, _harmonic(factor), *_waves(divided, row), path.semi_major))
+        greatest = _greatest(divided, row)
+        rows.append((order, _harmonic(factor), *_waves(divided, row), greatest))
     return Table(_(STARS[quantity]) if rows else "", heads, tuple(rows))
 
 

@@ -8,14 +8,14 @@ from itertools import chain, count
 from math import pi
 from typing import NamedTuple
 
-from crankstar import spectra
 from crankstar.engine.engine import Engine
 from crankstar.firing.intervals import firing
 from crankstar.language.messages import _
 from crankstar.language.numbers import NEGLIGIBLE
 from crankstar.mechanics.balance import Balance
+from crankstar.mechanics.bounds import peak, size
 from crankstar.mechanics.excitation import Reference
-from crankstar.mechanics.remains import Sums, size, summed
+from crankstar.mechanics.remains import Sums, summed
 from crankstar.tables.analysis import Analysis, analysis
 from crankstar.tables.by_order import QUANTITIES, none_line, sums_size
 from crankstar.tables.conditions import unverified
@@ -117,8 +117,8 @@ def _sizes(name: str, compared: _Compared) -> list[tuple[float | None, list[floa
         lengths = [size(signal, order) for signal in signals]
         pairs = zip(lengths, least, strict=True)
         rows.append((order, [length if length > floor else 0.0 for length, floor in pairs]))
-    peaks = [spectra.peak(signal).value for signal in signals]
-    rows.append((None, [peak if peak > NEGLIGIBLE * max(peaks) else 0.0 for peak in peaks]))
+    peaks = [peak(signal).value for signal in signals]
+    rows.append((None, [each if each > NEGLIGIBLE * max(peaks) else 0.0 for each in peaks]))
     return rows
 
 

@@ -10,7 +10,8 @@ from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.balance import Balance, balance
-from crankstar.mechanics.remains import EQUAL, Sums, size, summed
+from crankstar.mechanics.bounds import length, size
+from crankstar.mechanics.remains import EQUAL, Sums, summed
 from crankstar.remedy import Need, bobweight, loads, needs
 from crankstar.remedy.fitting import quiet_cranks
 from crankstar.tables.paths import vector_name
@@ -143,7 +144,7 @@ def _left(result: Balance) -> str:
     """What remains of the first order, which turns against the crankshaft."""
     sums = summed(result)
     vectors = {
-        name: abs(complex(spectra.selected(getattr(sums, name), [1.0]).backward[0]))
+        name: length(complex(spectra.selected(getattr(sums, name), [1.0]).backward[0]))
         for name in ("force", "couple")
     }
     values = {

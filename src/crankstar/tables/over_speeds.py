@@ -17,6 +17,7 @@ from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import order_text
 from crankstar.mechanics.balance import Balance, balance
+from crankstar.mechanics.bounds import lengths, peaks
 from crankstar.mechanics.excitation import Totals, rolling_moment
 from crankstar.mechanics.labelled import columns
 from crankstar.mechanics.remains import (
@@ -126,15 +127,18 @@ def document(
 def _table(sweep: Sweep, component: Component, orders: Sequence[float]) -> Table:
     curve = watched(sweep, component.what)
     there = sweep.sums
-    size = np.abs(waves(component, there))
+    own = waves(component, there)
     places = [int(np.argmin(np.abs(there.force.orders - order))) for order in orders]
     heads = [Column(_("speed"), "rpm", label=True)]
     heads += [Column(_("order {order}", order=order_text(order)), curve.unit) for order in orders]
     heads.append(Column(_("peak"), curve.unit))
     rows = tuple(
-        (speed, *row, peak)
+        (speed, *lengths(row), peak)
         for speed, row, peak in zip(
-            rpm(sweep).tolist(), size[:, places].tolist(), curve.values.tolist(), strict=True
+            rpm(sweep).tolist(),
+            own[:, places],
+            peaks(spectra.real_signal(there.force.orders, own), curve.values),
+            strict=True,
         )
     )
     return Table(_(component.title), tuple(heads), rows)

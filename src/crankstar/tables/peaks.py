@@ -9,6 +9,7 @@ from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import NEGLIGIBLE, bearing_text, number
 from crankstar.language.shown_units import quantity_text
+from crankstar.mechanics import bounds
 from crankstar.mechanics.balance import Balance
 from crankstar.mechanics.remains import Sums, pushed, remains, sizes
 from crankstar.spectra import Spectrum
@@ -70,11 +71,11 @@ def part_peaks(result: Balance, sums: Sums) -> dict[str, tuple[float, float, str
     ):
         whole: Spectrum = getattr(sums, name)
         waves = (spectra.vertical(whole), spectra.horizontal(whole))
-        tops = [spectra.peak(spectra.real_signal(whole.orders, wave)) for wave in waves]
+        tops = [bounds.peak(spectra.real_signal(whole.orders, wave)) for wave in waves]
         least = NEGLIGIBLE * max(top.value for top in tops)
         for part, top in zip(parts, tops, strict=True):
             out[part] = (top.value if top.value > least else 0.0, top.theta, unit)
-    roll = spectra.peak(sums.roll)
+    roll = bounds.peak(sums.roll)
     out["roll"] = (roll.value, roll.theta, units.moment)
     return out
 
@@ -83,7 +84,7 @@ def _peak(result: Balance, sums: Sums, name: str) -> str:
     spectrum = getattr(sums, name)
     if name in NONE and not remains(spectrum, getattr(result, name)):
         return _(NONE[name])
-    top = spectra.peak(spectrum)
+    top = bounds.peak(spectrum)
     if name in NONE and top.value <= FELT * float(pushed(getattr(result, name)).max(initial=0.0)):
         return ""
     unit = getattr(result.units, name, result.units.moment)
@@ -102,7 +103,7 @@ def _removable(result: Balance, sums: Sums, name: str, *, counter: bool) -> str:
     """
     spectrum = getattr(sums, name)
     first = spectra.selected(spectrum, [1.0])
-    forward, backward = abs(complex(first.forward[0])), abs(complex(first.backward[0]))
+    forward, backward = (bounds.length(complex(way[0])) for way in (first.forward, first.backward))
     least = NEGLIGIBLE * float(sizes(spectrum).max(initial=0.0))
     if max(forward, backward) <= least:
         return ""

@@ -13,7 +13,8 @@ since the points x and 2 middle - x lie in the box together. Where d is small th
 f turns little, its part along f(middle) is linear, and what is across adds b^2 / 2 |f|, which is d
 on an average and about d |f(middle)| / |f| at a corner. Twice that below the least corner is taken,
 where it is higher (tests draw masses at random). A complex amplitude lies in the convex hull of
-those at the corners, whose distance from zero is its lower bound.
+those at the corners, whose distance from zero is its lower bound; and a size that knows the
+amplitudes it comes from (`language.kept.Size`) is bounded by theirs.
 """
 
 from __future__ import annotations
@@ -27,9 +28,10 @@ import numpy as np
 
 from crankstar.engine.engine import Engine
 from crankstar.files.box import MOST_RANGES, Spread
+from crankstar.language.kept import CLOSING, MIDDLE, OPENING, Size, value_of, values_kept
 from crankstar.language.messages import _
-from crankstar.language.numbers import CLOSING, MIDDLE, OPENING, values_kept
 from crankstar.tables.cells import rough
+from crankstar.tables.hulls import distances, greatest_sum
 from crankstar.tables.table import Column, Document, Ranged, Remarks, Table, Value, remarks
 
 SAME = 1e-7
@@ -189,13 +191,12 @@ def sentence(line: str, others: Sequence[str]) -> str:
         return plain(line)
     if any(_skeleton(other) != _skeleton(line) for other in others):
         return _in_parts(line, others) if all(others) else _marked(line)
-    values = [[_value(n) for n, _text in _NUMBER.findall(each)] for each in (line, *others)]
+    values = [[value_of(n) for n, _text in _NUMBER.findall(each)] for each in (line, *others)]
     columns = iter(zip(*values, strict=True))
 
     def written(match: re.Match[str]) -> str:
         numbers = next(columns)
-        waves = any(isinstance(each, complex) for each in numbers)
-        value = complex_range(numbers, 0.0) if waves else real_range(numbers, 0.0)
+        value = number_range(numbers)
         if not isinstance(value, Ranged):
             return match[2]
         ends = {"low": rough(value.low), "high": rough(value.high)}
@@ -222,18 +223,13 @@ def _in_parts(line: str, others: Sequence[str]) -> str:
     return _marked(line)
 
 
-def _value(text: str) -> float | complex:
-    """What a number in a sentence is kept as."""
-    return complex(text) if "j" in text else float(text)
-
-
 def _size(value: float | complex) -> float:
     return abs(value) if isinstance(value, complex) else value
 
 
 def _marked(line: str) -> str:
     """A sentence that is said to rest on estimates, before its full stop; its numbers rough."""
-    text = _NUMBER.sub(lambda match: rough(_size(_value(match[1]))), line)
+    text = _NUMBER.sub(lambda match: rough(_size(value_of(match[1]))), line)
     words = text.rstrip(".;,。")
     return _("{sentence} (estimated)", sentence=words) + text[len(words) :]
 
@@ -331,21 +327,26 @@ def _cell(value: Value, others: Sequence[Value], top: float, *, turns: bool = Fa
     numbers = [
         other if isinstance(other, int | float | complex) else 0.0 for other in (value, *others)
     ]
-    if any(isinstance(number, complex) for number in numbers):
-        return complex_range(list(map(complex, numbers)), top)
     if all(isinstance(number, int) for number in numbers) and len(set(numbers)) == 1:
         return value
-    reals = [float(number.real) for number in numbers]
     if turns:  # each as near to the value as it comes
-        reals = [reals[0] + (each - reals[0] + 180) % 360 - 180 for each in reals]
-    return real_range(reals, top)
+        own, *_others = reals = [number.real for number in numbers]
+        numbers = [own + (each - own + 180) % 360 - 180 for each in reals]
+    return number_range(numbers, top)
 
 
-def real_range(numbers: Sequence[float], top: float) -> float | Ranged:
-    """A number with its range from those as given, in the middle, and at the corners.
+def number_range(numbers: Sequence[float | complex], top: float = 0.0) -> float | complex | Ranged:
+    """A number as given with its range from those in the middle and at the corners, all in a row.
 
     It is the number itself where they differ by no more than SAME of the greatest, or of `top`.
     """
+    if any(isinstance(each, complex) for each in numbers):
+        return _complex_range([complex(each) for each in numbers], top)
+    return real_range([*map(float, numbers)], top, bound=_bound(numbers))  # pyright: ignore[reportArgumentType]
+
+
+def real_range(numbers: Sequence[float], top: float, *, bound: float = 0.0) -> float | Ranged:
+    """The same of real numbers, sizes that are nowhere below `bound`."""
     value, middle, *corners = numbers
     least, most = min(numbers), max(numbers)
     if most - least <= SAME * max(top, abs(least), abs(most)):
@@ -355,37 +356,23 @@ def real_range(numbers: Sequence[float], top: float) -> float | Ranged:
         return Ranged(value, least, most)
     far = 2 * middle - max(corners)
     near = least - 2 * bend * middle / least if least > 0 else 0.0
-    return Ranged(value, max(0.0, min(least, max(far, near))), most)
+    low = max(0.0, far, near, bound)
+    return Ranged(value, min(least, low if low > SAME * most else 0.0), most)
 
 
-def complex_range(numbers: Sequence[complex], top: float) -> complex | Ranged:
-    """An amplitude with its range: the convex hull of all is that far from zero."""
+def _bound(numbers: Sequence[float]) -> float:
+    """What sizes that know their bounds are nowhere below; 0 of others."""
+    bounds = [each.bounds for each in numbers if isinstance(each, Size)]
+    if len(bounds) < len(numbers) or len({each.shape for each in bounds}) > 1:
+        return 0.0
+    return float(greatest_sum(np.stack(bounds, axis=-1)))
+
+
+def _complex_range(numbers: Sequence[complex], top: float) -> complex | Ranged:
     value = numbers[0]
     points = np.array(numbers)
     most = float(np.max(np.abs(points)))
     if float(np.max(np.abs(points - value))) <= SAME * max(top, most):
         return value
-    low = distance_to_hull(points)
+    low = float(distances(points))
     return Ranged(value, low if low > SAME * most else 0.0, most)
-
-
-def distance_to_hull(points: np.ndarray) -> float:
-    """Distance of zero from the convex hull of points in the plane.
-
-    The greatest, over directions, of the least component: a direction with none below zero keeps
-    all points on one side. The greatest lies along a point or across the line through two of them.
-
-    >>> round(distance_to_hull(np.array([1 + 1j, 1 - 1j, 3])), 9)
-    1.0
-    >>> distance_to_hull(np.array([1 + 1j, 1 - 1j, -3]))
-    0.0
-    """
-    points = np.unique(points)
-    normals = (points[:, None] - points[None, :]).ravel() * 1j
-    directions = np.concatenate([points, normals])
-    directions = directions[np.abs(directions) > 0]
-    if directions.size == 0:
-        return 0.0
-    directions = directions / np.abs(directions)
-    along = np.real(np.conj(directions)[:, None] * points[None, :])
-    return max(0.0, float(np.max(np.min(along, axis=1))))

@@ -17,7 +17,7 @@ from crankstar.files.catalog import load, summaries
 from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import number
 from crankstar.mechanics.balance import balance
-from crankstar.mechanics.remains import size
+from crankstar.mechanics.bounds import size
 from crankstar.remedy.loads import reciprocating_mass
 
 COMPARED = 4

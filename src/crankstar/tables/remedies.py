@@ -16,10 +16,11 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.records import Shaft, Weight
 from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import number, order_text
+from crankstar.mechanics import bounds
 from crankstar.mechanics.balance import Balance, Units, balance, total
 from crankstar.mechanics.balance import scales as scales_of
 from crankstar.mechanics.excitation import rolling_moment
-from crankstar.mechanics.remains import OPTIMISED, Sums, size, summed
+from crankstar.mechanics.remains import OPTIMISED, Sums, summed
 from crankstar.remedy import Best, Placing, balance_shafts, bearing_load, changes, needs
 from crankstar.remedy.kept import Changes, vectors
 from crankstar.tables.bobweights import bobweights
@@ -263,7 +264,7 @@ def _roll_added(result: Balance, shaft: Shaft) -> float:
         for row, part in enumerate(result.parts)
         if part.shaft == shaft.name and part.kind == "weight"
     ]
-    return size(spectra.total(result.axis_moment[rows, :]), abs(float(shaft.speed_ratio)))
+    return bounds.size(spectra.total(result.axis_moment[rows, :]), abs(float(shaft.speed_ratio)))
 
 
 def _remaining(job: Job) -> Table:
@@ -278,10 +279,12 @@ def _remaining(job: Job) -> Table:
     worse: list[str] = []
     for order in orders:
         for name, word in (("force", _("force")), ("couple", _("couple"))):
-            old, new = _vectors(sums, name, order, after.units)
+            pairs = _vectors(sums, name, order, after.units)
             unit = getattr(after.units, name)
-            rows.append((order, word, unit, sum(old), sum(new), *new))
-            if sum(new) > sum(old) * (1 + OPTIMISED):
+            old, new = (bounds.greatest(*pair) for pair in pairs)
+            ways = map(bounds.length, pairs[1])
+            rows.append((order, word, unit, *_left(job, old, new), *_left(job, *ways)))
+            if new > old * (1 + OPTIMISED):
                 worse.append(
                     _(
                         "These weights make the {quantity} of order {order} larger than before.",
@@ -291,14 +294,15 @@ def _remaining(job: Job) -> Table:
                 )
     unit = after.units.moment
     for order in orders:
-        rolls = [size(rolling_moment(total(result)), order) for result in (before, after)]
+        rolls = [bounds.size(rolling_moment(total(result)), order) for result in (before, after)]
         if any(rolls):
-            rows.append((order, _("rolling moment"), unit, *_cleared(rolls), None, None))
+            left = _left(job, *_cleared(rolls))
+            rows.append((order, _("rolling moment"), unit, *left, None, None))
     load = _(LOADS[job.model])
     (scale, _couple, _moment), units = scales_of(job.after, job.speed)
     newtons = scale / scales_of(job.after, None)[0].force
     loaded = [bearing_load(engine, model=job.model) * newtons for engine in (job.before, job.after)]
-    rows.append((1.0, load, units.force, *_cleared(loaded), None, None))
+    rows.append((1.0, load, units.force, *_left(job, *_cleared(loaded)), None, None))
     columns = (
         Column(_("order"), key="order", label=True),
         Column(_("quantity"), kind="text", key="quantity", wraps=True),
@@ -314,6 +318,11 @@ def _remaining(job: Job) -> Table:
     return Table(title, columns, tuple(rows), notes=tuple(worse), key="remaining")
 
 
+def _left(job: Job, *sizes: float) -> tuple[float, ...]:
+    """Sizes with what bounds them, unless best weights were found: these are not linear."""
+    return tuple(map(float, sizes)) if job.best is not None else sizes
+
+
 def _cleared(values: Sequence[float]) -> list[float]:
     """Values before and after; zero is what an optimiser left beside the greater one."""
     return [value if value > OPTIMISED * max(values) else 0.0 for value in values]
@@ -321,16 +330,16 @@ def _cleared(values: Sequence[float]) -> list[float]:
 
 def _vectors(
     sums: tuple[Sums, Sums], name: str, order: float, units: Units
-) -> list[tuple[float, float]]:
+) -> list[tuple[complex, complex]]:
     """Forward and backward vectors before and after; what an optimiser leaves is zero."""
     compared = [name, "force"] if units.couple == "m*r*w^2*a" else [name]
     signals = [getattr(sums_, other) for sums_ in sums for other in compared]
-    top = max(size(signal, usual) for signal in signals for usual in (1.0, 2.0))
-    pairs: list[tuple[float, float]] = []
+    top = max(bounds.size(signal, usual) for signal in signals for usual in (1.0, 2.0))
+    pairs: list[tuple[complex, complex]] = []
     for sums_ in sums:
         vector = spectra.selected(getattr(sums_, name), [order])
-        ways = (abs(complex(way[0])) for way in (vector.forward, vector.backward))
-        forward, backward = (way if way > OPTIMISED * top else 0.0 for way in ways)
+        ways = (complex(way[0]) for way in (vector.forward, vector.backward))
+        forward, backward = (way if abs(way) > OPTIMISED * top else 0j for way in ways)
         pairs.append((forward, backward))
     return pairs
 

@@ -9,6 +9,7 @@ from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number, order_text
 from crankstar.language.shown_units import quantity_text
+from crankstar.mechanics import bounds
 from crankstar.mechanics.balance import Balance
 from crankstar.mechanics.remains import Sums, pushed, remains
 from crankstar.remedy import needs
@@ -76,12 +77,12 @@ def _peaks_sentence(engine: Engine, result: Balance, sums: Sums) -> str:
         if size > FELT * pushes.get(whole.get(name, ""), 0.0)
     ]
     text = _("Peaks over a turn: {sizes}.", sizes=", ".join(sizes)) if sizes else ""
-    force = spectra.peak(sums.force).value
+    force = bounds.peak(sums.force).value
     if result.speed is None or engine.block is None or not force:
         return text
     share = _(
         "The peak force is {share} times the weight of the engine.",
-        share=number(force / (engine.block.mass * GRAVITY), digits=3),
+        share=number(force * (1 / (engine.block.mass * GRAVITY)), digits=3),
     )
     return f"{text} {share}"
 

@@ -11,14 +11,17 @@ from typing import NamedTuple
 
 import numpy as np
 
+from crankstar import spectra
 from crankstar.language.messages import _
 from crankstar.language.numbers import unit_text
 from crankstar.language.shown_units import shown
-from crankstar.spectra import Real
+from crankstar.mechanics.bounds import of_order, of_peak
+from crankstar.spectra import Complex, Real
 from crankstar.studies.best_value import Best
-from crankstar.studies.sweep import Curve, Sweep, watched
+from crankstar.studies.sweep import Curve, Sweep, spectrum_of, watched
 from crankstar.tables.cells import rough
 from crankstar.tables.estimates import typical_remarks
+from crankstar.tables.hulls import greatest_sum
 from crankstar.tables.ranges import doubt, real_range
 from crankstar.tables.table import Ranged, Remarks
 
@@ -71,16 +74,43 @@ def _band(
     others = np.array([watched(end, curve.what, order=curve.order).values for end in ends])
     rows = np.column_stack([curve.values, others.T])
     top = float(rows.max())
-    cells = tuple(real_range(row, top) for row in rows.tolist())
+    low = _bounds([sweep, *ends], curve)
+    cells = tuple(
+        real_range(row, top, bound=each) for row, each in zip(rows.tolist(), low, strict=True)
+    )
     if not any(isinstance(cell, Ranged) for cell in cells):
         return None
     there = np.array([best.value])  # between those of the sweep
-    results = [watched(end.again(there), curve.what, order=curve.order) for end in ends]
-    at_best = real_range([best.result, *(float(each.values[0]) for each in results)], top)
+    at_there = [end.again(there) for end in ends]
+    results = [watched(end, curve.what, order=curve.order) for end in at_there]
+    (low,) = _bounds(at_there, curve)
+    sizes = [best.result, *(float(each.values[0]) for each in results)]
+    at_best = real_range(sizes, top, bound=low)
     places = sweep.values[(np.argmax if greatest else np.argmin)(rows, axis=0)].tolist()
     lone = not (best.flat or best.also or best.stretch or sweep.axes[0].closed)
     apart = lone and max(places) > min(places)
     return Band(cells, at_best, (min(places), max(places)) if apart else None)
+
+
+def _bounds(sweeps: Sequence[Sweep], curve: Curve) -> list[float]:
+    """What a curve is nowhere below at each value, by the amplitudes it comes from."""
+    own = [_amplitudes(each, curve) for each in sweeps]
+    return [float(greatest_sum(np.stack(rows, axis=-1))) for rows in zip(*own, strict=True)]
+
+
+def _amplitudes(sweep: Sweep, curve: Curve) -> list[Complex]:
+    """What bounds a curve at each value [row, part]."""
+    out: list[Complex] = [np.zeros(0)] * int(np.prod(sweep.shape))
+    for group in sweep.groups:
+        spectrum = spectrum_of(group.sums, curve.what)
+        if curve.order is None:
+            rows = of_peak(spectrum)
+        else:
+            chosen = spectra.selected(spectrum, [curve.order])
+            rows = of_order(chosen.forward[:, 0], chosen.backward[:, 0])
+        for place, row in zip(group.rows, rows, strict=True):
+            out[place] = row
+    return out
 
 
 def ranged_text(value: Ranged, unit: str, *, beside: float) -> str:

@@ -14,6 +14,7 @@ from crankstar.language.messages import N_, _
 from crankstar.language.numbers import order_text
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.balance import Balance, balance
+from crankstar.mechanics.bounds import greatest
 from crankstar.mechanics.remains import (
     MINOR,
     USUAL_ORDERS,
@@ -145,7 +146,10 @@ def _vector_sentences(name: str, result: Balance, sums: Sums) -> str:
                 _(
                     "order {order}: {size}",
                     order=order_text(order),
-                    size=quantity_text(size, getattr(result.units, name)),
+                    size=quantity_text(
+                        greatest(complex(remaining.forward[row]), complex(remaining.backward[row])),
+                        getattr(result.units, name),
+                    ),
                 )
             )
             continue
@@ -168,12 +172,13 @@ def largest_sentence(name: str, result: Balance, sums: Sums) -> str:
 
 def _vector_sentence(name: str, result: Balance, remaining: Spectrum, row: int) -> str:
     """One order of force or couple: its size and its path."""
-    path = spectra.ellipse(complex(remaining.forward[row]), complex(remaining.backward[row]))
+    forward, backward = complex(remaining.forward[row]), complex(remaining.backward[row])
+    path = spectra.ellipse(forward, backward)
     ratio = Fraction(float(remaining.orders[row])).limit_denominator(1000)
     return _(
         "{vector}: {size}, {course}.",
         vector=vector_name(ratio, force=name == "force", couple=name == "couple"),
-        size=quantity_text(path.semi_major, getattr(result.units, name)),
+        size=quantity_text(greatest(forward, backward), getattr(result.units, name)),
         course=course(path),
     )
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 
 from crankstar.engine.engine import Engine
 from crankstar.files.box import Spread
-from crankstar.language.numbers import values_kept
+from crankstar.language.kept import values_kept
 from crankstar.tables.ranges import sentence
 from crankstar.tables.verdict import Fact
 

@@ -1,0 +1,78 @@
+"""Greatest values of a spectrum which, where values are kept, say how low they can come.
+
+The greatest value of an order over a turn is |forward| + |backward|, and no less than any of its
+components; the peak of all orders is no less than the vector at any crank angle. Each of these is
+linear in every estimated value while the others are held (`language.kept.Size`).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from crankstar import spectra
+from crankstar.language.kept import Size, are_kept, bounded
+from crankstar.spectra import Complex, Peak, Real, Spectrum
+
+ANGLES = np.arange(24) * (2 * np.pi / 24)
+"""Crank angles at which a peak is bounded."""
+
+
+def length(amplitude: complex) -> float:
+    """The absolute value of an amplitude."""
+    return bounded(abs(amplitude), [[amplitude]])
+
+
+def lengths(amplitudes: Complex) -> list[float]:
+    """Those of a row of amplitudes."""
+    return (
+        [length(each) for each in amplitudes.tolist()] if are_kept() else abs(amplitudes).tolist()
+    )
+
+
+def of_order(forward: Complex, backward: Complex) -> Complex:
+    """What bounds |forward| + |backward| of vectors [...]: rows of amplitudes [..., row, part]."""
+    mate = np.conj(backward)
+    rows = [(forward, backward), (forward + mate, 0 * mate), (forward - mate, 0 * mate)]
+    return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
+
+
+def of_peak(spectrum: Spectrum) -> Complex:
+    """What bounds the peaks of vectors [..., n]: rows of amplitudes [..., row, part]."""
+    return spectra.value(spectrum, ANGLES)[..., None]
+
+
+def greatest(forward: complex, backward: complex) -> float:
+    """The greatest value over a turn of two vectors that turn with and against the crankshaft."""
+    size = abs(forward) + abs(backward)
+    return Size(size, of_order(np.array(forward), np.array(backward))) if are_kept() else size
+
+
+def size(spectrum: Spectrum, order: float) -> float:
+    """The greatest value of one order over a turn."""
+    chosen = spectra.selected(spectrum, [order])
+    return greatest(complex(chosen.forward[0]), complex(chosen.backward[0]))
+
+
+def peak(spectrum: Spectrum) -> Peak:
+    """The peak of all orders together."""
+    return tops(spectrum[None])[0]
+
+
+def tops(spectrum: Spectrum) -> list[Peak]:
+    """The peak of every vector of a batch [vector, n]."""
+    found = spectra.tops(spectrum)
+    sizes = peaks(spectrum, np.array([top.value for top in found]))
+    return [top._replace(value=size) for top, size in zip(found, sizes, strict=True)]
+
+
+def peaks(spectrum: Spectrum, values: Real) -> list[float]:
+    """The peaks `values` [vector] of a batch [vector, n], with what bounds them."""
+    if not are_kept():
+        return values.tolist()
+    return [Size(*each) for each in zip(values.tolist(), of_peak(spectrum), strict=True)]
+
+
+def highest(spectrum: Spectrum) -> float:
+    """The highest peak of a batch [vector, n], as along a shaft."""
+    value = float(spectra.peaks(spectrum).max(initial=0.0))
+    return Size(value, of_peak(spectrum)[..., ::3, :].reshape(-1, 1)) if are_kept() else value
