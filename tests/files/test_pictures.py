@@ -16,6 +16,10 @@ from typing import Any
 import pytest
 
 from crankstar.charts import CHARTS
+from crankstar.charts.sweeps import swept as chart
+from crankstar.studies.best_value import best
+from crankstar.studies.sweep import sweep as swept
+from crankstar.studies.sweep import watched
 
 Run = Callable[..., Any]
 BEGINS = {
@@ -146,11 +150,15 @@ def test_a_sweep_as_csv_and_as_a_chart(run: Run, tmp_path: Path) -> None:
         "-o",
         str(tmp_path / "s.json"),
     )
-    drawn = json.loads((tmp_path / "s.json").read_text(encoding="utf-8"))
+    written = json.loads((tmp_path / "s.json").read_text(encoding="utf-8"))
+    values = [[row["layout.banks[1].bearing"], row["force"]] for row in written["values"]]
+    made = swept("harley-45", over)
+    curves = [watched(made, what) for what in ("force", "roll")]
+    drawn = chart(made, curves, best=[best(made, curve) for curve in curves]).to_dict()
     points = drawn["vconcat"][0]["layer"][0]["data"]["values"]
-    assert [[p["x"], p["y"]] for p in points] == [
-        [float(row[1]), pytest.approx(float(row[5]))] for row in rows[1:]
-    ]
+    expected = [[float(row[1]), pytest.approx(float(row[5]))] for row in rows[1:]]
+    assert values == expected
+    assert [[p["x"], p["y"]] for p in points] == expected
     assert len(drawn["vconcat"]) == 2  # forces and rolls have different units
 
 

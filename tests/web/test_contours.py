@@ -143,7 +143,7 @@ def test_two_results_have_their_contours_and_their_front_without_collision(page:
 
 def test_a_chart_of_two_is_written_in_every_form(run: Run, tmp_path: Path) -> None:
     words = ["sweep", "v2-90", *(word for over in OVER for word in ("--over", over))]
-    for kind in ("svg", "png", "pdf", "html", "json"):
+    for kind in ("svg", "png", "pdf", "html"):
         run(*words, "--quantity", "force,couple", "--theme", "print", "-o", f"x.{kind}")
         assert (tmp_path / f"x.{kind}").stat().st_size > 5000
 

@@ -60,13 +60,13 @@ def sweep(
         str | None,
         option(
             "--output",
-            "A chart (.svg, .png, .pdf, .html, .json) or a table (.csv, .xlsx, .parquet, .txt).",
+            "A chart (.svg, .png, .pdf, .html) or a table (.csv, .json, .xlsx, .parquet, .txt).",
         ),
     ] = None,
 ) -> None:
     """Vary one or two values of an engine: force and couple over them, and the best values."""
     kind = PurePath(output or "").suffix.lower().removeprefix(".")
-    picture = kind in (*PICTURES, "json") and not (json or csv)
+    picture = kind in PICTURES and not (json or csv)
     if not picture:
         looks.refuse(_("a table"))
     form = kind if picture else form_of(output, (*TABLES, *PICTURES), json=json, csv=csv)

@@ -71,6 +71,7 @@ def document(name: str, rows: Mapping[str, Any]) -> Document:
 
 
 def _column(name: str) -> Column:
-    kind: Kind = "unit" if name == "unit" else "text" if name in TEXTS else "number"
+    kinds: dict[str, Kind] = {"unit": "unit", "phase_deg": "phase", **dict.fromkeys(TEXTS, "text")}
+    kind = kinds.get(name, "number")
     unit = ROW_UNIT if name == "amplitude" else ""
     return Column(name, unit, kind=kind, key=name, label=name in (*TEXTS, "order"))

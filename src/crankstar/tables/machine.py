@@ -2,7 +2,7 @@
 
 Columns without a key are for readers only. Keys with slashes nest. All digits are given. A value
 that rests on estimates has the ends of its range beside it, `_low` and `_high`, those of a wave or
-a vector being of its amplitude.
+a vector being of its amplitude, and `_estimated`, which is true.
 """
 
 from __future__ import annotations
@@ -103,24 +103,24 @@ PARTS = {"vector": ("up", "right"), "wave": ("amplitude", "phase"), "signal": ("
 def _heads(column: Column) -> Iterator[str]:
     name = column.key.replace("/", "_")
     unit = "" if column.unit in ("", ROW_UNIT) else f" [{column.unit}]"
-    mark = " (estimated)" if column.estimated else ""
     for part in PARTS.get(column.kind, ("",)):
-        if part == "phase":
-            yield f"{name}_{part}{mark} [deg]"
-        else:
-            yield f"{name}{part and '_'}{part}{mark}{unit}"
+        yield f"{name}_{part} [deg]" if part == "phase" else f"{name}{part and '_'}{part}{unit}"
     if column.estimated:
-        yield from (f"{name}_{end}{mark}{unit}" for end in ("low", "high"))
+        yield from (f"{name}_low{unit}", f"{name}_high{unit}", f"{name}_estimated")
 
 
 def plain_values(column: Column, value: Value) -> list[Any]:
-    """The cells of a value; with the ends of its range where the column is estimated."""
+    """The cells of a value; in an estimated column the ends of its range, and whether it has one.
+
+    The names of the other columns are those of an engine without estimates.
+    """
     if isinstance(value, Ranged):
-        return [*_single(column, value.value), value.low, value.high]
+        return [*_single(column, value.value), value.low, value.high, True]
     if not column.estimated:
         return _single(column, value)
     size = abs(value) if isinstance(value, complex) else value
-    return [*_single(column, value), *[size if isinstance(size, int | float) else None] * 2]
+    ends = [size if isinstance(size, int | float) else None] * 2
+    return [*_single(column, value), *ends, False]
 
 
 def _single(column: Column, value: Value) -> list[Any]:

@@ -263,10 +263,10 @@ def _tables(table: Table, others: Sequence[Table]) -> Table:
         rows.append(
             tuple(
                 _cell(
+                    table.columns[place],
                     value,
                     [other[place] if place < len(other) else None for other in like],
                     tops[place],
-                    turns=table.columns[place].unit == "deg",
                 )
                 for place, value in enumerate(row)
             )
@@ -318,18 +318,20 @@ def _top(table: Table, others: Sequence[Table], place: int) -> float:
     return max((abs(c) for c in cells if isinstance(c, int | float | complex)), default=0.0)
 
 
-def _cell(value: Value, others: Sequence[Value], top: float, *, turns: bool = False) -> Value:
-    """A cell with the range that the others give it; `turns`: the same after 360 degrees."""
+def _cell(column: Column, value: Value, others: Sequence[Value], top: float) -> Value:
+    """A cell with the range that the others give it; an angle is the same after 360 degrees."""
     if isinstance(value, str):
         return sentence(value, [other if isinstance(other, str) else "" for other in others])
     if isinstance(value, bool) or not isinstance(value, int | float | complex):
+        return value
+    if column.kind == "phase" or column.label:
         return value
     numbers = [
         other if isinstance(other, int | float | complex) else 0.0 for other in (value, *others)
     ]
     if all(isinstance(number, int) for number in numbers) and len(set(numbers)) == 1:
         return value
-    if turns:  # each as near to the value as it comes
+    if column.unit == "deg":  # each as near to the value as it comes
         own, *_others = reals = [number.real for number in numbers]
         numbers = [own + (each - own + 180) % 360 - 180 for each in reals]
     return number_range(numbers, top)

@@ -23,10 +23,13 @@ class Ranged:
 Value = str | int | float | complex | tuple[Any, ...] | Ranged | None
 """What a cell holds. None is a value that does not exist, and an empty cell."""
 
-Kind = Literal["text", "number", "wave", "vector", "signal", "order", "list", "span", "unit"]
+Kind = Literal[
+    "text", "number", "wave", "phase", "vector", "signal", "order", "list", "span", "unit"
+]
 """How the values of a column are written.
 
-text, number; wave: a complex amplitude, `a ∠ p°`; vector: up + i right; signal: the c of
+text, number; wave: a complex amplitude, `a ∠ p°`; phase: that of a wave, in degrees, which has no
+range; vector: up + i right; signal: the c of
 Re(c exp(i k theta)); order: numbers joined by hyphens, as firing orders and intervals are; list:
 numbers with commas; span: two crank angles; unit: the unit of the row's numbers in the columns
 whose unit is ROW_UNIT.
