@@ -197,9 +197,10 @@ def test_physics_arguments_are_keyword_only() -> None:
             numeric = [name for name in plain if name in ("float", "ArrayLike", "complex")]
             if len(numeric) > 1:
                 swappable.append(f"{path.stem}.{function.name}")
-    # `ellipse(forward, backward)` is the law |f| + |b|, the same either way but for the sense;
-    # `number(value, largest)` is text.
-    assert set(swappable) <= {"spectra.ellipse", "numbers.number", "numbers.wave"}
+    # `ellipse` and `greatest` (forward, backward) are the law |f| + |b|, the same either way but
+    # for the sense; `number(value, largest)` is text.
+    symmetric = {"spectra.ellipse", "bounds.greatest"}
+    assert set(swappable) <= {*symmetric, "numbers.number", "numbers.wave"}
 
 
 def test_records_are_copied_with_changes_in_one_place_only():
