@@ -17,6 +17,7 @@ from tests.files.test_estimate_results import spans_of, variants
 from crankstar.engine.engine import Engine
 from crankstar.files.box import spread
 from crankstar.files.estimate import estimated
+from crankstar.language.kept import alike, as_given, in_turn, of_any
 from crankstar.mechanics.balance import balance
 from crankstar.studies.sweep import swept
 from crankstar.tables import amplitudes, balance_orders, over_speeds
@@ -207,3 +208,68 @@ def test_masses_drawn_at_random_keep_within_the_ranges(
     shown = ranged(sheet, ends, ends.engine)
     for engine in variants(own, count=6):
         assert within(shown, sheet(engine)) >= least
+
+
+def test_what_is_balanced_for_estimated_masses_says_what_others_leave(run: Run, twin: str) -> None:
+    run("balance", twin, "--estimate", "--factor", "0.5", "--shafts", "all", "-o", "quiet.toml")
+    for verb in ("analyze", "verdict"):
+        out = run(verb, "quiet.toml", "--units", "N, N m").out
+        words = re.sub(r"\s+", " ", out)
+        assert "No primary" not in words
+        (force,) = spans_of(words[words.index("Primary force") :].partition("N.")[0])
+        assert force[0] == force[1] == 0
+        assert force[2] > 1e4
+        assert "With the estimated masses no primary or secondary force or couple remains" in words
+    shown = run("analyze", "quiet.toml", "--units", "N, N m").out
+    assert rows_of(shown, "Force on the block", "1")[-1] == force
+    none = re.search(r"None of orders (.*)\.", shown)
+    assert none is not None
+    assert none[1] == "2, 3, 5, 6"
+    stars = shown[shown.index("Force by the vector stars") :].splitlines()
+    assert next(line.split()[1] for line in stars if line.split()[:1] == ["1"]) == "1"
+
+
+def test_a_row_that_some_masses_make_negligible_keeps_its_low_end() -> None:
+    """A load of order 3 has the range of all masses, though not all of them would print it."""
+    ends = spread(tree())
+    assert ends is not None
+    shown = ranged(bearing_document, ends, ends.engine)
+    table = next(table for table in shown.tables if table.key == "orders")
+    loads = [row for row in table.rows if row[2] == 3.0]
+    assert len(loads) == 3
+    for row in loads:
+        greatest = row[-1]
+        assert isinstance(greatest, Ranged)
+        assert 0.2 * abs(greatest.value) < greatest.low < abs(greatest.value)
+
+
+@pytest.mark.parametrize("sheet", [readers, compared])
+def test_analyses_that_say_the_same_are_made_once(sheet: Callable[[Engine], Document]) -> None:
+    made: list[Engine] = []
+
+    def build(engine: Engine) -> Document:
+        made.append(engine)
+        return sheet(engine)
+
+    ends = spread(tree())
+    assert ends is not None
+    ranged(build, ends, ends.engine)
+    assert len(made) == len(ends.engines)
+
+
+def test_analyses_ask_what_is_in_any_and_what_the_first_decides() -> None:
+    found = {"a": [1], "b": [1, 2], "c": []}
+    passes: list[str] = []
+
+    def build(name: str) -> tuple[str, list[int], str]:
+        passes.append(name)
+        unit = in_turn("unit", f"unit of {name}")
+        return as_given("largest", name), sorted(of_any("orders", found[name])), unit
+
+    assert alike(build, "abc") == [("a", [1, 2], "unit of a")] * 3
+    assert passes == [*"abcabc"]
+    assert (as_given("largest", "x"), of_any("orders", [7]), in_turn("unit", "y")) == (
+        "x",
+        (7,),
+        "y",
+    )

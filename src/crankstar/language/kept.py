@@ -1,19 +1,38 @@
-"""Numbers whose values are kept, for a table or a sentence that gives ranges in their place.
+"""Analyses that are laid upon each other, for tables and sentences that give ranges of numbers.
 
 While `values_kept`, a number in a sentence carries its value, and a size, which alone does not tell
 how low it can come, the amplitudes that bound it (`Size`). `tables.ranges` reads them.
+
+The analyses must say the same things: what one of them leaves out or calls the greatest, another
+may not. So they ask what the engine as given decides (`as_given`), or which things there are in any
+of them (`of_any`).
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections import Counter
+from collections.abc import Callable, Hashable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-_KEPT: ContextVar[bool] = ContextVar("values kept", default=False)
+Item = TypeVar("Item")
+
+
+class Common:
+    """What analyses have in common: decisions of the first, things found in any, how many told."""
+
+    def __init__(self) -> None:
+        self.given: dict[Hashable, Any] = {}
+        self.found: dict[Hashable, dict[Any, None]] = {}
+        self.told: list[tuple[Hashable, int]] = []
+        self.asked: Counter[Hashable] = Counter()
+
+
+_KEPT: ContextVar[Common | None] = ContextVar("values kept", default=None)
 OPENING, MIDDLE, CLOSING = "\ue000", "\ue001", "\ue002"
 """Around the value and the writing of a number whose value is kept; no text of a file has them."""
 BESIDE = ";"
@@ -21,7 +40,7 @@ BESIDE = ";"
 
 
 @contextmanager
-def values_kept() -> Iterator[None]:
+def values_kept() -> Iterator[Common]:
     """Have every number in a sentence carry its value, for one that states a range in its place.
 
     >>> from crankstar.language.numbers import number
@@ -29,16 +48,61 @@ def values_kept() -> Iterator[None]:
     ...     number(0.5) == f"{OPENING}0.5{MIDDLE}0.5{CLOSING}"
     True
     """
-    before = _KEPT.set(True)
+    common = Common()
+    before = _KEPT.set(common)
     try:
-        yield
+        yield common
     finally:
         _KEPT.reset(before)
 
 
 def are_kept() -> bool:
     """Whether numbers carry their values, so that one unit has to do for all of a range."""
-    return _KEPT.get()
+    return _KEPT.get() is not None
+
+
+def alike(build: Callable[[Item], Any], engines: Iterable[Item]) -> list[Any]:
+    """The analyses of engines, that of the engine as given first, which say the same things.
+
+    They are made again where one of them has told less than another has found.
+    """
+    subjects = [*engines]
+    with values_kept() as common:
+        while True:
+            common.given.clear()
+            common.told.clear()
+            made = []
+            for each in subjects:
+                common.asked.clear()
+                made.append(build(each))
+            if all(len(common.found[name]) == count for name, count in common.told):
+                return made
+
+
+def as_given(name: Hashable, own: Item) -> Item:
+    """What the engine as given decides under this name; its `own` where analyses are not alike."""
+    common = _KEPT.get()
+    return own if common is None else common.given.setdefault(name, own)
+
+
+def in_turn(name: Hashable, own: Item) -> Item:
+    """What the engine as given decides when it asks under this name for the same time."""
+    common = _KEPT.get()
+    if common is None:
+        return own
+    common.asked[name] += 1
+    return as_given((name, common.asked[name]), own)
+
+
+def of_any(name: Hashable, own: Iterable[Item]) -> tuple[Item, ...]:
+    """What any of the analyses has found under this name; its `own` where they are not alike."""
+    common = _KEPT.get()
+    if common is None:
+        return tuple(own)
+    found = common.found.setdefault(name, {})
+    found.update(dict.fromkeys(own))
+    common.told.append((name, len(found)))
+    return tuple(found)
 
 
 class Size(float):

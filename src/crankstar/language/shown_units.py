@@ -12,7 +12,7 @@ from contextvars import ContextVar
 from functools import lru_cache
 from typing import NamedTuple
 
-from crankstar.language.kept import are_kept
+from crankstar.language.kept import in_turn
 from crankstar.language.messages import N_, MessageError, _
 from crankstar.language.numbers import number, unit_text
 from crankstar.language.quoting import seen
@@ -241,11 +241,11 @@ def shown(unit: str, largest: float, *, prefixed: bool = True) -> Shown:
     """
     name, relative = dimension(unit)
     chosen = choice().get(name, ())
-    fits = prefixed and not are_kept()
-    if not name or not (chosen or fits):
+    if not name or not (chosen or prefixed):
         return Shown(unit, 1.0)
     own = unit.removesuffix(f"*{relative}") if relative else unit
-    wanted = _prefixed(own, largest, chosen or PREFIXED[name]) if fits else chosen[0]
+    fitting = _prefixed(own, largest, chosen or PREFIXED[name]) if prefixed else chosen[0]
+    wanted = in_turn(("unit", name), fitting)
     end = f"*{relative}" if relative else ""
     same = spelt(wanted) == own
     return Shown(f"{wanted}{end}", 1.0 if same else _ratio(own, wanted))

@@ -11,7 +11,7 @@ from crankstar import spectra
 from crankstar.dynamics.bearings import BearingLoads, bearing_loads
 from crankstar.engine.engine import Engine
 from crankstar.files.box import Spread
-from crankstar.language.kept import values_kept
+from crankstar.language.kept import alike
 from crankstar.language.messages import _
 from crankstar.language.numbers import number, unit_text
 from crankstar.page.orders import vectors
@@ -55,12 +55,7 @@ def bearing_numbers(engine: Engine, over: Spread | None = None) -> BearingNumber
         loads = bearing_loads(each, speed=each.speed)
         return Document("", (peaks(each, loads), pins(loads)))
 
-    if over is None:
-        document = sheet(engine)
-    else:
-        with values_kept():
-            documents = [sheet(each) for each in over.engines]
-        document = merged(documents)
+    document = sheet(engine) if over is None else merged(alike(sheet, over.engines))
     on_bearings, on_pins = (in_units(table.readable) for table in document.tables)
     cells = [cell for table in (on_bearings, on_pins) for cell in _greatest(table)]
     return BearingNumbers(

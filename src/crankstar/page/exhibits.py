@@ -16,7 +16,7 @@ from crankstar.engine.engine import Engine
 from crankstar.files.box import Spread, spread
 from crankstar.firing.strokes import WorkingCycle, working_cycle
 from crankstar.language.faults import EngineError
-from crankstar.language.kept import values_kept
+from crankstar.language.kept import alike
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import unit_text
 from crankstar.language.shown_units import SYSTEMS, choice, choice_text, dimension, shown
@@ -234,9 +234,7 @@ def remedy_tables(engine: Engine, fit: Fit, over: Spread | None) -> tuple[Table,
 
     if over is None:
         return printed(sheet(engine).parts)
-    with values_kept():
-        documents = [sheet(each) for each in over.engines]
-    tables = printed(merged(documents).parts)
+    tables = printed(merged(alike(sheet, over.engines)).parts)
     last = max((place for place, table in enumerate(tables) if table.rows), default=-1)
     return tuple(
         Table(**{**table.model_dump(), "notes": (*table.notes, _(remedies.SIZED))})

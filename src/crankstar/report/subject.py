@@ -10,7 +10,7 @@ from typing import Any, Literal
 from crankstar import spectra
 from crankstar.engine.engine import Engine
 from crankstar.files.box import Spread
-from crankstar.language.kept import values_kept
+from crankstar.language.kept import alike
 from crankstar.mechanics import remains
 from crankstar.page.records import Scene
 from crankstar.page.scene import scene
@@ -76,9 +76,11 @@ class Subject:
         """Tables and remarks, with ranges where they rest on estimates."""
         if not self.ends:
             return tuple(build(self))
-        with values_kept():
-            documents = [Document("", tuple(build(each))) for each in (self, *self.ends)]
-        return merged(documents).parts
+
+        def document(each: Subject) -> Document:
+            return Document("", tuple(build(each)))
+
+        return merged(alike(document, (self, *self.ends))).parts
 
     def lines(self, build: Callable[[Subject], Sequence[str]]) -> tuple[str, ...]:
         """Sentences, with ranges where they rest on estimates."""

@@ -16,6 +16,7 @@ import numpy as np
 
 from crankstar import spectra
 from crankstar.engine.engine import Engine
+from crankstar.language.kept import of_any
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import NEGLIGIBLE, order_text
 from crankstar.mechanics.balance import Balance, Grouping, balance, grouped
@@ -81,8 +82,14 @@ def analysis(
     real = balance(engine, speed=speed, reference=reference) if speed is not None else None
     if real is not None and real.units == normalised.units:
         real = None
-    turning = orders_turning(normalised, summed(normalised))
-    return Analysis(engine, normalised, real, orders_pushed(normalised), turning)
+    orders, turning = (
+        tuple(sorted(of_any((engine.name, name), own)))
+        for name, own in (
+            ("pushed", orders_pushed(normalised)),
+            ("turning", orders_turning(normalised, summed(normalised))),
+        )
+    )
+    return Analysis(engine, normalised, real, orders, turning)
 
 
 def document(

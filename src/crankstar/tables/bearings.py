@@ -10,6 +10,7 @@ import numpy as np
 from crankstar import spectra
 from crankstar.dynamics.bearings import BearingLoads, Model, bearing_loads, bending_moment
 from crankstar.engine.engine import Engine
+from crankstar.language.kept import of_any
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import NEGLIGIBLE
 from crankstar.mechanics.balance import balance
@@ -46,9 +47,10 @@ def bearing_document(
     """
     turning = engine.speed if speed is None else speed
     loads = bearing_loads(engine, speed=turning, model=model)
-    shown = orders(main_orders(loads, share=0.0)) or main_orders(
+    chosen = orders(main_orders(loads, share=0.0)) or main_orders(
         loads, share=0.0 if machine else NOTED
     )
+    shown = sorted(of_any("orders", chosen))
     greatest, single = peaks(engine, loads), by_order(loads, shown)
     result = balance(engine, speed=turning)
     notes = (_(MODELS[model]), unit_sentence(engine, result), unit_sizes(engine))
@@ -158,7 +160,8 @@ def by_order(loads: BearingLoads, orders: Sequence[float]) -> Table:
                 complex(side[index, place]) for side in (chosen.forward, chosen.backward)
             )
             path = spectra.ellipse(forward, backward)
-            if path.semi_major <= NEGLIGIBLE * largest:
+            own = (bearing.shaft, bearing.number, order)
+            if not of_any(own, [True] * (path.semi_major > NEGLIGIBLE * largest)):
                 continue
             waves = [
                 wave if abs(wave) > NEGLIGIBLE * path.semi_major else 0j
@@ -166,7 +169,7 @@ def by_order(loads: BearingLoads, orders: Sequence[float]) -> Table:
             ]
             if order == 0:
                 waves = [complex((forward + backward).real), complex((forward + backward).imag)]
-            words = _("steady") if order == 0 else shape(path)
+            words = _("steady") if order == 0 else shape(path, largest)
             ends = (words, forward, backward, greatest(forward, backward))
             rows.append((bearing.shaft, bearing.number, float(order), *waves, *ends))
     return Table(_("Main bearings by order"), columns, tuple(rows), key="orders")

@@ -15,6 +15,7 @@ import numpy as np
 from crankstar import spectra
 from crankstar.engine.engine import Engine
 from crankstar.engine.motion import first_harmonic
+from crankstar.language.kept import as_given, bounded, of_any
 from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import NEGLIGIBLE, order_text
 from crankstar.mechanics import bounds
@@ -44,7 +45,7 @@ PARTS = {
 
 def components(quantity: str, whole: Spectrum, orders: Sequence[float], *, unit: str) -> Table:
     """The orders by size: vertical and horizontal amplitude, path over a turn, greatest value."""
-    left, zero = ranked(whole, orders)
+    left, zero = left_in_any(quantity, whole, orders)
     chosen = spectra.selected(whole, left)
     heads = (
         Column(_("order"), label=True),
@@ -55,11 +56,23 @@ def components(quantity: str, whole: Spectrum, orders: Sequence[float], *, unit:
     rows: list[tuple[Value, ...]] = []
     for row, order in enumerate(left):
         path = spectra.ellipse(complex(chosen.forward[row]), complex(chosen.backward[row]))
-        rows.append((order, *_waves(chosen, row), shape(path), _greatest(chosen, row)))
+        drawn = as_given(("drawn", quantity, order), path.semi_major > 0)
+        words = shape(path) if drawn else ""
+        rows.append((order, *_waves(chosen, row), words, _greatest(chosen, row)))
     notes = none_line(zero)
     if quantity == "couple" and rows:
         notes += (_("Positive pitch lifts the front; positive yaw pushes it to the right."),)
     return Table(_(TITLES[quantity]), heads, tuple(rows), notes=notes)
+
+
+def left_in_any(
+    quantity: str, whole: Spectrum, orders: Sequence[float]
+) -> tuple[list[float], list[float]]:
+    """The orders that remain, the greatest first, and those that do not; over ranges in none."""
+    left, zero = ranked(whole, orders)
+    found = of_any(("left", quantity), left)
+    more = [order for order in zero if order in found]
+    return [*left, *more], [order for order in zero if order not in found]
 
 
 def _waves(spectrum: Spectrum, row: int) -> list[complex]:
@@ -79,7 +92,7 @@ def star_sums(
 ) -> Table:
     """The same orders in m r w^2 A_k, as the vector stars of a textbook give them."""
     unit = "m*r*w^2*A_k" if quantity == "force" else "m*r*w^2*A_k*a"
-    left, _zero = ranked(normalised, orders)
+    left, _zero = left_in_any(quantity, normalised, orders)
     factors = [first_harmonic(engine, order) for order in left]
     divided = _divided(
         spectra.selected(normalised, left), np.array([factor or 1.0 for factor in factors], complex)
@@ -129,7 +142,10 @@ def moments(sums: Sums, orders: Sequence[float], *, unit: str) -> Table:
     least = NEGLIGIBLE * max(map(sums_size, signals))
     waves = np.array([spectra.amplitude(spectra.selected(signal, orders)) for signal in signals])
     waves[np.abs(waves) <= least] = 0
-    there = np.any(waves, axis=0).tolist()
+    found = of_any(
+        "moments", [order for order, wave in zip(orders, waves.T, strict=True) if wave.any()]
+    )
+    there = [order in found for order in orders]
     rows = [
         (order, *map(complex, waves[:, place]))
         for place, order in enumerate(orders)
@@ -179,4 +195,6 @@ def _divided(spectrum: Spectrum, factors: np.ndarray) -> Spectrum:
 def _harmonic(factor: complex) -> Value:
     if factor == 0:
         return "-"
-    return factor.real if abs(factor.imag) <= NEGLIGIBLE * abs(factor) else abs(factor)
+    real = abs(factor.imag) <= NEGLIGIBLE * abs(factor)
+    # it rises or falls with the length of the rod throughout
+    return bounded(factor.real if real else abs(factor), [[factor]])

@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 from crankstar.engine.engine import Engine
 from crankstar.firing.intervals import firing
+from crankstar.language.kept import of_any
 from crankstar.language.messages import _
 from crankstar.language.numbers import NEGLIGIBLE
 from crankstar.mechanics.balance import Balance
@@ -192,8 +193,9 @@ def _ranged_share(value: Value, first: Value, whole: float) -> Value:
 
 def _quantity(name: str, compared: _Compared) -> Table:
     *orders, (_whole, peaks) = _sizes(name, compared)
+    left = of_any(("compared", name), [order for order, cells in orders if any(cells)])
     rows: list[tuple[Value, list[float]]] = [
-        (order, cells) for order, cells in orders if any(cells)
+        (order, cells) for order, cells in orders if order in left
     ]
     if rows:
         rows.append((_("peak"), peaks))
@@ -220,7 +222,7 @@ def _quantity(name: str, compared: _Compared) -> Table:
         for label, cells in rows
     ]
     title = _(QUANTITIES[name]).capitalize()
-    zero = [order for order, cells in orders if order is not None and not any(cells)]
+    zero = [order for order, _cells in orders if order is not None and order not in left]
     return Table(title, heads, tuple(body), notes=none_line(zero), key=name)
 
 

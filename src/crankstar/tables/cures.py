@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from crankstar import spectra
 from crankstar.engine.engine import Engine
+from crankstar.language.kept import as_given, of_any
 from crankstar.language.messages import N_, _
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.balance import Balance, balance
@@ -14,6 +15,7 @@ from crankstar.mechanics.bounds import length, size
 from crankstar.mechanics.remains import EQUAL, Sums, summed
 from crankstar.remedy import Need, bobweight, loads, needs
 from crankstar.remedy.fitting import quiet_cranks
+from crankstar.remedy.shafts import ZERO
 from crankstar.tables.paths import vector_name
 from crankstar.tables.scales import scales
 
@@ -76,6 +78,22 @@ def cure_lines(engine: Engine, remaining: Sequence[Need]) -> list[str]:
         vector = vector_name(need.ratio, force=bool(need.force), couple=bool(need.couple))
         out.append(_(COURSES[course], vector=vector, name=name, cure=removed_by))
     return out
+
+
+def none_remains(engine: Engine, *, zero: float = ZERO) -> str:
+    """That nothing of the first two orders needs a cure; empty where something does.
+
+    What is balanced for estimated masses is said to be so for these alone.
+    """
+    own = [need.ratio for need in needs(engine, zero=zero)]
+    if as_given("needs", bool(own)):
+        return ""
+    if of_any("needs", own):
+        return _(
+            "With the estimated masses no primary or secondary force or couple remains; other "
+            "masses leave what the ranges say. Weigh the parts before weights are made."
+        )
+    return _("No primary or secondary force or couple remains.")
 
 
 def _alike(need: Need, other: Need) -> bool:

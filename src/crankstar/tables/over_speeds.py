@@ -14,6 +14,7 @@ import numpy as np
 
 from crankstar import spectra
 from crankstar.engine.engine import Engine
+from crankstar.language.kept import of_any
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import order_text
 from crankstar.mechanics.balance import Balance, balance
@@ -79,7 +80,7 @@ def remaining(result: Balance, orders: Sequence[float] | None) -> dict[str, tupl
             spectrum = sums.roll
         size = np.abs(waves(component, sums))
         there = size > NEGLIGIBLE * float(sizes(spectrum).max(initial=0.0))
-        left = set(spectrum.orders[there].tolist())
+        left = of_any(("left", component.key), spectrum.orders[there].tolist())
         wanted = turning if component.key == "roll" else pushed
         out[component.key] = tuple(order for order in wanted if order in left)
     return out

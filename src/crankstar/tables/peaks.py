@@ -6,6 +6,7 @@ from math import degrees
 
 from crankstar import spectra
 from crankstar.engine.engine import Engine
+from crankstar.language.kept import as_given, of_any
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import NEGLIGIBLE, bearing_text, number
 from crankstar.language.shown_units import quantity_text
@@ -51,7 +52,7 @@ def peak_lines(engine: Engine, result: Balance, sums: Sums) -> list[str]:
     """A line for each peak, and for the first order of force and couple."""
     counter = any(shaft.throws and shaft.speed_ratio == -1 for shaft in engine.shafts)
     names = ["force", "couple", "torque"]
-    names += ["roll"] if remains(sums.torque, result.torque) else []
+    names += of_any("peaks", ["roll"] * remains(sums.torque, result.torque))
     peaks = [_peak(result, sums, name) for name in names]
     first = [_removable(result, sums, name, counter=counter) for name in ("force", "couple")]
     return [line for line in (*peaks, *first) if line]
@@ -82,11 +83,15 @@ def part_peaks(result: Balance, sums: Sums) -> dict[str, tuple[float, float, str
 
 def _peak(result: Balance, sums: Sums, name: str) -> str:
     spectrum = getattr(sums, name)
-    if name in NONE and not remains(spectrum, getattr(result, name)):
+    if name in NONE and not of_any(
+        ("peak", name), [True] * remains(spectrum, getattr(result, name))
+    ):
         return _(NONE[name])
     top = bounds.peak(spectrum)
-    if name in NONE and top.value <= FELT * float(pushed(getattr(result, name)).max(initial=0.0)):
-        return ""
+    if name in NONE:
+        felt = top.value > FELT * float(pushed(getattr(result, name)).max(initial=0.0))
+        if not of_any(("felt", name), [True] * felt):
+            return ""
     unit = getattr(result.units, name, result.units.moment)
     return _(
         PEAKS[name],
@@ -105,13 +110,16 @@ def _removable(result: Balance, sums: Sums, name: str, *, counter: bool) -> str:
     first = spectra.selected(spectrum, [1.0])
     forward, backward = (bounds.length(complex(way[0])) for way in (first.forward, first.backward))
     least = NEGLIGIBLE * float(sizes(spectrum).max(initial=0.0))
-    if max(forward, backward) <= least:
-        return ""
     kind = "both" if counter else "part"
-    if forward <= least:
+    if max(forward, backward) <= least:
+        kind = ""
+    elif forward <= least:
         kind = "other" if counter else "none"
     elif backward <= least:
         kind = "all"
+    kind = as_given(("removable", name), kind)
+    if not kind:
+        return ""
     unit = getattr(result.units, name)
     return _(
         REMOVABLE[kind],

@@ -28,7 +28,7 @@ import numpy as np
 
 from crankstar.engine.engine import Engine
 from crankstar.files.box import MOST_RANGES, Spread
-from crankstar.language.kept import CLOSING, MIDDLE, OPENING, Size, value_of, values_kept
+from crankstar.language.kept import CLOSING, MIDDLE, OPENING, Size, alike, value_of
 from crankstar.language.messages import _
 from crankstar.tables.cells import rough
 from crankstar.tables.hulls import distances, greatest_sum
@@ -76,9 +76,7 @@ def ranged(build: Callable[[Engine], Document], spread: Spread | None, engine: E
     """The analysis of an engine; with a spread, what rests on estimates has its range."""
     if spread is None:
         return with_doubt(build(engine), engine)
-    with values_kept():
-        documents = [build(each) for each in spread.engines]
-    return with_doubt(merged(documents), engine)
+    return with_doubt(merged(alike(build, spread.engines)), engine)
 
 
 def ranged_side_by_side(
@@ -89,25 +87,19 @@ def ranged_side_by_side(
     """The analysis of several engines, each over its own ranges while the others are as given."""
     if not any(spreads):
         return with_doubt(build(engines), *engines)
-    with values_kept():
-        ends = [() if spread is None else spread.corners for spread in spreads]
-        middles = [
-            engine if spread is None else spread.middle
-            for engine, spread in zip(engines, spreads, strict=True)
-        ]
-        # no number is of two engines: all go through their corners at the same time
-        at = [
-            [
-                corners[place % len(corners)] if corners else engine
-                for place in range(2**MOST_RANGES)
-            ]
-            for engine, corners in zip(engines, ends, strict=True)
-        ]
-        most = max(map(len, ends))
-        documents = [
-            build(each) for each in (engines, middles, *list(zip(*at, strict=True))[:most])
-        ]
-    return with_doubt(merged(documents), *engines)
+    ends = [() if spread is None else spread.corners for spread in spreads]
+    middles = [
+        engine if spread is None else spread.middle
+        for engine, spread in zip(engines, spreads, strict=True)
+    ]
+    # no number is of two engines: all go through their corners at the same time
+    at = [
+        [corners[place % len(corners)] if corners else engine for place in range(2**MOST_RANGES)]
+        for engine, corners in zip(engines, ends, strict=True)
+    ]
+    most = max(map(len, ends))
+    sets = (engines, middles, *list(zip(*at, strict=True))[:most])
+    return with_doubt(merged(alike(build, sets)), *engines)
 
 
 def ranged_lines(
@@ -116,8 +108,7 @@ def ranged_lines(
     """Sentences on an engine; with a spread, what rests on estimates has its range."""
     if spread is None:
         return tuple(build(engine))
-    with values_kept():
-        own, *others = [build(each) for each in (engine, spread.middle, *spread.corners)]
+    own, *others = alike(build, (engine, spread.middle, *spread.corners))
     return _lines(own, others)
 
 
@@ -181,6 +172,7 @@ def _lines(lines: Sequence[str], others: Sequence[Sequence[str]]) -> tuple[str, 
 def sentence(line: str, others: Sequence[str]) -> str:
     """A sentence whose numbers have the range they have in the others; marked if these differ.
 
+    >>> from crankstar.language.kept import values_kept
     >>> with values_kept():
     ...     from crankstar.language.numbers import number
     ...     lines = [f"Force {number(n)} N at order {number(2)}." for n in (1.2, 1.25, 0.9, 1.6)]

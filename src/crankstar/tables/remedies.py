@@ -25,7 +25,7 @@ from crankstar.remedy import Best, Placing, balance_shafts, bearing_load, change
 from crankstar.remedy.kept import Changes, vectors
 from crankstar.tables.bobweights import bobweights
 from crankstar.tables.certificate import certificate
-from crankstar.tables.cures import cure_lines
+from crankstar.tables.cures import cure_lines, none_remains
 from crankstar.tables.placings import placing_lines
 from crankstar.tables.scales import Scale, scales
 from crankstar.tables.table import ROW_UNIT, Column, Document, Remarks, Table, Value, remarks
@@ -347,8 +347,8 @@ def _vectors(
 def _needed(job: Job) -> tuple[Remarks, ...]:
     """What would remove the rest of the first two orders; no other weights where they are best."""
     remaining = needs(job.after, zero=OPTIMISED)
-    if not remaining:
-        return remarks(_("No primary or secondary force or couple remains."))
+    if none := none_remains(job.after, zero=OPTIMISED):
+        return remarks(none)
     if job.best is not None:
         cranks = {shaft.speed_ratio for shaft in job.after.shafts if shaft.throws}
         remaining = [need for need in remaining if need.ratio not in cranks]

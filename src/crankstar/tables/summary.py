@@ -6,6 +6,7 @@ import numpy as np
 
 from crankstar import spectra
 from crankstar.engine.engine import Engine
+from crankstar.language.kept import as_given, of_any
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number, order_text
 from crankstar.language.shown_units import quantity_text
@@ -14,10 +15,10 @@ from crankstar.mechanics.balance import Balance
 from crankstar.mechanics.remains import Sums, pushed, remains
 from crankstar.remedy import needs
 from crankstar.tables.conditions import unit_sentence
-from crankstar.tables.cures import cure_lines, left_by_counterweights
+from crankstar.tables.cures import cure_lines, left_by_counterweights, none_remains
 from crankstar.tables.peaks import FELT, part_peaks
 from crankstar.tables.table import Remarks
-from crankstar.tables.verdict import largest_sentence
+from crankstar.tables.verdict import largest_sentences
 
 GRAVITY = 9.80665
 """Standard acceleration of free fall, m/s^2."""
@@ -39,7 +40,7 @@ def summary(engine: Engine, result: Balance, sums: Sums) -> Remarks:
     horizontal parts; what counterweights would leave, where the file gives none, else the remedy of
     the first vector that has one.
     """
-    remaining = [largest_sentence(name, result, sums) for name in ("force", "couple")]
+    remaining = [largest_sentences(name, result, sums) for name in ("force", "couple")]
     remaining.append(_roll_sentence(result, sums))
     lines = (
         unit_sentence(engine, result),
@@ -53,11 +54,10 @@ def summary(engine: Engine, result: Balance, sums: Sums) -> Remarks:
 def _roll_sentence(result: Balance, sums: Sums) -> str:
     """The largest order of the rolling moment."""
     waves = spectra.amplitude(sums.roll)
-    if not waves.size or not (
-        remains(sums.torque, result.torque) or remains(sums.axis_moment, result.axis_moment)
-    ):
+    there = remains(sums.torque, result.torque) or remains(sums.axis_moment, result.axis_moment)
+    if not waves.size or not of_any("rolls", [True] * there):
         return _("No rolling moment from inertia.")
-    place = int(np.argmax(np.abs(waves)))
+    place = as_given("roll", int(np.argmax(np.abs(waves))))
     return _(
         "Roll of order {order}: {size}.",
         order=order_text(sums.roll.orders[place]),
@@ -71,10 +71,19 @@ def _peaks_sentence(engine: Engine, result: Balance, sums: Sums) -> str:
         name: float(pushed(getattr(result, name)).max(initial=0.0)) for name in ("force", "couple")
     }
     whole = {"vertical": "force", "horizontal": "force", "pitch": "couple", "yaw": "couple"}
+    found = part_peaks(result, sums)
+    felt = of_any(
+        "felt",
+        [
+            name
+            for name, (size, _angle, _unit) in found.items()
+            if size > FELT * pushes.get(whole.get(name, ""), 0.0)
+        ],
+    )
     sizes = [
         _(PEAKS[name], size=quantity_text(size, unit))
-        for name, (size, _angle, unit) in part_peaks(result, sums).items()
-        if size > FELT * pushes.get(whole.get(name, ""), 0.0)
+        for name, (size, _angle, unit) in found.items()
+        if name in felt
     ]
     text = _("Peaks over a turn: {sizes}.", sizes=", ".join(sizes)) if sizes else ""
     force = bounds.peak(sums.force).value
@@ -108,8 +117,8 @@ def _bare_sentence(engine: Engine, result: Balance) -> str:
 def _remedy_sentence(engine: Engine, result: Balance) -> str:
     """The first remedy, and that there are others."""
     remaining = needs(engine)
-    if not remaining:
-        return _("No primary or secondary force or couple remains.")
+    if none := none_remains(engine):
+        return none
     bare = _bare_sentence(engine, result)
     if bare:
         cranks = {shaft.speed_ratio for shaft in engine.shafts if shaft.throws}

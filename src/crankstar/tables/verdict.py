@@ -10,6 +10,7 @@ import numpy as np
 
 from crankstar import spectra
 from crankstar.engine.engine import Engine
+from crankstar.language.kept import as_given, of_any
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import order_text
 from crankstar.language.shown_units import quantity_text
@@ -20,15 +21,15 @@ from crankstar.mechanics.remains import (
     USUAL_ORDERS,
     Sums,
     orders_pushed,
-    ranked,
     remains,
     sizes,
     summed,
 )
 from crankstar.remedy import needs
 from crankstar.spectra import Spectrum
+from crankstar.tables.by_order import left_in_any
 from crankstar.tables.conditions import unit_sentence
-from crankstar.tables.cures import cure_lines, proposal
+from crankstar.tables.cures import cure_lines, none_remains, proposal
 from crankstar.tables.firing_facts import layout_sentence, succession_lines
 from crankstar.tables.paths import course, vector_name
 from crankstar.tables.relatives import relative_lines
@@ -129,58 +130,86 @@ def subjects() -> dict[str, str]:
     }
 
 
+class _Remaining(NamedTuple):
+    """The orders of force or couple that remain, the largest first; those of 1 and 2 that do not.
+
+    `spectrum` is that of the orders.
+    """
+
+    orders: Sequence[float]
+    free: tuple[int, ...]
+    spectrum: Spectrum
+
+
+def _remaining(name: str, result: Balance, sums: Sums) -> _Remaining:
+    left, zero = left_in_any(name, getattr(sums, name), orders_pushed(result))
+    left = as_given(("by size", name), left)
+    free = tuple(order for order in (1, 2) if order in zero)
+    return _Remaining(left, free, spectra.selected(getattr(sums, name), left))
+
+
 def _vector_sentences(name: str, result: Balance, sums: Sums) -> str:
     """The orders of force or couple that remain, the largest first; whether 1 and 2 are free."""
-    spectrum = getattr(sums, name)
-    left, zero = ranked(spectrum, orders_pushed(result))
-    if not left:
+    remaining = _remaining(name, result, sums)
+    if not remaining.orders:
         return _(NONE[name], order=order_text(USUAL_ORDERS))
-    remaining = spectra.selected(spectrum, left)
-    largest = float(sizes(remaining).max())
-    free = tuple(order for order in (1, 2) if order in zero)
-    out = [_(FREE[(name, *free)])] if free else []
+    out = [_(FREE[(name, *remaining.free)])] if remaining.free else []
     minor: list[str] = []
-    for row, (order, size) in enumerate(zip(left, sizes(remaining).tolist(), strict=True)):
-        if size < MINOR * largest:
-            minor.append(
-                _(
-                    "order {order}: {size}",
-                    order=order_text(order),
-                    size=quantity_text(
-                        greatest(complex(remaining.forward[row]), complex(remaining.backward[row])),
-                        getattr(result.units, name),
-                    ),
-                )
-            )
-            continue
-        out.append(_vector_sentence(name, result, remaining, row))
+    for row, order in enumerate(remaining.orders):
+        if _is_minor(name, remaining, row):
+            size = _greatest(remaining.spectrum, row)
+            words = quantity_text(size, getattr(result.units, name))
+            minor.append(_("order {order}: {size}", order=order_text(order), size=words))
+        else:
+            out.append(_vector_sentence(name, result, remaining, row))
     rest = "; ".join(minor)
     out += [f"{rest[:1].upper()}{rest[1:]}."] if rest else []
     return " ".join(out)
 
 
-def largest_sentence(name: str, result: Balance, sums: Sums) -> str:
-    """Whether order 1 and 2 of force or couple are free, and the largest order that remains."""
-    spectrum = getattr(sums, name)
-    left, zero = ranked(spectrum, orders_pushed(result))
-    if not left:
+def largest_sentences(name: str, result: Balance, sums: Sums) -> str:
+    """The largest order of force or couple, and the size of orders 1 and 2, or that they are free.
+
+    Of these none that is minor.
+    """
+    remaining = _remaining(name, result, sums)
+    if not remaining.orders:
         return _(NONE[name], order=order_text(USUAL_ORDERS))
-    free = tuple(order for order in (1, 2) if order in zero)
-    largest = _vector_sentence(name, result, spectra.selected(spectrum, left[:1]), 0)
-    return f"{_(FREE[(name, *free)])} {largest}" if free else largest
+    out = [_(FREE[(name, *remaining.free)])] if remaining.free else []
+    out.append(_vector_sentence(name, result, remaining, 0))
+    out += [
+        _vector_sentence(name, result, remaining, row, course_too=False)
+        for row, order in enumerate(remaining.orders)
+        if row and order in (1, 2) and not _is_minor(name, remaining, row)
+    ]
+    return " ".join(out)
 
 
-def _vector_sentence(name: str, result: Balance, remaining: Spectrum, row: int) -> str:
-    """One order of force or couple: its size and its path."""
-    forward, backward = complex(remaining.forward[row]), complex(remaining.backward[row])
-    path = spectra.ellipse(forward, backward)
-    ratio = Fraction(float(remaining.orders[row])).limit_denominator(1000)
-    return _(
-        "{vector}: {size}, {course}.",
-        vector=vector_name(ratio, force=name == "force", couple=name == "couple"),
-        size=quantity_text(greatest(forward, backward), getattr(result.units, name)),
-        course=course(path),
-    )
+def _greatest(spectrum: Spectrum, row: int) -> float:
+    return greatest(complex(spectrum.forward[row]), complex(spectrum.backward[row]))
+
+
+def _is_minor(name: str, remaining: _Remaining, row: int) -> bool:
+    """Whether an order is far smaller than the largest, and no estimate makes it other than 0."""
+    lengths = sizes(remaining.spectrum)
+    minor = bool(0 < lengths[row] < MINOR * lengths.max())
+    return as_given(("minor", name, remaining.orders[row]), minor)
+
+
+def _vector_sentence(
+    name: str, result: Balance, remaining: _Remaining, row: int, *, course_too: bool = True
+) -> str:
+    """One order of force or couple: its size and its path; that of nothing is none."""
+    spectrum, order = remaining.spectrum, remaining.orders[row]
+    path = spectra.ellipse(complex(spectrum.forward[row]), complex(spectrum.backward[row]))
+    ratio = Fraction(float(order)).limit_denominator(1000)
+    words = {
+        "vector": vector_name(ratio, force=name == "force", couple=name == "couple"),
+        "size": quantity_text(_greatest(spectrum, row), getattr(result.units, name)),
+    }
+    if course_too and as_given(("course", name, order), path.semi_major > 0):
+        return _("{vector}: {size}, {course}.", course=course(path), **words)
+    return _("{vector}: {size}.", **words)
 
 
 def _moment_sentences(result: Balance, sums: Sums) -> str:
@@ -191,8 +220,8 @@ def _moment_sentences(result: Balance, sums: Sums) -> str:
     for name, sentence in MOMENTS.items():
         signal = getattr(sums, name)
         amplitudes = spectra.amplitude(signal)
-        place = int(np.argmax(np.abs(amplitudes)))
-        if there[name] and amplitudes[place]:
+        place = as_given(("largest", name), int(np.argmax(np.abs(amplitudes))))
+        if of_any(("there", name), [True] * bool(there[name] and amplitudes[place])):
             size = quantity_text(complex(amplitudes[place]), result.units.moment)
             out.append(_(sentence, order=order_text(signal.orders[place]), size=size))
     return " ".join(out) or _("No rolling moment from inertia.")
@@ -201,6 +230,6 @@ def _moment_sentences(result: Balance, sums: Sums) -> str:
 def _cures(engine: Engine, speed: float | None) -> list[str]:
     """What removes what remains of the first two orders of the engine as it is."""
     remaining = needs(engine)
-    if not remaining:
-        return [_("No primary or secondary force or couple remains.")]
+    if none := none_remains(engine):
+        return [none]
     return [*cure_lines(engine, remaining), proposal(engine, speed=speed)]

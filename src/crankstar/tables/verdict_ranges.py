@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 
 from crankstar.engine.engine import Engine
 from crankstar.files.box import Spread
-from crankstar.language.kept import values_kept
+from crankstar.language.kept import alike
 from crankstar.tables.ranges import sentence
 from crankstar.tables.verdict import Fact
 
@@ -23,11 +23,11 @@ def ranged_facts(
     """
     if spread is None:
         return tuple(verdict(engine))
-    with values_kept():
-        own = _by_topic(verdict(engine))
-        others = [
-            _by_topic((at_ends or verdict)(each)) for each in (spread.middle, *spread.corners)
-        ]
+    facts = alike(
+        lambda each: (verdict if each is engine else at_ends or verdict)(each),
+        (engine, spread.middle, *spread.corners),
+    )
+    own, *others = map(_by_topic, facts)
     return tuple(
         Fact(about, sentence(text, [other.get((about, place), "") for other in others]))
         for (about, place), text in own.items()
