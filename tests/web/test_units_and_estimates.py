@@ -8,11 +8,12 @@ from pathlib import Path
 
 import pytest
 from playwright.sync_api import Page, expect
+from tests.files.test_estimate_one_range import TWIN
 from tests.web.browsing import too_wide
 from tests.web.engine_page import handle, opened
 from tests.web.serving import Server
 
-from crankstar import spectra
+from crankstar import cli, spectra
 from crankstar.dynamics.bearings import bearing_loads
 from crankstar.dynamics.whirl import body
 from crankstar.files import engine_of
@@ -227,3 +228,33 @@ def test_a_page_with_estimates_shows_them_and_their_ranges(tmp_path: Path, page:
         found[tab.inner_text()] = too_wide(page)
     assert len(found) > 8
     assert {name: told for name, told in found.items() if told} == {}
+
+
+def test_a_row_that_is_zero_for_estimated_masses_has_its_range_and_a_dot_in_the_middle(
+    tmp_path: Path, page: Page
+) -> None:
+    twin, quiet, path = (str(tmp_path / name) for name in ("twin.toml", "quiet.toml", "quiet.html"))
+    Path(twin).write_text(TWIN)
+    for words in (
+        ["balance", twin, "--estimate", "--factor", "0.5", "--shafts", "all", "-o", quiet],
+        ["page", quiet, "-o", path],
+    ):
+        with pytest.raises(SystemExit):
+            cli.main(words)
+    opened(page, Path(path))
+    rows = page.locator("table.orders tbody tr").filter(has=page.locator("svg.path"))
+    dots: dict[str, tuple[str, bool, float, float]] = {}
+    for row in rows.all():
+        circle = row.locator("svg.path circle")
+        cx, cy = (float(circle.get_attribute(name) or 0) for name in ("cx", "cy"))
+        still = circle.get_attribute("class") == "still"
+        dots[f"{len(dots)}"] = (row.locator("td.right").inner_text(), still, cx, cy)
+    zero = [dot for dot in dots.values() if dot[1]]
+    assert zero
+    assert all(re.match(r"0 \(0 to [\d.]+\)", text) for text, *_rest in zero)
+    assert {(cx, cy) for _text, _still, cx, cy in zero} == {(0.0, 0.0)}
+    moving = [dot for dot in dots.values() if not dot[1]]
+    assert all(-1.01 <= cx <= 1.01 and -1.01 <= cy <= 1.01 for _t, _s, cx, cy in moving)
+    assert "None of orders 1," not in page.locator("table.orders").inner_text()
+    for line in page.locator(".now .range").all_inner_texts():
+        assert all(len(part) < 9 for part in re.findall(r"[\d.]+", line))

@@ -325,7 +325,7 @@ export interface Row {
   greatest: string
   /** greatest as a number, 0 where nothing remains of the order */
   size: number
-  /** whether anything remains of the order */
+  /** whether anything remains of the order; if estimated, other masses may differ */
   remains: boolean
   /** of the ellipse (vectors only), in the unit of the quantity */
   semi_axes: [number, number] | null

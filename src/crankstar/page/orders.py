@@ -166,7 +166,7 @@ def _rows(
             right=written[1] if vector else "",
             greatest=written[2],
             estimated=written[3],
-            path=shape(path, largest) if vector else "",
+            path=shape(path, largest) if vector and (remains or not written[3]) else "",
             size=sizes.greatest if remains else 0.0,
             remains=remains,
             semi_axes=(path.semi_major, path.semi_minor) if vector else None,

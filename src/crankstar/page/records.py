@@ -200,7 +200,9 @@ class Row(Shown):
     )
     greatest: str
     size: float = Field(description="greatest as a number, 0 where nothing remains of the order")
-    remains: bool = Field(description="whether anything remains of the order")
+    remains: bool = Field(
+        description="whether anything remains of the order; if estimated, other masses may differ"
+    )
     semi_axes: Pair | None = Field(
         description="of the ellipse (vectors only), in the unit of the quantity"
     )

@@ -95,6 +95,11 @@ function numbersOf({ orders, sense, total, ends, units }: Exhibit): Texts {
   ])
   const [own = []] = sums
   const digits = own.map((numbers, kind) => decimals(bound(numbers) * (factors[kind] ?? 1)))
+  const ofRanges = own.map((_, kind) =>
+    decimals(
+      Math.max(...sums.map((sum) => bound(sum[kind] as Coefficients))) * (factors[kind] ?? 1),
+    ),
+  )
   const place: Plane = [0, 0]
   const at = (numbers: Coefficients, kind: number): readonly number[] =>
     (kind < 2 ? [...vectorAt(numbers, phase, place)] : [signalAt(numbers, phase)]).map(
@@ -111,7 +116,7 @@ function numbersOf({ orders, sense, total, ends, units }: Exhibit): Texts {
       const ranges = values.map((_, index) =>
         rangeText(
           all.map((each) => each[index] ?? 0),
-          digits[kind] ?? 0,
+          ofRanges[kind] ?? 0,
         ),
       )
       return [...texts, ranges.filter(Boolean).join(', ')]

@@ -20,7 +20,7 @@ export function dotOf(exhibit: Exhibit, row: Row): Dot {
   const phase = phaseOf(1, exhibit.sense)
   const place: Plane = [0, 0]
   const still: Dot = () => place
-  if (index < 0) return still
+  if (index < 0 || !row.remains) return still
   if (row.quantity === 'force' || row.quantity === 'couple') {
     const { forward, backward } = exhibit.total[row.quantity]
     const [ahead, against] = [forward[index], backward[index]]

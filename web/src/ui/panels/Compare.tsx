@@ -86,11 +86,11 @@ function Both({ one, other }: { one: Exhibit; other: Exhibit }) {
 function Cell({ row, unit }: { row: Row | undefined; unit: string }) {
   if (!row) return <td class="soft">{t('none')}</td>
   return (
-    <td class={row.remains ? '' : 'nothing'}>
+    <td class={row.remains || row.estimated ? '' : 'nothing'}>
       <span class="drawn">
         <Path row={row} />
         <span>
-          {row.greatest} {row.remains ? unit : ''}
+          {row.greatest} {row.remains || row.estimated ? unit : ''}
           <br />
           <span class="soft small">{row.path}</span>
         </span>

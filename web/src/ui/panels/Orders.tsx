@@ -13,7 +13,7 @@ export function Orders() {
   const exhibit = useExhibit()
   const body = useRef<HTMLTableElement>(null)
   const dots = useMemo(
-    () => exhibit.table.filter(({ remains }) => remains).map((row) => dotOf(exhibit, row)),
+    () => exhibit.table.filter(isShown).map((row) => dotOf(exhibit, row)),
     [exhibit],
   )
   useFollower((theta) => moveDots(body.current, dots, theta), [dots])
@@ -63,7 +63,7 @@ function Group({
 }) {
   if (!rows.length) return null
   const zero = rows
-    .filter(({ remains }) => !remains)
+    .filter((row) => !isShown(row))
     .sort((one, other) => one.order - other.order)
     .map(({ label }) => label)
   return (
@@ -78,11 +78,9 @@ function Group({
         <td class="soft">{quantity === 'couple' && t('pitch M_V')}</td>
         <td class="soft">{quantity === 'couple' && t('yaw M_H')}</td>
       </tr>
-      {rows
-        .filter(({ remains }) => remains)
-        .map((row) => (
-          <Line key={row.order} row={row} />
-        ))}
+      {rows.filter(isShown).map((row) => (
+        <Line key={row.order} row={row} />
+      ))}
       {zero.length > 0 && (
         <tr>
           <td colSpan={5} class="soft">
@@ -94,6 +92,11 @@ function Group({
       )}
     </tbody>
   )
+}
+
+/** Whether an order has a row: it remains, or would with other masses than the estimated ones. */
+function isShown({ remains, estimated }: Row): boolean {
+  return remains || estimated
 }
 
 function Line({ row }: { row: Row }) {
