@@ -63,6 +63,24 @@ def test_what_a_file_gives_is_kept() -> None:
             }
 
 
+@pytest.mark.parametrize("name", ["bmw-m52b28", "kr250-racer", "subaru-ej25", "ford-coyote"])
+def test_an_estimated_file_has_nothing_left_to_estimate(name: str) -> None:
+    """The big end of a rod with its mass is in the rod, and is not counted again on the pin."""
+    once = estimated(tree_of(name)[1]).tree
+    again = estimated(once).tree
+    assert again == once
+
+
+def test_the_big_end_of_a_given_rod_is_not_estimated_beside_it() -> None:
+    tree = dict(tree_of("bmw-m52b28")[1])
+    rod = {"mass": "600 g", "centre": "40 mm", "inertia": "0.002 kg*m^2"}
+    tree["cylinder"] = {**tree["cylinder"], "reciprocating_mass": "400 g", "rod": rod}
+    filled = estimated(tree).tree["cylinder"]
+    assert "rotating_mass" not in filled
+    assert filled["rod"] == rod
+    assert filled["throw_mass"]  # the crank pin is the crankshaft's
+
+
 def test_bare_numbers_keep_their_proportion_to_the_unit() -> None:
     tree = tree_of("parallel-twin-180")[1]
     tree["cylinder"]["rotating_mass"] = 0.4

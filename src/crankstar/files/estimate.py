@@ -280,7 +280,7 @@ def _masses(filling: _Filling, laid_out: Engine, bore: float) -> None:
         _absolute(tree, {"mass": masses[1] * cube})
         filling.mark("cylinders.reciprocating_mass", [m * cube for m in masses], text)
         return
-    if known:
+    if known and "rod" not in cylinder:
         ends = [(1 - s) * r * cube for s, r in zip(reversed(share.sizes), rods.sizes, strict=True)]
         text = about.format(part="big end", k=ends[1] / cube)
         if has_pins:
@@ -288,9 +288,10 @@ def _masses(filling: _Filling, laid_out: Engine, bore: float) -> None:
             if "throw_mass" not in cylinder:
                 filling.fill("cylinder.throw_mass", [k * cube for k in pins.sizes], pin_text)
         return
-    text = about.format(part="piston group", k=groups.typical)
-    _absolute(tree, {"mass": groups.typical * cube})
-    filling.fill("cylinder.reciprocating_mass", [k * cube for k in groups.sizes], text)
+    if not known:
+        text = about.format(part="piston group", k=groups.typical)
+        _absolute(tree, {"mass": groups.typical * cube})
+        filling.fill("cylinder.reciprocating_mass", [k * cube for k in groups.sizes], text)
     if "rod" not in cylinder:
         text = about.format(part="rod", k=rods.typical)
         _rod(filling, [k * cube for k in rods.sizes], text, share)
