@@ -25,7 +25,7 @@ from tests.texts import EXPLICIT, SHORT
 
 import crankstar
 from crankstar import cli, spectra
-from crankstar.files import engine_of, explicit, schema, tree_of
+from crankstar.files import catalog, engine_of, explicit, schema, tree_of, tree_text
 from crankstar.files.starters import STARTERS
 from crankstar.mechanics.balance import balance, total
 
@@ -343,6 +343,35 @@ def test_compare_shows_several_engines_side_by_side(run: Run, file: str) -> None
     assert "unverified" in out
     together = run("compare", file, file, "--speed", "6000 rpm").out
     assert re.search(r"^order +\[(k?N)\] +\[\1\]( +\[%\])?$", together, re.MULTILINE)
+
+
+def test_check_tells_of_sources_whose_entry_was_deleted(run: Run) -> None:
+    name = "layout.throws[9]"
+    source = f'\n[provenance."{name}"]\nsource = "a book"\nstatus = "published"\n'
+    Path("stale.toml").write_text(tree_text(catalog.tree_of("i4")[1]) + source, encoding="utf-8")
+    told = run("check", "stale.toml")
+    assert told.code == 0
+    assert told.out.splitlines() == [
+        "stale.toml: good (Four in line, flat crank, 4 pistons; fires 1-3-4-2 every 180 deg)",
+        f"  The source of {name} is of an entry that the file does not have; leave it out.",
+    ]
+
+
+def test_one_key_is_set_once(run: Run, refused: Callable[..., str]) -> None:
+    both = ["--set", "speed=90 rpm", "--set", "speed = 80 rpm"]
+    assert '--set speed = 80 rpm: "speed" is set before; give it once' in refused(
+        "show", "i4", *both
+    )
+    two = ["--set", "speed=90 rpm", "--set", "2:speed=80 rpm", "--csv"]
+    told = run("compare", "bmw-m52b28", "bmw-m52b28", "--estimate", *two).out
+    assert {row["speed_rpm"] for row in csv.DictReader(told.splitlines())} == {"90.0", "80.0"}
+
+
+def test_speeds_in_another_unit_are_quoted_as_they_were_written(
+    refused: Callable[..., str],
+) -> None:
+    told = refused("analyze", "i4", "--speeds", "600..6000 mm by 200")
+    assert 'speed is "600 mm", a length; a rotational speed is needed' in told
 
 
 def test_check_tells_of_every_file_and_fails_if_one_fails(

@@ -148,6 +148,10 @@ MISTAKES: dict[str, tuple[Change, str]] = {
         lambda book: book["engine.layout.banks"].__setitem__("J3", 900),
         "engine.layout.banks!J3 is 900, but its column has no heading in the first row",
     ),
+    "two units": (
+        lambda book: book["engine.layout.banks"].__setitem__("B2", "87.5 mm"),
+        'engine.layout.banks!B2 is "87.5 mm", but the unit beside it is "deg"; write the unit',
+    ),
     "bearing textual": (
         lambda book: book["engine.layout.banks"].__setitem__("B2", "left"),
         "engine.layout.banks!B2 (layout.banks[1].bearing) is",

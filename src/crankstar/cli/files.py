@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from collections.abc import Mapping
+from typing import Annotated, Any
 
 from cyclopts import Parameter
 
-from crankstar.cli.options import Output, loaded_values, option
+from crankstar.cli.options import Output, engine_over_ranges, option
 from crankstar.cli.output import complain, display, is_file, write, write_bytes
 from crankstar.engine.engine import Engine
 from crankstar.files import STANDARD_INPUT, EngineFileError, tree_of
+from crankstar.files.changes import stale_sources
 from crankstar.language.messages import _, _n
 from crankstar.language.quoting import one_line
 from crankstar.options.forms import form_of
@@ -27,13 +29,25 @@ def check(
     failed = 0
     for name in files:
         try:
-            loaded = loaded_values(name, None, estimate=False).engine
+            loaded, tree = engine_over_ranges(name, None, estimate=False)
         except EngineFileError as error:
             failed += 1
             complain(str(error))
         else:
-            display(Text(_good(name, loaded)))
+            display(Text("\n".join([_good(name, loaded.engine), *_stale(tree)])))
     return 2 if failed else 0
+
+
+def _stale(tree: Mapping[str, Any]) -> list[str]:
+    """A line on the sources of values that the file has no more; they do no harm."""
+    paths = stale_sources(dict(tree))
+    line = _n(
+        "  The source of {paths} is of an entry that the file does not have; leave it out.",
+        "  The sources of {paths} are of entries that the file does not have; leave them out.",
+        len(paths),
+        paths=one_line(", ".join(paths), longest=400),
+    )
+    return [line] if paths else []
 
 
 def _good(name: str, engine: Engine) -> str:

@@ -24,10 +24,12 @@ from crankstar.files.sheets import (
     heading,
     is_list,
     lists,
+    own_unit,
     value_of,
 )
 from crankstar.language.faults import Fault
 from crankstar.language.quoting import one_line, seen
+from crankstar.language.units import measured as unit_of
 
 
 def refused_sheet(name: str, code: str, **values: Any) -> EngineFileError:
@@ -214,6 +216,9 @@ class Cells:
                 self._fault("cell.key-twice", cell=key_cell, key=".".join(map(str, keys)))
                 return
         measured = None if unit is None or isinstance(unit, Fault) else str(unit).strip()
+        if measured and _measure_apart(own_unit(value), measured):
+            self._fault("cell.two-units", cell=cell, value=seen(value), unit=seen(measured))
+            return
         table[keys[-1]] = value_of(value, measured, info.annotation if info else None)
 
     def _source(self, key: str, key_cell: str, row: Mapping[str, tuple[str, Any]]) -> None:
@@ -296,3 +301,11 @@ class Cells:
                 return place, None
             home, place = home[int(number) - 1], (*place, int(number) - 1)
         return place, home
+
+
+def _measure_apart(own: str, beside: str) -> bool:
+    """Whether two units measure different things."""
+    try:
+        return bool(own) and unit_of(own).dimensions != unit_of(beside).dimensions
+    except ValueError:  # which reading the value tells
+        return False

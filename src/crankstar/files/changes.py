@@ -90,6 +90,30 @@ def keys_of(path: str) -> list[str | int]:
     ]
 
 
+def stale_sources(tree: Tree) -> list[str]:
+    """The paths of sources whose entry the file has not, as when an entry of a list was deleted.
+
+    >>> stale_sources({"throw": [{}], "provenance": {"throw[1].z": {}, "throw[2].z": {}}})
+    ['throw[2].z']
+    """
+    sources = tree.get("provenance")
+    return [name for name in sources or () if _is_stale(tree, keys_of(name))]
+
+
+def _is_stale(tree: Tree, keys: list[str | int]) -> bool:
+    place: Any = tree
+    for key in keys:
+        if isinstance(key, int):
+            if not isinstance(place, list) or not 0 <= key < len(place):
+                return isinstance(place, list)
+            place = place[key]
+        elif isinstance(place, dict) and key in place:
+            place = place[key]
+        else:
+            return False
+    return False
+
+
 def _can_hold(table: Any, key: str | int) -> bool:
     return (
         isinstance(table, dict)

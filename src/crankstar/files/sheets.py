@@ -263,6 +263,16 @@ def value_of(cell: Cell, unit: str | None, annotation: Any) -> Any:
     return f"{str(cell).strip()} {unit}"
 
 
+def own_unit(cell: Cell) -> str:
+    """The unit that stands in a cell behind its number; empty where none does.
+
+    >>> own_unit("87.5 mm"), own_unit("38 g at 4 in"), own_unit(87.5), own_unit("V8")
+    ('mm', 'g at 4 in', '', '')
+    """
+    match = _MEASURED.fullmatch(cell.strip()) if isinstance(cell, str) else None
+    return match[2] if match else ""
+
+
 def _item(item: Any, unit: str | None) -> Any:
     """An item of a list: a number, a number with a unit, or text."""
     text = _short(item) if isinstance(item, int | float) else str(item).strip()

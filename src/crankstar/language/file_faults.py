@@ -254,6 +254,9 @@ SENTENCES: dict[str, str | Plural] = {
     ),
     "cell.merged": N_("the cells {cell} are merged; unmerge them and fill each cell"),
     "cell.key-twice": N_("{cell}: the key {key} stands twice; leave one of them out"),
+    "cell.two-units": N_(
+        "{cell} is {value}, but the unit beside it is {unit}; write the unit in one of them"
+    ),
     "cell.no-key": N_("{cell} is {value}, but the row has no key in the column {heading}"),
     "cell.no-heading": N_(
         "{cell} is {value}, but its column has no heading in the first row; name what it is, or "

@@ -70,26 +70,39 @@ def settings(texts: Sequence[str] | None) -> dict[str, Any]:
     >>> settings(["layout.bore_pitch=100 mm", "cylinder.rod_ratio=3.5"])
     {'layout.bore_pitch': '100 mm', 'cylinder.rod_ratio': 3.5}
     """
-    return dict(map(_setting, texts or ()))
+    found: dict[str, Any] = {}
+    for text in texts or ():
+        path, value = _setting(text)
+        if path in found:
+            raise refusal("--set", text, "{path} is set before; give it once", path=seen(path))
+        found[path] = value
+    return found
 
 
 def settings_of_each(texts: Sequence[str] | None, count: int) -> list[list[str]]:
     """The --set of each of several engines: KEY=VALUE is for all, 2:KEY=VALUE for the second.
 
     >>> settings_of_each(["balance_factor=0.5", "2:balance_factor=0.6"], 2)
-    [['balance_factor=0.5'], ['balance_factor=0.5', 'balance_factor=0.6']]
+    [['balance_factor=0.5'], ['balance_factor=0.6']]
     """
+    of_all: list[str] = []
     out: list[list[str]] = [[] for _engine in range(count)]
     for text in texts or ():
         match = re.match(r"\s*(\d{1,3})\s*:", text, re.ASCII)
         if match is None:
-            for own in out:
-                own.append(text)
+            of_all.append(text)
         elif not 1 <= int(match[1]) <= count:
             raise refusal("--set", text, "there are {count} engines, 1 to {count}", count=count)
         else:
             out[int(match[1]) - 1].append(text[match.end() :])
+    for own in out:
+        paths = [_path(text) for text in own]
+        own[:0] = [text for text in of_all if _path(text) not in paths]
     return out
+
+
+def _path(text: str) -> str:
+    return text.partition("=")[0].strip()
 
 
 def _setting(text: str) -> tuple[str, Any]:

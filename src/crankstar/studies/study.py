@@ -12,8 +12,8 @@ import numpy as np
 from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import ANGLE, SPEED, Quantity
 from crankstar.files import EngineFileError, keys_of, units
-from crankstar.language.faults import ValueFaultError
-from crankstar.language.quoting import one_line
+from crankstar.language.faults import ValueFaultError, sentence
+from crankstar.language.quoting import one_line, seen
 from crankstar.language.units import spelt
 from crankstar.mechanics.balance import Scale, Units, default_reference, scales
 from crankstar.mechanics.excitation import Reference
@@ -159,7 +159,7 @@ def rad_per_s(values: Real, unit: str) -> Real:
     """Speeds in rad/s. Raises SweepError."""
     if not unit:
         raise _no_unit(Varied(SPEED_PATH), SPEED)
-    speeds = values * _factor(Varied(SPEED_PATH, unit), SPEED)
+    speeds = values * _factor(Varied(SPEED_PATH, unit), SPEED, shown=float(values.flat[0]))
     if np.any(speeds <= 0):
         raise SweepError(
             "the speed is {speed} {unit}; it must be greater than 0, such as {example}",
@@ -177,14 +177,16 @@ def rad_per_s(values: Real, unit: str) -> Real:
     return speeds
 
 
-def _factor(varied: Varied, quantity: Quantity) -> float:
-    """How much of the SI unit the unit of a number is. Raises SweepError."""
+def _factor(varied: Varied, quantity: Quantity, *, shown: float = 1.0) -> float:
+    """How much of the SI unit the unit of a number is. Raises SweepError, with the number shown."""
     if varied.unit is None:
         return 1.0
     try:
         return units.si(f"1 {varied.unit}", quantity)
     except ValueFaultError as error:
-        raise SweepError(error.at(varied.path)) from None
+        value = seen(f"{shown:g} {varied.unit}")
+        told = sentence(error.code, {**error.values, "value": value}, place=varied.path)
+        raise SweepError(told) from None
 
 
 def finite(values: Sequence[float] | Real, over: str) -> Real:
