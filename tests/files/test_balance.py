@@ -248,6 +248,7 @@ def test_the_command_that_the_verdict_prints_fits_what_it_recommends(
             "--pitch-share has no effect with --minimise bearing",
         ),
         (["--minimise", "couple", "--greatest-unbalance", "0"], "greater than 0"),
+        (["--minimise", "couple", "--greatest-unbalance", "1e-200"], "give a larger one"),
         (["--minimise", "couple", "--greatest-unbalance", "x"], "--greatest-unbalance"),
         (["--recommended", "--factor", "0.5"], "--factor has no effect with --recommended"),
         (["--recommended", "--weights", "ends"], "--weights has no effect with --recommended"),

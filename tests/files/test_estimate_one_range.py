@@ -273,3 +273,10 @@ def test_analyses_ask_what_is_in_any_and_what_the_first_decides() -> None:
         (7,),
         "y",
     )
+
+
+def test_weights_that_are_fixed_are_not_said_to_be_sized(run: Run, twin: str) -> None:
+    run("balance", twin, "--estimate", "--factor", "0.5", "-o", "fixed.toml")
+    note = "sized for their own masses"
+    assert note in re.sub(r"\s+", " ", run("balance", twin, "--estimate", "--factor", "0.5").out)
+    assert note not in re.sub(r"\s+", " ", run("balance", "fixed.toml").out)

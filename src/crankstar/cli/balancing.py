@@ -65,7 +65,7 @@ def balance(
         words = [command, *(name for name, given in flags.items() if given), "--recommended"]
         how = _("To fit these too: {command}", command=" ".join([*words, "--shafts all"]))
         document = replace(document, parts=(*document.parts, *remarks(how)))
-    if spread is not None:
+    if spread is not None and job.sized:
         document = replace(
             document, parts=(*document.parts, *remarks(_(remedies.SIZED), kind="note"))
         )

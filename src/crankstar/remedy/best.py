@@ -22,6 +22,7 @@ from crankstar.engine.records import Weight
 from crankstar.language.messages import _
 from crankstar.mechanics.balance import unit_unbalance
 from crankstar.mechanics.excitation import Reference
+from crankstar.mechanics.remains import OPTIMISED
 from crankstar.remedy.aim_names import aim_name, aim_text
 from crankstar.remedy.aims import Aim, Plane, Quantity, Setting, cones, maxima, measured, setting
 from crankstar.remedy.counterweights import (
@@ -211,12 +212,9 @@ def _possible(engine: Engine, planes: Sequence[Plane]) -> None:
 
 
 def _most(engine: Engine, greatest: float | None) -> float:
-    if greatest is not None and not greatest > 0:
-        raise RemedyError(
-            "a greatest unbalance of {unbalance} allows no weights; give a number above 0",
-            unbalance=f"{greatest:g}",
-        )
     carried = sum(pin.whole * pin.radius for pin in loads(engine)) / unit_unbalance(engine)
+    if greatest is not None and not greatest > OPTIMISED * carried:
+        raise RemedyError("so small a greatest unbalance allows no weights; give a larger one")
     return min(greatest or np.inf, MOST * carried)
 
 

@@ -148,7 +148,7 @@ def by_order(loads: BearingLoads, orders: Sequence[float]) -> Table:
         Column(_("path"), kind="text", wraps=True, optional=2),
         Column(_("forward"), loads.unit, kind="vector", key="forward", machine=True),
         Column(_("backward"), loads.unit, kind="vector", key="backward", machine=True),
-        Column(_("greatest"), loads.unit, key="greatest", optional=1),
+        Column(_("greatest"), loads.unit, key="greatest"),
     )
     chosen = spectra.selected(loads.load, list(orders))
     up, right = spectra.vertical(chosen), spectra.horizontal(chosen)

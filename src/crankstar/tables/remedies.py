@@ -72,6 +72,11 @@ class Job(NamedTuple):
         changed = any(each.added or each.replaced for each in cranks)
         return self.factor is not None or self.best is not None or changed
 
+    @property
+    def sized(self) -> bool:
+        """Whether there are weights that were sized for the masses of the engine."""
+        return any(own.added for own in changes(self.before, self.after).values())
+
 
 def balancing_sheet(job: Job) -> Document:
     """The bobweights of an engine, the weights and shafts of the balanced one, what remains."""
