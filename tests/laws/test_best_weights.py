@@ -333,8 +333,8 @@ def test_a_crankshaft_that_turns_twice_as_fast_pushes_four_times_as_hard() -> No
         ({"planes": [Plane("crank", 0.0), Plane("crank", 0.0)]}, "all different"),
         ({"planes": [Plane("cam", 0.0)]}, 'no crankshaft "cam"; the crankshafts are crank'),
         ({"planes": [Plane("crank", float("nan"))]}, "no position"),
-        ({"greatest_unbalance": 0.0}, "above 0"),
-        ({"greatest_unbalance": float("nan")}, "above 0"),
+        ({"greatest_unbalance": 0.0}, "give a larger one"),
+        ({"greatest_unbalance": float("nan")}, "give a larger one"),
         ({"limits": [Limit(Aim("force"), -1.0)]}, "from 0 up"),
         (
             {"limits": [Limit(Aim("couple"), 0.1)]},
