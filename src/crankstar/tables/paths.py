@@ -50,16 +50,23 @@ def shape(path: spectra.Ellipse, largest: float = 0.0) -> str:
     return _worded(path, 0)
 
 
-def course(path: spectra.Ellipse) -> str:
+BRIEF = {
+    "ellipse with": N_("on an ellipse, with the crankshaft"),
+    "ellipse against": N_("on an ellipse, against the crankshaft"),
+}
+"""An ellipse within a sentence that leaves its axes to the tables."""
+
+
+def course(path: spectra.Ellipse, *, brief: bool = False) -> str:
     """The path of a vector within a sentence: `rotating with the crankshaft`, `vertical`.
 
     >>> course(spectra.ellipse(1 + 0j, 0j)), course(spectra.ellipse(1 + 0j, -1 + 0j))
     ('rotating with the crankshaft', 'horizontal')
     """
-    return _worded(path, 1)
+    return _worded(path, 1, brief=brief)
 
 
-def _worded(path: spectra.Ellipse, form: int) -> str:
+def _worded(path: spectra.Ellipse, form: int, *, brief: bool = False) -> str:
     bearing = round(degrees(path.bearing), 2)
     bearing = 90.0 if bearing == -90 else bearing + 0.0
     ratio, way = path.semi_minor / path.semi_major, "with" if path.sense > 0 else "against"
@@ -68,6 +75,8 @@ def _worded(path: spectra.Ellipse, form: int) -> str:
         kind = {0.0: "vertical", 90.0: "horizontal"}.get(bearing, "line")
     elif 1 - ratio <= NEGLIGIBLE:
         kind = way
+    if brief and kind in BRIEF:
+        return _(BRIEF[kind])
     return _(WORDS[kind][form], ratio=f"{ratio:.3g}", bearing=f"{bearing:g}")
 
 

@@ -85,7 +85,7 @@ def _peaks_sentence(engine: Engine, result: Balance, sums: Sums) -> str:
         for name, (size, _angle, unit) in found.items()
         if name in felt
     ]
-    text = _("Peaks over a turn: {sizes}.", sizes=", ".join(sizes)) if sizes else ""
+    text = _("Peaks: {sizes}.", sizes=", ".join(sizes)) if sizes else ""
     force = bounds.peak(sums.force).value
     if result.speed is None or engine.block is None or not force:
         return text

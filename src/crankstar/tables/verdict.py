@@ -176,7 +176,7 @@ def largest_sentences(name: str, result: Balance, sums: Sums) -> str:
     if not remaining.orders:
         return _(NONE[name], order=order_text(USUAL_ORDERS))
     out = [_(FREE[(name, *remaining.free)])] if remaining.free else []
-    out.append(_vector_sentence(name, result, remaining, 0))
+    out.append(_vector_sentence(name, result, remaining, 0, brief=True))
     out += [
         _vector_sentence(name, result, remaining, row, course_too=False)
         for row, order in enumerate(remaining.orders)
@@ -197,7 +197,13 @@ def _is_minor(name: str, remaining: _Remaining, row: int) -> bool:
 
 
 def _vector_sentence(
-    name: str, result: Balance, remaining: _Remaining, row: int, *, course_too: bool = True
+    name: str,
+    result: Balance,
+    remaining: _Remaining,
+    row: int,
+    *,
+    course_too: bool = True,
+    brief: bool = False,
 ) -> str:
     """One order of force or couple: its size and its path; that of nothing is none."""
     spectrum, order = remaining.spectrum, remaining.orders[row]
@@ -208,7 +214,7 @@ def _vector_sentence(
         "size": quantity_text(_greatest(spectrum, row), getattr(result.units, name)),
     }
     if course_too and as_given(("course", name, order), path.semi_major > 0):
-        return _("{vector}: {size}, {course}.", course=course(path), **words)
+        return _("{vector}: {size}, {course}.", course=course(path, brief=brief), **words)
     return _("{vector}: {size}.", **words)
 
 
