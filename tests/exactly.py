@@ -37,6 +37,15 @@ def written(value: float) -> Fraction:
     return Fraction(f"{value:.13g}")
 
 
+def unit_mass(first: Cylinder) -> Fraction:
+    """What goes up and down in the first cylinder; 1 kg where that is nothing."""
+    rod, mass = first.rod, written(first.reciprocating_mass)
+    if rod is None:
+        return mass or Fraction(1)
+    small_end = written(rod.mass) * written(rod.centre) / written(first.rod_length)
+    return mass + max(small_end, Fraction(0)) or written(rod.mass)
+
+
 def part(radians: float) -> Fraction:
     """An angle as the part of a turn that was meant."""
     found = Fraction(radians / (2 * pi)).limit_denominator(36_000)
@@ -102,10 +111,7 @@ def defined(
     """One order of an engine with plain rods and centred cranks: the sum over its parts."""
     up, right = MP.mpc(0), MP.mpc(0)
     first = engine.first
-    base = mp(
-        written(first.reciprocating_mass or (first.rod.mass if first.rod else 1.0))
-        * written(engine.throw(first).radius)
-    )
+    base = mp(unit_mass(first) * written(engine.throw(first).radius))
 
     def place(z: float) -> Any:
         return arm(engine, z, reference) if quantity == "couple" else 1
@@ -209,7 +215,7 @@ def followed(
         }
     )
     first = engine.first
-    mass = written(first.reciprocating_mass or (first.rod.mass if first.rod else 1.0))
+    mass = unit_mass(first)
     up, right = defined(still, order, quantity, reference)
     up, right = up / mp(mass), right / mp(mass)  # without a mass it was counted in 1 kg
     for path in paths:

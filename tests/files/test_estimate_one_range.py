@@ -68,7 +68,7 @@ def test_pitch_and_greatest_of_a_vertical_line_have_one_range(run: Run, twin: st
     pitch, greatest = rows_of(out, "Couple on the block", "2")
     assert pitch == greatest
     stars = rows_of(out, "Couple by the vector stars", "2")
-    assert stars[-1] == stars[-2]
+    assert len(stars) == 1, "that of Aₖ, by the length of the rod; the star is exact"
     moments = rows_of(out, "Moments about the crank axis", "1")
     inertia_torque = moments[1]
     sweep = run("analyze", twin, *wide, "--speeds", "7000..8000 rpm by 500").out

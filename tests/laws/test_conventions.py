@@ -13,11 +13,22 @@ import pytest
 from crankstar import spectra
 from crankstar.engine.banks import Bank
 from crankstar.engine.basis import Basis, Sizes
+from crankstar.engine.copies import with_values
+from crankstar.engine.cylinder_parts import Rod
 from crankstar.engine.dead_centres import dead_centres
 from crankstar.engine.engine import Engine
 from crankstar.engine.layouts import Row, inline, opposed, radial, vee
+from crankstar.engine.motion import piston_harmonics
 from crankstar.engine.records import Cylinder, Shaft, Throw, Weight
-from crankstar.mechanics.balance import Balance, Reference, Totals, balance, of_parts, total
+from crankstar.mechanics.balance import (
+    Balance,
+    Reference,
+    Totals,
+    balance,
+    of_parts,
+    total,
+    unit_unbalance,
+)
 from crankstar.mechanics.excitation import part_spectra
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.spectra import Spectrum
@@ -312,6 +323,16 @@ def test_normalised_numbers_are_counted_in_the_mass_radius_and_pitch_of_the_firs
     assert real.force.forward == pytest.approx(plain.force.forward * FORCE)
     assert real.couple.forward == pytest.approx(plain.couple.forward * FORCE * 0.1)
     assert real.torque.forward == pytest.approx(plain.torque.forward * FORCE * RADIUS)
+
+
+@pytest.mark.parametrize("mass", [MASS, 0.0])
+def test_the_unit_of_mass_is_all_that_goes_up_and_down_whatever_the_rods(mass: float) -> None:
+    rod = Rod(mass=0.6, centre=0.04, inertia=0.002)
+    whole = engine(cylinders=(with_values(engine().first, rod=rod, reciprocating_mass=mass),))
+    assert unit_unbalance(whole) == pytest.approx((mass + 0.6 * 0.04 / ROD) * RADIUS)
+    second = spectra.selected(total(balance(whole)).force, [2.0])
+    alone = piston_harmonics(crank_radius=RADIUS, rod_length=ROD)[2]
+    assert spectra.peak(second).value == pytest.approx(abs(alone))
 
 
 def test_orders_are_counted_in_turns_of_the_reference_crankshaft() -> None:

@@ -381,10 +381,9 @@ def test_forces_grow_with_mass_length_and_speed_squared(
 def units_of(engine: Engine, speed: float) -> tuple[float, float, float, float]:
     """m r w^2 and so on, of the first cylinder; of 1 kg where that has no mass."""
     first = min(engine.cylinders, key=lambda cylinder: cylinder.number)
-    mass, radius = (
-        first.reciprocating_mass or (first.rod.mass if first.rod else 1.0),
-        engine.throw(first).radius,
-    )
+    rod, radius = first.rod, engine.throw(first).radius
+    small_end = max(rod.mass * rod.centre / first.rod_length, 0.0) if rod else 0.0
+    mass = first.reciprocating_mass + small_end or (rod.mass if rod else 1.0)
     force = mass * radius * speed**2
     return force, force * engine.pitch, force * radius, force * radius
 

@@ -41,8 +41,9 @@ def units_of(engine: Engine, speed: float) -> Scale:
         return Scale(1.0, engine.pitch if "pitch" in engine.relative else 1.0, 1.0)
     first = min(engine.cylinders, key=lambda cylinder: cylinder.number)
     shaft = next(shaft for shaft in engine.shafts if shaft.name == first.shaft)
-    mass, radius = first.reciprocating_mass, shaft.throws[first.throw - 1].radius
-    mass = mass or (first.rod.mass if first.rod else 1.0)
+    rod, radius = first.rod, shaft.throws[first.throw - 1].radius
+    small_end = max(rod.mass * rod.centre / first.rod_length, 0.0) if rod else 0.0
+    mass = first.reciprocating_mass + small_end or (rod.mass if rod else 1.0)
     force = mass * radius * speed**2
     return Scale(force, force * engine.pitch, force * radius)
 

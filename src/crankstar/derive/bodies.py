@@ -32,7 +32,6 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.records import Cylinder, Shaft
 from crankstar.language.messages import _
 from crankstar.mechanics.balance import parts, unit_unbalance
-from crankstar.remedy.loads import reciprocating_mass, rotating_mass
 
 GREATEST_FIELD = 36_000
 """Order N of the field Q(zeta_N) beyond which an engine's angles are taken as decimals.
@@ -228,7 +227,7 @@ def _turning(
         yield "weight", place, weight.angle, weight.unbalance, None
     for cylinder in engine.cylinders if exact else ():
         if cylinder.shaft == shaft.name:
-            throw, mass = engine.throw(cylinder), rotating_mass(cylinder)
+            throw, mass = engine.throw(cylinder), cylinder.rotating
             yield "big end", cylinder.throw, throw.angle, mass * throw.radius, cylinder.number
 
 
@@ -276,7 +275,7 @@ def _exact(
 ) -> Body:
     """A piston on a centred crank."""
     throw, speed = engine.throw(cylinder), engine.shaft(cylinder.shaft).speed_ratio
-    amount = rational.ratio(reciprocating_mass(cylinder) * throw.radius / unit) * speed**2
+    amount = rational.ratio(cylinder.reciprocating * throw.radius / unit) * speed**2
     alpha, beta = rational.turn(throw.angle), rational.turn(cylinder.bearing)
     if alpha is None or beta is None:
         raise ValueError("an exact derivation needs angles that are rational parts of a turn")
@@ -292,7 +291,7 @@ def _exact(
         _piston(engine, cylinder, Push(*resolved), rows, along),
         lag=j * lead,
         dead_centre=-lead % 1 / abs(speed),
-        sharing=2 if j == 1 and rotating_mass(cylinder) else 1,
+        sharing=2 if j == 1 and cylinder.rotating else 1,
     )
 
 

@@ -25,7 +25,6 @@ from crankstar.derive.records import DerivationError, Line, Step
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.mechanics.excitation import Reference
-from crankstar.remedy.loads import rotating_mass
 
 NAMES = {
     ("P", "R"): N_("force of the rotating masses"),
@@ -104,7 +103,7 @@ def _rotating(engine: Engine, placed: Arms) -> list[Sign]:
     exact = all(rational.turn(throw.angle) is not None for throw in shaft.throws)
     loads = [throw.turning_mass * throw.radius for throw in shaft.throws]
     for cylinder in engine.cylinders:
-        loads[cylinder.throw - 1] += rotating_mass(cylinder) * engine.throw(cylinder).radius
+        loads[cylinder.throw - 1] += cylinder.rotating * engine.throw(cylinder).radius
     greatest = max(loads)
     vectors: list[tuple[Wave, tuple[str, int]]] = []
     for place, throw in enumerate(shaft.throws, 1):

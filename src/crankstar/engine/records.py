@@ -225,6 +225,24 @@ class Cylinder(Record):
     )
     bank: Line | None = Field(default=None, description="name of the bank it belongs to")
 
+    @property
+    def reciprocating(self) -> float:
+        """All that goes up and down, kg: the piston's mass and the share of a rigid rod there.
+
+        >>> rod = Rod(mass=0.6, centre=0.05)
+        >>> piston = Cylinder(
+        ...     number=1, shaft="crank", throw=1, rod_length=0.15, reciprocating_mass=0.5, rod=rod
+        ... )
+        >>> round(piston.reciprocating, 9), round(piston.rotating, 9)
+        (0.7, 0.4)
+        """
+        return self.reciprocating_mass + (self.rod.shares(self.rod_length)[1] if self.rod else 0.0)
+
+    @property
+    def rotating(self) -> float:
+        """What the cylinder hangs on its pin, kg: big end and the share of a rigid rod there."""
+        return self.big_end_mass + (self.rod.shares(self.rod_length)[0] if self.rod else 0.0)
+
 
 class Valves(Record):
     """Opening and closing of valves or ports, degrees about dead centres; exhaust manifolds.

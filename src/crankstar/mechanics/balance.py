@@ -205,13 +205,19 @@ def scales(engine: Engine, speed: float | None) -> tuple[Scale, Units]:
 
 
 def unit_unbalance(engine: Engine) -> float:
-    """The unit of unbalance, m r of the first cylinder, kg m.
+    """The unit of unbalance, m r of the first cylinder, kg m."""
+    return unit_mass(engine) * engine.throw(engine.first).radius
 
-    m is its reciprocating mass, or the mass of its rod where the piston is given none.
+
+def unit_mass(engine: Engine) -> float:
+    """The unit of mass, m, kg: what goes up and down in the first cylinder.
+
+    The piston and its share of a rod as a rigid body, which counts for nothing where the rod's
+    centre of mass lies beyond the big end; the mass of the rod where nothing goes up and down.
     """
     first = engine.first
-    mass = first.reciprocating_mass or (first.rod.mass if first.rod else 1.0)
-    return mass * engine.throw(first).radius
+    largest = max(first.reciprocating, first.reciprocating_mass)
+    return largest or (first.rod.mass if first.rod else 1.0)
 
 
 def parts(engine: Engine) -> tuple[Part, ...]:

@@ -9,7 +9,6 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from crankstar.engine.engine import Engine
-from crankstar.engine.records import Cylinder
 
 
 class Load(NamedTuple):
@@ -58,24 +57,12 @@ def loads(engine: Engine) -> tuple[Load, ...]:
                     radius=throw.radius,
                     z=throw.z,
                     cylinders=tuple(cylinder.number for cylinder in on),
-                    rotating=throw.rotating_mass + sum(map(rotating_mass, on)),
-                    reciprocating=sum(map(reciprocating_mass, on)),
+                    rotating=throw.rotating_mass + sum(cylinder.rotating for cylinder in on),
+                    reciprocating=sum(cylinder.reciprocating for cylinder in on),
                     own=throw.throw_mass,
                 )
             )
     return tuple(pins)
-
-
-def reciprocating_mass(cylinder: Cylinder) -> float:
-    """The reciprocating mass of a cylinder, kg: the piston's, and the rod's share at its pin."""
-    rod = cylinder.rod
-    return cylinder.reciprocating_mass + (rod.shares(cylinder.rod_length)[1] if rod else 0.0)
-
-
-def rotating_mass(cylinder: Cylinder) -> float:
-    """The mass of a cylinder that turns with its crank pin, kg: the rod's share there."""
-    rod = cylinder.rod
-    return cylinder.big_end_mass + (rod.shares(cylinder.rod_length)[0] if rod else 0.0)
 
 
 def bobweight(load: Load, factor: float) -> float:

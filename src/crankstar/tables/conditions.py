@@ -9,7 +9,7 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.proportions import Look, inferred
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
-from crankstar.mechanics.balance import Balance
+from crankstar.mechanics.balance import Balance, unit_mass
 from crankstar.tables.scales import scales
 
 RADIAL = 5
@@ -155,7 +155,7 @@ def unit_sizes(engine: Engine) -> str:
     across, along, mass, _unbalance = scales(engine)
     several = len({cylinder.z for cylinder in engine.cylinders}) > 1
     sizes = {
-        "m": ("mass", mass.text(first.reciprocating_mass)),
+        "m": ("mass", mass.text(unit_mass(engine))),
         "r": ("radius", across.text(engine.throw(first).radius)),
         "a": ("pitch" if several else "mass", along.text(engine.pitch)),
     }

@@ -18,7 +18,6 @@ from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import number
 from crankstar.mechanics.balance import balance
 from crankstar.mechanics.bounds import size
-from crankstar.remedy.loads import reciprocating_mass
 
 COMPARED = 4
 """Engines that are compared one by one."""
@@ -57,7 +56,7 @@ def _lumped(engine: Engine) -> Engine:
     if not any(cylinder.rod for cylinder in engine.cylinders):
         return engine
     lumped = (
-        with_values(cylinder, reciprocating_mass=reciprocating_mass(cylinder), rod=None)
+        with_values(cylinder, reciprocating_mass=cylinder.reciprocating, rod=None)
         for cylinder in engine.cylinders
     )
     return with_values(engine, cylinders=tuple(lumped))

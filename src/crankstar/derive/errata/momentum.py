@@ -176,4 +176,4 @@ def roll(engine: Engine, order: int) -> complex:
 def _unit(engine: Engine) -> float:
     """M r of the first cylinder, w being 1."""
     first = engine.first
-    return first.reciprocating_mass * engine.throw(first).radius
+    return first.reciprocating * engine.throw(first).radius
