@@ -902,3 +902,17 @@ def test_help_is_printed_in_any_width(columns: str) -> None:
             check=True,
         )
         assert 20 < len(done.stdout.splitlines()) < 400
+
+
+def test_a_length_for_couples_is_told_where_there_are_several_places_or_it_is_a_unit(
+    run: Run,
+) -> None:
+    def told(*more: str) -> str:
+        lines = run("analyze", *more).out.splitlines()
+        return next(line for line in lines if line.startswith("m = "))
+
+    sizes = ["--set", "cylinder.stroke=60 mm", "--set", "cylinder.reciprocating_mass=300 g"]
+    assert told("v2-90", *sizes) == "m = 300 g, r = 30 mm, a = 1000 mm."
+    assert told("v2-90", *sizes, "--speed", "6000 rpm") == "m = 300 g, r = 30 mm."
+    pitch = ["--set", "layout.bore_pitch=90 mm", "--speed", "6000 rpm"]
+    assert told("i4", *sizes, *pitch) == "m = 300 g, r = 30 mm, a = 90 mm."

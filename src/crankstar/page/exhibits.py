@@ -319,7 +319,7 @@ def _turns(engine: Engine) -> int:
 def _heading(engine: Engine) -> tuple[str, ...]:
     """The lines under the name: cycle, firing, units."""
     result = balance(engine, speed=engine.speed)
-    units = (unit_sentence(engine, result), unit_sizes(engine))
+    units = (unit_sentence(engine, result), unit_sizes(engine, result))
     return tuple(filter(None, [*headings.heading_lines(engine), *units]))
 
 

@@ -53,7 +53,7 @@ def bearing_document(
     shown = sorted(of_any("orders", chosen))
     greatest, single = peaks(engine, loads), by_order(loads, shown)
     result = balance(engine, speed=turning)
-    notes = (_(MODELS[model]), unit_sentence(engine, result), unit_sizes(engine))
+    notes = (_(MODELS[model]), unit_sentence(engine, result), unit_sizes(engine, result))
     facts = {
         "engine": engine.name,
         "model": model,

@@ -35,7 +35,7 @@ def conditions(engine: Engine, result: Balance) -> list[str]:
         "Couples and moments about {point}; a ∠ p means a cos(kθ + p).",
         point=_point(engine, result),
     )
-    return [point, unit_sizes(engine)]
+    return [point, unit_sizes(engine, result)]
 
 
 def unit_sentence(engine: Engine, result: Balance) -> str:
@@ -149,8 +149,11 @@ def _point(engine: Engine, result: Balance) -> str:
     return place
 
 
-def unit_sizes(engine: Engine) -> str:
-    """The sizes of m, r and a, as far as they are known."""
+def unit_sizes(engine: Engine, result: Balance) -> str:
+    """The sizes of m, r and a, as far as they are known.
+
+    Where all cylinders are at one place a is no bore pitch, and told only if it is a unit.
+    """
     first = engine.first
     across, along, mass, _unbalance = scales(engine)
     several = len({cylinder.z for cylinder in engine.cylinders}) > 1
@@ -159,6 +162,8 @@ def unit_sizes(engine: Engine) -> str:
         "r": ("radius", across.text(engine.throw(first).radius)),
         "a": ("pitch" if several else "mass", along.text(engine.pitch)),
     }
+    if not several and not result.units.couple.endswith("*a"):
+        del sizes["a"]
     known = [
         f"{letter} = {size}" for letter, (key, size) in sizes.items() if key not in engine.relative
     ]
