@@ -331,7 +331,7 @@ def test_vectors_counted_in_a_negative_harmonic_are_said_to_be(
 
 FIVE = """
 format = 1
-name = "five"
+name = "twin"
 cycle = "four-stroke"
 speed = "6000 rpm"
 firing_order = [1, 2, 4, 5, 3]
@@ -360,3 +360,32 @@ def test_masses_that_are_given_stand_before_the_root_of_the_star(run: Run, tmp_p
         assert value == pytest.approx(share * star, rel=1e-12)
     newtons = 0.52 * 0.045 * (200 * math.pi) ** 2 * 0.088
     assert f"at most {97 / 52 * star * newtons:.6g} N m" in out
+
+
+@pytest.mark.parametrize(("quantity", "order"), [("force", "4"), ("couple", "2")])
+def test_a_size_that_rests_on_estimates_says_so(
+    run: Run, refused: Callable[..., str], quantity: str, order: str
+) -> None:
+    Path("given.toml").write_text(
+        """format = 1
+name = "twin"
+speed = "6000 rpm"
+[cylinder]
+bore = "82.5 mm"
+stroke = "92.8 mm"
+[layout]
+type = "inline"
+throws = ["0 deg", "90 deg"]
+"""
+    )
+    run("estimate", "given.toml", "-o", "guessed.toml")
+    asked = ["--quantity", quantity, "--orders", order]
+    told = run("derive", "guessed.toml", *asked).out
+    sizes = re.findall(r"is at most ([\d.e+-]+) N", told)
+    assert sizes
+    assert len(sizes) == told.count("This size is estimated")
+    assert all(len(size.strip("0").replace(".", "")) <= 3 for size in sizes)
+    assert told.count("(estimated)") == told.count("exactly, at")
+    assert "estimated" not in run("derive", "i4", *asked).out
+    torque = ["--quantity", "torque", "--orders", order]
+    assert "needs rods as two masses" in refused("derive", "guessed.toml", *torque)

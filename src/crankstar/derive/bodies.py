@@ -142,8 +142,15 @@ def alike(engine: Engine) -> None:
         raise DerivationError(
             _("This closed form needs an engine with one crankshaft; this one has several.")
         )
+    if any(cylinder.rod for cylinder in engine.cylinders):
+        raise DerivationError(
+            _(
+                "This closed form needs rods as two masses; here a rod is a rigid body "
+                "(cylinder.rod), as in estimated engines."
+            )
+        )
     sizes = {(c.reciprocating_mass, c.rod_length, engine.throw(c).radius) for c in engine.cylinders}
-    if len(sizes) > 1 or any(cylinder.rod for cylinder in engine.cylinders):
+    if len(sizes) > 1:
         raise DerivationError(
             _("This closed form needs cylinders that are all alike in mass, rod and stroke.")
         )

@@ -76,13 +76,16 @@ def _harmonics(task: Task) -> dict[Symbol, tuple[int, Fraction]]:
 
 
 def exactly(engine: Engine, rod_ratio: Fraction) -> str:
-    """The label of an exact harmonic; `assumed` where the rod length is a placeholder."""
+    """The label of an exact harmonic; `assumed` or `estimated` where the rod length is."""
     ratio = 1 / rod_ratio
     shown = str(ratio) if ratio.denominator < 1000 else f"{float(ratio):.6g}"
     said = engine.provenance
     keys = ("cylinder.rod_ratio", "cylinder.rod_length")
-    if any(key in said and said[key].status == "placeholder" for key in keys):
+    status = {said[key].status for key in keys if key in said}
+    if "placeholder" in status:
         return _("exactly, at λ = r/l = {ratio} (assumed)", ratio=shown)
+    if "estimated" in status:
+        return _("exactly, at λ = r/l = {ratio} (estimated)", ratio=shown)
     return _("exactly, at λ = r/l = {ratio}", ratio=shown)
 
 
@@ -111,7 +114,8 @@ def series(powers: Series, ratio: Symbol, *, inverted: bool = False) -> Formula:
 def size(engine: Engine, quantity: Quantity, speed: float | None, greatest: float) -> str:
     """The greatest value over a turn, in newtons where masses, sizes and a speed are known.
 
-    `greatest` is that value at 1 rad/s.
+    `greatest` is that value at 1 rad/s. A derivation is of one engine: where values are estimated
+    it is that of the typical ones, and says so.
     """
     needed = [("mass", _("reciprocating mass")), ("radius", _("stroke"))]
     if quantity == "couple":
@@ -124,7 +128,15 @@ def size(engine: Engine, quantity: Quantity, speed: float | None, greatest: floa
         if quantity == "force":
             sentence = N_("For newtons the engine file lacks: {missing}.")
         return _(sentence, missing=", ".join(missing))
-    return _(_SIZES[quantity], speed=f"{speed * 30 / pi:.6g}", size=f"{greatest * speed**2:.6g}")
+    guessed = any(source.status == "estimated" for source in engine.provenance.values())
+    value = greatest * speed**2
+    told = _(
+        _SIZES[quantity],
+        speed=f"{speed * 30 / pi:.6g}",
+        size=f"{float(f'{value:.3g}') if guessed else value:.6g}",
+    )
+    doubt = _("This size is estimated; its range stands in the analysis.")
+    return f"{told} {doubt}" if guessed else told
 
 
 _SIZES: dict[Quantity, str] = {
