@@ -472,3 +472,12 @@ def test_a_sweep_of_the_factor_of_an_engine_with_weights_says_that_they_add(run:
     run("balance", "single", "--factor", "0.5", "-o", "half.toml")
     assert note in " ".join(run("sweep", "half.toml", *over).out.split())
     assert note not in " ".join(run("sweep", "single", *over).out.split())
+
+
+@pytest.mark.parametrize("planes", ["ends", "2.2,-1.3"])
+def test_a_crankshaft_that_balances_itself_gets_no_weights_of_rounding(
+    run: Run, planes: str
+) -> None:
+    told = run("balance", "i6", "--factor", "0.5", "--weights", planes).out
+    assert not re.search(r"\de-\d\d", told)
+    assert "No weights." in told

@@ -237,11 +237,16 @@ def _in_planes(
     *,
     throws: tuple[int, ...] | None = None,
 ) -> Share:
-    """The least weights in these planes, of these throws if they are all their own."""
+    """The least weights in these planes, of these throws if they are all their own.
+
+    What rounding leaves of pins that balance each other is none.
+    """
     needed = np.array([_needed(pin, factor) for pin in pins])
     moment = complex((needed * [pin.z for pin in pins]).sum())
     least = least_weights(force=complex(needed.sum()), moment=moment, planes=planes)
-    return Share(tuple(least), Group(tuple(planes), throws))
+    noise = NEGLIGIBLE * float(np.max(np.abs(needed), initial=0.0))
+    kept = tuple(unbalance if abs(unbalance) > noise else 0j for unbalance in least)
+    return Share(kept, Group(tuple(planes), throws))
 
 
 def turned_weights(
