@@ -73,13 +73,14 @@ def show(
     """Show an engine: throws, cylinders, dead centres, firing order and source of each value."""
     from crankstar.files import toml
     from crankstar.tables.engines import description
+    from crankstar.tables.ranges import ranged
 
-    loaded = loaded_engine(engine, settings)
+    loaded, spread = loaded_values(engine, settings, estimate=False)
     if explicit:
         write(toml(loaded), output)
     else:
         tree = engine_tree(engine, settings, loaded)
-        give(description(loaded), output, form=form_of(output, TABLES), tree=tree)
+        give(ranged(description, spread, loaded), output, form=form_of(output, TABLES), tree=tree)
 
 
 def analyze(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from cmath import rect
 from functools import partial
 from typing import TYPE_CHECKING, Annotated
 
@@ -84,11 +85,14 @@ def drill(
     factor: Factor = None,
     weights: Annotated[str | None, option("--weights", "Default: ends.")] = None,
     settings: Settings = None,
+    estimate: Estimating = False,
     json: Json = False,
     csv: Csv = False,
     output: Output = None,
 ) -> None:
     """Say what to drill, or which slugs to fit: for a measured unbalance, or for an engine's."""
+    from crankstar.tables.ranges import ranged
+
     form = form_of(output, TABLES, json=json, csv=csv)
     if engine is None and unbalance is None:
         raise RequestError(
@@ -96,17 +100,24 @@ def drill(
             'shows, as in --unbalance "850 g*mm at 20 deg"'
         )
     if engine is None or unbalance is not None:
-        others = {"--factor": factor, "--weights": weights, "--set": settings}
+        others = {
+            "--factor": factor,
+            "--weights": weights,
+            "--set": settings,
+            "--estimate": estimate,
+        }
         request.refuse_unused({"ENGINE": engine, **others}, beside="--unbalance")
         (made,) = together(partial(workshop.drill_of, options))
         document = _measured_holes(unbalance or "", made)
     else:
-        made, share, loaded = together(
+        made, share, (loaded, spread) = together(
             partial(workshop.drill_of, options),
             partial(_factor, engine, settings, factor),
-            partial(loaded_engine, engine, settings),
+            partial(loaded_values, engine, settings, estimate=estimate),
         )
-        document = _engine_holes(loaded, made, share, weights or "ends")
+        planes = weights or "ends"
+        build = partial(_engine_holes, made=made, factor=share, weights=planes)
+        document = ranged(build, spread, loaded)
     give(document, output, form=form)
 
 
@@ -124,9 +135,14 @@ def _measured_holes(text: str, made: Drill) -> Document:
 
 
 def _engine_holes(engine: Engine, made: Drill, factor: float, weights: str) -> Document:
-    """The holes for what a crankshaft with its counterweights has too much."""
+    """The holes for what a crankshaft with its counterweights has too much.
+
+    Those of an engine at the ends of estimated ranges are the holes of the engine as given.
+    """
+    from crankstar.language.kept import as_given, bounded
     from crankstar.remedy import fitting
     from crankstar.remedy.drilling import heavy_spots, holes
+    from crankstar.tables.ranges import estimated_paths
     from crankstar.tables.scales import scales
     from crankstar.tables.workshop import Correction, drilling_document
 
@@ -149,19 +165,25 @@ def _engine_holes(engine: Engine, made: Drill, factor: float, weights: str) -> D
     if not spots:
         lines.append(_("The counterweights fit the bobweights: nothing is to be drilled."))
     first = {shaft.name: shaft.throws[0].angle for shaft in cranks}
-    corrections = [
-        Correction(
-            f"{spot.shaft} {place}" if len(cranks) > 1 else str(place),
-            spot.z,
-            spot.unbalance,
-            spot.angle,
-            holes(spot.unbalance, made),
-            first[spot.shaft],
+    corrections = []
+    for place, spot in enumerate(spots, 1):
+        drilled = as_given(("drilled", place), spot)
+        corrections.append(
+            Correction(
+                f"{spot.shaft} {place}" if len(cranks) > 1 else str(place),
+                spot.z,
+                bounded(spot.unbalance, [[rect(spot.unbalance, spot.angle)]]),
+                spot.angle,
+                holes(drilled.unbalance, made),
+                first[spot.shaft],
+                drilled.angle,
+            )
         )
-        for place, spot in enumerate(spots, 1)
-    ]
+    estimated = bool(estimated_paths(engine))
     along = scales(engine).along
-    return drilling_document(engine.name, corrections, made, along=along, lines=lines)
+    return drilling_document(
+        engine.name, corrections, made, along=along, lines=lines, estimated=estimated
+    )
 
 
 def grade(

@@ -66,7 +66,10 @@ def changed(tree: Tree, changes: Mapping[str, Any], *, name: str = "the engine")
 
 
 def _without_estimates(tree: Tree, changes: Mapping[str, Any]) -> Tree:
-    """The tree without the source of what was estimated before it was set."""
+    """The tree without the source of what was estimated before it was set.
+
+    What has moved with such a value keeps the range of its own.
+    """
     sources = tree.get("provenance")
     if not isinstance(sources, dict):
         return tree
@@ -77,7 +80,11 @@ def _without_estimates(tree: Tree, changes: Mapping[str, Any]) -> Tree:
             path in changes and isinstance(source, dict) and source.get("status") == "estimated"
         )
     }
-    return tree if len(kept) == len(sources) else {**tree, "provenance": kept}
+    gone = sources.keys() - kept.keys()
+    for path, source in kept.items():
+        if isinstance(source, dict) and source.get("moves_with") in gone:
+            kept[path] = {key: value for key, value in source.items() if key != "moves_with"}
+    return {**tree, "provenance": kept} if gone else tree
 
 
 def keys_of(path: str) -> list[str | int]:

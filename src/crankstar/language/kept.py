@@ -10,6 +10,7 @@ of them (`of_any`).
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Callable, Hashable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
@@ -37,11 +38,15 @@ OPENING, MIDDLE, CLOSING = "\ue000", "\ue001", "\ue002"
 """Around the value and the writing of a number whose value is kept; no text of a file has them."""
 BESIDE = ";"
 """Between a size and its bounds."""
+NUMBER = re.compile(f"{OPENING}([^{MIDDLE}]*){MIDDLE}([^{CLOSING}]*){CLOSING}")
+"""A number with its value: the value, the writing."""
 
 
 @contextmanager
 def values_kept() -> Iterator[Common]:
     """Have every number in a sentence carry its value, for one that states a range in its place.
+
+    Errors that are raised meanwhile tell their numbers without.
 
     >>> from crankstar.language.numbers import number
     >>> with values_kept():
@@ -52,8 +57,16 @@ def values_kept() -> Iterator[Common]:
     before = _KEPT.set(common)
     try:
         yield common
+    except ValueError as error:
+        error.args = tuple(plain(each) if isinstance(each, str) else each for each in error.args)
+        raise
     finally:
         _KEPT.reset(before)
+
+
+def plain(text: str) -> str:
+    """Text without the values its numbers carry."""
+    return NUMBER.sub(r"\2", text)
 
 
 def are_kept() -> bool:

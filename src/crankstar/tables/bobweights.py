@@ -7,11 +7,11 @@ from collections.abc import Iterator, Sequence
 
 from crankstar.engine.cylinder_parts import RECIPROCATING, ROTATING, Parts
 from crankstar.engine.engine import Engine
+from crankstar.language.kept import plain
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
 from crankstar.remedy.counterweights import RemedyError
 from crankstar.remedy.loads import Load, bobweight, loads
-from crankstar.tables.ranges import plain
 from crankstar.tables.scales import scales
 from crankstar.tables.table import Column, Document, Table, Value, remarks
 

@@ -16,6 +16,7 @@ from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import number
 from crankstar.language.shown_units import quantity_text
 from crankstar.tables.headings import heading, timing_lines
+from crankstar.tables.ranges import estimated_paths
 from crankstar.tables.scales import Scale, scales
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
@@ -105,16 +106,18 @@ def supports(engine: Engine) -> Table:
         Column(_("place"), kind="text", key="place"),
     )
     rows: list[tuple[Value, ...]] = []
+    estimated = "layout.bore_pitch" in estimated_paths(engine)
+    assumed = _("assumed, at the estimated bore pitch") if estimated else _("assumed")
     for shaft in engine.shafts:
         for words, places, given in (
             (_("main bearings"), main_bearings(engine, shaft), shaft.bearings),
             (_("webs"), webs(engine, shaft), shaft.webs),
         ):
-            place = _("from the file") if given else _("assumed")
+            place = _("from the file") if given else assumed
             if places:
                 zs = tuple(along.of(z) for z in places)
                 rows.append((shaft.name, words, len(places), zs, place))
-    doubtful = frozenset(index for index, row in enumerate(rows) if row[-1] == _("assumed"))
+    doubtful = frozenset(index for index, row in enumerate(rows) if row[-1] == assumed)
     title = _("Main bearings and webs")
     return Table(title, columns, tuple(rows), key="supports", doubtful=doubtful)
 

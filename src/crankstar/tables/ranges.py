@@ -28,7 +28,7 @@ import numpy as np
 
 from crankstar.engine.engine import Engine
 from crankstar.files.box import MOST_RANGES, Spread
-from crankstar.language.kept import CLOSING, MIDDLE, OPENING, Size, alike, value_of
+from crankstar.language.kept import NUMBER, Size, alike, plain, value_of
 from crankstar.language.messages import _
 from crankstar.tables.cells import rough
 from crankstar.tables.hulls import distances, greatest_sum
@@ -38,8 +38,6 @@ SAME = 1e-7
 """Share of the greatest value of a column below which values are the same."""
 LINEAR = 1e-6
 """Share of the greatest by which the middle may lie below the mean of the corners."""
-_NUMBER = re.compile(f"{OPENING}([^{MIDDLE}]*){MIDDLE}([^{CLOSING}]*){CLOSING}")
-
 _CLAUSE = re.compile(r"\S.*?(?:[.;](?=\s|$)|。|$)", re.DOTALL)
 """A part of a text that ends with a full stop or a semicolon."""
 _PHRASE = re.compile(r"\S.*?(?:[,.;](?=\s|$)|。|$)", re.DOTALL)
@@ -140,13 +138,8 @@ def _plain_facts(facts: Any) -> Any:
     return {key: plain(value) if isinstance(value, str) else value for key, value in facts.items()}
 
 
-def plain(text: str) -> str:
-    """Text without the values its numbers carry."""
-    return _NUMBER.sub(r"\2", text)
-
-
 def _skeleton(text: str) -> str:
-    return _NUMBER.sub("#", text)
+    return NUMBER.sub("#", text)
 
 
 def _by_name(parts: Sequence[Table | Remarks]) -> dict[tuple[str, ...], Table | Remarks]:
@@ -183,7 +176,7 @@ def sentence(line: str, others: Sequence[str]) -> str:
         return plain(line)
     if any(_skeleton(other) != _skeleton(line) for other in others):
         return _in_parts(line, others) if all(others) else _marked(line)
-    values = [[value_of(n) for n, _text in _NUMBER.findall(each)] for each in (line, *others)]
+    values = [[value_of(n) for n, _text in NUMBER.findall(each)] for each in (line, *others)]
     columns = iter(zip(*values, strict=True))
 
     def written(match: re.Match[str]) -> str:
@@ -197,7 +190,7 @@ def sentence(line: str, others: Sequence[str]) -> str:
             return _("about {typical} (estimated)", typical=typical)
         return _("about {typical} ({low} to {high}, estimated)", typical=typical, **ends)
 
-    return _NUMBER.sub(written, line)
+    return NUMBER.sub(written, line)
 
 
 def _in_parts(line: str, others: Sequence[str]) -> str:
@@ -221,7 +214,7 @@ def _size(value: float | complex) -> float:
 
 def _marked(line: str) -> str:
     """A sentence that is said to rest on estimates, before its full stop; its numbers rough."""
-    text = _NUMBER.sub(lambda match: rough(_size(value_of(match[1]))), line)
+    text = NUMBER.sub(lambda match: rough(_size(value_of(match[1]))), line)
     words = text.rstrip(".;,。")
     return _("{sentence} (estimated)", sentence=words) + text[len(words) :]
 

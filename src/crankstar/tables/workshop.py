@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from math import degrees, pi
 from typing import NamedTuple
 
@@ -21,7 +22,8 @@ USUAL = tuple(grade for grade in GRADES if 1 <= grade <= 40)
 class Correction(NamedTuple):
     """A plane: its name, place along the shaft, unbalance [kg m], heavy spot [rad], holes.
 
-    `pin` is the bearing of pin 1 of its shaft.
+    `pin` is the bearing of pin 1 of its shaft; `drilled` is the heavy spot that the holes are for
+    where it is another.
     """
 
     name: str
@@ -30,6 +32,7 @@ class Correction(NamedTuple):
     angle: float | None
     holes: Holes
     pin: float | None = None
+    drilled: float | None = None
 
 
 def drilling_document(
@@ -39,8 +42,12 @@ def drilling_document(
     *,
     along: Scale | None = None,
     lines: Sequence[str] = (),
+    estimated: bool = False,
 ) -> Document:
-    """What to drill in each plane, or which slugs to fit; `lines` come first."""
+    """What to drill in each plane, or which slugs to fit; `lines` come first.
+
+    `estimated`: the holes are for unbalances that rest on estimates.
+    """
     if corrections and not any(each.holes.number for each in corrections):
         lines = (*lines, _("No unbalance remains: nothing is to be drilled."))
     facts = {
@@ -54,7 +61,27 @@ def drilling_document(
     }
     if not corrections:
         return Document(title, remarks(*lines), {**facts, "holes": []})
-    return Document(title, (*remarks(*lines), _holes(corrections, drill, along)), facts)
+    table = _holes(corrections, drill, along)
+    if estimated:
+        table = _of_estimates(table)
+    return Document(title, (*remarks(*lines), table), facts)
+
+
+def _of_estimates(table: Table) -> Table:
+    """The table with its holes marked, which are for the typical unbalance alone."""
+    places = [column.key for column in table.columns].index("count")
+    marked = [
+        replace(column, heading=_("{heading} (estimated)", heading=column.heading))
+        for column in table.columns[places:]
+    ]
+    note = _(
+        "What is drilled or fitted is for the typical unbalance; for another in its range, "
+        "crankstar drill --unbalance. Weigh the parts before a hole is drilled."
+    )
+    mark = Column("", kind="text", key="made_for", machine=True)
+    columns = (*table.columns[:places], *marked, mark)
+    rows = tuple((*row, MADE_FOR) for row in table.rows)
+    return replace(table, columns=columns, rows=rows, notes=(*table.notes, note))
 
 
 def _holes(corrections: Sequence[Correction], drill: Drill, along: Scale | None) -> Table:
@@ -96,6 +123,8 @@ def _holes(corrections: Sequence[Correction], drill: Drill, along: Scale | None)
     return Table(title, tuple(columns), tuple(rows), notes=tuple(notes), key="holes")
 
 
+MADE_FOR = "typical unbalance (estimated)"
+"""What the holes of an estimated engine are for, as machines read it."""
 NO_HOLE = N_(
     "Without a direction: at the heavy spot that the machine shows; for degrees, give it as in "
     '"12 g mm at 30 deg".'
@@ -110,7 +139,8 @@ NO_SLUG = N_(
 def _bearings(each: Correction, turned: float) -> tuple[float, ...] | None:
     if each.angle is None or not each.holes.number:
         return None
-    return tuple(_degrees(each.angle + turned + angle) for angle in each.holes.angles)
+    middle = each.angle if each.drilled is None else each.drilled
+    return tuple(_degrees(middle + turned + angle) for angle in each.holes.angles)
 
 
 def _degrees(angle: float) -> float:
