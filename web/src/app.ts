@@ -7,6 +7,7 @@ import { language, t } from './language/messages'
 import { packedTree, unpackedTree } from './packing'
 import { prevailing } from './prevailing'
 import { reasonOf } from './reason'
+import type { Sight } from './stage/stage'
 import {
   type Quantity,
   restore,
@@ -38,6 +39,10 @@ export interface App {
   readonly subject: ReadonlySignal<number>
   /** The quantity that figures and derivations show: the chosen one, or the greater of force and couple. */
   readonly quantity: ReadonlySignal<Quantity>
+  /** What is on the stage: as chosen, or what there is room for. */
+  readonly sight: ReadonlySignal<Sight>
+  /** Whether each stage has room for a drawing sheet. */
+  readonly roomy: Signal<boolean>
   /** What went wrong last, as a sentence; empty if nothing. */
   readonly trouble: Signal<string>
   /** Whether the page is dark, by choice or by the system. */
@@ -92,6 +97,11 @@ export function createApp(host: Host): App {
   const quantity = computed(
     () => store.quantity.value ?? prevailing(engines.value[subject.value] ?? own.value),
   )
+  const roomy = signal(true)
+  const sight = computed((): Sight => {
+    const chosen = store.camera.value ?? 'sheet'
+    return chosen === 'sheet' && !roomy.value ? 'isometric' : chosen
+  })
   const dark = computed(() =>
     store.theme.value === 'auto' ? systemDark.value : store.theme.value === 'dark',
   )
@@ -265,6 +275,8 @@ export function createApp(host: Host): App {
     estimate,
     subject,
     quantity,
+    sight,
+    roomy,
     trouble,
     dark,
     calm,

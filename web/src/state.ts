@@ -1,6 +1,6 @@
 import { batch, type Signal, signal } from '@preact/signals'
 import { FASTEST, SLOWEST, USUAL } from './pace'
-import { CAMERAS, type Camera } from './stage/stage'
+import { SIGHTS, type Sight } from './stage/stage'
 
 export const TABS = [
   'orders',
@@ -28,7 +28,10 @@ export interface State {
   readonly engine: string
   /** Crank angle at which the engine stands, degrees; null while it turns. */
   readonly angle: number | null
-  readonly camera: Camera
+  /** The view; null for the sheet where there is room for it, else the isometric one. */
+  readonly camera: Sight | null
+  /** Place of the slice that the front view shows, from the front; 0 for the whole engine. */
+  readonly section: number
   readonly tab: Tab
   readonly force: boolean
   readonly couple: boolean
@@ -61,7 +64,8 @@ export interface State {
 export const OPENING: State = {
   engine: '',
   angle: null,
-  camera: 'isometric',
+  camera: null,
+  section: 0,
   tab: 'orders',
   force: true,
   couple: true,
@@ -109,6 +113,12 @@ const between = (key: string, low: number, high: number): Field<number> => ({
   write: (value) => String(Number(value.toPrecision(12))),
 })
 
+const count = (key: string, most: number): Field<number> => ({
+  key,
+  read: (text) => (/^\d{1,9}$/.test(text) && Number(text) <= most ? Number(text) : undefined),
+  write: String,
+})
+
 const words = (key: string, longest: number): Field<string> => ({
   key,
   read: (text) => (text.length <= longest ? text : undefined),
@@ -133,7 +143,8 @@ const orders: Field<readonly number[] | null> = {
 const FIELDS: { readonly [K in keyof State]: Field<State[K]> } = {
   engine: words('engine', 60_000),
   angle,
-  camera: oneOf('camera', CAMERAS),
+  camera: { ...oneOf('camera', SIGHTS), write: (value) => value ?? '' },
+  section: count('section', 256),
   tab: oneOf('tab', TABS),
   force: yesNo('force'),
   couple: yesNo('couple'),

@@ -6,6 +6,7 @@ const OTHER: State = {
   engine: '~eJyrVkrOSCxKzVOyUoguS8xRslJQSk',
   angle: 450.125,
   camera: 'front',
+  section: 2,
   tab: 'derivation',
   force: false,
   couple: false,

@@ -141,10 +141,10 @@ def holes(unbalance: float, drill: Drill) -> Holes:
     raise RemedyError(
         "an unbalance of {needed} is more than holes of {diameter}, side by side and {deepest} "
         "deep, can have ({greatest}); take a larger diameter or radius, or more planes",
-        needed=quantity_text(unbalance, "kg*m"),
+        needed=quantity_text(unbalance, "kg*m", beside=greatest),
         diameter=_length(drill.diameter),
         deepest=_length(drill.deepest),
-        greatest=quantity_text(max(greatest, 0.0), "kg*m"),
+        greatest=quantity_text(max(greatest, 0.0), "kg*m", beside=unbalance),
     )
 
 

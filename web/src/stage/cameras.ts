@@ -27,8 +27,16 @@ export interface Orbit {
   y: number
 }
 
-const ISOMETRIC = { azimuth: Math.PI / 4, elevation: Math.atan(Math.SQRT1_2) }
 export const HOME: Readonly<Orbit> = { azimuth: 0.6, elevation: 0.42, zoom: 1, x: 0, y: 0 }
+
+/** What looks depend on: how the free one stands, and the azimuth of the isometric one. */
+export interface Looks {
+  readonly orbit: Readonly<Orbit>
+  readonly azimuth: number
+}
+
+/** Elevation of an isometric view: at an azimuth of 45 degrees its axes are foreshortened alike. */
+export const ISOMETRIC = Math.atan(Math.SQRT1_2)
 
 /** Share of the ball round an engine that it fills from where one mostly looks. */
 const FILLED = 0.92
@@ -48,15 +56,16 @@ export interface Screen {
  * they stand under each other as on a drawing sheet: the plan is seen from above, the side from the
  * right.
  */
-export function lookOf(camera: Camera, orbit: Readonly<Orbit>): Look {
+export function lookOf(camera: Camera, { orbit, azimuth }: Looks): Look {
   if (camera === 'front') return { right: [1, 0, 0], up: [0, 1, 0], back: [0, 0, 1] }
   if (camera === 'plan') return { right: [0, 0, -1], up: [-1, 0, 0], back: [0, 1, 0] }
   if (camera === 'side') return { right: [0, 0, -1], up: [0, 1, 0], back: [1, 0, 0] }
-  return upright(camera === 'isometric' ? ISOMETRIC : orbit)
+  if (camera === 'isometric') return upright(azimuth, ISOMETRIC)
+  return upright(orbit.azimuth, orbit.elevation)
 }
 
 /** The look from an azimuth and an elevation, the vertical upright. */
-function upright({ azimuth, elevation }: { azimuth: number; elevation: number }): Look {
+export function upright(azimuth: number, elevation: number): Look {
   const [sin, cos] = [Math.sin(azimuth), Math.cos(azimuth)]
   const [rise, level] = [Math.sin(elevation), Math.cos(elevation)]
   return {
@@ -72,11 +81,11 @@ function upright({ azimuth, elevation }: { azimuth: number; elevation: number })
  */
 export function frameOf(
   camera: Camera,
-  orbit: Readonly<Orbit>,
+  looks: Looks,
   rooms: readonly (readonly Disc[])[],
   { aspect, foot, margin }: Screen,
 ): Frame {
-  const look = lookOf(camera, orbit)
+  const look = lookOf(camera, looks)
   const extents = rooms.map((discs) => (camera === 'orbit' ? ball(discs) : box(look, discs)))
   const halves = extents.map(({ wide, tall }) => Math.max(tall / (1 - foot), wide / aspect))
   const half = margin * Math.max(...halves)

@@ -4,9 +4,10 @@ import type { Plane } from '../phasor'
 import { type Body, bodiesOf, coloursOf } from './bodies'
 import { along, boreEnd } from './extent'
 import { hull } from './hull'
+import { projected } from './lettering'
 import { css } from './palette'
+import type { Pane } from './panes'
 import type { Instant, Picture } from './picture'
-import { projected } from './sheet'
 import type { Reading } from './stage'
 import { tint, windowsOf } from './strokes'
 import type { Vector } from './vector'
@@ -49,16 +50,35 @@ export class FlatPicture implements Picture {
     to.lineJoin = 'round'
     this.#pistons = {}
     this.#pins = exhibit.scene.shafts.map(() => [])
-    const writing = { ...instant, width, height }
-    const project = (point: Vector) => projected(writing, exhibit, point)
+    for (const pane of instant.panes) {
+      to.save()
+      to.beginPath()
+      to.rect(pane.x, pane.y, pane.width, pane.height)
+      to.clip()
+      this.#view(to, exhibit, instant, pane)
+      to.restore()
+    }
+    this.#note(exhibit, instant)
+  }
+
+  #view(to: CanvasRenderingContext2D, exhibit: Exhibit, instant: Instant, pane: Pane): void {
+    const project = (point: Vector) => projected(instant, pane, exhibit, point)
+    const slice = pane.camera === 'front' ? instant.slice : null
     const drawn = this.#bodies
       .filter(({ fill }) =>
         fill === 'glass' ? instant.view.glass : fill !== 'charge' || instant.view.glow,
       )
       .map((body) => this.#flattened(body, exhibit, instant, project))
-    for (const shape of drawn.sort((a, b) => a.depth - b.depth)) this.#paint(to, shape, instant)
+    for (const shape of drawn.sort((a, b) => a.depth - b.depth)) {
+      const { z } = shape
+      if (slice && z > slice.to) continue
+      const behind = slice !== null && z < slice.from
+      if (behind && shape.body.fill === 'charge') continue
+      to.globalAlpha = behind ? FAINT : 1
+      this.#paint(to, shape, instant)
+    }
+    to.globalAlpha = 1
     this.#arrows(to, instant, project)
-    this.#note(exhibit, instant)
   }
 
   #flattened(
@@ -74,6 +94,7 @@ export class FlatPicture implements Picture {
     const stretch = body.carrier === 'charge' ? chargeHeight(body, exhibit, places) : 1
     const flat = new Float64Array(2 * count)
     const depths: [number, number] = [0, 0]
+    let along = 0
     for (let index = 0; index < count; index++) {
       const [x, y, z] = body.points.subarray(3 * index, 3 * index + 3) as unknown as Vector
       const place: Vector = [
@@ -81,6 +102,7 @@ export class FlatPicture implements Picture {
         stand.y - x * stand.right + y * stretch * stand.up,
         stand.z + z,
       ]
+      along += place[2] / count
       const [right, down, near] = project(place)
       flat[2 * index] = right
       flat[2 * index + 1] = down
@@ -88,7 +110,7 @@ export class FlatPicture implements Picture {
     }
     // Glass stands behind everything at its place, so that pistons are painted over their bores.
     const depth = (depths[0] + depths[1]) / 2 - (body.fill === 'glass' ? 1e-3 : 0)
-    return { body, flat, depth, nearer: depths[1] > depths[0] ? count / 2 : 0 }
+    return { body, flat, depth, z: along, nearer: depths[1] > depths[0] ? count / 2 : 0 }
   }
 
   #paint(to: CanvasRenderingContext2D, shape: Flattened, { palette, view }: Instant): void {
@@ -183,8 +205,12 @@ export class FlatPicture implements Picture {
   }
 }
 
-/** A body on the screen: points [x, y], nearness, and the first point of the nearer cap. */
+/** How much is seen of what stands behind a section. */
+const FAINT = 0.22
+
+/** A body on the screen: points [x, y], nearness, its place along z, the first point of the nearer cap. */
 interface Flattened {
+  readonly z: number
   readonly body: Body
   readonly flat: Float64Array
   readonly depth: number

@@ -2,15 +2,18 @@ import type { Exhibit, StrokeColours } from '../exhibit'
 import { message, t } from '../language/messages'
 import { type Chain, chainOf, moved, type Places, placesOf } from '../motion'
 import type { Plane } from '../phasor'
+import { clearestAzimuth } from './clearest'
 import { FlatPicture } from './flat'
 import { Inset } from './inset'
+import { footOf, write } from './lettering'
 import { listened } from './orbit'
 import { DARK, LIGHT } from './palette'
+import { type Pane, pixelsOf } from './panes'
 import { printable } from './paper'
 import type { Instant, Picture } from './picture'
 import { Room } from './room'
-import { footOf, write } from './sheet'
-import type { Camera, CreateStage, Reading, Stage, View } from './stage'
+import { type Slice, slicesOf } from './section'
+import type { CreateStage, Reading, Sight, Stage, View } from './stage'
 import { equal, Viewpoint } from './viewpoint'
 import { webglPicture } from './webgl'
 import { Whirling } from './whirl'
@@ -22,6 +25,7 @@ const DENSEST = 2
 const WITHIN = 2
 /** What the stage shows, for readers who do not see it. */
 const LOOK = {
+  sheet: message('{engine}: isometric view, plan, front and side view'),
   front: message('{engine}, seen from the front'),
   plan: message('{engine}, seen from above'),
   side: message('{engine}, seen from the side'),
@@ -29,7 +33,7 @@ const LOOK = {
   orbit: message(
     '{engine}, free view: arrow keys turn it, plus and minus zoom, Home restores the view',
   ),
-} as const satisfies Record<Camera, string>
+} as const satisfies Record<Sight, string>
 /** Room round the engine and its arrows. */
 const MARGIN = 1.06
 
@@ -42,12 +46,13 @@ interface Machine {
   readonly chain: Chain
   readonly places: Places
   readonly whirling: Whirling
+  readonly slices: readonly Slice[]
 }
 
 function machineOf(exhibit: Exhibit): Machine {
   const chain = chainOf(exhibit.scene, exhibit.sense)
   const [room, whirling] = [new Room(exhibit), new Whirling(exhibit)]
-  return { room, chain, places: placesOf(chain), whirling }
+  return { room, chain, places: placesOf(chain), whirling, slices: slicesOf(exhibit.scene) }
 }
 
 /** The engine, the labels beside it, and the viewpoint. */
@@ -59,6 +64,7 @@ class EngineStage implements Stage {
   readonly #colours: StrokeColours
   readonly #inset: Inset
   readonly #viewpoint = new Viewpoint()
+  #panes: readonly Pane[] = []
   readonly #unlisten: () => void
   readonly #unprint: () => void
   #machine: Machine
@@ -103,6 +109,7 @@ class EngineStage implements Stage {
     element.append(this.#root)
     this.#machine = machineOf(exhibit)
     this.#rooms = [this.#machine.room]
+    this.#viewpoint.azimuth = clearestAzimuth(exhibit.scene)
     this.#unlisten = listened(
       picture.canvas,
       this.#viewpoint.orbit,
@@ -127,6 +134,7 @@ class EngineStage implements Stage {
   show(exhibit: Exhibit): void {
     this.#machine = machineOf(exhibit)
     this.#rooms = [this.#machine.room]
+    this.#viewpoint.azimuth = clearestAzimuth(exhibit.scene)
     this.#written = []
     this.#traced = []
     this.#drawn = []
@@ -147,18 +155,20 @@ class EngineStage implements Stage {
   }
 
   #draw(view: View): void {
-    const { chain, places, whirling, room } = this.#machine
+    const { chain, places, whirling, room, slices } = this.#machine
     const { width, height } = this.#size
     const palette = view.dark ? DARK : LIGHT
-    const screen = { aspect: width / height, foot: footOf(width, height), margin: MARGIN }
+    const screen = { width, height, foot: footOf(width, height), margin: MARGIN }
     const load = room.loads.at(view)
     const arrow = ARROW * Math.max(...this.#rooms.map(({ size }) => size)) * view.arrows.scale
     const longest = arrow * Math.min(1, WITHIN / view.arrows.scale)
     const discs = this.#rooms.map((each) => each.discs(view, longest))
-    const frame = this.#viewpoint.frame(view.camera, discs, screen, performance.now())
+    const panes = this.#viewpoint.panes(view.camera, discs, screen, performance.now())
+    this.#panes = panes
+    const slice = slices[view.section - 1] ?? null
     moved(chain, view.theta, places)
     const displacement = whirling.at(view.theta, view.whirl.orders)
-    const instant = { view, frame, places, moved: displacement, load, arrow, palette }
+    const instant = { view, panes, slice, places, moved: displacement, load, arrow, palette }
     if (this.#anew(instant)) this.#picture.draw(instant)
     this.#write(instant)
     this.#trace(instant)
@@ -166,13 +176,11 @@ class EngineStage implements Stage {
   }
 
   /** Whether an instant differs from the last drawn one; drawing without a card is slow. */
-  #anew({ view, frame, palette, load, arrow }: Instant): boolean {
-    const { right, up, back } = frame.look
-    const { arrows, whirl } = view
+  #anew({ view, panes, palette, load, arrow }: Instant): boolean {
+    const { arrows, whirl, section } = view
     const shown = [view.theta, view.glass, view.glow, palette, arrow, load.force, load.couple]
     const pushed = [arrows.force, arrows.couple, arrows.cylinders, arrows.orders?.join()]
-    const seen = [...right, ...up, ...back, ...frame.centre, frame.half]
-    const state = [...shown, ...pushed, ...seen, whirl.magnification, whirl.orders?.join()]
+    const state = [...shown, ...pushed, panes, section, whirl.magnification, whirl.orders?.join()]
     if (equal(state, this.#drawn)) return false
     this.#drawn = state
     return true
@@ -208,12 +216,10 @@ class EngineStage implements Stage {
 
   /** Writes the labels where camera, size, colours or the scale of arrows changed. */
   #write(instant: Instant): void {
-    const { view, frame, palette, load, arrow } = instant
+    const { view, panes, slice, palette, load, arrow } = instant
     const { width, height, density } = this.#size
-    const { look, centre, half } = frame
     const { magnification, orders } = view.whirl
-    const seen = [...look.right, ...look.up, ...centre, half, width, height, density]
-    const still = [...seen, palette, load.force, load.couple, arrow]
+    const still = [panes, slice, width, height, density, palette, load.force, load.couple, arrow]
     const state = magnification > 0 ? [...still, magnification, view.theta, orders] : still
     if (equal(state, this.#written)) return
     this.#written = state
@@ -257,6 +263,10 @@ class EngineStage implements Stage {
       pistons: this.#picture.pistons(),
       pins: this.#picture.pins(),
       paths: this.#inset.paths,
+      panes: this.#panes.map((pane) => {
+        const { camera, x, y, width, height } = pane
+        return { camera, x, y, width, height, scale: pixelsOf(pane) }
+      }),
     }
   }
 

@@ -1,8 +1,8 @@
 import type { Unit } from '../exhibit'
 import { t } from '../language/messages'
 import { lengthText, lengthUnit } from '../lengths'
+import { roundValue } from './lettering'
 import { css, type Palette } from './palette'
-import { roundValue } from './sheet'
 import { REST } from './whirl'
 
 /** Side of the inset, pixels: greatest, least, share of the stage; width of its words. */

@@ -1,29 +1,47 @@
-import { DoubleSide, ShaderMaterial, Vector3 } from 'three'
+import { DoubleSide, ShaderMaterial, Vector2, Vector3 } from 'three'
 import { channels, type Palette } from './palette'
+import type { Slice } from './section'
 
 /**
  * Materials of a technical illustration: a light that stands at the eye's left shoulder, shading
  * from cool to warm (after A. Gooch), a darker rim, thin lines along the edges. Cheap enough for a
- * computer without a graphics card.
+ * computer without a graphics card. In a section what stands before it is left out, and what stands
+ * behind it is faint; shafts are cut, other parts stand where their middle stands.
  */
-const VERTEX = /* glsl */ `
+const ALONG = /* glsl */ `
+uniform float whole;
+varying float vAlong;
+float along(mat4 instance, vec3 at) {
+  return mix((instance * vec4(at, 1.0)).z, instance[3].z, whole);
+}`
+
+const CUT = /* glsl */ `
+uniform vec2 section;
+uniform vec3 paper;
+varying float vAlong;
+bool before() { return vAlong > section.y; }
+float faint(float share) { return vAlong < section.x ? share : 0.0; }`
+
+const VERTEX = /* glsl */ `${ALONG}
 attribute float tint;
 varying vec3 vNormal;
 varying float vTint;
 void main() {
   mat4 place = viewMatrix * modelMatrix * instanceMatrix;
+  vAlong = along(instanceMatrix, position);
   vNormal = mat3(place) * normal;
   vTint = tint;
   gl_Position = projectionMatrix * place * vec4(position, 1.0);
 }`
 
-const SHADED = /* glsl */ `
+const SHADED = /* glsl */ `${CUT}
 uniform vec3 base;
 uniform vec3 second;
 uniform float dark;
 varying vec3 vNormal;
 varying float vTint;
 void main() {
+  if (before()) discard;
   vec3 n = normalize(gl_FrontFacing ? vNormal : -vNormal);
   vec3 key = normalize(vec3(-0.42, 0.62, 0.66));
   vec3 colour = mix(base, second, vTint);
@@ -34,32 +52,37 @@ void main() {
   float gloss = pow(max(dot(reflect(-key, n), vec3(0.0, 0.0, 1.0)), 0.0), 26.0);
   float rim = pow(1.0 - clamp(n.z, 0.0, 1.0), 3.0);
   shade = shade * (1.0 - 0.22 * rim) + 0.26 * gloss;
-  gl_FragColor = vec4(shade, 1.0);
+  gl_FragColor = vec4(mix(shade, paper, faint(0.8)), 1.0);
 }`
 
-const LINE_VERTEX = /* glsl */ `
+const LINE_VERTEX = /* glsl */ `${ALONG}
 attribute mat4 instanceMatrix;
 void main() {
+  vAlong = along(instanceMatrix, position);
   gl_Position = projectionMatrix * viewMatrix * modelMatrix * instanceMatrix * vec4(position, 1.0);
   gl_Position.z -= 0.0004 * gl_Position.w;
 }`
 
-const PLAIN = /* glsl */ `
+const PLAIN = /* glsl */ `${CUT}
 uniform vec3 base;
 uniform float opacity;
-void main() { gl_FragColor = vec4(base, opacity); }`
+void main() {
+  if (before()) discard;
+  gl_FragColor = vec4(base, opacity * (1.0 - faint(0.75)));
+}`
 
-const GLASS = /* glsl */ `
+const GLASS = /* glsl */ `${CUT}
 uniform vec3 base;
 uniform float opacity;
 varying vec3 vNormal;
 varying float vTint;
 void main() {
+  if (before()) discard;
   float edge = 1.0 - abs(normalize(vNormal).z);
-  gl_FragColor = vec4(base, opacity * (0.35 + 1.9 * pow(edge, 2.5)));
+  gl_FragColor = vec4(base, (1.0 - faint(0.75)) * opacity * (0.35 + 1.9 * pow(edge, 2.5)));
 }`
 
-const GLOW_VERTEX = /* glsl */ `
+const GLOW_VERTEX = /* glsl */ `${ALONG}
 attribute vec4 hue;
 varying vec4 vHue;
 varying float vHigh;
@@ -67,52 +90,76 @@ varying vec3 vNormal;
 void main() {
   mat4 place = viewMatrix * modelMatrix * instanceMatrix;
   vHue = hue;
+  vAlong = along(instanceMatrix, position);
   vHigh = position.y;
   vNormal = normalize(mat3(place) * normal);
   gl_Position = projectionMatrix * place * vec4(position, 1.0);
 }`
 
-const GLOW = /* glsl */ `
+const GLOW = /* glsl */ `${CUT}
 varying vec4 vHue;
 varying float vHigh;
 varying vec3 vNormal;
 void main() {
+  if (before() || faint(1.0) > 0.0) discard;
   gl_FragColor = vec4(vHue.rgb, vHue.a * (0.55 + 0.45 * vHigh) * (0.5 + 0.5 * abs(vNormal.z)));
 }`
 
-const PARTS = ['crankshaft', 'balanceShaft', 'gear', 'piston', 'rod', 'slave'] as const
+const SHAFTS = ['crankshaft', 'balanceShaft', 'gear'] as const
+const CYLINDERS = ['piston', 'rod', 'slave'] as const
+const PARTS = [...SHAFTS, ...CYLINDERS] as const
 const ARROWS = ['force', 'part', 'couple'] as const
 export type Arrow = (typeof ARROWS)[number]
 /** What is shaded, by the colours of the palette that it takes. */
 type Shaded = Record<(typeof PARTS)[number] | Arrow, ShaderMaterial>
 
 export interface Materials extends Readonly<Shaded> {
+  /** Lines of shafts, and of what stands in a cylinder. */
   readonly lines: ShaderMaterial
+  readonly partLines: ShaderMaterial
   readonly glass: ShaderMaterial
   readonly glassLines: ShaderMaterial
   readonly glow: ShaderMaterial
   /** Puts on the colours of a palette. */
   dress(palette: Palette, dark: boolean): void
+  /** Shows a slice between two places along z, null for everything. */
+  cut(slice: Pick<Slice, 'from' | 'to'> | null): void
   dispose(): void
 }
 
+/** Uniforms that materials share: where a section is, and what is faint turns into. */
+interface Cut {
+  readonly section: { value: Vector2 }
+  readonly paper: { value: Vector3 }
+}
+
+const EVERYTHING = [Number.MIN_SAFE_INTEGER, Number.MAX_SAFE_INTEGER] as const
+
 export function materials(): Materials {
+  const cut = { section: { value: new Vector2(...EVERYTHING) }, paper: { value: new Vector3() } }
+  const nothing = { section: { value: new Vector2(...EVERYTHING) }, paper: cut.paper }
   const made = [
-    ...PARTS.map((name) => [name, shaded()]),
-    ...ARROWS.map((name) => [name, overAll()]),
+    ...SHAFTS.map((name) => [name, shaded(cut, 0)]),
+    ...CYLINDERS.map((name) => [name, shaded(cut, 1)]),
+    ...ARROWS.map((name) => [name, overAll(nothing)]),
   ]
   const opaque = Object.fromEntries(made) as Shaded
-  const lines = plain(LINE_VERTEX, PLAIN)
-  const glassLines = plain(LINE_VERTEX, PLAIN)
-  const glass = plain(VERTEX, GLASS)
+  const lines = plain(LINE_VERTEX, PLAIN, cut, 0)
+  const partLines = plain(LINE_VERTEX, PLAIN, cut, 1)
+  const glassLines = plain(LINE_VERTEX, PLAIN, cut, 1)
+  const glass = plain(VERTEX, GLASS, cut, 1)
   glass.side = DoubleSide
-  const glow = plain(GLOW_VERTEX, GLOW)
+  const glow = plain(GLOW_VERTEX, GLOW, cut, 1)
   return {
     ...opaque,
     lines,
+    partLines,
     glass,
     glassLines,
     glow,
+    cut: (slice) => {
+      cut.section.value.set(slice?.from ?? EVERYTHING[0], slice?.to ?? EVERYTHING[1])
+    },
     dress: (palette, dark) => {
       for (const name of [...PARTS, ...ARROWS]) {
         const [base, second = base] = [palette[name]].flat() as [number, number?]
@@ -120,22 +167,27 @@ export function materials(): Materials {
         colour(opaque[name], 'second', second)
         set(opaque[name], 'dark', dark ? 1 : 0)
       }
-      colour(lines, 'base', palette.edge)
-      set(lines, 'opacity', palette.edgeOpacity)
+      for (const ink of [lines, partLines]) {
+        colour(ink, 'base', palette.edge)
+        set(ink, 'opacity', palette.edgeOpacity)
+      }
+      cut.paper.value.set(...channels(Number.parseInt(palette.paper.slice(1), 16)))
       colour(glass, 'base', palette.glass)
       set(glass, 'opacity', dark ? 0.2 : 0.17)
       colour(glassLines, 'base', palette.glass)
       set(glassLines, 'opacity', dark ? 0.42 : 0.5)
     },
     dispose: () => {
-      for (const material of [...Object.values(opaque), lines, glassLines, glass, glow])
+      for (const material of [...Object.values(opaque), lines, partLines, glassLines, glass, glow])
         material.dispose()
     },
   }
 }
 
-function shaded(): ShaderMaterial {
+function shaded(cut: Cut, whole: number): ShaderMaterial {
   const uniforms = {
+    ...cut,
+    whole: { value: whole },
     base: { value: new Vector3() },
     second: { value: new Vector3() },
     dark: { value: 0 },
@@ -146,12 +198,22 @@ function shaded(): ShaderMaterial {
 }
 
 /** For arrows: seen through everything else, as in a drawing. */
-function overAll(): ShaderMaterial {
-  return Object.assign(shaded(), { depthTest: false, depthWrite: false, transparent: true })
+function overAll(cut: Cut): ShaderMaterial {
+  return Object.assign(shaded(cut, 1), { depthTest: false, depthWrite: false, transparent: true })
 }
 
-function plain(vertexShader: string, fragmentShader: string): ShaderMaterial {
-  const uniforms = { base: { value: new Vector3() }, opacity: { value: 1 } }
+function plain(
+  vertexShader: string,
+  fragmentShader: string,
+  cut: Cut,
+  whole: number,
+): ShaderMaterial {
+  const uniforms = {
+    ...cut,
+    whole: { value: whole },
+    base: { value: new Vector3() },
+    opacity: { value: 1 },
+  }
   const over = { transparent: true, depthWrite: false }
   return new ShaderMaterial({ vertexShader, fragmentShader, uniforms, ...over })
 }

@@ -1,15 +1,18 @@
 import type { Exhibit, StrokeColours } from '../exhibit'
 import type { Places } from '../motion'
-import type { Frame } from './cameras'
 import type { Load } from './load'
 import type { Palette } from './palette'
+import type { Pane } from './panes'
+import type { Slice } from './section'
 import type { Reading, Stage, View } from './stage'
 import type { Displacement } from './whirl'
 
 /** All that is known of an instant before it is drawn. */
 export interface Instant {
   readonly view: View
-  readonly frame: Frame
+  readonly panes: readonly Pane[]
+  /** What the front view shows of the engine; null for all of it. */
+  readonly slice: Slice | null
   /** Where the rods are. */
   readonly places: Places
   /** How the block has moved, not magnified. */

@@ -2,12 +2,15 @@ import type { Exhibit, StrokeColours } from '../exhibit'
 
 export type Camera = 'front' | 'plan' | 'side' | 'isometric' | 'orbit'
 export const CAMERAS: readonly Camera[] = ['front', 'plan', 'side', 'isometric', 'orbit']
+/** What is on the stage: one view, or all of a drawing sheet. */
+export type Sight = Camera | 'sheet'
+export const SIGHTS: readonly Sight[] = ['sheet', ...CAMERAS]
 
 /** The view of an engine at an instant. */
 export interface View {
   /** Crank angle, radians, any turn. */
   readonly theta: number
-  readonly camera: Camera
+  readonly camera: Sight
   /** The arrows to draw. */
   readonly arrows: {
     readonly force: boolean
@@ -23,6 +26,8 @@ export interface View {
   /** Cylinder bores as glass, block box, gears: what may be hidden. */
   readonly glass: boolean
   readonly glow: boolean
+  /** Place of the slice that the front view shows, from the front; 0 for the whole engine. */
+  readonly section: number
   readonly dark: boolean
 }
 
@@ -34,6 +39,18 @@ export interface Reading {
   readonly pins: [number, number, number][][]
   /** Paths of the crank axis at the ends over a cycle, unmagnified: [up, right]. */
   readonly paths: { readonly front: [number, number][]; readonly rear: [number, number][] }
+  /** The views on the stage: where each stands, and pixels to one unit of length. */
+  readonly panes: readonly PaneRead[]
+}
+
+/** A view on the stage, pixels from its upper left corner. */
+export interface PaneRead {
+  readonly camera: Camera
+  readonly x: number
+  readonly y: number
+  readonly width: number
+  readonly height: number
+  readonly scale: number
 }
 
 /** One engine on a canvas of its own; `draw` draws at once. */

@@ -1,6 +1,7 @@
 import { between, type Frame, frameOf, HOME, type Orbit, type Screen } from './cameras'
 import type { Disc } from './extent'
-import type { Camera } from './stage'
+import { type Pane, sheetOf } from './panes'
+import type { Camera, Sight } from './stage'
 import type { Vector } from './vector'
 
 /** How long the way from one camera to another takes, ms. */
@@ -8,34 +9,63 @@ const WAY = 420
 
 const ORBITED = ['azimuth', 'elevation', 'zoom', 'x', 'y'] as const
 
+/** The stage in pixels, the share of its height kept for labels, and room about the engine. */
+interface Stand {
+  readonly width: number
+  readonly height: number
+  readonly foot: number
+  readonly margin: number
+}
+
 /** Where one looks from at the moment: on a camera, or on the way from one to another. */
 export class Viewpoint {
   readonly orbit: Orbit = { ...HOME }
+  /** Azimuth of the isometric view, radians. */
+  azimuth = Math.PI / 4
   #camera: Camera | null = null
   #from: Frame | null = null
   #since = 0
   #last: Frame | null = null
-  /** Inputs of the last frame, which is kept as long as they are. */
+  /** Inputs of the last views, which are kept as long as they are. */
   #asked: readonly unknown[] = []
+  #panes: readonly Pane[] = []
 
   /** Whether the picture will be another one in a moment by itself. */
   get moving(): boolean {
     return this.#from !== null
   }
 
-  /** The frame at time `now` (ms): camera, what fills the picture, the screen. */
-  frame(camera: Camera, rooms: readonly (readonly Disc[])[], screen: Screen, now: number): Frame {
+  /** The views at time `now` (ms): what is seen, what fills the picture, the stage in pixels. */
+  panes(
+    sight: Sight,
+    rooms: readonly (readonly Disc[])[],
+    { width, height, foot, margin }: Stand,
+    now: number,
+  ): readonly Pane[] {
     const asked = [
-      camera,
+      sight,
       ...rooms,
-      screen.aspect,
-      screen.foot,
-      screen.margin,
+      width,
+      height,
+      foot,
+      margin,
+      this.azimuth,
       ...ORBITED.map((name) => this.orbit[name]),
     ]
-    if (this.#last && !this.#from && equal(asked, this.#asked)) return this.#last
+    if (this.#panes.length && !this.#from && equal(asked, this.#asked)) return this.#panes
     this.#asked = asked
-    const goal = this.#shifted(frameOf(camera, this.orbit, rooms, screen), camera)
+    if (sight === 'sheet') {
+      this.#camera = this.#last = this.#from = null
+      this.#panes = sheetOf(this, rooms, { width, height, foot: foot * height, margin })
+    } else {
+      const frame = this.#frame(sight, rooms, { aspect: width / height, foot, margin }, now)
+      this.#panes = [{ camera: sight, x: 0, y: 0, width, height, frame }]
+    }
+    return this.#panes
+  }
+
+  #frame(camera: Camera, rooms: readonly (readonly Disc[])[], screen: Screen, now: number): Frame {
+    const goal = this.#shifted(frameOf(camera, this, rooms, screen), camera)
     if (this.#camera !== null && this.#camera !== camera && this.#last !== null && !still()) {
       this.#from = this.#last
       this.#since = now

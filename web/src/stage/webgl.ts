@@ -3,6 +3,7 @@ import type { Exhibit, StrokeColours } from '../exhibit'
 import type { Batch } from './batch'
 import { materials } from './materials'
 import { LIGHT, type Palette } from './palette'
+import type { Pane } from './panes'
 import { arrows } from './parts/arrows'
 import { Block } from './parts/block'
 import { bores } from './parts/bores'
@@ -12,6 +13,7 @@ import { pistons } from './parts/pistons'
 import { rods } from './parts/rods'
 import { shafts } from './parts/shafts'
 import type { Instant, Picture } from './picture'
+import type { Slice } from './section'
 import type { Reading } from './stage'
 
 /** The parts of one engine, as they hang on its block. */
@@ -65,7 +67,9 @@ class WebglPicture implements Picture {
   #machine: Machine | null = null
   #palette: Palette | null = null
   #reach = 1
-  #aspect = 1
+  #panes: readonly Pane[] = []
+  #slice: Slice | null = null
+  #size = { width: 1, height: 1 }
   #density = 1
   #finer = 1
   #resting = 0
@@ -104,7 +108,7 @@ class WebglPicture implements Picture {
     this.#reach = 4 * Math.hypot(...scene.high.map((high, i) => high - (scene.low[i] as number)))
   }
 
-  draw({ view, frame, places, moved, load, arrow, palette }: Instant): void {
+  draw({ view, panes, slice, places, moved, load, arrow, palette }: Instant): void {
     const machine = this.#machine
     if (!machine) return
     if (palette !== this.#palette) {
@@ -117,7 +121,8 @@ class WebglPicture implements Picture {
     machine.block.move(moved, view.whirl.magnification)
     machine.arrows ??= arrows(machine.block.group, load, this.#paint)
     machine.arrows.move(arrow)
-    this.#look(frame)
+    this.#panes = panes
+    this.#slice = slice
     this.#render(1)
     if (this.quick) return
     clearTimeout(this.#resting)
@@ -131,10 +136,19 @@ class WebglPicture implements Picture {
       this.#finer = finer
       this.#renderer.setPixelRatio(this.#density * finer)
     }
-    this.#renderer.render(this.#scene, this.#camera)
+    this.#renderer.autoClear = true
+    for (const pane of this.#panes) {
+      const { x, y, width, height } = pane
+      const below = this.#size.height - y - height
+      this.#renderer.setViewport(x, below, width, height)
+      this.#look(pane)
+      this.#paint.cut(pane.camera === 'front' ? this.#slice : null)
+      this.#renderer.render(this.#scene, this.#camera)
+      this.#renderer.autoClear = false
+    }
   }
 
-  #look({ look, centre, half }: Instant['frame']): void {
+  #look({ frame: { look, centre, half }, width, height }: Pane): void {
     const camera = this.#camera
     const [right, up, back] = this.#basis
     right.set(...look.right)
@@ -150,7 +164,7 @@ class WebglPicture implements Picture {
     camera.matrixWorldNeedsUpdate = true
     camera.top = half
     camera.bottom = -half
-    camera.right = half * this.#aspect
+    camera.right = (half * width) / height
     camera.left = -camera.right
     camera.near = 0
     camera.far = 2 * away
@@ -196,7 +210,7 @@ class WebglPicture implements Picture {
   }
 
   size(width: number, height: number, density: number): void {
-    this.#aspect = width / height
+    this.#size = { width, height }
     this.#density = density
     this.#renderer.setPixelRatio(density * this.#finer)
     this.#renderer.setSize(width, height, false)

@@ -1,20 +1,22 @@
 import { useSignal } from '@preact/signals'
-import { useId } from 'preact/hooks'
+import { useId, useMemo } from 'preact/hooks'
 import { message, t } from '../language/messages'
 import { Switch } from '../Switch'
-import { CAMERAS, type Camera } from '../stage/stage'
+import { slicesOf } from '../stage/section'
+import { SIGHTS, type Sight } from '../stage/stage'
 import { set } from '../state'
 import { useApp } from './context'
 import { Icon } from './icons'
 import { toggledWhirl } from './whirl'
 
-const CAMERA = {
+const SIGHT = {
+  sheet: message('Sheet'),
   front: message('Front'),
   plan: message('Plan'),
   side: message('Side'),
   isometric: message('Isometric'),
   orbit: message('Orbit'),
-} as const satisfies Record<Camera, string>
+} as const satisfies Record<Sight, string>
 
 const SWITCHES = [
   ['force', message('Force')],
@@ -28,26 +30,27 @@ const SWITCHES = [
 /** The view of the engine, and what is drawn with its parts. */
 export function Layers() {
   const app = useApp()
-  const { store } = app
+  const { store, sight, roomy } = app
   const open = useSignal(false)
   const id = useId()
   return (
     <section class="layers" aria-label={t('View')}>
       <fieldset class="cameras">
         <legend class="unseen">{t('View from')}</legend>
-        {CAMERAS.map((camera) => (
-          <label key={camera} class={store.camera.value === camera ? 'chosen' : ''}>
+        {SIGHTS.filter((each) => each !== 'sheet' || roomy.value).map((each) => (
+          <label key={each} class={sight.value === each ? 'chosen' : ''}>
             <input
               type="radio"
               name={`${id}-camera`}
-              value={camera}
-              checked={store.camera.value === camera}
-              onChange={() => set(store.camera, camera)}
+              value={each}
+              checked={sight.value === each}
+              onChange={() => set(store.camera, each)}
             />
-            <span>{t(CAMERA[camera])}</span>
+            <span>{t(SIGHT[each])}</span>
           </label>
         ))}
       </fieldset>
+      <SectionChoice />
       <button
         type="button"
         class="plain more"
@@ -84,5 +87,33 @@ export function Layers() {
         </label>
       </div>
     </section>
+  )
+}
+
+/** Where the front view is cut: a slice between two webs, or nowhere. */
+function SectionChoice() {
+  const { store, shown, subject, sight } = useApp()
+  const exhibit = shown.value[subject.value]
+  const slices = useMemo(() => (exhibit ? slicesOf(exhibit.scene) : []), [exhibit])
+  if (slices.length < 2 || (sight.value !== 'sheet' && sight.value !== 'front')) return null
+  const place = Math.min(store.section.value, slices.length)
+  const slice = slices[place - 1]
+  const text = slice
+    ? t('cylinders {numbers}', { numbers: slice.cylinders.join(', ') })
+    : t('whole engine')
+  return (
+    <label class="slider section">
+      <span>{t('Section')}</span>
+      <input
+        type="range"
+        min="0"
+        max={slices.length}
+        step="1"
+        value={place}
+        aria-valuetext={text}
+        onInput={(event) => set(store.section, event.currentTarget.valueAsNumber)}
+      />
+      <output>{text}</output>
+    </label>
   )
 }

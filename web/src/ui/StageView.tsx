@@ -5,14 +5,16 @@ import type { Exhibit } from '../exhibit'
 import { t } from '../language/messages'
 import { createStage } from '../stage'
 import type { Stage, View } from '../stage/stage'
+import { set } from '../state'
 import { useApp } from './context'
+import { listenForSights } from './gestures'
 
 /** What the stage is to draw at this angle. */
-function viewOf({ store, dark }: App, theta: number): View {
+function viewOf({ store, dark, sight }: App, theta: number): View {
   const orders = store.orders.value
   return {
     theta,
-    camera: store.camera.value,
+    camera: sight.value,
     arrows: {
       force: store.force.value,
       couple: store.couple.value,
@@ -23,8 +25,16 @@ function viewOf({ store, dark }: App, theta: number): View {
     whirl: { magnification: store.whirl.value, orders },
     glass: store.glass.value,
     glow: store.glow.value,
+    section: store.section.value,
     dark: dark.value,
   }
+}
+
+/** The least stage that has room for four views, pixels. */
+const ROOM = { width: 560, height: 380 }
+
+function hasRoom({ clientWidth, clientHeight }: HTMLElement): boolean {
+  return clientWidth >= ROOM.width && clientHeight >= ROOM.height
 }
 
 /** One of the engines shown, on a stage of its own. */
@@ -42,6 +52,8 @@ export function StageView({
     const element = place.current
     const first = app.shown.peek()[index]
     if (!element || !first) return undefined
+    // before the first frame, so that what is seen first stays
+    if (index === 0) set(app.roomy, hasRoom(element))
     const stage = createStage(element, first, app.host.exhibition.stroke_colours, app.clock.refresh)
     made(index, stage)
     let current = first
@@ -65,10 +77,12 @@ export function StageView({
       }),
     ]
     const sized = new ResizeObserver(() => {
+      if (index === 0) set(app.roomy, hasRoom(element))
       stage.resize()
       app.clock.refresh()
     })
     sized.observe(element)
+    ends.push(listenForSights(element, app, stage))
     return () => {
       sized.disconnect()
       for (const end of ends) end()

@@ -2,11 +2,11 @@ import { describe, expect, test } from 'vitest'
 import type { Exhibit, GearShown, Scene } from '../../src/exhibit'
 import { along, boreEnd, facesAnother } from '../../src/stage/extent'
 import { hull } from '../../src/stage/hull'
+import { quantity, roundValue } from '../../src/stage/lettering'
 import { Loads } from '../../src/stage/load'
 import { band, circle, gear, type Outline, sector } from '../../src/stage/outlines'
 import { toothBearings } from '../../src/stage/parts/meshing'
 import { journals } from '../../src/stage/parts/shafts'
-import { quantity, roundValue } from '../../src/stage/sheet'
 import { Solid } from '../../src/stage/solid'
 import type { View } from '../../src/stage/stage'
 import { tint, windowsOf } from '../../src/stage/strokes'
@@ -156,6 +156,7 @@ describe('arrows', () => {
     whirl: { magnification: 0, orders: null },
     glass: true,
     glow: true,
+    section: 0,
     dark: false,
   })
   const loaded: Exhibit = exhibit({

@@ -13,6 +13,7 @@ const view = (arrows: Partial<View['arrows']>): View => ({
   whirl: { magnification: 0, orders: null },
   glass: true,
   glow: true,
+  section: 0,
   dark: false,
 })
 /** A force that goes up and down by 2, and a couple to the sides. */

@@ -24,7 +24,7 @@ export function pistons(parent: Group, scene: Scene, paint: Materials): Pistons 
   )
   const batches = groups.map((group) => {
     const first = group[0] as (typeof group)[number]
-    return new Batch(parent, piston(first.cylinder), group.length, paint.piston, paint.lines)
+    return new Batch(parent, piston(first.cylinder), group.length, paint.piston, paint.partLines)
   })
   const places = numbered.map(({ index }) => {
     const which = groups.findIndex((group) => group.some((one) => one.index === index))

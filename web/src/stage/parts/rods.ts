@@ -28,7 +28,7 @@ export function rods(parent: Group, scene: Scene, paint: Materials): Part {
     const first = group[0] as Rod
     const inner = first.cylinder.rod === 'slave' || first.cylinder.rod === 'blade'
     const colour = inner ? paint.slave : paint.rod
-    return new Batch(parent, shapeOf(first), group.length, colour, paint.lines)
+    return new Batch(parent, shapeOf(first), group.length, colour, paint.partLines)
   })
   return {
     move: ({ bigEnd, direction }: Places) => {

@@ -1,14 +1,20 @@
 import type { Exhibit } from '../exhibit'
 import { message, t } from '../language/messages'
+import type { Plane } from '../phasor'
 import { along, facesAnother } from './extent'
-import { css } from './palette'
+import { css, type Palette } from './palette'
+import { type Pane, pixelsOf, placed } from './panes'
 import type { Instant } from './picture'
+import type { Slice } from './section'
+import type { Camera } from './stage'
 import { dot, type Vector } from './vector'
 import { displaced } from './whirl'
 
 const FONT = 'system-ui, sans-serif'
 /** Labels nearer to each other than this are written as one, pixels. */
 const CLOSE = 15
+/** Least from a head to the middle of its number, pixels. */
+const CLEAR = 13
 /** Below this width, pixels, the scales of arrows go beneath the axes. */
 const NARROW = 300
 /** From this width on there is room for a sentence beside an arrow, pixels. */
@@ -19,27 +25,20 @@ const AXES = [
   { along: [0, 0, 1], name: message('z front') },
 ] as const satisfies readonly { along: Vector; name: string }[]
 
-/** An instant on a screen of so many pixels. */
+/** An instant on a stage of so many pixels. */
 export interface Writing extends Instant {
   readonly width: number
   readonly height: number
 }
 
-/** Puts a point (x, y, z) of the block on the screen: x, y, and how near it is to the eye. */
+/** Puts a point (x, y, z) of the block on the stage: x, y, and how near it is to the eye. */
 export function projected(
-  { frame, width, height, moved, view }: Omit<Writing, 'places'>,
+  { moved, view }: Pick<Instant, 'moved' | 'view'>,
+  pane: Pane,
   { whirl }: Exhibit,
   point: Vector,
 ): Vector {
-  const { look, centre, half } = frame
-  const at = displaced(whirl, moved, view.whirl.magnification, point, [0, 0, 0])
-  const from: Vector = [at[0] - centre[0], at[1] - centre[1], at[2] - centre[2]]
-  const pixels = height / 2 / half
-  return [
-    width / 2 + pixels * dot(from, look.right),
-    height / 2 - pixels * dot(from, look.up),
-    dot(from, look.back),
-  ]
+  return placed(pane, displaced(whirl, moved, view.whirl.magnification, point, [0, 0, 0]))
 }
 
 /** Kept at the lower edge for axes and scales: pixels, and at most a share of the height. */
@@ -47,33 +46,145 @@ export function footOf(width: number, height: number): number {
   return width < NARROW ? Math.min(0.4, 98 / height) : Math.min(0.25, 58 / height)
 }
 
-/** Writes the labels of the drawing: cylinder numbers, axes, scales of the arrows. */
+/** Writes the labels of the drawing: names of views, cylinder numbers, axes, scales of arrows. */
 export function write(to: CanvasRenderingContext2D, exhibit: Exhibit, writing: Writing): void {
-  const { width, height, palette } = writing
+  const { width, height, palette, panes, slice } = writing
   to.clearRect(0, 0, width, height)
   to.lineCap = 'round'
-  numbers(to, exhibit, writing)
-  axes(to, writing)
+  const sheet = panes.length > 1
+  for (const pane of panes) {
+    numbers(to, exhibit, writing, pane)
+    if (sheet || slice) named(to, writing, pane, sheet)
+    if (slice && pane.camera !== 'front' && sheet) cutting(to, exhibit, writing, pane, slice)
+  }
+  const [first] = panes
+  if (!first) return
+  const corner = { x: axesAt(to, width), y: height - (width < NARROW ? 58 : 50) }
+  axes(to, writing, first, sheet ? { x: width - 84 - axesAt(to, width), y: height - 31 } : corner)
+  if (sheet) thirdAngle(to, palette, width - 62, height - 24)
   const couple = width < WIDE ? t('Couple') : t('Couple, as a pair of forces in its plane')
   const names = { force: t('Force'), couple }
   const [foot, step] = width < NARROW ? [12, 18] : [20, 22]
   const kinds = (['couple', 'force'] as const).filter((kind) => writing.load[kind] > 0)
+  const pixels = pixelsOf(panes[panes.length - 1] ?? first)
+  const beside = sheet ? 12 : 2 * axesAt(to, width) + (width < WIDE ? -6 : 10)
   kinds.forEach((kind, above) => {
     const { units } = exhibit
     const factor = kind === 'force' ? units.force_factor : units.couple_factor
     const value = writing.load[kind] * factor
     const line = { value, unit: units[kind], colour: palette[kind], name: names[kind] }
-    scale(to, writing, line, height - foot - step * above)
+    scale(to, writing, line, pixels, { x: beside, y: height - foot - step * above })
   })
 }
 
+const VIEWS = {
+  front: message('Front'),
+  plan: message('Plan'),
+  side: message('Side, from the right'),
+  isometric: message('Isometric, not to scale'),
+  orbit: message('Orbit'),
+} as const satisfies Record<Camera, string>
+
+/** The name of a view at the head of its pane; a section says so. */
+function named(
+  to: CanvasRenderingContext2D,
+  { palette, slice }: Writing,
+  { camera, x, y }: Pane,
+  sheet: boolean,
+): void {
+  const cut = slice && camera === 'front'
+  if (!cut && !sheet) return
+  const which = slice?.cylinders.join(' · ')
+  to.font = `12px ${FONT}`
+  to.textAlign = 'left'
+  to.textBaseline = 'top'
+  to.fillStyle = cut ? palette.text : palette.quiet
+  to.fillText(
+    cut ? t('Section A–A: cylinders {numbers}', { numbers: which ?? '' }) : t(VIEWS[camera]),
+    x + 12,
+    sheet ? y - 14 : 8,
+  )
+}
+
+/** Where the section is taken: a chain line, its ends thick, with the letter and the way it looks. */
+function cutting(
+  to: CanvasRenderingContext2D,
+  exhibit: Exhibit,
+  writing: Writing,
+  pane: Pane,
+  slice: Slice,
+): void {
+  if (pane.camera === 'isometric') return
+  const [across] = projected(writing, pane, exhibit, [0, 0, slice.to])
+  const [top, bottom] = [pane.y + 4, pane.y + pane.height - 4]
+  to.strokeStyle = to.fillStyle = writing.palette.text
+  to.lineWidth = 1
+  to.setLineDash([10, 3, 2, 3])
+  line(to, across, top, across, bottom)
+  to.setLineDash([])
+  to.font = `600 12px ${FONT}`
+  to.textAlign = 'right'
+  to.textBaseline = 'middle'
+  for (const [y, inward] of [
+    [top, 1],
+    [bottom, -1],
+  ] as const) {
+    to.lineWidth = 2.5
+    line(to, across, y, across, y + 10 * inward)
+    to.lineWidth = 1.4
+    line(to, across - 12, y, across, y)
+    to.beginPath()
+    to.moveTo(across, y)
+    to.lineTo(across - 6, y - 3)
+    to.lineTo(across - 6, y + 3)
+    to.fill()
+    to.fillText('A', across - 15, y + 3 * inward)
+  }
+}
+
+/** The symbol of third-angle projection after ISO 5456-2, about a point: circles, then the cone. */
+function thirdAngle(to: CanvasRenderingContext2D, palette: Palette, x: number, y: number): void {
+  to.strokeStyle = palette.quiet
+  to.lineWidth = 1.2
+  for (const radius of [4, 8]) {
+    to.beginPath()
+    to.arc(x, y, radius, 0, 2 * Math.PI)
+    to.stroke()
+  }
+  const [from, long] = [x + 18, 20]
+  to.beginPath()
+  to.moveTo(from, y - 4)
+  to.lineTo(from + long, y - 8)
+  to.lineTo(from + long, y + 8)
+  to.lineTo(from, y + 4)
+  to.closePath()
+  to.stroke()
+  to.setLineDash([6, 2, 1, 2])
+  line(to, x - 12, y, x + 12, y)
+  line(to, x, y - 12, x, y + 12)
+  line(to, from - 3, y, from + long + 4, y)
+  to.setLineDash([])
+}
+
 /** The cylinder numbers beyond the heads; those behind each other in one label. */
-function numbers(to: CanvasRenderingContext2D, exhibit: Exhibit, writing: Writing): void {
+function numbers(
+  to: CanvasRenderingContext2D,
+  exhibit: Exhibit,
+  writing: Writing,
+  pane: Pane,
+): void {
   const { scene } = exhibit
+  const only = pane.camera === 'front' ? writing.slice : null
+  const pixels = pixelsOf(pane)
   const labels: { x: number; y: number; near: number; names: number[] }[] = []
   for (const c of scene.cylinders) {
-    const beyond = facesAnother(c, scene.cylinders) ? 0 : 0.22 * c.bore
-    const [x, y, near] = projected(writing, exhibit, along(scene, c, c.bore_to + beyond))
+    if (only && !only.cylinders.includes(c.number)) continue
+    const facing = facesAnother(c, scene.cylinders)
+    const place = (distance: number) => projected(writing, pane, exhibit, along(scene, c, distance))
+    const head = place(c.bore_to)
+    const [outX, outY] = outward(place(c.bore_from), head, pixels)
+    const beyond = facing ? 0 : Math.max(0.22 * c.bore * pixels, CLEAR)
+    const [x, y, near] = [head[0] + beyond * outX, head[1] + beyond * outY, head[2]]
     const label = labels.find((other) => Math.hypot(other.x - x, other.y - y) < CLOSE)
     if (label) label.names.push(c.number)
     else labels.push({ x, y, near, names: [c.number] })
@@ -85,7 +196,7 @@ function numbers(to: CanvasRenderingContext2D, exhibit: Exhibit, writing: Writin
   for (const { x: beyond, y, names } of labels.sort((a, b) => b.near - a.near)) {
     const text = names.length > 4 ? `${names[0]} … ${names[names.length - 1]}` : names.join(' · ')
     const half = to.measureText(text).width / 2 + 2
-    const x = Math.min(Math.max(beyond, half), writing.width - half)
+    const x = Math.min(Math.max(beyond, pane.x + half), pane.x + pane.width - half)
     if (
       taken.some((label) => Math.abs(label.x - x) < label.half + half && Math.abs(label.y - y) < 13)
     )
@@ -99,6 +210,19 @@ function numbers(to: CanvasRenderingContext2D, exhibit: Exhibit, writing: Writin
   }
 }
 
+/** How an axis runs on the screen; less the more it runs toward the eye. */
+function outward(from: Vector, to: Vector, pixels: number): Plane {
+  const [x, y] = [to[0] - from[0], to[1] - from[1]]
+  const long = Math.hypot(x, y, pixels * (to[2] - from[2])) || 1
+  return [x / long, y / long]
+}
+
+/** A place on the stage, pixels. */
+interface Place {
+  readonly x: number
+  readonly y: number
+}
+
 /** How far from the left the axes stand, so that there is room for their names. */
 function axesAt(to: CanvasRenderingContext2D, width: number): number {
   to.font = `11px ${FONT}`
@@ -107,9 +231,14 @@ function axesAt(to: CanvasRenderingContext2D, width: number): number {
 }
 
 /** The axes in the lower left corner; a dot points at the eye, a cross away. */
-function axes(to: CanvasRenderingContext2D, { frame, height, width, palette }: Writing): void {
-  const [x, y] = [axesAt(to, width), height - (width < NARROW ? 58 : 50)]
-  const length = width < NARROW ? 22 : 30
+function axes(
+  to: CanvasRenderingContext2D,
+  { width, palette, panes }: Writing,
+  { frame }: Pane,
+  { x, y }: Place,
+): void {
+  to.font = `11px ${FONT}`
+  const length = width < NARROW || panes.length > 1 ? 20 : 30
   to.strokeStyle = palette.quiet
   to.fillStyle = palette.quiet
   to.lineWidth = 1.4
@@ -154,14 +283,14 @@ function line(to: CanvasRenderingContext2D, x: number, y: number, toX: number, t
 /** An arrow of a round value beside what it is. */
 function scale(
   to: CanvasRenderingContext2D,
-  { arrow, frame, height, width, palette }: Writing,
+  { arrow, width, palette }: Writing,
   { value, unit, colour, name }: { value: number; unit: string; colour: number; name: string },
-  y: number,
+  pixels: number,
+  { x: beside, y }: Place,
 ): void {
-  const perPixel = value / ((arrow * height) / 2 / frame.half)
+  const perPixel = value / (arrow * pixels)
   const round = roundValue(perPixel * Math.min(96, width / 5))
   const long = round / perPixel
-  const beside = 2 * axesAt(to, width) + (width < WIDE ? -6 : 10)
   to.font = `12px ${FONT}`
   const text = `${quantity(round, unit)}  ${name}`
   const right = width - long - 12 - to.measureText(text).width

@@ -1,11 +1,12 @@
 import { expect, test } from 'vitest'
 import { HOME, lookOf } from '../../src/stage/cameras'
+import { footOf, type Writing, write } from '../../src/stage/lettering'
 import { LIGHT } from '../../src/stage/palette'
-import { footOf, type Writing, write } from '../../src/stage/sheet'
 import { CAMERAS } from '../../src/stage/stage'
 import { exhibit } from './engine'
 
 const LETTER = 11
+const LOOKS = { orbit: HOME, azimuth: Math.PI / 4 }
 
 /** What is written on a sheet, and how far up from its baseline, middle or top it reaches, pixels. */
 function written(width: number, height: number, camera: (typeof CAMERAS)[number]) {
@@ -19,7 +20,13 @@ function written(width: number, height: number, camera: (typeof CAMERAS)[number]
   for (const name of ['arc', 'beginPath', 'clearRect', 'fill', 'lineTo', 'moveTo', 'stroke'])
     sheet[name] = sheet.strokeText = () => {}
   const writing = {
-    frame: { look: lookOf(camera, HOME), centre: [0, 0, 0], half: 1 },
+    panes: [
+      {
+        ...{ camera, x: 0, y: 0, width, height },
+        frame: { look: lookOf(camera, LOOKS), centre: [0, 0, 0], half: 1 },
+      },
+    ],
+    slice: null,
     view: { whirl: { magnification: 0, orders: null } },
     moved: { up: 0, right: 0, tiltUp: 0, tiltRight: 0, turn: 0 },
     load: { force: 1, couple: 1 },
