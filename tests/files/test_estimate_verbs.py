@@ -120,7 +120,8 @@ def test_a_length_that_replaces_its_estimate_leaves_what_moved_with_it(
     place, file = str(tmp_path / "twin.toml"), tmp_path / "bare.toml"
     file.write_text(
         'name = "Twin"\ncycle = "four-stroke"\nspeed = "7000 rpm"\n'
-        '[layout]\ntype = "inline"\nthrows = ["0 deg", "0 deg"]\n[cylinder]\nbore = "83 mm"\nstroke = "60 mm"\n'
+        '[layout]\ntype = "inline"\nthrows = ["0 deg", "0 deg"]\n'
+        '[cylinder]\nbore = "83 mm"\nstroke = "60 mm"\n'
     )
     assert run("estimate", str(file), "-o", place).code == 0
     assert 'moves_with = "cylinder.rod_length"' in Path(place).read_text()

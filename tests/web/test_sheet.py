@@ -33,7 +33,7 @@ WRITTEN = """(() => {
 })()"""
 """Texts are kept with the canvas they are written on, each with its box, pixels."""
 TEXTS = "() => document.querySelector('.canvas canvas[aria-hidden]').texts"
-OFTEN = ("napier-deltic", "pratt-whitney-wasp", "v8-cross-plane", "man-s90mc-c", "boxer-6", "vw-vr6")
+OFTEN = ("boxer-6", "man-s90mc-c", "napier-deltic", "pratt-whitney-wasp", "v8-cross-plane")
 
 
 def panes(page: Page) -> dict[str, dict[str, Any]]:

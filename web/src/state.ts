@@ -2,21 +2,6 @@ import { batch, type Signal, signal } from '@preact/signals'
 import { FASTEST, SLOWEST, USUAL } from './pace'
 import { SIGHTS, type Sight } from './stage/stage'
 
-export const TABS = [
-  'orders',
-  'stars',
-  'forces',
-  'bearings',
-  'strokes',
-  'derivation',
-  'verdict',
-  'remedies',
-  'whirl',
-  'compare',
-  'edit',
-  'about',
-] as const
-export type Tab = (typeof TABS)[number]
 export const THEMES = ['auto', 'light', 'dark'] as const
 export type Theme = (typeof THEMES)[number]
 export const QUANTITIES = ['force', 'couple', 'roll', 'torque'] as const
@@ -32,7 +17,8 @@ export interface State {
   readonly camera: Sight | null
   /** Place of the slice that the front view shows, from the front; 0 for the whole engine. */
   readonly section: number
-  readonly tab: Tab
+  /** The panel that is seen, by its key. */
+  readonly tab: string
   readonly force: boolean
   readonly couple: boolean
   readonly cylinders: boolean
@@ -59,7 +45,11 @@ export interface State {
   readonly units: string
   /** Language of the page; empty for that of its host. */
   readonly language: string
+  /** What is chosen within panels, by `panel.choice`. */
+  readonly choices: Choices
 }
+
+export type Choices = Readonly<Record<string, string>>
 
 export const OPENING: State = {
   engine: '',
@@ -83,6 +73,7 @@ export const OPENING: State = {
   panel: '1',
   units: '',
   language: '',
+  choices: {},
 }
 
 /** How a part of the state is written; `read` gives undefined for nonsense. */
@@ -140,12 +131,18 @@ const orders: Field<readonly number[] | null> = {
   write: (value) => (value ?? []).join('_'),
 }
 
-const FIELDS: { readonly [K in keyof State]: Field<State[K]> } = {
+/** What a choice within a panel is called in an address, and what it may be. */
+const CHOICE = /^[a-z]{1,20}\.[a-z]{1,20}$/
+const CHOSEN = /^[\w-]{1,40}$/
+const MOST_CHOICES = 32
+
+type Single = Omit<State, 'choices'>
+const FIELDS: { readonly [K in keyof Single]: Field<Single[K]> } = {
   engine: words('engine', 60_000),
   angle,
   camera: { ...oneOf('camera', SIGHTS), write: (value) => value ?? '' },
   section: count('section', 256),
-  tab: oneOf('tab', TABS),
+  tab: { ...words('tab', 20), read: (text) => (/^[a-z]{1,20}$/.test(text) ? text : undefined) },
   force: yesNo('force'),
   couple: yesNo('couple'),
   cylinders: yesNo('each'),
@@ -163,30 +160,33 @@ const FIELDS: { readonly [K in keyof State]: Field<State[K]> } = {
   units: words('units', 200),
   language: words('lang', 12),
 }
-const NAMES = Object.keys(FIELDS) as readonly (keyof State)[]
+const SINGLE = Object.keys(FIELDS) as readonly (keyof Single)[]
+const NAMES: readonly (keyof State)[] = [...SINGLE, 'choices']
 
 /** The state as text for an address, only differences from the opening. */
 export function stateText(state: State): string {
   const text = new URLSearchParams()
-  const add = <K extends keyof State>(name: K): void => {
+  const add = <K extends keyof Single>(name: K): void => {
     const written = FIELDS[name].write(state[name])
     if (written !== FIELDS[name].write(OPENING[name])) text.set(FIELDS[name].key, written)
   }
-  NAMES.forEach(add)
+  SINGLE.forEach(add)
+  for (const [name, value] of Object.entries(state.choices).sort()) text.set(name, value)
   return text.toString()
 }
 
 /** The state that a text stands for. Whatever is not understood is as a page opens. */
 export function stateOf(text: string): State {
   const given = new URLSearchParams(text.replace(/^#/, ''))
-  const state = { ...OPENING }
-  const take = <K extends keyof State>(name: K): void => {
+  const state: Single = { ...OPENING }
+  const take = <K extends keyof Single>(name: K): void => {
     const written = given.get(FIELDS[name].key)
     const value = written === null ? undefined : FIELDS[name].read(written)
-    if (value !== undefined) state[name] = value
+    if (value !== undefined) Object.assign(state, { [name]: value })
   }
-  for (const name of NAMES) take(name)
-  return state
+  for (const name of SINGLE) take(name)
+  const choices = [...given].filter(([name, value]) => CHOICE.test(name) && CHOSEN.test(value))
+  return { ...state, choices: Object.fromEntries(choices.slice(0, MOST_CHOICES)) }
 }
 
 /** The state as signals, one for each part. */

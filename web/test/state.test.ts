@@ -24,6 +24,7 @@ const OTHER: State = {
   panel: '2',
   units: 'kN, kN m',
   language: 'ru',
+  choices: { 'bearings.on': 'pin' },
 }
 
 describe('the state as text', () => {
@@ -60,6 +61,9 @@ describe('the state as text', () => {
     'a=NaN',
     'camera=above',
     'tab=__proto__',
+    'bearings.on=<b>',
+    '__proto__.on=1',
+    'a.b.c=1',
     'orders=',
     'orders=1_x',
     'orders=-1',

@@ -176,7 +176,7 @@ function numbers(
   const { scene } = exhibit
   const only = pane.camera === 'front' ? writing.slice : null
   const pixels = pixelsOf(pane)
-  const labels: { x: number; y: number; near: number; names: number[] }[] = []
+  const labels: { x: number; y: number; near: number; out: number; names: number[] }[] = []
   for (const c of scene.cylinders) {
     if (only && !only.cylinders.includes(c.number)) continue
     const facing = facesAnother(c, scene.cylinders)
@@ -187,15 +187,17 @@ function numbers(
     const [x, y, near] = [head[0] + beyond * outX, head[1] + beyond * outY, head[2]]
     const label = labels.find((other) => Math.hypot(other.x - x, other.y - y) < CLOSE)
     if (label) label.names.push(c.number)
-    else labels.push({ x, y, near, names: [c.number] })
+    else labels.push({ x, y, near, out: facing ? 0 : outX, names: [c.number] })
   }
   to.font = `600 12px ${FONT}`
   to.textAlign = 'center'
   to.textBaseline = 'middle'
   const taken: { x: number; y: number; half: number }[] = []
-  for (const { x: beyond, y, names } of labels.sort((a, b) => b.near - a.near)) {
+  for (const { x: middle, y, out, names } of labels.sort((a, b) => b.near - a.near)) {
     const text = names.length > 4 ? `${names[0]} … ${names[names.length - 1]}` : names.join(' · ')
     const half = to.measureText(text).width / 2 + 2
+    // a long text stands clear of the head too
+    const beyond = middle + out * Math.max(0, half - CLEAR)
     const x = Math.min(Math.max(beyond, pane.x + half), pane.x + pane.width - half)
     if (
       taken.some((label) => Math.abs(label.x - x) < label.half + half && Math.abs(label.y - y) < 13)

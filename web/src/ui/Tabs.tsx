@@ -1,72 +1,32 @@
-import type { ComponentType } from 'preact'
+import { useSignal } from '@preact/signals'
 import { useEffect, useId, useRef } from 'preact/hooks'
-import type { App } from '../app'
-import { message, t } from '../language/messages'
-import { set, TABS, type Tab } from '../state'
+import { t } from '../language/messages'
+import { set } from '../state'
 import { Choice } from './Choice'
 import { useApp } from './context'
-import { About } from './panels/About'
-import { Bearings } from './panels/Bearings'
-import { Compare } from './panels/Compare'
-import { Derivation } from './panels/Derivation'
-import { Edit } from './panels/Edit'
-import { Forces } from './panels/Forces'
-import { Orders } from './panels/Orders'
-import { Remedies } from './panels/Remedies'
-import { Stars } from './panels/Stars'
-import { Strokes } from './panels/Strokes'
-import { Verdict } from './panels/Verdict'
-import { WhirlPanel } from './panels/WhirlPanel'
+import { Icon } from './icons'
+import { PANELS } from './panels'
 
-interface Panel {
-  readonly label: string
-  readonly content: ComponentType
-  /** Whether there is anything to show; without it, always. */
-  readonly when?: (app: App) => boolean
-}
-
-const PANELS: Readonly<Record<Tab, Panel>> = {
-  orders: { label: message('Orders'), content: Orders },
-  stars: { label: message('Stars'), content: Stars },
-  forces: { label: message('Forces'), content: Forces },
-  bearings: { label: message('Bearings'), content: Bearings },
-  strokes: { label: message('Strokes'), content: Strokes },
-  derivation: {
-    label: message('Derivation'),
-    content: Derivation,
-    when: ({ shown, subject }) => (shown.value[subject.value]?.derivations.length ?? 0) > 0,
-  },
-  verdict: { label: message('Verdict'), content: Verdict },
-  remedies: { label: message('Balancing'), content: Remedies },
-  whirl: { label: message('Whirl'), content: WhirlPanel },
-  compare: {
-    label: message('Compare'),
-    content: Compare,
-    when: ({ host }) => !!host.service || host.exhibition.engines.length > 1,
-  },
-  edit: { label: message('Edit'), content: Edit, when: ({ host }) => !!host.service },
-  about: { label: message('About'), content: About },
-}
-/** Panels that show both engines, or the only one that can be edited. */
-const OF_ALL: readonly Tab[] = ['compare', 'edit', 'about']
+/** The panel that is seen where none is chosen. */
+const FIRST = 'orders'
 
 /** The panels, one at a time. Only the one that is seen is there. */
 export function Tabs() {
   const app = useApp()
-  const list = useRef<HTMLDivElement>(null)
+  const strip = useRef<HTMLDivElement>(null)
   const id = useId()
-  const there = TABS.filter((tab) => PANELS[tab].when?.(app) ?? true)
-  const chosen = there.find((tab) => tab === app.store.tab.value) ?? 'orders'
-  const Content = PANELS[chosen].content
+  const there = PANELS.filter(({ when }) => when?.(app) ?? true)
+  const panel =
+    there.find(({ key }) => key === app.store.tab.value) ?? there.find(({ key }) => key === FIRST)
 
-  function choose(tab: Tab | undefined): void {
-    if (!tab) return
-    app.store.tab.value = tab
-    list.current?.querySelector<HTMLElement>(`[data-tab="${tab}"]`)?.focus()
+  function choose(key: string | undefined): void {
+    if (!key) return
+    app.store.tab.value = key
+    strip.current?.querySelector<HTMLElement>(`[data-tab="${key}"]`)?.focus()
   }
 
   function pressed(event: KeyboardEvent): void {
-    const place = there.indexOf(chosen)
+    const place = panel ? there.indexOf(panel) : -1
     const goals: Record<string, number> = {
       ArrowRight: place + 1,
       ArrowLeft: place - 1,
@@ -76,51 +36,97 @@ export function Tabs() {
     const goal = goals[event.key]
     if (goal === undefined) return
     event.preventDefault()
-    choose(there[(goal + there.length) % there.length])
+    choose(there[(goal + there.length) % there.length]?.key)
   }
 
   useEffect(() => {
-    const strip = list.current
-    const tab = strip?.querySelector<HTMLElement>('[aria-selected="true"]')
-    if (!strip || !tab) return
+    const tab = strip.current?.querySelector<HTMLElement>('[aria-selected="true"]')
+    if (!strip.current || !tab) return
     // scrollIntoView would also move the page
-    const before = tab.getBoundingClientRect().left - strip.getBoundingClientRect().left
-    strip.scrollLeft += before - (strip.clientWidth - tab.offsetWidth) / 2
-  }, [chosen])
+    const before = tab.getBoundingClientRect().left - strip.current.getBoundingClientRect().left
+    strip.current.scrollLeft += before - (strip.current.clientWidth - tab.offsetWidth) / 2
+  }, [panel])
 
+  if (!panel) return null
+  const { Content } = panel
   return (
     <section class="panels" aria-label={t('Analysis')}>
-      <div class="tabs" role="tablist" aria-label={t('Panels')} ref={list} onKeyDown={pressed}>
-        {there.map((tab) => (
-          <button
-            key={tab}
-            type="button"
-            role="tab"
-            id={`${id}-${tab}`}
-            data-tab={tab}
-            aria-selected={tab === chosen}
-            aria-controls={`${id}-panel`}
-            tabIndex={tab === chosen ? 0 : -1}
-            onClick={() => choose(tab)}
-          >
-            {t(PANELS[tab].label)}
-          </button>
-        ))}
-      </div>
+      <Strip strip={strip}>
+        <div class="tabs" role="tablist" aria-label={t('Panels')} ref={strip} onKeyDown={pressed}>
+          {there.map(({ key, label }) => (
+            <button
+              key={key}
+              type="button"
+              role="tab"
+              id={`${id}-${key}`}
+              data-tab={key}
+              aria-selected={key === panel.key}
+              aria-controls={`${id}-panel`}
+              tabIndex={key === panel.key ? 0 : -1}
+              onClick={() => choose(key)}
+            >
+              {t(label)}
+            </button>
+          ))}
+        </div>
+      </Strip>
       <div
         class="panel"
         role="tabpanel"
         id={`${id}-panel`}
-        aria-labelledby={`${id}-${chosen}`}
+        aria-labelledby={`${id}-${panel.key}`}
         // biome-ignore lint/a11y/noNoninteractiveTabindex: a scrolling panel is reached by keys
         tabIndex={0}
-        data-panel={chosen}
+        data-panel={panel.key}
       >
-        <h2 class="unseen">{t(PANELS[chosen].label)}</h2>
-        {!OF_ALL.includes(chosen) && <EngineChoice />}
-        <Content key={chosen} />
+        <h2 class="unseen">{t(panel.label)}</h2>
+        {!panel.ofAll && <EngineChoice />}
+        <Content key={panel.key} />
       </div>
     </section>
+  )
+}
+
+/** One row of tabs; where it is too long, it fades at its ends and has arrows for a mouse. */
+function Strip({
+  strip,
+  children,
+}: {
+  strip: { readonly current: HTMLDivElement | null }
+  children: preact.ComponentChildren
+}) {
+  const [before, after] = [useSignal(false), useSignal(false)]
+  useEffect(() => {
+    const row = strip.current
+    if (!row) return undefined
+    const looked = (): void => {
+      before.value = row.scrollLeft > 1
+      after.value = row.scrollLeft + row.clientWidth < row.scrollWidth - 1
+    }
+    const sized = new ResizeObserver(looked)
+    sized.observe(row)
+    for (const tab of row.children) sized.observe(tab)
+    row.addEventListener('scroll', looked, { passive: true })
+    return () => {
+      sized.disconnect()
+      row.removeEventListener('scroll', looked)
+    }
+  })
+  const scroll = (way: number) => () => {
+    const row = strip.current
+    row?.scrollBy({ left: 0.7 * way * row.clientWidth, behavior: 'smooth' })
+  }
+  return (
+    <div class={`strip${before.value ? ' before' : ''}${after.value ? ' after' : ''}`}>
+      {children}
+      {/* for a mouse only: keys go from tab to tab, fingers push the row */}
+      <button type="button" class="back" tabIndex={-1} aria-hidden="true" onClick={scroll(-1)}>
+        <Icon name="back" />
+      </button>
+      <button type="button" class="on" tabIndex={-1} aria-hidden="true" onClick={scroll(1)}>
+        <Icon name="forth" />
+      </button>
+    </div>
   )
 }
 

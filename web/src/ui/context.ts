@@ -26,3 +26,18 @@ export function useFollower(follower: Follower, inputs: readonly unknown[]): voi
   const { clock } = useApp()
   useEffect(() => clock.follow(follower), [clock, ...inputs])
 }
+
+/** A choice within a panel that goes into links as `name`, such as `bearings.on`; the first is how it opens. */
+export function useChoice<T extends string>(
+  name: string,
+  choices: readonly [T, ...T[]],
+): readonly [T, (value: T) => void] {
+  const { store } = useApp()
+  const chosen = store.choices.value[name]
+  const value = choices.find((each) => each === chosen) ?? choices[0]
+  const choose = (next: T): void => {
+    const { [name]: _, ...others } = store.choices.value
+    store.choices.value = next === choices[0] ? others : { ...others, [name]: next }
+  }
+  return [value, choose]
+}

@@ -13,8 +13,8 @@ import {
 /** Where the dot of a row stands at an angle, [x, y] of its drawing. */
 export type Dot = (theta: number) => Plane
 
-/** What moves the dot of a row: its order alone, in shares of the greatest value. */
-export function dotOf(exhibit: Exhibit, row: Row): Dot {
+/** What moves the dot of a row: its order alone, `share` where it is greatest. */
+export function dotOf(exhibit: Exhibit, row: Row, share: number): Dot {
   const index = exhibit.orders.findIndex((order) => sameOrder(order, row.order))
   const orders = [row.order]
   const phase = phaseOf(1, exhibit.sense)
@@ -24,7 +24,7 @@ export function dotOf(exhibit: Exhibit, row: Row): Dot {
   if (row.quantity === 'force' || row.quantity === 'couple') {
     const { forward, backward } = exhibit.total[row.quantity]
     const [ahead, against] = [forward[index], backward[index]]
-    const size = row.semi_axes?.[0] ?? 0
+    const size = (row.semi_axes?.[0] ?? 0) / share
     if (!ahead || !against || !(size > 0)) return still
     const coefficients = coefficientsOf({ forward: [ahead], backward: [against] })
     return (theta) => {
@@ -35,13 +35,20 @@ export function dotOf(exhibit: Exhibit, row: Row): Dot {
     }
   }
   const pair = exhibit.total[row.quantity][index]
-  const size = pair ? Math.hypot(pair[0], pair[1]) : 0
+  const size = pair ? Math.hypot(pair[0], pair[1]) / share : 0
   if (!pair || !(size > 0)) return still
   const coefficients = signalOf([pair])
   return (theta) => {
     place[0] = signalAt(coefficients, turn(phase, orders, theta, null)) / size
     return place
   }
+}
+
+/** The size of each row in shares of the greatest of its quantity, 0 where nothing remains. */
+export function sharesOf(rows: readonly Row[]): ReadonlyMap<Row, number> {
+  const most = (quantity: Row['quantity']): number =>
+    Math.max(...rows.filter((row) => row.quantity === quantity).map(({ size }) => size))
+  return new Map(rows.map((row) => [row, row.size > 0 ? row.size / most(row.quantity) : 0]))
 }
 
 /** Moves the dots in the drawings below an element, row by row. */

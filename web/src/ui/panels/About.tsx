@@ -2,6 +2,7 @@ import { message, t } from '../../language/messages'
 import { useApp } from '../context'
 import { Heading } from '../Heading'
 import { NOTICES } from '../notices'
+import type { Panel } from '../panel'
 
 const KEYS = [
   [message('space'), message('play or stop')],
@@ -10,8 +11,15 @@ const KEYS = [
   [message('page up, page down'), message('90° forward, 90° back')],
 ] as const
 
+export const about: Panel = {
+  key: 'about',
+  label: message('About'),
+  Content: About,
+  ofAll: true,
+}
+
 /** Sources, assumptions, how to read the page, and how to write it again. */
-export function About() {
+function About() {
   const { host, shown, engines } = useApp()
   const { command, version, sources = [] } = host.exhibition
   const asOpened = (index: number): boolean =>

@@ -1,18 +1,25 @@
-import { useMemo, useRef, useState } from 'preact/hooks'
+import { useMemo, useRef } from 'preact/hooks'
 import type { LoadShown, Bearings as Loads } from '../../exhibit'
-import { t } from '../../language/messages'
+import { message, t } from '../../language/messages'
 import { Choice } from '../Choice'
-import { useExhibit, useFollower } from '../context'
+import { useChoice, useExhibit, useFollower } from '../context'
 import { DataTable } from '../DataTable'
 import { type Frame, labelsOf, loadVector, pathOf, pointText, STEPS } from '../loads'
+import type { Panel } from '../panel'
 
 type On = LoadShown['on']
 
+export const bearings: Panel = {
+  key: 'bearings',
+  label: message('Bearings'),
+  Content: Bearings,
+}
+
 /** Loads on main bearings and crank pins: polar diagrams that follow the angle, and their tables. */
-export function Bearings() {
+function Bearings() {
   const exhibit = useExhibit()
-  const [on, setOn] = useState<On>('bearing')
-  const [frame, setFrame] = useState<Frame>('block')
+  const [on, setOn] = useChoice<On>('bearings.on', ['bearing', 'pin'])
+  const [frame, setFrame] = useChoice<Frame>('bearings.frame', ['block', 'shaft'])
   const { bearings, bearing_numbers: numbers, sense, turns } = exhibit
   const shown = bearings.loads.flatMap((load, index) =>
     load.on === on ? [{ load, greatest: numbers.greatest[index] ?? '' }] : [],

@@ -2,17 +2,26 @@ import { useSignal } from '@preact/signals'
 import { useEffect, useMemo, useRef } from 'preact/hooks'
 import { CatalogPicker } from '../../edit/catalog'
 import type { CatalogEntry, Exhibit, Row } from '../../exhibit'
-import { t } from '../../language/messages'
+import { message, t } from '../../language/messages'
 import { reasonOf } from '../../reason'
 import { Switch } from '../../Switch'
 import { QUANTITIES, set } from '../../state'
 import { useApp, useFollower } from '../context'
-import { dotOf, moveDots } from '../dots'
+import { dotOf, moveDots, sharesOf } from '../dots'
 import { quantityName, unitOf } from '../names'
 import { Path } from '../Path'
+import type { Panel } from '../panel'
+
+export const compare: Panel = {
+  key: 'compare',
+  label: message('Compare'),
+  Content: Compare,
+  ofAll: true,
+  when: ({ host }) => !!host.service || host.exhibition.engines.length > 1,
+}
 
 /** A second engine at the same crank angle, and the orders of both. */
-export function Compare() {
+function Compare() {
   const { host, shown, store } = useApp()
   const [one, other] = shown.value
   const second = other !== undefined || host.exhibition.engines.length > 1
@@ -38,16 +47,21 @@ export function Compare() {
 function Both({ one, other }: { one: Exhibit; other: Exhibit }) {
   const table = useRef<HTMLTableElement>(null)
   const lines = useMemo(() => pairs(one, other), [one, other])
-  const dots = useMemo(
-    () =>
-      lines.flatMap(({ rows: [a, b] }) => [
-        ...(a ? [dotOf(one, a)] : []),
-        ...(b ? [dotOf(other, b)] : []),
-      ]),
-    [lines, one, other],
-  )
-  useFollower((theta) => moveDots(table.current, dots, theta), [dots])
   const same = `${one.units.counted}` === `${other.units.counted}`
+  // what can be compared has one scale
+  const shares = useMemo(
+    () =>
+      same
+        ? sharesOf([...one.table, ...other.table])
+        : new Map([...sharesOf(one.table), ...sharesOf(other.table)]),
+    [one, other, same],
+  )
+  const dots = useMemo(() => {
+    const dot = (exhibit: Exhibit, row: Row | undefined) =>
+      row ? [dotOf(exhibit, row, shares.get(row) ?? 0)] : []
+    return lines.flatMap(({ rows: [a, b] }) => [...dot(one, a), ...dot(other, b)])
+  }, [lines, shares, one, other])
+  useFollower((theta) => moveDots(table.current, dots, theta), [dots])
   return (
     <>
       {!same && (
@@ -71,8 +85,8 @@ function Both({ one, other }: { one: Exhibit; other: Exhibit }) {
             {lines.map((line) => (
               <tr key={line.label}>
                 <th scope="row">{line.label}</th>
-                <Cell row={line.rows[0]} unit={unitOf(one, line.quantity)} />
-                <Cell row={line.rows[1]} unit={unitOf(other, line.quantity)} />
+                <Cell row={line.rows[0]} shares={shares} unit={unitOf(one, line.quantity)} />
+                <Cell row={line.rows[1]} shares={shares} unit={unitOf(other, line.quantity)} />
                 <td>{same ? shareOf(line.rows[1], line.rows[0]) : ''}</td>
               </tr>
             ))}
@@ -83,12 +97,20 @@ function Both({ one, other }: { one: Exhibit; other: Exhibit }) {
   )
 }
 
-function Cell({ row, unit }: { row: Row | undefined; unit: string }) {
+function Cell({
+  row,
+  shares,
+  unit,
+}: {
+  row: Row | undefined
+  shares: ReadonlyMap<Row, number>
+  unit: string
+}) {
   if (!row) return <td class="soft">{t('none')}</td>
   return (
     <td class={row.remains || row.estimated ? '' : 'nothing'}>
       <span class="drawn">
-        <Path row={row} />
+        <Path row={row} share={shares.get(row) ?? 0} />
         <span>
           {row.greatest} {row.remains || row.estimated ? unit : ''}
           <br />

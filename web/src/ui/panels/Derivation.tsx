@@ -1,12 +1,20 @@
 import { useSignal } from '@preact/signals'
 import { useEffect, useLayoutEffect, useRef } from 'preact/hooks'
-import { t } from '../../language/messages'
+import { message, t } from '../../language/messages'
 import { reasonOf } from '../../reason'
 import { useApp } from '../context'
+import type { Panel } from '../panel'
 import { useVectors, VectorChoice } from '../Vectors'
 
+export const derivation: Panel = {
+  key: 'derivation',
+  label: message('Derivation'),
+  Content: Derivation,
+  when: ({ shown, subject }) => (shown.value[subject.value]?.derivations.length ?? 0) > 0,
+}
+
 /** The derivation of the force or couple of one order, typeset. */
-export function Derivation() {
+function Derivation() {
   const { host } = useApp()
   const vectors = useVectors(({ derivations }, quantity) =>
     derivations.filter((each) => each.quantity === quantity).map(({ order }) => order),

@@ -1,9 +1,18 @@
 import { Editor } from '../../edit'
-import { t } from '../../language/messages'
+import { message, t } from '../../language/messages'
 import { useApp } from '../context'
+import type { Panel } from '../panel'
+
+export const edit: Panel = {
+  key: 'edit',
+  label: message('Edit'),
+  Content: Edit,
+  ofAll: true,
+  when: ({ host }) => !!host.service,
+}
 
 /** Live editing, where a server checks the engine. */
-export function Edit() {
+function Edit() {
   const { host, engines, put } = useApp()
   const exhibit = engines.value[0]
   if (!host.service || !exhibit) return null

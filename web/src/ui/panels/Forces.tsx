@@ -1,13 +1,20 @@
-import { t } from '../../language/messages'
+import { message, t } from '../../language/messages'
 import { QUANTITIES, set } from '../../state'
 import { Choice } from '../Choice'
 import { useApp, useExhibit } from '../context'
 import { Figure } from '../Figure'
 import { quantityName } from '../names'
 import { orderText } from '../OrderChoice'
+import type { Panel } from '../panel'
+
+export const forces: Panel = {
+  key: 'forces',
+  label: message('Forces'),
+  Content: Forces,
+}
 
 /** A quantity over the crank angle, and the path of its vector. */
-export function Forces() {
+function Forces() {
   const { store, quantity: chosen } = useApp()
   const exhibit = useExhibit()
   const quantity = chosen.value

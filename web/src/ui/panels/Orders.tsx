@@ -1,20 +1,28 @@
 import { useMemo, useRef } from 'preact/hooks'
 import type { Exhibit, Row } from '../../exhibit'
-import { plural, t } from '../../language/messages'
+import { message, plural, t } from '../../language/messages'
 import { QUANTITIES } from '../../state'
 import { useApp, useExhibit, useFollower } from '../context'
-import { dotOf, moveDots } from '../dots'
+import { dotOf, moveDots, sharesOf } from '../dots'
 import { quantityName, unitOf } from '../names'
 import { isChosen, OrderChoice } from '../OrderChoice'
 import { Path } from '../Path'
+import type { Panel } from '../panel'
+
+export const orders: Panel = {
+  key: 'orders',
+  label: message('Orders'),
+  Content: Orders,
+}
 
 /** The table of orders: size and path of each, with the present point on the path. */
-export function Orders() {
+function Orders() {
   const exhibit = useExhibit()
   const body = useRef<HTMLTableElement>(null)
+  const shares = useMemo(() => sharesOf(exhibit.table), [exhibit])
   const dots = useMemo(
-    () => exhibit.table.filter(isShown).map((row) => dotOf(exhibit, row)),
-    [exhibit],
+    () => exhibit.table.filter(isShown).map((row) => dotOf(exhibit, row, shares.get(row) ?? 0)),
+    [exhibit, shares],
   )
   useFollower((theta) => moveDots(body.current, dots, theta), [dots])
   return (
@@ -39,13 +47,14 @@ export function Orders() {
               exhibit={exhibit}
               quantity={quantity}
               rows={exhibit.table.filter((row) => row.quantity === quantity)}
+              shares={shares}
             />
           ))}
         </table>
       </section>
       <p class="soft small">
         {t(
-          'Each path has its own scale and is seen from the front; the dot marks the present crank angle. a ∠ p stands for a cos(kθ + p). Click an order to show it alone; click it again to show all orders.',
+          'All paths of a quantity have one scale and are seen from the front; what is below 1 % of the greatest is pale. The dot marks the present crank angle. a ∠ p stands for a cos(kθ + p). Click an order to show it alone; click it again to show all orders.',
         )}
       </p>
     </>
@@ -56,10 +65,12 @@ function Group({
   exhibit,
   quantity,
   rows,
+  shares,
 }: {
   exhibit: Exhibit
   quantity: Row['quantity']
   rows: readonly Row[]
+  shares: ReadonlyMap<Row, number>
 }) {
   if (!rows.length) return null
   const zero = rows
@@ -79,7 +90,7 @@ function Group({
         <td class="soft">{quantity === 'couple' && t('yaw M_H')}</td>
       </tr>
       {rows.filter(isShown).map((row) => (
-        <Line key={row.order} row={row} />
+        <Line key={row.order} row={row} share={shares.get(row) ?? 0} />
       ))}
       {zero.length > 0 && (
         <tr>
@@ -99,7 +110,10 @@ function isShown({ remains, estimated }: Row): boolean {
   return remains || estimated
 }
 
-function Line({ row }: { row: Row }) {
+/** Below this share of the greatest of its quantity a row is pale. */
+const LITTLE = 0.01
+
+function Line({ row, share }: { row: Row; share: number }) {
   const { store } = useApp()
   const chosen = isChosen(store.orders.value, row.order)
   const alone = chosen && store.orders.value?.length === 1
@@ -109,7 +123,7 @@ function Line({ row }: { row: Row }) {
   }
   return (
     // a click anywhere in the row is the same as on its button
-    <tr class={chosen ? 'chosen' : ''} onClick={choose}>
+    <tr class={`${chosen ? 'chosen' : ''}${share < LITTLE ? ' little' : ''}`} onClick={choose}>
       <th scope="row">
         <button
           type="button"
@@ -124,7 +138,7 @@ function Line({ row }: { row: Row }) {
       </th>
       <td>
         <span class="drawn">
-          <Path row={row} />
+          <Path row={row} share={share} />
           <span>{row.path}</span>
         </span>
       </td>

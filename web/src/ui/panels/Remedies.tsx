@@ -1,17 +1,24 @@
 import { useEffect } from 'preact/hooks'
 import type { Exhibit } from '../../exhibit'
-import { t } from '../../language/messages'
+import { message, t } from '../../language/messages'
 import { set } from '../../state'
 import { Choice } from '../Choice'
 import { useApp } from '../context'
 import { DataTable } from '../DataTable'
 import { Figure } from '../Figure'
+import type { Panel } from '../panel'
 
 /** The spectra of both on common axes: the key BEFORE_AND_AFTER of Python. */
 const COMPARED = 'spectrum:fitted'
 
+export const remedies: Panel = {
+  key: 'remedies',
+  label: message('Balancing'),
+  Content: Remedies,
+}
+
 /** The engine as it is, and with counterweights and balance shafts. */
-export function Remedies() {
+function Remedies() {
   const { store, cured, engines, cure, subject } = useApp()
   const before = engines.value[subject.value]
   const after = cured.value[subject.value]

@@ -1,13 +1,20 @@
 import type { ChartKey } from '../../exhibit'
-import { t } from '../../language/messages'
+import { message, t } from '../../language/messages'
 import { Figure } from '../Figure'
+import type { Panel } from '../panel'
 import { useVectors, VectorChoice } from '../Vectors'
 
 const STAR = 'vector-star'
 const DRAWN = [STAR, 'polygon']
 
+export const stars: Panel = {
+  key: 'stars',
+  label: message('Stars'),
+  Content: Stars,
+}
+
 /** The crank star, and the vectors of one order as star and as polygon. */
-export function Stars() {
+function Stars() {
   const vectors = useVectors(({ charts }, quantity) => {
     const of = (chart: ChartKey): boolean => chart.figure === STAR && chart.quantity === quantity
     return charts.filter(of).flatMap((chart) => (chart.order == null ? [] : [chart.order]))

@@ -1,12 +1,19 @@
-import { t } from '../../language/messages'
+import { message, t } from '../../language/messages'
 import { useExhibit } from '../context'
 import { DataTable } from '../DataTable'
 import { Figure } from '../Figure'
+import type { Panel } from '../panel'
 
 const DRAWN = ['stroke-chart', 'firing-ring']
 
+export const strokes: Panel = {
+  key: 'strokes',
+  label: message('Strokes'),
+  Content: Strokes,
+}
+
 /** Firing, valve events and exhaust neighbours of each cylinder. */
-export function Strokes() {
+function Strokes() {
   const exhibit = useExhibit()
   const charts = exhibit.charts.filter((chart) => DRAWN.includes(chart.figure))
   if (!charts.length && !exhibit.strokes.length)

@@ -1,8 +1,16 @@
+import { message } from '../../language/messages'
 import { useExhibit } from '../context'
 import { Heading } from '../Heading'
+import type { Panel } from '../panel'
+
+export const verdict: Panel = {
+  key: 'verdict',
+  label: message('Verdict'),
+  Content: Verdict,
+}
 
 /** The sentences of the verdict, by subject. */
-export function Verdict() {
+function Verdict() {
   const exhibit = useExhibit()
   const subjects = [...new Set(exhibit.verdict.map((fact) => fact.about))]
   return (

@@ -1,19 +1,26 @@
 import { useMemo } from 'preact/hooks'
 import type { Exhibit } from '../../exhibit'
-import { t } from '../../language/messages'
+import { message, t } from '../../language/messages'
 import { lengthText, lengthUnit, rangedText } from '../../lengths'
 import { Switch } from '../../Switch'
 import { set } from '../../state'
 import { useApp, useExhibit } from '../context'
 import { DataTable } from '../DataTable'
 import { OrderChoice } from '../OrderChoice'
+import type { Panel } from '../panel'
 import { reachOf, rollOf, suggestedMagnification, toggledWhirl } from '../whirl'
 
 /** The slider runs from 1 to a million, in powers of ten. */
 const DECADES = 6
 
+export const whirl: Panel = {
+  key: 'whirl',
+  label: message('Whirl'),
+  Content: WhirlPanel,
+}
+
 /** The motion of the free engine, magnified. */
-export function WhirlPanel() {
+function WhirlPanel() {
   const app = useApp()
   const { store } = app
   const exhibit = useExhibit()

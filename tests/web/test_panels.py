@@ -1,0 +1,80 @@
+"""Panels and their tabs: one row of them, what is chosen goes into links, paths to one scale."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page, expect
+from tests.web.engine_page import handle, opened
+
+Build = Callable[..., Path]
+ENGINE = "v8-flat-plane"
+DRAWN = """() =>
+  [...document.querySelectorAll('table.orders tbody tr:not(.group)')].flatMap(row => {
+    const path = row.querySelector('svg.path .line')
+    const order = row.querySelector('th button')?.textContent
+    const group = row.parentElement.querySelector('th').firstChild.textContent.trim()
+    if (!order) return []
+    const long = path?.tagName === 'ellipse' ? path.getAttribute('rx') * 1
+      : path ? (path.getAttribute('d').match(/H([\\d.]+)/) ?? [0, 0])[1] * 1 : 0
+    return [[group, Number(order), long, getComputedStyle(row.cells[2]).color]]
+})"""
+
+
+@pytest.mark.parametrize("width", [1440, 1024, 390])
+def test_tabs_stand_in_one_row_and_the_chosen_one_is_seen(
+    width: int, built_page: Build, page: Page
+) -> None:
+    page.set_viewport_size({"width": width, "height": 900})
+    opened(page, built_page(ENGINE), "a=0&tab=about")
+    tabs = page.get_by_role("tab").all()
+    boxes = [tab.bounding_box() for tab in tabs]
+    assert len({box["y"] for box in boxes if box}) == 1
+    chosen = page.locator("[role=tab][aria-selected=true]")
+    expect(chosen).to_have_attribute("data-tab", "about")
+    box = chosen.bounding_box()
+    assert box
+    assert box["x"] >= 0
+    assert box["x"] + box["width"] <= width
+    overflowing = page.locator("[role=tablist]").evaluate(
+        "row => row.scrollWidth > row.clientWidth"
+    )
+    assert page.locator(".strip .back").is_visible() == overflowing
+
+
+def test_what_is_chosen_in_a_panel_goes_into_the_link_and_comes_back(
+    built_page: Build, page: Page
+) -> None:
+    path = built_page(ENGINE)
+    opened(page, path, "a=0&tab=bearings")
+    page.get_by_role("radio", name="crank pins, from the rods").check()
+    expect(page.locator(".polar-loads")).to_have_attribute("data-on", "pin")
+    page.wait_for_function("location.hash.includes('bearings.on=pin')")
+    state = page.evaluate("location.hash.slice(1)")
+    opened(page, path, state)
+    expect(page.locator(".polar-loads")).to_have_attribute("data-on", "pin")
+
+
+def test_paths_of_a_quantity_are_drawn_to_one_scale_and_little_ones_are_pale(
+    built_page: Build, page: Page
+) -> None:
+    opened(page, built_page(ENGINE), "a=0")
+    drawn = page.evaluate(DRAWN)
+    rows = handle(page, "exhibits[0].table")
+    names = {"Force": "force", "Couple": "couple"}
+    compared = 0
+    for group, order, long, colour in drawn:
+        quantity = names.get(group)
+        if quantity is None:
+            continue
+        sizes = {row["order"]: row["size"] for row in rows if row["quantity"] == quantity}
+        share = sizes[order] / max(sizes.values())
+        assert long == pytest.approx(share if share >= 0.004 else 0, abs=1e-9), (group, order)
+        pale = colour == page.locator(".soft.small").first.evaluate(
+            "p => getComputedStyle(p).color"
+        )
+        assert pale == (share < 0.01)
+        compared += 1
+    assert compared >= 5

@@ -1,0 +1,29 @@
+import type { Panel } from '../panel'
+import { about } from './About'
+import { bearings } from './Bearings'
+import { compare } from './Compare'
+import { derivation } from './Derivation'
+import { edit } from './Edit'
+import { forces } from './Forces'
+import { orders } from './Orders'
+import { remedies } from './Remedies'
+import { stars } from './Stars'
+import { strokes } from './Strokes'
+import { verdict } from './Verdict'
+import { whirl } from './WhirlPanel'
+
+/** The panels in the order of their tabs. */
+export const PANELS: readonly Panel[] = [
+  edit,
+  orders,
+  stars,
+  forces,
+  bearings,
+  strokes,
+  derivation,
+  verdict,
+  remedies,
+  whirl,
+  compare,
+  about,
+]
