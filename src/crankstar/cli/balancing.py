@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import nullcontext
 from dataclasses import replace
 from functools import partial
 from typing import Annotated
@@ -38,6 +39,7 @@ def balance(
 ) -> None:
     """Balance an engine with counterweights and balance shafts; print what remains."""
     from crankstar.derive import documents
+    from crankstar.language.kept import values_kept
     from crankstar.mechanics.remains import OPTIMISED
     from crankstar.options.balancing import balanced, new_name
     from crankstar.remedy import needs
@@ -51,7 +53,8 @@ def balance(
         partial(request.speed, speed),
     )
     with working(_("balancing ...")):
-        job = balanced(loaded, options, speed=speed, own_factor=own)
+        with values_kept() if spread else nullcontext():  # a refusal is marked as estimated
+            job = balanced(loaded, options, speed=speed, own_factor=own)
         make = partial(balanced, options=options, speed=speed, own_factor=own, like=job)
         document = ranged(lambda each: remedies.balancing_sheet(make(each)), spread, loaded)
         proof = []

@@ -34,7 +34,7 @@ def check(
             failed += 1
             complain(str(error))
         else:
-            display(Text("\n".join([_good(name, loaded.engine), *_stale(tree)])))
+            display(Text("\n".join([_good(name, loaded.engine), *_stale(tree), *_twice(tree)])))
     return 2 if failed else 0
 
 
@@ -48,6 +48,18 @@ def _stale(tree: Mapping[str, Any]) -> list[str]:
         paths=one_line(", ".join(paths), longest=400),
     )
     return [line] if paths else []
+
+
+def _twice(tree: Mapping[str, Any]) -> list[str]:
+    """A line on counterweights that are there twice: given, and by a balance factor."""
+    crank = tree.get("crankshaft")
+    crankshafts = crank if isinstance(crank, list) else [crank]
+    weighted = any(isinstance(each, Mapping) and each.get("weight") for each in crankshafts)
+    line = _(
+        "  The crankshaft has its own weights and those of balance_factor besides; leave "
+        "balance_factor out if the weights are all there are."
+    )
+    return [line] if weighted and "balance_factor" in tree else []
 
 
 def _good(name: str, engine: Engine) -> str:

@@ -15,6 +15,7 @@ from crankstar.cli.options import (
     EngineName,
     Estimating,
     Json,
+    Loaded,
     Output,
     Settings,
     Speed,
@@ -162,6 +163,12 @@ def _engine_holes(engine: Engine, made: Drill, factor: float, weights: str) -> D
             )
         )
     spots = heavy_spots(engine, after)
+    lines.append(
+        _(
+            "Bobweights of the rotating masses and {factor} of the reciprocating masses.",
+            factor=f"{100 * factor:.6g} %",
+        )
+    )
     if not spots:
         lines.append(_("The counterweights fit the bobweights: nothing is to be drilled."))
     first = {shaft.name: shaft.throws[0].angle for shaft in cranks}
@@ -186,6 +193,20 @@ def _engine_holes(engine: Engine, made: Drill, factor: float, weights: str) -> D
     )
 
 
+def _over_speeds(name: str, settings: list[str] | None) -> Loaded:
+    """The engine of a name or file, and its Spread where its speed is estimated."""
+    from crankstar.engine.copies import with_values
+    from crankstar.files.box import Spread
+
+    engine = loaded_engine(name, settings)
+    origin = engine.provenance.get("speed")
+    if engine.speed is None or origin is None or origin.range is None:
+        return Loaded(engine, None)
+    low, high = (with_values(engine, speed=end * engine.speed) for end in origin.range)
+    middle = with_values(engine, speed=sum(origin.range) / 2 * engine.speed)
+    return Loaded(engine, Spread(engine, middle, (low, high)))
+
+
 def grade(
     engine: AnyEngine = None,
     /,
@@ -206,6 +227,7 @@ def grade(
     """
     from crankstar.engine.quantities import MASS
     from crankstar.remedy.grades import shares
+    from crankstar.tables.ranges import ranged
     from crankstar.tables.workshop import Rotor, grade_document
 
     form = form_of(output, TABLES, json=json, csv=csv)
@@ -213,22 +235,25 @@ def grade(
         request.refuse_unused({"--set": settings}, without="ENGINE")
     if mass is None:
         raise RequestError('give the mass of the rotor, as in --mass "28 kg"')
-    kilograms, turning, wanted, apart, loaded, spots = together(
+    kilograms, turning, wanted, apart, (loaded, spread), spots = together(
         partial(workshop.size, "--mass", mass, MASS),
         partial(request.speed, speed),
         lambda: None if grade is None else workshop.grade(grade),
         partial(workshop.distances, bearing_distances),
-        lambda: None if engine is None else loaded_engine(engine, settings),
+        lambda: (None, None) if engine is None else _over_speeds(engine, settings),
         lambda: [] if unbalance is None else workshop.measured(unbalance, most=2),
     )
-    if turning is None:
-        turning = None if loaded is None else loaded.speed
-    if turning is None:
+    if turning is None and (loaded is None or loaded.speed is None):
         raise RequestError('give the greatest service speed, as in --speed "6000 rpm"')
-    document = grade_document(
-        _("Balance quality of a rotor") if loaded is None else loaded.name,
-        Rotor(kilograms, turning, shares(front=apart[0], rear=apart[1])),
-        grade=wanted,
-        measured=[spot.unbalance for spot in spots],
-    )
+    planes = shares(front=apart[0], rear=apart[1])
+    found = [spot.unbalance for spot in spots]
+
+    def graded(each: Engine | None) -> Document:
+        title = _("Balance quality of a rotor") if each is None else each.name
+        own = turning if turning is not None else (each.speed or 0.0) if each is not None else 0.0
+        return grade_document(title, Rotor(kilograms, own, planes), grade=wanted, measured=found)
+
+    document = graded(None) if loaded is None else graded(loaded)
+    if loaded is not None and turning is None and spread is not None:
+        document = ranged(graded, spread, loaded)
     give(document, output, form=form)

@@ -88,9 +88,8 @@ Pitch = Annotated[Number, Field(gt=0), replace(POSITION, least=LEAST)]
 MASS = Quantity("mass", "650 g", _MASS, least=LEAST)
 Mass = Annotated[Number, Field(ge=0), MASS]
 MovingMass = Annotated[Number, Field(gt=0), MASS]
-Inertia = Annotated[
-    Number, Field(ge=0), Quantity("moment of inertia", "0.002 kg*m^2", _MASS | _ACROSS)
-]
+INERTIA = Quantity("moment of inertia", "0.002 kg*m^2", _MASS | _ACROSS)
+Inertia = Annotated[Number, Field(ge=0), INERTIA]
 BodyInertia = Annotated[
     Number, Field(gt=0), Quantity("moment of inertia", "9.5 kg*m^2", _MASS | _ACROSS)
 ]

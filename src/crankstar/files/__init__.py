@@ -14,6 +14,7 @@
 | `parts` | the weighed parts of a cylinder added up to its masses |
 | `read` | a tree of keys to an Engine, with every fault at once |
 | `box` | the ranges of estimated values, and engines at their ends |
+| `filling` | values filled in, each with its source and range |
 | `estimate` | masses and lengths that a file leaves out |
 | `write` | Engines to TOML, the JSON Schema |
 | `rewritten` | a changed engine in the form of the file it came from |

@@ -82,7 +82,8 @@ def _without_estimates(tree: Tree, changes: Mapping[str, Any]) -> Tree:
     }
     gone = sources.keys() - kept.keys()
     for path, source in kept.items():
-        if isinstance(source, dict) and source.get("moves_with") in gone:
+        other = source.get("moves_with") if isinstance(source, dict) else None
+        if isinstance(other, str) and other in gone:
             kept[path] = {key: value for key, value in source.items() if key != "moves_with"}
     return {**tree, "provenance": kept} if gone else tree
 

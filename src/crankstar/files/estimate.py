@@ -22,40 +22,23 @@ from crankstar.engine.proportions import (
     proportion,
     rod_inertia,
 )
-from crankstar.engine.quantities import LENGTH, Quantity
+from crankstar.engine.quantities import INERTIA, LENGTH, MASS
 from crankstar.engine.weighed import EngineType
 from crankstar.files import units
 from crankstar.files.box import ROD
-from crankstar.files.changes import keys_of
 from crankstar.files.errors import refused
+from crankstar.files.filling import Bond, Filled, Filling
 from crankstar.files.forms import field_at, form_of, is_explicit, quantity_of
 from crankstar.files.mistakes import Tree, copied
 from crankstar.files.parts import tells_rotating
 from crankstar.files.read import engine_of
 from crankstar.language.faults import ValueFaultError
 
+RODS = {"mass": MASS, "centre": LENGTH, "inertia": INERTIA}
+"""What a rod as a rigid body has."""
 POWERS = {"mass": {"mass": 1}, "unbalance": {"mass": 1, "radius": 1}}
 POWERS["moment of inertia"] = {"mass": 1, "radius": 2}
 """Powers of the units m and r in a quantity; lengths have their own unit once."""
-
-
-class Bond(NamedTuple):
-    """The key that a value moves with; its own ends, as multiples, while that key stays."""
-
-    key: str = ""
-    ends: tuple[float, ...] = ()
-
-
-class Filled(NamedTuple):
-    """A value filled in: its key path, SI number with range, what it measures, its source."""
-
-    path: str
-    typical: float
-    low: float
-    high: float
-    quantity: Quantity
-    source: str
-    moves_with: str = ""
 
 
 class Estimate(NamedTuple):
@@ -65,54 +48,6 @@ class Estimate(NamedTuple):
     kind: EngineType
     reason: str
     filled: tuple[Filled, ...]
-
-
-class _Filling:
-    """A tree while it is filled."""
-
-    def __init__(self, tree: Tree, kind: EngineType) -> None:
-        self.tree, self.kind = tree, kind
-        self.filled: list[Filled] = []
-
-    def table(self, *keys: str) -> dict[str, Any]:
-        table = self.tree
-        for key in keys:
-            table = table.setdefault(key, {})
-        return table
-
-    def fill(
-        self, path: str, sizes: Sequence[float], source: str, bond: Bond | None = None
-    ) -> None:
-        """Set a value to the second of the sizes (lowest, typical, highest), with its source."""
-        *outer, last = map(str, keys_of(path))
-        quantity = self._quantity(path)
-        text = units.text(sizes[1], quantity, digits=4)
-        self.table(*outer)[last] = text
-        low, high = sizes[0], sizes[2]
-        self.mark(path, (low, units.si(text, quantity), high), source, bond)
-
-    def mark(
-        self, path: str, sizes: Sequence[float], source: str, bond: Bond | None = None
-    ) -> None:
-        """Give the source of a value that was filled in."""
-        moves_with, own = bond or Bond()
-        low, value, high = min(sizes), sizes[1], max(sizes)
-        quantity = self._quantity(path)
-        ends = " to ".join(units.text(end, quantity, digits=3) for end in (low, high))
-        self.table("provenance")[path] = {
-            "status": "estimated",
-            "source": f"{source}; {ends}",
-            "range": [float(f"{end:.4g}") for end in own or (low / value, high / value)],
-            **({"moves_with": moves_with} if moves_with else {}),
-        }
-        self.filled.append(Filled(path, value, low, high, quantity, source, moves_with))
-
-    def _quantity(self, path: str) -> Quantity:
-        info = field_at(form_of(self.tree), keys_of(path))
-        quantity = quantity_of(info) if info else None
-        if quantity is None:  # a slip in this module
-            raise LookupError(path)
-        return quantity
 
 
 def estimated(
@@ -128,6 +63,7 @@ def estimated(
     """
     tree = copied(tree)
     explicit = is_explicit(tree)
+    rod = _incomplete_rod(tree)
     bore, stroke = (None, None) if explicit else (_length(tree, "bore"), _length(tree, "stroke"))
     laid_out = _laid_out(tree, name)
     first = laid_out.first
@@ -153,11 +89,11 @@ def estimated(
     reason = ""
     if kind is None:
         kind, reason = inferred(look)
-    filling = _Filling(tree, kind)
+    filling = Filling(tree, kind)
     bore, stroke = _sizes(filling, bore, stroke, displacement, len(laid_out.cylinders))
     try:
         _lengths(filling, laid_out, bore, stroke)
-        _masses(filling, laid_out, bore)
+        _masses(filling, laid_out, bore, rod)
     except KeyError:
         raise refused(name, "no-proportions", kind=kind) from None
     if laid_out.speed is None:
@@ -191,6 +127,27 @@ def _length(tree: Tree, key: str) -> float | None:
         return None  # reading the file says what is wrong
 
 
+def _incomplete_rod(tree: Tree) -> Mapping[str, Any]:
+    """What a short file gives of a rod as a rigid body, taken out where that is not the whole.
+
+    A rod with a mistake in it is left: reading the file tells that.
+    """
+    table = tree.get("cylinder")
+    rod = table.get("rod") if isinstance(table, dict) else None
+    whole = {key for key in RODS if isinstance(rod, dict) and isinstance(rod.get(key), str)}
+    if not isinstance(rod, dict) or not whole or "parts" in tree["cylinder"]:
+        return {}
+    if rod.keys() != whole or whole == RODS.keys():
+        return {}
+    try:
+        for key, quantity in RODS.items():
+            units.si(rod.get(key, units.text(1.0, quantity)), quantity)
+    except ValueFaultError:
+        return {}
+    del table["rod"]
+    return rod
+
+
 def _laid_out(tree: Tree, name: str) -> Engine:
     """The engine as far as the file gives it. Raises EngineFileError."""
     if not is_explicit(tree) and _length(tree, "bore") and "stroke" not in tree["cylinder"]:
@@ -200,7 +157,7 @@ def _laid_out(tree: Tree, name: str) -> Engine:
 
 
 def _sizes(
-    filling: _Filling,
+    filling: Filling,
     bore: float | None,
     stroke: float | None,
     displacement: float | None,
@@ -232,7 +189,7 @@ def _sizes(
     return filling.filled[-1].typical, stroke
 
 
-def _lengths(filling: _Filling, laid_out: Engine, bore: float, stroke: float) -> None:
+def _lengths(filling: Filling, laid_out: Engine, bore: float, stroke: float) -> None:
     """Rod length and bore pitch where they are not given; bare lengths in their units."""
     tree, kind = filling.tree, filling.kind
     pitch = None
@@ -258,13 +215,16 @@ def _lengths(filling: _Filling, laid_out: Engine, bore: float, stroke: float) ->
             filling.fill("layout.bore_pitch", pitches, source)
 
 
-def _masses(filling: _Filling, laid_out: Engine, bore: float) -> None:
-    """Piston group, rod as a rigid body and crank pin; the big end where the piston has a mass."""
+def _masses(filling: Filling, laid_out: Engine, bore: float, given: Mapping[str, Any]) -> None:
+    """Piston group, rod as a rigid body and crank pin; the big end where the piston has a mass.
+
+    `given`: what the file gives of a rod as a rigid body, whose other values are filled in.
+    """
     tree, kind = filling.tree, filling.kind
     cylinder = {} if is_explicit(tree) else tree["cylinder"]
     known = "mass" not in laid_out.relative
     turning = "rotating_mass" in cylinder or tells_rotating(cylinder)
-    if known and (turning or is_explicit(tree) or kind == "crosshead"):
+    if known and not given and (turning or is_explicit(tree) or kind == "crosshead"):
         return
     rods = proportion("rod", kind)
     share = proportion("small end", kind)
@@ -280,7 +240,7 @@ def _masses(filling: _Filling, laid_out: Engine, bore: float) -> None:
         _absolute(tree, {"mass": masses[1] * cube})
         filling.mark("cylinders.reciprocating_mass", [m * cube for m in masses], text)
         return
-    if known and "rod" not in cylinder:
+    if known and not given and "rod" not in cylinder:
         ends = [(1 - s) * r * cube for s, r in zip(reversed(share.sizes), rods.sizes, strict=True)]
         text = about.format(part="big end", k=ends[1] / cube)
         if has_pins:
@@ -294,12 +254,18 @@ def _masses(filling: _Filling, laid_out: Engine, bore: float) -> None:
         filling.fill("cylinder.reciprocating_mass", [k * cube for k in groups.sizes], text)
     if "rod" not in cylinder:
         text = about.format(part="rod", k=rods.typical)
-        _rod(filling, [k * cube for k in rods.sizes], text, share)
+        _rod(filling, [k * cube for k in rods.sizes], text, share, given)
     if has_pins and not {"rotating_mass", "throw_mass"} & cylinder.keys():
         filling.fill("cylinder.throw_mass", [k * cube for k in pins.sizes], pin_text)
 
 
-def _rod(filling: _Filling, masses: Sequence[float], source: str, share: Proportion) -> None:
+def _rod(
+    filling: Filling,
+    masses: Sequence[float],
+    source: str,
+    share: Proportion,
+    given: Mapping[str, Any],
+) -> None:
     """Mass, centre of mass and moment of inertia of the rod.
 
     Its inertia moves with that of two masses at its ends, m b (l - b) with the centre at b, and is
@@ -311,11 +277,21 @@ def _rod(filling: _Filling, masses: Sequence[float], source: str, share: Proport
     engine = engine_of({**filling.tree, "cylinder": {**cylinder}})
     length = engine.first.rod_length
     ends = [f.typical for f in filling.filled if f.path == "cylinder.rod_length"]
-    filling.table("cylinder", "rod")
-    filling.fill("cylinder.rod.mass", masses, source)
-    said = f"small end {share.typical:.3g} of the rod, all types"
-    centres = [length * s for s in share.sizes]
-    filling.fill("cylinder.rod.centre", centres, said, Bond("cylinder.rod_length" if ends else ""))
+    filling.table("cylinder", "rod").update(given)
+    if "mass" in given:
+        masses = [units.si(given["mass"], MASS)] * 3
+    else:
+        filling.fill("cylinder.rod.mass", masses, source)
+    if "centre" in given:
+        own = units.si(given["centre"], LENGTH) / length
+        if 0 < own < 1:  # else reading the file says what is wrong
+            share = share._replace(low=own, typical=own, high=own)
+    else:
+        said = f"small end {share.typical:.3g} of the rod, all types"
+        bond = Bond("cylinder.rod_length" if ends else "")
+        filling.fill("cylinder.rod.centre", [length * s for s in share.sizes], said, bond)
+    if "inertia" in given:
+        return
     least = min(c * (1 - c) for c in share.sizes)
     bow = 1 + ((share.high - share.low) / 2) ** 2 / least
     typical = rod_inertia(mass=masses[1], rod_length=length, small_end=share.typical)[1]

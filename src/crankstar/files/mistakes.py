@@ -11,7 +11,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from crankstar.engine.records import Record
-from crankstar.files.forms import by_key, example, field_at, quantity_of, record_in
+from crankstar.files.forms import by_key, example, field_at, is_explicit, quantity_of, record_in
 from crankstar.language.faults import EngineError, Fault, ValueFaultError
 from crankstar.language.quoting import seen
 
@@ -195,6 +195,10 @@ RANGED = (
 """Values that may have a range: their keys. Forces are computed at the ends of it."""
 
 
+CONDITIONS = ("speed", "bore", "stroke", "unbalance")
+"""Those of them that may be estimated without a range: results hold for that very value."""
+
+
 def range_faults(tree: Tree) -> Iterator[Fault]:
     """A fault for each range in [provenance] that a value cannot have, or that moves with none."""
     table = tree.get("provenance")
@@ -204,6 +208,11 @@ def range_faults(tree: Tree) -> Iterator[Fault]:
         for name, source in entries
         if isinstance(source, dict) and source.get("range") is not None
     }
+    for name, source in entries:
+        if isinstance(source, dict) and _lacks_range(name, source):
+            yield Fault(("provenance", name), "provenance.no-range", {})
+        elif isinstance(source, dict) and _is_of_nothing(tree, name, source):
+            yield Fault(("provenance", name), "provenance.absent", {})
     leading = [name for name, source in with_range.items() if not source.get("moves_with")]
     for name, source in with_range.items():
         last = name.rpartition(".")[2] if isinstance(name, str) else ""
@@ -215,6 +224,31 @@ def range_faults(tree: Tree) -> Iterator[Fault]:
                 continue
             path = ("provenance", name, "moves_with")
             yield Fault(path, "provenance.moves-with", {"value": seen(other)})
+
+
+def _lacks_range(name: str, source: Tree) -> bool:
+    """Whether a value is estimated and nothing tells how far it may be off."""
+    last = name.rpartition(".")[2]
+    if source.get("status") != "estimated" or last not in RANGED or last in CONDITIONS:
+        return False
+    ends = source.get("range")
+    same = isinstance(ends, list) and len(ends) == 2 and ends[0] == ends[1] == 1
+    return ends is None or same
+
+
+def _is_of_nothing(tree: Tree, name: str, source: Tree) -> bool:
+    """Whether a value is said to be estimated that the file has not.
+
+    What an entry of a list that was deleted has left is told by `changes.stale_sources`. A file in
+    the explicit form keeps the sources of the short one.
+    """
+    if source.get("status") != "estimated" or "[" in name or is_explicit(tree):
+        return False
+    places: list[Any] = [tree]
+    for key in name.split("."):
+        inner = [place[key] for place in places if isinstance(place, dict) and key in place]
+        places = [item for each in inner for item in (each if isinstance(each, list) else [each])]
+    return not places
 
 
 def _paths(record: type[Record], before: str = "") -> Iterator[str]:

@@ -142,6 +142,13 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} is {value}; give the lowest and the highest multiple of the value, with 1 between "
         "them, such as [0.9, 1.1]"
     ),
+    "provenance.no-range": N_(
+        "{where} is estimated, but has no range; give the lowest and the highest multiple of the "
+        "value, as in range = [0.8, 1.25], or call it unverified or a placeholder"
+    ),
+    "provenance.absent": N_(
+        "{where} is estimated, but the file does not have the value; add it, or take its source out"
+    ),
     "provenance.moves-with": N_(
         "{where} is {value}; name another key of [provenance] that has a range and moves with none "
         "itself, or cylinder.rod for the inertia of a rod"

@@ -20,6 +20,8 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from crankstar.language.messages import _
+
 Item = TypeVar("Item")
 
 
@@ -46,7 +48,7 @@ NUMBER = re.compile(f"{OPENING}([^{MIDDLE}]*){MIDDLE}([^{CLOSING}]*){CLOSING}")
 def values_kept() -> Iterator[Common]:
     """Have every number in a sentence carry its value, for one that states a range in its place.
 
-    Errors that are raised meanwhile tell their numbers without.
+    Errors that are raised meanwhile tell their numbers without, marked as estimated.
 
     >>> from crankstar.language.numbers import number
     >>> with values_kept():
@@ -58,7 +60,7 @@ def values_kept() -> Iterator[Common]:
     try:
         yield common
     except ValueError as error:
-        error.args = tuple(plain(each) if isinstance(each, str) else each for each in error.args)
+        error.args = tuple(_refusal(each) if isinstance(each, str) else each for each in error.args)
         raise
     finally:
         _KEPT.reset(before)
@@ -67,6 +69,11 @@ def values_kept() -> Iterator[Common]:
 def plain(text: str) -> str:
     """Text without the values its numbers carry."""
     return NUMBER.sub(r"\2", text)
+
+
+def _refusal(text: str) -> str:
+    """What an error says of an engine with estimated values, marked where it has numbers."""
+    return _("{sentence} (estimated)", sentence=plain(text)) if NUMBER.search(text) else text
 
 
 def are_kept() -> bool:

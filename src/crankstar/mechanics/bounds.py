@@ -7,6 +7,8 @@ linear in every estimated value while the others are held (`language.kept.Size`)
 
 from __future__ import annotations
 
+from typing import Literal
+
 import numpy as np
 
 from crankstar import spectra
@@ -15,6 +17,8 @@ from crankstar.spectra import Complex, Peak, Real, Spectrum
 
 ANGLES = np.arange(24) * (2 * np.pi / 24)
 """Crank angles at which a peak is bounded."""
+HIGHEST = 8
+"""The last order that bounds a peak."""
 
 
 def length(amplitude: complex) -> float:
@@ -37,8 +41,33 @@ def of_order(forward: Complex, backward: Complex) -> Complex:
 
 
 def of_peak(spectrum: Spectrum) -> Complex:
-    """What bounds the peaks of vectors [..., n]: rows of amplitudes [..., row, part]."""
-    return spectra.value(spectrum, ANGLES)[..., None]
+    """What bounds the peaks of vectors [..., n]: rows of amplitudes [..., row, part].
+
+    With M the peak, each turning vector of order k is the mean of the vector times exp(-+ i k
+    theta) and so no longer than M. The component along any axis is a real signal; its amplitude at
+    order k is twice the mean of it times cos(k theta - p), at most 2 M times the mean 2/pi of
+    |cos|: M is no less than pi/4 of the greatest value of any order.
+    """
+    at = spectra.value(spectrum, ANGLES)
+    forward, backward = (_by_half_orders(spectrum, way) for way in ("forward", "backward"))
+    parts = np.pi / 4 * of_order(forward, backward)
+    rows = [
+        np.stack([at, 0 * at], axis=-1),
+        np.stack([forward, 0 * forward], axis=-1),
+        np.stack([backward, 0 * backward], axis=-1),
+        parts.reshape(*parts.shape[:-3], -1, 2),
+    ]
+    return np.concatenate(rows, axis=-2)
+
+
+def _by_half_orders(spectrum: Spectrum, way: Literal["forward", "backward"]) -> Complex:
+    """One turning vector of the orders 1/2, 1, ... HIGHEST [..., order], whichever there are."""
+    there: Complex = getattr(spectrum, way)
+    out = np.zeros((*there.shape[:-1], 2 * HIGHEST), complex)
+    for place, order in enumerate(2 * spectrum.orders):
+        if order == round(order) <= 2 * HIGHEST:
+            out[..., round(order) - 1] = there[..., place]
+    return out
 
 
 def greatest(forward: complex, backward: complex) -> float:
@@ -75,4 +104,4 @@ def peaks(spectrum: Spectrum, values: Real) -> list[float]:
 def highest(spectrum: Spectrum) -> float:
     """The highest peak of a batch [vector, n], as along a shaft."""
     value = float(spectra.peaks(spectrum).max(initial=0.0))
-    return Size(value, of_peak(spectrum)[..., ::3, :].reshape(-1, 1)) if are_kept() else value
+    return Size(value, of_peak(spectrum).reshape(-1, 2)[::3]) if are_kept() else value

@@ -212,7 +212,7 @@ def _check_limits(job: Job) -> None:
 def _with_shafts(job: Job, options: BalanceOptions, like: Job | None) -> Job:
     """The job with its balance shafts, if any."""
     if options.shafts is None:
-        return _with_moved_shafts(job, options) if options.box else job
+        return _with_moved_shafts(job, options, like) if options.box else job
     ratios = remedies.ratios(options.shafts)
     if options.box:
         job = _with_placed_shafts(job, options, ratios, like)
@@ -232,7 +232,7 @@ def _with_shafts(job: Job, options: BalanceOptions, like: Job | None) -> Job:
     return job._replace(idle=tuple(idle))
 
 
-def _with_moved_shafts(job: Job, options: BalanceOptions) -> Job:
+def _with_moved_shafts(job: Job, options: BalanceOptions, like: Job | None) -> Job:
     """The job with the balance shafts of the file where they leave the least roll in their boxes.
 
     Raises RequestError where the file has none.
@@ -244,7 +244,8 @@ def _with_moved_shafts(job: Job, options: BalanceOptions) -> Job:
             "--shafts needed"
         )
     boxes = [remedies.box(text, job.before) for text in options.box]
-    after, placings = placed(job.after, shafts=names, boxes=boxes)
+    first = None if like is None else like.after
+    after, placings = placed(job.after, shafts=names, boxes=boxes, like=first, clear=True)
     return job._replace(after=after, placings=placings)
 
 
@@ -289,6 +290,6 @@ def _with_placed_shafts(
     along = remedies.shaft_planes(options.shaft_planes, job.before)
     boxes = [remedies.box(text, job.before) for text in options.box]
     after, placings = fitting.with_placed_shafts(
-        job.after, ratios=ratios, boxes=boxes, planes=along, like=_remedied(like)
+        job.after, ratios=ratios, boxes=boxes, planes=along, like=_remedied(like), clear=True
     )
     return job._replace(after=after, placings=placings)

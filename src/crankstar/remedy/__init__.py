@@ -12,6 +12,7 @@
 | `aims` | force, couple, pitch, yaw, roll, bearing load to minimise; as numbers and as cones |
 | `aim_names` | aims in words, and their units |
 | `best` | the best weights in given planes, within limits, with a certificate |
+| `clear_places` | the nearest place of a box outside of circles |
 | `clearance` | what cranks and balance shafts sweep, and which are inside each other |
 | `placing` | where balance shafts must lie so that the block rolls least |
 | `shafts` | balance shafts that an engine needs, and the place of a pair without roll |
@@ -23,6 +24,7 @@ from crankstar.engine.main_bearings import end_planes, end_webs, main_bearings, 
 from crankstar.remedy.aim_names import aim_name, aim_text, aim_unit
 from crankstar.remedy.aims import Aim, Plane, bearing_load
 from crankstar.remedy.best import Best, Limit, best_weights, without_weights
+from crankstar.remedy.clear_places import Box
 from crankstar.remedy.clearance import Clash, balance_shafts, clashes, crank_sweep
 from crankstar.remedy.counterweights import (
     RemedyError,
@@ -32,7 +34,7 @@ from crankstar.remedy.counterweights import (
 )
 from crankstar.remedy.kept import changes, without_added
 from crankstar.remedy.loads import Load, bobweight, loads
-from crankstar.remedy.placing import Box, Placing, placed, roll_reference
+from crankstar.remedy.placing import Placing, placed, roll_reference
 from crankstar.remedy.shafts import (
     GREATEST_RATIO,
     Need,

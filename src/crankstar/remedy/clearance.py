@@ -14,6 +14,7 @@ from typing import NamedTuple
 from crankstar.engine.engine import Engine
 from crankstar.engine.main_bearings import room
 from crankstar.engine.records import Shaft
+from crankstar.remedy.clear_places import Circle
 from crankstar.remedy.counterweights import BEYOND
 
 HALF_BORE, SHAFT_BORE = 0.45, 0.22
@@ -98,6 +99,25 @@ def clashes(engine: Engine) -> tuple[Clash, ...]:
     for first, second in combinations(placed, 2):
         out += _near(first, second, 2 * own, crank=False)
     return tuple(out)
+
+
+def kept_clear(engine: Engine, name: str) -> tuple[Circle, ...]:
+    """The circles in which the axis of a balance shaft would be inside a crank or another shaft.
+
+    What lies on a crank axis itself has no place given.
+    """
+    own = SHAFT_BORE * bore_of(engine)
+    cranks = [
+        Circle(complex(crank.up, crank.right), crank_sweep(engine, crank) + own)
+        for crank in engine.shafts
+        if crank.throws
+    ]
+    others = [
+        Circle(complex(other.up, other.right), 2 * own)
+        for other in balance_shafts(engine)
+        if other.name != name and not _on_a_crank(engine, other)
+    ]
+    return (*cranks, *others)
 
 
 def _on_a_crank(engine: Engine, shaft: Shaft) -> bool:

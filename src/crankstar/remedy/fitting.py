@@ -346,14 +346,16 @@ def with_placed_shafts(
     boxes: Sequence[Box],
     planes: tuple[float, ...] | None = None,
     like: Remedied | None = None,
+    clear: bool = False,
 ) -> tuple[Engine, tuple[Placing, ...]]:
     """The engine with balance shafts where they leave the least roll in their boxes.
 
-    `planes` are those of their weights. Raises RemedyError.
+    `planes` are those of their weights; `clear` as in `placed`. Raises RemedyError.
     """
     after = with_shafts(engine, ratios=ratios, places=ShaftPlaces(planes), like=like)
     new = [shaft.name for shaft in after.shafts[len(engine.shafts) :]]
-    return placed(after, shafts=new, boxes=boxes)
+    first = None if like is None else like.after
+    return placed(after, shafts=new, boxes=boxes, like=first, clear=clear)
 
 
 def _along(engine: Engine, ratio: Fraction) -> tuple[float, ...]:

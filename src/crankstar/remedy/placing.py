@@ -35,7 +35,10 @@ from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Shaft
 from crankstar.mechanics.balance import default_reference
+from crankstar.mechanics.bounds import length
 from crankstar.mechanics.excitation import Reference
+from crankstar.remedy.clear_places import Box, nearest_clear
+from crankstar.remedy.clearance import kept_clear
 from crankstar.remedy.counterweights import RemedyError
 from crankstar.remedy.rolling import ZERO, push, roll, roll_of
 from crankstar.spectra import Real
@@ -44,19 +47,14 @@ MOST_SHAFTS = 4
 """Shafts of one order that can be placed together: 3^8 faces of their boxes."""
 
 
-class Box(NamedTuple):
-    """The places open to a shaft: least and greatest `up` and `right` of the crankshaft."""
-
-    up: tuple[float, float]
-    right: tuple[float, float]
-
-
 class Placing(NamedTuple):
     """The places of the shafts of one order, up + i right, and the roll that they leave.
 
     `on_axis` is the roll with the shafts on the crank axis, which a symmetric pair leaves too,
     `roll` that in these places, kg m^2 at 1 rad/s. `without_roll` is the place at which the mean
     of the shafts' places would leave none; None for shafts of both senses, or without force.
+    `inside` is a place that would leave less, but lies in what a crank sweeps or in another shaft;
+    None where there is none.
     """
 
     order: Fraction
@@ -65,6 +63,7 @@ class Placing(NamedTuple):
     without_roll: complex | None
     on_axis: float
     roll: float
+    inside: complex | None = None
 
 
 def roll_reference(engine: Engine) -> Reference:
@@ -82,10 +81,14 @@ def placed(
     shafts: Sequence[str],
     boxes: Sequence[Box],
     reference: Reference | None = None,
+    like: Engine | None = None,
+    clear: bool = False,
 ) -> tuple[Engine, tuple[Placing, ...]]:
     """The engine with these balance shafts at the places in their boxes that leave least roll.
 
-    One box is for all of them, else each has its own. Raises RemedyError.
+    One box is for all of them, else each has its own. With `clear` a shaft that is the only one of
+    its order keeps clear of cranks and other shafts where its box allows it; with `like` they are
+    where they are in that engine. Raises RemedyError.
 
     >>> from crankstar.files.catalog import load
     >>> from crankstar.remedy import with_balance_shaft, with_web_weights
@@ -121,7 +124,8 @@ def placed(
                 order=order,
                 greatest=MOST_SHAFTS,
             )
-        engine, placing = _placed(engine, order, group, reference or roll_reference(engine))
+        about = reference or roll_reference(engine)
+        engine, placing = _placed(engine, order, group, about, like, clear=clear)
         placings.append(placing)
     return engine, tuple(placings)
 
@@ -138,7 +142,13 @@ def _possible(box: Box, unit: str) -> None:
 
 
 def _placed(
-    engine: Engine, order: Fraction, group: Sequence[tuple[Shaft, Box]], reference: Reference
+    engine: Engine,
+    order: Fraction,
+    group: Sequence[tuple[Shaft, Box]],
+    reference: Reference,
+    like: Engine | None,
+    *,
+    clear: bool,
 ) -> tuple[Engine, Placing]:
     low = np.array([edge for _, box in group for edge in (box.up[0], box.right[0])])
     high = np.array([edge for _, box in group for edge in (box.up[1], box.right[1])])
@@ -158,20 +168,25 @@ def _placed(
     on_axis = roll_at(np.zeros_like(there))
     start = roll_at(there)
     sought = there + _least(matrix, start, low - there, high - there)
-    cleared = [_cleared(place) for place in sought.reshape(-1, 2)]
-    best = np.array([edge for place in cleared for edge in (place.real, place.imag)])
-    after = with_places(engine, dict(zip(names, best.reshape(-1, 2), strict=True)))
+    best = [_cleared(place) for place in sought.reshape(-1, 2)]
     free = _without_roll(matrix, start, there, {shaft.speed_ratio for shaft, _ in group})
-    left = abs(roll_at(best))
+    chosen = best
+    if like is not None:
+        chosen = [complex(there.up, there.right) for there in map(like.shaft, names)]
+    elif clear and len(group) == 1 and free is not None:
+        nearest = nearest_clear(free, group[0][1], kept_clear(engine, names[0]))
+        chosen = best if nearest is None else [_cleared(np.array([nearest.real, nearest.imag]))]
     scale = max(abs(on_axis), float(np.abs(matrix).max() * np.abs(np.append(low, high)).max()))
-    return after, Placing(
-        order,
-        tuple(names),
-        tuple(cleared),
-        free,
-        abs(on_axis),
-        left if left > ZERO * scale else 0.0,
-    )
+
+    def left(places: Sequence[complex]) -> float:
+        wave = roll_at(np.array([edge for at in places for edge in (at.real, at.imag)]))
+        return length(wave) if abs(wave) > ZERO * scale else 0.0
+
+    at = {name: (place.real, place.imag) for name, place in zip(names, chosen, strict=True)}
+    placing = Placing(order, tuple(names), tuple(chosen), free, length(on_axis), left(chosen))
+    if like is None and left(best) < placing.roll * (1 - ZERO):
+        placing = placing._replace(inside=best[0])
+    return with_places(engine, at), placing
 
 
 def _without_roll(

@@ -12,6 +12,7 @@ from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
 from crankstar.remedy.counterweights import RemedyError
 from crankstar.remedy.loads import Load, bobweight, loads
+from crankstar.tables.conditions import missing_parts
 from crankstar.tables.scales import scales
 from crankstar.tables.table import Column, Document, Table, Value, remarks
 
@@ -46,7 +47,11 @@ def card_document(engine: Engine, *, factor: float, machine: bool = False) -> Do
         )
     own, pins = parts_table(engine), bobweights(engine, factor)
     tables = [pins, *own] if machine else [*own, pins]
-    lines = (*_remarks(engine, factor), "" if own or machine else _without_parts(engine))
+    lines = (
+        *_remarks(engine, factor),
+        "" if own or machine else _without_parts(engine),
+        missing_parts(engine),
+    )
     return Document(
         engine.name,
         (*tables, overbalance(engine, factor), *remarks(*lines, kind="note")),

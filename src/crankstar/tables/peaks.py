@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from math import degrees
+from cmath import phase
+from math import degrees, radians
+
+import numpy as np
 
 from crankstar import spectra
 from crankstar.engine.engine import Engine
@@ -13,7 +16,7 @@ from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics import bounds
 from crankstar.mechanics.balance import Balance
 from crankstar.mechanics.remains import Sums, pushed, remains, sizes
-from crankstar.spectra import Spectrum
+from crankstar.spectra import Peak, Spectrum
 from crankstar.tables.paths import vector_name
 
 FELT = 1e-6
@@ -29,6 +32,12 @@ PEAKS = {
     "torque": N_("Peak inertia torque: {size}."),
     "roll": N_("Peak rolling moment: {size}."),
 }
+TURNING = {
+    "force": N_("Peak force: {size}; its crank angle and bearing depend on what is estimated."),
+    "couple": N_("Peak couple: {size}; its crank angle and bearing depend on what is estimated."),
+}
+APART = radians(30)
+"""Peaks further apart than this over the ranges of estimates have no crank angle to tell."""
 REMOVABLE = {
     "all": N_("{vector}: counterweights remove all of it ({forward})."),
     "part": N_(
@@ -93,12 +102,23 @@ def _peak(result: Balance, sums: Sums, name: str) -> str:
         if not of_any(("felt", name), [True] * felt):
             return ""
     unit = getattr(result.units, name, result.units.moment)
+    size = quantity_text(top.value, unit)
+    if name in TURNING and _is_apart(name, top):
+        return _(TURNING[name], size=size)
     return _(
         PEAKS[name],
-        size=quantity_text(top.value, unit),
+        size=size,
         angle=number(round(degrees(top.theta), 9)),
         bearing=bearing_text(top.vector),
     )
+
+
+def _is_apart(name: str, top: Peak) -> bool:
+    """Whether anywhere in the ranges of estimates the peak is at quite another angle."""
+    own = np.exp(1j * np.array([top.theta, phase(top.vector) if top.vector else 0.0]))
+    given = as_given(("peak at", name), own)
+    apart = bool(np.abs(np.angle(own / given)).max() > APART)
+    return bool(of_any(("apart", name), [True] * apart))
 
 
 def _removable(result: Balance, sums: Sums, name: str, *, counter: bool) -> str:

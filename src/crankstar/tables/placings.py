@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from crankstar.engine.engine import Engine
+from crankstar.language.kept import as_given
 from crankstar.language.messages import _
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.balance import scales as scales_of
@@ -79,12 +80,25 @@ def _lines(engine: Engine, placing: Placing, speed: float | None) -> Iterator[st
         "on_axis": quantity_text(placing.on_axis * moment, units.moment),
         "places": "; ".join(map(place, placing.places)),
     }
-    if placing.roll:
+    inside = as_given(("inside", placing.order), placing.inside)
+    if inside is not None:
+        yield _(
+            "Order {order}: the least rolling moment in the box, clear of cranks and other shafts, "
+            "is {roll}, with {places}.",
+            **values,
+        )
+    elif placing.roll:
         yield _(
             "Order {order}: the least rolling moment in the box is {roll}, with {places}.", **values
         )
     else:
         yield _("Order {order}: no rolling moment remains with {places}.", **values)
+    if inside is not None:
+        yield _(
+            "Less would remain with {place}, but there the shaft would be inside what a crankshaft "
+            "or another shaft sweeps, by usual proportions.",
+            place=place(inside),
+        )
     yield _(
         "On the crank axis, or as a pair symmetric about it, the shafts would leave {on_axis}.",
         **values,
