@@ -9,6 +9,8 @@ import pytest
 from playwright.sync_api import Page, expect
 from tests.web.engine_page import handle, opened
 
+from crankstar.language import glossary
+
 Build = Callable[..., Path]
 ENGINE = "v8-flat-plane"
 DRAWN = """() =>
@@ -51,7 +53,7 @@ def test_what_is_chosen_in_a_panel_goes_into_the_link_and_comes_back(
     opened(page, path, "a=0&tab=bearings")
     page.get_by_role("radio", name="crank pins, from the rods").check()
     expect(page.locator(".polar-loads")).to_have_attribute("data-on", "pin")
-    page.wait_for_function("location.hash.includes('bearings.on=pin')")
+    page.wait_for_function("() => location.hash.includes('bearings.on=pin')")
     state = page.evaluate("location.hash.slice(1)")
     opened(page, path, state)
     expect(page.locator(".polar-loads")).to_have_attribute("data-on", "pin")
@@ -78,3 +80,63 @@ def test_paths_of_a_quantity_are_drawn_to_one_scale_and_little_ones_are_pale(
         assert pale == (share < 0.01)
         compared += 1
     assert compared >= 5
+
+
+def test_the_guide_points_at_the_parts_of_the_page_one_after_the_other(
+    built_page: Build, page: Page
+) -> None:
+    opened(page, built_page(ENGINE), "a=0")
+    page.get_by_role("button", name="Guide").click()
+    card = page.get_by_role("complementary", name="What am I looking at?")
+    seen = []
+    for step in range(1, 6):
+        expect(card.get_by_role("heading")).to_contain_text(f"{step}/5")
+        (pointed,) = page.locator(".shown-by-guide").all()
+        seen.append(pointed.get_attribute("class"))
+        if step < 5:
+            card.get_by_role("button", name="Next").click()
+    assert len(set(seen)) == 5
+    card.get_by_role("button", name="Frame and signs").click()
+    drawn = card.get_by_role("img").evaluate("img => [img.complete, img.naturalWidth]")
+    assert drawn[1] > 0, drawn
+    page.keyboard.press("Escape")
+    expect(card).to_have_count(0)
+    expect(page.locator(".shown-by-guide")).to_have_count(0)
+
+
+@pytest.mark.parametrize("width", [1440, 390])
+def test_a_word_with_a_dotted_line_is_explained_as_in_the_glossary(
+    width: int, built_page: Build, page: Page
+) -> None:
+    page.set_viewport_size({"width": width, "height": 844})
+    opened(page, built_page(ENGINE), "a=0")
+    meanings = {term.term: term.meaning for term in glossary.terms()}
+    for word, term in (
+        ("order", "order"),
+        ("Couple", "couple"),
+        ("pitch M_V", "rocking couple, pitch"),
+    ):
+        shown = page.locator(".orders .term", has_text=word).first
+        shown.scroll_into_view_if_needed()
+        shown.click()
+        box = page.get_by_role("tooltip")
+        expect(box).to_contain_text(meanings[term])
+        place = box.bounding_box()
+        assert place
+        assert place["x"] >= 0
+        assert place["x"] + place["width"] <= width
+        assert 0 <= place["y"] <= 844 - place["height"]
+        assert shown.get_attribute("aria-description") == meanings[term]
+        page.keyboard.press("Escape")
+        expect(box).to_have_count(0)
+
+
+@pytest.mark.parametrize("language", ["ja", "ru"])
+def test_terms_are_named_in_the_language_of_the_page(
+    language: str, built_page: Build, page: Page
+) -> None:
+    opened(page, built_page(ENGINE), f"a=0&lang={language}")
+    (term,) = [each for each in glossary.terms() if each.term == "order"]
+    page.locator(".orders .term").first.click()
+    name = term.japanese if language == "ja" else term.russian
+    expect(page.get_by_role("tooltip").locator("strong")).to_have_text(name)

@@ -1,7 +1,7 @@
 import { computed, effect, type ReadonlySignal, type Signal, signal } from '@preact/signals'
 import { commonTurns } from './angle'
 import { type Clock, createClock } from './clock'
-import type { Exhibit } from './exhibit'
+import type { Exhibit, TermShown } from './exhibit'
 import type { Host, Tree } from './host/host'
 import { language, t } from './language/messages'
 import { packedTree, unpackedTree } from './packing'
@@ -43,6 +43,10 @@ export interface App {
   readonly sight: ReadonlySignal<Sight>
   /** Whether each stage has room for a drawing sheet. */
   readonly roomy: Signal<boolean>
+  /** The term of the glossary that is explained at the moment, and the word beside which. */
+  readonly explained: Signal<{ term: TermShown; beside: HTMLElement } | null>
+  /** Step of the guide that is shown, from 1; 0 for none. */
+  readonly guide: Signal<number>
   /** What went wrong last, as a sentence; empty if nothing. */
   readonly trouble: Signal<string>
   /** Whether the page is dark, by choice or by the system. */
@@ -98,6 +102,8 @@ export function createApp(host: Host): App {
     () => store.quantity.value ?? prevailing(engines.value[subject.value] ?? own.value),
   )
   const roomy = signal(true)
+  const explained = signal<{ term: TermShown; beside: HTMLElement } | null>(null)
+  const guide = signal(0)
   const sight = computed((): Sight => {
     const chosen = store.camera.value ?? 'sheet'
     return chosen === 'sheet' && !roomy.value ? 'isometric' : chosen
@@ -277,6 +283,8 @@ export function createApp(host: Host): App {
     quantity,
     sight,
     roomy,
+    explained,
+    guide,
     trouble,
     dark,
     calm,

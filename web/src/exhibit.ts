@@ -20,6 +20,8 @@ export interface Exhibition {
   stroke_colours: StrokeColours
   /** the choices of units that are offered by name */
   units?: UnitsOffered[]
+  /** the terms that the page explains where they stand */
+  glossary?: TermShown[]
   /** names or files of the engines on the command line */
   sources?: string[]
   command?: string
@@ -371,6 +373,15 @@ export interface StrokeColours {
 export interface UnitsOffered {
   name: string
   label: string
+}
+/** A term of the glossary: its names, its symbol or "", its meaning, other words for it. */
+export interface TermShown {
+  term: string
+  japanese: string
+  russian: string
+  meaning: string
+  symbol?: string
+  also?: string[]
 }
 /** One fault of an engine file: its key path, and what would be right. */
 export interface Problem {

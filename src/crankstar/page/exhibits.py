@@ -37,6 +37,7 @@ from crankstar.page.records import (
     Table,
 )
 from crankstar.page.scene import scene
+from crankstar.page.term_records import terms_shown
 from crankstar.page.unit_records import Unit, Units, UnitsOffered
 from crankstar.remedy import fitting
 from crankstar.remedy.kept import with_source
@@ -79,6 +80,7 @@ def exhibition(
         ),
         stroke_colours=StrokeColours(**STROKE_COLOURS),
         units=offered(),
+        glossary=terms_shown(),
         sources=tuple(sources),
         command=command,
         version=version("crankstar"),

@@ -14,6 +14,7 @@ from typing import Any, Literal
 from pydantic import Field
 
 from crankstar.engine.quantities import Unknown
+from crankstar.page.term_records import TermShown
 from crankstar.page.unit_records import Shown, Units, UnitsOffered
 
 Pair = tuple[float, float]
@@ -384,6 +385,9 @@ class Exhibition(Shown):
     stroke_colours: StrokeColours
     units: tuple[UnitsOffered, ...] = Field(
         default=(), description="the choices of units that are offered by name"
+    )
+    glossary: tuple[TermShown, ...] = Field(
+        default=(), description="the terms that the page explains where they stand"
     )
     sources: tuple[str, ...] = Field(
         default=(), description="names or files of the engines on the command line"

@@ -1,5 +1,6 @@
 import type { Table } from '../exhibit'
 import { t } from '../language/messages'
+import { Term } from './Term'
 
 /** Letters of a cell that stays on one line. */
 const SHORT = 22
@@ -24,7 +25,7 @@ export function DataTable({ table }: { table: Table }) {
                   {heads.map((head, column) =>
                     head ? (
                       <th key={column} scope="col" class={numeric[column] ? 'right' : ''}>
-                        {head}
+                        <Term word={head.replace(/\s*[[(].*$/, '')}>{head}</Term>
                       </th>
                     ) : (
                       <td key={column} />

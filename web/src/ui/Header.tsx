@@ -17,7 +17,7 @@ const NOTED = 4000
 
 /** The engine's name, how it turns, and what concerns the page as a whole. */
 export function Header() {
-  const { shown, store, clock, host } = useApp()
+  const { shown, store, clock, host, guide } = useApp()
   const note = useSignal('')
   const theme = store.theme.value
   const next = THEMES[(THEMES.indexOf(theme) + 1) % THEMES.length] ?? 'auto'
@@ -60,8 +60,23 @@ export function Header() {
         <span class="said" role="status">
           {note.value}
         </span>
+        <button
+          type="button"
+          class="plain"
+          aria-pressed={guide.value > 0}
+          aria-label={t('Guide')}
+          onClick={() => set(guide, guide.value ? 0 : 1)}
+        >
+          <Icon name="guide" />
+          <span>{t('Guide')}</span>
+        </button>
         {host.kind !== 'widget' && (
-          <button type="button" class="plain" onClick={() => void copy()}>
+          <button
+            type="button"
+            class="plain"
+            aria-label={t('Copy link')}
+            onClick={() => void copy()}
+          >
             <Icon name="link" />
             <span>{t('Copy link')}</span>
           </button>

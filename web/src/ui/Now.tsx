@@ -13,7 +13,8 @@ import {
   vectorAt,
 } from '../phasor'
 import { useApp, useFollower } from './context'
-import { quantityName } from './names'
+import { quantityName, TERMS } from './names'
+import { Term } from './Term'
 
 /** Force, couple and rolling moment at the present crank angle, of the chosen orders. */
 export function Now() {
@@ -58,7 +59,9 @@ function Numbers({ exhibit, named }: { exhibit: Exhibit; named: boolean }) {
       <dl ref={cells}>
         {lines.map(([quantity, ...components]) => (
           <div key={quantity}>
-            <dt>{quantityName(quantity)}</dt>
+            <dt>
+              <Term word={TERMS[quantity]}>{quantityName(quantity)}</Term>
+            </dt>
             <dd>
               {components.map(([sign, title]) => (
                 <Fragment key={sign}>

@@ -4,12 +4,14 @@ import type { Stage } from '../stage/stage'
 import { set } from '../state'
 import { useApp } from './context'
 import { Editing } from './Editing'
+import { Guide } from './Guide'
 import { Header } from './Header'
 import { listenForKeys } from './keys'
 import { Layers } from './Layers'
 import { Now } from './Now'
 import { StageView } from './StageView'
 import { Tabs } from './Tabs'
+import { Explanation } from './Term'
 import { TimeBar } from './TimeBar'
 
 /** The whole page. `made` gets every stage when it is there, and null when it goes. */
@@ -55,6 +57,8 @@ export function Page({ made }: { made: (index: number, stage: Stage | null) => v
         </Body>
         <Editing />
       </div>
+      <Guide />
+      <Explanation />
     </div>
   )
 }

@@ -13,6 +13,14 @@ const QUANTITY = {
 /** A quantity as headings and choices name it. */
 export const quantityName = (quantity: Quantity): string => t(QUANTITY[quantity])
 
+/** The term of the glossary that each quantity is. */
+export const TERMS: Readonly<Record<Quantity, string>> = {
+  force: 'inertia force',
+  couple: 'couple',
+  roll: 'roll',
+  torque: 'inertia torque',
+}
+
 /** The unit that a quantity of an engine is printed in. */
 export const unitOf = ({ units }: Exhibit, quantity: Quantity): string =>
   quantity === 'torque' ? units.roll : units[quantity]

@@ -1,4 +1,5 @@
 import derivation from './derivation.css?inline'
+import guide from './guide.css?inline'
 import narrow from './narrow.css?inline'
 import panels from './panels.css?inline'
 import style from './style.css?inline'
@@ -20,7 +21,7 @@ const users = new Map<CSSStyleSheet, number>()
 /** Adopts our styles in an element's document or shadow until the returned function is called. */
 export function adopt(
   element: Element,
-  css: readonly string[] = [style, panels, derivation, narrow],
+  css: readonly string[] = [style, panels, derivation, guide, narrow],
 ): () => void {
   const node = element.getRootNode()
   const root = node instanceof ShadowRoot ? node : element.ownerDocument

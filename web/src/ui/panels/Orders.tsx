@@ -4,10 +4,11 @@ import { message, plural, t } from '../../language/messages'
 import { QUANTITIES } from '../../state'
 import { useApp, useExhibit, useFollower } from '../context'
 import { dotOf, moveDots, sharesOf } from '../dots'
-import { quantityName, unitOf } from '../names'
+import { quantityName, TERMS, unitOf } from '../names'
 import { isChosen, OrderChoice } from '../OrderChoice'
 import { Path } from '../Path'
 import type { Panel } from '../panel'
+import { Term } from '../Term'
 
 export const orders: Panel = {
   key: 'orders',
@@ -32,13 +33,21 @@ function Orders() {
         <table class="orders" ref={body}>
           <thead>
             <tr>
-              <th scope="col">{t('order')}</th>
-              <th scope="col">{t('path')}</th>
-              <th scope="col" class="right">
-                {t('greatest')}
+              <th scope="col">
+                <Term word="order">{t('order')}</Term>
               </th>
-              <th scope="col">{t('vertical')}</th>
-              <th scope="col">{t('horizontal')}</th>
+              <th scope="col">
+                <Term word="path">{t('path')}</Term>
+              </th>
+              <th scope="col" class="right">
+                <Term word="greatest">{t('greatest')}</Term>
+              </th>
+              <th scope="col">
+                <Term word="vertical">{t('vertical')}</Term>
+              </th>
+              <th scope="col">
+                <Term word="horizontal">{t('horizontal')}</Term>
+              </th>
             </tr>
           </thead>
           {QUANTITIES.map((quantity) => (
@@ -81,13 +90,16 @@ function Group({
     <tbody>
       <tr class="group">
         <th colSpan={3} scope="rowgroup">
-          {quantityName(quantity)} <span class="unit">{unitOf(exhibit, quantity)}</span>
+          <Term word={TERMS[quantity]}>{quantityName(quantity)}</Term>{' '}
+          <span class="unit">{unitOf(exhibit, quantity)}</span>
           {rows.some(({ estimated }) => estimated) && (
             <span class="badge">{t('estimated, with ranges')}</span>
           )}
         </th>
-        <td class="soft">{quantity === 'couple' && t('pitch M_V')}</td>
-        <td class="soft">{quantity === 'couple' && t('yaw M_H')}</td>
+        <td class="soft">
+          {quantity === 'couple' && <Term word="pitch M_V">{t('pitch M_V')}</Term>}
+        </td>
+        <td class="soft">{quantity === 'couple' && <Term word="yaw M_H">{t('yaw M_H')}</Term>}</td>
       </tr>
       {rows.filter(isShown).map((row) => (
         <Line key={row.order} row={row} share={shares.get(row) ?? 0} />

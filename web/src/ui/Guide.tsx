@@ -1,0 +1,141 @@
+import { useEffect, useRef } from 'preact/hooks'
+import frame from '../../../src/crankstar/report/frame.svg?raw'
+import { message, t } from '../language/messages'
+import { restore, set, stateOf } from '../state'
+import { useApp } from './context'
+import { Icon } from './icons'
+import { TOURS, type Tour } from './tours'
+
+/** What the guide says, step by step, and which part of the page it is about. */
+const STEPS = [
+  {
+    about: '.stages',
+    title: message('The engine'),
+    text: message(
+      'You see the moving parts of the engine and nothing else: crankshaft red, rods and pistons grey, cylinder bores as glass. All views show the same instant. Click a view to enlarge it; the section cuts the front view at one crank pin.',
+    ),
+  },
+  {
+    about: '.time',
+    title: message('The crank angle'),
+    text: message(
+      'The crankshaft turns in slow motion. Stop it with the space bar, drag the slider or type an angle: everything on the page follows. At 0° the piston of cylinder 1 is at its top dead centre.',
+    ),
+  },
+  {
+    about: '.now',
+    title: message('Force and couple'),
+    text: message(
+      'Pistons are thrown up and down, and what accelerates them pushes back on the block. The blue arrow is the sum of these inertia forces. The pair of arrows at both ends is the couple: forces that cancel in sum, but act at different places along the crankshaft and rock the engine. What does not cancel is felt as vibration.',
+    ),
+  },
+  {
+    about: '.panels',
+    title: message('Orders'),
+    text: message(
+      'A shake is a sum of orders. Order 1 repeats once per turn of the crankshaft, order 2 twice, and so on. For each the table gives its greatest value and its path. Click an order to see it alone on the engine. A dotted line under a word means that it is explained.',
+    ),
+  },
+  {
+    about: '.tabs',
+    title: message('What to do about it'),
+    text: message(
+      'Verdict says in words what remains. Balancing fits the counterweights and balance shafts that would cure it. Derivation shows why, step by step.',
+    ),
+  },
+] as const
+
+/** The guide "What am I looking at?", which points at one part of the page after the other. */
+export function Guide() {
+  const { guide, host, store } = useApp()
+  const card = useRef<HTMLElement>(null)
+  const step = STEPS[guide.value - 1]
+  useEffect(() => {
+    const root = card.current?.closest('.crankstar')
+    const part = step && root?.querySelector<HTMLElement>(step.about)
+    part?.classList.add('shown-by-guide')
+    part?.scrollIntoView({ block: 'nearest' })
+    return () => part?.classList.remove('shown-by-guide')
+  }, [step])
+  if (guide.value === 0) return null
+  const close = (): void => set(guide, 0)
+  return (
+    <aside
+      class="guide"
+      ref={card}
+      aria-label={t('What am I looking at?')}
+      onKeyDown={(event) => event.key === 'Escape' && close()}
+    >
+      <div class="guide-head">
+        <h2>{step ? `${guide.value}/${STEPS.length} · ${t(step.title)}` : t('Frame and signs')}</h2>
+        <button type="button" class="plain" onClick={close}>
+          {t('Close')}
+        </button>
+      </div>
+      {step ? <p>{t(step.text)}</p> : <Frame />}
+      {guide.value === STEPS.length && host.service && (
+        <Tours
+          take={(tour) => {
+            restore(store, { ...stateOf(tour.state), theme: store.theme.peek() })
+            close()
+          }}
+        />
+      )}
+      <div class="guide-steps">
+        <button
+          type="button"
+          disabled={guide.value === 1}
+          onClick={() => set(guide, Math.max(1, guide.value - 1))}
+        >
+          <Icon name="back" />
+          {t('Back')}
+        </button>
+        <button
+          type="button"
+          class="plain"
+          aria-pressed={!step}
+          onClick={() => set(guide, step ? STEPS.length + 1 : 1)}
+        >
+          {step ? t('Frame and signs') : t('The guide')}
+        </button>
+        {guide.value < STEPS.length && (
+          <button type="button" class="primary" onClick={() => set(guide, guide.value + 1)}>
+            {t('Next')}
+            <Icon name="forth" />
+          </button>
+        )}
+      </div>
+    </aside>
+  )
+}
+
+/** The drawing of axes, angles and signs that the documents have. */
+function Frame() {
+  return (
+    <img
+      class="frame-and-signs"
+      src={`data:image/svg+xml,${encodeURIComponent(frame)}`}
+      alt={t(
+        'The engine from the front: up, right and z toward the viewer; crank angle, bearing and forces clockwise. From the side: the front at the left.',
+      )}
+    />
+  )
+}
+
+function Tours({ take }: { take: (tour: Tour) => void }) {
+  return (
+    <>
+      <h3>{t('Look at an example')}</h3>
+      <ul class="tours">
+        {TOURS.map((tour) => (
+          <li key={tour.state}>
+            <button type="button" class="plain" onClick={() => take(tour)}>
+              {t(tour.title)}
+            </button>
+            <span class="soft small">{t(tour.text)}</span>
+          </li>
+        ))}
+      </ul>
+    </>
+  )
+}

@@ -1,0 +1,100 @@
+import type { ComponentChildren } from 'preact'
+import { useMemo } from 'preact/hooks'
+import type { Exhibition, TermShown } from '../exhibit'
+import { language, t } from '../language/messages'
+import { useApp } from './context'
+
+/** The glossary by its words, in lower case. */
+export function wordsOf({ glossary = [] }: Exhibition): ReadonlyMap<string, TermShown> {
+  const words = new Map<string, TermShown>()
+  for (const term of glossary)
+    for (const word of [
+      ...[term.term, ...term.term.split(', '), ...(term.also ?? [])],
+      ...[term.japanese, term.russian],
+    ])
+      if (!words.has(word.toLowerCase())) words.set(word.toLowerCase(), term)
+  return words
+}
+
+/** What a term is called in the language of the page. */
+export function nameOf({ term, japanese, russian }: TermShown): string {
+  return language.value === 'ja' ? japanese : language.value === 'ru' ? russian : term
+}
+
+/** A word that the glossary explains: at a touch, under a pointer, or when it has the focus. */
+export function Term({ word, children }: { word: string; children: ComponentChildren }) {
+  const { host, explained } = useApp()
+  const words = useMemo(() => wordsOf(host.exhibition), [host])
+  const term = words.get(word.toLowerCase())
+  if (!term) return <>{children}</>
+  const show = (event: { currentTarget: HTMLElement }): void => {
+    explained.value = { term, beside: event.currentTarget }
+  }
+  const hide = (): void => {
+    explained.value = null
+  }
+  return (
+    // biome-ignore lint/a11y/useSemanticElements: a button would take the press of a heading
+    <span
+      class="term"
+      role="button"
+      tabIndex={0}
+      aria-description={term.meaning}
+      onPointerEnter={(event) => event.pointerType === 'mouse' && show(event)}
+      onPointerLeave={(event) => event.pointerType === 'mouse' && hide()}
+      onClick={(event) => {
+        event.stopPropagation()
+        show(event)
+      }}
+      onFocus={show}
+      onBlur={hide}
+      onKeyDown={(event) => event.key === 'Escape' && hide()}
+    >
+      {children}
+    </span>
+  )
+}
+
+/** Room between a word and its explanation, and at the edges of the window, pixels. */
+const [GAP, EDGE, WIDE] = [6, 8, 320]
+
+/** The explanation of the word that is pointed at, below it or, where there is no room, above. */
+export function Explanation() {
+  const { explained } = useApp()
+  const now = explained.value
+  if (!now) return null
+  const { term, beside } = now
+  const box = beside.getBoundingClientRect()
+  const room = Math.min(WIDE, innerWidth - 2 * EDGE)
+  const left = Math.max(EDGE, Math.min(box.left, innerWidth - room - EDGE))
+  const above = box.bottom > 0.7 * innerHeight
+  const place = (element: HTMLElement | null): void => {
+    if (!element) return
+    element.style.left = `${left}px`
+    element.style.width = `${room}px`
+    if (above) element.style.bottom = `${innerHeight - box.top + GAP}px`
+    else element.style.top = `${box.bottom + GAP}px`
+  }
+  return (
+    <div class="explanation" role="tooltip" ref={place}>
+      <p>
+        <strong>{nameOf(term)}</strong>
+        {term.symbol && <span class="symbol"> {symbolText(term.symbol)}</span>}
+      </p>
+      <p>{term.meaning}.</p>
+      <p class="soft">
+        {[term.term, term.japanese, term.russian]
+          .filter((name) => name !== nameOf(term))
+          .join(' · ')}
+      </p>
+      <p class="unseen">{t('Escape closes this.')}</p>
+    </div>
+  )
+}
+
+/** A symbol with its indices lowered: F_k, M_1. */
+function symbolText(symbol: string) {
+  return symbol
+    .split(/(_\w+)/)
+    .map((part, index) => (part.startsWith('_') ? <sub key={index}>{part.slice(1)}</sub> : part))
+}
