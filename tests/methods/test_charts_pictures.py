@@ -10,7 +10,7 @@ import json
 import re
 import subprocess
 import sys
-from functools import cache
+from functools import cache, partial
 from itertools import combinations
 from typing import Any
 
@@ -24,8 +24,10 @@ from tests.methods.test_charts import ENGINES, drawn, kind, lanchester, panels
 
 import crankstar
 from crankstar import charts
-from crankstar.charts.drawing import numbers_text
+from crankstar.charts.drawing import HALO, numbers_text
 from crankstar.charts.letters import text_width
+from crankstar.charts.saving import saved_print
+from crankstar.charts.themes import THEMES
 from crankstar.engine.basis import Sizes
 from crankstar.engine.engine import Engine
 from crankstar.engine.layouts import Basis, inline
@@ -391,6 +393,25 @@ def test_axes_write_numbers_as_the_tables_do(engine: str) -> None:
         # below 1e-4 Python writes an exponent, Vega below 1e-6
         plain = {label: value for label, value in values.items() if value == 0 or value >= 1e-4}
         assert [*plain] == [number(value) for value in plain.values()]
+
+
+@pytest.mark.parametrize("theme", THEMES)
+@pytest.mark.parametrize("name", ["spectrum", "bearing-loads", "polygon"])
+def test_letters_of_a_picture_keep_clear_of_the_lines_below_them(
+    name: str, theme: charts.themes.ThemeName
+) -> None:
+    engine = crankstar.load("v8-cross-plane")
+    draw = partial(charts.CHARTS[name].draw, engine)
+    made = charts.printed(draw, charts.Paper(theme), title="x")
+    letters = re.findall(r'<text[^>]*font-size="1[2-9]px"[^>]*stroke="[^"]*"[^>]*>', made.drawing)
+    assert len(letters) >= 3
+    for letter in letters:
+        assert f'stroke="{THEMES[theme].ground}"' in letter
+        assert 'paint-order="stroke"' in letter
+    page = saved_print(made, "html", title="x").decode()
+    style = f'text[stroke="{HALO}"] {{ stroke: {THEMES[theme].ground}; paint-order: stroke }}'
+    assert style in page
+    assert HALO in saved_print(made, "json", title="x").decode()  # without a ground it is not seen
 
 
 def test_numbers_are_told_briefly() -> None:

@@ -27,6 +27,8 @@ PALE, DEEP = "#eef4f9", "#a9cbe6"
 """The least and the greatest of what is shown as a colour; letters on it can be read."""
 PALETTE = (BLUE, GREEN, ORANGE, PURPLE, SKY)
 """For curves, after M. Okabe and K. Ito; vermilion marks the crank angle and optima."""
+HALO = "#ffffff00"
+"""The line around letters; what shows a figure gives it the colour of its ground."""
 HEIGHT = 170
 """Of a panel of curves, px."""
 TITLE = 14
@@ -34,6 +36,8 @@ TITLE = 14
 THETA = "theta"
 """The parameter of figures that depend on the crank angle, in degrees."""
 
+BELOW = 'paint-order="stroke" stroke-linejoin="round"'
+"""Attributes of an SVG with which the line around letters lies below them."""
 LONG = re.compile(r"-?\d+\.\d{3,}")
 
 
@@ -65,6 +69,7 @@ STYLE = {
     "numberFormat": ".9~g",
     "aria": False,
     "mark": {"aria": False},
+    "text": {"stroke": HALO, "strokeWidth": 3},
     "axis": {
         **{f"{part}Color": GREY for part in ("label", "title", "tick", "domain", "grid")},
         "labelFontSize": 13,
@@ -236,6 +241,7 @@ def svg(chart: Chart, title: str) -> str:
     drawing = re.sub(
         r' (?:d|transform|[xy]2?)="[^"]*"', lambda match: LONG.sub(_rounded, match.group()), drawing
     )
+    drawing = drawing.replace(f'stroke="{HALO}"', f'stroke="{HALO}" {BELOW}')
     drawing = re.sub(r"^<svg\b", '<svg role="img"', drawing)
     head, rest = drawing.split(">", 1)
     return f"{head}><title>{escape(title)}</title>{rest}".replace("\n", "")

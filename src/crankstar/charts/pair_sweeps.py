@@ -212,7 +212,9 @@ def _contour_layers(
         drawn = of_rows(points).mark("line", **style)
         out.append(drawn.encode(x=across, y=up, detail=field("line:N"), order=field("at:Q")))
     if labels:
-        texts = of_rows(labels).mark("text", fontSize=SMALL, color=GREY, baseline="middle")
+        style = {"fontSize": SMALL, "color": GREY, "baseline": "middle"}
+        # on colours a halo would be a spot, and the lines leave room
+        texts = of_rows(labels).mark("text", **style, stroke=None)
         out.append(texts.encode(x=across, y=up, text=field("text:N")))
     return out
 

@@ -12,7 +12,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from crankstar.charts.canvas import Canvas, drawn_on
-from crankstar.charts.drawing import ChartError, svg
+from crankstar.charts.drawing import HALO, ChartError, svg
 from crankstar.charts.grammar import Chart
 from crankstar.charts.letters import SMALL
 from crankstar.charts.themes import THEMES, ThemeName, themed
@@ -88,7 +88,7 @@ def printed(draw: Callable[[], Chart], paper: Paper, *, title: str) -> Print:
     for _try in range(TRIES if any(room) else 1):
         with drawn_on(canvas):
             chart = themed(draw(), paper.theme)
-        drawing = svg(chart, title)
+        drawing = svg(chart, title).replace(HALO, THEMES[paper.theme].ground)
         size = _size(drawing)
         sizes.append(size)
         if _fits(size, room):

@@ -7,7 +7,7 @@ import re
 from importlib.resources import files
 from typing import Any
 
-from crankstar.charts.drawing import ChartError, svg
+from crankstar.charts.drawing import HALO, ChartError, svg
 from crankstar.charts.fonts import registered
 from crankstar.charts.grammar import Chart
 from crankstar.charts.paper import Print
@@ -35,7 +35,8 @@ def saved(chart: Chart, suffix: str, *, title: str) -> bytes:
     if kind == "svg":
         return svg(chart, title).encode()
     if kind == "png":
-        return vl_convert.vegalite_to_png({**chart.to_dict(), "background": GROUND}, scale=DENSITY)
+        drawing = svg(Chart({**chart.spec, "background": GROUND}), title).replace(HALO, GROUND)
+        return vl_convert.svg_to_png(drawing, scale=DENSITY)
     if kind == "pdf":
         return vl_convert.vegalite_to_pdf(chart.to_dict())
     if kind == "html":
@@ -83,7 +84,9 @@ def _page(chart: Chart, title: str) -> str:
     text = vl_convert.vegalite_to_html(tree, bundle=True, renderer="svg")
     text = text.replace(BRACKET, "\\u003c").replace(json.dumps(BRACKET)[1:-1], "\\u003c")
     viewport = '<meta name="viewport" content="width=device-width">'
-    head = f"<title>{escape(title)}</title>{viewport}\n{_licences()}"
+    ground = tree["background"].replace("transparent", GROUND)
+    halo = f'<style>text[stroke="{HALO}"] {{ stroke: {ground}; paint-order: stroke }}</style>'
+    head = f"<title>{escape(title)}</title>{viewport}{halo}\n{_licences()}"
     return text.replace("<title>Chart</title>", head, 1)
 
 
