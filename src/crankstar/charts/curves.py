@@ -201,8 +201,9 @@ def _panel(
     rule = at_theta(turns, y=waves(curve.orders, curve.amplitudes))
     line = rule.mark("rule", color=VERMILION, strokeWidth=1.2, strokeDash=[3, 2]).encode(x=x)
     dot = rule.mark("point", **DISC, color=VERMILION, size=70).encode(x=x, y=y)
-    layers = [*_band(curve, turns, x, y), lines, line, dot]
-    if not curve.orders.size:
+    band = _band(curve, turns, reach, x, y)
+    layers = [*band, lines, line, dot]
+    if not curve.orders.size and not band:  # other masses than the typical ones leave the band
         note = of_rows([{"x": 180 * turns, "y": 0}]).mark("text", dy=-12, fontSize=13, color=GREY)
         layers.append(note.encode(x=x, y=y, text=constant(none)))
     return layered(
@@ -210,11 +211,11 @@ def _panel(
     )
 
 
-def _band(curve: Curve, turns: int, x: Channel, y: Channel) -> list[Layer]:
-    """The range of all orders together as an area."""
+def _band(curve: Curve, turns: int, reach: float, x: Channel, y: Channel) -> list[Layer]:
+    """The range of all orders together as an area; none where it is rounding beside `reach`."""
     angles = _angles(curve, turns)
     band = curve.band(angles)
-    if band is None or not np.any(band[1] > band[0]):
+    if band is None or not np.any(band[1] - band[0] > NEGLIGIBLE * reach):
         return []
     rows = [
         {"x": round(degrees(a), 6), "y": float(low), "y2": float(high)}

@@ -26,6 +26,13 @@ HEIGHT, HEADROOM = 90, 1.25
 """Px of a panel, and the end of its axis in lengths of the greatest bar."""
 NARROW = 26
 """Px for an order below which bars have no numbers."""
+LIFTS = (8.0, 21.0, 34.0)
+"""px from the end of a bar to the middle of its number, in the order in which they are tried."""
+TICK = 9
+"""px: how wide the ends of a whisker are."""
+SIDES = {0: "center", 1: "left", -1: "right"}
+BESIDE = 8.0
+"""The alignment of a number above its bar and to a side of a whisker; px between the two."""
 AHEAD, AGAINST = N_("with the crank"), N_("against the crank")
 TITLE = N_("Peak force, couple and rolling moment by order")
 AXES = {
@@ -144,12 +151,15 @@ def _panel(one: Bars, names: Sequence[str], reach: float, width: float) -> Panel
         rule = of_rows(whiskers).mark("rule", strokeWidth=1.6, color=GREY)
         layers.append(rule.encode(x=x, y=y, y2=field("from")))
         for end in ("from", "to"):
-            tick = of_rows(whiskers).mark("tick", thickness=1.6, size=9, color=GREY)
+            tick = of_rows(whiskers).mark("tick", thickness=1.6, size=TICK, color=GREY)
             layers.append(tick.encode(x=x, y={**y, "field": end}))
-    lengths_above = tops(one, names, reach=reach, width=width)
-    if lengths_above:
-        text = of_rows(lengths_above).mark("text", fontSize=SMALL, color=GREY)
-        layers.append(text.encode(x=x, y=y, text=field("text:N")))
+    numbers = tops(one, names, reach=reach, width=width)
+    for side, align in SIDES.items():
+        own = [row for row in numbers if row["side"] == side]
+        if own:
+            style = {"align": align, "dx": side * BESIDE}
+            text = of_rows(own).mark("text", fontSize=SMALL, color=GREY, **style)
+            layers.append(text.encode(x=x, y=y, text=field("text:N")))
     if not one.lengths:
         middle = of_rows([{"to": 0.6 * reach}]).mark("text", fontSize=13, color=GREY)
         words = constant(_(NONE[one.quantity]))
@@ -162,30 +172,43 @@ def _breadth(names: Sequence[str], width: float) -> float:
 
 
 def tops(one: Bars, names: Sequence[str], *, reach: float, width: float) -> list[dict[str, Any]]:
-    """The length of each bar above it, higher or left out where it would overlap another.
+    """The length of each bar at its end, or left out where it would overlap another.
 
-    `to` is the middle of the text in the unit of the bars.
+    `to` is the middle of the text in the unit of the bars. Where a bar has a whisker, its length
+    stands to a side of it, else above the bar, or higher where that is taken.
     """
     slot = width / len(names)
     if slot <= NARROW:
         return []
-    lengths = [(names.index(f"{order:g}"), one.top(order)) for order in one.lengths]
-    sizes = {names.index(f"{order:g}"): sum(two) for order, two in one.lengths.items()}
     px = curve_height(HEIGHT) / (HEADROOM * reach)
-    taken: list[Box] = [
-        Box(complex(size * px / 2, (at + 0.5) * slot), _breadth(names, width) / 2, size * px / 2)
-        for at, size in lengths
-    ]
+    sizes = {names.index(f"{order:g}"): sum(two) * px for order, two in one.lengths.items()}
+    whiskers = {
+        names.index(f"{order:g}"): (low * px, high * px)
+        for order, (low, high) in one.ends.items()
+        if order in one.lengths and high > low
+    }
+    half = _breadth(names, width) / 2
+    taken = [_upright(0.0, size, (at + 0.5) * slot, half) for at, size in sizes.items()]
+    taken += [_upright(*ends, (at + 0.5) * slot, TICK / 2) for at, ends in whiskers.items()]
     out: list[dict[str, Any]] = []
-    for at, size in sorted(lengths, key=lambda bar: -bar[1]):
-        text = brief(sizes[at])
-        half = text_width(text, SMALL) / 2
-        for lift in (8.0, 21.0, 34.0):
-            here = Box(complex(size * px + lift, (at + 0.5) * slot), half, SMALL / 2)
-            if here.middle.real + here.upright <= curve_height(HEIGHT) + 4 and not any(
-                meets(here, other) for other in taken
-            ):
+    for at, size in sorted(sizes.items(), key=lambda bar: -bar[1]):
+        text = brief(size / px)
+        wide = text_width(text, SMALL)
+        places = [(side, 8.0) for side in (1, -1)] if at in whiskers else [(0, y) for y in LIFTS]
+        for side, lift in places:
+            middle = complex(size + lift, (at + 0.5) * slot + side * (BESIDE + wide / 2))
+            here = Box(middle, wide / 2, SMALL / 2)
+            inside = size + lift + SMALL / 2 <= curve_height(HEIGHT) + 4
+            inside &= wide / 2 - 4 <= middle.imag <= width - wide / 2 + 4
+            if inside and not any(meets(here, other) for other in taken):
                 taken.append(here)
-                out.append({"order": names[at], "to": (size * px + lift) / px, "text": text})
+                out.append(
+                    {"order": names[at], "to": (size + lift) / px, "text": text, "side": side}
+                )
                 break
     return out
+
+
+def _upright(low: float, high: float, across: float, half: float) -> Box:
+    """The place of a bar or a whisker between two heights, px."""
+    return Box(complex((low + high) / 2, across), half, (high - low) / 2)
