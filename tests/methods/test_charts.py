@@ -316,6 +316,28 @@ def test_the_axes_of_a_hodograph_are_those_of_the_ellipse(
     assert f"{shape.semi_major:.4g}" in texts
 
 
+@pytest.mark.parametrize(
+    ("name", "quantity"),
+    [("gm-3800", "couple"), ("napier-deltic", "couple"), ("harley-45", "force")],
+)
+def test_the_length_of_a_semi_axis_stands_at_its_end_and_not_at_the_vector(
+    name: str, quantity: Any
+) -> None:
+    engine = crankstar.load(name)
+    whole = spectra.selected(getattr(total(balance(engine)), quantity), 1)
+    shape = spectra.ellipse(complex(whole.forward[0]), complex(whole.backward[0]))
+    (panel,) = drawn(charts.hodograph(engine, order=1, quantity=quantity))
+    texts = {row.text: row for layer, rows in panel if kind(layer) == "text" for row in rows}
+    vector = complex(spectra.value(whole, 0.0))
+    for length, way in ((shape.semi_major, 1.0), (shape.semi_minor, 1j)):
+        text = texts[f"{length:.4g}"]
+        tip = complex(text.y2, text.x2)
+        assert abs(tip) == pytest.approx(length)
+        assert abs((tip * np.exp(-1j * shape.bearing) / way).imag) < 1e-9 * length
+        assert abs(tip - vector) >= abs(tip + vector) * 0.999
+        assert abs(complex(text.y3, text.x3)) > length
+
+
 @EVERY_ENGINE
 @pytest.mark.parametrize(
     "quantity", ["force", "couple", "roll", pytest.param("torque", marks=pytest.mark.long)]

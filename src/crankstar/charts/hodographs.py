@@ -54,6 +54,10 @@ SEMI_AXES = N_(
     "Estimated masses or lengths: the path is that of the typical values, with the ranges of its "
     "semi-axes."
 )
+NOW = 110.0
+"""Size of the dot at the crank angle theta, px^2."""
+MARGIN, SHARE = 34.0, 0.17
+"""px around a path, and the share of the width where lengths of semi-axes stand at its sides."""
 NEITHER = (N_("no force and no couple of order {order}"), N_("no force and no couple"))
 
 
@@ -87,10 +91,11 @@ def hodograph(
             for one, spectrum in pairs
         ]
     courses = in_one_unit(courses)
+    width = (panel_width() if len(engines) == 1 else half_width()) - 10
     frame = round_frame(
         max(spectra.peak(one.spectrum).value for one in courses),
-        width=panel_width() - 10 if len(engines) == 1 else half_width() - 10,
-        margin=34,
+        width=width,
+        margin=MARGIN if order is None else max(MARGIN, SHARE * width),
     )
     axes = Axes(*(_(title, unit=courses[0].unit) for title in AXES[choice.quantity]))
     return compared(
@@ -122,12 +127,15 @@ def _panel(shown: Sum, choice: Choice, frame: Frame, axes: Axes, theta: float) -
         plane = Plane(strokes=tuple(cross), notes=(note,))
         return picture(plane, frame, theta=theta, axes=axes)
     path = spectra.value(shown.spectrum, np.linspace(0, 2 * pi * shown.turns, _samples(shown)))
-    ends, words = ([], []) if order is None else _ellipse_axes(shown)
     marks, angles_text = _marks(shown, frame.scale)
+    now = complex(spectra.value(shown.spectrum, np.array([theta]))[0])
+    dots = [mark.at for mark in marks]
+    ends, words = ([], []) if order is None else _ellipse_axes(shown, dots, now)
     plane = Plane(
         strokes=(*cross, *ends, Stroke(tuple(path.tolist()), BLUE, 2.0)),
         dots=tuple(marks),
         labels=(*words, *angles_text),
+        clear=(Stroke((0j, now)), Dot(now, size=NOW)),
     )
     x, y = coordinates(frame, axes)
     more = [*_direction(shown, order, frame, x, y), *_now(shown.spectrum, x, y)]
@@ -144,8 +152,13 @@ def _ellipse(spectrum: Spectrum) -> spectra.Ellipse:
     return spectra.ellipse(complex(spectrum.forward[0]), complex(spectrum.backward[0]))
 
 
-def _ellipse_axes(whole: Sum) -> tuple[list[Stroke], list[Label]]:
-    """The axes of the ellipse of one order, and the lengths of its semi-axes with their ranges."""
+def _ellipse_axes(
+    whole: Sum, dots: list[complex], now: complex
+) -> tuple[list[Stroke], list[Label]]:
+    """The axes of the ellipse of one order, and the lengths of its semi-axes with their ranges.
+
+    The length stands beyond that end of an axis which is farther from dots and `now`.
+    """
     spectrum = whole.spectrum
     shape = _ellipse(spectrum)
     ranges = iter(axis_ranges(spectrum, whole.ends))
@@ -160,8 +173,15 @@ def _ellipse_axes(whole: Sum) -> tuple[list[Stroke], list[Label]]:
         if direction == way or not circle:
             text = number(length, digits=5 if length >= 1e3 else 4)
             text = f"{rough(length)}{range_text(ends)}" if ends else text
-            labels.append(Label(text, 0.5 * length * direction, 1j * direction))
+            tips = (length * direction, -length * direction)
+            tip = max(tips, key=lambda tip: (_room(tip, dots), _room(tip, [now])))
+            labels.append(Label(text, tip, tip / length))
     return strokes, labels
+
+
+def _room(tip: complex, places: list[complex]) -> float:
+    """The distance of the nearest place in lengths of the axis; of like ones the first is taken."""
+    return round(min(abs(place - tip) for place in places) / abs(tip), 6)
 
 
 def _marks(shown: Sum, scale: float) -> tuple[list[Dot], list[Label]]:
@@ -217,5 +237,5 @@ def _now(spectrum: Spectrum, x: Channel, y: Channel) -> list[Layer]:
     line = base.mark("rule", color=VERMILION, strokeWidth=1.5).encode(
         x=x, y=y, x2=field("from"), y2=field("from")
     )
-    dot = base.mark("point", **DISC, color=VERMILION, size=110).encode(x=x, y=y)
+    dot = base.mark("point", **DISC, color=VERMILION, size=NOW).encode(x=x, y=y)
     return [line, dot]
