@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from typing import Any
 
@@ -11,7 +12,8 @@ import pytest
 import crankstar
 from crankstar import charts
 from crankstar.charts.bending import course_of
-from crankstar.charts.drawing import BLUE, brief
+from crankstar.charts.drawing import BLUE, GREY, brief
+from crankstar.charts.polar_loads import GAP
 from crankstar.dynamics.bearings import Model, bearing_loads, bending_moment
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.balance import balance
@@ -84,7 +86,7 @@ def test_farthest_point_of_a_polar_diagram_is_the_peak_in_the_table(
 
 @pytest.mark.parametrize("quantity", ["main-bearing", "main-journal"])
 @pytest.mark.parametrize("name", ENGINES)
-def test_circles_of_a_polar_diagram_are_whole_and_the_outermost_has_its_value(
+def test_circles_of_a_polar_diagram_are_whole_and_each_has_its_value_on_it(
     name: str, quantity: Any
 ) -> None:
     engine = crankstar.load(name)
@@ -106,8 +108,29 @@ def test_circles_of_a_polar_diagram_are_whole_and_the_outermost_has_its_value(
         for points, radius in zip(lines.values(), radii, strict=True):
             assert points[0] == pytest.approx(points[-1])
             assert np.abs(points) == pytest.approx(radius)
-        texts = {row["text"] for row in rows if "text" in row}
-        assert brief(max(radii)) in texts
+        grey = [row for row in rows if "text" in row and row["colour"] == GREY]
+        places = {row["text"]: math.hypot(row["placeUp"], row["placeRight"]) for row in grey}
+        assert len(grey) == len(radii)
+        for radius in radii:
+            assert places[brief(radius)] == pytest.approx(radius)
+
+
+@pytest.mark.parametrize("name", ["i4", "v8-cross-plane"])
+def test_every_mark_of_a_polar_diagram_is_explained_and_none_hides_another(name: str) -> None:
+    chart = charts.polar_loads(crankstar.load(name))
+    words = " ".join(chart.to_dict()["title"]["subtitle"])
+    assert "ring: the greatest load; line: the load at θ; dots: θ every 90°" in words
+    for panel in panels(chart):
+        points = [layer for layer in panel["layer"] if layer["mark"]["type"] == "point"]
+        dots, ring, now = points
+        assert [each["mark"]["filled"] for each in points] == [True, False, True]
+        assert ring["mark"]["size"] > now["mark"]["size"] > dots["data"]["values"][0]["size"]
+        texts = panel["layer"][-1]["data"]["values"]
+        angles = [row for row in texts if row["text"].endswith("°")]
+        assert angles
+        assert {row["colour"] for row in angles} == {BLUE}
+        for row in angles:  # a label away from its dot has a line to it
+            assert row["led"] or row["gap"] == GAP
 
 
 def test_of_many_loads_the_greatest_are_drawn_when_few_are_asked_for() -> None:

@@ -69,7 +69,7 @@ STYLE = {
     "numberFormat": ".9~g",
     "aria": False,
     "mark": {"aria": False},
-    "text": {"stroke": HALO, "strokeWidth": 3},
+    "text": {"stroke": HALO, "strokeWidth": 4},
     "axis": {
         **{f"{part}Color": GREY for part in ("label", "title", "tick", "domain", "grid")},
         "labelFontSize": 13,

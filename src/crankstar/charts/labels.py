@@ -132,7 +132,7 @@ def apart(
 
 def _moved(label: Label, farther: float, turn: float) -> Label:
     """The label farther from its point, and turned aside by so many degrees."""
-    led = farther > FARTHER[1] or abs(turn) > BESIDE
+    led = farther > 0 or abs(turn) > BESIDE
     direction = label.direction * exp(1j * turn * pi / 180)
     return label._replace(direction=direction, gap=label.gap + farther, led=led)
 

@@ -171,7 +171,7 @@ def picture(
         within=Box(frame.middle * scale, frame.width / 2 + aside, frame.height / 2),
         around=[
             *(box(note, theta=theta, scale=scale) for note in plane.notes),
-            *(_around(dot, scale) for dot in plane.clear if isinstance(dot, Dot)),
+            *(around(dot, scale) for dot in plane.clear if isinstance(dot, Dot)),
         ],
         faint=[(start * scale, end * scale) for start, end in faint],
     )
@@ -218,7 +218,7 @@ def _segment(arrow: Arrow, theta: float) -> tuple[complex, complex]:
     return arrow.place + arrow.start * phase, arrow.place + arrow.end * phase
 
 
-def _around(dot: Dot, scale: float) -> Box:
+def around(dot: Dot, scale: float) -> Box:
     """The square about a dot that stands still, px."""
     half = (dot.size / pi) ** 0.5
     return Box((dot.place + dot.at) * scale, half, half)

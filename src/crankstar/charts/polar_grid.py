@@ -1,4 +1,4 @@
-"""The ground of a polar diagram: a cross and whole circles, each with its value where room is."""
+"""The ground of a polar diagram: a cross and whole circles, each with its value on it."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import numpy as np
 from crankstar.charts.drawing import brief
 from crankstar.charts.labels import Box, Label, box, crossed, meets
 from crankstar.charts.letters import SMALL
-from crankstar.charts.plane import Frame, Stroke
+from crankstar.charts.plane import Dot, Frame, Stroke, around
 from crankstar.spectra import Complex
 
 STEPS = (0.2, 0.25, 0.5, 1.0, 2.0, 2.5, 5.0)
@@ -21,6 +21,16 @@ FEWEST, MOST = 2, 4
 """Numbers of circles."""
 AROUND = 10.0
 """px around the outermost circle, for the crank angles at dots on it."""
+WAYS = tuple(
+    complex(cos(angle), sin(angle))
+    for aside in (20, 35, 50, 65, 0, 90)
+    for angle in (pi / 180 * each for each in (aside, -aside, 180 - aside, aside - 180))
+)
+"""Directions for the values of circles: beside the upright half of the cross their texts, which are
+wider than high, reach into the fewest other circles."""
+ACROSS, ASIDE = 10.0, 0.5
+"""The cost of a value across a line, and of one in another direction than most; of one across
+another circle it is 1."""
 CIRCLE = np.exp(1j * np.linspace(0, 2 * pi, 181))
 
 
@@ -65,46 +75,46 @@ def ground(grid: Grid, directions: Sequence[float]) -> Iterator[Stroke]:
         yield Stroke((0j, long * complex(cos(angle), sin(angle))), width=1.0, dashed=True)
 
 
-def values(grid: Grid, strokes: Sequence[Stroke]) -> list[Label]:
-    """The values of the circles, inside them beside one half of the cross, clear of the strokes.
+def values(grid: Grid, strokes: Sequence[Stroke], dots: Sequence[Dot] = ()) -> list[Label]:
+    """The values of the circles, each on its own circle, clear of strokes, dots and each other.
 
-    The half and its side are those where the most have room; where the outermost has none, it
-    stands in a corner of the square, outside all circles.
+    They stand in the one direction in which all have most room, and a value that has none there
+    where it has most.
     """
     scale = grid.frame.scale
     lines: Complex = np.array(
         [(a * scale, b * scale) for each in strokes for a, b in pairwise(each.points)], complex
     ).reshape(-1, 2)
-    ways = [(way, side) for way in (1j, -1j, -1 + 0j, 1 + 0j) for side in (-1, 1)]
-    columns = [_column(grid, lines, way, side) for way, side in ways]
-    best = max(columns, key=lambda column: (_outer(column, grid) is not None, len(column)))
-    if _outer(best, grid) is None:
-        corner = grid.outermost * complex(-(0.5**0.5), 0.5**0.5)
-        best.append(_value(grid.outermost, corner, -1 + 1j))
-    return best
-
-
-def _outer(column: Sequence[Label], grid: Grid) -> Label | None:
-    return next((label for label in column if abs(label.anchor) >= grid.outermost * 0.999), None)
-
-
-def _column(grid: Grid, lines: Complex, way: complex, side: int) -> list[Label]:
-    """The values that have room beside one half of the cross, the outermost first."""
-    scale = grid.frame.scale
+    taken = [around(dot, scale) for dot in dots]
+    labels = [[_value(radius, way) for way in WAYS] for radius in grid.radii]
+    costs = np.array([[_cost(grid, label, lines, taken) for label in row] for row in labels])
+    common = int(costs.sum(axis=0).argmin())
     kept: list[Label] = []
-    taken: list[Box] = []
-    for place in reversed(range(len(grid.radii))):
-        label = _value(grid.radii[place], grid.radii[place] * way, -way + side * 1j * way)
-        here = box(label, theta=0.0, scale=scale)
-        inner = (here.middle * way.conjugate()).real
-        inner -= here.across if way.imag else here.upright
-        below = grid.radii[place - 1] * scale if place else 0.0
-        free = not crossed([here], lines).any() and not any(meets(here, other) for other in taken)
-        if free and inner > below:
-            kept.append(label)
-            taken.append(here)
+    for row, cost in zip(reversed(labels), costs[::-1], strict=True):
+        boxes = [box(label, theta=0.0, scale=scale) for label in kept]
+        others = [
+            ACROSS * any(meets(box(label, theta=0.0, scale=scale), other) for other in boxes)
+            + ASIDE * (way != common)
+            for way, label in enumerate(row)
+        ]
+        kept.append(row[int((cost + others).argmin())])
     return kept
 
 
-def _value(radius: float, anchor: complex, way: complex) -> Label:
-    return Label(brief(radius), anchor, way, size=SMALL, gap=2.0)
+def _cost(grid: Grid, label: Label, lines: Complex, taken: Sequence[Box]) -> float:
+    """How badly a value stands: on lines, on dots, out of the frame, on circles of other values."""
+    scale = grid.frame.scale
+    here = box(label, theta=0.0, scale=scale)
+    up, right = abs(here.middle.real), abs(here.middle.imag)
+    half = grid.frame.width / 2
+    bad = crossed([here], lines).any() or any(meets(here, other) for other in taken)
+    bad = bad or up + here.upright > half or right + here.across > half
+    near = abs(complex(max(up - here.upright, 0.0), max(right - here.across, 0.0)))
+    far = abs(complex(up + here.upright, right + here.across))
+    own = abs(label.place)
+    others = sum(near < radius * scale < far for radius in grid.radii if radius != own)
+    return ACROSS * bool(bad) + others
+
+
+def _value(radius: float, way: complex) -> Label:
+    return Label(brief(radius), 0j, 0j, place=radius * way, size=SMALL)

@@ -82,9 +82,10 @@ WIDER = 1.25
 """Width of three panels in a row, in widths of a figure."""
 NARROWEST = 130.0
 """px: least width of a panel; where panels would be narrower, fewer stand in a row."""
-DOT, SUMMIT, NOW = 28.0, 90.0, 60.0
-"""Sizes of the dots every 90 degrees, at the greatest load and at the crank angle theta, px^2."""
-GAP = 7.0
+DOT, SUMMIT, NOW = 28.0, 150.0, 60.0
+"""Sizes of the dots every 90 degrees, of the ring at the greatest load, and of the dot at theta,
+px^2."""
+GAP = 9.0
 """px between the middle of a dot and its crank angle."""
 SAMPLES = 181
 VISIBLE = 1e-4
@@ -130,7 +131,7 @@ def polar_loads(
     """The load on each main bearing, or of the rods on each crank pin, over a turn of the crank.
 
     `quantity`: in the frame of the block, or turning with the shaft (`main-journal`,
-    `crank-pin-journal`). A dot every 90 degrees of the reference crankshaft; a large dot at the
+    `crank-pin-journal`). A dot every 90 degrees of the reference crankshaft; a ring at the
     greatest load, whose length and crank angle stand above. The line goes to the load at `theta`
     (radians). One scale, in N at `speed` (rad/s), without one in m r w^2. Of more than
     `most` loads the greatest are drawn. Raises ChartError.
@@ -156,7 +157,7 @@ def polar_loads(
     ]
     about = [
         _(MODELS[model]) if quantity.startswith("main") else "",
-        _("large dot: the greatest load") if largest else "",
+        _("ring: the greatest load; line: the load at θ; dots: θ every 90°") if largest else "",
         _("the {count} greatest of {all}", count=most, all=len(every)) if len(every) > most else "",
         _(DASHED[quantity]) if DASHED[quantity] and any(one.directions for one in loadings) else "",
     ]
@@ -297,17 +298,16 @@ def _panel(
     path = Stroke(tuple(at(_angles(turns))), BLUE, 1.8)
     dots, labels = _marks(at(np.arange(4) * (pi / 2)), scale)
     summit, here = at(np.array([top.theta, theta]))
-    dots.append(Dot(summit, colour=ORANGE, size=SUMMIT))
-    line = Stroke((0j, here))
+    line, now, ring = Stroke((0j, here)), Dot(here, size=NOW), Dot(summit, size=SUMMIT)
     lines = [path, line, *(stroke for stroke in strokes if not stroke.faint)]
     plane = Plane(
         strokes=(*strokes, path),
         dots=tuple(dots),
         labels=tuple(labels),
-        notes=tuple(values(scale.grid, lines)),
-        clear=(line, Dot(here, size=NOW), *dots),
+        notes=tuple(values(scale.grid, lines, [*dots, now, ring])),
+        clear=(line, now, ring, *dots),
     )
-    more = _now(loading, scale, turning=turning)
+    more = [_ring(summit, scale), *_now(loading, scale, turning=turning)]
     return picture(plane, frame, theta=theta, title=head, more=more)
 
 
@@ -320,8 +320,16 @@ def _marks(places: Sequence[complex], scale: Scale) -> tuple[list[Dot], list[Lab
         text = ", ".join(f"{90 * index}°" for index in group)
         way = place / abs(place) if abs(place) * scale.frame.scale > 2 else 1 + 0j
         dots.append(Dot(place, size=DOT))
-        labels.append(Label(text, place, way, size=SMALL, gap=GAP))
+        labels.append(Label(text, place, way, colour=BLUE, size=SMALL, gap=GAP))
     return dots, labels
+
+
+def _ring(summit: complex, scale: Scale) -> Layer:
+    """A ring at the greatest load, which is seen about the dot of the load at theta as well."""
+    x, y = coordinates(scale.frame, None)
+    mark = of_rows([{"x2": summit.imag, "y2": summit.real}])
+    style = {**DISC, "filled": False, "size": SUMMIT, "strokeWidth": 2.2, "color": ORANGE}
+    return mark.mark("point", **style).encode(x=x, y=y)
 
 
 def _now(loading: Loading, scale: Scale, *, turning: bool) -> list[Layer]:
