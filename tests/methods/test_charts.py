@@ -234,6 +234,57 @@ def test_a_polygon_runs_head_to_tail_and_its_resultant_is_that_of_the_balance(
         )
 
 
+def from_line(row: Row, start: complex, end: complex) -> float:
+    """The distance of a text, without the blank of its line, from a line."""
+    line = start + (end - start) * np.linspace(0.0, 1.0, 400)
+    across = np.maximum(np.abs(line.imag - row.x3) - row.wide, 0.0)
+    upright = np.maximum(np.abs(line.real - row.y3) - 0.8 * row.high, 0.0)
+    return float(np.hypot(across, upright).min())
+
+
+@pytest.mark.parametrize(
+    ("name", "order", "quantity"),
+    [
+        ("sinitsyn-7-second", 1, "couple"),
+        ("man-s90mc-c", 1, "couple"),
+        ("v8-cross-plane", 1, "couple"),
+        ("radial-9", 1, "force"),
+        ("radial-9", 2, "force"),
+    ],
+)
+@pytest.mark.parametrize("theta", [0.0, 0.7])
+def test_a_label_of_a_polygon_is_nearest_to_its_own_side_or_has_a_line_to_it(
+    name: str, order: int, quantity: Any, theta: float
+) -> None:
+    chart = charts.polygon(crankstar.load(name), order=order, quantity=quantity, theta=theta)
+    seen = 0
+    for panel in drawn(chart):
+        rows = [row for layer, found in panel if kind(layer) == "rule" for row in found]
+        lines = [(complex(r.y1, r.x1), complex(r.y2, r.x2)) for r in rows if "endUp" in r]
+        dots = {
+            (row.x2, row.y2)
+            for layer, found in panel
+            if kind(layer) == "point"
+            for row in found
+            if "text" in row
+        }
+        texts = [row for layer, found in panel if kind(layer) == "text" for row in found]
+        for row in (row for row in texts if row.colour != GREY):
+            point, seen = complex(row.y2, row.x2), seen + 1
+            long = max(abs(end - start) for start, end in lines)
+            # the sides through the place of the label: its own and those that lie on it
+            own = [abs(point - a) + abs(point - b) - abs(b - a) < 1e-6 * long for a, b in lines]
+            assert any(own)
+            if row.led:
+                assert (row.x2, row.y2) in dots
+                continue
+            away = [from_line(row, a, b) for a, b in lines]
+            nearest = min(far for far, through in zip(away, own, strict=True) if through)
+            others = [far for far, through in zip(away, own, strict=True) if not through]
+            assert nearest <= min(others, default=math.inf), row.text
+    assert seen > 4
+
+
 @EVERY_ENGINE
 @pytest.mark.parametrize("quantity", ["force", "couple"])
 @pytest.mark.parametrize("speed", [None, pytest.param(500.0, marks=pytest.mark.long)])

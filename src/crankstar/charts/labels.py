@@ -21,6 +21,8 @@ PLACES = tuple(
     (farther, turn, abs(turn) / 60 + farther / 14) for farther in FARTHER for turn in ASIDE
 )
 """The places of a label in the order in which they are tried: farther, aside, and the cost."""
+NEAREST = tuple(place for place in PLACES if place[0] <= FARTHER[2] and abs(place[1]) <= 25)
+"""Those in which every way of a label is tried."""
 BESIDE = 75
 """Degrees aside from which a label has a leader, as it has where it is farther away."""
 ACROSS_TEXT, ACROSS_FAINT, ACROSS_LINE = 4.0, 2.0, 0.4
@@ -28,6 +30,11 @@ ACROSS_TEXT, ACROSS_FAINT, ACROSS_LINE = 4.0, 2.0, 0.4
 
 In steps of 14 px or 60 deg.
 """
+ANOTHER, NEAR_LINE, NEAR_LABEL, CLEAR = 0.04, 1.5, 0.6, 11.0
+"""The cost of the next way in which a label may stand, and of another line than its own or another
+label nearer to it than so many px."""
+CLOSE = 2.5
+"""px between a line and a corner of its label."""
 GREATEST_LABELS = 150
 """Greatest number of legible labels."""
 GAP = 5.0
@@ -40,8 +47,9 @@ class Label(NamedTuple):
     The point is `place + anchor` at theta = 0, and `anchor` turns with `rate`.
 
     `direction` (a unit vector at theta = 0 that turns as well) is the side of the point on which
-    the text is, `gap` (px) its distance; a label that is `led` has a line to its point. All in the
-    clock plane, up + i*right, in the units of the figure.
+    the text is, `gap` (px) its distance; a label that is `led` has a line to its point. One
+    `beside` a line keeps from others, and its leader ends in a dot. All in the clock plane,
+    up + i*right, in the units of the figure.
     """
 
     text: str
@@ -53,6 +61,7 @@ class Label(NamedTuple):
     size: int = TEXT
     gap: float = GAP
     led: bool = False
+    beside: bool = False
 
 
 class Box(NamedTuple):
@@ -83,7 +92,7 @@ def _point(label: Label, *, theta: float, scale: float) -> tuple[complex, comple
 
 
 def apart(
-    labels: Sequence[Label],
+    labels: Sequence[Sequence[Label]],
     *,
     theta: float,
     scale: float,
@@ -94,40 +103,101 @@ def apart(
 ) -> list[Label]:
     """The labels, moved aside from other labels and strokes, with leaders where they are far.
 
+    Each is given as the ways in which it may stand, the best first; only that one may be far.
     `strokes` are the lines drawn at `theta`, from and to, px, and `faint` those on which a text may
     stand rather than far away; `within` is the rectangle for labels, `around` the occupied
     rectangles. Labels that find no place are left out.
     """
     taken: list[Box] = list(around)
     lines: Complex = np.array([*faint, *strokes], complex).reshape(-1, 2)
-    faintly = len(faint)
     out: list[Label] = []
-    for label in labels[:GREATEST_LABELS]:
-        best: tuple[float, Label, Box] | None = None
-        point, _way = _point(label, theta=theta, scale=scale)
-        for farther, turn, least in PLACES:
-            if best is not None and least >= best[0] - 1e-9:
-                continue
-            tried = _moved(label, farther, turn)
-            here = box(tried, theta=theta, scale=scale)
-            if not _inside(here, within) or any(meets(here, other) for other in taken):
-                continue
-            through = crossed([here], lines)[0]
-            cost = least + ACROSS_TEXT * int(through[faintly:].sum())
-            cost += ACROSS_FAINT * int(through[:faintly].any())
-            if tried.led and (best is None or cost < best[0]):
-                leader = np.array([[point, leader_end(point, here)]])
-                cost += ACROSS_TEXT * int(crossed(taken, leader).sum())
-                cost += ACROSS_LINE * _crossings(leader[0], lines[faintly:])
-            if best is None or cost < best[0] - 1e-9:
-                best = (cost, tried, here)
+    for ways in labels[:GREATEST_LABELS]:
+        best: _Place | None = None
+        ground = _Ground(taken, lines, len(faint), within, theta, scale)
+        for later, label in enumerate(ways if len(ways) > 1 else ()):
+            best = _placed(label, ground, best, NEAREST, later * ANOTHER)
+        best = _placed(ways[0], ground, best, PLACES)
         if best is not None:
-            out.append(best[1])
-            taken.append(best[2])
-            if best[1].led:
-                leader = np.array([[point, leader_end(point, best[2])]])
+            out.append(best.label)
+            taken.append(best.box)
+            if best.label.led:
+                point, _way = _point(best.label, theta=theta, scale=scale)
+                leader = np.array([[point, leader_end(point, best.box)]])
                 lines = np.concatenate([lines, leader])
     return out
+
+
+class _Place(NamedTuple):
+    """A label where it may stand, and what that costs."""
+
+    cost: float
+    label: Label
+    box: Box
+
+
+class _Ground(NamedTuple):
+    """What a label is placed among, px: rectangles, and lines of which the first are faint."""
+
+    taken: Sequence[Box]
+    lines: Complex
+    faint: int
+    within: Box
+    theta: float
+    scale: float
+
+
+def _placed(
+    label: Label,
+    ground: _Ground,
+    best: _Place | None,
+    places: Sequence[tuple[float, int, float]],
+    least: float = 0.0,
+) -> _Place | None:
+    """The best of places of a label that cost at least so much, unless another one is better."""
+    taken, lines, faint = ground.taken, ground.lines, ground.faint
+    point, _way = _point(label, theta=ground.theta, scale=ground.scale)
+    others = lines[faint:][_away(point, lines[faint:])] if label.beside else lines[:0]
+    for farther, turn, price in places:
+        cost = least + price
+        if best is not None and cost >= best.cost - 1e-9:
+            continue
+        tried = _moved(label, farther, turn)
+        here = box(tried, theta=ground.theta, scale=ground.scale)
+        if not _inside(here, ground.within) or any(meets(here, other) for other in taken):
+            continue
+        through = crossed([here], lines)[0]
+        cost += ACROSS_TEXT * int(through[faint:].sum())
+        cost += ACROSS_FAINT * int(through[:faint].any())
+        if label.beside and (best is None or cost < best.cost):
+            wider = here._replace(across=here.across + CLEAR, upright=here.upright + CLEAR)
+            cost += NEAR_LINE * int(crossed([wider], others).sum())
+            cost += NEAR_LABEL * any(meets(wider, other) for other in taken)
+        if tried.led and (best is None or cost < best.cost):
+            leader = np.array([[point, leader_end(point, here)]])
+            cost += ACROSS_TEXT * int(crossed(taken, leader).sum())
+            cost += ACROSS_LINE * _crossings(leader[0], lines[faint:])
+        if best is None or cost < best.cost - 1e-9:
+            best = _Place(cost, tried, here)
+    return best
+
+
+def _away(point: complex, lines: Complex) -> NDArray[np.bool_]:
+    """Which lines do not run through a point, px."""
+    ways = lines[:, 1] - lines[:, 0]
+    along = np.real(np.conj(ways) * (point - lines[:, 0])) / np.maximum(np.abs(ways) ** 2, 1e-12)
+    nearest: Real = np.abs(lines[:, 0] + np.clip(along, 0.0, 1.0) * ways - point)
+    return nearest > 1.0
+
+
+def beside(label: Label, *, theta: float) -> Label:
+    """The label of a line through its point, across its direction, CLOSE to it with a corner.
+
+    `box` puts texts farther aside than up, which at a slanting line is too near.
+    """
+    (across, upright), way = extent(label), _point(label, theta=theta, scale=1.0)[1]
+    up, right = abs(way.real), abs(way.imag)
+    nearer = upright * (up - up**2) + across * (right - right**2)
+    return label._replace(gap=CLOSE + nearer, beside=True)
 
 
 def _moved(label: Label, farther: float, turn: float) -> Label:

@@ -27,6 +27,8 @@ HEAD = "M0 0L-0.62 2L0.62 2Z"
 HEAD_SIZE = 110.0
 """Area of the square that is the unit of HEAD, px^2; the head is sqrt(HEAD_SIZE) long."""
 HEAD_STYLE = {"shape": HEAD, "filled": True, "opacity": 1, "strokeWidth": 0}
+LEADER_DOT = 24.0
+"""Size of the dot on the line to which a leader goes, px^2."""
 SHORTEST = 0.5
 """px: shorter arrows are not drawn."""
 
@@ -92,7 +94,8 @@ class Frame(NamedTuple):
 class Plane:
     """The drawn contents; `notes` are fixed labels, `labels` make room for each other.
 
-    `clear` are places that further layers draw on and labels leave free.
+    Of each of `choices` one label is drawn, the first if it has as much room as the others. `clear`
+    are places that further layers draw on and labels leave free.
     """
 
     arrows: tuple[Arrow, ...] = ()
@@ -101,6 +104,7 @@ class Plane:
     labels: tuple[Label, ...] = ()
     notes: tuple[Label, ...] = ()
     clear: tuple[Stroke | Dot, ...] = ()
+    choices: tuple[Sequence[Label], ...] = ()
 
 
 class Axes(NamedTuple):
@@ -164,7 +168,7 @@ def picture(
         (faint if stroke.faint else segments).extend(pairwise(stroke.points))
     aside = 3 if axes is None else 0
     moved = apart(
-        plane.labels,
+        [*plane.choices, *([label] for label in plane.labels)],
         theta=theta,
         scale=scale,
         strokes=[(start * scale, end * scale) for start, end in segments],
@@ -342,7 +346,12 @@ def _texts(labels: Sequence[Label], scale: float, x: Channel, y: Channel) -> lis
         return [words]
     leaders = turning(led, _turned("2", "anchor"), room).calculate(**moved, **edge)
     ends = {"x2": field("x4"), "y2": field("y4")}
-    return [leaders.mark("rule", strokeWidth=0.7).encode(x=x, y=y, **ends, color=COLOUR), words]
+    drawn = [leaders.mark("rule", strokeWidth=0.7).encode(x=x, y=y, **ends, color=COLOUR)]
+    if any(label.beside for label in led):
+        sides = [label for label in led if label.beside]
+        dots = turning(sides, _turned("2", "anchor")).mark("point", **DISC, size=LEADER_DOT)
+        drawn.append(dots.encode(x=x, y=y, color=COLOUR))
+    return [*drawn, words]
 
 
 def _beyond(point: str, off: str, half: str) -> str:

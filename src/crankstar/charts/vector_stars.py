@@ -17,7 +17,7 @@ from crankstar.charts.comparison import compared
 from crankstar.charts.drawing import ORANGE, Panel, numbers_text
 from crankstar.charts.estimates import range_text, size_range
 from crankstar.charts.grammar import Chart
-from crankstar.charts.labels import Label, gathered
+from crankstar.charts.labels import Label, beside, gathered
 from crankstar.charts.letters import together
 from crankstar.charts.plane import (
     BAR,
@@ -43,6 +43,8 @@ from crankstar.tables.cells import rough
 
 MANY, VERY_MANY, WIDER = 9, 20, 1.35
 """Labels of a star above which it has a row for itself, and a wider one, by this factor."""
+SHARES = (0.5, 0.35, 0.65, 0.2, 0.8)
+"""Places along a side for its label, in the order in which they are tried."""
 TOGETHER = 3.0
 """px: tips closer than this share a label."""
 STARS = {
@@ -286,14 +288,19 @@ def _polygon_panel(shown: Stars, star: Star, frame: Frame, theta: float) -> Pane
         arrows.insert(0, Arrow(end, moved[0], rate=star.rate, colour=ORANGE, width=4))
     dots = (Dot(moved[0], rate=star.rate, colour=COLOURS[star.vectors[0].kind], size=36),)
     bar, length = scale_bar(frame, shown.unit)
-    labels = _side_labels(star, moved, frame.scale)
+    sides = _side_labels(star, moved, frame.scale, theta)
     title = "\n".join(filter(None, (star.title, result_text(shown, star))))
-    plane = Plane(tuple(arrows), (bar,), dots, tuple(labels), (length,))
+    plane = Plane(tuple(arrows), (bar,), dots, notes=(length,), choices=tuple(sides))
     return picture(plane, frame, theta=theta, title=title)
 
 
-def _side_labels(star: Star, corners: Sequence[complex], scale: float) -> list[Label]:
-    """A label outside the middle of every side; overlapping sides share one."""
+def _side_labels(
+    star: Star, corners: Sequence[complex], scale: float, theta: float
+) -> list[list[Label]]:
+    """Labels of every side, of which one is taken; overlapping sides share them.
+
+    Outside its middle, or inside, or nearer to an end.
+    """
     area = sum((a * b.conjugate()).imag for a, b in pairwise([*corners, corners[0]]))
     outward = 1j if area >= 0 else -1j
     sides: dict[tuple[complex, complex], list[int]] = {}
@@ -304,12 +311,14 @@ def _side_labels(star: Star, corners: Sequence[complex], scale: float) -> list[L
             key=lambda side: abs(side[0]),
         )
         sides.setdefault(key, []).append(index)
-    return [
-        _label(
-            [star.vectors[i] for i in at],
-            (start + end) / 2,
-            outward * (end - start) / abs(end - start),
-            star.rate,
+    out = []
+    for (start, end), at in sides.items():
+        vectors, across = [star.vectors[i] for i in at], outward * (end - start) / abs(end - start)
+        out.append(
+            [
+                beside(_label(vectors, start + share * (end - start), way, star.rate), theta=theta)
+                for share in SHARES
+                for way in (across, -across)
+            ]
         )
-        for (start, end), at in sides.items()
-    ]
+    return out
