@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from tests.methods.test_charts import Row, drawn, kind
 
@@ -29,7 +30,7 @@ rotating_mass = "700 g"
 [layout]
 type = "inline"
 throws = ["0 deg", "90 deg"]
-bore_pitch = "93 mm"
+bore_pitch = "93.04 mm"
 
 [provenance."cylinder.reciprocating_mass"]
 status = "estimated"
@@ -46,8 +47,8 @@ source = "sized for estimated masses"
 
 [[crankshaft]]
 weight = [
-    { unbalance = "0.0385 kg*m", z = "46.5 mm", throw = 1 },
-    { unbalance = "0.0385 kg*m", z = "-46.5 mm", throw = 2 },
+    { unbalance = "0.0385 kg*m", z = "46.52 mm", throw = 1 },
+    { unbalance = "0.0385 kg*m", z = "-46.52 mm", throw = 2 },
 ]
 
 [[balance_shaft]]
@@ -55,8 +56,8 @@ name = "balancer -1"
 up = "1.5146 mm"
 right = "98.2345 mm"
 weight = [
-    { unbalance = "0.01155 kg*m", angle = "180 deg", z = "46.5 mm" },
-    { unbalance = "0.01155 kg*m", angle = "90 deg", z = "-46.5 mm" },
+    { unbalance = "0.01155 kg*m", angle = "180 deg", z = "46.52 mm" },
+    { unbalance = "0.01155 kg*m", angle = "90 deg", z = "-46.52 mm" },
 ]
 """
 """Weights and a balance shaft that leave no first order of the typical masses."""
@@ -114,3 +115,24 @@ def test_no_curve_is_said_to_be_nothing_where_its_range_is_drawn(
     else:  # pistons in a row push up and down alone, whatever their mass
         assert not rows_of(right, "area")
         assert notes == [{"force": "no horizontal force", "couple": "no yaw"}[quantity]]
+
+
+def test_the_ends_of_a_balance_shaft_are_told_apart_and_its_numbers_are_no_finer_than_known(
+    tmp_path: Path,
+) -> None:
+    engine, spread = twin(tmp_path)
+    with charts.over_ranges([spread]):
+        chart = charts.balance_shaft_chart(engine)
+    front, side = drawn(chart)
+    tips = {row.text: row for row in rows_of(front, "text")}
+    assert {"front", "rear", "balancer -1"} == set(tips)
+    for end, angle in (("front", 180.0), ("rear", 90.0)):  # bearings in the file, by the planes
+        tip = complex(tips[end].anchorUp, tips[end].anchorRight)
+        assert np.angle(tip, deg=True) % 360 == pytest.approx(angle)
+    words = " ".join(chart.to_dict()["vconcat"][1]["title"]["text"])
+    assert "1.51 mm up, 98.2 mm right" in words
+    assert "front: unbalance 11.5 kg mm (estimated) at 180° when θ = 0" in words
+    assert "rear: unbalance 11.5 kg mm (estimated) at 90° when θ = 0" in words
+    assert {row.text for row in rows_of(side, "text")} == {"46.5", "−46.5"}
+    subtitle = " ".join(chart.to_dict()["title"]["subtitle"])
+    assert "places and arms may rest on them too" in subtitle

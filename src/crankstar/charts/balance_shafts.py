@@ -17,11 +17,11 @@ import numpy as np
 from crankstar.charts.canvas import panel_width
 from crankstar.charts.crank_stars import turns_together
 from crankstar.charts.drawing import BLUE, GREEN, GREY, Panel, brief, figure, heading
-from crankstar.charts.elevations import along_of, arms_unit, shaft_panel
+from crankstar.charts.elevations import along_of, arms_unit, shaft_panel, sized_for_estimates
 from crankstar.charts.estimates import ends_of, estimate_lines, size_range
 from crankstar.charts.grammar import Chart
 from crankstar.charts.labels import Label, gathered
-from crankstar.charts.letters import together
+from crankstar.charts.letters import SMALL, together
 from crankstar.charts.plane import Arrow, Dot, Frame, Plane, Stroke, picture
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Shaft
@@ -30,16 +30,23 @@ from crankstar.language.numbers import number, unit_text
 from crankstar.language.shown_units import shown
 from crankstar.mechanics.balance import default_reference
 from crankstar.remedy.clearance import balance_shafts, crank_sweep
-from crankstar.tables.ranges import estimated_paths
 from crankstar.tables.scales import scales
 
 HUB = 0.34
 """Radius of the arrow of rotation, in crank radii."""
 LONGEST = 0.95
 """Length of the greatest unbalance, in crank radii."""
-RANGES = N_("Estimated masses or lengths: unbalances that rest on them are marked.")
-SIZED = "balance_shaft.weight.unbalance"
-"""The key path of unbalances in an engine file."""
+RANGES = N_(
+    "Estimated masses or lengths: unbalances that rest on them are marked; places and arms may "
+    "rest on them too."
+)
+ENDS = {"front": N_("front"), "rear": N_("rear")}
+UNBALANCES = {
+    "": N_("unbalance {size} at {angle}° when θ = 0"),
+    "front": N_("front: unbalance {size} at {angle}° when θ = 0"),
+    "rear": N_("rear: unbalance {size} at {angle}° when θ = 0"),
+}
+"""The unbalance in a direction, which may be that of one end of the shaft."""
 MARGIN = 34.0
 """px around the shafts, for their names."""
 
@@ -104,6 +111,20 @@ def pulls(shaft: Shaft) -> list[Pull]:
     ]
 
 
+def ends_named(own: Sequence[Pull]) -> list[str]:
+    """`front` and `rear` where each of two directions is that of one end of a shaft, else empty.
+
+    >>> ends_named([Pull(1j, (0.5,)), Pull(-1j, (2.0, 1.0))]), ends_named([Pull(1j, (0.5, -0.5))])
+    (['rear', 'front'], [''])
+    """
+    if len(own) != 2:
+        return [""] * len(own)
+    one, other = own
+    if min(one.planes) > max(other.planes):
+        return ["front", "rear"]
+    return ["rear", "front"] if min(other.planes) > max(one.planes) else ["", ""]
+
+
 def _front(engine: Engine, own: Sequence[Shaft], theta: float) -> Panel:
     """Crank and balance shafts from the front."""
     cranks = [shaft for shaft in engine.shafts if shaft.throws]
@@ -113,6 +134,7 @@ def _front(engine: Engine, own: Sequence[Shaft], theta: float) -> Panel:
     strokes: list[Stroke] = []
     dots: list[Dot] = []
     labels: list[Label] = []
+    ends: list[Label] = []
     reach: list[tuple[complex, float]] = []
     for shaft in [*cranks, *own]:
         place, rate = complex(shaft.up, shaft.right), engine.sense * float(shaft.speed_ratio)
@@ -131,9 +153,13 @@ def _front(engine: Engine, own: Sequence[Shaft], theta: float) -> Panel:
             ]
             reach.append((place, sweep))
             continue
-        for pull in pulls(shaft):
+        ways = pulls(shaft)
+        for pull, end in zip(ways, ends_named(ways), strict=True):
             long = LONGEST * radius * pull.unbalance / (greatest or 1.0)
             arrows.append(Arrow(long, place=place, rate=rate, colour=BLUE, width=3.0))
+            if end:
+                way = long / abs(long)
+                ends.append(Label(_(ENDS[end]), long, way, rate, place, BLUE, SMALL))
         reach.append((place, LONGEST * radius))
     for group in gathered([complex(shaft.up, shaft.right) for shaft in own], 0.02 * radius):
         at = complex(own[group[0]].up, own[group[0]].right)
@@ -142,7 +168,7 @@ def _front(engine: Engine, own: Sequence[Shaft], theta: float) -> Panel:
     frame = _frame(reach)
     if not own:
         labels.append(Label(_("no balance shafts"), complex(cranks[0].up, cranks[0].right), 1j))
-    plane = Plane(tuple(arrows), tuple(strokes), tuple(dots), tuple(labels))
+    plane = Plane(tuple(arrows), tuple(strokes), tuple(dots), (*labels, *ends))
     return picture(plane, frame, theta=theta)
 
 
@@ -178,7 +204,10 @@ def _words(engine: Engine, shaft: Shaft, ends: Sequence[Shaft]) -> str:
         else _("{ratio} × crank speed, against the crank", ratio=size)
     )
     across = scales(engine).across
-    place = _("{up} up, {right} right", up=across.text(shaft.up), right=across.text(shaft.right))
+    up, right = shaft.up, shaft.right
+    if sized_for_estimates(engine):
+        up, right = (float(f"{each:.3g}") for each in (up, right))
+    place = _("{up} up, {right} right", up=across.text(up), right=across.text(right))
     return "\n".join([f"{shaft.name}: {turn}", place, *_unbalances(engine, shaft, ends)])
 
 
@@ -194,16 +223,16 @@ def _unbalances(engine: Engine, shaft: Shaft, ends: Sequence[Shaft]) -> Iterator
     def written(value: float, digits: int) -> str:
         return f"{number(value * scale.factor * factor, digits=digits)} {unit_text(unit)}"
 
-    own = pulls(shaft)
+    own, rough = pulls(shaft), sized_for_estimates(engine)
     others = [each for each in map(pulls, ends) if len(each) == len(own)]
-    for pull, *at_ends in zip(own, *others, strict=True):
+    for end, pull, *at_ends in zip(ends_named(own), own, *others, strict=True):
         size = abs(pull.unbalance)
         between = size_range(pull.unbalance, [end.unbalance for end in at_ends])
-        text = written(size, 4)
+        text = written(size, 3 if rough or between is not None else 4)
         if between is not None:
-            low, high = (written(end, 3) for end in between)
+            low, high = (written(each, 3) for each in between)
             text = f"{text} {_('({low} to {high})', low=low, high=high)}"
-        elif SIZED in estimated_paths(engine):
+        elif rough:
             text = _("{sentence} (estimated)", sentence=text)
         angle = brief(round(degrees(phase(pull.unbalance)), 6) + 0.0)
-        yield _("unbalance {size} at {angle}° when θ = 0", size=text, angle=angle)
+        yield _(UNBALANCES[end], size=text, angle=angle)

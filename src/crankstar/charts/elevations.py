@@ -29,6 +29,7 @@ from crankstar.language.numbers import number, unit_text
 from crankstar.language.shown_units import Shown, shown
 from crankstar.mechanics.balance import default_reference
 from crankstar.mechanics.excitation import Reference
+from crankstar.tables.ranges import estimated_paths
 from crankstar.tables.scales import scales
 
 ROW = 160.0
@@ -39,6 +40,9 @@ LINE, LINES = 15.0, 4
 """Height of a line of arms, px, and the greatest number of lines."""
 HIGH, DIMENSION, CYLINDER = 42.0, -64.0, 62.0
 """px above the axis: a pin that points up, the line of arms, the cylinder numbers."""
+
+SIZED = "balance_shaft.weight.unbalance"
+"""The key path of the unbalances of balance shafts in an engine file."""
 
 
 class Bar(NamedTuple):
@@ -108,6 +112,17 @@ def _lengths(engine: Engine) -> Shown:
 def arms_unit(engine: Engine) -> str:
     """The unit in which the arms of a shaft are written."""
     return _lengths(engine).unit
+
+
+def sized_for_estimates(engine: Engine) -> bool:
+    """Whether the weights of the balance shafts rest on estimates."""
+    return SIZED in estimated_paths(engine)
+
+
+def _digits(engine: Engine, shaft: Shaft) -> int:
+    """The figures of an arm: three where it may rest on estimates."""
+    rough = "layout.bore_pitch" in estimated_paths(engine)
+    return 3 if rough or (not shaft.throws and sized_for_estimates(engine)) else 4
 
 
 def _arm_range(engine: Engine) -> list[str]:
@@ -229,12 +244,12 @@ def _arms(
     engine: Engine, shaft: Shaft, along: Along, zero: float
 ) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
     """The arms below their ticks, lower where one would cover another, with lines down to them."""
-    scale = _lengths(engine).factor
+    scale, digits = _lengths(engine).factor, _digits(engine, shaft)
     texts: list[dict[str, Any]] = []
     leaders: list[dict[str, Any]] = []
     taken = [-1e9] * LINES
     for z in _stations(shaft):
-        text = number(round((z - zero) * scale, 9), 1.0, digits=4).replace("-", "−")
+        text = number(round((z - zero) * scale, 9), 1.0, digits=digits).replace("-", "−")
         x, half = along.at(z), text_width(text, SMALL) / 2
         line = next((at for at, end in enumerate(taken) if x - half > end + 4), None)
         if line is None:

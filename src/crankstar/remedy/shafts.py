@@ -282,5 +282,5 @@ def _name(engine: Engine, ratio: Fraction) -> str:
     name = f"balancer {ratio}"
     count = 2
     while name in names:
-        name, count = f"balancer {ratio}, {count}", count + 1
+        name, count = f"balancer {ratio} no. {count}", count + 1
     return name
