@@ -18,9 +18,11 @@ from tests.measured import Measured, Text, contrast, measured
 import crankstar
 from crankstar import charts, spectra
 from crankstar.charts.contours import labelled_contours, level_lines, levels
+from crankstar.charts.drawing import VERMILION
 from crankstar.charts.themes import THEMES
 from crankstar.mechanics.balance import balance, total
 from crankstar.studies.best_pair import best_pair, front
+from crankstar.studies.best_value import best
 from crankstar.studies.sweep import sweep, watched
 
 __all__ = ["refused", "run"]
@@ -124,6 +126,36 @@ def test_values_read_from_the_picture_are_those_of_single_engines(
         assert text.size * 72 / 96 >= 7.99
         for fill in fills:
             assert contrast(text.colour, (fill[0], fill[1], fill[2])) >= 4.5
+
+
+GAPS = """ring => {
+  const box = document.querySelector(`path[stroke="${ring}"]`).getBoundingClientRect()
+  return [...document.querySelectorAll('text')].map(text => {
+    const other = text.getBoundingClientRect()
+    const beside = Math.max(other.left - box.right, box.left - other.right)
+    return Math.max(beside, other.top - box.bottom, box.top - other.bottom)
+  })
+}"""
+
+
+@pytest.mark.parametrize(
+    "over", [["balance_factor=0.5..1", "speed=1000..6000 rpm"], ["balance_factor=0.5..1"]]
+)
+def test_the_mark_at_the_edge_of_the_axes_leaves_their_numbers_free(
+    over: list[str], page: Page
+) -> None:
+    if len(over) == 2:
+        pairs = sweep("v2-90", over)
+        curve = watched(pairs, "force", order=1)
+        chart = charts.contours(pairs, [curve], best=[best_pair(pairs, curve)])
+    else:
+        single = sweep("v2-90", over)
+        curve = watched(single, "force", order=1)
+        chart = charts.swept(single, [curve], best=[best(single, curve)])
+    page.set_content(charts.svg(chart, "x"))
+    gaps = page.evaluate(GAPS, VERMILION)
+    assert len(gaps) > 8
+    assert min(gaps) > 3  # half of the line of the mark is 1.1
 
 
 def test_two_results_have_their_contours_and_their_front_without_collision(page: Page) -> None:

@@ -25,7 +25,7 @@ from crankstar.charts.drawing import (
 from crankstar.charts.grammar import DISC, Chart, Layer, constant, field, of_rows, span
 from crankstar.charts.labels import Box
 from crankstar.charts.letters import SMALL, TEXT, folded
-from crankstar.charts.sweeps import value_axis
+from crankstar.charts.sweeps import RING, value_axis
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number, unit_text
 from crankstar.language.shown_units import quantity_text, shown
@@ -43,8 +43,6 @@ MOST_LINES = 121
 """Values of each number between which contours are drawn."""
 MOST_POINTS = 1500
 """Pairs of values that are drawn beside a front."""
-RING = 90.0
-"""Area of the mark at the best pair, px^2."""
 
 
 def contours(

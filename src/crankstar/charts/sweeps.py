@@ -34,6 +34,10 @@ from crankstar.tables.sweep_ranges import Band
 MOST_POINTS = 2000
 """Greatest number of drawn values of a curve."""
 BAND = N_("Estimated masses or lengths: the bands are the ranges of the curves.")
+RING = 90.0
+"""Area of the mark at a best value, px^2."""
+CLEAR = {"labelPadding": 5}
+"""px beyond the ticks of an axis: at its edge the mark stays clear of the numbers."""
 HEIGHT = 190
 """px: the usual height of a panel."""
 STROKE = 30
@@ -112,7 +116,7 @@ def value_axis(axis: Axis, name: str, *, room: float, foot: bool = True, **more:
     low, high = float(axis.values.min()), float(axis.values.max())
     ticks = {"values": angle_ticks(low=low, high=high)} if axis.unit == "deg" else {"tickCount": 5}
     title = folded(axis_name(axis.path, axis.unit), width=room) if foot else None
-    return field(f"{name}:Q", scale=span(low, high), title=title, axis={**ticks, **more})
+    return field(f"{name}:Q", scale=span(low, high), title=title, axis={**ticks, **CLEAR, **more})
 
 
 def _scaled(
@@ -156,7 +160,7 @@ def _panel(
     unit = unit_text(pairs[0][0].unit)
     height = curve_height(HEIGHT)
     said = unit if len(names) > 1 else folded(f"{names[0]} [{together(unit)}]", width=height)
-    y = field("y:Q", scale=span(0, 1.08 * reach or 1.0), title=said, axis=ticks)
+    y = field("y:Q", scale=span(0, 1.08 * reach or 1.0), title=said, axis={**ticks, **CLEAR})
     rows = [row for curve, _ in pairs for row in _rows(sweep.values, curve)]
     lines = of_rows(rows).mark("line", strokeWidth=2.4, strokeJoin="round")
     colour = field("what:N", scale=colours, legend=legend)
@@ -176,7 +180,7 @@ def _panel(
     ]
     if marks:
         drop = of_rows(marks).mark("rule", color=GREY, strokeDash=[3, 3], strokeWidth=1)
-        style = {**DISC, "filled": False, "size": 90, "strokeWidth": 2.2, "color": VERMILION}
+        style = {**DISC, "filled": False, "size": RING, "strokeWidth": 2.2, "color": VERMILION}
         layers += [drop.encode(x=x), of_rows(marks).mark("point", **style).encode(x=x, y=y)]
     return layered(layers, width=panel_width(), height=height)
 
