@@ -115,6 +115,23 @@ export function greatest(
   return most
 }
 
+/** The greatest absolute value of a signal over `turns` turns, on a grid. */
+export function highest(
+  coefficients: Coefficients,
+  orders: readonly number[],
+  chosen: readonly number[] | null,
+  turns: number,
+): number {
+  const phase = phaseOf(orders.length, 1)
+  const steps = 180 * turns
+  let most = 0
+  for (let step = 0; step < steps; step++) {
+    turn(phase, orders, (step / steps) * turns * 2 * Math.PI, chosen)
+    most = Math.max(most, Math.abs(signalAt(coefficients, phase)))
+  }
+  return most
+}
+
 /** The greatest vertical and horizontal reach of the vector over `turns` turns. */
 export function spans(
   coefficients: Coefficients,

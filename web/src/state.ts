@@ -21,6 +21,7 @@ export interface State {
   readonly tab: string
   readonly force: boolean
   readonly couple: boolean
+  readonly roll: boolean
   readonly cylinders: boolean
   /** Orders that are shown as arrows, as whirl and in figures; null for all. */
   readonly orders: readonly number[] | null
@@ -59,6 +60,7 @@ export const OPENING: State = {
   tab: 'orders',
   force: true,
   couple: true,
+  roll: true,
   cylinders: false,
   orders: null,
   quantity: null,
@@ -145,6 +147,7 @@ const FIELDS: { readonly [K in keyof Single]: Field<Single[K]> } = {
   tab: { ...words('tab', 20), read: (text) => (/^[a-z]{1,20}$/.test(text) ? text : undefined) },
   force: yesNo('force'),
   couple: yesNo('couple'),
+  roll: yesNo('roll'),
   cylinders: yesNo('each'),
   orders,
   quantity: { ...oneOf('of', QUANTITIES), write: (value) => value ?? '' },

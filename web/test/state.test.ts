@@ -10,6 +10,7 @@ const OTHER: State = {
   tab: 'derivation',
   force: false,
   couple: false,
+  roll: false,
   cylinders: true,
   orders: [0.5, 1, 2],
   quantity: 'couple',

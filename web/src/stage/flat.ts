@@ -5,6 +5,7 @@ import { type Body, bodiesOf, coloursOf } from './bodies'
 import { along, boreEnd } from './extent'
 import { hull } from './hull'
 import { projected } from './lettering'
+import { type Load, ROLL } from './load'
 import { css } from './palette'
 import type { Pane } from './panes'
 import type { Instant, Picture } from './picture'
@@ -151,6 +152,7 @@ export class FlatPicture implements Picture {
     project: (point: Vector) => Vector,
   ): void {
     to.lineCap = 'round'
+    curved(to, load, arrow, css(palette.roll), project)
     for (const { kind, x, y, z, up, right } of load.pulls) {
       const [fromX, fromY] = project([x, y, z])
       const [tipX, tipY] = project([x + right * arrow, y + up * arrow, z])
@@ -259,4 +261,38 @@ function trace(to: CanvasRenderingContext2D, flat: Float64Array, corners: readon
   for (const corner of corners)
     to.lineTo(flat[2 * corner] as number, flat[2 * corner + 1] as number)
   to.closePath()
+}
+
+/** A curved arrow about the crank axis for the roll, clockwise from the top. */
+function curved(
+  to: CanvasRenderingContext2D,
+  { turning, about: [x, y, z] }: Load,
+  arrow: number,
+  colour: string,
+  project: (point: Vector) => Vector,
+): void {
+  const sweep = ROLL.angle * turning
+  const radius = ROLL.radius * arrow
+  const steps = Math.ceil(Math.abs(sweep) / 0.1)
+  if (steps < 1) return
+  to.strokeStyle = to.fillStyle = colour
+  to.lineWidth = 3
+  to.beginPath()
+  let before: Vector = [0, 0, 0]
+  let last: Vector = [0, 0, 0]
+  for (let step = 0; step <= steps; step++) {
+    const way = (sweep * step) / steps
+    before = last
+    last = project([x + radius * Math.sin(way), y + radius * Math.cos(way), z])
+    to.lineTo(last[0], last[1])
+  }
+  to.stroke()
+  const long = Math.hypot(last[0] - before[0], last[1] - before[1])
+  if (long < 1) return
+  const [dx, dy] = [(last[0] - before[0]) / long, (last[1] - before[1]) / long]
+  to.beginPath()
+  to.moveTo(last[0] + 9 * dx, last[1] + 9 * dy)
+  to.lineTo(last[0] + 5 * dy, last[1] - 5 * dx)
+  to.lineTo(last[0] - 5 * dy, last[1] + 5 * dx)
+  to.fill()
 }

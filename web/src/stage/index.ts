@@ -178,7 +178,10 @@ class EngineStage implements Stage {
   /** Whether an instant differs from the last drawn one; drawing without a card is slow. */
   #anew({ view, panes, palette, load, arrow }: Instant): boolean {
     const { arrows, whirl, section } = view
-    const shown = [view.theta, view.glass, view.glow, palette, arrow, load.force, load.couple]
+    const shown = [
+      ...[view.theta, view.glass, view.glow, palette, arrow],
+      ...[load.force, load.couple, load.roll],
+    ]
     const pushed = [arrows.force, arrows.couple, arrows.cylinders, arrows.orders?.join()]
     const state = [...shown, ...pushed, panes, section, whirl.magnification, whirl.orders?.join()]
     if (equal(state, this.#drawn)) return false
@@ -219,7 +222,8 @@ class EngineStage implements Stage {
     const { view, panes, slice, palette, load, arrow } = instant
     const { width, height, density } = this.#size
     const { magnification, orders } = view.whirl
-    const still = [panes, slice, width, height, density, palette, load.force, load.couple, arrow]
+    const { force, couple, roll } = load
+    const still = [panes, slice, width, height, density, palette, force, couple, roll, arrow]
     const state = magnification > 0 ? [...still, magnification, view.theta, orders] : still
     if (equal(state, this.#written)) return
     this.#written = state

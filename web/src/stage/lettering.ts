@@ -68,13 +68,22 @@ export function write(to: CanvasRenderingContext2D, exhibit: Exhibit, writing: W
   const kinds = (['couple', 'force'] as const).filter((kind) => writing.load[kind] > 0)
   const pixels = pixelsOf(panes[panes.length - 1] ?? first)
   const beside = sheet ? 12 : 2 * axesAt(to, width) + (width < WIDE ? -6 : 10)
+  let end = 0
   kinds.forEach((kind, above) => {
     const { units } = exhibit
     const factor = kind === 'force' ? units.force_factor : units.couple_factor
     const value = writing.load[kind] * factor
     const line = { value, unit: units[kind], colour: palette[kind], name: names[kind] }
-    scale(to, writing, line, pixels, { x: beside, y: height - foot - step * above })
+    end = scale(to, writing, line, pixels, { x: beside, y: height - foot - step * above })
   })
+  if (writing.load.roll > 0 && width >= WIDE)
+    roll(
+      to,
+      writing,
+      exhibit,
+      kinds.length ? end + 24 : beside,
+      height - foot - step * Math.max(0, kinds.length - 1),
+    )
 }
 
 const VIEWS = {
@@ -289,7 +298,7 @@ function scale(
   { value, unit, colour, name }: { value: number; unit: string; colour: number; name: string },
   pixels: number,
   { x: beside, y }: Place,
-): void {
+): number {
   const perPixel = value / (arrow * pixels)
   const round = roundValue(perPixel * Math.min(96, width / 5))
   const long = round / perPixel
@@ -309,6 +318,34 @@ function scale(
   to.textAlign = 'left'
   to.textBaseline = 'middle'
   to.fillText(text, x + long + 8, y)
+  return x + long + 8 + to.measureText(text).width
+}
+
+/** What the longest curved arrow stands for. */
+function roll(
+  to: CanvasRenderingContext2D,
+  { load, palette }: Writing,
+  { units }: Exhibit,
+  x: number,
+  y: number,
+): void {
+  const value = +(load.roll * units.roll_factor).toPrecision(3)
+  const colour = css(palette.roll)
+  to.strokeStyle = to.fillStyle = colour
+  to.lineWidth = 2.5
+  to.beginPath()
+  to.arc(x + 8, y + 2, 8, -Math.PI / 2, Math.PI / 3)
+  to.stroke()
+  to.beginPath()
+  to.moveTo(x + 7, y + 12)
+  to.lineTo(x + 10, y + 4)
+  to.lineTo(x + 16, y + 9)
+  to.fill()
+  to.font = `12px ${FONT}`
+  to.fillStyle = palette.text
+  to.textAlign = 'left'
+  to.textBaseline = 'middle'
+  to.fillText(t('{value} {unit}  Roll, at most', { value, unit: units.roll }), x + 24, y)
 }
 
 /** The greatest of 1, 2, 5, 10, ... that is not above a value. */

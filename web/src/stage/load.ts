@@ -3,15 +3,19 @@ import {
   type Coefficients,
   coefficientsOf,
   greatest,
+  highest,
   type Phase,
   type Plane,
   phaseOf,
+  signalAt,
+  signalOf,
   spans,
   turn,
   vectorAt,
 } from '../phasor'
 import { along, type Disc } from './extent'
 import type { View } from './stage'
+import type { Vector } from './vector'
 
 /** An arrow: its origin (x, y, z) and its vector in shares of the longest of its kind. */
 export interface Pull {
@@ -29,7 +33,16 @@ export interface Load {
   /** Values of an arrow of the design length at scale 1; 0 where none is drawn. */
   force: number
   couple: number
+  /** The rolling moment of the longest curved arrow; 0 where none is drawn. */
+  roll: number
+  /** The rolling moment now in shares of it, clockwise. */
+  turning: number
+  /** Middle of the curved arrow, x, y, z. */
+  readonly about: Vector
 }
+
+/** The longest curved arrow: its angle, radians, and its radius in lengths of the longest arrow. */
+export const ROLL = { angle: (140 * Math.PI) / 180, radius: 1.15 }
 
 /** A sum below this share of its parts is a rounding error and not drawn. */
 const ROUNDING = 1e-9
@@ -41,6 +54,7 @@ export class Loads {
   readonly #exhibit: Exhibit
   readonly #force: Coefficients
   readonly #couple: Coefficients
+  readonly #roll: Coefficients
   readonly #parts: Coefficients[]
   readonly #phase: Phase
   readonly #load: Load
@@ -56,9 +70,12 @@ export class Loads {
     this.#exhibit = exhibit
     this.#force = coefficientsOf(exhibit.total.force)
     this.#couple = coefficientsOf(exhibit.total.couple)
+    this.#roll = signalOf(exhibit.total.roll)
     this.#parts = exhibit.cylinders.map((part) => coefficientsOf(part.force))
     this.#phase = phaseOf(exhibit.orders.length, exhibit.sense)
-    this.#load = { pulls: this.#begun(), force: 0, couple: 0 }
+    const [shaft] = exhibit.scene.shafts
+    const about: Vector = [shaft?.right ?? 0, shaft?.up ?? 0, exhibit.scene.high[2]]
+    this.#load = { pulls: this.#begun(), force: 0, couple: 0, roll: 0, turning: 0, about }
   }
 
   /** Engines beside this one: arrows of the same length mean the same in all of them. */
@@ -94,6 +111,7 @@ export class Loads {
     this.#put(0, this.#force, load.force, 1)
     this.#put(1, this.#couple, load.couple, 1)
     this.#put(2, this.#couple, load.couple, -1)
+    load.turning = load.roll > 0 ? signalAt(this.#roll, this.#phase) / load.roll : 0
     for (let index = 0; index < this.#parts.length; index++) {
       const scale = arrows.cylinders ? load.force : 0
       this.#put(3 + index, this.#parts[index] as Coefficients, scale, 1)
@@ -108,7 +126,8 @@ export class Loads {
     if (arrow === this.#long) return this.#room
     this.#long = arrow
     const { orders, turns } = this.#exhibit
-    const { pulls, force, couple } = this.#load
+    const { pulls, force, couple, roll, about } = this.#load
+    const ring: Disc = { centre: about, facing: [0, 0, 1], radius: ROLL.radius * arrow }
     const tips = (pull: Pull | undefined, coefficients: Coefficients, scale: number): Disc[] => {
       if (!pull || !(scale > 0)) return []
       const [up, right] = spans(coefficients, orders, arrows.orders, turns).map(
@@ -122,6 +141,7 @@ export class Loads {
       return [tip(pull.x - right, pull.y - up), tip(pull.x + right, pull.y + up)]
     }
     this.#room = [
+      ...(roll > 0 ? [ring] : []),
       ...tips(pulls[0], this.#force, force),
       ...tips(pulls[1], this.#couple, couple),
       ...tips(pulls[2], this.#couple, couple),
@@ -142,28 +162,35 @@ export class Loads {
 
   /** The greatest of what is shown here and beside, whenever the choice changes. */
   #scale({ arrows }: View): void {
-    const key = `${arrows.force} ${arrows.couple} ${arrows.cylinders} ${arrows.orders?.join() ?? 'all'}`
+    const key = `${arrows.force} ${arrows.couple} ${arrows.roll} ${arrows.cylinders} ${arrows.orders?.join() ?? 'all'}`
     if (key === this.#scaled) return
     this.#scaled = key
     this.#long = -1
     this.#load.force = 0
     this.#load.couple = 0
+    this.#load.roll = 0
     const { units, scale } = this.#exhibit
     for (const exhibit of [this.#exhibit, ...this.#beside]) {
-      const { force, couple } = longest(exhibit, arrows)
+      const { force, couple, roll } = longest(exhibit, arrows)
       // in other units, as multiples of m r w^2 of the first cylinder
       const alike = `${exhibit.units.counted}` === `${units.counted}`
-      const [forces, couples] = alike
-        ? [1, 1]
-        : [scale.force / exhibit.scale.force, scale.couple / exhibit.scale.couple]
+      const own = exhibit.scale
+      const [forces, couples, rolls] = alike
+        ? [1, 1, 1]
+        : [
+            scale.force / own.force,
+            scale.couple / own.couple,
+            (scale.force * scale.length) / (own.force * own.length),
+          ]
       this.#load.force = Math.max(this.#load.force, forces * force)
       this.#load.couple = Math.max(this.#load.couple, couples * couple)
+      this.#load.roll = Math.max(this.#load.roll, rolls * roll)
     }
   }
 }
 
 /** What the longest arrows of an engine stand for; 0 where nothing is to be drawn. */
-function longest(exhibit: Exhibit, arrows: View['arrows']): { force: number; couple: number } {
+function longest(exhibit: Exhibit, arrows: View['arrows']) {
   const { orders, turns, cylinders, reference_z, couple_length, total } = exhibit
   const most = (of: Coefficients) => greatest(of, orders, arrows.orders, turns)
   const [force, couple] = [most(coefficientsOf(total.force)), most(coefficientsOf(total.couple))]
@@ -172,8 +199,12 @@ function longest(exhibit: Exhibit, arrows: View['arrows']): { force: number; cou
   const arm =
     Math.max(0, ...cylinders.map((part) => Math.abs(part.z - reference_z))) / couple_length
   const pair = alone * arm
+  const [roll, torque] = [total.roll, total.torque].map((signal) =>
+    highest(signalOf(signal), orders, arrows.orders, turns),
+  ) as Plane
   return {
     force: arrows.force && shown > ROUNDING * alone ? Math.max(shown, LITTLE * alone) : 0,
     couple: arrows.couple && couple > ROUNDING * pair ? Math.max(couple, LITTLE * pair) : 0,
+    roll: arrows.roll && roll > ROUNDING * Math.max(roll, torque) ? roll : 0,
   }
 }

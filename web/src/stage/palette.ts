@@ -13,6 +13,7 @@ export interface Palette {
   readonly force: number
   readonly part: number
   readonly couple: number
+  readonly roll: number
   readonly text: string
   readonly quiet: string
   readonly paper: string
@@ -31,6 +32,7 @@ export const LIGHT: Palette = {
   force: 0x0f6db5,
   part: 0x4fa9dc,
   couple: 0xb04f8c,
+  roll: 0x8a6a00,
   text: '#28323c',
   quiet: '#66727e',
   paper: '#ffffff',
@@ -49,6 +51,7 @@ export const DARK: Palette = {
   force: 0x56b4e9,
   part: 0x3d87b8,
   couple: 0xe08fbd,
+  roll: 0xd8b64a,
   text: '#e4e9ee',
   quiet: '#9aa6b2',
   paper: '#14181d',

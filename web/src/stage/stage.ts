@@ -15,6 +15,8 @@ export interface View {
   readonly arrows: {
     readonly force: boolean
     readonly couple: boolean
+    /** The rolling moment, as a curved arrow about the crank axis. */
+    readonly roll: boolean
     readonly cylinders: boolean
     /** Orders that are added up; null for all. */
     readonly orders: readonly number[] | null

@@ -21,6 +21,7 @@ const SIGHT = {
 const SWITCHES = [
   ['force', message('Force')],
   ['couple', message('Couple')],
+  ['roll', message('Roll')],
   ['cylinders', message('Each cylinder')],
   ['whirl', message('Whirl')],
   ['glass', message('Bores')],

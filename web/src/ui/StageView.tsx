@@ -18,6 +18,7 @@ function viewOf({ store, dark, sight }: App, theta: number): View {
     arrows: {
       force: store.force.value,
       couple: store.couple.value,
+      roll: store.roll.value,
       cylinders: store.cylinders.value,
       orders,
       scale: store.scale.value,

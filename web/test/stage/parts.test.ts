@@ -1,10 +1,13 @@
+import { Group, type InstancedMesh, Matrix4, Vector3 } from 'three'
 import { describe, expect, test } from 'vitest'
 import type { Exhibit, GearShown, Scene } from '../../src/exhibit'
 import { along, boreEnd, facesAnother } from '../../src/stage/extent'
 import { hull } from '../../src/stage/hull'
 import { quantity, roundValue } from '../../src/stage/lettering'
-import { Loads } from '../../src/stage/load'
+import { type Load, Loads, ROLL } from '../../src/stage/load'
+import { materials } from '../../src/stage/materials'
 import { band, circle, gear, type Outline, sector } from '../../src/stage/outlines'
+import { arrows } from '../../src/stage/parts/arrows'
 import { toothBearings } from '../../src/stage/parts/meshing'
 import { journals } from '../../src/stage/parts/shafts'
 import { Solid } from '../../src/stage/solid'
@@ -152,7 +155,15 @@ describe('arrows', () => {
   const view = (arrows: Partial<View['arrows']>): View => ({
     theta: 0,
     camera: 'front',
-    arrows: { force: true, couple: true, cylinders: true, orders: null, scale: 1, ...arrows },
+    arrows: {
+      force: true,
+      couple: true,
+      roll: false,
+      cylinders: true,
+      orders: null,
+      scale: 1,
+      ...arrows,
+    },
     whirl: { magnification: 0, orders: null },
     glass: true,
     glow: true,
@@ -254,3 +265,34 @@ test('scales are round numbers with units', () => {
     '0.2 m r w^2',
   ])
 })
+
+test.each([0.5, -0.5])(
+  'a curved arrow begins at the top and turns clockwise where the roll is positive: %d',
+  (share) => {
+    const group = new Group()
+    const load: Load = {
+      ...{ pulls: [], force: 0, couple: 0, roll: 1, turning: share },
+      about: [3, 2, 1],
+    }
+    const drawn = arrows(group, load, materials())
+    drawn.move(1)
+    const visible = group.children.filter(
+      (child): child is InstancedMesh => child.visible && 'count' in child,
+    )
+    const pieces = visible.find(({ count }) => count > 1) as InstancedMesh
+    const bearings = Array.from({ length: pieces.count }, (_, index) => {
+      const place = new Matrix4()
+      pieces.getMatrixAt(index, place)
+      const [x, y, z] = new Vector3().setFromMatrixPosition(place).toArray()
+      expect(Math.hypot(x - 3, y - 2)).toBeCloseTo(ROLL.radius, 5)
+      expect(z).toBeCloseTo(1, 6)
+      return Math.atan2(x - 3, y - 2)
+    })
+    expect(bearings[0]).toBeCloseTo(0, 6)
+    const last = bearings[bearings.length - 1] as number
+    expect(Math.sign(last)).toBe(Math.sign(share))
+    expect(Math.abs(last)).toBeLessThan(Math.abs(share) * ROLL.angle)
+    expect(Math.abs(last)).toBeGreaterThan(0.7 * Math.abs(share) * ROLL.angle)
+    drawn.dispose()
+  },
+)

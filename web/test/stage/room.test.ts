@@ -9,7 +9,15 @@ import { exhibit } from './engine'
 const view = (arrows: Partial<View['arrows']>): View => ({
   theta: 0,
   camera: 'front',
-  arrows: { force: true, couple: true, cylinders: false, orders: null, scale: 1, ...arrows },
+  arrows: {
+    force: true,
+    couple: true,
+    roll: false,
+    cylinders: false,
+    orders: null,
+    scale: 1,
+    ...arrows,
+  },
   whirl: { magnification: 0, orders: null },
   glass: true,
   glow: true,

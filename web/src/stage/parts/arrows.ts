@@ -1,11 +1,15 @@
 import type { Group } from 'three'
 import { Batch } from '../batch'
-import type { Load } from '../load'
+import { type Load, ROLL } from '../load'
 import type { Arrow, Materials } from '../materials'
 import { BAR, Solid } from '../solid'
 
 /** How thick an arrow is, as a share of the design length; heads are three times that wide. */
-const THICK: Readonly<Record<Arrow, number>> = { force: 0.045, couple: 0.038, part: 0.026 }
+const THICK: Readonly<Record<Arrow, number>> = {
+  ...{ force: 0.045, couple: 0.038, part: 0.026, roll: 0.036 },
+}
+/** Straight pieces of a curved arrow. */
+const PIECES = 24
 
 const CONE = [
   [0, 0, 0],
@@ -13,7 +17,7 @@ const CONE = [
   [0, 1, 0],
 ] as const
 
-/** Arrows for what pulls at the block: the total, the couple as a pair, and each cylinder's. */
+/** Arrows for what pulls at the block: the total, the couple as a pair, each cylinder's, the roll. */
 export function arrows(
   parent: Group,
   load: Load,
@@ -21,7 +25,7 @@ export function arrows(
 ): { move(length: number): void; dispose(): void } {
   const shaft = () => new Solid().turned(BAR, 0, 2 * Math.PI, 12).shape()
   const head = () => new Solid().turned(CONE, 0, 2 * Math.PI, 18).shape()
-  const kinds: Arrow[] = ['part', 'couple', 'force']
+  const kinds = ['part', 'couple', 'force'] as const
   const drawn = kinds.map((kind, rank) => {
     const pulls = load.pulls.filter((pull) => pull.kind === kind)
     const material = paint[kind]
@@ -29,6 +33,10 @@ export function arrows(
     const heads = new Batch(parent, head(), pulls.length, material, null, 11 + 2 * rank)
     return { kind, pulls, shafts, heads }
   })
+  const bend = {
+    pieces: new Batch(parent, shaft(), PIECES, paint.roll, null, 16),
+    tip: new Batch(parent, head(), 1, paint.roll, null, 17),
+  }
   return {
     /** Puts the arrows as the load says; the greatest is `length` long. */
     move: (length: number) => {
@@ -60,12 +68,47 @@ export function arrows(
         shafts.placed()
         heads.placed()
       }
+      curve(bend.pieces, bend.tip, load, length)
     },
     dispose: () => {
       for (const { shafts, heads } of drawn) {
         shafts.dispose()
         heads.dispose()
       }
+      bend.pieces.dispose()
+      bend.tip.dispose()
     },
   }
+}
+
+/** Bends an arrow about the crank axis, from the top clockwise by the share of the roll. */
+function curve(pieces: Batch, tip: Batch, { turning, about }: Load, length: number): void {
+  const sweep = ROLL.angle * turning
+  const radius = ROLL.radius * length
+  const thick = THICK.roll * length
+  const long = Math.abs(sweep) * radius
+  const some = long > 0.2 * thick
+  pieces.visible = some
+  tip.visible = some
+  if (!some) return
+  const sense = Math.sign(sweep)
+  const point = Math.min(3.6 * thick, 0.75 * long)
+  const stick = sweep * (1 - point / long)
+  const piece = Math.abs(stick / PIECES)
+  const [x, y, z] = about
+  for (let index = 0; index < PIECES; index++) {
+    const from = (stick * index) / PIECES
+    const way = from + (sense * piece) / 2
+    // the tangent of a clockwise turn stands at a right angle after the radius
+    const [up, right] = [-sense * Math.sin(way), sense * Math.cos(way)]
+    const chord = 2 * radius * Math.sin(piece / 2)
+    const [px, py] = [x + radius * Math.sin(from), y + radius * Math.cos(from)]
+    pieces.put(index, px, py, z, up, right, thick / 2, chord)
+  }
+  const [up, right] = [-sense * Math.sin(stick), sense * Math.cos(stick)]
+  const wide = (point / 3.6) * 1.45
+  const [px, py] = [x + radius * Math.sin(stick), y + radius * Math.cos(stick)]
+  tip.put(0, px, py, z, up, right, wide, point)
+  pieces.placed()
+  tip.placed()
 }
