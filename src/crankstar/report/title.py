@@ -10,6 +10,7 @@ from crankstar.engine.engine import Engine
 from crankstar.firing.intervals import firing
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
+from crankstar.remedy import loads
 from crankstar.report.markup import section
 from crankstar.report.subject import Subject
 from crankstar.tables.conditions import unverified
@@ -137,15 +138,36 @@ def _lengths(engine: Engine) -> list[Datum]:
 
 
 def _masses(engine: Engine) -> list[Datum]:
+    """What goes up and down and what turns, as `balance` counts them, and what they are made of."""
     if "mass" in engine.relative:
         return []
-    reciprocating = _span(cylinder.reciprocating_mass for cylinder in engine.cylinders)
-    masses = [throw.turning_mass for shaft in engine.shafts for throw in shaft.throws]
-    rotating = f"{_span(masses)} kg" if any(masses) else _("not in the engine file")
+    pins = loads(engine)
+    hung = [pin.rotating for pin in pins]
+    own = [pin.own for pin in pins]
     rods = [cylinder.rod.mass for cylinder in engine.cylinders if cylinder.rod is not None]
+    of_rods = ("rod", "mass", "centre") if rods else ()
+    pistons = (cylinder.reciprocating_mass for cylinder in engine.cylinders)
     return [
-        Datum(_("Reciprocating mass per cylinder"), f"{reciprocating} kg", ("reciprocating_mass",)),
-        Datum(_("Rotating mass per throw"), rotating, ("rotating_mass",)),
+        Datum(
+            _("Reciprocating mass per cylinder"),
+            f"{_span(cylinder.reciprocating for cylinder in engine.cylinders)} kg",
+            ("reciprocating_mass", *of_rods),
+        ),
+        Datum(
+            _("Piston group, without the rod"),
+            f"{_span(pistons)} kg" if rods else "",
+            ("reciprocating_mass",),
+        ),
+        Datum(
+            _("Rotating mass per throw"),
+            f"{_span(hung)} kg" if any(hung) else _("not in the engine file"),
+            ("rotating_mass", *of_rods),
+        ),
+        Datum(
+            _("Crank pin and webs, at crank radius"),
+            f"{_span(own)} kg" if any(own) else "",
+            ("throw_mass",),
+        ),
         Datum(_("Mass of a rod"), f"{_span(rods)} kg" if rods else "", ("rod", "mass")),
     ]
 

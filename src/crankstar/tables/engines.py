@@ -5,6 +5,7 @@ from __future__ import annotations
 from cmath import phase
 from collections.abc import Iterator, Sequence
 from math import degrees
+from typing import Literal
 
 from crankstar.engine import motion
 from crankstar.engine.dead_centres import dead_centres
@@ -21,6 +22,13 @@ from crankstar.tables.scales import Scale, scales
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
 HIGHEST_HARMONIC = 8
+
+
+MASSES = {
+    "rotating": (N_("rotating mass"), N_("rotating mass, without the rod")),
+    "reciprocating": (N_("reciprocating mass"), N_("reciprocating mass, without the rod")),
+}
+"""The masses that the file gives, and what they are where rods are rigid bodies."""
 
 
 def description(engine: Engine) -> Document:
@@ -77,7 +85,7 @@ def rotors(engine: Engine) -> Table:
         Column(_("bearing at θ = 0"), "deg", key="bearing_deg"),
         Column(_("radius"), across.unit, key="radius"),
         Column("z", along.unit, key="z"),
-        Column(_("rotating mass"), mass.unit, key="rotating_mass"),
+        Column(_of_records(engine, "rotating"), mass.unit, key="rotating_mass"),
         Column(_("unbalance"), unbalance.unit, key="unbalance"),
     )
     rows: list[tuple[Value, ...]] = []
@@ -132,6 +140,12 @@ def _shaft_label(shaft: Shaft, across: Scale) -> str:
     return _("{name}, {up} up, {right} right", name=name, up=up, right=right)
 
 
+def _of_records(engine: Engine, moves: Literal["rotating", "reciprocating"]) -> str:
+    """The heading of the masses in the file; that of a rigid rod is in none of them."""
+    rigid = any(cylinder.rod is not None for cylinder in engine.cylinders)
+    return _(MASSES[moves][rigid])
+
+
 def _bearing(angle: float) -> float:
     return round(degrees(angle), 9) + 0.0
 
@@ -149,7 +163,7 @@ def cylinders(engine: Engine) -> Table:
         Column(_("offset"), across.unit, key="offset"),
         Column(_("bore"), across.unit, key="bore"),
         Column(_("rod"), across.unit, key="rod_length"),
-        Column(_("reciprocating mass"), mass.unit, key="reciprocating_mass"),
+        Column(_of_records(engine, "reciprocating"), mass.unit, key="reciprocating_mass"),
         Column(_("top dead centre"), "deg", key="top_dead_centre_deg"),
     )
     banks = {place: name for name, numbers in engine.banks.items() for place in numbers}

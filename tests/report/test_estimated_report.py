@@ -1,0 +1,92 @@
+"""The report of an engine with estimated values: one name for one mass, and words of its own."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+
+import pytest
+
+from crankstar.files.box import spread
+from crankstar.files.catalog import load
+from crankstar.files.estimate import estimated
+from crankstar.mechanics.balance import unit_mass
+from crankstar.options.balancing import BalanceOptions, balanced
+from crankstar.report import Subject
+from crankstar.report.title import data
+from crankstar.tables.engines import cylinders, rotors
+from crankstar.tables.ranges import ranged
+from crankstar.tables.remedies import balancing_sheet
+from crankstar.tables.table import Ranged
+
+TWIN = """
+format = 1
+name = "270 twin"
+cycle = "four-stroke"
+speed = "8000 rpm"
+[cylinder]
+bore = "92 mm"
+stroke = "75 mm"
+[layout]
+type = "inline"
+throws = ["0 deg", "270 deg"]
+"""
+
+
+@pytest.fixture
+def twin() -> Subject:
+    """A twin of which the file gives neither masses nor a rod."""
+    tree = dict(estimated(tomllib.loads(TWIN)).tree)
+    ends = spread(tree)
+    assert ends is not None
+    return Subject(ends.engine, tree, "crankstar report twin.toml", spreads=(ends, None))
+
+
+def span_of(text: str) -> list[float]:
+    """Typical value, least and greatest in a cell of the data sheet, kg."""
+    found = re.search(r"about ([\d.]+) \(([\d.]+) to ([\d.]+), estimated\) kg", text)
+    assert found is not None, text
+    return [float(part) for part in found.groups()]
+
+
+def test_masses_of_the_data_sheet_are_those_of_the_bobweights(twin: Subject) -> None:
+    """The share of a rigid rod is in what goes up and down and in what turns."""
+    sheet = {datum.label: datum.value for datum in data(twin)}
+    engine = twin.engine
+    (first, _second) = next(
+        table.rows
+        for table in ranged(
+            lambda each: balancing_sheet(balanced(each, BalanceOptions(factor="0.5"))),
+            twin.spreads[0],
+            engine,
+        ).tables
+        if table.key == "bobweights"
+    )
+    for label, cell in (
+        ("Rotating mass per throw", first[2]),
+        ("Reciprocating mass per cylinder", first[3]),
+    ):
+        assert isinstance(cell, Ranged)
+        ends = [float(cell.value.real), cell.low, cell.high]
+        assert span_of(sheet[label]) == pytest.approx(ends, rel=0.006), label
+    assert span_of(sheet["Reciprocating mass per cylinder"])[0] == pytest.approx(
+        unit_mass(engine), rel=0.006
+    )
+    bare = span_of(sheet["Piston group, without the rod"])[0]
+    assert bare == pytest.approx(engine.first.reciprocating_mass, rel=0.006)
+    own = span_of(sheet["Crank pin and webs, at crank radius"])[0]
+    assert own == pytest.approx(engine.shafts[0].throws[0].throw_mass, rel=0.006)
+
+
+def test_masses_in_the_file_are_named_as_being_without_the_rod(twin: Subject) -> None:
+    headings = [
+        [column.heading for column in table.columns if column.key.endswith("_mass")]
+        for engine in (twin.engine, load("bmw-r1200"))
+        for table in (rotors(engine), cylinders(engine))
+    ]
+    assert headings == [
+        ["rotating mass, without the rod"],
+        ["reciprocating mass, without the rod"],
+        ["rotating mass"],
+        ["reciprocating mass"],
+    ]
