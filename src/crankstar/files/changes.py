@@ -80,7 +80,7 @@ def _without_estimates(tree: Tree, changes: Mapping[str, Any]) -> Tree:
             path in changes and isinstance(source, dict) and source.get("status") == "estimated"
         )
     }
-    gone = sources.keys() - kept.keys()
+    gone = [*(sources.keys() - kept.keys())]  # a list may be asked for what a file has by mistake
     for path, source in kept.items():
         other = source.get("moves_with") if isinstance(source, dict) else None
         if isinstance(other, str) and other in gone:
