@@ -10,14 +10,16 @@ import pytest
 from crankstar.files.box import spread
 from crankstar.files.catalog import load
 from crankstar.files.estimate import estimated
+from crankstar.files.rewritten import rewritten
 from crankstar.mechanics.balance import unit_mass
 from crankstar.options.balancing import BalanceOptions, balanced
 from crankstar.report import Subject
 from crankstar.report.title import data
+from crankstar.report.whirling import _table
 from crankstar.tables.engines import cylinders, rotors
 from crankstar.tables.ranges import ranged
 from crankstar.tables.remedies import balancing_sheet
-from crankstar.tables.table import Ranged
+from crankstar.tables.table import Ranged, Table
 
 TWIN = """
 format = 1
@@ -90,3 +92,21 @@ def test_masses_in_the_file_are_named_as_being_without_the_rod(twin: Subject) ->
         ["rotating mass"],
         ["reciprocating mass"],
     ]
+
+
+def test_an_end_that_other_masses_alone_move_has_no_path_and_no_mark() -> None:
+    """The file balances the first order for its estimated masses."""
+    tree = dict(estimated(tomllib.loads(TWIN)).tree)
+    ends = spread(tree)
+    assert ends is not None
+    options = BalanceOptions(factor="0.5", shafts="-1")
+    quiet = rewritten({**tree, "name": "quiet"}, balanced(ends.engine, options).after)
+    over = spread(quiet)
+    assert over is not None
+    subject = Subject(over.engine, quiet, "", spreads=(over, None))
+    (table,) = subject.parts(lambda each: [_table(each, 1e6, "µm")])
+    assert isinstance(table, Table)
+    by_order = {row[0]: row for row in table.rows}
+    assert by_order[1.0][1] == by_order[1.0][3] == ""
+    assert isinstance(by_order[1.0][2], Ranged)
+    assert by_order[3.0][1:] == ("none", 0.0, "none", 0.0)

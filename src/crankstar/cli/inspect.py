@@ -260,19 +260,15 @@ def verdict(
     """State in short sentences which orders balance, which remain, and what would cure them."""
     from crankstar.remedy.fitting import recommended
     from crankstar.tables import verdict as tables
-    from crankstar.tables.ranges import ranged
+    from crankstar.tables.ranges import with_doubt
     from crankstar.tables.table import remarks
+    from crankstar.tables.verdict_ranges import ranged_facts
 
     (loaded, spread), turning = together(
         partial(loaded_values, engine, settings, estimate=estimate), partial(request.speed, speed)
     )
-    document = ranged(
-        lambda each: tables.verdict_document(
-            each, tables.verdict(each, speed=turning, relatives=each is loaded)
-        ),
-        spread,
-        loaded,
-    )
+    facts = ranged_facts(partial(tables.verdict, speed=turning), spread, loaded)
+    document = with_doubt(tables.verdict_document(loaded, facts), loaded)
     if recommended(loaded) is not None:
         how = _(
             "To fit the recommended remedy and see what remains: {command}",

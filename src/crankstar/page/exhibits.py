@@ -159,12 +159,7 @@ def in_units(engine: Engine, over: Spread | None, *, relatives: bool) -> dict[st
     ends = [remains.summed(balance(each, speed=each.speed)) for each in over.ends] if over else []
     units, scaling = units_of(engine, result, sums)
     subject_of = subjects()
-    facts = ranged_facts(
-        partial(verdict, relatives=relatives),
-        over,
-        engine,
-        at_ends=partial(verdict, relatives=False),
-    )
+    facts = ranged_facts(partial(verdict, relatives=relatives), over, engine)
     return {
         "units": units,
         "heading": ranged_lines(_heading, over, engine),

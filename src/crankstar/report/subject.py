@@ -90,12 +90,7 @@ class Subject:
     @cached_property
     def facts(self) -> tuple[Fact, ...]:
         """The verdict on the engine, with ranges where it rests on estimates."""
-        return ranged_facts(
-            partial(verdict, speed=self.speed),
-            self.spreads[0],
-            self.engine,
-            at_ends=partial(verdict, speed=self.speed, relatives=False),
-        )
+        return ranged_facts(partial(verdict, speed=self.speed), self.spreads[0], self.engine)
 
     @property
     def at(self) -> float | None:

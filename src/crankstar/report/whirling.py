@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from crankstar import spectra
+from crankstar.language.kept import as_given, of_any
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import NEGLIGIBLE, number
 from crankstar.page.orders import free_response as free
@@ -112,12 +113,17 @@ def _complex(pairs: Sequence[Pair]) -> Complex:
 
 
 def _paths(ends: Sequence[End], order: float, scale: float, greatest: float) -> list[Value]:
+    """Path and greatest value of each end."""
     out: list[Value] = []
     for end in ends:
         motion = spectra.selected(end.motion, [order])
         path = spectra.ellipse(complex(motion.forward[0]), complex(motion.backward[0]))
-        none = path.semi_major <= NEGLIGIBLE * greatest
-        out += [_("none"), 0.0] if none else [shape(path, greatest), path.semi_major * scale]
+        moves, name = path.semi_major > NEGLIGIBLE * greatest, (end.name, order)
+        moved = of_any(("moved", *name), [True] * moves)
+        words = _("none") if not moved else ""  # of what other masses move the range says enough
+        if as_given(("moves", *name), moves):
+            words = shape(path, greatest)
+        out += [words, path.semi_major * scale if moves else 0.0]
     return out
 
 

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from crankstar import spectra
 from crankstar.engine.engine import Engine
-from crankstar.language.kept import as_given, of_any
+from crankstar.language.kept import as_given, in_turn, of_any
 from crankstar.language.messages import N_, _
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.balance import Balance, balance
@@ -55,14 +55,17 @@ LEFT = {
 def cure_lines(engine: Engine, remaining: Sequence[Need]) -> list[str]:
     """A sentence for each vector that remains, or for a pair of shafts that remove two.
 
+    What remains for other masses alone needs a cure that the engine as given has no use for.
+
     >>> from crankstar.files.catalog import load
     >>> cure_lines(load("i4"), needs(load("i4")))
     ['Secondary force: removed by balance shafts at 2 and -2 times crank speed (Lanchester).']
     """
     cranks = {shaft.speed_ratio: shaft for shaft in reversed(engine.shafts) if shaft.throws}
-    by_ratio = {need.ratio: need for need in remaining}
+    told = in_turn("cures", tuple(need.ratio for need in remaining))
+    by_ratio = {need.ratio: need for need in remaining if need.ratio in told}
     out: list[str] = []
-    for need in remaining:
+    for need in by_ratio.values():
         other = by_ratio.get(-need.ratio)
         course, cure = "with" if need.ratio > 0 else "against", "shaft"
         if need.ratio in cranks:

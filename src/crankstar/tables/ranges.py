@@ -107,7 +107,7 @@ def ranged_lines(
     if spread is None:
         return tuple(build(engine))
     own, *others = alike(build, (engine, spread.middle, *spread.corners))
-    return _lines(own, others)
+    return sentences(own, others)
 
 
 def with_doubt(document: Document, *engines: Engine) -> Document:
@@ -130,7 +130,7 @@ def merged(documents: Sequence[Document]) -> Document:
             parts.append(_tables(part, [other for other in like if isinstance(other, Table)]))
         else:
             lines = [other.lines if isinstance(other, Remarks) else () for other in like]
-            parts.append(replace(part, title=plain(part.title), lines=_lines(part.lines, lines)))
+            parts.append(replace(part, title=plain(part.title), lines=sentences(part.lines, lines)))
     return Document(plain(first.title), tuple(parts), _plain_facts(first.facts))
 
 
@@ -153,13 +153,28 @@ def _by_name(parts: Sequence[Table | Remarks]) -> dict[tuple[str, ...], Table | 
     return out
 
 
-def _lines(lines: Sequence[str], others: Sequence[Sequence[str]]) -> tuple[str, ...]:
-    """Each sentence with the ranges that the sentence in its place gives, or marked."""
-    out: list[str] = []
-    for place, line in enumerate(lines):
-        like = [other[place] if place < len(other) else "" for other in others]
-        out.append(sentence(line, like))
-    return tuple(out)
+def sentences(lines: Sequence[str], others: Sequence[Sequence[str]]) -> tuple[str, ...]:
+    """Each sentence with the ranges that its counterparts give, or marked."""
+    like = [counterparts(lines, other) for other in others]
+    return tuple(sentence(line, [*own]) for line, *own in zip(lines, *like, strict=True))
+
+
+def counterparts(lines: Sequence[str], others: Sequence[str]) -> list[str]:
+    """The one of the others for each line: with the same words, else in its place, else empty.
+
+    What is said only of other masses moves the rest to other places.
+
+    >>> counterparts(["Bare.", "On shafts."], ["With weights.", "Bare.", "On shafts."])
+    ['Bare.', 'On shafts.']
+    >>> counterparts(["Up.", "To the left."], ["Up.", "To the right."])
+    ['Up.', 'To the right.']
+    """
+    own, there = _by_skeleton(lines), _by_skeleton(others)
+    places = [*there.items(), *([(("", 0), "")] * len(own))]
+    return [
+        there[name] if name in there else "" if place[0] in own else place[1]
+        for name, place in zip(own, places, strict=False)
+    ]
 
 
 def sentence(line: str, others: Sequence[str]) -> str:
@@ -194,17 +209,26 @@ def sentence(line: str, others: Sequence[str]) -> str:
 
 
 def _in_parts(line: str, others: Sequence[str]) -> str:
-    """A sentence whose words differ from those of others, each part of it with its own range."""
+    """A sentence whose words differ from those of others, each part of it with its own range.
+
+    Parts in a row that others lack are marked once, behind the last.
+    """
     for part in (_CLAUSE, _PHRASE):
         parts = part.findall(line)
         if len(parts) > 1:
             pools = [_by_skeleton(part.findall(other)) for other in others]
-            return " ".join(
-                sentence(
-                    text, [pool.get(key, other) for pool, other in zip(pools, others, strict=True)]
-                )
-                for key, text in _by_skeleton(parts).items()
-            )
+            named = _by_skeleton(parts)
+            lacking = [any(name not in pool for pool in pools) for name in named]
+            out: list[str] = []
+            for (name, text), lacks, next_too in zip(
+                named.items(), lacking, [*lacking[1:], False], strict=True
+            ):
+                if part is _PHRASE and lacks and next_too:
+                    out.append(_roughly(text))
+                    continue
+                pool_of = zip(pools, others, strict=True)
+                out.append(sentence(text, [pool.get(name, other) for pool, other in pool_of]))
+            return " ".join(out)
     return _marked(line)
 
 
@@ -214,9 +238,14 @@ def _size(value: float | complex) -> float:
 
 def _marked(line: str) -> str:
     """A sentence that is said to rest on estimates, before its full stop; its numbers rough."""
-    text = NUMBER.sub(lambda match: rough(_size(value_of(match[1]))), line)
+    text = _roughly(line)
     words = text.rstrip(".;,。")
     return _("{sentence} (estimated)", sentence=words) + text[len(words) :]
+
+
+def _roughly(line: str) -> str:
+    """A sentence with its numbers rough."""
+    return NUMBER.sub(lambda match: rough(_size(value_of(match[1]))), line)
 
 
 def _by_skeleton(clauses: Sequence[str]) -> dict[tuple[str, int], str]:
@@ -265,7 +294,7 @@ def _tables(table: Table, others: Sequence[Table]) -> Table:
         )
         for place, column in enumerate(table.columns)
     )
-    notes = _lines(table.notes, [other.notes for other in others])
+    notes = sentences(table.notes, [other.notes for other in others])
     return replace(table, title=plain(table.title), columns=columns, rows=tuple(rows), notes=notes)
 
 

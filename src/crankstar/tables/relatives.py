@@ -14,6 +14,7 @@ from crankstar import spectra
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.files.catalog import load, summaries
+from crankstar.language.kept import as_given
 from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import number
 from crankstar.mechanics.balance import balance
@@ -47,7 +48,7 @@ def piston_balance(engine: Engine) -> PistonBalance:
         for name in ("force", "couple"):
             whole = spectra.total(getattr(result, name)[rows, :])
             arm = spacing(engine) / engine.pitch if name == "couple" else 1.0
-            lengths.append(size(whole, order) / arm)
+            lengths.append(size(whole, order) * (1 / arm))
     return PistonBalance(*(0.0 if length < 1e-6 else length for length in lengths))
 
 
@@ -107,13 +108,15 @@ def relative_lines(engine: Engine) -> list[str]:
             different.setdefault(key, []).append(name)
     arm = "a" if isclose(spacing(engine), engine.pitch) else "d"
     nearest = sorted(different, key=lambda other: float(np.abs(np.subtract(own, other)).sum()))
+    told = as_given("nearest", nearest[:COMPARED])
     return lines + [
         _(
             "Compared with {names}, pistons only, each in its own m, r and a: {differences}.",
             names=_names(different[other]),
             differences=_differences(own, other, arm),
         )
-        for other in nearest[:COMPARED]
+        for other in told
+        if other in different
     ]
 
 
@@ -131,12 +134,16 @@ def _names(names: Sequence[str]) -> str:
 
 def _differences(own: PistonBalance, other: PistonBalance, arm: str) -> str:
     """The numbers that differ, the largest difference first."""
-    pairs = [
-        (name, mine, theirs)
+    differing = {
+        name: abs(mine - theirs)
         for name, mine, theirs in zip(PistonBalance._fields, own, other, strict=True)
         if abs(mine - theirs) > 0.01
+    }
+    ranked = sorted(differing, key=lambda name: -differing[name])
+    pairs = [
+        (name, getattr(own, name), getattr(other, name))
+        for name in as_given(("differing", other), ranked)
     ]
-    pairs.sort(key=lambda pair: -abs(pair[1] - pair[2]))
     out: list[str] = []
     for name, mine, theirs in pairs:
         unit = "m r ω²" if name.startswith("force") else f"m r ω² {arm}"

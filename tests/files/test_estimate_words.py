@@ -1,0 +1,77 @@
+"""Words that do not rest on estimated masses carry no mark."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+from tests.commands import Run
+from tests.files.test_estimate_one_range import TWIN
+
+from crankstar.language.kept import values_kept
+from crankstar.language.numbers import number
+from crankstar.tables.ranges import sentence, sentences
+
+SHAFTS = (
+    "Secondary couple: removed by balance shafts at 2 and -2 times crank speed, with opposite "
+    "weights at their ends."
+)
+"""The remedy of a twin whose first order is balanced."""
+
+
+@pytest.fixture
+def quiet(run: Run, monkeypatch: pytest.MonkeyPatch) -> str:
+    """A file of the twin, balanced in the first order for estimated masses: others leave some."""
+    monkeypatch.setenv("COLUMNS", "300")
+    Path("twin.toml").write_text(TWIN)
+    shafts = ["--factor", "0.5", "--shafts", "-1"]
+    run("balance", "twin.toml", "--estimate", *shafts, "-o", "quiet.toml")
+    return "quiet.toml"
+
+
+@pytest.mark.parametrize("words", [["verdict"], ["analyze"], ["balance", "--factor", "0.5"]])
+def test_a_remedy_that_any_masses_need_is_not_marked(
+    run: Run, quiet: str, words: list[str]
+) -> None:
+    verb, *options = words
+    assert SHAFTS in re.sub(r"\s+", " ", run(verb, quiet, *options).out)
+
+
+def test_a_comparison_of_stars_and_rods_that_are_known_is_not_marked(run: Run) -> None:
+    """Masses and bore pitch are estimated; m, r and a are the units of what is compared."""
+    told = run("verdict", "bmw-m52b28", "--estimate").out
+    compared = told[told.index("comparison") :]
+    assert compared.count("Compared with") > 2
+    assert "estimated" not in compared
+    known = run("verdict", "bmw-m52b28").out
+    assert known[known.index("comparison") :].partition("\n\n")[0] in told
+
+
+def test_a_comparison_has_the_range_of_an_estimated_rod(run: Run) -> None:
+    Path("twin.toml").write_text(TWIN)
+    told = re.sub(r"\s+", " ", run("verdict", "twin.toml", "--estimate").out)
+    ducati = told[told.index("Compared with ducati-90") :].partition(". Compared")[0]
+    assert "primary force 1.414 against 1 m r ω²" in ducati
+    assert re.search(r"secondary couple about [\d.]+ \([\d.]+ to [\d.]+, estimated\)", ducati)
+    assert ducati.count("estimated") == 1
+
+
+def test_parts_of_a_sentence_that_others_lack_are_marked_once() -> None:
+    with values_kept():
+        own = f"Force {number(2.0)} N, removed by shafts, with opposite weights."
+        like = [f"Force {number(size)} N, removed by weights." for size in (2.5, 1.0)]
+    assert sentence(own, like) == (
+        "Force about 2 (1 to 2.5, estimated) N, removed by shafts, with opposite weights "
+        "(estimated)."
+    )
+
+
+def test_a_sentence_is_found_where_other_masses_say_more_before_it() -> None:
+    with values_kept():
+        own = [f"The force is {number(2.0)} N.", "It is vertical."]
+        like = [["A couple remains.", f"The force is {number(3.0)} N.", "It is vertical."]] * 2
+    assert sentences(own, like) == (
+        "The force is about 2 (2 to 3, estimated) N.",
+        "It is vertical.",
+    )
