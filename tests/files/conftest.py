@@ -14,8 +14,8 @@ from tests.commands import Ran, Run, replaced
 
 from crankstar import cli
 
-WRITTEN = re.compile(r"^(Wrote|Replaced) .*\n", re.MULTILINE)
-"""The lines on standard error that name a file once it is written."""
+WRITTEN = re.compile(r"^(Wrote |Replaced |Estimated: ).*\n", re.MULTILINE)
+"""The lines on standard error that name a file once it is written, and what in it is estimated."""
 
 
 @pytest.fixture

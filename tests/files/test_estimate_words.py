@@ -75,3 +75,13 @@ def test_a_sentence_is_found_where_other_masses_say_more_before_it() -> None:
         "The force is about 2 (2 to 3, estimated) N.",
         "It is vertical.",
     )
+
+
+@pytest.mark.parametrize("suffix", ["py", "stl"])
+def test_an_exported_engine_is_said_to_be_estimated(run: Run, suffix: str) -> None:
+    Path("twin.toml").write_text(TWIN)
+    told = run("export", "twin.toml", "--estimate", "-o", f"model.{suffix}").err
+    assert re.match(
+        rf"Wrote model\.{suffix}\nEstimated: cylinder\.rod_length, .*throw_mass\.", told
+    )
+    assert run("export", "i4", "-o", f"known.{suffix}").err == f"Wrote known.{suffix}\n"

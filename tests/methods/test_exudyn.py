@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 import runpy
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +15,7 @@ from crankstar import load, spectra
 from crankstar.engine.engine import Engine
 from crankstar.exports.exudyn import exudyn_script
 from crankstar.files import engine_of
+from crankstar.files.estimate import estimated
 from crankstar.mechanics.excitation import Reference, part_spectra, rolling_moment, total
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.remedy import with_balance_shaft, with_counterweights
@@ -112,3 +115,48 @@ def test_forces_couples_and_moments_of_a_multibody_model_are_ours(
         # the step of the integration shows in high orders, of which there are small ones only
         assert np.abs(found - ours).max() < 1e-4 * greatest, quantity
         assert greatest > 0
+
+
+def estimated_twin() -> Engine:
+    """A twin whose rods are rigid bodies, with weights on webs and on a shaft, as estimated."""
+    file = {
+        "name": "twin",
+        "cycle": "four-stroke",
+        "cylinder": {"bore": "92 mm", "stroke": "75 mm"},
+        "layout": {"type": "inline", "throws": ["0 deg", "270 deg"]},
+    }
+    twin = with_counterweights(engine_of(dict(estimated(file).tree)), factor=0.5)
+    return with_balance_shaft(twin, ratio=-1, planes=[0.1, -0.1])
+
+
+@pytest.mark.parametrize("build", [estimated_twin, offset_single, with_two_balance_shafts, radial])
+def test_bodies_of_a_multibody_model_are_physical(
+    build: Callable[[], Engine], capfd: pytest.CaptureFixture[str]
+) -> None:
+    """Second moments of mass are positive, so no moment of inertia exceeds the two others."""
+    script = exudyn_script(build(), speed=SPEED)
+    model: dict[str, Any] = {}
+    exec(script.partition("MBS.Assemble()")[0], model)  # noqa: S102 - as it is written
+    assert "triangle" not in capfd.readouterr().out
+    system, count = model["MBS"], 0
+    for number in range(system.systemData.NumberOfObjects()):
+        body = system.GetObject(number)
+        if body["objectType"] != "RigidBody":
+            continue
+        xx, yy, zz, yz, xz, xy = body["inertia"]
+        about = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+        centre = body["centerOfMass"]
+        second = np.eye(3) * np.trace(about) / 2 - about
+        moments = second - body["mass"] * np.outer(centre, centre)  # about the centre of mass
+        slack = 1e-12 * np.trace(about)
+        assert np.linalg.eigvalsh(moments).min() >= -slack
+        assert max(xx, yy, zz) <= (xx + yy + zz) / 2 * (1 - 1e-4) + 1e-300
+        count += 1
+    assert count >= 3
+
+
+def test_a_model_says_which_of_its_values_are_estimated() -> None:
+    head = exudyn_script(estimated_twin()).partition("SPEED = ")[0]
+    assert "ESTIMATED" in head
+    assert re.search(r"#   cylinder\.rod\.mass, 0\.\d+ to [12]\.\d+ times the value here", head)
+    assert "ESTIMATED" not in exudyn_script(offset_single())

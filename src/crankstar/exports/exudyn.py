@@ -8,7 +8,7 @@ second road to those of `mechanics`.
 
 A rod is a rigid body where the engine describes it so; otherwise it has no mass of its own, since
 the masses at its two ends are in the piston and in the throw, or its big end's at the pin. A weight
-is a point mass of the same unbalance at one crank radius.
+is a small ball of the same unbalance at one crank radius.
 """
 
 from __future__ import annotations
@@ -74,6 +74,7 @@ def exudyn_script(
         f"# Masses in {units['mass']},",
         f"# lengths across the shafts in {units['radius']}, along them in {units['pitch']};",
         "# angles in radians, clockwise from up.",
+        *_estimated(engine),
         "",
         *(f"{name} = {value!r}  # {meaning}" for name, (value, meaning) in facts.items()),
     ]
@@ -83,6 +84,18 @@ def exudyn_script(
         head.append("]")
     model = files("crankstar.exports").joinpath("multibody.txt").read_text("utf-8")
     return "\n".join(head) + "\n\n" + model
+
+
+def _estimated(engine: Engine) -> Iterator[str]:
+    """That values are estimated, and between which multiples of the value here each may lie."""
+    sources = {
+        path: source for path, source in engine.provenance.items() if source.status == "estimated"
+    }
+    if sources:
+        yield "# ESTIMATED, not measured; all that the script finds rests on them:"
+    for path, source in sources.items():
+        ends = source.range and f", {source.range[0]:g} to {source.range[1]:g} times the value here"
+        yield f"#   {one_line(path)}{ends or ''}"
 
 
 def _written(row: Mapping[str, Any]) -> Iterator[str]:
