@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import re
 import tomllib
+from pathlib import Path
 
 import pytest
+from tests.commands import Run
 
 from crankstar.files.box import spread
 from crankstar.files.catalog import load
@@ -14,6 +16,7 @@ from crankstar.files.rewritten import rewritten
 from crankstar.mechanics.balance import unit_mass
 from crankstar.options.balancing import BalanceOptions, balanced
 from crankstar.report import Subject
+from crankstar.report.front import front
 from crankstar.report.title import data
 from crankstar.report.whirling import _table
 from crankstar.tables.engines import cylinders, rotors
@@ -110,3 +113,23 @@ def test_an_end_that_other_masses_alone_move_has_no_path_and_no_mark() -> None:
     assert by_order[1.0][1] == by_order[1.0][3] == ""
     assert isinstance(by_order[1.0][2], Ranged)
     assert by_order[3.0][1:] == ("none", 0.0, "none", 0.0)
+
+
+def test_the_front_page_says_what_rolls_on_and_what_would_stop_it(twin: Subject) -> None:
+    words = re.sub(r"<[^>]+>", " ", front(twin))
+    todo = " ".join(words[words.index("What to do") :].split())
+    found = re.search(
+        r"Rolling moment of order \d: about ([\d.]+) \([\d.]+ to [\d.]+, estimated\) N m is left; ",
+        todo,
+    )
+    assert found is not None, todo
+    assert "published" not in words
+
+
+def test_the_command_of_a_report_names_the_file_that_was_typed(run: Run) -> None:
+    Path("deep").mkdir()
+    for output in ("mine.html", "deep/mine.html"):
+        run("report", "i4", "-o", output)
+        page = Path(output).read_text(encoding="utf-8")
+        assert "crankstar report i4 -o mine.html" in page
+    assert "-o i4-report.html" in run("report", "i4", "-o", "-").out

@@ -161,7 +161,7 @@ def test_a_report_that_is_there_is_replaced_whole_and_the_command_in_it_names_no
     assert page.endswith("</html>\n")
     assert (
         "crankstar report mine.toml --full --set &#x27;layout.bore_pitch=100 mm&#x27; "
-        "-o mine-report.html" in page
+        "-o r.html" in page
     )
     assert str(tmp_path) not in page
     assert "bore_pitch = &quot;100 mm&quot;" in page

@@ -101,23 +101,33 @@ def clashes(engine: Engine) -> tuple[Clash, ...]:
     return tuple(out)
 
 
+def circles_of_cranks(engine: Engine) -> tuple[Circle, ...]:
+    """The circles in which the axis of a balance shaft would be inside what a crank sweeps."""
+    own = SHAFT_BORE * bore_of(engine)
+    return tuple(
+        Circle(complex(crank.up, crank.right), crank_sweep(engine, crank) + own)
+        for crank in engine.shafts
+        if crank.throws
+    )
+
+
+def is_clear_of_cranks(engine: Engine, place: complex) -> bool:
+    """Whether a balance shaft at a place, up + i right, is outside what every crankshaft sweeps."""
+    return all(abs(place - each.centre) >= each.radius for each in circles_of_cranks(engine))
+
+
 def kept_clear(engine: Engine, name: str) -> tuple[Circle, ...]:
     """The circles in which the axis of a balance shaft would be inside a crank or another shaft.
 
     What lies on a crank axis itself has no place given.
     """
     own = SHAFT_BORE * bore_of(engine)
-    cranks = [
-        Circle(complex(crank.up, crank.right), crank_sweep(engine, crank) + own)
-        for crank in engine.shafts
-        if crank.throws
-    ]
     others = [
         Circle(complex(other.up, other.right), 2 * own)
         for other in balance_shafts(engine)
         if other.name != name and not _on_a_crank(engine, other)
     ]
-    return (*cranks, *others)
+    return (*circles_of_cranks(engine), *others)
 
 
 def _on_a_crank(engine: Engine, shaft: Shaft) -> bool:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache, reduce
-from math import cos
+from math import cos, sqrt
 from typing import Literal, NamedTuple
 
 from crankstar.dynamics.bearings import Model
@@ -182,7 +182,8 @@ def clear_places(engine: Engine, *, paired: bool, about_another: bool = False) -
     """The place of balance shafts clear of the first crankshaft, away from its cylinders.
 
     They lie below it where cylinders point both ways; a pair lies side by side, far enough apart
-    for another one between them if there is one. Lengths to two figures.
+    for another one between them if there is one, and below the balance shafts that the engine has
+    where these would be in its way. Lengths to two figures.
 
     >>> from crankstar.files.catalog import load
     >>> clear_places(load("i4"), paired=True)
@@ -197,6 +198,12 @@ def clear_places(engine: Engine, *, paired: bool, about_another: bool = False) -
     apart = raised(4 * radius) if about_another else 0.0
     apart = max(apart, float(f"{BESIDE * reach:.2g}"))
     below = raised(max(BELOW * reach, reach + radius))
+    sides = (apart / 2, -apart / 2) if paired else (0.0,)
+    for depth, aside in sorted((away * one.up, one.right) for one in balance_shafts(engine)):
+        for side in sides:
+            room = sqrt(max((2 * radius) ** 2 - (aside - side) ** 2, 0.0))
+            if depth - room < below < depth + room:
+                below = raised(depth + room)
     return ShaftPlaces(up=away * below, apart=apart if paired else 0.0)
 
 

@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from crankstar.language.messages import N_, _
+from crankstar.remedy.fitting import recommended, recommended_like
 from crankstar.report.markup import figure
 from crankstar.report.subject import Subject
 from crankstar.report.title import data
 from crankstar.report.views import small_views
 from crankstar.tables.html import paragraph, text
 from crankstar.tables.ranges import estimated_paths
+from crankstar.tables.roll_cures import roll_left
 from crankstar.tables.verdict import Fact
 
 WHAT = ("layout",)
@@ -19,9 +21,9 @@ CURES = ("cure",)
 HEADINGS = {WHAT: N_("What it is"), HOW: N_("How it shakes"), CURES: N_("What to do")}
 """What the front page says of the engine, by the topics of the verdict."""
 ESTIMATED = N_(
-    "Masses or lengths of this engine are estimated, since nobody has published them: from other "
-    "engines of its type, by its bore. A number that rests on them is marked “estimated” and has "
-    "a range; the section Sources says where each comes from."
+    "Masses or lengths of this engine are estimated, not measured. A number that rests on them is "
+    "marked “estimated” and has a range; the section Sources, or `crankstar show`, says where each "
+    "of them comes from."
 )
 SHOWN = 7
 """Lines of the data sheet on the front page."""
@@ -38,6 +40,7 @@ def front(subject: Subject) -> str:
     parts = [_what(subject, facts)]
     for topics in (HOW, CURES):
         lines = [fact.sentence for fact in facts if fact.about in topics]
+        lines += _rolling(subject) if topics is CURES else []
         parts.append(_part(_(HEADINGS[topics]), lines))
     return (
         f'<header><p class="kind">{text(kind)}</p><h1>{text(engine.name)}</h1>{beside}</header>'
@@ -51,6 +54,20 @@ def _estimated(subject: Subject) -> str:
     if not estimated_paths(subject.engine):
         return ""
     return paragraph(_(ESTIMATED), "doubt")
+
+
+def _rolling(subject: Subject) -> Sequence[str]:
+    """The rolling moment that the recommended weights and shafts leave, and what removes it."""
+    own = subject.engine
+    fitted = recommended(own)
+
+    def line(each: Subject) -> list[str]:
+        engine = each.engine
+        if fitted is not None:
+            engine = recommended_like(fitted, own, engine).after
+        return [roll_left(engine, speed=each.at)]
+
+    return [*filter(None, subject.lines(line))]
 
 
 def _part(title: str, lines: Sequence[str]) -> str:

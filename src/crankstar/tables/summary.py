@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
-import numpy as np
-
-from crankstar import spectra
 from crankstar.engine.engine import Engine
-from crankstar.language.kept import as_given, of_any
+from crankstar.language.kept import of_any
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number, order_text
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics import bounds
 from crankstar.mechanics.balance import Balance
-from crankstar.mechanics.remains import Sums, pushed, remains
+from crankstar.mechanics.remains import Sums, pushed
 from crankstar.remedy import needs
 from crankstar.tables.conditions import unit_sentence
 from crankstar.tables.cures import cure_lines, left_by_counterweights, none_remains
 from crankstar.tables.peaks import FELT, part_peaks
+from crankstar.tables.roll_cures import largest_roll
 from crankstar.tables.table import Remarks
 from crankstar.tables.verdict import largest_sentences
 
@@ -53,15 +51,13 @@ def summary(engine: Engine, result: Balance, sums: Sums) -> Remarks:
 
 def _roll_sentence(result: Balance, sums: Sums) -> str:
     """The largest order of the rolling moment."""
-    waves = spectra.amplitude(sums.roll)
-    there = remains(sums.torque, result.torque) or remains(sums.axis_moment, result.axis_moment)
-    if not waves.size or not of_any("rolls", [True] * there):
+    largest = largest_roll(result, sums)
+    if largest is None:
         return _("No rolling moment from inertia.")
-    place = as_given("roll", int(np.argmax(np.abs(waves))))
     return _(
         "Roll of order {order}: {size}.",
-        order=order_text(sums.roll.orders[place]),
-        size=quantity_text(complex(waves[place]), result.units.moment),
+        order=order_text(largest.order),
+        size=quantity_text(largest.wave, result.units.moment),
     )
 
 

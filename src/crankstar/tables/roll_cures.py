@@ -1,0 +1,112 @@
+"""The rolling moment that weights and shafts leave, and what would remove it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import NamedTuple
+
+import numpy as np
+
+from crankstar import spectra
+from crankstar.engine.engine import Engine
+from crankstar.engine.records import Shaft
+from crankstar.language.kept import as_given, of_any
+from crankstar.language.messages import N_, _
+from crankstar.language.numbers import order_text
+from crankstar.language.shown_units import quantity_text
+from crankstar.mechanics.balance import Balance, balance
+from crankstar.mechanics.remains import Sums, remains, summed
+from crankstar.remedy import Box, Placing, placed
+from crankstar.remedy.clearance import balance_shafts, is_clear_of_cranks
+from crankstar.remedy.placing import MOST_SHAFTS
+from crankstar.remedy.rolling import push
+from crankstar.tables.scales import scales
+
+LEFT = {
+    "moved": N_(
+        "Rolling moment of order {order}: {size} is left; none would be with {shafts} at {place}."
+    ),
+    "middle": N_(
+        "Rolling moment of order {order}: {size} is left; none would be with the middle of "
+        "{shafts} at {place}."
+    ),
+    "halved": N_(
+        "Rolling moment of order {order}: {size} is left; none would be with two shafts in place "
+        "of {shafts}, each with half of its unbalance, on opposite sides of {place} and equally "
+        "far from it."
+    ),
+    "pair": N_(
+        "Rolling moment of order {order}: {size} is left; none would be with the two shafts at "
+        "{order} and -{order} times crank speed in other places, as `crankstar balance --level` "
+        "finds them."
+    ),
+    "other": N_(
+        "Rolling moment of order {order}: {size} is left, which weights on the crankshaft do not "
+        "change; two balance shafts at {order} times crank speed, apart from each other and with "
+        "opposite unbalances, would remove it."
+    ),
+}
+"""What is left, and what removes it: other places of the shafts, or shafts of its own."""
+
+
+class Roll(NamedTuple):
+    """An order of the rolling moment and its complex amplitude."""
+
+    order: float
+    wave: complex
+
+
+def largest_roll(result: Balance, sums: Sums) -> Roll | None:
+    """The largest order of the rolling moment from inertia, if there is one."""
+    waves = spectra.amplitude(sums.roll)
+    there = remains(sums.torque, result.torque) or remains(sums.axis_moment, result.axis_moment)
+    if not waves.size or not of_any("rolls", [True] * there):
+        return None
+    place = as_given("roll", int(np.argmax(np.abs(waves))))
+    return Roll(float(sums.roll.orders[place]), complex(waves[place]))
+
+
+def roll_left(engine: Engine, *, speed: float | None) -> str:
+    """The largest order of the rolling moment on an engine with its remedies, and what removes it.
+
+    Empty where there is none.
+
+    >>> from crankstar.files.catalog import load
+    >>> roll_left(load("i4"), speed=None).partition(", which")[0]
+    'Rolling moment of order 2: 2.0005 m r² ω² is left'
+    """
+    result = balance(engine, speed=speed)
+    largest = largest_roll(result, summed(result))
+    if largest is None:
+        return ""
+    order = Fraction(largest.order).limit_denominator(1000)
+    pushing = [s for s in balance_shafts(engine) if abs(s.speed_ratio) == order and push(s)]
+    placing = _placing(engine, pushing)
+    free = None if placing is None else placing.without_roll
+    case = as_given("roll cure", _case(engine, pushing, order, free))
+    across, values = scales(engine).across, {"shafts": "", "place": ""}
+    if free is not None:
+        values["shafts"] = ", ".join(shaft.name for shaft in pushing)
+        up, right = across.text(free.real), across.text(free.imag)
+        values["place"] = _("{up} up, {right} right", up=up, right=right)
+    size = quantity_text(largest.wave, result.units.moment)
+    return _(LEFT[case], order=order_text(largest.order), size=size, **values)
+
+
+def _placing(engine: Engine, shafts: Sequence[Shaft]) -> Placing | None:
+    """Shafts of one order where they are, and where they would leave no roll."""
+    if not 0 < len(shafts) <= MOST_SHAFTS:
+        return None
+    boxes = [Box((shaft.up, shaft.up), (shaft.right, shaft.right)) for shaft in shafts]
+    return placed(engine, shafts=[shaft.name for shaft in shafts], boxes=boxes)[1][0]
+
+
+def _case(engine: Engine, shafts: Sequence[Shaft], order: Fraction, free: complex | None) -> str:
+    """Which of the remedies there is."""
+    if free is not None and len(shafts) > 1:
+        return "middle"
+    if free is not None:
+        return "moved" if is_clear_of_cranks(engine, free) else "halved"
+    ratios = sorted(shaft.speed_ratio for shaft in shafts)
+    return "pair" if ratios == [-order, order] else "other"
