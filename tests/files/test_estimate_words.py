@@ -85,3 +85,13 @@ def test_an_exported_engine_is_said_to_be_estimated(run: Run, suffix: str) -> No
         rf"Wrote model\.{suffix}\nEstimated: cylinder\.rod_length, .*throw_mass\.", told
     )
     assert run("export", "i4", "-o", f"known.{suffix}").err == f"Wrote known.{suffix}\n"
+
+
+def test_the_same_engine_from_a_spreadsheet_has_the_share_of_itself(run: Run) -> None:
+    """A spreadsheet lists the sources of values in another order."""
+    Path("twin.toml").write_text(TWIN)
+    run("estimate", "twin.toml", "-o", "whole.toml")
+    run("show", "whole.toml", "-o", "whole.xlsx")
+    out = run("compare", "whole.toml", "whole.xlsx", "--orders", "4").out
+    row = next(line for line in out.splitlines() if line.split()[:1] == ["4"])
+    assert row.split()[-1] == "100"

@@ -131,7 +131,8 @@ def box(tree: Tree, *, name: str = "the engine") -> Box | None:
 
     Raises EngineFileError where there are more than MOST_RANGES.
     """
-    own = ranges(tree)
+    # in one order, however a file lists them: corners of engines that are compared go together
+    own = dict(sorted(ranges(tree).items()))
     if not own:
         return None
     if len(own) > MOST_RANGES:
