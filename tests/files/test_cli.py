@@ -95,7 +95,9 @@ def test_a_width_that_is_none_is_passed_over(columns: str) -> None:
 
 @pytest.mark.parametrize("verb", VERBS)
 def test_every_verb_has_a_help(run: Run, verb: str) -> None:
-    assert run(verb, "--help").out.startswith(f"Usage: crankstar {verb}")
+    shown = run(verb, "--help").out
+    assert shown.startswith(f"Usage: crankstar {verb}")
+    assert "Every command also takes --units" in shown
 
 
 def test_it_tells_its_version(run: Run) -> None:

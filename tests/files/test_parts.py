@@ -18,6 +18,7 @@ from crankstar.files.workbook import workbook_bytes, workbook_tree
 from crankstar.language.faults import where
 from crankstar.mechanics.balance import balance, total
 from crankstar.remedy import bobweight, loads, with_counterweights
+from crankstar.tables.bobweights import parts_table
 
 PARTS = {
     "piston": "510 g",
@@ -313,3 +314,13 @@ def test_a_radial_without_stroke_is_told_once_what_it_lacks() -> None:
     assert fault.code == "unit.several-radius"
     assert "gives no cylinder.stroke" in fault.sentence
     assert "cylinder.rod_length, layout.knuckle_radius" in fault.sentence
+
+
+def test_one_cylinder_with_parts_of_its_own_is_named_in_the_singular() -> None:
+    of = tree()
+    of["cylinders"] = [{"number": 2, "parts": {"piston": "490 g"}}]
+    (parts,) = parts_table(engine_of(of))
+    assert [column.heading for column in parts.columns[2:]] == [
+        "cylinders 1, 3, 4, 5, 6, 7, 8",
+        "cylinder 2",
+    ]

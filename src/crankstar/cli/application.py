@@ -16,7 +16,7 @@ from cyclopts import App, CycloptsError, UnknownOptionError, UnusedCliTokensErro
 from crankstar.cli.output import OutputError, abandon, complain, is_file
 from crankstar.files import STANDARD_INPUT
 from crankstar.language import spelling
-from crankstar.language.messages import LANGUAGES, MessageError, _, spoken
+from crankstar.language.messages import LANGUAGES, N_, MessageError, _, spoken
 from crankstar.language.quoting import one_line, seen
 from crankstar.language.shown_units import SYSTEMS, Choice, UnitsError, read_choice, shown_in
 from crankstar.options.names import meant
@@ -30,6 +30,11 @@ if TYPE_CHECKING:
 COMPLETION = "--install-completion"
 LEAST_WIDTH = 20
 """Columns of help, at least."""
+EVERYWHERE = N_(
+    "Every command also takes --units (or CRANKSTAR_UNITS), the units of its results: si, us, or "
+    "units with commas, as in kN, kN m; and --lang (or CRANKSTAR_LANG), the language: en, ja or ru."
+)
+"""The options that are taken out of the words before a command is read, at the end of any help."""
 VERBS = {
     "analyze": "inspect:analyze",
     "balance": "balancing:balance",
@@ -62,10 +67,7 @@ VERBS = {
 app = App(
     name="crankstar",
     help="Compute how a piston engine shakes, why, and what to do about it. ENGINE is a name from "
-    "the catalog or a file in TOML, JSON or Excel (.xlsx); - reads standard input. --lang (or "
-    "CRANKSTAR_LANG) sets "
-    "the language: en, ja or ru; --units (or CRANKSTAR_UNITS) the units: si, us, or units with "
-    "commas, as in kN, kN m.",
+    "the catalog or a file in TOML, JSON or Excel (.xlsx); - reads standard input.",
     version=lambda: version("crankstar"),
     help_format="plaintext",
     result_action="return_value",
@@ -93,6 +95,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
                 from crankstar.cli.help import TranslatedHelp
 
                 app.help_formatter = TranslatedHelp()
+                app.help_epilogue = _(EVERYWHERE)
                 if not VERBS.keys() & set(words):  # the list of verbs has a line of each
                     app.resolved_commands()
                 if columns := os.environ.get("COLUMNS"):  # help is endless in a column or two

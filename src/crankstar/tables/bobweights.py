@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from crankstar.engine.cylinder_parts import RECIPROCATING, ROTATING, Parts
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import plain
-from crankstar.language.messages import N_, _
+from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import number
 from crankstar.remedy.counterweights import RemedyError
 from crankstar.remedy.loads import Load, bobweight, loads
@@ -87,7 +87,8 @@ def parts_table(engine: Engine) -> list[Table]:
     for numbers in alike.values():
         every = len(numbers) == len(engine.cylinders)
         some = plain(", ".join(map(str, numbers)))
-        heading = _("each cylinder") if every else _("cylinders {numbers}", numbers=some)
+        heading = _n("cylinder {numbers}", "cylinders {numbers}", len(numbers), numbers=some)
+        heading = _("each cylinder") if every else heading
         key = "mass" if every else f"mass_{'_'.join(map(str, numbers))}"
         columns.append(Column(heading, unit, key=key))
     rows: list[tuple[Value, ...]] = []
