@@ -111,6 +111,7 @@ def test_results_are_written_with_all_rows(run: Run, tmp_path: Path, kind: str) 
             [float(row["M1 [m*r*w^2*a]"]) for row in read],
             [int(row["stars"]) for row in read],
         )
+        assert {"|sum z exp(i 1 phi)| [a]", "|sum z exp(i 2 phi)| [a]"} <= read[0].keys()
     elif kind == "json":
         tree = json.loads(place.read_text(encoding="utf-8"))
         values, stars = (

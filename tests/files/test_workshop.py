@@ -359,3 +359,8 @@ def test_an_unbalance_without_a_direction_is_corrected_at_the_heavy_spot(run: Ru
     words = "at the heavy spot that the machine shows"
     assert words in " ".join(run(*hole, "1.2 oz*in").out.split())
     assert words not in " ".join(run(*hole, "1.2 oz*in at 30 deg").out.split())
+
+
+def test_a_speed_in_json_is_the_one_that_was_typed(run: Run) -> None:
+    out = run("grade", "--mass", "18 kg", "--speed", "5500 rpm", "--json").out
+    assert json.loads(out)["speed_rpm"] == 5500

@@ -57,7 +57,7 @@ def bearing_document(
     facts = {
         "engine": engine.name,
         "model": model,
-        "speed_rpm": None if loads.speed is None else loads.speed * 30 / pi,
+        "speed_rpm": None if loads.speed is None else float(f"{loads.speed * 30 / pi:.12g}"),
         "unit": loads.unit,
     }
     return Document(

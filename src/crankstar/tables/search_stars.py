@@ -90,7 +90,7 @@ def _columns(question: Question) -> list[Column]:
     out += [Column(function.name, key=function.name) for function in question.functions]
     out += [Column(part.name, part.unit, key=part.name) for part in _parts(question)]
     out += [Column(each.short, each.unit, key=each.short) for each in of_pistons(question)]
-    out += [Column("", key=f"|sum z exp(i {order} phi)|", machine=True) for order in (1, 2)]
+    out += [Column("", "a", key=f"|sum z exp(i {order} phi)|", machine=True) for order in (1, 2)]
     beside = all(objective.name != "neighbours" for objective in question.objectives)
     out += [
         Column(_("neighbours"), key="neighbours_in_succession", machine=not beside),

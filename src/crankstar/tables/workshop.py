@@ -214,7 +214,7 @@ def grade_document(
     grades = USUAL if grade is None else (grade,)
     facts = {
         "mass_kg": rotor.mass,
-        "speed_rpm": rotor.speed * 30 / pi,
+        "speed_rpm": float(f"{rotor.speed * 30 / pi:.12g}"),
         "shares": list(rotor.planes),
     }
     parts = [_permissible(rotor, grades)]
