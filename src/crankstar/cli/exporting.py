@@ -30,7 +30,7 @@ def export(
     speed: Speed = None,
     reference: ReferencePoint = None,
     theta: Annotated[
-        str | None, option("--theta", "Of the parts in .glb and .stl (default: 0 deg).")
+        str | None, option("--theta", "For the parts in .glb and .stl (default: 0 deg).")
     ] = None,
     settings: Settings = None,
     estimate: Estimating = False,

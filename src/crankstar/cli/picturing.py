@@ -54,7 +54,7 @@ def plot(
     ] = None,
     model: Annotated[str | None, option("--model")] = None,
     theta: Annotated[
-        str | None, option("--theta", "Of the drawing; several for the chart forces.")
+        str | None, option("--theta", "For the drawing; several for the chart forces.")
     ] = None,
     speed: Speed = None,
     speeds: Annotated[str | None, option("--speeds", "For the chart amplitudes.")] = None,
