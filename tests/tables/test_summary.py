@@ -15,15 +15,16 @@ from tests.catalog import EVERY_ENGINE
 
 from crankstar import load, names, spectra
 from crankstar.engine.copies import with_values
+from crankstar.files import engine_of, explicit
 from crankstar.mechanics.balance import balance
 from crankstar.mechanics.remains import Sums, summed
-from crankstar.tables.analysis import analysis, document
+from crankstar.tables.analysis import Analysis, analysis, document
 from crankstar.tables.balance_orders import answer
 from crankstar.tables.cells import cell, heading
 from crankstar.tables.conversion import in_units
 from crankstar.tables.machine import tree
 from crankstar.tables.peaks import part_peaks
-from crankstar.tables.table import Table
+from crankstar.tables.table import Remarks, Table
 from crankstar.tables.terminal import rendered
 
 WAVE = re.compile(r"(\S+) ∠ (\S+)°")
@@ -222,3 +223,21 @@ def test_turning_vectors_are_printed_where_they_are_asked_for() -> None:
             for way in ("forward", "backward")
         ]
         assert vectors == pytest.approx(expected, abs=1e-9)
+
+
+def test_a_rod_that_is_assumed_is_told_at_the_head_and_one_that_is_given_is_not() -> None:
+    layout = {"type": "inline", "throws": ["0 deg", "180 deg"]}
+    bare = engine_of({"name": "twin", "layout": layout})
+    for engine in (bare, engine_of(explicit(bare))):
+        first, *_rest, doubt = read(analysis(engine, speed=None))
+        assert "Assumed: rod length (r/l = 0.25)." in first
+        assert "Unverified" not in doubt
+    known = engine_of({"name": "twin", "layout": layout, "cylinder": {"rod_ratio": 4.0}})
+    assert "Assumed" not in " ".join(read(analysis(known, speed=None)))
+
+
+def read(shown: Analysis) -> list[str]:
+    """The lines before the tables."""
+    return [
+        line for part in document(shown).parts if isinstance(part, Remarks) for line in part.lines
+    ]

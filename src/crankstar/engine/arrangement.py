@@ -16,7 +16,7 @@ from math import pi, radians
 from typing import Any
 
 from crankstar.engine import motion
-from crankstar.engine.basis import ASSUMED_ROD_RATIO, Basis, Sizes
+from crankstar.engine.basis import ASSUMED_ROD_RATIO, ROD_SOURCE, Basis, Sizes
 from crankstar.engine.copies import checked, turned_on, with_values, wrapped
 from crankstar.engine.crankshafts import equipped
 from crankstar.engine.dead_centres import dead_centres
@@ -182,11 +182,7 @@ def _assumed(basis: Basis) -> dict[str, Provenance]:
         return {}
     return {
         "cylinder.rod_length": Provenance(
-            status="placeholder",
-            source=(
-                "neither rod_length nor rod_ratio given: rod ratio l/r = "
-                f"{ASSUMED_ROD_RATIO:g} assumed"
-            ),
+            status="placeholder", source=f"neither rod_length nor rod_ratio given: {ROD_SOURCE}"
         )
     }
 

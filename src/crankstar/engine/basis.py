@@ -40,6 +40,8 @@ from crankstar.engine.records import (
 
 ASSUMED_ROD_RATIO = 4.0
 """Rod length over crank radius where a file gives neither; the output says so."""
+ROD_SOURCE = f"rod ratio l/r = {ASSUMED_ROD_RATIO:g} assumed"
+"""The end of the source of a rod length that is assumed."""
 
 
 class Sizes(Record):

@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import radians
 
-from crankstar.engine.basis import ASSUMED_ROD_RATIO, Basis, Sizes
+from crankstar.engine.basis import ASSUMED_ROD_RATIO, ROD_SOURCE, Basis, Sizes
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.engine.layouts import inline
@@ -173,5 +173,5 @@ def _provenance(stars: Stars) -> dict[str, Provenance]:
     computed = {
         key: Provenance(status="computed", source=source) for key, source in sources.items()
     }
-    rods = Provenance(status="placeholder", source=f"rod ratio l/r = {ASSUMED_ROD_RATIO:g} assumed")
+    rods = Provenance(status="placeholder", source=ROD_SOURCE)
     return {**computed, "cylinders.rod_length": rods}

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from math import pi
 
+from crankstar.engine.basis import ASSUMED_ROD_RATIO, ROD_SOURCE
 from crankstar.engine.engine import Engine
 from crankstar.engine.proportions import Look, inferred
 from crankstar.language.messages import N_, _
@@ -152,6 +153,35 @@ def unverified(engine: Engine) -> list[str]:
         for path, origin in engine.provenance.items()
         if origin.status in ("unverified", "placeholder")
     ]
+
+
+def assumed_sentence(engine: Engine) -> str:
+    """The rods that the program has assumed, the file giving none; empty where it gives them.
+
+    >>> from crankstar.files import engine_of
+    >>> layout = {"type": "inline", "throws": ["0 deg", "180 deg"]}
+    >>> assumed_sentence(engine_of({"name": "twin", "layout": layout}))
+    'Assumed: rod length (r/l = 0.25).'
+    """
+    if not _assumed_rods(engine):
+        return ""
+    return _("Assumed: rod length (r/l = {ratio}).", ratio=f"{1 / ASSUMED_ROD_RATIO:g}")
+
+
+def _assumed_rods(engine: Engine) -> list[str]:
+    """The key paths of rod lengths that the program has assumed."""
+    return [
+        path
+        for path, origin in engine.provenance.items()
+        if origin.status == "placeholder" and origin.source.endswith(ROD_SOURCE)
+    ]
+
+
+def unverified_sentence(engine: Engine) -> str:
+    """The key paths of unverified values, without what is assumed; empty where there are none."""
+    assumed = _assumed_rods(engine)
+    paths = [path for path in unverified(engine) if path not in assumed]
+    return _("Unverified: {paths}.", paths=", ".join(paths)) if paths else ""
 
 
 def _point(engine: Engine, result: Balance) -> str:

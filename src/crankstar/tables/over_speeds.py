@@ -33,7 +33,12 @@ from crankstar.spectra import Complex, Real
 from crankstar.studies.study import rad_per_s
 from crankstar.studies.sweep import Sweep, watched
 from crankstar.tables import amplitudes, balance_orders
-from crankstar.tables.conditions import conditions, missing_sentence, unverified
+from crankstar.tables.conditions import (
+    assumed_sentence,
+    conditions,
+    missing_sentence,
+    unverified_sentence,
+)
 from crankstar.tables.sweeps import facts, speed_note
 from crankstar.tables.table import Column, Document, Table, Value, remarks
 
@@ -113,13 +118,11 @@ def document(
             orders=", ".join(order_text(order) for order in orders),
             parts=", ".join(_(each.title) for each in absent),
         )
-    doubtful = unverified(engine)
-    doubt = _("Unverified: {paths}.", paths=", ".join(doubtful)) if doubtful else ""
     missing = missing_sentence(engine)
     heads = (
         *remarks(" ".join(filter(None, (speed_note(sweep), missing)))),
         *remarks(*conditions(engine, replace(result, speed=None))[1:], kind="note"),
-        *remarks(doubt, kind="doubt"),
+        *remarks(assumed_sentence(engine), unverified_sentence(engine), kind="doubt"),
     )
     draw = _("As a chart: {command}", command=chart) if chart else ""
     return Document(engine.name, (*heads, *tables, *remarks(none), *remarks(draw, kind="note")))

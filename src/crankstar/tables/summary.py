@@ -11,7 +11,7 @@ from crankstar.mechanics import bounds
 from crankstar.mechanics.balance import Balance
 from crankstar.mechanics.remains import Sums, pushed
 from crankstar.remedy import needs
-from crankstar.tables.conditions import unit_sentence
+from crankstar.tables.conditions import assumed_sentence, unit_sentence
 from crankstar.tables.cures import cure_lines, left_by_counterweights, none_remains
 from crankstar.tables.peaks import FELT, part_peaks
 from crankstar.tables.roll_cures import largest_roll
@@ -41,7 +41,7 @@ def summary(engine: Engine, result: Balance, sums: Sums) -> Remarks:
     remaining = [largest_sentences(name, result, sums) for name in ("force", "couple")]
     remaining.append(_roll_sentence(result, sums))
     lines = (
-        unit_sentence(engine, result),
+        " ".join(filter(None, (unit_sentence(engine, result), assumed_sentence(engine)))),
         " ".join(filter(None, remaining)),
         _peaks_sentence(engine, result, sums),
         _remedy_sentence(engine, result),
