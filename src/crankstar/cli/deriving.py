@@ -18,7 +18,7 @@ from crankstar.cli.output import display, working, write
 from crankstar.cli.tabulating import give
 from crankstar.language.messages import _
 from crankstar.options import values as request
-from crankstar.options.forms import form_of
+from crankstar.options.forms import DERIVATIONS, form_of, format_of
 from crankstar.options.values import refusal
 
 
@@ -35,7 +35,9 @@ def derive(
             "motion, force and couple; force and couple with --orders.",
         ),
     ] = None,
-    form: Annotated[str, option("--format")] = "text",
+    asked: Annotated[
+        str | None, option("--format", "Default: as the name of -o ends, else text.")
+    ] = None,
     notation: Annotated[str | None, option("--notation")] = None,
     power: Annotated[int | None, option("--power")] = None,
     symbolic: Annotated[str | None, option("--symbolic")] = None,
@@ -43,15 +45,19 @@ def derive(
     speed: Speed = None,
     reference: ReferencePoint = None,
     settings: Settings = None,
-    output: Output = None,
+    output: Annotated[
+        str | None, option("--output", ".txt, .tex, .md or .html. Default: standard output.")
+    ] = None,
 ) -> None:
     """Derive the exact closed form of each order, step by step, from one cylinder to the sum."""
     from crankstar import derive as exact
     from crankstar.derive import documents, notations
 
+    if asked is not None:
+        request.choice("--format", asked, [*DERIVATIONS.values()])
+    form = format_of(output, DERIVATIONS, asked=asked)
     loaded, turning = engine_and_speed(engine, settings, speed)
     point = request.reference(reference, loaded)
-    request.choice("--format", form, ["text", *documents.FORMATS])
     if power is not None and not 1 <= power <= 24:
         raise refusal("--power", power, "give a power of λ from 1 to 24")
     names = request.listed(quantity)

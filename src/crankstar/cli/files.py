@@ -107,4 +107,5 @@ def schema(*, output: Output = None) -> None:
     from crankstar.files import schema as file_schema
     from crankstar.tables.machine import json_text
 
+    form_of(output, ("json",))
     write(json_text(file_schema()), output)

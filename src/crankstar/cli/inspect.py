@@ -27,8 +27,9 @@ from crankstar.cli.options import (
     loaded_values,
     option,
     together,
+    write_tree,
 )
-from crankstar.cli.output import display, working, write
+from crankstar.cli.output import display, working
 from crankstar.cli.speed_ranges import over_speeds
 from crankstar.cli.tabulating import give
 from crankstar.language.messages import _
@@ -71,13 +72,13 @@ def show(
     output: Output = None,
 ) -> None:
     """Show an engine: throws, cylinders, dead centres, firing order and source of each value."""
-    from crankstar.files import toml
+    from crankstar.files import explicit as part_by_part
     from crankstar.tables.engines import description
     from crankstar.tables.ranges import ranged
 
     loaded, spread = loaded_values(engine, settings, estimate=False)
     if explicit:
-        write(toml(loaded), output)
+        write_tree(part_by_part(loaded), output)
     else:
         tree = engine_tree(engine, settings, loaded)
         give(ranged(description, spread, loaded), output, form=form_of(output, TABLES), tree=tree)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from importlib.util import find_spec
 from pathlib import PurePath
 
@@ -16,6 +16,8 @@ TABLES = ("txt", "csv", "json", "xlsx", "parquet")
 PICTURES = ("svg", "png", "pdf", "html")
 ENGINES = ("toml", "json", "xlsx")
 """Forms of an engine file."""
+DERIVATIONS = {"txt": "text", "tex": "latex", "md": "markdown", "html": "html"}
+"""Formats of a derivation by how file names end."""
 EXTRAS = {
     "xlsx": ("openpyxl", "spreadsheet"),
     "parquet": ("pyarrow", "parquet"),
@@ -37,8 +39,7 @@ def form_of(
     if json and csv:
         raise RequestError("--json and --csv exclude each other")
     flag = "json" if json else "csv" if csv else ""
-    piped = place in STANDARD_OUTPUT
-    suffix = "" if piped else PurePath(place or "").suffix.lower().removeprefix(".")
+    piped, suffix = place in STANDARD_OUTPUT, suffix_of(place)
     if flag and suffix in forms and suffix not in ("txt", flag):
         raise refusal(
             "-o", place, "the name ends in .{suffix}; leave --{flag} out", suffix=suffix, flag=flag
@@ -51,6 +52,29 @@ def form_of(
         raise refusal("-o", place, "the name must end in {names}", names=names)
     require(form)
     return form
+
+
+def suffix_of(place: str | None) -> str:
+    """How the name of a file ends, without the dot; empty for standard output.
+
+    >>> suffix_of("four.TEX"), suffix_of("four"), suffix_of("-")
+    ('tex', '', '')
+    """
+    named_file = "" if place is None or place in STANDARD_OUTPUT else place
+    return PurePath(named_file).suffix.lower().removeprefix(".")
+
+
+def format_of(place: str | None, formats: Mapping[str, str], *, asked: str | None) -> str:
+    """One of these formats by suffix: the one that is asked for, else by the name of the file.
+
+    A name that ends otherwise than what is written is refused. Raises RequestError.
+    """
+    if asked is None:
+        return formats[form_of(place, tuple(formats))]
+    own = next(suffix for suffix, name in formats.items() if name == asked)
+    if suffix_of(place) not in ("", own):
+        raise refusal("-o", place, "the name must end in {names}", names=f".{own}")
+    return asked
 
 
 def usual_place(engine: str, *what: str, kind: str) -> str:
