@@ -1113,7 +1113,7 @@ def test_other_values_by_key_path_are_checked_like_the_file() -> None:
         ("layout.throws[5]", "layout.throws[5]"),
         ("layout.throws[0]", "layout.throws[0]"),
         ("layout[1]", "layout[1]"),
-        ("\x1b[31m", '"?[31m"'),
+        ("\x1b[31m", r'"\u001b[31m"'),
         ("x" * 1000, "x" * 57 + "..."),
     ]:
         with pytest.raises(EngineFileError) as caught:

@@ -26,6 +26,7 @@ from crankstar.cli.options import (
 from crankstar.cli.output import working, writable, write_bytes
 from crankstar.cli.tabulating import give
 from crankstar.files import STANDARD_INPUT
+from crankstar.files.changes import path_and_value
 from crankstar.language.messages import _
 from crankstar.language.quoting import one_line
 from crankstar.options import charts as chart_request
@@ -114,7 +115,7 @@ def _swept(
     if reference is not None:
         loaded = loaded_values(engine, settings, estimate=estimate).engine
         point = request.reference(reference, loaded)
-    what = one_line(", ".join(text.partition("=")[0].strip() for text in over), longest=80)
+    what = one_line(", ".join(path_and_value(text)[0] for text in over), longest=80)
     with working(_("Sweeping {path} ...", path=what)) as tell:
         swept = sweeps.sweep(
             engine,

@@ -6,7 +6,8 @@ A throw whose angle is set takes its weights along.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+import tomllib
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from crankstar.engine.copies import throws_of_weights, with_values, wrapped
@@ -73,11 +74,14 @@ def _without_estimates(tree: Tree, changes: Mapping[str, Any]) -> Tree:
     sources = tree.get("provenance")
     if not isinstance(sources, dict):
         return tree
+    was_set = [keys_of(path) for path in changes]
     kept = {
         path: source
         for path, source in sources.items()
         if not (
-            path in changes and isinstance(source, dict) and source.get("status") == "estimated"
+            isinstance(source, dict)
+            and source.get("status") == "estimated"
+            and keys_of(path) in was_set
         )
     }
     gone = [*(sources.keys() - kept.keys())]  # a list may be asked for what a file has by mistake
@@ -88,14 +92,40 @@ def _without_estimates(tree: Tree, changes: Mapping[str, Any]) -> Tree:
     return {**tree, "provenance": kept} if gone else tree
 
 
+_QUOTED = r"""(?:"(?:[^"\\]|\\.)*"|'[^']*')"""
+_KEY = rf"""(?:{_QUOTED}|[^.\[\]"'][^.\[\]]*)"""
+_PATH = re.compile(rf"{_KEY}(?:\.{_KEY}|\[[0-9]{{1,6}}\])*")
+_STEP = re.compile(rf"\[([0-9]+)\]|({_KEY})")
+_SETTING = re.compile(rf"""((?:{_QUOTED}|[^="'])*)(=)(.*)""", re.DOTALL)
+
+
 def keys_of(path: str) -> list[str | int]:
-    """The keys of a path: names, and places in lists counted from nought."""
-    if not re.fullmatch(r"[^.\[\]]+(\.[^.\[\]]+|\[\d{1,6}\])*", path):
+    """The keys of a path: names, quoted as in TOML or bare, and places in lists from nought.
+
+    >>> keys_of("shaft[1].throw[2].z"), keys_of('provenance."cylinder.bore".range')
+    (['shaft', 0, 'throw', 1, 'z'], ['provenance', 'cylinder.bore', 'range'])
+    """
+    if not _PATH.fullmatch(path):
         return [path]
-    return [
-        int(index) - 1 if index else key
-        for index, key in re.findall(r"\[(\d+)\]|([^.\[\]]+)", path)
-    ]
+    try:
+        return [int(at) - 1 if at else _unquoted(key) for at, key in _STEP.findall(path)]
+    except tomllib.TOMLDecodeError:
+        return [path]
+
+
+def _unquoted(key: str) -> str:
+    return next(iter(tomllib.loads(f"{key}=0"))) if key[0] in "\"'" else key
+
+
+def path_and_value(text: str) -> tuple[str, str, str]:
+    """The key path of `KEY=VALUE`, the sign, the value; sign and value are empty without a sign.
+
+    >>> path_and_value('provenance."a=b".note=c=d')
+    ('provenance."a=b".note', '=', 'c=d')
+    """
+    found = _SETTING.fullmatch(text)
+    path, sign, value = text.partition("=") if found is None else found.groups()
+    return path.strip(), sign, value
 
 
 def stale_sources(tree: Tree) -> list[str]:
@@ -138,12 +168,16 @@ def _unsettable(keys: list[str | int], place: int, table: Any) -> Fault:
     return Fault(tuple(keys), code, values)
 
 
-_THROW_ANGLE = re.compile(r"shaft\[\d+\]\.throw\[\d+\]\.angle")
-
-
 def throw_angles(changes: Mapping[str, Any]) -> list[str]:
     """The paths among the changes that turn a throw."""
-    return [path for path in changes if _THROW_ANGLE.fullmatch(path)]
+    return [path for path in changes if _turns_throw(keys_of(path))]
+
+
+def _turns_throw(keys: Sequence[str | int]) -> bool:
+    match keys:
+        case ["shaft", int(), "throw", int(), "angle"]:
+            return True
+    return False
 
 
 def with_weights_along(before: Engine, after: Engine, changes: Mapping[str, Any]) -> Engine:
@@ -151,15 +185,16 @@ def with_weights_along(before: Engine, after: Engine, changes: Mapping[str, Any]
 
     Weights whose own angle is among the changes stay as these say.
     """
+    was_set = [keys_of(path) for path in changes]
     shafts: list[Shaft] = []
-    for place, (old, new) in enumerate(zip(before.shafts, after.shafts, strict=True), 1):
+    for place, (old, new) in enumerate(zip(before.shafts, after.shafts, strict=True)):
         turned = [b.angle - a.angle for a, b in zip(old.throws, new.throws, strict=True)]
         weights = [
             weight
-            if home is None or f"shaft[{place}].weight[{number}].angle" in changes
+            if home is None or ["shaft", place, "weight", number, "angle"] in was_set
             else with_values(weight, angle=wrapped(weight.angle + turned[home - 1]))
             for number, (weight, home) in enumerate(
-                zip(new.weights, throws_of_weights(new), strict=True), 1
+                zip(new.weights, throws_of_weights(new), strict=True)
             )
         ]
         shafts.append(with_values(new, weights=tuple(weights)))

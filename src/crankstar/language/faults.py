@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 
 from crankstar.language import engine_faults, file_faults, search_faults, server_faults
 from crankstar.language.messages import MessageError, Plural, _, _n
-from crankstar.language.quoting import one_line, seen
+from crankstar.language.quoting import one_line
 
 SENTENCES: dict[str, str | Plural] = {
     **engine_faults.SENTENCES,
@@ -125,8 +125,26 @@ def where(path: tuple[str | int, ...]) -> str:
 
 
 def _key(key: str) -> str:
-    """A key as TOML writes it: quoted where it holds anything but letters, digits, - and _."""
-    return one_line(key, longest=60) if re.fullmatch(r"[A-Za-z0-9_-]+", key) else seen(key)
+    r"""A key as TOML writes it: quoted where it holds anything but letters, digits, - and _.
+
+    >>> print(_key("bore"), _key("cylinder.bore"), _key('5"\a'))
+    bore "cylinder.bore" "5\"\u0007"
+    """
+    cut = one_line(key, longest=60) if len(key) > 60 else key
+    if re.fullmatch(r"[A-Za-z0-9_-]+", key):
+        return cut
+    return f'"{"".join(map(_letter, cut))}"'
+
+
+def _letter(letter: str) -> str:
+    """A letter of a quoted key."""
+    if letter in '"\\':
+        return f"\\{letter}"
+    if letter.isprintable():
+        return letter
+    if "\ud800" <= letter <= "\udfff":  # half a character, which TOML cannot write
+        return "?"
+    return f"\\u{ord(letter):04x}" if ord(letter) < 0x10000 else f"\\U{ord(letter):08x}"
 
 
 def listed(values: Sequence[Any]) -> str:

@@ -46,7 +46,7 @@ def form_of(
         )
     if flag and suffix in (*PICTURES, "toml"):
         raise refusal("-o", place, "the name must end in {names}", names=f".{flag}")
-    form = flag or suffix or (forms[0] if piped or forms[0] in ("txt", "toml") else "")
+    form = flag or suffix or (forms[0] if piped or forms[0] in ("txt", "toml", "json") else "")
     if form not in forms:
         names = ", ".join(f".{name}" for name in forms)
         raise refusal("-o", place, "the name must end in {names}", names=names)

@@ -13,8 +13,9 @@ from typing import Any, Literal, cast, get_args
 
 from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import ANGLE, LEAST, LENGTH, POSITION, SPEED, Quantity
-from crankstar.files import STANDARD_INPUT, changed, units
+from crankstar.files import STANDARD_INPUT, changed, keys_of, units
 from crankstar.files.catalog import tree_of
+from crankstar.files.changes import path_and_value
 from crankstar.language.faults import ValueFaultError
 from crankstar.language.messages import _
 from crankstar.language.numbers import number as number_text
@@ -73,7 +74,7 @@ def settings(texts: Sequence[str] | None) -> dict[str, Any]:
     found: dict[str, Any] = {}
     for text in texts or ():
         path, value = _setting(text)
-        if path in found:
+        if keys_of(path) in map(keys_of, found):
             raise refusal("--set", text, "{path} is set before; give it once", path=seen(path))
         found[path] = value
     return found
@@ -96,28 +97,28 @@ def settings_of_each(texts: Sequence[str] | None, count: int) -> list[list[str]]
         else:
             out[int(match[1]) - 1].append(text[match.end() :])
     for own in out:
-        paths = [_path(text) for text in own]
-        own[:0] = [text for text in of_all if _path(text) not in paths]
+        paths = [_keys(text) for text in own]
+        own[:0] = [text for text in of_all if _keys(text) not in paths]
     return out
 
 
-def _path(text: str) -> str:
-    return text.partition("=")[0].strip()
+def _keys(text: str) -> list[str | int]:
+    return keys_of(path_and_value(text)[0])
 
 
 def _setting(text: str) -> tuple[str, Any]:
     import tomllib
 
-    path, equals, value = text.partition("=")
-    if not equals or not path.strip():
+    path, equals, value = path_and_value(text)
+    if not equals or not path:
         example = 'layout.bore_pitch="100 mm"'
         raise refusal(
             "--set", text, "give a key path and a value, as in --set {example}", example=example
         )
     try:
-        return path.strip(), tomllib.loads(f"value = {value}")["value"]
+        return path, tomllib.loads(f"value = {value}")["value"]
     except (ValueError, RecursionError):  # not TOML, or a number of thousands of digits
-        return path.strip(), value
+        return path, value
 
 
 def own_factor(name: str, texts: Sequence[str] | None, *, otherwise: float) -> float:

@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from crankstar.files.changes import path_and_value
 from crankstar.language.quoting import one_line, seen
 from crankstar.studies.variants import SweepError
 
@@ -69,15 +70,15 @@ def over_request(text: str, *, usual: int = USUAL_POINTS) -> Over:
     >>> over_request("speed=600..1200 rpm by 200")
     Over(path='speed', values=(600.0, 800.0, 1000.0, 1200.0), unit='rpm')
     """
-    path, equals, wanted = text.partition("=")
+    path, equals, wanted = path_and_value(text)
     asked = f"--over {one_line(text, longest=100)}"
-    if not equals or not path.strip() or not wanted.strip():
+    if not equals or not path or not wanted.strip():
         raise SweepError(
             "{asked}: give a field of the engine file and its values, {example}",
             asked=asked,
             example=EXAMPLE,
         )
-    return Over(path.strip(), *_values(wanted, asked, EXAMPLE, usual))
+    return Over(path, *_values(wanted, asked, EXAMPLE, usual))
 
 
 def speeds_request(text: str, *, option: str = "--speeds") -> Over:
