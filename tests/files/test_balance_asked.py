@@ -231,3 +231,25 @@ def test_a_limit_that_the_balance_shafts_do_not_keep_is_refused(run: Run, tmp_pa
     kept = balance(load(place))
     (yaw,) = abs(spectra.horizontal(spectra.selected(total(kept).couple, 1.0)))
     assert yaw < 1e-6
+
+
+def test_external_moments_are_named_as_makers_of_large_engines_do(run: Run) -> None:
+    by_word = run("balance", "triple-120", "--minimise", "pitch 1", "--limit", "yaw 1=1.5").out
+    made = run("balance", "triple-120", "--minimise", "M1V", "--limit", "m1h <= 1.5").out
+    assert made == by_word
+    rows = table(made, "Remaining unbalance").splitlines()
+    assert [row.split()[-1] for row in rows if "pitch M_V" in row or "yaw M_H" in row] == [
+        *("0.23205", "1.5"),
+        *("0.43998", "0"),
+    ]
+    assert "M_V" not in run("balance", "triple-120", "--minimise", "couple").out
+
+
+def test_a_quantity_that_is_none_is_quoted_as_it_was_typed(run: Run) -> None:
+    said = words(run("balance", "triple-120", "--minimise", "M1X").err)
+    assert "--minimise M1X: choose from force," in said
+    assert "roll 1, M1, M1V, M1H, F1, F1V, F1H" in said
+    assert (
+        "--limit F0V: give an order above 0"
+        in run("balance", "triple-120", "--minimise", "M1V", "--limit", "F0V=1").err
+    )

@@ -49,6 +49,9 @@ AIMS = {
     "bearing": Aim("bearing"),
     "pitch": Aim("couple", up=1.0, right=0.0),
     "mostly yaw": Aim("couple", rms=True, up=0.2, right=1.0),
+    "M1V": Aim("couple", up=1.0, right=0.0, order=1.0),
+    "F1H": Aim("force", up=0.0, right=1.0, order=1.0),
+    "M1": Aim("couple", order=1.0),
 }
 
 
@@ -155,6 +158,72 @@ def test_limits_hold_and_cost_something() -> None:
     assert max(map(abs, held.unbalance)) <= 0.3 * (1 + 1e-6)
     assert held.value >= free.value - 1e-9
     assert held.value - held.bound <= 1e-6
+
+
+def external_moments(engine: Engine) -> tuple[float, float]:
+    """M1V and M1H of a finished engine, m r w^2 a, from the moment over a turn."""
+    theta = np.linspace(0, 2 * np.pi, 4096, endpoint=False)
+    moment = spectra.value(total(balance(engine)).couple, theta)
+    waves = (2 * abs(np.mean(part * np.exp(-1j * theta))) for part in (moment.real, moment.imag))
+    vertical, horizontal = (float(size) for size in waves)
+    return vertical, horizontal
+
+
+@pytest.mark.parametrize("name", ["triple-120", "gm-3800", "yamaha-r1-crossplane"])
+@pytest.mark.parametrize("share", [0.3, 1.2, 2.5])
+def test_the_vertical_moment_is_paid_for_with_the_horizontal_one(name: str, share: float) -> None:
+    """What turns with the crank adds to one as it takes from the other: M1V + M1H >= 2 |b|.
+
+    b is the vector against the crank, which no weight reaches.
+    """
+    engine = without_counterweights(load(name))
+    against = float(abs(spectra.selected(total(balance(engine)).couple, 1.0).backward[0]))
+    pitch = Aim("couple", up=1.0, right=0.0, order=1.0)
+    limit = Limit(Aim("couple", up=0.0, right=1.0, order=1.0), share * against)
+    found = best_weights(engine, planes=ends(engine), aim=pitch, limits=[limit])
+    vertical, horizontal = external_moments(found.engine)
+    assert (found.value, found.limits[0][1]) == pytest.approx((vertical, horizontal), abs=1e-6)
+    assert vertical == pytest.approx(max(2 * against - limit.at_most, 0.0), abs=1e-6)
+    assert found.bound == pytest.approx(found.value, abs=1e-6)
+
+
+def test_no_weights_of_a_minimisation_by_hand_have_a_smaller_vertical_moment() -> None:
+    from scipy.optimize import minimize
+
+    engine = without_counterweights(load("triple-120"))
+    planes, most = ends(engine), 0.3
+    pitch = Aim("couple", up=1.0, right=0.0, order=1.0)
+    limit = Limit(Aim("couple", up=0.0, right=1.0, order=1.0), 1.5)
+    found = best_weights(engine, planes=planes, aim=pitch, limits=[limit], greatest_unbalance=most)
+    unit = unit_unbalance(engine)
+
+    def finished(x: np.ndarray) -> tuple[float, float]:
+        weights = [
+            Weight(unbalance=float(abs(u)) * unit, angle=float(np.angle(u)), z=plane.z)
+            for plane, u in zip(planes, x[0::2] + 1j * x[1::2], strict=True)
+        ]
+        return external_moments(with_weights(engine, {"crank": weights}))
+
+    within = [
+        {"type": "ineq", "fun": lambda x: limit.at_most - finished(x)[1]},
+        {"type": "ineq", "fun": lambda x: most**2 - (x.reshape(-1, 2) ** 2).sum(axis=1)},
+    ]
+    starts = np.random.default_rng(2).normal(0, 0.1, (4, 2 * len(planes)))
+    tried = [
+        minimize(lambda x: finished(x)[0], start, method="SLSQP", constraints=within)
+        for start in starts
+    ]
+    least = min(each.fun for each in tried if each.success)
+    assert found.value == pytest.approx(least, rel=1e-4)
+    assert found.bound <= least + 1e-6
+
+
+def test_an_order_that_no_weight_changes_is_refused() -> None:
+    engine = load("triple-120")
+    with pytest.raises(RemedyError, match=r"pitch of order 2 does not depend .* of order 1;"):
+        best_weights(engine, planes=ends(engine), aim=Aim("couple", up=1.0, right=0.0, order=2.0))
+    with pytest.raises(RemedyError, match="one order, above 0, is that of a peak"):
+        best_weights(engine, planes=ends(engine), aim=Aim("couple", rms=True, order=1.0))
 
 
 def test_a_bound_on_the_unbalance_binds() -> None:

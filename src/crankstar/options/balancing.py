@@ -40,8 +40,8 @@ class BalanceOptions(BaseModel):
         description=meaning(
             "--minimise",
             "Instead of a factor, find the weights for one of force, couple, pitch, yaw, roll, "
-            "each also with rms in front, roll 2 (one order), or bearing (the greatest load on a "
-            "main bearing).",
+            "each also with rms in front or an order behind, as in pitch 1 (M1V; M1H is yaw 1), or "
+            "bearing (the greatest load on a main bearing).",
         ),
     )
     model: str | None = Field(default=None, description=meaning("--model"))

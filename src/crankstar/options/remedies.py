@@ -48,14 +48,15 @@ def weights(text: str, engine: Engine) -> list[Plane] | Places:
 
 def aim(option: str, text: str, *, pitch: float | None = None) -> Aim:
     """The quantity that weights minimise; `pitch` is its share in a couple, yaw has the rest."""
-    words = " ".join(text.lower().split())
-    of_order = ROLL_OF_ORDER.fullmatch(words)
-    if of_order is not None:
-        if not float(of_order[1]):
-            raise refusal(option, text, "give an order above 0, as in roll 2")
-        wanted = Aim("roll", order=float(of_order[1]))
-    else:
-        wanted = AIMS[choice(option, words, AIMS)]
+    wanted = _of_order(option, text) or AIMS.get(" ".join(text.lower().split()))
+    if wanted is None:
+        raise refusal(
+            option,
+            text,
+            "choose from {choices}; or one order, as in {orders}",
+            choices=", ".join(AIMS),
+            orders=", ".join([*(f"{name} 1" for name in ONE_ORDER), *MAKERS]),
+        )
     if pitch is None:
         return wanted
     if not 0 <= pitch <= 1:
@@ -82,8 +83,42 @@ AIMS = {
     "rms roll": Aim("roll", rms=True),
     "bearing": Aim("bearing"),
 }
-ROLL_OF_ORDER = re.compile(r"roll (\d{1,3}(?:\.\d{1,3})?)", re.ASCII)
-"""The roll of one order, as in roll 2."""
+ONE_ORDER = ("force", "couple", "pitch", "yaw", "roll")
+"""Quantities of which one order can be named, as in `roll 2`."""
+MAKERS = {
+    "M1": "couple",
+    "M1V": "pitch",
+    "M1H": "yaw",
+    "F1": "force",
+    "F1V": "vertical force",
+    "F1H": "horizontal force",
+}
+"""One order as makers of large engines write it, and as `search` does."""
+_FORCES = {
+    "vertical force": Aim("force", up=1.0, right=0.0),
+    "horizontal force": Aim("force", up=0.0, right=1.0),
+}
+_ORDER = r"(\d{1,3}(?:\.\d{1,3})?)"
+_OF_ORDER = re.compile(rf"({'|'.join(ONE_ORDER)}) {_ORDER}", re.ASCII)
+_BY_MAKERS = re.compile(rf"([mf]){_ORDER}([vh]?)", re.ASCII)
+
+
+def _of_order(option: str, text: str) -> Aim | None:
+    """The peak of one order, None where the text is none.
+
+    >>> _of_order("", "M2V") == _of_order("", "pitch 2") == AIMS["pitch"]._replace(order=2.0)
+    True
+    """
+    words = " ".join(text.lower().split())
+    if (found := _OF_ORDER.fullmatch(words)) is not None:
+        name, order = found[1], float(found[2])
+    elif (found := _BY_MAKERS.fullmatch(words)) is not None:
+        name, order = MAKERS[f"{found[1]}1{found[3]}".upper()], float(found[2])
+    else:
+        return None
+    if not order:
+        raise refusal(option, text, "give an order above 0, as in {example}", example="pitch 1")
+    return {**AIMS, **_FORCES}[name]._replace(order=order)
 
 
 def model(text: str | None) -> Model:

@@ -34,12 +34,16 @@ def aim_text(
 
 
 def aim_name(aim: Aim) -> str:
-    """The name of an aim, such as `peak couple`."""
+    """The name of an aim, such as `peak couple`.
+
+    >>> aim_name(Aim("couple")), aim_name(Aim("couple", up=1.0, right=0.0, order=1.0))
+    ('peak couple', 'pitch of order 1')
+    """
     if aim.quantity == "bearing":
         return _("greatest load on a main bearing")
-    if aim.order is not None:
-        return _("roll of order {order}", order=f"{aim.order:g}")
     key = (aim.quantity, aim.up, aim.right)
+    if aim.order is not None:
+        return _(_OF_ORDER.get(key, _OF_ORDER[aim.quantity]), order=f"{aim.order:g}")
     return _(_NAMES.get(key, _NAMES[aim.quantity])[aim.rms])
 
 
@@ -50,4 +54,13 @@ _NAMES: dict[Any, tuple[str, str]] = {
     ("couple", 1.0, 0.0): (N_("peak pitch"), N_("rms pitch")),
     ("couple", 0.0, 1.0): (N_("peak yaw"), N_("rms yaw")),
     "roll": (N_("peak roll"), N_("rms roll")),
+}
+_OF_ORDER: dict[Any, str] = {
+    "force": N_("force of order {order}"),
+    "couple": N_("couple of order {order}"),
+    ("force", 1.0, 0.0): N_("vertical force of order {order}"),
+    ("force", 0.0, 1.0): N_("horizontal force of order {order}"),
+    ("couple", 1.0, 0.0): N_("pitch of order {order}"),
+    ("couple", 0.0, 1.0): N_("yaw of order {order}"),
+    "roll": N_("roll of order {order}"),
 }

@@ -11,8 +11,9 @@ F0, M0 and R0 without them; R is clockwise. A weight on a shaft through the refe
 change the roll. Every aim is the greatest of some norms of such sums, each linear in the
 u_j, and so convex in them: the length at every crank angle (peak), or the root of its mean square
 over the period (rms); of the force, of the couple, or of one of its components (pitch is the
-couple's up, yaw its right); of the roll; of the amplitude of one order of the roll; or the load on
-the main bearings.
+couple's up, yaw its right); of the roll; of one order of any of these; or the load on the main
+bearings. A component of one order is a wave, and its amplitude the length of one complex number
+that is linear in the u_j.
 
 The load is the first-order force that a crankshaft hands to one of its main bearings: what its
 rods push on their pins, the side thrust of the pistons with it, and what turns, shared as
@@ -23,7 +24,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Literal, NamedTuple
+from typing import Any, Literal, NamedTuple, get_args
 
 import numpy as np
 
@@ -49,8 +50,9 @@ SIGNIFICANT = 1e-13
 class Aim(NamedTuple):
     """A quantity to minimise; `up` and `right` weigh the components of force and couple.
 
-    `Aim("couple", up=1, right=0)` is pitch, `Aim("couple", up=0, right=1)` yaw. `order` is that of
-    a roll of one order, None for all together.
+    `Aim("couple", up=1, right=0)` is pitch, `Aim("couple", up=0, right=1)` yaw, with `order=1` the
+    external moments M1V and M1H of makers of large engines. `order`: the peak of one order alone,
+    None for all together.
     """
 
     quantity: Quantity
@@ -61,8 +63,19 @@ class Aim(NamedTuple):
 
     @property
     def peaky(self) -> bool:
-        """Whether it is a peak over the crank angle."""
-        return not (self.rms or self.quantity == "bearing" or self.order is not None)
+        """Whether it is a peak over the crank angle; the amplitude of a wave is not."""
+        wave = self.order is not None and not (self.quantity != "roll" and self.up and self.right)
+        return not (self.rms or self.quantity == "bearing" or wave)
+
+    @property
+    def possible(self) -> bool:
+        """Whether there is such a quantity."""
+        shares = np.array([self.up, self.right])
+        one_order = self.order is None or (
+            0 < self.order < np.inf and not self.rms and self.quantity != "bearing"
+        )
+        sized = np.isfinite(shares).all() and shares.min() >= 0 and shares.max() > 0
+        return self.quantity in get_args(Quantity) and one_order and bool(sized)
 
 
 class Plane(NamedTuple):
@@ -204,8 +217,10 @@ def _rolling(case: Setting, x: Real) -> Spectrum:
 def _vector(case: Setting, aim: Aim, x: Real) -> Spectrum:
     """What a peak or an rms is taken of, with these weights."""
     if aim.quantity == "roll":
-        return _rolling(case, x)
-    return _weighted(with_unbalance(case, x, aim.quantity), aim)  # pyright: ignore[reportArgumentType]
+        whole = _rolling(case, x)
+    else:
+        whole = _weighted(with_unbalance(case, x, aim.quantity), aim)  # pyright: ignore[reportArgumentType]
+    return whole if aim.order is None else spectra.selected(whole, aim.order)
 
 
 def measured(case: Setting, aim: Aim, x: Real) -> float:
@@ -221,7 +236,7 @@ def measured(case: Setting, aim: Aim, x: Real) -> float:
         )
     vector = _vector(case, aim, x)
     if aim.order is not None:
-        return float(abs(spectra.amplitude(spectra.selected(vector, aim.order))[0]))
+        return float(abs(vector.forward[0]) + abs(vector.backward[0]))
     if aim.rms:
         return float(np.sqrt((np.abs(vector.forward) ** 2 + np.abs(vector.backward) ** 2).sum()))
     return spectra.peak(vector).value
@@ -267,10 +282,15 @@ def cones(case: Setting, aim: Aim, theta: Real) -> list[Cone]:
         ]
     if aim.quantity == "roll":
         return _roll_cones(case, aim, theta)
-    bare = _weighted(getattr(case, aim.quantity), aim)
-    factor = case.squared * (1.0 if aim.quantity == "force" else case.arm)
-    if aim.rms:
-        return [_mean(case, aim, bare, factor)]
+    bare, factor = _weighted(getattr(case, aim.quantity), aim), influence(case, aim)
+    if aim.order is not None:
+        bare = spectra.selected(bare, aim.order)
+    if not aim.peaky:
+        mean = _mean(case, aim, bare, factor)
+        if aim.rms:
+            return [mean]
+        # the amplitude of a wave is sqrt(2) times its rms
+        return [Cone(np.sqrt(2) * mean.matrix, np.sqrt(2) * mean.shift)]
     turn = np.where(case.forward, 1, -1) * bare.sense * case.order
     values = spectra.value(bare, theta)
     out: list[Cone] = []
@@ -281,6 +301,15 @@ def cones(case: Setting, aim: Aim, theta: Real) -> list[Cone]:
         matrix[1, 0::2], matrix[1, 1::2] = aim.right * np.imag(phase), aim.right * np.real(phase)
         out.append(Cone(matrix, np.array([value.real, value.imag])))
     return out
+
+
+def influence(case: Setting, aim: Aim) -> Real:
+    """What a unit unbalance in each plane [plane] changes of the force, the couple or the roll."""
+    if aim.quantity == "roll":
+        whole = np.abs(case.rolled).max(axis=1, initial=0.0)
+    else:
+        whole = case.squared * (1.0 if aim.quantity == "force" else case.arm)
+    return whole if aim.order is None else whole * (np.abs(case.order - aim.order) < 1e-9)
 
 
 def _roll_cones(case: Setting, aim: Aim, theta: Real) -> list[Cone]:

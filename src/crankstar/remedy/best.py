@@ -24,7 +24,17 @@ from crankstar.mechanics.balance import unit_unbalance
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.remains import OPTIMISED
 from crankstar.remedy.aim_names import aim_name, aim_text
-from crankstar.remedy.aims import Aim, Plane, Quantity, Setting, cones, maxima, measured, setting
+from crankstar.remedy.aims import (
+    Aim,
+    Plane,
+    Quantity,
+    Setting,
+    cones,
+    influence,
+    maxima,
+    measured,
+    setting,
+)
 from crankstar.remedy.counterweights import (
     RemedyError,
     apart,
@@ -125,7 +135,7 @@ def best_weights(
         _check_aim(wanted)
     start = without_counterweights(engine) if bare else engine
     case = setting(start, planes, reference=reference, model=model)
-    _check_roll(case, aim)
+    _check_moved(case, aim)
     try:
         x, bound = _least(case, aim, limits, most)
         if x is None:
@@ -156,34 +166,30 @@ def best_weights(
 
 
 def _check_aim(aim: Aim) -> None:
-    shares = (aim.up, aim.right)
-    if (
-        aim.quantity not in get_args(Quantity)
-        or (aim.order is not None and (aim.quantity != "roll" or not aim.order > 0))
-        or not np.isfinite(shares).all()
-        or min(shares) < 0
-        or max(shares) == 0
-    ):
+    if not aim.possible:
         raise RemedyError(
             "the quantity to minimise is one of {quantities}, with shares of up and right from 0 "
-            "that are not both 0, and an order above 0 of roll only",
+            "that are not both 0; one order, above 0, is that of a peak of force, couple or roll",
             quantities=", ".join(get_args(Quantity)),
         )
 
 
-def _check_roll(case: Setting, aim: Aim) -> None:
-    """Refuse a roll that no weight in these planes changes."""
-    if aim.quantity != "roll":
+def _check_moved(case: Setting, aim: Aim) -> None:
+    """Refuse a roll, or an order, that no weight in these planes changes."""
+    if (aim.quantity != "roll" and aim.order is None) or influence(case, aim).any():
         return
-    size = np.abs(case.rolled).max(axis=1)
-    if aim.order is not None:
-        size = size[np.abs(case.order - aim.order) < 1e-9]
-    if not size.max(initial=0.0) > 0:
+    if aim.quantity == "roll":
         raise RemedyError(
             "the {aim} does not depend on the weights of these crankshafts, only on the place of "
             "balance shafts, which --shafts with --box finds; leave --minimise out",
             aim=aim_name(aim),
         )
+    raise RemedyError(
+        "the {aim} does not depend on weights in these planes, which are of order {orders}; "
+        "balance shafts may remove it: --shafts all",
+        aim=aim_name(aim),
+        orders=", ".join(f"{order:g}" for order in spectra.distinct(case.order)),
+    )
 
 
 def without_weights(

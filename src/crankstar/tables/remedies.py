@@ -289,6 +289,8 @@ def _remaining(job: Job) -> Table:
             old, new = (bounds.greatest(*pair) for pair in pairs)
             ways = map(bounds.length, pairs[1])
             rows.append((order, word, unit, *_left(job, old, new), *_left(job, *ways)))
+            if name == "couple" and new + old and _by_component(job):
+                rows += _components(order, unit, pairs)
             if new > old * (1 + OPTIMISED):
                 worse.append(
                     _(
@@ -321,6 +323,23 @@ def _remaining(job: Job) -> Table:
     if after.speed is not None:
         title = _("Remaining unbalance at {rpm} rpm", rpm=number(after.speed * 30 / pi))
     return Table(title, columns, tuple(rows), notes=tuple(worse), key="remaining")
+
+
+def _by_component(job: Job) -> bool:
+    """Whether the best weights are for pitch or yaw, as external moments are limited."""
+    if job.best is None:
+        return False
+    aims = [job.best.aim, *(limit.aim for limit, _value in job.best.limits)]
+    return any(aim.quantity == "couple" and aim.up != aim.right for aim in aims)
+
+
+def _components(
+    order: float, unit: str, pairs: Sequence[tuple[complex, complex]]
+) -> Iterator[tuple[Value, ...]]:
+    """Rows of pitch and yaw before and after."""
+    for word, sign in ((_("pitch M_V"), 1), (_("yaw M_H"), -1)):
+        sizes = [abs(ahead + sign * against.conjugate()) for ahead, against in pairs]
+        yield (order, word, unit, *_cleared(sizes), None, None)
 
 
 def _left(job: Job, *sizes: float) -> tuple[float, ...]:
