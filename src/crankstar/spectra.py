@@ -23,8 +23,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-# Arrays of complex and of real numbers; numpy's own types do not follow broadcasting and mixed
-# arithmetic.
+from crankstar.language.messages import MessageError
+
+# Arrays of complex and of real numbers; numpy's own types do not follow mixed arithmetic.
 Complex = NDArray[Any]
 Real = NDArray[Any]
 
@@ -34,12 +35,16 @@ ROUNDING = 1e-13
 
 @dataclass(frozen=True)
 class Spectrum:
-    """Turning vectors by order: `orders` [n] ascending; `forward`, `backward` [..., n]; `sense`."""
+    """Turning vectors by order: `orders` [n] ascending; `forward`, `backward` [..., n]; `sense`.
+
+    An order that is not listed is zero if they are `complete`, else not known.
+    """
 
     orders: Real
     forward: Complex
     backward: Complex
     sense: int = 1
+    complete: bool = True
 
     def __getitem__(self, index: object) -> Spectrum:
         """The same spectrum for some of the leading axis: one part, or several."""
@@ -126,19 +131,34 @@ def shifted(spectrum: Spectrum, theta: float) -> Spectrum:
 
 
 def selected(spectrum: Spectrum, orders: ArrayLike) -> Spectrum:
-    """The spectrum at the given orders, in the order given; one that is not there is zero."""
-    wanted = np.atleast_1d(np.asarray(orders, float))
+    """The spectrum at the given orders, in the order given.
+
+    One that a complete spectrum has not is zero, as no part of the engine has it. Of a spectrum
+    that was computed, or selected, for some orders it is not known. Raises MessageError for it.
+    """
+    wanted = checked(np.atleast_1d(np.asarray(orders, float)))
     hits = np.isclose(spectrum.orders[None, :], wanted[:, None], rtol=0, atol=1e-9)
-
-    def picked(values: Complex) -> Complex:
-        return np.einsum("...n,mn->...m", values, hits.astype(float)) + 0j
-
-    return replace(
-        spectrum,
-        orders=wanted,
-        forward=picked(spectrum.forward),
-        backward=picked(spectrum.backward),
+    absent = wanted[~hits.any(axis=1)]
+    if absent.size and not spectrum.complete:
+        raise MessageError(
+            "order {order} was not computed; there are the orders {orders}",
+            order=f"{absent[0]:g}",
+            orders=", ".join(f"{order:g}" for order in spectrum.orders) or "-",
+        )
+    forward, backward = (
+        np.einsum("...n,mn->...m", values, hits.astype(float)) + 0j
+        for values in (spectrum.forward, spectrum.backward)
     )
+    return replace(spectrum, orders=wanted, forward=forward, backward=backward, complete=False)
+
+
+def checked(orders: Real) -> Real:
+    """Orders, 0 for what stands still. Raises MessageError for other numbers."""
+    for order in orders[~((orders >= 0) & (orders < np.inf))]:
+        raise MessageError(
+            "{order} is no crank order; give numbers above 0, such as 1 or 2", order=f"{order:g}"
+        )
+    return orders
 
 
 def value(spectrum: Spectrum, theta: ArrayLike) -> Complex:

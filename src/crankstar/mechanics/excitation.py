@@ -86,7 +86,7 @@ def part_spectra(
     """Force, couple, axis moment and torque [..., part, order] at 1 rad/s; or of a batch.
 
     Parts: piston, rod and big end of every cylinder, then the rotors. `orders` keeps only those
-    crank orders.
+    crank orders. Raises ValueError for what is none.
     """
     reference = reference or Reference(0.0)
     moving = bodies(machine)
@@ -105,18 +105,17 @@ def part_spectra(
     )
     shaft = [*machine.cylinder_shaft] * len(moving) + [*machine.rotor_shaft]
     arm = (machine.place - complex(reference.up, reference.right))[..., shaft][..., None]
-    force = Spectrum(columns.orders, forward, backward, machine.sense)
+    force = Spectrum(columns.orders, forward, backward, machine.sense, complete=orders is None)
     # Im(conj(P) F): the rightward component of F once everything is turned by conj(P)
     lever = spectra.horizontal(spectra.scaled(force, np.conj(arm)))
     lever = np.where(
         np.abs(lever) > motion.TAIL * np.abs(arm) * (np.abs(forward) + np.abs(backward)), lever, 0.0
     )
-    return Totals(
-        force=force,
-        couple=spectra.scaled(force, z),
-        axis_moment=spectra.real_signal(columns.orders, moment + lever),
-        torque=spectra.real_signal(columns.orders, -energy),
+    roll, torque = (
+        replace(spectra.real_signal(columns.orders, signal), complete=force.complete)
+        for signal in (moment + lever, -energy)
     )
+    return Totals(force, spectra.scaled(force, z), axis_moment=roll, torque=torque)
 
 
 def columns_of(machine: Mechanism, harmonics: int, wanted: Sequence[float] | None) -> Columns:
@@ -130,7 +129,8 @@ def columns_of(machine: Mechanism, harmonics: int, wanted: Sequence[float] | Non
     ]
     present = spectra.distinct(np.concatenate(keys))
     if wanted is not None:
-        present = spectra.distinct(np.round(np.asarray(wanted, float) * common, 6))
+        asked = spectra.checked(np.asarray(wanted, float))
+        present = spectra.distinct(np.round(asked * common, 6))
     places = [np.searchsorted(present, key) for key in keys]
     hits = [np.append(present, -1)[place] == key for place, key in zip(places, keys, strict=True)]
     return Columns(

@@ -79,6 +79,7 @@ def pin_loads(machine: Mechanism, *, orders: Sequence[float] | None = None) -> P
             np.concatenate([still, forward], axis=-1),
             np.concatenate([np.zeros_like(still), backward], axis=-1),
             machine.sense,
+            complete=orders is None,
         )
 
     forward, backward = (sum(one[way] for one in inertia) - wall[way] for way in (0, 1))

@@ -166,7 +166,8 @@ def _with_orders(spectrum: Spectrum, kept: Real) -> Spectrum:
     """The spectrum without the orders that are zero, but with those of the planes."""
     size = np.abs(spectrum.forward) + np.abs(spectrum.backward)
     orders = spectrum.orders[(size > SIGNIFICANT * size.max(initial=0.0))]
-    return spectra.selected(spectrum, spectra.distinct(np.round(np.append(orders, kept), 12)))
+    wanted = spectra.distinct(np.round(np.append(orders, kept), 12))
+    return replace(spectra.selected(spectrum, wanted), complete=True)
 
 
 def _loads(

@@ -84,7 +84,10 @@ def _sums(
         raise SweepError(str(error)) from None
     factors = (scale.force, scale.couple, scale.moment, scale.moment)
     return Totals(
-        *(spectra.scaled(spectrum, factor) for spectrum, factor in zip(sums, factors, strict=True))
+        *(
+            replace(spectra.scaled(spectrum, factor), complete=orders is None)
+            for spectrum, factor in zip(sums, factors, strict=True)
+        )
     )
 
 
@@ -131,7 +134,8 @@ def joined(groups: Sequence[Group], count: int) -> Totals:
         for group in groups:
             own = spectra.selected(getattr(group.sums, name), orders)
             forward[group.rows], backward[group.rows] = own.forward, own.backward
-        return Spectrum(orders, forward, backward, getattr(groups[0].sums, name).sense)
+        first: Spectrum = getattr(groups[0].sums, name)
+        return replace(first, orders=orders, forward=forward, backward=backward)
 
     return Totals(*map(whole, Totals._fields))
 
