@@ -415,3 +415,15 @@ def test_three_full_stops_are_read_in_no_way(text: str) -> None:
 def test_numbers_beyond_any_engine_are_refused_without_a_warning(text: str) -> None:
     with pytest.raises(SweepError, match="is too large"):
         over_request(f"balance_factor={text}")
+
+
+@pytest.mark.parametrize(
+    "path",
+    ["cylinder.rod_length=120..180 mm/4", "layout.bore_pitch=1..2/3", "layout.bank_angle=0..1/3"],
+)
+def test_a_key_of_the_short_file_needs_the_file(path: str) -> None:
+    with pytest.raises(SweepError) as refused:
+        crankstar.sweep(crankstar.load("i4"), path)
+    said = str(refused.value)
+    assert "an Engine does not know its file. Give the name or the path of the file" in said
+    assert "Did you mean" not in said

@@ -12,12 +12,21 @@ from typing import Annotated, Any, NamedTuple, get_args, get_origin
 from crankstar import files
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
+from crankstar.engine.layouts import LAYOUTS
 from crankstar.engine.quantities import ANGLE, Quantity
 from crankstar.engine.records import Record
 from crankstar.files import EngineFileError, units
 from crankstar.files.box import box
 from crankstar.files.catalog import tree_of
-from crankstar.files.forms import by_key, field_at, form_of, quantity_of, record_in
+from crankstar.files.forms import (
+    by_key,
+    field_at,
+    form_of,
+    is_explicit,
+    quantity_of,
+    record_in,
+    short_form,
+)
 from crankstar.files.mistakes import copied
 from crankstar.language.messages import _
 from crankstar.language.quoting import one_line, seen
@@ -319,6 +328,12 @@ def _numeric(record: type[Record], tree: Any, path: str = "") -> Iterator[str]:
             yield here
 
 
+def _is_short(tree: dict[str, Any], keys: Sequence[str | int]) -> bool:
+    """Whether the path is one of a short file where the tree is explicit, as that of an Engine."""
+    of_layout = any(field_at(short_form(kind), keys) for kind in LAYOUTS)
+    return is_explicit(tree) and (of_layout or list(keys) == BANK_ANGLE.split("."))
+
+
 def _why_fixed(over: str, keys: Sequence[str | int], forms: Sequence[dict[str, Any]]) -> str:
     """Why a path cannot be swept, and what can."""
     path = one_line(over, longest=80)
@@ -352,5 +367,11 @@ def _why_fixed(over: str, keys: Sequence[str | int], forms: Sequence[dict[str, A
         else _("{path} is not a field of the engine.", **values)
     )
     near = _("Did you mean {near}?", **values) if values["near"] else ""
+    if not there and _is_short(forms[0], keys):
+        near = _(
+            "It is a key of short files, and this engine is given part by part: an Engine does not "
+            'know its file. Give the name or the path of the file, as in sweep("i4.toml", ...), or '
+            "vary one part."
+        )
     can = _("The numbers that can be swept are {numbers}.", **values)
     return " ".join(filter(None, (fault, near, can)))
