@@ -164,7 +164,9 @@ def external_moments(engine: Engine) -> tuple[float, float]:
     """M1V and M1H of a finished engine, m r w^2 a, from the moment over a turn."""
     theta = np.linspace(0, 2 * np.pi, 4096, endpoint=False)
     moment = spectra.value(total(balance(engine)).couple, theta)
-    waves = (2 * abs(np.mean(part * np.exp(-1j * theta))) for part in (moment.real, moment.imag))
+    waves = (
+        2 * abs(np.mean(part * np.exp(-1j * theta))) for part in (np.real(moment), np.imag(moment))
+    )
     vertical, horizontal = (float(size) for size in waves)
     return vertical, horizontal
 

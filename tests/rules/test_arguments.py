@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 import math
+import re
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,9 @@ import pytest
 from tests.texts import SHORT
 
 import crankstar
+import crankstar.charts
+import crankstar.mechanics.balance
+import crankstar.remedy
 from crankstar.engine.copies import with_values
 from crankstar.mechanics.excitation import Reference
 from crankstar.tables.comparison import told_apart
@@ -114,6 +118,8 @@ def test_a_label_that_no_part_has_is_refused_with_those_there_are(call: Any, wor
 
 
 WRONG: Any = 5
+HALF: Any = "50%"
+PINS: Any = "pins"
 BALANCE: Any = crankstar.balance
 TWIN: Any = crankstar.load("v2-90")
 
@@ -302,3 +308,63 @@ def test_a_balance_shaft_is_near_its_engine(place: dict[str, Any]) -> None:
         crankstar.with_balance_shaft(
             crankstar.load("i4"), **{"ratio": 2, "planes": [1, -1]} | place
         )
+
+
+def of_rooms() -> list[Any]:
+    """The functions of the rooms for people that take an Engine first."""
+    rooms = (crankstar.remedy, crankstar.charts, crankstar.files)
+    every = [getattr(room, name) for room in rooms for name in room.__all__]
+    return [
+        each
+        for each in every
+        if callable(each)
+        and not inspect.isclass(each)
+        and next(iter(inspect.signature(each).parameters), "") == "engine"
+    ]
+
+
+def test_functions_of_rooms_that_take_an_engine_are_found() -> None:
+    names = {each.__name__ for each in of_rooms()}
+    assert {
+        "with_counterweights",
+        "best_weights",
+        "needs",
+        "spectrum",
+        "hodograph",
+        "toml",
+    } <= names
+
+
+@pytest.mark.parametrize("function", of_rooms(), ids=lambda each: each.__name__)
+def test_a_function_of_a_room_says_what_to_write_for_a_name(function: Any) -> None:
+    name = function.__name__
+    words = f'{name} takes an Engine, not "i4.toml"; write {name}(crankstar.load("i4.toml"))'
+    for given in ("i4.toml", Path("i4.toml")):
+        with pytest.raises(TypeError, match=f"^{re.escape(words)}$"):
+            function(given)
+    with pytest.raises(TypeError, match=r"as crankstar.load.* gives it, not 3$"):
+        function(engine=3)
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda: crankstar.remedy.with_counterweights(TWIN, factor=HALF), "factor takes a numb"),
+        (
+            lambda: crankstar.remedy.with_counterweights(TWIN, factor=0.5, planes=PINS),
+            r'planes takes places along the shaft in metres, such as \[-0.2, 0.2\], not "pins"',
+        ),
+        (
+            lambda: crankstar.remedy.with_balance_shaft(TWIN, ratio=-1, planes=PINS),
+            "planes takes places",
+        ),
+    ],
+)
+def test_numbers_of_rooms_are_refused_as_those_of_the_top(call: Any, words: str) -> None:
+    with pytest.raises(TypeError, match=words):
+        call()
+
+
+def test_a_reference_that_is_nowhere_is_refused() -> None:
+    with pytest.raises(ValueError, match="reference is inf, 0, 0; give z, up and right"):
+        crankstar.mechanics.balance.balance(TWIN, reference=Reference(math.inf))

@@ -81,6 +81,7 @@ from crankstar.charts.spectra import spectrum
 from crankstar.charts.strokes import stroke_chart
 from crankstar.charts.sweeps import swept
 from crankstar.charts.vector_stars import polygon, vector_star
+from crankstar.engine.arguments import of_engines
 
 if TYPE_CHECKING:
     from crankstar.charts.fronts import pareto_front
@@ -123,6 +124,7 @@ __all__ = [
     "vector_star",
 ]
 
+of_engines(globals(), __all__)
 _LATE = {"best_stars": "search_stars", "pareto_front": "fronts"}
 
 

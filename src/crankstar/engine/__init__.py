@@ -16,6 +16,7 @@
 | `dead_centres` | top and bottom dead centres of each chamber |
 | `firing_angles` | the crank angles at which a firing order fires |
 | `engine` | the Engine: an assembly that passed every check |
+| `arguments` | what is no Engine, no number, no list of planes is refused with what to write |
 | `crankshafts` | weights, bearings and balance shafts that a short file gives its crankshafts |
 | `arrangement` | cylinder places to an Engine: sizes, pins, counterweights |
 | `banks` | banks of cylinders and cranks as an engine file gives them |

@@ -22,6 +22,7 @@
 | `catalog` | the engines of the package, and a file or engine by its name |
 """
 
+from crankstar.engine.arguments import of_engines
 from crankstar.files.changes import changed, keys_of
 from crankstar.files.errors import EngineFileError
 from crankstar.files.read import engine_of, read
@@ -46,3 +47,5 @@ __all__ = [
     "tree_of",
     "tree_text",
 ]
+
+of_engines(globals(), __all__)

@@ -34,6 +34,7 @@ import numpy as np
 
 from crankstar import spectra
 from crankstar.engine import motion
+from crankstar.language.messages import MessageError
 from crankstar.mechanics.harmonics import Harmonics, bodies, highest
 from crankstar.mechanics.mechanism import Mechanism
 from crankstar.spectra import Complex, Real, Spectrum
@@ -89,6 +90,11 @@ def part_spectra(
     crank orders. Raises ValueError for what is none.
     """
     reference = reference or Reference(0.0)
+    if not all(map(np.isfinite, reference)):
+        raise MessageError(
+            "the reference is {reference}; give z, up and right in metres, each finite",
+            reference=", ".join(f"{place:g}" for place in reference),
+        )
     moving = bodies(machine)
     harmonics = max(highest(unit) for body in moving for unit, _ in body)
     columns = columns_of(machine, harmonics, orders)

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from math import inf, pi
-from numbers import Real
 from typing import Any
 
+from crankstar.engine.arguments import check_number as check_number  # with the other numbers
+from crankstar.engine.arguments import is_number as is_number
 from crankstar.engine.quantities import SPEED
 from crankstar.language.faults import ValueFaultError
 from crankstar.language.messages import _
@@ -79,23 +80,6 @@ def orders(given: Any) -> tuple[float, ...]:
             )
         )
     return tuple(map(float, numbers))
-
-
-def is_number(given: Any) -> bool:
-    """Whether it is a number; True and False are none."""
-    return isinstance(given, Real) and not isinstance(given, bool)
-
-
-def check_number(argument: str, given: Any) -> None:
-    """Raises TypeError for what is no number, ValueError for one that is not finite."""
-    if not is_number(given):
-        raise TypeError(
-            _("{argument} takes a number, not {given}", argument=argument, given=quoted(given))
-        )
-    if not -inf < given < inf:
-        raise ValueError(
-            _("{argument} is {given}; it must be finite", argument=argument, given=quoted(given))
-        )
 
 
 def check_place(argument: str, given: Any) -> None:

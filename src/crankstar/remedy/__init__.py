@@ -20,6 +20,7 @@
 | `fitting` | an engine fitted with all of these; the cure that its verdict recommends |
 """
 
+from crankstar.engine.arguments import of_engines
 from crankstar.engine.main_bearings import end_planes, end_webs, main_bearings, webs
 from crankstar.remedy.aim_names import aim_name, aim_text, aim_unit
 from crankstar.remedy.aims import Aim, Plane, bearing_load
@@ -83,3 +84,5 @@ __all__ = [
     "without_counterweights",
     "without_weights",
 ]
+
+of_engines(globals(), __all__)

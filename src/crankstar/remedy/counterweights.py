@@ -21,6 +21,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from crankstar.engine.arguments import check_number, check_planes, is_number
 from crankstar.engine.copies import with_weights
 from crankstar.engine.engine import Engine
 from crankstar.engine.main_bearings import end_webs, pin_groups
@@ -79,6 +80,8 @@ def with_counterweights(
     >>> [round(weight.unbalance, 9) for weight in more.shafts[0].weights]
     [1.0, 1.0]
     """
+    if not is_number(factor):
+        check_number("factor", factor)
     if planes is None:
         return _balanced(engine, factor, lambda _shaft, own: _opposite(own, factor), bare=bare)
     possible_planes(engine, planes)
@@ -175,6 +178,7 @@ def without_counterweights(engine: Engine) -> Engine:
 
 def possible_planes(engine: Engine, planes: Sequence[float]) -> None:
     """Refuse places along the shaft that are too few, double or beyond it. Raises RemedyError."""
+    check_planes(planes)
     if len(planes) < 2 or len(set(planes)) < len(planes):
         raise RemedyError("give two planes or more, all different")
     apart(engine, planes)

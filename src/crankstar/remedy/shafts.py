@@ -27,6 +27,7 @@ from typing import NamedTuple
 import numpy as np
 
 from crankstar import spectra
+from crankstar.engine.arguments import check_planes
 from crankstar.engine.assembly import GREATEST_SHAFTS
 from crankstar.engine.copies import with_shaft, with_values, with_weights
 from crankstar.engine.engine import Engine
@@ -130,6 +131,7 @@ def with_balance_shaft(
             ratio=ratio,
             greatest=GREATEST_RATIO,
         )
+    check_planes(planes)
     if not planes or len(set(planes)) < len(planes):
         raise RemedyError("a balance shaft needs planes for its weights, all different; give two")
     apart(engine, planes)
