@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Page, Position, ViewportSize, expect
 from tests.web.engine_page import CARD, drawn, farthest_off, handle, opened
 
 from crankstar.files.catalog import load, names
@@ -16,7 +16,8 @@ from crankstar.files.catalog import load, names
 Build = Callable[..., Path]
 ENGINE = "v8-flat-plane"
 STAGE = "canvas[role=img]"
-WIDE, PHONE = {"width": 1440, "height": 900}, {"width": 390, "height": 844}
+WIDE: ViewportSize = {"width": 1440, "height": 900}
+PHONE: ViewportSize = {"width": 390, "height": 844}
 WRITTEN = """(() => {
   const { fillText, clearRect } = CanvasRenderingContext2D.prototype
   CanvasRenderingContext2D.prototype.fillText = function (text, x, y) {
@@ -76,7 +77,10 @@ def test_a_click_on_a_view_enlarges_it_and_another_one_goes_back(
     opened(page, built_page(ENGINE), "a=40")
     for camera in ("front", "plan", "side", "isometric"):
         pane = panes(page)[camera]
-        middle = {"x": pane["x"] + pane["width"] / 2, "y": pane["y"] + pane["height"] / 2}
+        middle: Position = {
+            "x": pane["x"] + pane["width"] / 2,
+            "y": pane["y"] + pane["height"] / 2,
+        }
         page.locator(STAGE).click(position=middle)
         handle(page, "settled()")
         assert handle(page, "state.camera") == camera

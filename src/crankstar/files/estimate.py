@@ -135,7 +135,7 @@ def _incomplete_rod(tree: Tree) -> Mapping[str, Any]:
     table = tree.get("cylinder")
     rod = table.get("rod") if isinstance(table, dict) else None
     whole = {key for key in RODS if isinstance(rod, dict) and isinstance(rod.get(key), str)}
-    if not isinstance(rod, dict) or not whole or "parts" in tree["cylinder"]:
+    if table is None or rod is None or not whole or "parts" in table:
         return {}
     if rod.keys() != whole or whole == RODS.keys():
         return {}
