@@ -2,12 +2,22 @@
 
 from __future__ import annotations
 
+import re
+from pathlib import Path
+from urllib.parse import parse_qs
+
 import pytest
-from playwright.sync_api import Browser, Page
+from playwright.sync_api import Browser, Page, expect
 from tests.web.browsing import watched
 from tests.web.serving import Server, serving
 
+from crankstar.files.catalog import names
+
 HOSTILE = "</script><img src=x onerror=alert(1)>"
+TOURS = re.findall(
+    r"state: '([^']+)'",
+    (Path(__file__).parents[2] / "web" / "src" / "ui" / "tours.ts").read_text(encoding="utf-8"),
+)
 READY = "() => document.querySelector('[data-crankstar]').crankstar.ready"
 
 
@@ -90,3 +100,29 @@ def test_the_api_is_described_without_a_network(page: Page, server: Server) -> N
     page.get_by_role("button", name="Execute").click()
     page.wait_for_selector("text=Server response")
     assert page.get_by_text('"state": "well"').count() >= 1
+
+
+def test_the_guide_explains_and_shows_its_examples(page: Page, server: Server) -> None:
+    opened(page, server)
+    page.locator(".orders .term").first.click()
+    expect(page.get_by_role("tooltip")).to_be_visible()
+    page.get_by_role("button", name="Guide").click()
+    card = page.get_by_role("complementary", name="What am I looking at?")
+    card.get_by_role("button", name="Frame and signs").click()
+    page.wait_for_function("() => document.querySelector('.frame-and-signs').naturalWidth > 0")
+    card.get_by_role("button", name="The guide").click()
+    for _ in range(4):
+        card.get_by_role("button", name="Next").click()
+    card.get_by_role("button", name="Why does a flat-plane V8 buzz?").click()
+    expect(page.locator("h1")).to_have_count(2)
+    expect(page.locator("h1").nth(0)).to_have_text("V8, flat-plane crank, 90 deg")
+    expect(page.locator("h1").nth(1)).to_have_text("V8, cross-plane crank, 90 deg")
+    expect(page.get_by_role("tab", name="Compare")).to_have_attribute("aria-selected", "true")
+    expect(card).to_have_count(0)
+
+
+@pytest.mark.parametrize("state", TOURS)
+def test_every_example_of_the_guide_is_of_engines_that_there_are(state: str) -> None:
+    words = parse_qs(state)
+    assert {*words.get("engine", []), *words.get("beside", [])} <= set(names())
+    assert words["of"] in (["force"], ["couple"])

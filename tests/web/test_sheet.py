@@ -77,10 +77,7 @@ def test_a_click_on_a_view_enlarges_it_and_another_one_goes_back(
     opened(page, built_page(ENGINE), "a=40")
     for camera in ("front", "plan", "side", "isometric"):
         pane = panes(page)[camera]
-        middle: Position = {
-            "x": pane["x"] + pane["width"] / 2,
-            "y": pane["y"] + pane["height"] / 2,
-        }
+        middle: Position = {"x": pane["x"] + pane["width"] / 2, "y": pane["y"] + pane["height"] / 2}
         page.locator(STAGE).click(position=middle)
         handle(page, "settled()")
         assert handle(page, "state.camera") == camera

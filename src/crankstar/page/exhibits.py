@@ -73,11 +73,21 @@ def exhibition(
         exhibit(engine, file=tree, relatives=relatives)
         for engine, tree in zip(engines, trees, strict=True)
     )
+    cured = tuple(fitted(engine, file=tree) for engine, tree in zip(engines, trees, strict=True))
+    return opening(shown, cured, sources=sources, command=command)
+
+
+def opening(
+    shown: Sequence[Exhibit],
+    cured: Sequence[Exhibit | None],
+    *,
+    sources: Sequence[str] = (),
+    command: str = "",
+) -> Exhibition:
+    """What a page opens with, for these engines as they are and with weights and shafts."""
     return Exhibition(
-        engines=shown,
-        fitted=tuple(
-            fitted(engine, file=tree) for engine, tree in zip(engines, trees, strict=True)
-        ),
+        engines=tuple(shown),
+        fitted=tuple(cured),
         stroke_colours=StrokeColours(**STROKE_COLOURS),
         units=offered(),
         glossary=terms_shown(),

@@ -13,15 +13,14 @@ from typing import Any
 
 from pydantic import BaseModel
 
-from crankstar import __version__, files
-from crankstar.charts.strokes import STROKE_COLOURS
+from crankstar import files
 from crankstar.engine.engine import Engine
 from crankstar.files import EngineFileError, catalog
 from crankstar.language.faults import EngineError, Fault
 from crankstar.language.messages import MessageError
 from crankstar.language.shown_units import read_choice, shown_in
 from crankstar.page import exhibits
-from crankstar.page.records import Exhibit, Exhibition, StrokeColours
+from crankstar.page.records import Exhibit
 from crankstar.remedy import fitting
 from crankstar.search.faults import SearchError
 from crankstar.server.refusal import Refused, refused
@@ -104,17 +103,7 @@ def opening(engine: str | Tree, shown: str, command: str) -> bytes:
     Raises Refused.
     """
     with mistakes_refused():
-        return _json(
-            Exhibition(
-                engines=(_exhibit(engine),),
-                fitted=(None,),
-                stroke_colours=StrokeColours(**STROKE_COLOURS),
-                sources=(shown,),
-                units=exhibits.offered(),
-                command=command,
-                version=__version__,
-            )
-        )
+        return _json(exhibits.opening([_exhibit(engine)], [None], sources=[shown], command=command))
 
 
 def chart(engine: str | Tree, key: str, units: str | None = None) -> bytes:

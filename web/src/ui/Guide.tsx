@@ -1,7 +1,7 @@
 import { useEffect, useRef } from 'preact/hooks'
 import frame from '../../../src/crankstar/report/frame.svg?raw'
 import { message, t } from '../language/messages'
-import { restore, set, stateOf } from '../state'
+import { restore, type State, type Store, set, stateOf } from '../state'
 import { useApp } from './context'
 import { Icon } from './icons'
 import { TOURS, type Tour } from './tours'
@@ -47,7 +47,7 @@ const STEPS = [
 
 /** The guide "What am I looking at?", which points at one part of the page after the other. */
 export function Guide() {
-  const { guide, host, store } = useApp()
+  const { guide, host, store, clock, calm } = useApp()
   const card = useRef<HTMLElement>(null)
   const step = STEPS[guide.value - 1]
   useEffect(() => {
@@ -76,7 +76,8 @@ export function Guide() {
       {guide.value === STEPS.length && host.service && (
         <Tours
           take={(tour) => {
-            restore(store, { ...stateOf(tour.state), theme: store.theme.peek() })
+            restore(store, { ...stateOf(tour.state), ...kept(store) })
+            if (!calm.peek()) clock.play()
             close()
           }}
         />
@@ -107,6 +108,11 @@ export function Guide() {
       </div>
     </aside>
   )
+}
+
+/** What a reader has chosen for all engines. */
+function kept({ theme, units, language }: Store): Pick<State, 'theme' | 'units' | 'language'> {
+  return { theme: theme.peek(), units: units.peek(), language: language.peek() }
 }
 
 /** The drawing of axes, angles and signs that the documents have. */
