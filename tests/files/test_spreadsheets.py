@@ -90,7 +90,7 @@ STROKE = "cylinder.stroke"
 MISTAKES: dict[str, tuple[Change, str]] = {
     "missing": (put("name", None), "name is missing"),
     "renamed": (put(STROKE, "cylinder.strok", "A"), "(cylinder.strok) is not a key"),
-    "textual": (put(STROKE, "long"), '(cylinder.stroke) is "long mm", not a number with a unit'),
+    "textual": (put(STROKE, "long"), '(cylinder.stroke) is "long", not a number with a unit'),
     "comma decimals": (put(STROKE, "82,5"), '(cylinder.stroke) is "82,5 mm"; write numbers with a'),
     "wrong dimension": (put(STROKE, "kg", "C"), 'kg", a mass; a length is needed'),
     "no unit": (put(STROKE, None, "C"), "Did you mean"),
@@ -292,6 +292,22 @@ def test_a_row_has_the_number_that_it_calls_itself_by(number: Any) -> None:
     (said,) = faults(out.getvalue())
     assert said.startswith("engine.shaft!A2 is ")
     assert "this row is number 1 of its table: number the rows from 1, or clear" in said
+
+
+def test_a_row_of_a_sheet_that_is_not_there_is_no_row_from_1_to_0() -> None:
+    tree = {**tree_of("v8-flat-plane")[1], "crankshaft": [{"weight": [{"z": "0 mm"}]}]}
+    book = openpyxl.load_workbook(io.BytesIO(workbook_bytes(sheets_of(tree))))
+    del book["engine.crankshaft"]
+    out = io.BytesIO()
+    book.save(out)
+    told = " ".join(faults(out.getvalue()))
+    assert "the number of a row of the sheet engine.crankshaft, which has none; fill" in told
+    assert "from 1 to 0" not in told
+
+
+def test_a_word_in_the_place_of_a_number_is_quoted_without_the_unit_beside_it() -> None:
+    (told,) = faults(spoilt("toyota-2jz", put(STROKE, "eighty")))
+    assert '"eighty", not a number with a unit' in told
 
 
 def test_true_is_no_row() -> None:

@@ -39,7 +39,7 @@ def test_a_quantity_is_called_by_the_name_that_was_typed(name: str) -> None:
         (7, {"minimise": "X3"}, "minimise", "no-quantity"),
         (7, {"minimise": "roll"}, "minimise", "roll-alike"),
         (7, {"limit": ["roll 2=1"]}, "limit", "roll-alike"),
-        (7, {"minimise": "M\u0663"}, "minimise", "no-quantity"),
+        (7, {"minimise": "M\u00b2"}, "minimise", "no-quantity"),
         (7, {"minimise": "M0"}, "minimise", "order"),
         (7, {"minimise": "M1,M1"}, "minimise", "named-twice"),
         (7, {"minimise": "M1,M2,M3,M4,M5,M6,neighbours"}, "minimise", "too-many-objectives"),

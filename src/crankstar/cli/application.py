@@ -22,12 +22,15 @@ from crankstar.language.shown_units import SYSTEMS, Choice, UnitsError, read_cho
 from crankstar.options.names import meant
 from crankstar.options.refusals import RequestError, refusal
 from crankstar.options.values import NEEDED
+from crankstar.options.vocabulary import OPTIONS
 from crankstar.search.faults import SearchError
 
 if TYPE_CHECKING:
     from pydantic_core import ErrorDetails
 
 COMPLETION = "--install-completion"
+FILES = ("--beside", "--checkpoint", "--output")
+"""Options that take a file."""
 LEAST_WIDTH = 20
 """Columns of help, at least."""
 EVERYWHERE = N_(
@@ -175,14 +178,23 @@ def _spelt_out(arguments: Sequence[str]) -> list[str]:
         )
     pairs = zip(["", *arguments], arguments, strict=False)
     named = {"-o": "/dev/stdout", "--output": "/dev/stdout"}
-    words = [named.get(before, STANDARD_INPUT) if word == "-" else word for before, word in pairs]
+    words = [
+        word if word != "-" or _takes_words(before) else named.get(before, STANDARD_INPUT)
+        for before, word in pairs
+    ]
     if words.count(STANDARD_INPUT) > 1:
         raise RequestError("- is standard input, which can be read only once; name a file instead")
     for place in [place for place, word in enumerate(words) if word == "--shafts"][:1]:
         following = words[place + 1] if place + 1 < len(words) else "-o"
-        if following.startswith("-") and not following[1:2].isdigit():
+        if following.startswith("-") and following != "-" and not following[1:2].isdigit():
             words.insert(place + 1, NEEDED)
     return words
+
+
+def _takes_words(option: str) -> bool:
+    """Whether what follows it is no file, so that a hyphen there is not standard input."""
+    known = OPTIONS.get(option)
+    return known is not None and known.takes != "nothing" and option not in FILES
 
 
 def _refuse_source(words: Sequence[str]) -> None:

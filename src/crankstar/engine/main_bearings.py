@@ -245,12 +245,17 @@ def _faults(engine: Assembly, shaft: Shaft, here: tuple[str | int, ...]) -> Iter
         yield from _collisions(engine, shaft, here)
 
 
+def _unit(engine: Assembly) -> str:
+    """The unit of places along a crankshaft."""
+    return "bore pitches" if "pitch" in engine.relative else "m"
+
+
 def _misplaced(
     engine: Assembly, shaft: Shaft, here: tuple[str | int, ...], places: Sequence[float]
 ) -> Iterator[Fault]:
     """Places beyond the crankshaft, out of order, or at the same place."""
     kind, pitch = str(here[-1]), room(engine)
-    unit = "bore pitches" if "pitch" in engine.relative else "m"
+    unit = _unit(engine)
     pins = _pin_places(shaft)
     for index, z in enumerate(places):
         values: dict[str, Any] = {"value": z, "unit": unit}
@@ -274,11 +279,12 @@ def _collisions(engine: Assembly, shaft: Shaft, here: tuple[str | int, ...]) -> 
                 (n for n, throw in enumerate(shaft.throws, 1) if abs(throw.z - z) < least), 0
             )
             if pin:
-                yield Fault((*here, kind, index), f"{kind}.on-a-pin", {"value": z, "throw": pin})
+                values = {"value": z, "unit": _unit(engine), "throw": pin}
+                yield Fault((*here, kind, index), f"{kind}.on-a-pin", values)
     for index, z in enumerate(shaft.webs):
         bearing = next((n for n, b in enumerate(shaft.bearings, 1) if abs(b - z) < least), 0)
         if bearing:
-            values = {"value": z, "bearing": bearing}
+            values = {"value": z, "unit": _unit(engine), "bearing": bearing}
             yield Fault((*here, "webs", index), "webs.on-a-bearing", values)
     beside = {*shaft.webs}
     for group in pin_groups(engine, shaft):

@@ -11,17 +11,32 @@ from crankstar.engine.quantities import Line, ShareOfValue, Status, Text
 from crankstar.language.faults import ValueFaultError
 from crankstar.language.quoting import seen
 
+LISTED = 4
+"""Entries of a list that are quoted."""
+
 
 def _numbers(value: Any) -> Any:
     """A list from the cell of a spreadsheet, numbers with commas or semicolons; others as given."""
     try:
         if isinstance(value, str):
-            return tuple(float(part) for part in value.replace(";", ",").split(","))
-        if isinstance(value, list) and any(isinstance(part, str) for part in value):
-            return tuple(map(float, value))
+            ends: Any = tuple(float(part) for part in value.replace(";", ",").split(","))
+        elif isinstance(value, list) and any(isinstance(part, str) for part in value):
+            ends = tuple(map(float, value))
+        else:
+            ends = value
     except (TypeError, ValueError):
-        raise ValueFaultError("provenance.multiples", value=seen(value)) from None
-    return value
+        raise ValueFaultError("provenance.multiples", value=_ends_text(value)) from None
+    if isinstance(ends, list | tuple) and len(ends) != 2:
+        raise ValueFaultError("provenance.two-ends", value=_ends_text(ends))
+    return ends
+
+
+def _ends_text(value: Any) -> str:
+    """What stands in place of a range."""
+    if not isinstance(value, list | tuple):
+        return seen(value)
+    more = ", ..." if len(value) > LISTED else ""
+    return f"[{', '.join(map(seen, value[:LISTED]))}{more}]"
 
 
 def _about_one(ends: tuple[float, float] | None) -> tuple[float, float] | None:

@@ -136,7 +136,8 @@ def box(tree: Tree, *, name: str = "the engine") -> Box | None:
     if not own:
         return None
     if len(own) > MOST_RANGES:
-        raise refused(name, "too-many-ranges", count=len(own), greatest=MOST_RANGES)
+        values = {"count": len(own), "greatest": MOST_RANGES, "paths": [*own]}
+        raise refused(name, "too-many-ranges", **values)
     middle = {path: (ends.low + ends.high) / 2 for path, ends in own.items()}
     corners = product(*((ends.low, ends.high) for ends in own.values()))
     return Box(

@@ -297,7 +297,8 @@ class Cells:
             if isinstance(number, bool) or number not in range(1, count + 1):
                 sheet = ".".join((MAIN, *map(str, above)))
                 value = number if not isinstance(number, Fault) else ""
-                self._fault("cell.no-row", cell=cell, value=seen(value), sheet=sheet, count=count)
+                code = "cell.no-row" if count else "cell.no-rows"
+                self._fault(code, cell=cell, value=seen(value), sheet=sheet, count=count)
                 return place, None
             home, place = home[int(number) - 1], (*place, int(number) - 1)
         return place, home

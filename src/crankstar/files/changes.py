@@ -84,7 +84,7 @@ def _without_estimates(tree: Tree, changes: Mapping[str, Any]) -> Tree:
             and keys_of(path) in was_set
         )
     }
-    gone = [*(sources.keys() - kept.keys())]  # a list may be asked for what a file has by mistake
+    gone = [path for path in sources if path not in kept]
     for path, source in kept.items():
         other = source.get("moves_with") if isinstance(source, dict) else None
         if isinstance(other, str) and other in gone:

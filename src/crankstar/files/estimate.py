@@ -33,6 +33,7 @@ from crankstar.files.mistakes import Tree, copied
 from crankstar.files.parts import tells_rotating
 from crankstar.files.read import engine_of
 from crankstar.language.faults import ValueFaultError
+from crankstar.language.messages import _
 
 RODS = {"mass": MASS, "centre": LENGTH, "inertia": INERTIA}
 """What a rod as a rigid body has."""
@@ -96,6 +97,10 @@ def estimated(
         _masses(filling, laid_out, bore, rod)
     except KeyError:
         raise refused(name, "no-proportions", kind=kind) from None
+    except ValueFaultError as error:
+        sizes = {key: units.text(own, LENGTH) for key, own in (("bore", bore), ("stroke", stroke))}
+        mistake = error.at(_("an estimated value"))
+        raise refused(name, "no-estimate", mistake=mistake, **sizes) from None
     if laid_out.speed is None:
         speeds = piston_speed(kind)
         source = f"mean piston speed of {speeds[1]:g} m/s, {_type(kind)}"

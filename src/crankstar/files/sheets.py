@@ -258,8 +258,9 @@ def value_of(cell: Cell, unit: str | None, annotation: Any) -> Any:
     if isinstance(cell, int | float):
         number = _number(float(cell))
         return f"{number!r} {unit}" if unit else str(number) if text else number
-    if text or not unit or _MEASURED.fullmatch(str(cell).strip()):
-        return cell
+    words = str(cell).strip()
+    if text or not unit or _MEASURED.fullmatch(words) or not any(map(str.isdigit, words)):
+        return cell  # as it was typed, where it is no number that wants the unit
     return f"{str(cell).strip()} {unit}"
 
 

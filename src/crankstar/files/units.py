@@ -105,6 +105,16 @@ def is_bare(text: str) -> bool:
         return False
 
 
+def unit_of(text: str) -> str:
+    """The unit behind a number; empty without one, and where there is no number.
+
+    >>> unit_of("-1e9 mm"), unit_of("5"), unit_of("mm")
+    ('mm', '', '')
+    """
+    match = _NUMBER.fullmatch(text) if len(text) <= _LONGEST else None
+    return match[2] if match else ""
+
+
 def reader(
     relative: frozenset[str], *, because: Literal["unknown", "relative"] = "unknown"
 ) -> Callable[[Any, Quantity], float]:

@@ -63,7 +63,8 @@ SENTENCES: dict[str, str | Plural] = {
         "they must be at least {least} {unit} apart"
     ),
     "bearings.on-a-pin": N_(
-        "{where} is {value}, the place of crank pin {throw}; a main bearing stands beside the pins"
+        "{where} is {value} {unit}, the place of crank pin {throw}; a main bearing stands beside "
+        "the pins"
     ),
     "webs.outside": N_(
         "{where} is {value} {unit}, outside the crankshaft, whose pins lie between z = {rear} and "
@@ -78,11 +79,11 @@ SENTENCES: dict[str, str | Plural] = {
         "at least {least} {unit} apart"
     ),
     "webs.on-a-pin": N_(
-        "{where} is {value}, the place of crank pin {throw}; a web stands beside its pin"
+        "{where} is {value} {unit}, the place of crank pin {throw}; a web stands beside its pin"
     ),
     "webs.on-a-bearing": N_(
-        "{where} is {value}, the place of main bearing {bearing}; a web stands between a pin and a "
-        "bearing"
+        "{where} is {value} {unit}, the place of main bearing {bearing}; a web stands between a "
+        "pin and a bearing"
     ),
     "webs.missing": N_(
         "{where}: throw {throw} has no web beside it; give the planes of all webs, or of none"

@@ -138,6 +138,10 @@ SENTENCES: dict[str, str | Plural] = {
     "provenance.multiples": N_(
         "{where} is {value}; give multiples of the value without a unit, such as [0.9, 1.1]"
     ),
+    "provenance.two-ends": N_(
+        "{where} is {value}; give two multiples of the value, the lowest and the highest, such as "
+        "[0.9, 1.1]"
+    ),
     "provenance.ends": N_(
         "{where} is {value}; give the lowest and the highest multiple of the value, with 1 between "
         "them, such as [0.9, 1.1]"
@@ -272,6 +276,10 @@ SENTENCES: dict[str, str | Plural] = {
     "cell.no-row": N_(
         "{cell} is {value}; it must be the number of a row of the sheet {sheet}, from 1 to {count}"
     ),
+    "cell.no-rows": N_(
+        "{cell} is {value}, the number of a row of the sheet {sheet}, which has none; fill in its "
+        "rows"
+    ),
     "cell.formula": N_(
         "{where} is a formula without a stored value; open the file in a spreadsheet program and "
         "save it, or write the number"
@@ -329,8 +337,14 @@ SENTENCES: dict[str, str | Plural] = {
         'cylinder.reciprocating_mass, such as --set cylinder.reciprocating_mass="5500 kg", or '
         "another --type"
     ),
+    "file.no-estimate": N_(
+        "{mistake}; it is estimated from a bore of {bore} and a stroke of {stroke}: correct "
+        "cylinder.bore or cylinder.stroke"
+    ),
     "file.too-many-ranges": N_(
-        "{count} estimated values with a range are given; {greatest} are the most"
+        "{count} estimated values have a range; {greatest} can have one of their own. In "
+        "[provenance] leave range out of some of {paths}, or let them move with another by "
+        "moves_with"
     ),
     "set.in-list": N_(
         "{where} cannot be set; {whole} is a list of {size}; name one of them by its place, as in "

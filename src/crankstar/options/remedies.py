@@ -99,8 +99,8 @@ _FORCES = {
     "horizontal force": Aim("force", up=0.0, right=1.0),
 }
 _ORDER = r"(\d{1,3}(?:\.\d{1,3})?)"
-_OF_ORDER = re.compile(rf"({'|'.join(ONE_ORDER)}) {_ORDER}", re.ASCII)
-_BY_MAKERS = re.compile(rf"([mf]){_ORDER}([vh]?)", re.ASCII)
+_OF_ORDER = re.compile(rf"({'|'.join(ONE_ORDER)}) {_ORDER}")
+_BY_MAKERS = re.compile(rf"([mf]){_ORDER}([vh]?)")
 
 
 def _of_order(option: str, text: str) -> Aim | None:
@@ -158,7 +158,7 @@ def _at_most(
     """A limit in the unit of its quantity."""
     percent = value.removesuffix("%").strip()
     plain = r"[-+]?(\d+(\.\d*)?|\.\d+)(e[-+]?\d{1,3})?|nan|inf"
-    real = re.fullmatch(plain, percent, re.ASCII | re.IGNORECASE) is None
+    real = re.fullmatch(plain, percent.lower()) is None
     couple, moment = wanted.quantity == "couple", wanted.quantity in ("couple", "roll")
     if real:
         example = _("a bare number of {unit} or a share in %", unit=aim_unit(wanted))
@@ -191,7 +191,7 @@ def factor(text: str) -> float:
     True
     """
     typed = text.strip().removesuffix("%").strip()
-    if re.fullmatch(r"[-+]?(\d{1,9}(\.\d*)?|\.\d+)", typed, re.ASCII) is None:
+    if re.fullmatch(r"[-+]?(\d{1,9}(\.\d*)?|\.\d+)", typed) is None:
         raise refusal("--factor", text, "give a share of the reciprocating mass, as in 0.5 or 52%")
     number = float(typed) / (100 if "%" in text else 1)
     if LEAST_FACTOR <= number <= GREATEST_FACTOR:
@@ -263,7 +263,7 @@ def _reach(text: str, engine: Engine, example: str) -> tuple[float, float]:
     if not dots:
         second = first
     elif units.is_bare(first) and not units.is_bare(second):
-        first = f"{first} {second.lstrip('+-.0123456789').strip()}"
+        first = f"{first} {units.unit_of(second)}"
     least, most = places("--box", [first, second], [LENGTH, LENGTH], engine, example)
     if least > most:
         raise refusal(

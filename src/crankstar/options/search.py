@@ -30,7 +30,7 @@ from crankstar.search.stars import GREATEST_CYLINDERS
 
 T = TypeVar("T")
 SPELLINGS = ("neighbours", "neighbors", "adjacent")
-ROLL = re.compile(r"(rms )?(roll|rolling moment)( ?\d{1,3}(\.\d)?)?", re.ASCII | re.IGNORECASE)
+ROLL = re.compile(r"(rms )?(roll|rolling moment)( ?\d{1,3}(\.\d)?)?", re.IGNORECASE)
 """Names of the roll, which is the same for every star."""
 GREATEST_NUMBER = 10**6
 """Of weights and amplitudes."""
@@ -97,7 +97,7 @@ def _options(words: SearchWords, faults: Faults) -> SearchOptions:
 def order(text: str) -> tuple[int, ...]:
     """The cylinders of a firing order. Raises SearchError."""
     words = re.split(r"[-,\s]+", text.strip())
-    if not all(re.fullmatch(r"\d{1,3}", word, re.ASCII) for word in words):
+    if not all(re.fullmatch(r"\d{1,3}", word) for word in words):
         raise error("", "all-with-text", given=text)
     return tuple(map(int, words))
 
@@ -124,7 +124,7 @@ def measure(text: str) -> Measure:
         return Measure("couple")
     if ROLL.fullmatch(name):
         raise error("", "roll-alike", given=name)
-    match = re.fullmatch(r"([FMT])(\d{1,3}(?:\.5|\.0)?)([VH]?)", name, re.ASCII)
+    match = re.fullmatch(r"([FMT])(\d{1,3}(?:\.5|\.0)?)([VH]?)", name)
     if match is None or (match[1] == "T" and match[3]):
         raise error("", "no-quantity", given=seen(name))
     kind, order, side = cast("tuple[Any, str, Any]", match.groups())
@@ -169,7 +169,7 @@ def amount(text: str, measured: Measure) -> tuple[float, str] | None:
     bare = fraction(text)
     if bare is not None:
         return None if bare < 0 else (float(bare), "")
-    if not re.match(r"\s*\+?[\d.]+(e[-+]?\d+)?\s*[a-z]", text, re.ASCII | re.IGNORECASE):
+    if not re.match(r"\s*\+?[\d.]+(e[-+]?\d+)?\s*[a-z]", text, re.IGNORECASE):
         return None
     moment = measured.kind == "M"
     try:
@@ -213,7 +213,7 @@ def gap(text: str) -> Fraction:
 
 def fixed_throw(text: str) -> tuple[int, int]:
     """A cylinder and the direction of its throw: `4=3`. Raises SearchError."""
-    match = re.fullmatch(r"(\d{1,3})\s*=\s*(\d{1,3})", text, re.ASCII)
+    match = re.fullmatch(r"(\d{1,3})\s*=\s*(\d{1,3})", text)
     if match is None:
         raise error("", "fixed-form", given=text)
     return int(match[1]), int(match[2])
@@ -229,7 +229,7 @@ def amplitude(text: str) -> Fraction:
 
 def best(text: str) -> Best:
     """A list of so many of the best. Raises SearchError."""
-    number = int(text) if re.fullmatch(r"\d{1,9}", text.strip(), re.ASCII) else 0
+    number = int(text) if re.fullmatch(r"\d{1,9}", text.strip()) else 0
     if not 1 <= number <= GREATEST_BEST:
         raise error("", "best", given=text, most=GREATEST_BEST)
     return Best(number)
@@ -237,7 +237,7 @@ def best(text: str) -> Best:
 
 def whole_number(text: str) -> int | None:
     """A number of cylinders; None if the word is a name or a file. Raises SearchError."""
-    if not re.fullmatch(r"[-+]?\d+", text.strip(), re.ASCII):
+    if not re.fullmatch(r"[-+]?\d+", text.strip()):
         return None
     if len(text) > 6 or not 2 <= int(text) <= GREATEST_CYLINDERS:
         raise error("", "cylinders", given=text, least=2, most=GREATEST_CYLINDERS)
@@ -279,7 +279,7 @@ def fraction(text: str) -> Fraction | None:
     """A decimal number or fraction, exactly; None if it is none, or longer than a number is."""
     text = text.strip()
     form = r"[-+]?(\d{1,12}(\.\d{0,12})?|\.\d{1,12})(/\d{1,6}|[eE][-+]?\d{1,2})?"
-    if not re.fullmatch(form, text, re.ASCII) or text.endswith("/0"):
+    if not re.fullmatch(form, text) or text.endswith("/0"):
         return None
     try:
         return Fraction(text)

@@ -24,7 +24,7 @@ from crankstar.mechanics.balance import Grouping
 from crankstar.mechanics.excitation import Reference
 from crankstar.options.refusals import RequestError, choice, refusal
 from crankstar.options.refusals import refuse_unused as refuse_unused  # with the other requests
-from crankstar.tables.scales import along_in_radii
+from crankstar.tables.scales import along_in_radii, scales
 
 Derived = Literal["force", "couple", "torque"]
 Derivable = Literal["motion", "force", "couple", "torque"]
@@ -89,7 +89,7 @@ def settings_of_each(texts: Sequence[str] | None, count: int) -> list[list[str]]
     of_all: list[str] = []
     out: list[list[str]] = [[] for _engine in range(count)]
     for text in texts or ():
-        match = re.match(r"\s*(\d{1,3})\s*:", text, re.ASCII)
+        match = re.match(r"\s*(\d{1,3})\s*:", text)
         if match is None:
             of_all.append(text)
         elif not 1 <= int(match[1]) <= count:
@@ -241,8 +241,7 @@ def degrees(option: str, text: str) -> list[float]:
     parts = listed(text)
     if not parts:
         raise refusal(option, text, 'give angles with commas, as in "90, 150 deg"')
-    bare = units.is_bare(parts[-1])
-    unit = "deg" if bare else parts[-1].lstrip("+-.0123456789").strip()
+    unit = units.unit_of(parts[-1]) or "deg"
     whole_parts = [f"{part} {unit}" if units.is_bare(part) else part for part in parts]
     with reading(option):
         return [round(rad2deg(units.si(part, ANGLE)), 9) for part in whole_parts]
@@ -293,8 +292,11 @@ def length(
     if text is None:
         return None
     value = places(option, [text.strip()], [LENGTH], engine, _('as in "60 mm"'))[0]
-    if positive and not value >= LEAST:
+    if positive and not value > 0:
         raise not_positive(option, text, LENGTH)
+    if positive and value < LEAST:
+        least = scales(engine).across.text(LEAST)
+        raise refusal(option, text, "it is too small; give {least} or more", least=least)
     return value
 
 

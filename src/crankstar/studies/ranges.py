@@ -179,7 +179,7 @@ def _stepped(span: str, step: str, asked: str, example: str) -> tuple[tuple[floa
 
 def _count(text: str, asked: str) -> int:
     """The number of values behind a slash. Raises SweepError."""
-    count = int(text) if re.fullmatch(r"\d{1,9}", text, re.ASCII) else 0
+    count = int(text) if re.fullmatch(r"\d{1,9}", text) else 0
     if not 2 <= count <= GREATEST_POINTS:
         raise SweepError(
             "{asked}: {count} behind the slash is the number of values; give a whole number from 2 "
