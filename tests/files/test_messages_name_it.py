@@ -119,3 +119,29 @@ def test_the_digits_of_a_japanese_keyboard_are_read_everywhere(run: Run, line: l
 def test_a_limit_of_odd_letters_is_refused(refused: Callable[..., str]) -> None:
     words = ["balance", "triple-120", "--minimise", "M1V", "--limit", "M1H=\u0131nf"]
     assert "M1H=\u0131nf" in refused(*words)
+
+
+@pytest.mark.parametrize(
+    ("weights", "told"),
+    [
+        ('{ z = "9 m", unbalance = "18 g*m" }', "The weight at z = 9000 mm is more than 3 bore"),
+        (
+            '{ z = "9 m", unbalance = "18 g*m" }, { z = "-9 m", unbalance = "18 g*m" }',
+            "The weights at z = 9000 mm, -9000 mm are more than 3 bore pitches beyond",
+        ),
+        ('{ z = "300 mm", unbalance = "18 g*m" }', ""),  # a damper, as of external balance
+    ],
+)
+def test_a_weight_far_from_its_crankshaft_is_told(run: Run, weights: str, told: str) -> None:
+    Path("far.toml").write_text(f"{I4}[[crankshaft]]\nweight = [{weights}]\n", encoding="utf-8")
+    done = run("check", "far.toml")
+    out = " ".join(done.out.split())
+    assert (done.code, "good" in out, "beyond the crankshaft" in out) == (0, True, bool(told))
+    assert told in out
+
+
+def test_a_balance_shaft_apart_from_the_engine_is_not_told(run: Run) -> None:
+    shaft = 'speed_ratio = -1\nweight = [{ z = "9 m", unbalance = "18 g*m" }]\n'
+    Path("apart.toml").write_text(f'{I4}[[balance_shaft]]\nname = "far"\n{shaft}', encoding="utf-8")
+    done = run("check", "apart.toml")
+    assert (done.code, "beyond the crankshaft" in done.out) == (0, False)

@@ -16,6 +16,10 @@ from crankstar.language.messages import _, _n
 from crankstar.language.quoting import one_line
 from crankstar.options.forms import form_of
 from crankstar.options.values import RequestError, choice, refusal
+from crankstar.tables.scales import scales
+
+SHOWN = 6
+"""Weights that are named."""
 
 
 def check(
@@ -34,8 +38,29 @@ def check(
             failed += 1
             complain(str(error))
         else:
-            display(Text("\n".join([_good(name, loaded.engine), *_stale(tree), *_twice(tree)])))
+            own = loaded.engine
+            lines = [_good(name, own), *_far(own), *_stale(tree), *_twice(tree)]
+            display(Text("\n".join(lines)))
     return 2 if failed else 0
+
+
+def _far(engine: Engine) -> list[str]:
+    """A line on weights that stand far from their crankshaft, as after a slip in the unit."""
+    from crankstar.remedy.counterweights import BEYOND, weights_beyond
+
+    along = scales(engine).along
+    far = weights_beyond(engine)
+    places = ", ".join(along.text(z) for _shaft, z in far[:SHOWN])
+    line = _n(
+        "  The weight at z = {places} is more than {count} bore pitches beyond the crankshaft, "
+        "farther than a vibration damper or flywheel; check its z.",
+        "  The weights at z = {places} are more than {count} bore pitches beyond the crankshaft, "
+        "farther than a vibration damper or flywheel; check their z.",
+        len(far),
+        places=places if len(far) <= SHOWN else f"{places}, ...",
+        count=f"{BEYOND:g}",
+    )
+    return [line] if far else []
 
 
 def _stale(tree: Mapping[str, Any]) -> list[str]:

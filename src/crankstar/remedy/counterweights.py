@@ -187,14 +187,9 @@ def possible_planes(engine: Engine, planes: Sequence[float]) -> None:
 
 def on_the_shaft(engine: Engine, planes: Sequence[float]) -> None:
     """Refuse places far beyond the crankshaft, its damper and its flywheel. Raises RemedyError."""
-    places = [throw.z for shaft in engine.shafts for throw in shaft.throws] + [
-        cylinder.z for cylinder in engine.cylinders
-    ]
-    front, rear = max(places), min(places)
+    rear, front = _ends(engine)
     room = BEYOND * engine.pitch
-    beyond = [
-        plane for plane in planes if not isfinite(plane) or not rear - room <= plane <= front + room
-    ]
+    beyond = [plane for plane in planes if not _within(engine, plane)]
     if beyond:
         unit = "bore pitches" if "pitch" in engine.relative else "m"
         raise RemedyError(
@@ -208,6 +203,39 @@ def on_the_shaft(engine: Engine, planes: Sequence[float]) -> None:
             beyond=f"{BEYOND:g}",
             room=f"{room:g}",
         )
+
+
+def _ends(engine: Engine) -> tuple[float, float]:
+    """The last and the first pin or cylinder along the crankshafts."""
+    pins = [throw.z for shaft in engine.shafts for throw in shaft.throws]
+    places = [*pins, *(cylinder.z for cylinder in engine.cylinders)]
+    return min(places), max(places)
+
+
+def _within(engine: Engine, plane: float) -> bool:
+    """Whether a weight may be there, on the crankshaft, its damper or its flywheel."""
+    (rear, front), room = _ends(engine), BEYOND * engine.pitch
+    return isfinite(plane) and rear - room <= plane <= front + room
+
+
+def weights_beyond(engine: Engine) -> list[tuple[str, float]]:
+    """Weights of crankshafts farther from them than any damper or flywheel: name and z of each.
+
+    Balance shafts may lie apart from the engine, as in a generator set.
+
+    >>> from crankstar.engine.copies import with_weights
+    >>> from crankstar.files.catalog import load
+    >>> far = Weight(unbalance=0.1, angle=0.0, z=40.0)
+    >>> weights_beyond(with_weights(load("i4"), {"crank": [far]}))
+    [('crank', 40.0)]
+    """
+    return [
+        (shaft.name, weight.z)
+        for shaft in engine.shafts
+        if shaft.throws
+        for weight in shaft.weights
+        if not _within(engine, weight.z)
+    ]
 
 
 def apart(engine: Engine, planes: Sequence[float]) -> None:
