@@ -141,7 +141,7 @@ def test_a_weight_far_from_its_crankshaft_is_told(run: Run, weights: str, told: 
 
 
 def test_a_balance_shaft_apart_from_the_engine_is_not_told(run: Run) -> None:
-    shaft = 'speed_ratio = -1\nweight = [{ z = "9 m", unbalance = "18 g*m" }]\n'
-    Path("apart.toml").write_text(f'{I4}[[balance_shaft]]\nname = "far"\n{shaft}', encoding="utf-8")
+    shaft = 'weight = [{ z = "9 m", angle = "0 deg", unbalance = "18 g*m" }]\n'
+    Path("apart.toml").write_text(f"{I4}[[balance_shaft]]\n{shaft}", encoding="utf-8")
     done = run("check", "apart.toml")
     assert (done.code, "beyond the crankshaft" in done.out) == (0, False)
