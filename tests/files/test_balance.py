@@ -214,7 +214,7 @@ def test_the_command_that_the_verdict_prints_fits_what_it_recommends(
         (["--shafts", "2", "--shaft-spacing", "3"], "no pair of balance shafts"),
         (["--weights", "0,1e-15"], "closer than"),
         (["--minimise", "force", "--limit", "force=1_0"], "is not known; a force is needed"),
-        (["--radius", "1e-300"], "greater than 0"),
+        (["--radius", "1e-300"], "it is too small; give 1e-07 r or more"),
         (["--shafts", "2,-2", "--shaft-place", "1"], "up and right"),
         (["--shafts", "2,-2", "--shaft-place", "a, b"], "--shaft-place"),
         (["--shafts", "2,-2", "--shaft-planes", "x"], "--shaft-planes"),
