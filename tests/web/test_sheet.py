@@ -155,3 +155,21 @@ def test_no_label_of_the_sheet_collides(name: str, built_page: Build, page: Page
         texts = page.evaluate(TEXTS)
         assert texts
         assert colliding(texts, box["width"], box["height"]) == [], state
+
+
+@pytest.mark.parametrize("camera", ["sheet", "front", "isometric"])
+def test_the_paths_of_the_whirl_stand_beside_the_engine_and_say_how_much_is_exaggerated(
+    camera: str, built_page: Build, page: Page
+) -> None:
+    page.add_init_script(WRITTEN)
+    page.set_viewport_size(WIDE)
+    opened(page, built_page(ENGINE), f"a=40&camera={camera}&whirl=250")
+    stage = page.locator(STAGE).bounding_box()
+    inset = page.locator(".canvas canvas[aria-hidden]").nth(1)
+    box = inset.bounding_box()
+    assert stage
+    assert box
+    for pane in panes(page).values():
+        assert stage["x"] + pane["x"] + pane["width"] <= box["x"]
+    texts = [text for text, _ in inset.evaluate("canvas => canvas.texts")]
+    assert texts[-1] == "exaggerated × 250"

@@ -34,6 +34,8 @@ const LOOK = {
     '{engine}, free view: arrow keys turn it, plus and minus zoom, Home restores the view',
   ),
 } as const satisfies Record<Sight, string>
+/** From this width on, pixels, the inset has a place of its own. */
+const ASIDE = 480
 /** Room round the engine and its arrows. */
 const MARGIN = 1.06
 
@@ -158,7 +160,12 @@ class EngineStage implements Stage {
     const { chain, places, whirling, room, slices } = this.#machine
     const { width, height } = this.#size
     const palette = view.dark ? DARK : LIGHT
-    const screen = { width, height, foot: footOf(width, height), margin: MARGIN }
+    // where there is room, the paths of the whirl stand beside the engine, not before it
+    const beside = view.whirl.magnification > 0 && width >= ASIDE ? this.#inset.breadth : 0
+    const screen = {
+      ...{ width: width - beside, height },
+      ...{ foot: footOf(width, height), margin: MARGIN },
+    }
     const load = room.loads.at(view)
     const arrow = ARROW * Math.max(...this.#rooms.map(({ size }) => size)) * view.arrows.scale
     const longest = arrow * Math.min(1, WITHIN / view.arrows.scale)
@@ -241,7 +248,9 @@ class EngineStage implements Stage {
     this.#machine.whirling.axis(displacement, front, this.#front)
     this.#machine.whirling.axis(displacement, rear, this.#rear)
     this.#paths(view)
-    this.#inset.draw(this.#front, this.#rear, palette, this.#size.density)
+    const { magnification } = view.whirl
+    const { density } = this.#size
+    this.#inset.draw(this.#front, this.#rear, palette, { density, magnification })
   }
 
   /** Works the paths out where the orders have changed. */

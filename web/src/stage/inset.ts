@@ -7,7 +7,9 @@ import { REST } from './whirl'
 
 /** Side of the inset, pixels: greatest, least, share of the stage; width of its words. */
 const [LARGEST, SMALLEST, SHARE] = [148, 76, 0.27]
-const [WORDS, BELOW] = [124, 34]
+const [WORDS, BELOW] = [140, 50]
+/** From the edge of the stage, pixels. */
+const EDGE = 10
 const FONT = '11px system-ui, sans-serif'
 
 /** Paths of the crank axis at its two ends, [up, right], in the scene's unit. */
@@ -30,8 +32,8 @@ export class Inset {
     this.canvas = document.createElement('canvas')
     Object.assign(this.canvas.style, {
       position: 'absolute',
-      right: '10px',
-      top: '10px',
+      right: `${EDGE}px`,
+      top: `${EDGE}px`,
       pointerEvents: 'none',
       // where there is little room it stands before the engine, and must still be read
       background: 'color-mix(in srgb, var(--ground, Canvas) 76%, transparent)',
@@ -43,6 +45,11 @@ export class Inset {
 
   get paths(): Paths {
     return this.#paths
+  }
+
+  /** What it takes of the breadth of the stage, pixels. */
+  get breadth(): number {
+    return Math.max(WORDS, this.#side) + 2 * EDGE
   }
 
   /** Takes the measure of the stage, before paths are traced. */
@@ -80,8 +87,13 @@ export class Inset {
     return outline
   }
 
-  /** Draws the paths, and dots where the two ends are now. */
-  draw(front: readonly number[], rear: readonly number[], palette: Palette, density: number): void {
+  /** Draws the paths, and dots where the two ends are now; says how far the stage exaggerates. */
+  draw(
+    front: readonly number[],
+    rear: readonly number[],
+    palette: Palette,
+    { density, magnification }: { density: number; magnification: number },
+  ): void {
     const to = this.canvas.getContext('2d')
     if (!to) return
     const side = this.#side
@@ -122,6 +134,8 @@ export class Inset {
     write(t('front end'), 'right', colours[0], -6)
     write(t('rear end'), 'left', colours[1], 6)
     write(this.#label, 'center', palette.text, 0, 18)
+    const factor = Number(magnification.toPrecision(2))
+    write(t('exaggerated × {factor}', { factor }), 'center', palette.text, 0, 33)
   }
 
   #ground(to: CanvasRenderingContext2D, palette: Palette): void {
