@@ -277,8 +277,8 @@ def engines(draw: Draw, *, known: bool = False, max_shafts: int = 4, tight: bool
     shorter = st.tuples(st.sampled_from([0.5, 0.81]), st.just(1.0))  # a longer throw may not turn
     sources = {
         path: st.builds(Provenance, status=status, source=maybe(TEXTS, ""))
-        | st.builds(Provenance, status=st.just("estimated"), range=maybe(ends, None))
-        for path, ends in (("speed", wide), ("shaft[1].throw[1].radius", shorter))
+        | st.builds(Provenance, status=st.just("estimated"), range=ends)
+        for path, ends in (("speed", maybe(wide, None)), ("shaft[1].throw[1].radius", shorter))
     }
     bound = st.builds(
         lambda ends: {

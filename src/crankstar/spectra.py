@@ -133,8 +133,8 @@ def shifted(spectrum: Spectrum, theta: float) -> Spectrum:
 def selected(spectrum: Spectrum, orders: ArrayLike) -> Spectrum:
     """The spectrum at the given orders, in the order given.
 
-    One that a complete spectrum has not is zero, as no part of the engine has it. Of a spectrum
-    that was computed, or selected, for some orders it is not known. Raises MessageError for it.
+    One that a complete spectrum, or what is selected from one, has not is zero: no part of the
+    engine has it. One of a spectrum that was computed for others raises MessageError.
     """
     wanted = checked(np.atleast_1d(np.asarray(orders, float)))
     hits = np.isclose(spectrum.orders[None, :], wanted[:, None], rtol=0, atol=1e-9)
@@ -149,7 +149,7 @@ def selected(spectrum: Spectrum, orders: ArrayLike) -> Spectrum:
         np.einsum("...n,mn->...m", values, hits.astype(float)) + 0j
         for values in (spectrum.forward, spectrum.backward)
     )
-    return replace(spectrum, orders=wanted, forward=forward, backward=backward, complete=False)
+    return replace(spectrum, orders=wanted, forward=forward, backward=backward)
 
 
 def checked(orders: Real) -> Real:

@@ -15,9 +15,9 @@
 | `estimates` | what `estimate` fills in |
 | `headings` | an engine's lines: cycle, cylinders, rotation, firing order |
 | `scales` | the units in which an engine is written |
-| `bobweights` | the bobweight card: parts, bobweights, overbalance |
 | `workshop` | what to drill or to fit, which unbalance may remain |
 | `conditions` | speed, units and point of reference of an analysis |
+| `bobweights` | the bobweight card: parts, bobweights, overbalance |
 | `paths` | names of vectors and of their paths |
 | `peaks` | peaks over a turn, and what counterweights can remove |
 | `by_order` | force, couple and moments of each order |

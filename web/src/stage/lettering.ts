@@ -77,12 +77,13 @@ export function write(to: CanvasRenderingContext2D, exhibit: Exhibit, writing: W
     end = scale(to, writing, line, pixels, { x: beside, y: height - foot - step * above })
   })
   if (writing.load.roll > 0 && width >= WIDE)
+    // beside the force, whose words are few; a couple alone leaves the line above
     roll(
       to,
       writing,
       exhibit,
-      kinds.length ? end + 24 : beside,
-      height - foot - step * Math.max(0, kinds.length - 1),
+      kinds.includes('force') ? end + 24 : beside,
+      height - foot - step * (kinds.includes('force') ? kinds.length - 1 : kinds.length),
     )
 }
 
