@@ -131,11 +131,12 @@ def _panel(shown: Sum, choice: Choice, frame: Frame, axes: Axes, theta: float) -
     now = complex(spectra.value(shown.spectrum, np.array([theta]))[0])
     dots = [mark.at for mark in marks]
     ends, words = ([], []) if order is None else _ellipse_axes(shown, dots, now)
+    marked = any(abs(dot - now) * frame.scale < 1 for dot in dots)  # its own label keeps off it
     plane = Plane(
         strokes=(*cross, *ends, Stroke(tuple(path.tolist()), BLUE, 2.0)),
         dots=tuple(marks),
         labels=(*words, *angles_text),
-        clear=(Stroke((0j, now)), Dot(now, size=NOW)),
+        clear=(Stroke((0j, now)), *(() if marked else (Dot(now, size=NOW),))),
     )
     x, y = coordinates(frame, axes)
     more = [*_direction(shown, order, frame, x, y), *_now(shown.spectrum, x, y)]
