@@ -34,7 +34,7 @@ WRITTEN = """(() => {
 })()"""
 """Texts are kept with the canvas they are written on, each with its box, pixels."""
 TEXTS = "() => document.querySelector('.canvas canvas[aria-hidden]').texts"
-OFTEN = ("boxer-6", "man-s90mc-c", "napier-deltic", "pratt-whitney-wasp", "v8-cross-plane")
+OFTEN = ("napier-deltic", "v8-cross-plane")
 
 
 def panes(page: Page) -> dict[str, dict[str, Any]]:
