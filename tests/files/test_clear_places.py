@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 from tests.commands import Run
 
@@ -25,6 +25,8 @@ def boxes(draw: st.DrawFn) -> Box:
     return Box((up[0], up[1]), (right[0], right[1]))
 
 
+@example(wanted=0.3 + 0.4j, box=Box((-4, 4), (-4, 4)), circles=[Circle(0j, 2.0)])
+@example(wanted=0.1 + 0j, box=Box((-4, 4), (-4, 4)), circles=[Circle(0j, 2.0), Circle(1 + 1j, 2.0)])
 @given(
     wanted=st.builds(complex, PLACES, PLACES),
     box=boxes(),
