@@ -105,7 +105,7 @@ def rows() -> list[tables.Row]:
             ("a frame, star and polygon of twelve cylinders", "tab=stars"),
             (
                 "a frame, two figures, all arrows and the whirl",
-                "tab=forces&couple=1&each=1&whirl=1000",
+                "tab=forces&couple=1&each=cylinders&whirl=1000",
             ),
         ):
             times = frames(browser, path, state)

@@ -213,7 +213,7 @@ def test_a_link_shows_the_same_again(built_page: Build, page: Page) -> None:
     opened(page, file, "")
     page.get_by_role("radio", name="Front").check()
     page.get_by_role("tab", name="Verdict").click()
-    page.get_by_role("checkbox", name="Each cylinder").check()
+    page.get_by_role("combobox", name="Forces").select_option("cylinders")
     page.get_by_role("button", name="Stop").click()
     field = page.get_by_label("Crank angle: type degrees")
     field.fill("450")
@@ -225,11 +225,11 @@ def test_a_link_shows_the_same_again(built_page: Build, page: Page) -> None:
     page.goto(link)
     page.evaluate("async () => await document.querySelector('[data-crankstar]').crankstar.ready")
     assert handle(page, "state") == before
-    assert (before["camera"], before["tab"], before["angle"], before["cylinders"]) == (
+    assert (before["camera"], before["tab"], before["angle"], before["each"]) == (
         "front",
         "verdict",
         450,
-        True,
+        "cylinders",
     )
     expect(page.get_by_role("tab", name="Verdict")).to_have_attribute("aria-selected", "true")
 
@@ -310,9 +310,11 @@ def test_every_panel_names_the_engine_it_shows_and_shows_either(
     panel = page.get_by_role("tabpanel")
     for name in ("Orders", "Stars", "Forces", "Strokes", "Verdict", "Balancing", "Whirl"):
         page.get_by_role("tab", name=name, exact=True).click()
-        expect(panel.get_by_role("group", name="Engine").get_by_role("radio")).to_have_count(2)
+        expect(panel.get_by_role("group", name="Engine").get_by_role("radio")).to_have_count(3)
     page.get_by_role("tab", name="Orders", exact=True).click()
     first = panel.locator("table").inner_text()
+    for name in (load(CROSS).name, load(FLAT).name):
+        expect(panel.get_by_role("columnheader", name=name)).to_be_visible()
     panel.get_by_role("radio", name=load(FLAT).name).check()
     expect(panel.locator("table")).not_to_have_text(first, use_inner_text=True)
     assert handle(page, "state.panel") == "2"
@@ -321,8 +323,9 @@ def test_every_panel_names_the_engine_it_shows_and_shows_either(
 def test_two_engines_stand_side_by_side(built_page: Build, page: Page) -> None:
     opened(page, built_page(CROSS, FLAT), "a=40&tab=compare")
     heads = page.get_by_role("columnheader").all_text_contents()
-    assert heads == ["order", load(CROSS).name, load(FLAT).name, "of the first"]
-    line = page.get_by_role("row", name=re.compile("^Force 2"))
+    assert heads == ["order", load(CROSS).name, load(FLAT).name, "difference, second − first"]
+    forces = page.locator("table.orders tbody").filter(has_text="Force")
+    line = forces.get_by_role("row", name=re.compile("^2"))
     expect(line).to_contain_text("horizontal line")
     expect(page.locator(".stage canvas").first).to_be_visible()
     assert page.locator(".stage").count() == 2

@@ -25,7 +25,7 @@ CHANGES = (
     "glow=0",
     "theme=dark",
     "force=1",
-    "force=1&each=1",
+    "force=1&each=cylinders",
     "force=1&scale=2",
     "couple=1",
     "whirl=1000",

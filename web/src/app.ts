@@ -35,7 +35,9 @@ export interface App {
   readonly units: ReadonlySignal<string>
   /** Puts the engine with estimated masses in its place. */
   estimate(exhibit: Exhibit): Promise<void>
-  /** Which of the shown engines the panels show: its place in `engines`, `cured` and `shown`. */
+  /** Which of the shown engines the panels show: places in `engines`, `cured` and `shown`. */
+  readonly subjects: ReadonlySignal<readonly number[]>
+  /** The first of them. */
   readonly subject: ReadonlySignal<number>
   /** The quantity that figures and derivations show: the chosen one, or the greater of force and couple. */
   readonly quantity: ReadonlySignal<Quantity>
@@ -97,7 +99,12 @@ export function createApp(host: Host): App {
       store.fitted.value ? (cured.value[index] ?? exhibit) : exhibit,
     ),
   )
-  const subject = computed(() => Math.min(Number(store.panel.value), engines.value.length) - 1)
+  const subjects = computed(() => {
+    const places = engines.value.map((_, place) => place)
+    const chosen = places[Number(store.panel.value) - 1]
+    return chosen === undefined ? places : [chosen]
+  })
+  const subject = computed(() => subjects.value[0] ?? 0)
   const quantity = computed(
     () => store.quantity.value ?? prevailing(engines.value[subject.value] ?? own.value),
   )
@@ -279,6 +286,7 @@ export function createApp(host: Host): App {
     shown,
     units,
     estimate,
+    subjects,
     subject,
     quantity,
     sight,

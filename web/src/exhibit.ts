@@ -108,7 +108,7 @@ export interface Unit {
  * Sizes of the first cylinder in the engine's own units.
  *
  * Lengths, forces and couples of two engines that differ in units are compared after division by
- * these: in crank radii, m r ω², and m r ω² times the bore pitch.
+ * these: in crank radii, m r ω², m r ω² times the bore pitch, and m r² ω².
  */
 export interface Scale {
   /** crank radius, in units.length */
@@ -117,6 +117,8 @@ export interface Scale {
   force: number
   /** m r ω² times the bore pitch, in units.couple */
   couple: number
+  /** m r² ω², in units.roll */
+  roll: number
 }
 /**
  * Force, couple, rolling moment and torque on the crankshaft for each order.
@@ -141,6 +143,8 @@ export interface Vectors {
 /** The force of one cylinder (its piston and rod) on the block, at its place along z. */
 export interface PartForce {
   number: number
+  /** the name of its bank */
+  bank: string
   z: number
   force: Vectors
 }

@@ -67,6 +67,12 @@ export function signalOf(pairs: readonly (readonly [unknown, unknown])[]): Coeff
   return Float64Array.from(pairs.flatMap(([real, imaginary]) => [real, imaginary] as number[]))
 }
 
+/** The sum of vectors. */
+export function summed(all: readonly Coefficients[]): Coefficients {
+  const [first = new Float64Array()] = all
+  return first.map((_, index) => all.reduce((sum, each) => sum + (each[index] as number), 0))
+}
+
 /** Writes the vector at the phase into `out`, and gives it back. Makes no garbage. */
 export function vectorAt(coefficients: Coefficients, phase: Phase, out: Plane): Plane {
   let up = 0
@@ -104,15 +110,10 @@ export function greatest(
   chosen: readonly number[] | null,
   turns: number,
 ): number {
-  const phase = phaseOf(orders.length, 1)
   const place: Plane = [0, 0]
-  const steps = 180 * turns
-  let most = 0
-  for (let step = 0; step < steps; step++) {
-    vectorAt(coefficients, turn(phase, orders, (step / steps) * turns * 2 * Math.PI, chosen), place)
-    most = Math.max(most, Math.hypot(place[0], place[1]))
-  }
-  return most
+  return mostOver(orders, chosen, turns, (phase) =>
+    Math.hypot(...vectorAt(coefficients, phase, place)),
+  )
 }
 
 /** The greatest absolute value of a signal over `turns` turns, on a grid. */
@@ -122,14 +123,7 @@ export function highest(
   chosen: readonly number[] | null,
   turns: number,
 ): number {
-  const phase = phaseOf(orders.length, 1)
-  const steps = 180 * turns
-  let most = 0
-  for (let step = 0; step < steps; step++) {
-    turn(phase, orders, (step / steps) * turns * 2 * Math.PI, chosen)
-    most = Math.max(most, Math.abs(signalAt(coefficients, phase)))
-  }
-  return most
+  return mostOver(orders, chosen, turns, (phase) => Math.abs(signalAt(coefficients, phase)))
 }
 
 /** The greatest vertical and horizontal reach of the vector over `turns` turns. */
@@ -139,14 +133,28 @@ export function spans(
   chosen: readonly number[] | null,
   turns: number,
 ): Plane {
-  const phase = phaseOf(orders.length, 1)
   const place: Plane = [0, 0]
   const most: Plane = [0, 0]
+  mostOver(orders, chosen, turns, (phase) => {
+    const [up, right] = vectorAt(coefficients, phase, place)
+    most[0] = Math.max(most[0], Math.abs(up))
+    most[1] = Math.max(most[1], Math.abs(right))
+    return 0
+  })
+  return most
+}
+
+/** The greatest of what `size` gives over `turns` turns, on a grid. */
+function mostOver(
+  orders: readonly number[],
+  chosen: readonly number[] | null,
+  turns: number,
+  size: (phase: Phase) => number,
+): number {
+  const phase = phaseOf(orders.length, 1)
   const steps = 180 * turns
-  for (let step = 0; step < steps; step++) {
-    vectorAt(coefficients, turn(phase, orders, (step / steps) * turns * 2 * Math.PI, chosen), place)
-    most[0] = Math.max(most[0], Math.abs(place[0]))
-    most[1] = Math.max(most[1], Math.abs(place[1]))
-  }
+  let most = 0
+  for (let step = 0; step < steps; step++)
+    most = Math.max(most, size(turn(phase, orders, (step / steps) * turns * 2 * Math.PI, chosen)))
   return most
 }

@@ -1,6 +1,6 @@
 import { batch, type Signal, signal } from '@preact/signals'
 import { FASTEST, SLOWEST, USUAL } from './pace'
-import { SIGHTS, type Sight } from './stage/stage'
+import { EACH, type Each, SIGHTS, type Sight } from './stage/stage'
 
 export const THEMES = ['auto', 'light', 'dark'] as const
 export type Theme = (typeof THEMES)[number]
@@ -22,7 +22,10 @@ export interface State {
   readonly force: boolean
   readonly couple: boolean
   readonly roll: boolean
-  readonly cylinders: boolean
+  /** The couple as pitch and yaw, not in its plane. */
+  readonly axes: boolean
+  /** Arrows of cylinders or banks besides those of the engine. */
+  readonly each: Each
   /** Orders that are shown as arrows, as whirl and in figures; null for all. */
   readonly orders: readonly number[] | null
   /** The quantity of figures and derivations; null for the greater of force and couple. */
@@ -41,7 +44,7 @@ export interface State {
   /** The engine beside it: a catalog name, `2` for the second of a page, empty for none. */
   readonly beside: string
   /** Which of the engines on the stage the panels show. */
-  readonly panel: '1' | '2'
+  readonly panel: 'both' | '1' | '2'
   /** Units of all numbers, as --units takes them; empty for those of the host. */
   readonly units: string
   /** Language of the page; empty for that of its host. */
@@ -61,7 +64,8 @@ export const OPENING: State = {
   force: true,
   couple: true,
   roll: true,
-  cylinders: false,
+  axes: false,
+  each: 'engine',
   orders: null,
   quantity: null,
   scale: 1,
@@ -72,7 +76,7 @@ export const OPENING: State = {
   theme: 'auto',
   fitted: false,
   beside: '',
-  panel: '1',
+  panel: 'both',
   units: '',
   language: '',
   choices: {},
@@ -148,7 +152,8 @@ const FIELDS: { readonly [K in keyof Single]: Field<Single[K]> } = {
   force: yesNo('force'),
   couple: yesNo('couple'),
   roll: yesNo('roll'),
-  cylinders: yesNo('each'),
+  axes: yesNo('axes'),
+  each: oneOf('each', EACH),
   orders,
   quantity: { ...oneOf('of', QUANTITIES), write: (value) => value ?? '' },
   scale: between('scale', 0.05, 20),
@@ -159,7 +164,7 @@ const FIELDS: { readonly [K in keyof Single]: Field<Single[K]> } = {
   theme: oneOf('theme', THEMES),
   fitted: yesNo('fitted'),
   beside: words('beside', 60_000),
-  panel: oneOf('panel', ['1', '2']),
+  panel: oneOf('panel', ['both', '1', '2']),
   units: words('units', 200),
   language: words('lang', 12),
 }

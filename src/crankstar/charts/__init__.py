@@ -62,6 +62,7 @@ from typing import TYPE_CHECKING, Any
 from crankstar.charts.amplitudes import amplitudes
 from crankstar.charts.balance_shafts import balance_shaft_chart
 from crankstar.charts.bending import bending_chart
+from crankstar.charts.canvas import Canvas, drawn_on
 from crankstar.charts.crank_stars import crank_star
 from crankstar.charts.curve_names import names_of
 from crankstar.charts.curves import over_turn
@@ -91,6 +92,7 @@ __all__ = [
     "CHARTS",
     "GREY",
     "SUFFIXES",
+    "Canvas",
     "ChartError",
     "Figure",
     "Paper",
@@ -101,6 +103,7 @@ __all__ = [
     "best_stars",
     "contours",
     "crank_star",
+    "drawn_on",
     "firing_ring",
     "force_arrows",
     "hodograph",

@@ -6,6 +6,10 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from crankstar.engine.engine import Engine
 
 USUAL_WIDTH = 330.0
 BETWEEN, BESIDE = 18.0, 68.0
@@ -17,11 +21,13 @@ class Canvas:
     """The width of a panel that stands alone, px; the height of curves in their usual height.
 
     `named` is whether the titles name the engine, which on a page of its own goes without saying.
+    `alone`: of several engines the first is drawn, to the scale of all, each at its own speed.
     """
 
     width: float = USUAL_WIDTH
     stretch: float = 1.0
     named: bool = True
+    alone: bool = False
 
 
 _USUAL = Canvas()
@@ -65,6 +71,16 @@ def curve_height(usual: float) -> float:
 def names_engine() -> bool:
     """Whether titles name the engine."""
     return _CANVAS.get().named
+
+
+def abreast(engines: int) -> int:
+    """Of these engines those that stand side by side in a figure."""
+    return 1 if _CANVAS.get().alone else engines
+
+
+def speed_of(engine: Engine, speed: float | None) -> float | None:
+    """The speed at which an engine of a figure at this `speed` turns, rad/s."""
+    return engine.speed if _CANVAS.get().alone else speed
 
 
 def relative_width() -> float:

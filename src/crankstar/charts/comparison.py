@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from crankstar.charts.canvas import half_width
+from crankstar.charts.canvas import abreast, half_width
 from crankstar.charts.drawing import ChartError, Panel, figure, heading, named, speed_lines, stacked
 from crankstar.charts.estimates import estimate_lines
 from crankstar.charts.grammar import Chart
@@ -26,8 +26,11 @@ def compared(
 ) -> Chart:
     """The panels of each engine, in rows; several engines stand two in a row, each in a column.
 
+    Where the canvas has the first `alone`, the others have only had their part in the scales.
+
     `ranges` says how the ranges of estimated engines are drawn.
     """
+    engines = engines[: abreast(len(engines))]
     lines = estimate_lines(engines, drawn=ranges)
     if len(engines) == 1:
         subtitle = [*heading(engines[0], speed=speed), *lines]

@@ -74,7 +74,7 @@ def crank_panel(
         arrows.append(arrow)
         dots.append(Dot(0j, centre, 0.0, GREY, 40))
     if len(labels) > MOST_SPELT:
-        labels = [label._replace(text=label.text.split("\n")[0]) for label in labels]
+        labels = [label._replace(text=label.text.split(" (")[0]) for label in labels]
     texts = [label.text for label in labels]
     frame = _crank_frame([*places.values()], radius, texts, axes, width=width, room=room)
     plane = Plane(tuple(arrows), (*axes, *strokes), tuple(dots), tuple(labels))

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple, get_args
 import numpy as np
 
 from crankstar import spectra
-from crankstar.charts.canvas import curve_height, half_width, panel_width
+from crankstar.charts.canvas import abreast, curve_height, half_width, panel_width
 from crankstar.charts.choices import quantity_shown
 from crankstar.charts.comparison import compared
 from crankstar.charts.crank_angle import across, at_theta, waves
@@ -150,7 +150,7 @@ def over_turn(
     shown = [sorted(_strongest(each) if asked is None else asked) for each in curves]
     names = [*map(_name, sorted({*chain(*shown)})), _(TOTAL)]
     reach = max(_reach(each, turns) for each in curves) or 1.0
-    width = panel_width() if len(engines) == 1 else half_width() - 30
+    width = panel_width() if abreast(len(engines)) == 1 else half_width() - 30
     blocks = [
         [
             [

@@ -8,7 +8,7 @@ from math import degrees, pi
 import numpy as np
 
 from crankstar import spectra
-from crankstar.charts.canvas import half_width, panel_width
+from crankstar.charts.canvas import abreast, half_width, panel_width
 from crankstar.charts.choices import Choice, quantity_shown
 from crankstar.charts.comparison import compared
 from crankstar.charts.crank_angle import waves
@@ -91,7 +91,7 @@ def hodograph(
             for one, spectrum in pairs
         ]
     courses = in_one_unit(courses)
-    width = (panel_width() if len(engines) == 1 else half_width()) - 10
+    width = (panel_width() if abreast(len(engines)) == 1 else half_width()) - 10
     frame = round_frame(
         max(spectra.peak(one.spectrum).value for one in courses),
         width=width,

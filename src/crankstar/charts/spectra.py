@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from crankstar import spectra
-from crankstar.charts.canvas import curve_height, half_width, panel_width
+from crankstar.charts.canvas import abreast, curve_height, half_width, panel_width
 from crankstar.charts.comparison import compared
 from crankstar.charts.drawing import BLUE, GREY, ORANGE, Panel, brief, layered
 from crankstar.charts.estimates import length_ranges
@@ -92,7 +92,7 @@ def spectrum(
     shown = [{order for one in column for order in one.visible()} for column in columns]
     names = [f"{order:g}" for order in sorted(set().union(*shown))] or ["1"]
     reaches = [max(one.reach for one in column) for column in columns]
-    width = panel_width() if len(engines) == 1 else half_width() - 30
+    width = panel_width() if abreast(len(engines)) == 1 else half_width() - 30
     blocks = [
         [
             [_panel(one.of(own), names, reach or 1.0, width)]

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from typing import Literal, NamedTuple, TypeVar, get_args
 
 from crankstar import spectra
+from crankstar.charts.canvas import speed_of
 from crankstar.charts.comparison import same_unit
 from crankstar.charts.drawing import ChartError
 from crankstar.charts.estimates import ends_of
@@ -51,6 +52,7 @@ def sums(
     engine: Engine, quantities: Iterable[str], *, speed: float | None, reference: Reference | None
 ) -> list[Sum]:
     """These quantities of an engine, in units of m r w^2 or, at a `speed` (rad/s), in N and N m."""
+    speed = speed_of(engine, speed)
     result = balance(engine, speed=speed, reference=reference)
     whole, parts = summed(result)._asdict(), vars(result) | {"roll": result.torque}
     others = [

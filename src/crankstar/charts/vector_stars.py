@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from crankstar.charts.canvas import USUAL_WIDTH, half_width, panel_width
+from crankstar.charts.canvas import USUAL_WIDTH, abreast, half_width, panel_width
 from crankstar.charts.choices import order_shown
 from crankstar.charts.comparison import compared
 from crankstar.charts.drawing import ORANGE, Panel, numbers_text
@@ -149,11 +149,12 @@ def _systems(
 def _width(systems: Sequence[Stars], labels: int) -> float:
     """Px of a panel; of many labels one that has its own row, or more, unless half is enough."""
     least = (WIDER if labels > VERY_MANY else 1.0) * USUAL_WIDTH
-    if len(systems) == 1 and len(systems[0].stars) == 2 and half_width() >= least:
+    across = abreast(len(systems))
+    if across == 1 and len(systems[0].stars) == 2 and half_width() >= least:
         return half_width()
     if labels > VERY_MANY:
         return WIDER * panel_width()
-    alone = len(systems) == len(systems[0].stars) == 1
+    alone = across == len(systems[0].stars) == 1
     return panel_width() if alone or labels > MANY else half_width()
 
 

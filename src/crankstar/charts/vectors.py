@@ -15,6 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from crankstar import spectra
+from crankstar.charts.canvas import speed_of
 from crankstar.charts.comparison import same_unit
 from crankstar.charts.drawing import BLUE, GREY, VERMILION, checked_order
 from crankstar.charts.estimates import ends_of
@@ -85,6 +86,7 @@ def stars(
     """
     order = checked_order(order)
     checked_quantity(quantity)
+    speed = speed_of(engine, speed)
     result = balance(engine, speed=speed, reference=reference)
     unit, factor = unit_of(result, quantity), 1.0
     if result.speed is None and divided:

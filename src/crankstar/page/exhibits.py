@@ -308,12 +308,13 @@ def offered() -> tuple[UnitsOffered, ...]:
 
 
 def _scale(engine: Engine) -> Scale:
-    """Crank radius, m r w^2 and m r w^2 a of the first cylinder in the units of the exhibit."""
+    """Crank radius, m r w^2 (also times a, times r) of the first cylinder, in its units."""
     (counted, _), (unit, _) = scales(engine, engine.speed), scales(engine, None)
     return Scale(
         length=engine.throw(engine.first).radius,
         force=counted.force / unit.force,
         couple=counted.couple / unit.couple,
+        roll=counted.moment / unit.moment,
     )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from fractions import Fraction
 from typing import Any
 
@@ -22,16 +23,23 @@ CHOSEN_BY = {"order", "quantity"}
 """The options of keys."""
 
 
-def chart(engine: Engine, key: str, *, spread: Spread | None = None) -> dict[str, Any]:
+WIDTH = 300.0
+"""px of a panel that stands alone, so that its letters can be read on a telephone."""
+
+
+def chart(
+    engine: Engine, key: str, *, spread: Spread | None = None, beside: Engine | None = None
+) -> dict[str, Any]:
     """The figure as Vega-Lite, with the parameter `theta` (degrees) but without its slider.
 
-    With a `spread` of the engine, an estimated one, its ranges are drawn. Raises
-    NoSuchKeyError, or ChartError where the figure cannot be drawn.
+    With a `spread` of the engine, an estimated one, its ranges are drawn. Its scale is one with
+    that of the same figure of the engine `beside` it, where both are counted in the same unit.
+    Raises NoSuchKeyError, or ChartError where the figure cannot be drawn.
     """
     if key == BEFORE_AND_AFTER:
         made = _before_and_after(engine, spread)
     else:
-        made = _single(engine, key, spread)
+        made = _single(engine, key, spread, beside)
     drawn = made.to_dict()
     if "params" in drawn:
         drawn["params"] = [
@@ -65,8 +73,8 @@ def _before_and_after(engine: Engine, spread: Spread | None) -> Any:
         return side_by_side([before, after], "spectrum", speed=engine.speed)
 
 
-def _single(engine: Engine, key: str, spread: Spread | None) -> Any:
-    from crankstar.charts import CHARTS, over_ranges
+def _single(engine: Engine, key: str, spread: Spread | None, beside: Engine | None) -> Any:
+    from crankstar.charts import CHARTS, Canvas, ChartError, drawn_on, over_ranges
 
     figure, *options = key.split(":")
     pairs = (part.partition("=") for part in options)
@@ -87,7 +95,11 @@ def _single(engine: Engine, key: str, spread: Spread | None) -> Any:
     if "speed" in known.options:
         asked["speed"] = engine.speed
     with over_ranges([spread]):
-        return known.draw(engine, **asked)
+        if beside is not None and known.compares:
+            with suppress(ChartError), drawn_on(Canvas(WIDTH, alone=True)):
+                return known.draw([engine, beside], **asked)
+        with drawn_on(Canvas(WIDTH)):
+            return known.draw(engine, **asked)
 
 
 def _order(key: str, text: str) -> float:

@@ -52,9 +52,17 @@ def held(
         for engine, exhibit in zip(engines, shown.engines, strict=True)
     ]
     cured = [_cured(subject, after) for subject, after in zip(subjects, shown.fitted, strict=True)]
+    others = _beside(subjects)
+    fitted_others = _beside([after or own for own, after in zip(subjects, cured, strict=True)])
     jobs: list[_Job] = []
 
-    def library(subject: _Subject | None, *, more: bool = False, again: bool = False) -> Tree:
+    def library(
+        subject: _Subject | None,
+        beside: _Subject | None,
+        *,
+        more: bool = False,
+        again: bool = False,
+    ) -> Tree:
         """The places of figures and derivations; `again`: those in other units alone."""
         if subject is None:
             return {"charts": {}, "derivations": {}}
@@ -63,7 +71,13 @@ def held(
         keys += [(BEFORE_AND_AFTER, _("Spectrum, before and after"))] if more else []
         for key, label in keys:
             if not again or _has_units(key, subject.engine):
-                made = partial(chart, subject.engine, key, spread=subject.spread)
+                made = partial(
+                    chart,
+                    subject.engine,
+                    key,
+                    spread=subject.spread,
+                    beside=beside and beside.engine,
+                )
                 jobs.append(_Job(shelves["charts"], key, label, made, choice()))
         for key in () if again else subject.exhibit.derivations:
             made = partial(derivation, subject.engine, key.key)
@@ -73,9 +87,13 @@ def held(
     whole = {
         "exhibition": shown.model_dump(mode="json"),
         "libraries": [
-            library(own, more=after is not None) for own, after in _pairs(subjects, cured)
+            library(own, beside, more=after is not None)
+            for own, beside, after in zip(subjects, others, cured, strict=True)
         ],
-        "fitted": [None if after is None else library(after) for after in cured],
+        "fitted": [
+            None if after is None else library(after, beside)
+            for after, beside in zip(cured, fitted_others, strict=True)
+        ],
         "units": {},
     }
     for offer in shown.units:
@@ -86,10 +104,13 @@ def held(
                 "engines": [_differences(own) for own in subjects],
                 "cured": [None if after is None else _differences(after) for after in cured],
                 "libraries": [
-                    library(own, more=after is not None, again=True)
-                    for own, after in _pairs(subjects, cured)
+                    library(own, beside, more=after is not None, again=True)
+                    for own, beside, after in zip(subjects, others, cured, strict=True)
                 ],
-                "fitted": [library(after, again=True) for after in cured],
+                "fitted": [
+                    library(after, beside, again=True)
+                    for after, beside in zip(cured, fitted_others, strict=True)
+                ],
             }
     for done, job in enumerate(jobs):
         tell(done, len(jobs), job.label)
@@ -117,10 +138,9 @@ class _Job(NamedTuple):
     units: Choice
 
 
-def _pairs(
-    subjects: Sequence[_Subject], cured: Sequence[_Subject | None]
-) -> list[tuple[_Subject, _Subject | None]]:
-    return list(zip(subjects, cured, strict=True))
+def _beside(subjects: Sequence[_Subject]) -> list[_Subject | None]:
+    """The other of two, of each; none beside a single one."""
+    return [*reversed(subjects)] if len(subjects) > 1 else [None]
 
 
 def _cured(subject: _Subject, after: Exhibit | None) -> _Subject | None:

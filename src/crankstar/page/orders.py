@@ -75,9 +75,11 @@ def by_cylinder(
     engine: Engine, result: Balance, orders: Sequence[float], *, along: float
 ) -> tuple[PartForce, ...]:
     """What each cylinder does to the block."""
+    bank = {number: name for name, numbers in engine.banks.items() for number in numbers}
     return tuple(
         PartForce(
             number=cylinder.number,
+            bank=bank[cylinder.number],
             z=cylinder.z * along,
             force=vectors(of_parts(result, cylinder=cylinder.number).force, orders),
         )

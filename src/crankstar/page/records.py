@@ -161,6 +161,7 @@ class PartForce(Shown):
     """The force of one cylinder (its piston and rod) on the block, at its place along z."""
 
     number: int
+    bank: str = Field(description="the name of its bank")
     z: float
     force: Vectors
 
@@ -286,12 +287,13 @@ class Scale(Shown):
     """Sizes of the first cylinder in the engine's own units.
 
     Lengths, forces and couples of two engines that differ in units are compared after division by
-    these: in crank radii, m r ω², and m r ω² times the bore pitch.
+    these: in crank radii, m r ω², m r ω² times the bore pitch, and m r² ω².
     """
 
     length: float = Field(description="crank radius, in units.length")
     force: float = Field(description="m r ω², in units.force")
     couple: float = Field(description="m r ω² times the bore pitch, in units.couple")
+    roll: float = Field(description="m r² ω², in units.roll")
 
 
 class Exhibit(Shown):

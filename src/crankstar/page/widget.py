@@ -143,8 +143,9 @@ def _subjects(*given: Given | None) -> tuple[Subject, ...]:
 def answer(subjects: tuple[Subject, ...], question: Any) -> dict[str, Any]:
     """The answer to a request of the front end: its `id`, and a `value` or a `sentence`.
 
-    A request is `{"id", "engine", "fitted", "units", "what", "key"}`, `what` being chart,
-    derivation, exhibit (in these units) or estimate (the engine with estimated masses, a Subject).
+    A request is `{"id", "engine", "fitted", "units", "what", "key"}`, `what` being chart (to one
+    scale with the other of two engines), derivation, exhibit (in these units) or estimate (the
+    engine with estimated masses, a Subject).
 
     >>> import crankstar
     >>> from crankstar.files.catalog import tree_of
@@ -158,15 +159,17 @@ def answer(subjects: tuple[Subject, ...], question: Any) -> dict[str, Any]:
     try:
         units = choice() if not request.get("units") else read_choice(str(request["units"]))
         with shown_in(units):
-            return {**same, "value": _made(subjects[int(request["engine"])], request)}
+            place = int(request["engine"])
+            beside = subjects[1 - place] if len(subjects) > 1 else None
+            return {**same, "value": _made(subjects[place], request, beside)}
     except MessageError as error:
         return {**same, "sentence": str(error)}
     except (KeyError, IndexError, TypeError, ValueError):
         return {**same, "sentence": _("The notebook cannot answer this request.")}
 
 
-def _made(subject: Subject, request: Mapping[str, Any]) -> Any:
-    """What is asked for of an engine. Raises MessageError, KeyError."""
+def _made(subject: Subject, request: Mapping[str, Any], beside: Subject | None) -> Any:
+    """What is asked for of an engine that may have one `beside`. Raises MessageError, KeyError."""
     engine, tree = subject.engine, subject.tree
     what, fitted = request["what"], bool(request["fitted"])
     if what == "estimate":
@@ -183,7 +186,7 @@ def _made(subject: Subject, request: Mapping[str, Any]) -> Any:
             over = exhibits.spread_of(engine, rewritten_by_parts(tree, engine))
     key = str(request["key"])
     if what == "chart":
-        return figures.chart(engine, key, spread=over)
+        return figures.chart(engine, key, spread=over, beside=beside and beside.engine)
     if what == "derivation":
         return figures.derivation(engine, key)
     raise KeyError(what)

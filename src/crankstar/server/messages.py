@@ -95,6 +95,9 @@ class ChartQuestion(ShownQuestion):
     """A figure of an engine."""
 
     key: Key = Field(description="the key of a figure, as an exhibit names it")
+    beside: EngineAsked | None = Field(
+        default=None, description="an engine whose figure has the same scale, where it can"
+    )
 
 
 class DerivationQuestion(EngineQuestion):

@@ -197,8 +197,8 @@ async def exhibit(request: Request, question: messages.ShownQuestion) -> Respons
 @answering("POST", "/chart", dict[str, Any], "A figure of an engine")
 async def chart(request: Request, question: messages.ChartQuestion) -> Response:
     """Vega-Lite; where the figure turns it has one parameter, `theta`, in degrees."""
-    engine = bounded(question.engine)
-    return await _answer(request, tasks.chart, engine, question.key, question.units)
+    engine, beside = bounded(question.engine), bounded(question.beside)
+    return await _answer(request, tasks.chart, engine, question.key, question.units, beside)
 
 
 @answering("POST", "/derivation", messages.DerivationShown, "A derivation for an engine")

@@ -106,14 +106,17 @@ def opening(engine: str | Tree, shown: str, command: str) -> bytes:
         return _json(exhibits.opening([_exhibit(engine)], [None], sources=[shown], command=command))
 
 
-def chart(engine: str | Tree, key: str, units: str | None = None) -> bytes:
-    """A figure by its key, as Vega-Lite. Raises Refused."""
+def chart(
+    engine: str | Tree, key: str, units: str | None = None, beside: str | Tree | None = None
+) -> bytes:
+    """A figure by its key, as Vega-Lite, to one scale with an engine beside. Raises Refused."""
     from crankstar.page import figures
 
     with mistakes_refused(at="key"), units_of(units):
         made, tree = engine_of(engine)
         over = exhibits.spread_of(made, tree)
-        return answered(figures.chart(made, key, spread=over))
+        other = None if beside is None else engine_of(beside)[0]
+        return answered(figures.chart(made, key, spread=over, beside=other))
 
 
 def derivation(engine: str | Tree, key: str) -> bytes:

@@ -16,8 +16,8 @@ export interface Host {
   readonly kind: 'page' | 'server' | 'widget'
   /** What the page opens with. */
   readonly exhibition: Exhibition
-  /** A figure by its key. */
-  chart(exhibit: Exhibit, key: string): Promise<Spec>
+  /** A figure by its key, to one scale with that of the engine beside it, where it can be. */
+  chart(exhibit: Exhibit, key: string, beside?: Exhibit): Promise<Spec>
   /** A derivation by its key: HTML with MathML, made and escaped by our own typesetter. */
   derivation(exhibit: Exhibit, key: string): Promise<string>
   /** The same engine in other units, by their name; of a fitted one, ask for that anew. */

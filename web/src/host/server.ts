@@ -38,10 +38,15 @@ export async function serverHost(): Promise<Host> {
     const after = exhibition.fitted[index]
     if (after) void fitted(`${numberOf(exhibit)}`, () => Promise.resolve(after))
   })
-  const post = <T>(path: string, exhibit: Exhibit, key?: string) =>
+  const post = <T>(path: string, exhibit: Exhibit, key?: string, beside?: Exhibit) =>
     required(
       requested<T>(path, {
-        body: { engine: exhibit.file, ...(key && { key }), units: exhibit.units.chosen },
+        body: {
+          engine: exhibit.file,
+          ...(key && { key }),
+          ...(beside && { beside: beside.file }),
+          units: exhibit.units.chosen,
+        },
       }),
     )
   const charts = remembered<Spec>()
@@ -49,8 +54,10 @@ export async function serverHost(): Promise<Host> {
   return {
     kind: 'server',
     exhibition,
-    chart: (exhibit, key) =>
-      charts(`${numberOf(exhibit)} ${key}`, () => post('chart', exhibit, key)),
+    chart: (exhibit, key, beside) =>
+      charts(`${numberOf(exhibit)} ${beside ? numberOf(beside) : 0} ${key}`, () =>
+        post('chart', exhibit, key, beside),
+      ),
     anyUnits: true,
     inUnits: (exhibit, units) =>
       required(requested<Exhibit>('exhibit', { body: { engine: exhibit.file, units } })),

@@ -189,7 +189,7 @@ class EngineStage implements Stage {
       ...[view.theta, view.glass, view.glow, palette, arrow],
       ...[load.force, load.couple, load.roll],
     ]
-    const pushed = [arrows.force, arrows.couple, arrows.cylinders, arrows.orders?.join()]
+    const pushed = [arrows.force, arrows.couple, arrows.axes, arrows.each, arrows.orders?.join()]
     const state = [...shown, ...pushed, panes, section, whirl.magnification, whirl.orders?.join()]
     if (equal(state, this.#drawn)) return false
     this.#drawn = state

@@ -2,6 +2,7 @@ import type { Exhibit } from '../exhibit'
 import { message, t } from '../language/messages'
 import type { Plane } from '../phasor'
 import { along, facesAnother } from './extent'
+import { ROLL } from './load'
 import { css, type Palette } from './palette'
 import { type Pane, pixelsOf, placed } from './panes'
 import type { Instant } from './picture'
@@ -48,7 +49,7 @@ export function footOf(width: number, height: number): number {
 
 /** Writes the labels of the drawing: names of views, cylinder numbers, axes, scales of arrows. */
 export function write(to: CanvasRenderingContext2D, exhibit: Exhibit, writing: Writing): void {
-  const { width, height, palette, panes, slice } = writing
+  const { width, height, palette, panes, slice, view } = writing
   to.clearRect(0, 0, width, height)
   to.lineCap = 'round'
   const sheet = panes.length > 1
@@ -62,7 +63,12 @@ export function write(to: CanvasRenderingContext2D, exhibit: Exhibit, writing: W
   const corner = { x: axesAt(to, width), y: height - (width < NARROW ? 58 : 50) }
   axes(to, writing, first, sheet ? { x: width - 84 - axesAt(to, width), y: height - 31 } : corner)
   if (sheet) thirdAngle(to, palette, width - 62, height - 24)
-  const couple = width < WIDE ? t('Couple') : t('Couple, as a pair of forces in its plane')
+  const couple =
+    width < WIDE
+      ? t('Couple')
+      : view.arrows.axes
+        ? t('Couple, as pitch (upright) and yaw (level)')
+        : t('Couple, as a pair of forces in its plane')
   const names = { force: t('Force'), couple }
   const [foot, step] = width < NARROW ? [12, 18] : [20, 22]
   const kinds = (['couple', 'force'] as const).filter((kind) => writing.load[kind] > 0)
@@ -322,7 +328,7 @@ function scale(
   return x + long + 8 + to.measureText(text).width
 }
 
-/** What the longest curved arrow stands for. */
+/** How far a curved arrow of a round moment bends. */
 function roll(
   to: CanvasRenderingContext2D,
   { load, palette }: Writing,
@@ -330,23 +336,30 @@ function roll(
   x: number,
   y: number,
 ): void {
-  const value = +(load.roll * units.roll_factor).toPrecision(3)
-  const colour = css(palette.roll)
-  to.strokeStyle = to.fillStyle = colour
+  const most = load.roll * units.roll_factor
+  const value = roundValue(most)
+  const [from, end] = [-Math.PI / 2, -Math.PI / 2 + (ROLL.angle * value) / most]
+  const [middle, level, radius] = [x + 8, y + 3, 9]
+  to.strokeStyle = to.fillStyle = css(palette.roll)
   to.lineWidth = 2.5
   to.beginPath()
-  to.arc(x + 8, y + 2, 8, -Math.PI / 2, Math.PI / 3)
+  to.arc(middle, level, radius, from, end)
   to.stroke()
+  const tip = (out: number, on: number): [number, number] => [
+    middle + out * Math.cos(end) - on * Math.sin(end),
+    level + out * Math.sin(end) + on * Math.cos(end),
+  ]
   to.beginPath()
-  to.moveTo(x + 7, y + 12)
-  to.lineTo(x + 10, y + 4)
-  to.lineTo(x + 16, y + 9)
+  to.moveTo(...tip(radius - 4, 0))
+  to.lineTo(...tip(radius, 7))
+  to.lineTo(...tip(radius + 4, 0))
   to.fill()
   to.font = `12px ${FONT}`
   to.fillStyle = palette.text
   to.textAlign = 'left'
   to.textBaseline = 'middle'
-  to.fillText(t('{value} {unit}  Roll, at most', { value, unit: units.roll }), x + 24, y)
+  const name = t('Roll')
+  to.fillText(`${quantity(value, units.roll)}  ${name}`, x + 26, y)
 }
 
 /** The greatest of 1, 2, 5, 10, ... that is not above a value. */

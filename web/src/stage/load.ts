@@ -10,9 +10,11 @@ import {
   signalAt,
   signalOf,
   spans,
+  summed,
   turn,
   vectorAt,
 } from '../phasor'
+import { banksOf } from './banks'
 import { along, type Disc } from './extent'
 import type { View } from './stage'
 import type { Vector } from './vector'
@@ -48,6 +50,8 @@ export const ROLL = { angle: (140 * Math.PI) / 180, radius: 1.15 }
 const ROUNDING = 1e-9
 /** A sum below this share of a cylinder's greatest force (or couple) is drawn small. */
 const LITTLE = 0.1
+/** Arrows of the couple: two at each end. */
+const COUPLES = 4
 
 /** The arrows of an exhibit; a couple is a pair of forces at the two ends, in its plane. */
 export class Loads {
@@ -55,7 +59,8 @@ export class Loads {
   readonly #force: Coefficients
   readonly #couple: Coefficients
   readonly #roll: Coefficients
-  readonly #parts: Coefficients[]
+  /** The forces of cylinders and of banks, in the order of their arrows. */
+  readonly #parts: readonly Part[]
   readonly #phase: Phase
   readonly #load: Load
   readonly #place: Plane = [0, 0]
@@ -71,7 +76,7 @@ export class Loads {
     this.#force = coefficientsOf(exhibit.total.force)
     this.#couple = coefficientsOf(exhibit.total.couple)
     this.#roll = signalOf(exhibit.total.roll)
-    this.#parts = exhibit.cylinders.map((part) => coefficientsOf(part.force))
+    this.#parts = partsOf(exhibit)
     this.#phase = phaseOf(exhibit.orders.length, exhibit.sense)
     const [shaft] = exhibit.scene.shafts
     const about: Vector = [shaft?.right ?? 0, shaft?.up ?? 0, exhibit.scene.high[2]]
@@ -95,10 +100,25 @@ export class Loads {
     })
     return [
       { kind: 'force', z: reference_z, ...axis },
+      // in the plane, or upright (pitch); the others are level (yaw)
+      { kind: 'couple', z: to, ...axis },
+      { kind: 'couple', z: from, ...axis },
       { kind: 'couple', z: to, ...axis },
       { kind: 'couple', z: from, ...axis },
       ...parts,
+      ...this.#banks(parts),
     ]
+  }
+
+  /** The force of a bank stands in the middle of it. */
+  #banks(parts: readonly Pull[]): Pull[] {
+    return banksOf(this.#exhibit).map(({ cylinders }) => {
+      const own = cylinders.flatMap((place) => parts[place] ?? [])
+      const mean = (of: (pull: Pull) => number): number =>
+        own.reduce((sum, pull) => sum + of(pull), 0) / own.length
+      const [x, y, z] = [mean((pull) => pull.x), mean((pull) => pull.y), mean((pull) => pull.z)]
+      return { kind: 'part', x, y, z, up: 0, right: 0 }
+    })
   }
 
   /** The arrows at the view's crank angle; those that are not wanted, or nothing, are zero. */
@@ -109,12 +129,13 @@ export class Loads {
     this.#scale(view)
     turn(this.#phase, orders, theta, arrows.orders)
     this.#put(0, this.#force, load.force, 1)
-    this.#put(1, this.#couple, load.couple, 1)
-    this.#put(2, this.#couple, load.couple, -1)
+    for (let pair = 0; pair < COUPLES; pair++)
+      this.#put(1 + pair, this.#couple, load.couple, pair % 2 ? -1 : 1)
+    this.#split(arrows.axes)
     load.turning = load.roll > 0 ? signalAt(this.#roll, this.#phase) / load.roll : 0
     for (let index = 0; index < this.#parts.length; index++) {
-      const scale = arrows.cylinders ? load.force : 0
-      this.#put(3 + index, this.#parts[index] as Coefficients, scale, 1)
+      const part = this.#parts[index] as Part
+      this.#put(1 + COUPLES + index, part.force, arrows.each === part.of ? load.force : 0, 1)
     }
     return load
   }
@@ -146,10 +167,22 @@ export class Loads {
       ...tips(pulls[1], this.#couple, couple),
       ...tips(pulls[2], this.#couple, couple),
       ...this.#parts.flatMap((part, index) =>
-        tips(pulls[3 + index], part, arrows.cylinders ? force : 0),
+        tips(pulls[1 + COUPLES + index], part.force, arrows.each === part.of ? force : 0),
       ),
     ]
     return this.#room
+  }
+
+  /** Leaves of the pairs of the couple one in its plane, or one upright and one level. */
+  #split(axes: boolean): void {
+    const [, ...couples] = this.#load.pulls
+    for (let index = 0; index < COUPLES; index++) {
+      const pull = couples[index]
+      if (!pull) return
+      const level = index > 1
+      if (level) pull.up = 0
+      if (level ? !axes : axes) pull.right = 0
+    }
   }
 
   #put(index: number, coefficients: Coefficients, scale: number, sign: number): void {
@@ -162,7 +195,7 @@ export class Loads {
 
   /** The greatest of what is shown here and beside, whenever the choice changes. */
   #scale({ arrows }: View): void {
-    const key = `${arrows.force} ${arrows.couple} ${arrows.roll} ${arrows.cylinders} ${arrows.orders?.join() ?? 'all'}`
+    const key = `${arrows.force} ${arrows.couple} ${arrows.roll} ${arrows.each} ${arrows.orders?.join() ?? 'all'}`
     if (key === this.#scaled) return
     this.#scaled = key
     this.#long = -1
@@ -177,11 +210,7 @@ export class Loads {
       const own = exhibit.scale
       const [forces, couples, rolls] = alike
         ? [1, 1, 1]
-        : [
-            scale.force / own.force,
-            scale.couple / own.couple,
-            (scale.force * scale.length) / (own.force * own.length),
-          ]
+        : [scale.force / own.force, scale.couple / own.couple, scale.roll / own.roll]
       this.#load.force = Math.max(this.#load.force, forces * force)
       this.#load.couple = Math.max(this.#load.couple, couples * couple)
       this.#load.roll = Math.max(this.#load.roll, rolls * roll)
@@ -189,22 +218,48 @@ export class Loads {
   }
 }
 
+/** The force of a cylinder or of a bank. */
+interface Part {
+  readonly of: 'cylinders' | 'banks'
+  readonly force: Coefficients
+}
+
+/** The forces of the cylinders, then those of the banks, each the sum of its cylinders. */
+function partsOf(exhibit: Exhibit): readonly Part[] {
+  const { cylinders } = exhibit
+  const alone = cylinders.map((part) => coefficientsOf(part.force))
+  const sums = banksOf(exhibit).map((bank) =>
+    summed(alone.filter((_, place) => bank.cylinders.includes(place))),
+  )
+  return [
+    ...alone.map((force) => ({ of: 'cylinders' as const, force })),
+    ...sums.map((force) => ({ of: 'banks' as const, force })),
+  ]
+}
+
 /** What the longest arrows of an engine stand for; 0 where nothing is to be drawn. */
 function longest(exhibit: Exhibit, arrows: View['arrows']) {
   const { orders, turns, cylinders, reference_z, couple_length, total } = exhibit
   const most = (of: Coefficients) => greatest(of, orders, arrows.orders, turns)
   const [force, couple] = [most(coefficientsOf(total.force)), most(coefficientsOf(total.couple))]
-  const alone = Math.max(0, ...cylinders.map((part) => most(coefficientsOf(part.force))))
-  const shown = arrows.cylinders ? Math.max(force, alone) : force
+  const parts = partsOf(exhibit)
+  const greatestOf = (which: Part['of']): number =>
+    Math.max(0, ...parts.filter((part) => part.of === which).map((part) => most(part.force)))
+  const alone = greatestOf('cylinders')
+  const shown = arrows.each === 'engine' ? force : Math.max(force, greatestOf(arrows.each))
   const arm =
     Math.max(0, ...cylinders.map((part) => Math.abs(part.z - reference_z))) / couple_length
   const pair = alone * arm
+  // about the torque of one cylinder: its force at the crank radius
+  const { scale } = exhibit
+  const lever = (alone * scale.roll) / scale.force
   const [roll, torque] = [total.roll, total.torque].map((signal) =>
     highest(signalOf(signal), orders, arrows.orders, turns),
   ) as Plane
   return {
     force: arrows.force && shown > ROUNDING * alone ? Math.max(shown, LITTLE * alone) : 0,
     couple: arrows.couple && couple > ROUNDING * pair ? Math.max(couple, LITTLE * pair) : 0,
-    roll: arrows.roll && roll > ROUNDING * Math.max(roll, torque) ? roll : 0,
+    roll:
+      arrows.roll && roll > ROUNDING * Math.max(roll, torque) ? Math.max(roll, LITTLE * lever) : 0,
   }
 }

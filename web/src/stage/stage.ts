@@ -6,6 +6,10 @@ export const CAMERAS: readonly Camera[] = ['front', 'plan', 'side', 'isometric',
 export type Sight = Camera | 'sheet'
 export const SIGHTS: readonly Sight[] = ['sheet', ...CAMERAS]
 
+/** Of what there are arrows besides those of the whole engine. */
+export const EACH = ['engine', 'banks', 'cylinders'] as const
+export type Each = (typeof EACH)[number]
+
 /** The view of an engine at an instant. */
 export interface View {
   /** Crank angle, radians, any turn. */
@@ -17,7 +21,10 @@ export interface View {
     readonly couple: boolean
     /** The rolling moment, as a curved arrow about the crank axis. */
     readonly roll: boolean
-    readonly cylinders: boolean
+    /** The couple as two pairs of forces, upright (pitch) and level (yaw), not as one in its plane. */
+    readonly axes: boolean
+    /** Forces of each cylinder, or their sums by banks, besides those of the engine. */
+    readonly each: Each
     /** Orders that are added up; null for all. */
     readonly orders: readonly number[] | null
     /** 1 draws the greatest arrow as long as the stage is designed for. */

@@ -16,7 +16,10 @@ export function Figure({
   chart: string
   label: string
 }) {
-  const { host, clock } = useApp()
+  const { host, clock, shown: onStage } = useApp()
+  const both = onStage.value
+  // figures of two engines on the stage have one scale
+  const beside = both.includes(exhibit) ? both.find((other) => other !== exhibit) : undefined
   const figure = useRef<HTMLElement>(null)
   const place = useRef<HTMLDivElement>(null)
   const shown = useRef<Drawing | null>(null)
@@ -34,7 +37,7 @@ export function Figure({
     async function draw(): Promise<void> {
       if (ended) return
       try {
-        const spec = await host.chart(exhibit, chart)
+        const spec = await host.chart(exhibit, chart, beside)
         if (ended) return
         const made = await drawn(spec, 360 * exhibit.turns)
         if (ended) return made.dispose()
@@ -72,7 +75,7 @@ export function Figure({
       unfollow()
       removeEventListener('beforeprint', turn)
     }
-  }, [host, clock, exhibit, chart, again])
+  }, [host, clock, exhibit, beside, chart, again])
 
   useEffect(() => {
     const watch = new IntersectionObserver((changes) => {

@@ -2,8 +2,9 @@ import { useSignal } from '@preact/signals'
 import { useId, useMemo } from 'preact/hooks'
 import { message, t } from '../language/messages'
 import { Switch } from '../Switch'
+import { banksOf } from '../stage/banks'
 import { slicesOf } from '../stage/section'
-import { SIGHTS, type Sight } from '../stage/stage'
+import { EACH, type Each, SIGHTS, type Sight } from '../stage/stage'
 import { set } from '../state'
 import { useApp } from './context'
 import { Icon } from './icons'
@@ -22,7 +23,6 @@ const SWITCHES = [
   ['force', message('Force')],
   ['couple', message('Couple')],
   ['roll', message('Roll')],
-  ['cylinders', message('Each cylinder')],
   ['whirl', message('Whirl')],
   ['glass', message('Bores')],
   ['glow', message('Strokes')],
@@ -71,6 +71,14 @@ export function Layers() {
             change={(on) => (part === 'whirl' ? toggledWhirl(app) : set(store[part], on))}
           />
         ))}
+        {store.couple.value && (
+          <Switch
+            label={t('Pitch and yaw')}
+            on={store.axes.value}
+            change={(on) => set(store.axes, on)}
+          />
+        )}
+        <EachChoice />
         <label class="slider">
           <span>{t('Arrows')}</span>
           <input
@@ -88,6 +96,34 @@ export function Layers() {
         </label>
       </div>
     </section>
+  )
+}
+
+const OF = {
+  engine: message('of the engine'),
+  banks: message('of each bank'),
+  cylinders: message('of each cylinder'),
+} as const satisfies Record<Each, string>
+
+/** Of what there are arrows of force besides those of the whole engine. */
+function EachChoice() {
+  const { store, shown } = useApp()
+  const rows = shown.value.some((exhibit) => banksOf(exhibit).length > 0)
+  const offered = EACH.filter((each) => each !== 'banks' || rows)
+  return (
+    <label class="slider">
+      <span>{t('Forces')}</span>
+      <select
+        value={store.each.value}
+        onChange={(event) => set(store.each, event.currentTarget.value as Each)}
+      >
+        {offered.map((each) => (
+          <option key={each} value={each}>
+            {t(OF[each])}
+          </option>
+        ))}
+      </select>
+    </label>
   )
 }
 

@@ -12,27 +12,44 @@ import {
   turn,
   vectorAt,
 } from '../phasor'
+import { alike } from './BothOrders'
 import { useApp, useFollower } from './context'
+import { decimalsOf, signedText } from './figures'
 import { quantityName, TERMS } from './names'
 import { Term } from './Term'
 
 /** Force, couple and rolling moment at the present crank angle, of the chosen orders. */
 export function Now() {
   const { shown } = useApp()
+  const [one, other] = shown.value
   return (
     <section class="now" aria-label={t('At this crank angle')}>
       {shown.value.map((exhibit, index) => (
-        <Numbers key={index} exhibit={exhibit} named={shown.value.length > 1} />
+        <Numbers key={index} exhibit={exhibit} name={other ? exhibit.name : ''} />
       ))}
+      {one && other && alike(one, other) && (
+        <Numbers exhibit={other} from={one} name={t('Difference, second − first')} />
+      )}
     </section>
   )
 }
 
-function Numbers({ exhibit, named }: { exhibit: Exhibit; named: boolean }) {
+interface Props {
+  readonly exhibit: Exhibit
+  /** Whose numbers are taken from those of the exhibit. */
+  readonly from?: Exhibit
+  readonly name: string
+}
+
+function Numbers({ exhibit, from, name }: Props) {
   const { store } = useApp()
   const cells = useRef<HTMLDListElement>(null)
   const orders = store.orders.value
-  const now = useMemo(() => numbersOf(exhibit), [exhibit])
+  const now = useMemo(
+    () => (from ? differencesOf(from, exhibit) : numbersOf(exhibit)),
+    [exhibit, from],
+  )
+  const ranges = !from && exhibit.ends.length > 0
   useFollower(
     (theta) => {
       const fields = cells.current?.querySelectorAll('output')
@@ -55,7 +72,7 @@ function Numbers({ exhibit, named }: { exhibit: Exhibit; named: boolean }) {
   ] as const
   return (
     <div class="numbers">
-      {named && <h2 class="whose">{exhibit.name}</h2>}
+      {name && <h2 class="whose">{name}</h2>}
       <dl ref={cells}>
         {lines.map(([quantity, ...components]) => (
           <div key={quantity}>
@@ -74,7 +91,7 @@ function Numbers({ exhibit, named }: { exhibit: Exhibit; named: boolean }) {
                 </Fragment>
               ))}
               <span class="unit">{exhibit.units[quantity]}</span>
-              {exhibit.ends.length > 0 && (
+              {ranges && (
                 <output class="range" aria-live="off" aria-label={t('Range, estimated')} />
               )}
             </dd>
@@ -85,21 +102,70 @@ function Numbers({ exhibit, named }: { exhibit: Exhibit; named: boolean }) {
   )
 }
 
+/** By how much the numbers of the second engine are greater, in its units. */
+function differencesOf(one: Exhibit, other: Exhibit): Texts {
+  const [first, second] = [valuesOf(one), valuesOf(other)]
+  const factors = factorsOf(other)
+  const digits = first.bounds.map((most, kind) =>
+    decimalsOf((most + (second.bounds[kind] ?? 0)) * (factors[kind] ?? 1)),
+  )
+  return (theta, chosen) => {
+    const [before, after] = [first.at(theta, chosen), second.at(theta, chosen)]
+    return after.map((value, index) => {
+      const kind = KINDS[index] ?? 0
+      const change = (value - (before[index] ?? 0)) * (factors[kind] ?? 1)
+      return signedText(change, digits[kind] ?? 0)
+    })
+  }
+}
+
+/** The quantity of each number: force up and right, couple up and right, rolling moment. */
+const KINDS = [0, 0, 1, 1, 2]
+
+const factorsOf = ({ units }: Exhibit): readonly number[] => [
+  units.force_factor,
+  units.couple_factor,
+  units.roll_factor,
+]
+
+/** The numbers of an engine as they are sent, and what those of each quantity never exceed. */
+function valuesOf({ orders, sense, total }: Exhibit) {
+  const phase = phaseOf(orders.length, sense)
+  const sums = [
+    coefficientsOf(total.force),
+    coefficientsOf(total.couple),
+    signalOf(total.roll),
+  ] as const
+  const place: Plane = [0, 0]
+  const out = [0, 0, 0, 0, 0]
+  return {
+    bounds: sums.map(bound),
+    at(theta: number, chosen: readonly number[] | null): readonly number[] {
+      turn(phase, orders, theta, chosen)
+      ;[out[0], out[1]] = vectorAt(sums[0], phase, place)
+      ;[out[2], out[3]] = vectorAt(sums[1], phase, place)
+      out[4] = signalAt(sums[2], phase)
+      return out
+    },
+  }
+}
+
 type Texts = (theta: number, orders: readonly number[] | null) => readonly string[]
 
 /** The numbers of an engine as texts: of force and couple up and right, of the rolling moment one; after each quantity of an estimated engine the range. */
-function numbersOf({ orders, sense, total, ends, units }: Exhibit): Texts {
+function numbersOf(exhibit: Exhibit): Texts {
+  const { orders, sense, total, ends } = exhibit
   const phase = phaseOf(orders.length, sense)
-  const factors = [units.force_factor, units.couple_factor, units.roll_factor]
+  const factors = factorsOf(exhibit)
   const sums = [total, ...ends].map(({ force, couple, roll }) => [
     coefficientsOf(force),
     coefficientsOf(couple),
     signalOf(roll),
   ])
   const [own = []] = sums
-  const digits = own.map((numbers, kind) => decimals(bound(numbers) * (factors[kind] ?? 1)))
+  const digits = own.map((numbers, kind) => decimalsOf(bound(numbers) * (factors[kind] ?? 1)))
   const ofRanges = own.map((_, kind) =>
-    decimals(
+    decimalsOf(
       Math.max(...sums.map((sum) => bound(sum[kind] as Coefficients))) * (factors[kind] ?? 1),
     ),
   )
@@ -112,7 +178,7 @@ function numbersOf({ orders, sense, total, ends, units }: Exhibit): Texts {
     turn(phase, orders, theta, chosen)
     return own.flatMap((numbers, kind) => {
       const values = at(numbers, kind)
-      const texts = values.map((value) => signed(value, digits[kind] ?? 0))
+      const texts = values.map((value) => signedText(value, digits[kind] ?? 0))
       if (!ends.length) return texts
       // at an angle a sum is linear in each estimated value: its range ends at corners
       const all = sums.map((sum) => at(sum[kind] as Coefficients, kind))
@@ -131,7 +197,7 @@ function numbersOf({ orders, sense, total, ends, units }: Exhibit): Texts {
 export function rangeText(values: readonly number[], digits: number): string {
   if (Math.min(...values) === Math.max(...values)) return ''
   const [low, high] = [Math.min(...values), Math.max(...values)].map((value) =>
-    signed(value, digits).trim(),
+    signedText(value, digits).trim(),
   ) as [string, string]
   return t('({low} to {high})', { low, high })
 }
@@ -142,16 +208,4 @@ function bound(coefficients: Coefficients): number {
   for (let index = 0; index + 1 < coefficients.length; index += 2)
     sum += Math.hypot(coefficients[index] as number, coefficients[index + 1] as number)
   return sum
-}
-
-/** Decimals that give the greatest value four figures, the same at every angle. */
-function decimals(greatest: number): number {
-  if (!(greatest > 1e-12)) return 0
-  return Math.min(6, Math.max(0, 3 - Math.floor(Math.log10(greatest))))
-}
-
-function signed(value: number, digits: number): string {
-  const text = Math.abs(value).toFixed(digits)
-  const zero = Number(text) === 0
-  return `${zero ? '\u2007' : value < 0 ? '−' : '+'}${text}`
 }

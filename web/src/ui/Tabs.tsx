@@ -4,6 +4,7 @@ import { t } from '../language/messages'
 import { set } from '../state'
 import { Choice } from './Choice'
 import { useApp } from './context'
+import { Each } from './Each'
 import { Icon } from './icons'
 import { PANELS } from './panels'
 
@@ -80,8 +81,12 @@ export function Tabs() {
         data-panel={panel.key}
       >
         <h2 class="unseen">{t(panel.label)}</h2>
-        {!panel.ofAll && <EngineChoice />}
-        <Content key={panel.key} />
+        {panel.of !== 'all' && <EngineChoice />}
+        {panel.of === 'each' ? (
+          <Each key={panel.key} Part={Content} />
+        ) : (
+          <Content key={panel.key} />
+        )}
       </div>
     </section>
   )
@@ -130,16 +135,22 @@ function Strip({
   )
 }
 
-/** Which of two engines the panel shows. */
+/** Which of two engines the panel shows, or both. */
 function EngineChoice() {
-  const { shown, subject, store } = useApp()
+  const { shown, store } = useApp()
   if (shown.value.length < 2) return null
   return (
     <Choice
       label={t('Engine')}
-      value={String(subject.value + 1)}
-      choices={shown.value.map(({ name }, index) => ({ value: String(index + 1), label: name }))}
-      chosen={(value) => set(store.panel, value === '2' ? '2' : '1')}
+      value={store.panel.value}
+      choices={[
+        { value: 'both', label: t('both') },
+        ...shown.value.map(({ name }, index) => ({
+          value: index ? ('2' as const) : ('1' as const),
+          label: name,
+        })),
+      ]}
+      chosen={(value) => set(store.panel, value)}
     />
   )
 }

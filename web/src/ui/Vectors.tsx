@@ -2,9 +2,9 @@ import type { Exhibit, Row } from '../exhibit'
 import { t } from '../language/messages'
 import { set } from '../state'
 import { Choice } from './Choice'
-import { useApp, useExhibit } from './context'
+import { useApp, useExhibits } from './context'
 import { quantityName } from './names'
-import { orderText } from './OrderChoice'
+import { ordersOf, orderText } from './OrderChoice'
 
 const QUANTITIES = ['force', 'couple'] as const
 
@@ -13,13 +13,19 @@ export function useVectors(
   of: (exhibit: Exhibit, quantity: 'force' | 'couple') => readonly number[],
 ) {
   const { store, quantity: chosen } = useApp()
-  const exhibit = useExhibit()
+  const exhibits = useExhibits()
   const quantity: 'force' | 'couple' = chosen.value === 'couple' ? 'couple' : 'force'
-  const orders = of(exhibit, quantity)
+  const orders = ordersOf(exhibits, (exhibit) => of(exhibit, quantity))
   const wanted = store.orders.value?.find((order) => orders.includes(order))
   const is = (row: Row): boolean => row.quantity === quantity && orders.includes(row.order)
-  const left = exhibit.table.find((row) => is(row) && row.remains)
-  return { exhibit, quantity, orders, order: wanted ?? left?.order ?? orders[0] }
+  const left = exhibits.flatMap(({ table }) => table.filter((row) => is(row) && row.remains))
+  const most = Math.max(...left.map(({ size }) => size))
+  return {
+    exhibits,
+    quantity,
+    orders,
+    order: wanted ?? left.find(({ size }) => size === most)?.order ?? orders[0],
+  }
 }
 
 /** Chooses the quantity, and one of the orders that there are of it. */
@@ -31,7 +37,7 @@ export function VectorChoice({
   vectors: ReturnType<typeof useVectors>
 }) {
   const { store } = useApp()
-  const { exhibit, quantity, orders, order } = vectors
+  const { exhibits, quantity, orders, order } = vectors
   return (
     <div class="controls">
       <Choice
@@ -43,7 +49,7 @@ export function VectorChoice({
       <Choice
         label={t('Order')}
         value={String(order)}
-        choices={orders.map((each) => ({ value: String(each), label: orderText(exhibit, each) }))}
+        choices={orders.map((each) => ({ value: String(each), label: orderText(exhibits, each) }))}
         chosen={(value) => set(store.orders, [Number(value)])}
       />
     </div>

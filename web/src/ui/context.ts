@@ -13,10 +13,25 @@ export function useApp(): App {
   return app
 }
 
-/** The engine on the stage that the panels show. */
+/** The place of the engine that a part of a panel is about; null for the first that they show. */
+export const Subject = createContext<number | null>(null)
+
+/** The place of the engine that this part of a panel shows. */
+export function useSubject(): number {
+  const { subject } = useApp()
+  return useContext(Subject) ?? subject.value
+}
+
+/** The engines on the stage that the panels show. */
+export function useExhibits(): readonly Exhibit[] {
+  const { shown, subjects } = useApp()
+  return subjects.value.flatMap((place) => shown.value[place] ?? [])
+}
+
+/** The engine on the stage that this part of a panel shows. */
 export function useExhibit(): Exhibit {
-  const { shown, subject } = useApp()
-  const exhibit = shown.value[subject.value]
+  const { shown } = useApp()
+  const exhibit = shown.value[useSubject()]
   if (!exhibit) throw new Error('There is no engine.')
   return exhibit
 }

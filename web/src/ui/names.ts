@@ -21,6 +21,14 @@ export const TERMS: Readonly<Record<Quantity, string>> = {
   torque: 'inertia torque',
 }
 
+/** What a number of a quantity, as it is sent, is multiplied with to be in the printed unit. */
+export const factorOf = ({ units }: Exhibit, quantity: Quantity): number =>
+  quantity === 'force'
+    ? units.force_factor
+    : quantity === 'couple'
+      ? units.couple_factor
+      : units.roll_factor
+
 /** The unit that a quantity of an engine is printed in. */
 export const unitOf = ({ units }: Exhibit, quantity: Quantity): string =>
   quantity === 'torque' ? units.roll : units[quantity]

@@ -12,6 +12,9 @@ export interface Panel {
   readonly Content: ComponentType
   /** Whether there is anything to show; without it, always. */
   readonly when?: (app: App) => boolean
-  /** Whether it shows all engines on the stage at once, not one that is chosen above it. */
-  readonly ofAll?: boolean
+  /**
+   * Whose it is: of `all` engines on the stage, whatever is chosen above it; `each`: once for each
+   * that is chosen; without it, it asks for them itself (`useExhibits`).
+   */
+  readonly of?: 'all' | 'each'
 }

@@ -43,10 +43,14 @@ function rounded(value: number): number {
 }
 
 /** Whirl on, as it is seen well, or off. */
-export function toggledWhirl({ store, shown, subject }: App): void {
-  const exhibit = shown.peek()[subject.peek()]
-  if (store.whirl.peek() > 0 || !exhibit) store.whirl.value = 0
-  else store.whirl.value = suggestedMagnification(exhibit) || 1
+export function toggledWhirl({ store, shown }: App): void {
+  store.whirl.value = store.whirl.peek() > 0 ? 0 : usualMagnification(shown.peek()) || 1
+}
+
+/** The magnification at which the one of these engines that moves most is seen well; 0 at rest. */
+export function usualMagnification(exhibits: readonly Exhibit[]): number {
+  const moving = exhibits.map(suggestedMagnification).filter((factor) => factor > 0)
+  return moving.length ? Math.min(...moving) : 0
 }
 
 /** How far the crank axis gets from its rest at front and rear, of some orders or (null) of all. */

@@ -159,7 +159,8 @@ describe('arrows', () => {
       force: true,
       couple: true,
       roll: false,
-      cylinders: true,
+      axes: false,
+      each: 'cylinders',
       orders: null,
       scale: 1,
       ...arrows,
@@ -177,7 +178,7 @@ describe('arrows', () => {
       roll: [[0, 0]],
       torque: [[0, 0]],
     },
-    cylinders: [{ number: 1, z: 0, force: { forward: [[2, 0]], backward: [[2, 0]] } }],
+    cylinders: [{ number: 1, bank: '1', z: 0, force: { forward: [[2, 0]], backward: [[2, 0]] } }],
   })
 
   test('the longest of those shown has the design length, all forces have one scale', () => {
@@ -188,9 +189,11 @@ describe('arrows', () => {
       ['force', 0.75, 0],
       ['couple', 0, 1],
       ['couple', 0, -1],
+      ['couple', 0, 0],
+      ['couple', 0, 0],
       ['part', 1, 0],
     ])
-    expect(new Loads(loaded).at(view({ cylinders: false })).force).toBeCloseTo(3, 12)
+    expect(new Loads(loaded).at(view({ each: 'engine' })).force).toBeCloseTo(3, 12)
   })
 
   test('engines side by side share the scale of their arrows, in other units by m r w^2', () => {
@@ -200,14 +203,57 @@ describe('arrows', () => {
     })
     const loads = new Loads(loaded)
     loads.beside = [twice]
-    expect(loads.at(view({ cylinders: false })).force).toBeCloseTo(6, 12)
+    expect(loads.at(view({ each: 'engine' })).force).toBeCloseTo(6, 12)
     const counted: [string, string] = ['m r ω²', 'm r ω² a']
     const units = { ...twice.units, counted }
-    loads.beside = [{ ...twice, units, scale: { length: 1, force: 4, couple: 4 } }]
+    loads.beside = [{ ...twice, units, scale: { length: 1, force: 4, couple: 4, roll: 4 } }]
     // 6 of 4 in units of m r w^2, 3 of 1 here
-    expect(loads.at(view({ cylinders: false })).force).toBeCloseTo(3, 12)
-    loads.beside = [{ ...twice, units, scale: { length: 1, force: 0.5, couple: 1 } }]
-    expect(loads.at(view({ cylinders: false })).force).toBeCloseTo(12, 12)
+    expect(loads.at(view({ each: 'engine' })).force).toBeCloseTo(3, 12)
+    loads.beside = [{ ...twice, units, scale: { length: 1, force: 0.5, couple: 1, roll: 1 } }]
+    expect(loads.at(view({ each: 'engine' })).force).toBeCloseTo(12, 12)
+  })
+
+  test('a couple is drawn in its plane, or as pitch upright and yaw level', () => {
+    const couple = { forward: [[3, 4]], backward: [[0, 0]] } as Exhibit['total']['couple']
+    const loads = new Loads({ ...loaded, total: { ...loaded.total, couple } })
+    const pairs = (axes: boolean) =>
+      loads
+        .at(view({ axes }))
+        .pulls.filter((pull) => pull.kind === 'couple')
+        .map((pull) => [+(5 * pull.up).toFixed(9) + 0, +(5 * pull.right).toFixed(9) + 0])
+    expect(pairs(false)).toEqual([
+      [3, 4],
+      [-3, -4],
+      [0, 0],
+      [0, 0],
+    ])
+    expect(pairs(true)).toEqual([
+      [3, 0],
+      [-3, 0],
+      [0, 4],
+      [0, -4],
+    ])
+  })
+
+  test('the force of a bank is the sum of those of its cylinders, in their middle', () => {
+    const force = (up: number) => ({ forward: [[up, 0]], backward: [[0, 0]] }) as const
+    const part = (number: number, bank: string, up: number) => ({
+      ...{ number, bank, z: number },
+      force: force(up) as unknown as Exhibit['total']['force'],
+    })
+    const numbers = [1, 2, 3]
+    const { scene } = exhibit()
+    const banks = exhibit({
+      ...loaded,
+      scene: { ...scene, cylinders: numbers.map((number) => cylinder({ number, z: number })) },
+      cylinders: [part(1, 'left', 2), part(2, 'right', 5), part(3, 'left', 1)],
+    })
+    const load = new Loads(banks).at(view({ each: 'banks' }))
+    const shown = load.pulls.filter((pull) => pull.kind === 'part' && pull.up)
+    expect(shown.map((pull) => [+(load.force * pull.up).toFixed(9), pull.z])).toEqual([
+      [3, 2],
+      [5, 2],
+    ])
   })
 
   test('what is not wanted is not drawn', () => {
@@ -226,7 +272,7 @@ describe('arrows', () => {
   test('a sum that is rounding beside its parts is no arrow', () => {
     const little = { forward: [[1e-9, 0]], backward: [[0, 0]] } as Exhibit['total']['force']
     const [total] = new Loads({ ...loaded, total: { ...loaded.total, force: little } }).at(
-      view({ cylinders: false }),
+      view({ each: 'engine' }),
     ).pulls
     expect(total?.up).toBeLessThan(1e-6)
   })

@@ -13,7 +13,8 @@ const view = (arrows: Partial<View['arrows']>): View => ({
     force: true,
     couple: true,
     roll: false,
-    cylinders: false,
+    axes: false,
+    each: 'engine',
     orders: null,
     scale: 1,
     ...arrows,
@@ -30,7 +31,7 @@ const shaking = (): Exhibit => {
   const force = { forward: [[1, 0]], backward: [[1, 0]] } as Exhibit['total']['force']
   const couple = { forward: [[0, 3]], backward: [[0, 3]] } as Exhibit['total']['couple']
   const total = { ...plain.total, force, couple }
-  return { ...plain, total, cylinders: [{ number: 1, z: 1, force }] }
+  return { ...plain, total, cylinders: [{ number: 1, bank: '1', z: 1, force }] }
 }
 
 test('there is room for every arrow over the whole cycle, and for no more', () => {
@@ -60,7 +61,7 @@ test('what is not shown needs no room', () => {
   const shown = view({ force: false, couple: false })
   loads.at(shown)
   expect(loads.room(shown, 5)).toEqual([])
-  const parts = view({ cylinders: true })
+  const parts = view({ each: 'cylinders' })
   loads.at(parts)
   expect(loads.room(parts, 5)).toHaveLength(8)
 })
@@ -70,7 +71,7 @@ test('the room of an engine beside is in the unit of the engine looked at, or in
   const size = (room: Room) => reach(room.discs(view({}), 0), [1, 0, 0], [0, 0])[1]
   const own = size(new Room(small))
   expect(size(new Room(small, small))).toBe(own)
-  const metres = { ...small, scale: { length: 0.05, force: 1, couple: 1 } }
+  const metres = { ...small, scale: { length: 0.05, force: 1, couple: 1, roll: 1 } }
   const radii = { ...small, scene: { ...small.scene, length_unit: 'crank radii' } }
   expect(size(new Room(radii, metres))).toBeCloseTo(0.05 * own, 12)
   expect(size(new Room(metres, radii))).toBeCloseTo(20 * own, 10)

@@ -15,7 +15,7 @@ export const about: Panel = {
   key: 'about',
   label: message('About'),
   Content: About,
-  ofAll: true,
+  of: 'all',
 }
 
 /** Sources, assumptions, how to read the page, and how to write it again. */

@@ -1,9 +1,10 @@
 import { useMemo, useRef } from 'preact/hooks'
-import type { LoadShown, Bearings as Loads } from '../../exhibit'
+import type { Exhibit, LoadShown, Bearings as Loads } from '../../exhibit'
 import { message, t } from '../../language/messages'
 import { Choice } from '../Choice'
-import { useChoice, useExhibit, useFollower } from '../context'
+import { useChoice, useExhibit, useExhibits, useFollower } from '../context'
 import { DataTable } from '../DataTable'
+import { Each } from '../Each'
 import { type Frame, labelsOf, loadVector, pathOf, pointText, STEPS } from '../loads'
 import type { Panel } from '../panel'
 
@@ -15,16 +16,13 @@ export const bearings: Panel = {
   Content: Bearings,
 }
 
+const useOn = () => useChoice<On>('bearings.on', ['bearing', 'pin'])
+const useFrame = () => useChoice<Frame>('bearings.frame', ['block', 'shaft'])
+
 /** Loads on main bearings and crank pins: polar diagrams that follow the angle, and their tables. */
 function Bearings() {
-  const exhibit = useExhibit()
-  const [on, setOn] = useChoice<On>('bearings.on', ['bearing', 'pin'])
-  const [frame, setFrame] = useChoice<Frame>('bearings.frame', ['block', 'shaft'])
-  const { bearings, bearing_numbers: numbers, sense, turns } = exhibit
-  const shown = bearings.loads.flatMap((load, index) =>
-    load.on === on ? [{ load, greatest: numbers.greatest[index] ?? '' }] : [],
-  )
-  const largest = Math.max(...shown.map(({ load }) => load.peak), 0)
+  const [on, setOn] = useOn()
+  const [frame, setFrame] = useFrame()
   return (
     <>
       <div class="controls">
@@ -47,9 +45,40 @@ function Bearings() {
           chosen={setFrame}
         />
       </div>
+      <Each Part={Diagrams} />
+    </>
+  )
+}
+
+/** The greatest load of that kind on any of the engines that are counted in this unit. */
+function largestOf(exhibits: readonly Exhibit[], on: On, unit: string): number {
+  const peaks = exhibits.flatMap((exhibit) =>
+    unitOf(exhibit, on) === unit
+      ? exhibit.bearings.loads.flatMap((load) => (load.on === on ? [load.peak] : []))
+      : [],
+  )
+  return Math.max(...peaks, 0)
+}
+
+const unitOf = ({ bearing_numbers: numbers }: Exhibit, on: On): string =>
+  on === 'bearing' ? numbers.bearing_unit : numbers.pin_unit
+
+/** Those of one engine, to one scale with those of the other. */
+function Diagrams() {
+  const exhibit = useExhibit()
+  const exhibits = useExhibits()
+  const [on] = useOn()
+  const [frame] = useFrame()
+  const { bearings, bearing_numbers: numbers, sense, turns } = exhibit
+  const shown = bearings.loads.flatMap((load, index) =>
+    load.on === on ? [{ load, greatest: numbers.greatest[index] ?? '' }] : [],
+  )
+  const largest = largestOf(exhibits, on, unitOf(exhibit, on))
+  return (
+    <>
       <p>
         {t('From inertia and weights, in {unit}; greatest load and its crank angle above each.', {
-          unit: on === 'bearing' ? numbers.bearing_unit : numbers.pin_unit,
+          unit: unitOf(exhibit, on),
         })}{' '}
         {on === 'bearing' && bearings.model}{' '}
         {numbers.estimated && <span class="badge">{t('estimated, with ranges')}</span>}

@@ -2,7 +2,8 @@ import { useSignal } from '@preact/signals'
 import { useEffect, useLayoutEffect, useRef } from 'preact/hooks'
 import { message, t } from '../../language/messages'
 import { reasonOf } from '../../reason'
-import { useApp } from '../context'
+import { useApp, useExhibit } from '../context'
+import { Each } from '../Each'
 import type { Panel } from '../panel'
 import { useVectors, VectorChoice } from '../Vectors'
 
@@ -10,16 +11,31 @@ export const derivation: Panel = {
   key: 'derivation',
   label: message('Derivation'),
   Content: Derivation,
-  when: ({ shown, subject }) => (shown.value[subject.value]?.derivations.length ?? 0) > 0,
+  when: ({ shown, subjects }) =>
+    subjects.value.some((place) => (shown.value[place]?.derivations.length ?? 0) > 0),
 }
 
-/** The derivation of the force or couple of one order, typeset. */
+/** The derivation of the force or couple of one order. */
 function Derivation() {
-  const { host } = useApp()
-  const vectors = useVectors(({ derivations }, quantity) =>
+  return (
+    <>
+      <VectorChoice label={t('Derivation of')} vectors={useDerived()} />
+      <Each Part={Typeset} />
+    </>
+  )
+}
+
+function useDerived() {
+  return useVectors(({ derivations }, quantity) =>
     derivations.filter((each) => each.quantity === quantity).map(({ order }) => order),
   )
-  const { exhibit, quantity, order } = vectors
+}
+
+/** That of one engine, typeset. */
+function Typeset() {
+  const { host } = useApp()
+  const { quantity, order } = useDerived()
+  const exhibit = useExhibit()
   const key = exhibit.derivations.find(
     (each) => each.quantity === quantity && each.order === order,
   )?.key
@@ -63,9 +79,11 @@ function Derivation() {
 
   return (
     <>
-      <VectorChoice label={t('Derivation of')} vectors={vectors} />
+      {key === undefined && (
+        <p class="soft">{t('There is no derivation of this order for this engine.')}</p>
+      )}
       {trouble.value && <p role="alert">{trouble.value}</p>}
-      {!text && !trouble.value && <p class="soft">{t('Deriving …')}</p>}
+      {key !== undefined && !text && !trouble.value && <p class="soft">{t('Deriving …')}</p>}
       {text && <div class="typeset" ref={typeset} dangerouslySetInnerHTML={{ __html: text }} />}
     </>
   )

@@ -7,7 +7,7 @@ export const edit: Panel = {
   key: 'edit',
   label: message('Edit'),
   Content: Edit,
-  ofAll: true,
+  of: 'all',
   when: ({ host }) => !!host.service,
 }
 

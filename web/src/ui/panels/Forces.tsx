@@ -1,10 +1,11 @@
+import type { ChartKey, Exhibit } from '../../exhibit'
 import { message, t } from '../../language/messages'
 import { QUANTITIES, set } from '../../state'
 import { Choice } from '../Choice'
-import { useApp, useExhibit } from '../context'
-import { Figure } from '../Figure'
+import { useApp, useExhibits } from '../context'
+import { Figures } from '../Figures'
 import { quantityName } from '../names'
-import { orderText } from '../OrderChoice'
+import { ordersOf, orderText } from '../OrderChoice'
 import type { Panel } from '../panel'
 
 export const forces: Panel = {
@@ -16,18 +17,19 @@ export const forces: Panel = {
 /** A quantity over the crank angle, and the path of its vector. */
 function Forces() {
   const { store, quantity: chosen } = useApp()
-  const exhibit = useExhibit()
+  const exhibits = useExhibits()
   const quantity = chosen.value
   const single = store.orders.value?.length === 1 ? store.orders.value[0] : undefined
-  const paths = exhibit.charts.filter(
-    (chart) => chart.figure === 'hodograph' && chart.quantity === quantity,
+  const isPath = (chart: ChartKey): boolean =>
+    chart.figure === 'hodograph' && chart.quantity === quantity
+  const orders = ordersOf(exhibits, ({ charts }) =>
+    charts.flatMap((chart) => (isPath(chart) && chart.order != null ? [chart.order] : [])),
   )
-  const path =
-    paths.find((chart) => chart.order === single) ?? paths.find((chart) => chart.order == null)
-  const over = exhibit.charts.find(
-    (chart) => chart.figure === 'over-turn' && chart.quantity === quantity,
-  )
-  const orders = paths.flatMap((chart) => (chart.order == null ? [] : [chart.order]))
+  const path = orders.find((order) => order === single)
+  const shownOf = ({ charts }: Exhibit): readonly ChartKey[] => [
+    ...charts.filter((chart) => chart.figure === 'over-turn' && chart.quantity === quantity),
+    ...charts.filter((chart) => isPath(chart) && (chart.order ?? undefined) === path),
+  ]
   return (
     <>
       <div class="controls">
@@ -37,22 +39,19 @@ function Forces() {
           choices={QUANTITIES.map((each) => ({ value: each, label: quantityName(each) }))}
           chosen={(value) => set(store.quantity, value)}
         />
-        {paths.length > 0 && (
+        {orders.length > 0 && (
           <Choice
             label={t('Path of order')}
-            value={path?.order == null ? '' : String(path.order)}
+            value={path === undefined ? '' : String(path)}
             choices={[
               { value: '', label: t('all') },
-              ...orders.map((each) => ({ value: String(each), label: orderText(exhibit, each) })),
+              ...orders.map((each) => ({ value: String(each), label: orderText(exhibits, each) })),
             ]}
             chosen={(value) => set(store.orders, value === '' ? null : [Number(value)])}
           />
         )}
       </div>
-      <div class="figures">
-        {over && <Figure key={over.key} exhibit={exhibit} chart={over.key} label={over.label} />}
-        {path && <Figure key={path.key} exhibit={exhibit} chart={path.key} label={path.label} />}
-      </div>
+      <Figures charts={shownOf} of={exhibits} />
     </>
   )
 }

@@ -2,7 +2,8 @@ import { useMemo, useRef } from 'preact/hooks'
 import type { Exhibit, Row } from '../../exhibit'
 import { message, plural, t } from '../../language/messages'
 import { QUANTITIES } from '../../state'
-import { useApp, useExhibit, useFollower } from '../context'
+import { BothOrders } from '../BothOrders'
+import { useApp, useExhibit, useExhibits, useFollower } from '../context'
 import { dotOf, moveDots, sharesOf } from '../dots'
 import { quantityName, TERMS, unitOf } from '../names'
 import { isChosen, OrderChoice } from '../OrderChoice'
@@ -16,8 +17,24 @@ export const orders: Panel = {
   Content: Orders,
 }
 
-/** The table of orders: size and path of each, with the present point on the path. */
+/** The orders of the engine, or of both beside each other. */
 function Orders() {
+  const [one, other] = useExhibits()
+  return (
+    <>
+      <OrderChoice />
+      {one && other ? <BothOrders one={one} other={other} /> : <Table />}
+      <p class="soft small">
+        {t(
+          'All paths of a quantity have one scale and are seen from the front; what is below 1 % of the greatest is pale. The dot marks the present crank angle. a ∠ p stands for a cos(kθ + p). Click an order to show it alone; click it again to show all orders.',
+        )}
+      </p>
+    </>
+  )
+}
+
+/** The table of orders: size and path of each, with the present point on the path. */
+function Table() {
   const exhibit = useExhibit()
   const body = useRef<HTMLTableElement>(null)
   const shares = useMemo(() => sharesOf(exhibit.table), [exhibit])
@@ -27,46 +44,38 @@ function Orders() {
   )
   useFollower((theta) => moveDots(body.current, dots, theta), [dots])
   return (
-    <>
-      <OrderChoice />
-      <section class="scroll" aria-label={t('Orders')}>
-        <table class="orders" ref={body}>
-          <thead>
-            <tr>
-              <th scope="col">
-                <Term word="order">{t('order')}</Term>
-              </th>
-              <th scope="col">
-                <Term word="path">{t('path')}</Term>
-              </th>
-              <th scope="col" class="right">
-                <Term word="greatest">{t('greatest')}</Term>
-              </th>
-              <th scope="col">
-                <Term word="vertical">{t('vertical')}</Term>
-              </th>
-              <th scope="col">
-                <Term word="horizontal">{t('horizontal')}</Term>
-              </th>
-            </tr>
-          </thead>
-          {QUANTITIES.map((quantity) => (
-            <Group
-              key={quantity}
-              exhibit={exhibit}
-              quantity={quantity}
-              rows={exhibit.table.filter((row) => row.quantity === quantity)}
-              shares={shares}
-            />
-          ))}
-        </table>
-      </section>
-      <p class="soft small">
-        {t(
-          'All paths of a quantity have one scale and are seen from the front; what is below 1 % of the greatest is pale. The dot marks the present crank angle. a ∠ p stands for a cos(kθ + p). Click an order to show it alone; click it again to show all orders.',
-        )}
-      </p>
-    </>
+    <section class="scroll" aria-label={t('Orders')}>
+      <table class="orders" ref={body}>
+        <thead>
+          <tr>
+            <th scope="col">
+              <Term word="order">{t('order')}</Term>
+            </th>
+            <th scope="col">
+              <Term word="path">{t('path')}</Term>
+            </th>
+            <th scope="col" class="right">
+              <Term word="greatest">{t('greatest')}</Term>
+            </th>
+            <th scope="col">
+              <Term word="vertical">{t('vertical')}</Term>
+            </th>
+            <th scope="col">
+              <Term word="horizontal">{t('horizontal')}</Term>
+            </th>
+          </tr>
+        </thead>
+        {QUANTITIES.map((quantity) => (
+          <Group
+            key={quantity}
+            exhibit={exhibit}
+            quantity={quantity}
+            rows={exhibit.table.filter((row) => row.quantity === quantity)}
+            shares={shares}
+          />
+        ))}
+      </table>
+    </section>
   )
 }
 

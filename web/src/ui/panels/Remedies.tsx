@@ -3,7 +3,7 @@ import type { Exhibit } from '../../exhibit'
 import { message, t } from '../../language/messages'
 import { set } from '../../state'
 import { Choice } from '../Choice'
-import { useApp } from '../context'
+import { useApp, useSubject } from '../context'
 import { DataTable } from '../DataTable'
 import { Figure } from '../Figure'
 import type { Panel } from '../panel'
@@ -15,13 +15,15 @@ export const remedies: Panel = {
   key: 'remedies',
   label: message('Balancing'),
   Content: Remedies,
+  of: 'each',
 }
 
 /** The engine as it is, and with counterweights and balance shafts. */
 function Remedies() {
-  const { store, cured, engines, cure, subject } = useApp()
-  const before = engines.value[subject.value]
-  const after = cured.value[subject.value]
+  const { store, cured, engines, cure } = useApp()
+  const place = useSubject()
+  const before = engines.value[place]
+  const after = cured.value[place]
   useEffect(cure, [before, cure])
   if (!before) return null
   if (after === undefined) return <p class="soft">{t('Fitting weights and shafts …')}</p>

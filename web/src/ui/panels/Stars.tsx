@@ -1,6 +1,6 @@
 import type { ChartKey } from '../../exhibit'
 import { message, t } from '../../language/messages'
-import { Figure } from '../Figure'
+import { Figures } from '../Figures'
 import type { Panel } from '../panel'
 import { useVectors, VectorChoice } from '../Vectors'
 
@@ -19,18 +19,14 @@ function Stars() {
     const of = (chart: ChartKey): boolean => chart.figure === STAR && chart.quantity === quantity
     return charts.filter(of).flatMap((chart) => (chart.order == null ? [] : [chart.order]))
   })
-  const { exhibit, quantity, order } = vectors
+  const { exhibits, quantity, order } = vectors
   const isShown = (chart: ChartKey): boolean =>
     chart.figure === 'crank-star' ||
     (DRAWN.includes(chart.figure) && chart.quantity === quantity && chart.order === order)
   return (
     <>
       <VectorChoice label={t('Vectors of')} vectors={vectors} />
-      <div class="figures">
-        {exhibit.charts.filter(isShown).map((chart) => (
-          <Figure key={chart.key} exhibit={exhibit} chart={chart.key} label={chart.label} />
-        ))}
-      </div>
+      <Figures charts={(exhibit) => exhibit.charts.filter(isShown)} of={exhibits} />
     </>
   )
 }

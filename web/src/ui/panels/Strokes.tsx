@@ -10,6 +10,7 @@ export const strokes: Panel = {
   key: 'strokes',
   label: message('Strokes'),
   Content: Strokes,
+  of: 'each',
 }
 
 /** Firing, valve events and exhaust neighbours of each cylinder. */

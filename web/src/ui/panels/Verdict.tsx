@@ -7,6 +7,7 @@ export const verdict: Panel = {
   key: 'verdict',
   label: message('Verdict'),
   Content: Verdict,
+  of: 'each',
 }
 
 /** The sentences of the verdict, by subject. */

@@ -4,11 +4,12 @@ import { message, t } from '../../language/messages'
 import { lengthText, lengthUnit, rangedText } from '../../lengths'
 import { Switch } from '../../Switch'
 import { set } from '../../state'
-import { useApp, useExhibit } from '../context'
+import { useApp, useExhibit, useExhibits } from '../context'
 import { DataTable } from '../DataTable'
+import { Each } from '../Each'
 import { OrderChoice } from '../OrderChoice'
 import type { Panel } from '../panel'
-import { reachOf, rollOf, suggestedMagnification, toggledWhirl } from '../whirl'
+import { reachOf, rollOf, toggledWhirl, usualMagnification } from '../whirl'
 
 /** The slider runs from 1 to a million, in powers of ten. */
 const DECADES = 6
@@ -23,11 +24,7 @@ export const whirl: Panel = {
 function WhirlPanel() {
   const app = useApp()
   const { store } = app
-  const exhibit = useExhibit()
-  const orders = store.orders.value
-  const { whirl, whirl_ends: ends, units } = exhibit
-  const most = suggestedMagnification(exhibit)
-  const displacement = useMemo(() => paths(exhibit, orders), [exhibit, orders])
+  const most = usualMagnification(useExhibits())
   return (
     <>
       <p>
@@ -62,6 +59,20 @@ function WhirlPanel() {
         </div>
       )}
       <OrderChoice />
+      <Each Part={Displacement} />
+    </>
+  )
+}
+
+/** How far one engine moves, and the block of which that is true. */
+function Displacement() {
+  const { store } = useApp()
+  const exhibit = useExhibit()
+  const orders = store.orders.value
+  const { whirl, whirl_ends: ends, units } = exhibit
+  const displacement = useMemo(() => paths(exhibit, orders), [exhibit, orders])
+  return (
+    <>
       <DataTable table={displacement} />
       <DataTable
         table={{

@@ -2,6 +2,7 @@ import type { Panel } from '../panel'
 import { about } from './About'
 import { bearings } from './Bearings'
 import { compare } from './Compare'
+import { cylinders } from './Cylinders'
 import { derivation } from './Derivation'
 import { edit } from './Edit'
 import { forces } from './Forces'
@@ -18,6 +19,7 @@ export const PANELS: readonly Panel[] = [
   orders,
   stars,
   forces,
+  cylinders,
   bearings,
   strokes,
   derivation,
