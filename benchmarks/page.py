@@ -92,7 +92,7 @@ def rows() -> list[tables.Row]:
             (
                 f"the page of {MEASURED}, all figures in it",
                 f"{path.stat().st_size / 1e6:.2f} MB",
-                "3 MB",
+                "2 MB",
             )
         )
         out.append(

@@ -2,6 +2,7 @@ import { fileURLToPath } from 'node:url'
 import { defineConfig } from 'vite'
 import { catalogs } from './build/catalogs.mjs'
 import { licences } from './build/licences.mjs'
+import { mathFont } from './build/mathfont.mjs'
 
 const PACKAGES = 'packages.json'
 const PARTS = fileURLToPath(new URL('build/vega.mjs', import.meta.url))
@@ -22,5 +23,5 @@ export default defineConfig({
     rolldownOptions: { output: { minify: true } }, // of a library vite leaves the white space
   },
   define: { 'process.env.NODE_ENV': '"production"' },
-  plugins: [catalogs(), licences(PACKAGES)],
+  plugins: [catalogs(), mathFont(), licences(PACKAGES)],
 })

@@ -14,7 +14,7 @@ from crankstar import cli
 from crankstar.files.catalog import load
 from crankstar.page.standalone import NO_SCRIPT
 
-GREATEST = 3_000_000
+GREATEST = 2_000_000
 """Bytes of a page."""
 Build = Callable[..., Path]
 
@@ -67,3 +67,30 @@ def test_no_other_script_runs_in_it_and_nothing_is_loaded(
         )
         assert refused == "refused"
     assert any("Content Security Policy" in complaint for complaint in complaints)
+
+
+def test_a_script_may_hold_the_page_before_its_own_script_has_come(
+    built_page: Build, page: Page
+) -> None:
+    page.add_init_script(
+        "addEventListener('DOMContentLoaded', () => {"
+        " window.held = document.querySelector('[data-crankstar]').crankstar })"
+    )
+    page.goto(f"{built_page('v8-cross-plane').as_uri()}#a=40")
+    assert page.evaluate("async () => { await held.ready; return held.theta }") == 40
+
+
+def test_formulas_are_set_in_the_font_that_the_page_carries(built_page: Build, page: Page) -> None:
+    opened(page, built_page("single", figures=True), "a=0&tab=derivation")
+    page.wait_for_selector(".typeset math")
+    page.wait_for_function("() => [...document.fonts].some(font => font.status === 'loaded')")
+    faces = page.evaluate("() => [...document.fonts].map(font => font.family)")
+    assert [face.strip('"') for face in faces] == ["crankstar math"]
+    wide = (
+        "family => { const text = document.createElement('span'); text.textContent = 'rω²λψ';"
+        " text.style.font = `40px ${family}`; document.body.append(text);"
+        " const { width } = text.getBoundingClientRect(); text.remove(); return width }"
+    )
+    first = page.locator(".typeset math").first.evaluate("it => getComputedStyle(it).fontFamily")
+    assert first.split(",")[0].strip('"') == "crankstar math"
+    assert page.evaluate(wide, '"crankstar math", monospace') != page.evaluate(wide, "monospace")

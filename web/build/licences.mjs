@@ -1,4 +1,5 @@
 // The licences of the packages in the bundle, in a file beside it and, for the page, in it.
+import { fontLicence } from './mathfont.mjs'
 
 const FILE = 'third-party-licences.txt'
 /** The text in ui/notices.ts that the licences take the place of. */
@@ -24,7 +25,7 @@ export const licences = (list) => ({
   generateBundle: {
     order: 'post',
     handler(_, bundle) {
-      const text = notices(JSON.parse(bundle[list].source))
+      const text = notices([...JSON.parse(bundle[list].source), fontLicence()])
       delete bundle[list]
       this.emitFile({ type: 'asset', fileName: FILE, source: text })
       for (const chunk of Object.values(bundle)) {

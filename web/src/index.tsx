@@ -132,7 +132,11 @@ export function show(
   ready.catch((error: unknown) => {
     draw(<p class="crankstar failed">{reasonOf(error)}</p>, el)
   })
-  el.crankstar = handleOf(el, ready, () => app, stages)
+  const handle = handleOf(el, ready, () => app, stages)
+  // who asked before this script had come holds an object in its place, which it takes over
+  const held = el.crankstar ?? {}
+  el.crankstar = Object.defineProperties(held, Object.getOwnPropertyDescriptors(handle)) as Handle
+  el.dispatchEvent(new Event('crankstar'))
   return () => {
     ended = true
     begun()

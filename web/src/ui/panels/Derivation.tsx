@@ -4,6 +4,7 @@ import { message, t } from '../../language/messages'
 import { reasonOf } from '../../reason'
 import { useApp, useExhibit } from '../context'
 import { Each } from '../Each'
+import { loadMathFont } from '../mathFont'
 import type { Panel } from '../panel'
 import { useVectors, VectorChoice } from '../Vectors'
 
@@ -43,6 +44,8 @@ function Typeset() {
   const trouble = useSignal('')
   const typeset = useRef<HTMLDivElement>(null)
   const text = html.value
+
+  useEffect(() => void loadMathFont(), [])
 
   // a formula that is longer than the panel is wide is scrolled with the arrow keys
   useLayoutEffect(() => {

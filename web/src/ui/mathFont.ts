@@ -1,0 +1,16 @@
+import font from 'virtual:math-font'
+
+/** The family of the font in which formulas are set. */
+const FAMILY = 'crankstar math'
+let wanted: Promise<unknown> | null = null
+
+/** Has formulas set in the font that travels with the page, from the first time that one is shown. */
+export function loadMathFont(): Promise<unknown> {
+  // from bytes, not from an address: no policy of a page has to allow it
+  wanted ??= new FontFace(FAMILY, bytesOf(font)).load().then((face) => document.fonts.add(face))
+  return wanted
+}
+
+function bytesOf(base64: string): ArrayBuffer {
+  return Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0)).buffer
+}
