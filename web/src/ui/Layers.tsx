@@ -1,5 +1,6 @@
 import { useSignal } from '@preact/signals'
 import { useId, useMemo } from 'preact/hooks'
+import type { StrokeColours } from '../exhibit'
 import { message, t } from '../language/messages'
 import { Switch } from '../Switch'
 import { banksOf } from '../stage/banks'
@@ -94,8 +95,39 @@ export function Layers() {
             }
           />
         </label>
+        <StrokeLegend />
       </div>
     </section>
+  )
+}
+
+const STROKES = {
+  intake: message('intake'),
+  compression: message('compression'),
+  power: message('power'),
+  exhaust: message('exhaust'),
+} as const satisfies Record<keyof StrokeColours, string>
+
+/** The colours of the strokes, as on the stage and in the stroke chart. */
+function StrokeLegend() {
+  const { store, shown, host } = useApp()
+  const strokes = new Set(
+    shown.value.flatMap((exhibit) => exhibit.stroke_windows.map(({ stroke }) => stroke)),
+  )
+  if (!store.glow.value || !strokes.size) return null
+  const colours = host.exhibition.stroke_colours
+  const all = Object.keys(STROKES) as (keyof StrokeColours)[]
+  return (
+    <ul class="legend" aria-label={t('Colours of the strokes')}>
+      {all
+        .filter((stroke) => strokes.has(stroke))
+        .map((stroke) => (
+          <li key={stroke}>
+            <span class="swatch" style={{ background: colours[stroke] }} aria-hidden="true" />
+            {t(STROKES[stroke])}
+          </li>
+        ))}
+    </ul>
   )
 }
 
