@@ -6,6 +6,7 @@ MathML needs neither script nor network, and every browser of today sets it.
 from __future__ import annotations
 
 import re
+from base64 import b64encode
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from html import escape
@@ -38,6 +39,21 @@ Attributes would break a strict Content-Security-Policy.
 """
 
 PLUS = "<mo form='infix'>+</mo>"
+MATH_FONT = Path(__file__).parents[1] / "bundle" / "math.woff2"
+FONTS = '"crankstar math", "STIX Two Math", "Latin Modern Math", "Cambria Math", math'
+
+
+def math_style() -> str:
+    """The style of formulas, with the font for mathematics that a built package has with it.
+
+    A Content-Security-Policy has to allow `font-src data:`.
+    """
+    own = ""
+    if MATH_FONT.is_file():
+        data = b64encode(MATH_FONT.read_bytes()).decode()
+        address = f'url("data:font/woff2;base64,{data}") format("woff2")'
+        own = f'@font-face {{ font-family: "crankstar math"; src: {address}; }}\n'
+    return f"{own}math {{ font-family: {FONTS}; }}\n{ALIGNED}"
 
 
 def rendered(chapters: Sequence[Readable], notation: Notation = CRANKSTAR) -> Any:
@@ -310,13 +326,13 @@ def html(chapters: Sequence[Readable], notation: Notation = CRANKSTAR) -> str:
     return _template("document.html").format(
         language=language(),
         name=escape(chapters[0].engine),
-        style=ALIGNED + _template("document.css"),
+        style=math_style() + _template("document.css"),
         parts="\n".join(html_parts(chapters, notation)),
     )
 
 
 def html_parts(chapters: Sequence[Readable], notation: Notation = CRANKSTAR) -> list[str]:
-    """Chapters as parts of one page whose style has `ALIGNED`.
+    """Chapters as parts of one page that has `math_style`.
 
     Each letter is explained where it comes first.
     """

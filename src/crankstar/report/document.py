@@ -75,12 +75,14 @@ def _page(name: str, inner: str) -> str:
     sheet = files("crankstar.report").joinpath("sheet.css").read_text(encoding="utf-8")
     rules, families = lettering.faces(inner + name)
     lettered = rules + lettering.rules_of(families)
-    aligned = ""
+    formulas = ""
     if "<math" in inner:  # the exact algebra is slow to load
-        from crankstar.derive.documents import ALIGNED as aligned  # noqa: N811
-    style = f"\n{sheet}{aligned}{sources.frame_style()}\n{lettered}{_running(name)}"
+        from crankstar.derive.documents import math_style
+
+        formulas = math_style()
+    style = f"\n{sheet}{formulas}{sources.frame_style()}\n{lettered}{_running(name)}"
     allowed = f"sha256-{b64encode(sha256(style.encode()).digest()).decode()}"
-    fonts = "font-src data:; " if families else ""
+    fonts = "font-src data:; " if families or formulas else ""
     policy = (
         f"default-src 'none'; style-src '{allowed}'; img-src data:; {fonts}base-uri 'none'; "
         "form-action 'none'"
