@@ -12,8 +12,10 @@ Rooms, top to bottom; a room imports only from rooms below it, and lists its mod
 |---|---|
 | `cli/` | the commands of the command line and their options; no logic |
 | `server/` | that page live on this machine, over HTTP |
+| `site/` | the whole catalog as pages for any web host |
 | `report/` | one document with tables and figures, for print |
 | `exports/` | an engine for other tools: EXUDYN, glTF, STL |
+| `pictures/` | the engine itself, drawn at a crank angle or as a film |
 | `page/` | the page on which the engine turns: its data, one file, the notebook widget |
 | `options/` | what is typed in a command line or a dialog, read as checked values |
 | `charts/` | figures, one function each |

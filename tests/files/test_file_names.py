@@ -19,11 +19,13 @@ from crankstar.options.forms import DERIVATIONS
 LINES = [
     "analyze single",
     "analyze i4 --speeds '600..1200 rpm/3'",
+    "animate single --seconds 0.2 --frames-per-second 10 --size 96x72",
     "balance single --factor 0.5",
     "bearings i4",
     "bobweight single",
     "compare single i4",
     "derive single --orders 1 --quantity force",
+    "draw single",
     "drill --unbalance '850 g*mm at 20 deg' --at-radius '60 mm' --diameter '12 mm'",
     "errata --source kr250",
     "estimate single --displacement '250 cc'",
@@ -64,11 +66,13 @@ def is_table(content: bytes) -> bool:
 
 FITS: dict[str, Callable[[bytes], bool]] = {
     "csv": is_table,
+    "gif": starting(b"GIF89a"),
     "glb": starting(b"glTF"),
     "htm": starting(b"<!doctype", b"<!DOCTYPE"),
     "html": starting(b"<!doctype", b"<!DOCTYPE"),
     "json": lambda content: isinstance(json.loads(content), dict | list),
     "md": starting(b"# "),
+    "mp4": lambda content: content[4:8] == b"ftyp",
     "parquet": starting(b"PAR1"),
     "pdf": starting(b"%PDF"),
     "png": starting(b"\x89PNG"),
@@ -78,6 +82,7 @@ FITS: dict[str, Callable[[bytes], bool]] = {
     "tex": starting(b"\\documentclass"),
     "toml": lambda content: "format" in tomllib.loads(content.decode()),
     "txt": is_readable,
+    "webp": lambda content: content[8:12] == b"WEBP",
     "xlsx": starting(b"PK"),
 }
 """Whether what stands in a file is what its name promises, by suffix."""

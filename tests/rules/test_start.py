@@ -9,7 +9,18 @@ from pathlib import Path
 import pytest
 
 HEAVY = {
-    *("altair", "anywidget", "asyncio", "babel", "clarabel", "cyclopts", "dask", "distributed"),
+    *(
+        "altair",
+        "anywidget",
+        "asyncio",
+        "PIL.Image",
+        "imageio_ffmpeg",
+        "babel",
+        "clarabel",
+        "cyclopts",
+        "dask",
+        "distributed",
+    ),
     *(
         "fastapi",
         "flint",
@@ -33,6 +44,8 @@ MAY_LOAD = {
     "derive i4": {*TERMINAL, "flint"},
     "search 5": {*TERMINAL, "flint", "numba", "numpy.ma", "scipy"},
     "plot i4 hodograph -o x.svg": {"cyclopts", "vl_convert"},
+    "draw i4 -o x.svg": {"cyclopts"},
+    "animate i4 --seconds 0.2 -o x.gif": {"cyclopts", "vl_convert", "PIL.Image"},
     "page i4 -o x.html": {"cyclopts", "flint"},
     "report i4 -o x.html": {"cyclopts", "flint", "vl_convert", "asyncio"},
 }

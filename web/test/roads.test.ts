@@ -12,6 +12,9 @@ import {
   turn,
   vectorAt,
 } from '../src/phasor'
+import { clearestAzimuth } from '../src/stage/clearest'
+import { Loads } from '../src/stage/load'
+import type { View } from '../src/stage/stage'
 
 /**
  * What Python says of an engine at an angle; written by tests/methods/test_motion_ts.py, which runs
@@ -30,13 +33,31 @@ interface Said {
 }
 
 const file = process.env.CRANKSTAR_ROADS
-const roads: { exhibit: Exhibit; stroke: number; said: Said[] }[] = file
+interface Road {
+  exhibit: Exhibit
+  stroke: number
+  said: Said[]
+  /** Of pictures without a browser: the isometric view, and what the longest arrows stand for. */
+  azimuth: number
+  longest: { force: number; couple: number }
+}
+
+const roads: Road[] = file
   ? JSON.parse(readFileSync(file, 'utf8'))
   : []
 
 describe.skipIf(!file).each(roads)(
   'the browser and Python agree: $exhibit.name',
-  ({ exhibit, stroke, said }) => {
+  ({ exhibit, stroke, said, azimuth, longest }) => {
+    test('pictures are seen from the same side, with arrows of the same scale', () => {
+      expect(clearestAzimuth(exhibit.scene)).toBeCloseTo(azimuth, 12)
+      const arrows = { force: true, couple: true, roll: false, cylinders: false }
+      const view = { theta: 0, arrows: { ...arrows, orders: null, scale: 1 } } as unknown as View
+      const load = new Loads(exhibit).at(view)
+      for (const kind of ['force', 'couple'] as const)
+        expect(load[kind] * exhibit.units[`${kind}_factor`]).toBeCloseTo(longest[kind], 9)
+    })
+
     test.each(said)('at $theta', (one) => {
       const chain = chainOf(exhibit.scene, exhibit.sense)
       const places = moved(chain, one.theta, placesOf(chain))

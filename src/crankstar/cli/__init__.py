@@ -17,6 +17,7 @@
 | `balancing` | balance |
 | `workshop` | bobweight, drill, grade |
 | `picturing` | plot |
+| `drawing` | draw, animate |
 | `sweeping` | sweep |
 | `showing` | page |
 | `reporting` | report |

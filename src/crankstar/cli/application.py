@@ -40,12 +40,14 @@ EVERYWHERE = N_(
 """The options that are taken out of the words before a command is read, at the end of any help."""
 VERBS = {
     "analyze": "inspect:analyze",
+    "animate": "drawing:animate",
     "balance": "balancing:balance",
     "bearings": "inspect:bearings",
     "bobweight": "workshop:bobweight",
     "check": "files:check",
     "compare": "inspect:compare",
     "derive": "deriving:derive",
+    "draw": "drawing:draw",
     "drill": "workshop:drill",
     "errata": "deriving:errata",
     "estimate": "estimating:estimate",

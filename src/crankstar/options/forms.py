@@ -24,6 +24,8 @@ EXTRAS = {
     "glb": ("trimesh", "solids"),
     "stl": ("trimesh", "solids"),
     "chart": ("vl_convert", "charts"),
+    "film": ("PIL", "film"),
+    "mp4": ("imageio_ffmpeg", "film"),
 }
 """The library that a form needs, and the extra of this package that brings it."""
 

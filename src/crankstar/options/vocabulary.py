@@ -30,6 +30,11 @@ OPTIONS = {
     "--any": Option(
         "nothing", "List every order that the dead centres allow, the most even first."
     ),
+    "--arrows": Option(
+        "text",
+        "Arrows on the engine with commas, of force and couple, or none (default: force,couple).",
+        ("--no-arrows", "--forces"),
+    ),
     "--at-radius": Option(
         "text",
         'Radius at which it is drilled, such as "80 mm": of the rim, or of the axis of an axial '
@@ -126,6 +131,9 @@ OPTIONS = {
         ("--letters", "--text-size"),
     ),
     "--format": Option("text", "text, latex, markdown or html."),
+    "--frames-per-second": Option(
+        "number", "Pictures of a film in a second (default: 25).", ("--fps", "--rate", "--frames")
+    ),
     "--front": Option(
         "nothing",
         "The Pareto front: where one quantity can improve only at the expense of another.",
@@ -261,6 +269,9 @@ OPTIONS = {
     "--scheduler": Option(
         "text", "A dask scheduler with workers, as in tcp://host:8786.", ("--cluster", "--dask")
     ),
+    "--seconds": Option(
+        "number", "How long a turn of the crankshaft takes in a film (default: 3).", ("--duration",)
+    ),
     "--set": Option(
         "several texts",
         'Change a value of the file, such as layout.bore_pitch="100 mm"; repeatable.',
@@ -291,6 +302,9 @@ OPTIONS = {
     ),
     "--signs": Option(
         "nothing", "Derive the six signs of balance instead: P_R, M_R, P_I, M_I, P_II, M_II."
+    ),
+    "--size": Option(
+        "text", "Width and height of the picture in pixels (default: 720x540).", ("--pixels",)
     ),
     "--slug": Option(
         "text",
@@ -369,6 +383,12 @@ OPTIONS = {
         "nothing",
         "Also the vectors that turn with the crankshaft and against it.",
         ("--forward", "--backward"),
+    ),
+    "--view": Option(
+        "text",
+        "From where the engine is seen: isometric, front, side, plan, or sheet, which has all four "
+        "(default: isometric).",
+        ("--camera", "--look", "--from"),
     ),
     "--weights": Option(
         "text",

@@ -1,0 +1,107 @@
+"""The verbs that draw the engine itself: draw, animate."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+from functools import partial
+from typing import Annotated
+
+from crankstar.cli.options import (
+    FLAT,
+    EngineName,
+    Estimating,
+    Settings,
+    loaded_values,
+    option,
+    together,
+)
+from crankstar.cli.output import progress, working, writable, write_result
+from crankstar.language.messages import _
+from crankstar.options import pictures as request
+from crankstar.options.forms import form_of, refuse_terminal, require, usual_place
+
+
+@dataclass(frozen=True)
+class Sight:
+    """How the engine is seen: from where, how large, in which colours, with which arrows."""
+
+    view: Annotated[str | None, option("--view")] = None
+    size: Annotated[str | None, option("--size")] = None
+    theme: Annotated[str | None, option("--theme", "Not print.")] = None
+    arrows: Annotated[str | None, option("--arrows")] = None
+    orders: Annotated[str | None, option("--orders", "Those of the arrows; default: all.")] = None
+
+
+def draw(
+    engine: EngineName,
+    /,
+    *,
+    theta: Annotated[str | None, option("--theta", "One; default: 0 deg.")] = None,
+    sight: Annotated[Sight, FLAT] = Sight(),  # it is frozen
+    settings: Settings = None,
+    estimate: Estimating = False,
+    output: Annotated[
+        str | None, option("--output", ".svg, .png or .pdf; default: ENGINE.svg.")
+    ] = None,
+) -> None:
+    """Draw the engine itself at a crank angle, with its forces: a picture without a browser."""
+    from crankstar.pictures.films import STILLS
+
+    usual = usual_place(engine, kind="svg")
+    refuse_terminal(output, STILLS)
+    writable(usual if output is None else output)
+    kind = "svg" if output is None else form_of(output, STILLS)
+    if kind != "svg":
+        require("chart")
+    loaded, picture, angle = together(
+        partial(loaded_values, engine, settings, estimate=estimate),
+        partial(request.picture, **asdict(sight)),
+        partial(request.angle, theta),
+    )
+    with working(_("Drawing")):
+        from crankstar.pictures.drawings import drawing
+        from crankstar.pictures.films import still
+
+        content = still(drawing(loaded.engine, picture, theta=angle), kind)
+    write_result(content, output, usual)
+
+
+def animate(
+    engine: EngineName,
+    /,
+    *,
+    sight: Annotated[Sight, FLAT] = Sight(),
+    seconds: Annotated[float | None, option("--seconds")] = None,
+    frames_per_second: Annotated[float | None, option("--frames-per-second")] = None,
+    settings: Settings = None,
+    estimate: Estimating = False,
+    output: Annotated[
+        str | None, option("--output", ".gif, .webp, .png (animated) or .mp4; default: ENGINE.gif.")
+    ] = None,
+) -> None:
+    """Write the turning engine as a film that loops without a seam, without a browser."""
+    from crankstar.pictures.films import FILMS, film
+    from crankstar.pictures.motions import turns_of
+
+    usual = usual_place(engine, kind="gif")
+    refuse_terminal(output, FILMS)
+    writable(usual if output is None else output)
+    kind = form_of(usual if output is None else output, FILMS)
+    require("chart")
+    require("film")
+    loaded, picture = together(
+        partial(loaded_values, engine, settings, estimate=estimate),
+        partial(request.picture, **asdict(sight)),
+    )
+    pace = request.pace(
+        kind, seconds=seconds, rate=frames_per_second, turns=turns_of(loaded.engine)
+    )
+    with progress(_("Drawing")) as tell:
+        content = film(
+            loaded.engine,
+            kind,
+            picture=picture,
+            pace=pace,
+            tell=lambda done, of: tell(done, of, f"{done}/{of}"),
+        )
+    write_result(content, output, usual)
