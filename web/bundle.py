@@ -105,7 +105,9 @@ def build() -> None:
     with tempfile.TemporaryDirectory(dir=WEB / "node_modules", prefix=".bundle-") as folder:
         vite = WEB / "node_modules" / "vite" / "bin" / "vite.js"
         failure = "The page could not be built (vite build in web/)."
-        run(vite, "build", "--outDir", folder, "--logLevel", "warn", failure=failure)
+        for config in ("vite.config.ts", "vite.gallery.config.ts"):
+            to = ("--config", config, "--outDir", folder, "--logLevel", "warn")
+            run(vite, "build", *to, failure=failure)
         for name, copy in SWAGGER.items():
             shutil.copyfile(WEB / "node_modules/swagger-ui-dist" / name, Path(folder) / copy)
         BUNDLE.mkdir(exist_ok=True)

@@ -15,6 +15,7 @@ from crankstar.server import messages
 SENT: tuple[type[BaseModel], ...] = (
     *(Exhibition, Problem, messages.CatalogEntry, messages.DerivationShown),
     *(messages.FittedShown, messages.SearchShown, messages.TomlShown, messages.TreeShown),
+    messages.WatchedShown,
 )
 RECEIVED: tuple[type[BaseModel], ...] = (messages.FittedQuestion, messages.SearchQuestion)
 

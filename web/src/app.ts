@@ -3,6 +3,7 @@ import { commonTurns } from './angle'
 import { type Clock, createClock } from './clock'
 import type { Exhibit, TermShown } from './exhibit'
 import type { Host, Tree } from './host/host'
+import type { News } from './host/watching'
 import { language, t } from './language/messages'
 import { packedTree, unpackedTree } from './packing'
 import { prevailing } from './prevailing'
@@ -51,6 +52,8 @@ export interface App {
   readonly guide: Signal<number>
   /** What went wrong last, as a sentence; empty if nothing. */
   readonly trouble: Signal<string>
+  /** What is wrong with the file that the server watches; null if nothing. */
+  readonly mistakes: Signal<Mistaken | null>
   /** Whether the page is dark, by choice or by the system. */
   readonly dark: ReadonlySignal<boolean>
   readonly calm: ReadonlySignal<boolean>
@@ -60,6 +63,9 @@ export interface App {
   cure(): void
   dispose(): void
 }
+
+/** A file with mistakes. */
+export type Mistaken = Pick<News, 'file' | 'problems'>
 
 const WRITTEN_AFTER = 300
 
@@ -80,7 +86,9 @@ export function createApp(host: Host): App {
   const systemDark = matching('(prefers-color-scheme: dark)', endings)
   const calm = matching('(prefers-reduced-motion: reduce)', endings)
   const trouble = signal('')
-  const own = signal<Exhibit>(host.exhibition.engines[0])
+  const mistakes = signal<Mistaken | null>(null)
+  let given: Exhibit = host.exhibition.engines[0]
+  const own = signal<Exhibit>(given)
   const other = signal<Exhibit | null>(null)
   const known = signal<ReadonlyMap<Exhibit, Exhibit | null>>(new Map())
 
@@ -177,7 +185,7 @@ export function createApp(host: Host): App {
       const name = store.engine.value
       if (name === ownName) return
       ownName = name
-      if (name === '') own.value = host.exhibition.engines[0]
+      if (name === '') own.value = given
       else
         engineNamed(name).then((exhibit) => {
           if (exhibit && ownName === name) own.value = exhibit
@@ -258,6 +266,25 @@ export function createApp(host: Host): App {
     }
   }
 
+  /** A watched file was saved: its engine takes the place of the one before, edited or not. */
+  async function saved({ file, problems, tree }: News): Promise<void> {
+    mistakes.value = problems.length ? { file, problems } : null
+    const answer = tree && (await host.service?.exhibit(tree))
+    if (!answer) return
+    if (!answer.ok) {
+      mistakes.value = { file, problems: answer.problems }
+      return
+    }
+    given = answer.value
+    const name = store.engine.peek()
+    if (name !== '' && !name.startsWith('~')) return
+    ownName = ''
+    store.engine.value = ''
+    own.value = given
+  }
+  const unwatch = host.watched?.((news) => void saved(news).catch(failed))
+  if (unwatch) endings.push(unwatch)
+
   /** Sets the clock as the state has it: at an angle, or turning unless calm is preferred. */
   function start(): void {
     const angle = store.angle.peek()
@@ -294,6 +321,7 @@ export function createApp(host: Host): App {
     explained,
     guide,
     trouble,
+    mistakes,
     dark,
     calm,
     put,

@@ -9,6 +9,7 @@ export interface Exchange {
   SearchShown: SearchShown
   TomlShown: TomlShown
   TreeShown: TreeShown
+  WatchedShown: WatchedShown
   FittedQuestion: FittedQuestion
   SearchQuestion: SearchQuestion
 }
@@ -441,6 +442,17 @@ export interface TomlShown {
 /** An engine file as a tree of keys. */
 export interface TreeShown {
   tree: Record<string, unknown>
+}
+/** The file that the server watches: its engine, and the mistakes that it has at present. */
+export interface WatchedShown {
+  /** grows with every change; 0: no file is watched */
+  version: number
+  /** its name, without its directory */
+  file?: string
+  /** its engine, as it was when it last had no mistake */
+  tree?: Record<string, unknown> | null
+  /** what is wrong with it now */
+  problems?: Problem[]
 }
 /** The weights and balance shafts to fit an engine with; by default the verdict's advice. */
 export interface FittedQuestion {

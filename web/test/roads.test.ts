@@ -42,9 +42,7 @@ interface Road {
   longest: { force: number; couple: number }
 }
 
-const roads: Road[] = file
-  ? JSON.parse(readFileSync(file, 'utf8'))
-  : []
+const roads: Road[] = file ? JSON.parse(readFileSync(file, 'utf8')) : []
 
 describe.skipIf(!file).each(roads)(
   'the browser and Python agree: $exhibit.name',

@@ -20,6 +20,7 @@
 | `drawing` | draw, animate |
 | `sweeping` | sweep |
 | `showing` | page |
+| `siting` | site |
 | `reporting` | report |
 | `serving` | serve |
 | `exporting` | export |

@@ -63,6 +63,7 @@ VERBS = {
     "search": "searching:search",
     "serve": "serving:serve",
     "show": "inspect:show",
+    "site": "siting:site",
     "strokes": "inspect:strokes",
     "sweep": "sweeping:sweep",
     "vees": "firing:vees",
@@ -96,6 +97,8 @@ def main(arguments: Sequence[str] | None = None) -> None:
     words = list(sys.argv[1:] if arguments is None else arguments)
     try:
         with spoken(_language(words)), shown_in(_units(words)):
+            if not words and _gallery():
+                raise SystemExit(0)
             if not words or {"--help", "-h"} & set(words):  # only help needs its libraries
                 from crankstar.cli.help import TranslatedHelp
 
@@ -128,6 +131,18 @@ def main(arguments: Sequence[str] | None = None) -> None:
         code = 130
     abandon()
     sys.exit(code)
+
+
+def _gallery() -> bool:
+    """Serve the gallery where a bare command may open a browser; whether it was served."""
+    if sys.stdout is None or not sys.stdout.isatty():
+        return False
+    from crankstar.cli.serving import gallery, gallery_wanted
+
+    wanted = gallery_wanted()
+    if wanted:
+        gallery()
+    return wanted
 
 
 def _language(words: list[str]) -> str:

@@ -8,11 +8,13 @@ no style, no picture, no connection.
 from __future__ import annotations
 
 import gzip
+import re
 from base64 import b64encode
 from functools import lru_cache
 from hashlib import sha256
 from html import escape
 from pathlib import Path
+from typing import NamedTuple
 
 from crankstar.language.messages import N_, MessageError, _, language
 from crankstar.page.library import Tree, packed
@@ -67,10 +69,51 @@ def _packed(script: str) -> str:
     return b64encode(gzip.compress(script.encode(), 9, mtime=0)).decode()
 
 
-def document(tree: Tree) -> str:
-    """The page with contents of `library.held` as HTML. Raises PageError without a bundle."""
+class Shared(NamedTuple):
+    """What pages of one site share: the address of their script, and of the page above them."""
+
+    script: str
+    up: str
+
+
+def plain_script() -> str:
+    """The front-end as a plain script, which a page that is opened from disk may ask for.
+
+    Raises PageError without a bundle.
+    """
+    own, count = EXPORT.subn("", bundle())
+    if count != 1:
+        raise PageError("the script of the page is not one module; build it anew")
+    return f'(() => {{"use strict";\n{own}\n}})();\n'
+
+
+EXPORT = re.compile(r"export\s*\{[^{}]*\};?\s*$")
+"""The last statement of the bundle, which only a module can have."""
+SHARED_POLICY = (
+    "default-src 'none'; script-src 'self' file:; style-src 'self' file:; "
+    "img-src 'self' file: data: blob:; base-uri 'none'; form-action 'none'"
+)
+"""Of a page of a site, on a web host or on disk: only what is beside it."""
+
+
+def document(tree: Tree, *, shared: Shared | None = None) -> str:
+    """The page with contents of `library.held` as HTML. Raises PageError without a bundle.
+
+    A page of a site has what it shares with the others in files of their own.
+    """
     names = [engine["name"] for engine in tree["exhibition"]["engines"]]
-    script = bundle()
+    up = ""
+    if shared is None:
+        script = bundle()
+        allowed = policy(UNPACK, script)
+        element = (
+            f'<script type="application/gzip" id="crankstar-script">{_packed(script)}</script>\n'
+            f'<script type="module">{UNPACK}</script>'
+        )
+    else:
+        allowed = SHARED_POLICY
+        element = f'<script defer src="{escape(shared.script)}"></script>'
+        up = f'<link rel="up" href="{escape(shared.up)}">'
     title = names[0]
     about = _("Inertia forces and couples of {engine}, and their remedies.", engine=title)
     if len(names) > 1:
@@ -86,19 +129,18 @@ def document(tree: Tree) -> str:
             f'<html lang="{language()}">',
             "<head>",
             '<meta charset="utf-8">',
-            f'<meta http-equiv="Content-Security-Policy" content="{policy(UNPACK, script)}">',
+            f'<meta http-equiv="Content-Security-Policy" content="{allowed}">',
             '<meta name="viewport" content="width=device-width, initial-scale=1">',
             '<meta name="color-scheme" content="light dark">',
             '<meta name="generator" content="crankstar">',
             f'<meta name="description" content="{escape(about)}">',
-            f"<title>{escape(title)}</title>",
+            f"<title>{escape(title)}</title>{up}",
             "</head>",
             "<body>",
             f"<div data-crankstar><p>{escape(_(INCOMPLETE))}</p></div>",
             f"<noscript><h1>{escape(title)}</h1><p>{escape(_(NO_SCRIPT))}</p></noscript>",
             f'<script type="application/json" id="crankstar-data">{packed(tree)}</script>',
-            f'<script type="application/gzip" id="crankstar-script">{_packed(script)}</script>',
-            f'<script type="module">{UNPACK}</script>',
+            element,
             "</body>",
             "</html>",
             "",

@@ -15,7 +15,9 @@ reveals no path of the machine.
 | `guard` | host, kind and size of a question; headers of every answer |
 | `search_process` | a search in a process of its own |
 | `searches` | searches under way: progress, answers, how they stop |
+| `watching` | the file that the server was started with, read again when it is saved |
 | `pages` | the page and its scripts, the description of the API |
+| `galleries` | the catalog as pictures |
 | `routes` | questions about engines, and searches |
 | `application` | the application: routes, refusals, description |
 | `running` | takes a port, prints the address, serves until interrupted |

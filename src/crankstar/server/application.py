@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from typing import Any
@@ -15,11 +16,12 @@ from crankstar import __version__
 from crankstar.language.faults import Fault, ValueFaultError
 from crankstar.language.quoting import seen
 from crankstar.language.server_faults import QUESTION
-from crankstar.server import pages, routes
+from crankstar.server import galleries, pages, routes
 from crankstar.server.answers import Answers
 from crankstar.server.guard import Guard
 from crankstar.server.refusal import Refused, refused
 from crankstar.server.searches import Searches
+from crankstar.server.watching import Watched
 from crankstar.server.workers import Workers
 
 DESCRIPTION = """How a piston engine shakes: force, couple and rolling moment by order,
@@ -35,17 +37,24 @@ OPENS_WITH: Opening = ("v8-cross-plane", "v8-cross-plane", "crankstar serve v8-c
 
 
 def application(
-    *, workers: Workers, opening: Opening = OPENS_WITH, host: str = "127.0.0.1"
+    *,
+    workers: Workers,
+    opening: Opening = OPENS_WITH,
+    host: str = "127.0.0.1",
+    watched: Watched | None = None,
 ) -> Guard:
-    """The ASGI application of the server."""
+    """The ASGI application of the server; the page follows a watched file."""
     searches = Searches()
 
     @asynccontextmanager
     async def lifespan(_: FastAPI) -> AsyncIterator[None]:
         workers.begin()
+        watching = None if watched is None else asyncio.ensure_future(watched.watch())
         try:
             yield
         finally:
+            if watching is not None:
+                watching.cancel()
             searches.end()
             workers.end()
 
@@ -62,8 +71,10 @@ def application(
     app.state.answers = Answers(workers)
     app.state.searches = searches
     app.state.opening = opening
+    app.state.watched = watched
     app.include_router(routes.router)
     app.include_router(pages.router)
+    app.include_router(galleries.router)
     app.add_exception_handler(Refused, _refuse)
     app.add_exception_handler(HTTPException, _refuse_http)
     app.add_exception_handler(RequestValidationError, _refuse_invalid)
@@ -92,7 +103,12 @@ def _methods(request: Request) -> list[str]:
     """The methods of an address, of all its routes; the framework names only those of the first."""
     every = [
         route
-        for route in (*request.app.routes, *routes.router.routes, *pages.router.routes)
+        for route in (
+            *request.app.routes,
+            *routes.router.routes,
+            *pages.router.routes,
+            *galleries.router.routes,
+        )
         if isinstance(route, Route)
     ]
     there = [route for route in every if route.matches(request.scope)[0] is not Match.NONE]

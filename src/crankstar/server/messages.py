@@ -157,6 +157,17 @@ class Refusal(BaseModel):
     problems: list[Problem]
 
 
+class WatchedShown(BaseModel):
+    """The file that the server watches: its engine, and the mistakes that it has at present."""
+
+    version: int = Field(description="grows with every change; 0: no file is watched")
+    file: str = Field(default="", description="its name, without its directory")
+    tree: dict[str, Any] | None = Field(
+        default=None, description="its engine, as it was when it last had no mistake"
+    )
+    problems: list[Problem] = Field(default=[], description="what is wrong with it now")
+
+
 class CatalogEntry(BaseModel):
     """An engine of the catalog."""
 

@@ -31,6 +31,7 @@ DOCUMENT = """<!doctype html>
 </html>
 """
 HEAD = """<link rel="stylesheet" href="/page.css">
+<link rel="up" href="/gallery">
 <script type="module" src="%s"></script>"""
 BODY = """<div data-crankstar="server"></div>
 <noscript>%s</noscript>"""
@@ -143,6 +144,7 @@ TEXTS = {
 }
 FILES = {
     "/app.js": ("crankstar.js", SCRIPT),
+    "/gallery.js": ("gallery.js", SCRIPT),
     "/docs/swagger-ui-bundle.js": ("swagger-ui-bundle.js", SCRIPT),
     "/docs/swagger-ui.css": ("swagger-ui.css", CSS),
 }

@@ -8,16 +8,18 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Annotated, Any, TypeVar
 
-from fastapi import APIRouter, Path, Request, Response
+from fastapi import APIRouter, Path, Query, Request, Response
 from fastapi.routing import APIRoute
 from starlette.exceptions import HTTPException
 
 from crankstar import files
+from crankstar.language.quoting import one_line
 from crankstar.page.records import Exhibit, Exhibition
 from crankstar.server import messages, search_process, tasks
 from crankstar.server.answers import Answers
 from crankstar.server.refusal import Refused, refused
 from crankstar.server.searches import Searches
+from crankstar.server.watching import Watched
 from crankstar.server.workers import Task
 
 JSON = "application/json"
@@ -153,7 +155,31 @@ async def opening(request: Request) -> Response:
 
     Its fitted engine is asked for when it is wanted.
     """
-    return await _answer(request, tasks.opening, *request.app.state.opening)
+    engine, shown, command = request.app.state.opening
+    watched: Watched | None = request.app.state.watched
+    tree = engine if watched is None else watched.tree
+    return await _answer(request, tasks.opening, tree, shown, command)
+
+
+@answering(
+    "GET", "/watched", messages.WatchedShown, "The file that the server watches", tag="server"
+)
+async def watched_file(
+    request: Request,
+    after: Annotated[int, Query(description="the version that is known already", ge=0)] = 0,
+) -> messages.WatchedShown:
+    """Its version, 0 where none is watched; what is new after the version that is known."""
+    watched: Watched | None = request.app.state.watched
+    if watched is None:
+        return messages.WatchedShown(version=0)
+    if watched.version == after:
+        return messages.WatchedShown(version=after)
+    return messages.WatchedShown(
+        version=watched.version,
+        file=one_line(watched.path.name, longest=100),
+        tree=watched.tree,
+        problems=watched.problems,  # pyright: ignore[reportArgumentType]
+    )
 
 
 @answering("GET", "/schema", dict[str, Any], "The JSON Schema of engine files")

@@ -22,6 +22,7 @@ from crankstar.options.values import RequestError
 from crankstar.server import guard
 from crankstar.server.application import Opening, application
 from crankstar.server.refusal import Refused, refused
+from crankstar.server.watching import Watched
 from crankstar.server.workers import Workers
 
 TASK_SECONDS = 10.0
@@ -88,10 +89,17 @@ def address_of(taken: socket.socket, host: str) -> str:
     return f"http://{names.get(host, f'[{host}]' if ':' in host else host)}:{port}/"
 
 
-def serve(taken: socket.socket, *, host: str, opening: Opening, ready: Callable[[], None]) -> None:
+def serve(
+    taken: socket.socket,
+    *,
+    host: str,
+    opening: Opening,
+    ready: Callable[[], None],
+    watched: Watched | None = None,
+) -> None:
     """Serve until an interrupt or a signal to end; `ready` is called when the server is up."""
     workers = Workers(max(1, min(os.cpu_count() or 1, GREATEST_PROCESSES)), seconds=TASK_SECONDS)
-    app = application(workers=workers, opening=opening, host=host)
+    app = application(workers=workers, opening=opening, host=host, watched=watched)
     settings: dict[str, Any] = {
         "lifespan": "on",
         "log_config": None,

@@ -7,6 +7,7 @@ import type {
   SearchQuestion,
   SearchShown,
 } from '../exhibit'
+import type { News } from './watching'
 
 /** A figure as Vega-Lite; where it turns it has one parameter, `theta`, in degrees. */
 export type Spec = Record<string, unknown>
@@ -35,6 +36,8 @@ export interface Host {
   writeState(text: string): void
   /** Calls back when the state changes from outside. Returns what ends it. */
   onState(changed: (text: string) => void): () => void
+  /** Calls back when the file is saved that the server watches; absent elsewhere. */
+  watched?(changed: (news: News) => void): () => void
   /** What only a server can do; absent elsewhere. */
   readonly service?: Service
 }

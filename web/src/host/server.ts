@@ -3,6 +3,7 @@ import { addressState } from './address'
 import { requested, required } from './api'
 import type { Host, Spec } from './host'
 import { service } from './service'
+import { watched } from './watching'
 
 /** Figures and derivations that are kept; a session of editing asks for many. */
 const KEPT = 60
@@ -72,6 +73,7 @@ export async function serverHost(): Promise<Host> {
       const ask = async () => (await post<FittedShown>('fitted', exhibit)).exhibit
       return fitted(`${numberOf(exhibit)}`, ask)
     },
+    watched: (changed) => watched(exhibition.engines[0].file, changed),
     service,
     ...addressState(),
   }

@@ -1,6 +1,7 @@
 import { useSignal } from '@preact/signals'
 import { message, t } from '../language/messages'
 import { set, snapshot, stateText, THEMES, type Theme } from '../state'
+import { Above } from './Above'
 import { useApp } from './context'
 import { Estimates } from './Estimates'
 import { Icon } from './icons'
@@ -56,6 +57,7 @@ export function Header() {
         ))}
       </div>
       <div class="tools">
+        <Above />
         <UnitChoice />
         <span class="said" role="status">
           {note.value}

@@ -8,6 +8,7 @@ import { Guide } from './Guide'
 import { Header } from './Header'
 import { listenForKeys } from './keys'
 import { Layers } from './Layers'
+import { Mistakes } from './Mistakes'
 import { Now } from './Now'
 import { StageView } from './StageView'
 import { Tabs } from './Tabs'
@@ -42,6 +43,7 @@ export function Page({ made }: { made: (index: number, stage: Stage | null) => v
             </button>
           </p>
         )}
+        <Mistakes />
         <Body class="body">
           <div class="left">
             <Layers />

@@ -11,6 +11,8 @@ const PATHS = {
   auto: 'M12 3a9 9 0 1 0 0 18 9 9 0 0 0 0-18zM12 3v18M12 8h7M12 12h9M12 16h7',
   guide:
     'M12 3a9 9 0 1 0 0 18 9 9 0 0 0 0-18zM9.500 9.500a2.500 2.500 0 1 1 3.600 2.200c-.800.500-1.100 1-1.100 1.800M12 16.500v.100',
+  engines:
+    'M4 4h6.500v6.500H4zM13.500 4H20v6.500h-6.500zM4 13.500h6.500V20H4zM13.500 13.500H20V20h-6.500z',
   layers: 'M12 4l9 5-9 5-9-5zM4 13.500l8 4.500 8-4.500',
 } as const
 export type IconName = keyof typeof PATHS

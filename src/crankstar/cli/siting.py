@@ -1,0 +1,62 @@
+"""The verb that writes a site of many engines: site."""
+
+from __future__ import annotations
+
+from pathlib import Path, PurePath
+from typing import Annotated
+
+from cyclopts import Parameter
+
+from crankstar.cli.options import option, together
+from crankstar.cli.output import complain, progress
+from crankstar.files.catalog import names, tree_of
+from crankstar.language.messages import _, _n
+from crankstar.language.quoting import one_line
+from crankstar.options import values as request
+from crankstar.options.forms import STANDARD_OUTPUT, require
+from crankstar.options.values import RequestError, refusal
+
+USUAL = "crankstar-site"
+
+
+def site(
+    *engines: Annotated[
+        str, Parameter(help="Engines: names from the catalog, or files; default: the catalog.")
+    ],
+    output: Annotated[
+        str | None, option("--output", f"Here a directory; default: {USUAL}.")
+    ] = None,
+) -> None:
+    """Write engines as a site for any web host: a gallery of pictures, and a page of each."""
+    require("chart")
+    require("film")
+    if output is not None and output in STANDARD_OUTPUT:
+        raise refusal("-o", output, "name a directory")
+    place = Path(USUAL if output is None else output)
+    from crankstar.site.building import build, check_place
+    from crankstar.site.pages import Subject, card_of
+
+    check_place(place.resolve())
+    subjects = []
+    for word in engines or names():
+        _name, tree = tree_of(word)
+        name = PurePath(request.named(word)).stem
+        subjects.append(Subject("engine" if name == "-" else name, tree, request.named(word)))
+    together(*(lambda own=own: card_of(own) for own in subjects))
+    stems = [subject.name for subject in subjects]
+    if twice := sorted({name for name in stems if stems.count(name) > 1}):
+        raise RequestError(
+            "two engines would have the page {name}; rename one of the files", name=twice[0]
+        )
+    with progress(_("Drawing")) as tell:
+        build(subjects, place, tell=tell)
+    complain(
+        _n(
+            "Wrote {count} engine into {folder}; open {index}",
+            "Wrote {count} engines into {folder}; open {index}",
+            len(subjects),
+            count=len(subjects),
+            folder=one_line(str(place)),
+            index=one_line(str(place / "index.html")),
+        )
+    )
