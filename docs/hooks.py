@@ -77,7 +77,7 @@ SECTIONS: dict[type[Record], str] = {
 """Where the page describes the tables that other tables hold."""
 
 MARK = re.compile(
-    r"^<!-- (keys|options|figure|sources|errata|sinitsyn|kr250|orders|estimate|plot|search|sweep|"
+    r"^<!-- (keys|options|figure|sources|errata|sinitsyn|kr250|orders|estimate|plot|draw|search|sweep|"
     r"glossary|commands): ?([^\n]*?) ?-->$(?:(?:(?!^<!-- ).)*?^<!-- end -->$)?",
     re.MULTILINE | re.DOTALL,
 )
@@ -119,6 +119,7 @@ def made(kind: str, argument: str) -> str:
         "estimate": estimate,
         "orders": orders,
         "plot": plot,
+        "draw": draw,
         "search": search,
         "sweep": sweep,
         "glossary": glossary,
@@ -287,6 +288,12 @@ def orders(part: str) -> str:
 def plot(words: str) -> str:
     """What `crankstar plot WORDS` draws."""
     return drawn(f"plot {words}")
+
+
+@lru_cache
+def draw(words: str) -> str:
+    """What `crankstar draw WORDS` draws."""
+    return drawn(f"draw {words}", kind="chart wide")
 
 
 @lru_cache

@@ -27,7 +27,7 @@ class Sight:
 
     view: Annotated[str | None, option("--view")] = None
     size: Annotated[str | None, option("--size")] = None
-    theme: Annotated[str | None, option("--theme", "Not print.")] = None
+    theme: Annotated[str | None, option("--theme")] = None
     arrows: Annotated[str | None, option("--arrows")] = None
     orders: Annotated[str | None, option("--orders", "Those of the arrows; default: all.")] = None
 

@@ -36,7 +36,7 @@ def site(
     from crankstar.site.building import build, check_place
     from crankstar.site.pages import Subject, card_of
 
-    check_place(place.resolve())
+    check_place(place)
     subjects = []
     for word in engines or names():
         _name, tree = tree_of(word)

@@ -10,6 +10,8 @@ from crankstar.options import values as request
 from crankstar.options.values import refusal
 
 ARROWS = ("force", "couple")
+PRINT = "print"
+"""A theme of charts; drawings are printed in their light colours."""
 SIDES, SQUARE = (64, 4096), 4096 * 2304
 """The least and the greatest side of a picture, px, and the most px that it has."""
 SECONDS, RATES = (0.2, 60.0), (2.0, 60.0)
@@ -32,7 +34,8 @@ def picture(
     if view is not None:
         given["view"] = request.choice("--view", view, SIGHTS)
     if theme is not None:
-        given["theme"] = request.choice("--theme", theme, PALETTES)
+        named = request.choice("--theme", theme, (*PALETTES, PRINT))
+        given["theme"] = "light" if named == PRINT else named
     if size is not None:
         given["width"], given["height"] = _size(size)
     if arrows is not None:

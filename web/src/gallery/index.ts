@@ -74,6 +74,14 @@ function turning(): void {
   for (const card of document.querySelectorAll('.cards > li')) seen.observe(card)
 }
 
+/** Pictures change with the colours of the system also where they were loaded in others. */
+function recoloured(): void {
+  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => {
+    for (const image of document.querySelectorAll<HTMLImageElement>('.cards img'))
+      image.src = image.getAttribute('src') ?? ''
+  })
+}
+
 interface Problem {
   readonly path: string
   readonly message: string
@@ -147,6 +155,7 @@ function openable(form: HTMLFormElement): void {
 const form = document.querySelector<HTMLFormElement>('form.filters')
 if (form) {
   filtered(form)
+  recoloured()
   if ('live' in document.body.dataset) {
     openable(form)
     turning()

@@ -18,7 +18,8 @@ export function Mistakes() {
         </strong>{' '}
         {t('The engine is that of the last time it had none.')}
       </p>
-      <ul>
+      {/* biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls is reached by keyboard */}
+      <ul tabIndex={0}>
         {wrong.problems.map(({ path, message }) => (
           <li key={`${path} ${message}`}>{message}</li>
         ))}

@@ -70,6 +70,7 @@ function Pace() {
           max="1"
           step="0.01"
           value={placeOf(pace)}
+          aria-label={t('Speed')}
           aria-valuetext={`${turns}, ${beside}`}
           onInput={(event) => set(store.pace, paceAt(event.currentTarget.valueAsNumber))}
         />
