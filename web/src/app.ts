@@ -8,7 +8,7 @@ import { language, t } from './language/messages'
 import { packedTree, unpackedTree } from './packing'
 import { prevailing } from './prevailing'
 import { reasonOf } from './reason'
-import type { Sight } from './stage/stage'
+import type { Sight, Stage } from './stage/stage'
 import {
   type Quantity,
   restore,
@@ -44,12 +44,16 @@ export interface App {
   readonly quantity: ReadonlySignal<Quantity>
   /** What is on the stage: as chosen, or what there is room for. */
   readonly sight: ReadonlySignal<Sight>
+  /** The stages that are on the page, each at the place of its engine in `shown`. */
+  readonly stages: Map<number, Stage>
   /** Whether each stage has room for a drawing sheet. */
   readonly roomy: Signal<boolean>
   /** The term of the glossary that is explained at the moment, and the word beside which. */
   readonly explained: Signal<{ term: TermShown; beside: HTMLElement } | null>
   /** Step of the guide that is shown, from 1; 0 for none. */
   readonly guide: Signal<number>
+  /** The dialog that is open, by name; empty for none. */
+  readonly dialog: Signal<'' | 'export' | 'keys'>
   /** What went wrong last, as a sentence; empty if nothing. */
   readonly trouble: Signal<string>
   /** What is wrong with the file that the server watches; null if nothing. */
@@ -119,6 +123,7 @@ export function createApp(host: Host): App {
   const roomy = signal(true)
   const explained = signal<{ term: TermShown; beside: HTMLElement } | null>(null)
   const guide = signal(0)
+  const dialog = signal<'' | 'export' | 'keys'>('')
   const sight = computed((): Sight => {
     const chosen = store.camera.value ?? 'sheet'
     return chosen === 'sheet' && !roomy.value ? 'isometric' : chosen
@@ -317,9 +322,11 @@ export function createApp(host: Host): App {
     subject,
     quantity,
     sight,
+    stages: new Map(),
     roomy,
     explained,
     guide,
+    dialog,
     trouble,
     mistakes,
     dark,

@@ -114,9 +114,12 @@ export function show(
     if (ended) return
     app = createApp(data)
     unbind = bound?.(app)
+    const { stages: own } = app
     const made = (index: number, stage: Stage | null): void => {
-      if (stage) stages.set(index, stage)
-      else stages.delete(index)
+      for (const all of [stages, own]) {
+        if (stage) all.set(index, stage)
+        else all.delete(index)
+      }
       begun()
     }
     draw(

@@ -39,6 +39,8 @@ export interface State {
   /** Turns of the crankshaft in a second. */
   readonly pace: number
   readonly theme: Theme
+  /** Large, without controls: for an audience. */
+  readonly present: boolean
   /** With counterweights and balance shafts. */
   readonly fitted: boolean
   /** The engine beside it: a catalog name, `2` for the second of a page, empty for none. */
@@ -74,6 +76,7 @@ export const OPENING: State = {
   glow: true,
   pace: USUAL,
   theme: 'auto',
+  present: false,
   fitted: false,
   beside: '',
   panel: 'both',
@@ -162,6 +165,7 @@ const FIELDS: { readonly [K in keyof Single]: Field<Single[K]> } = {
   glow: yesNo('glow'),
   pace: between('speed', SLOWEST, FASTEST),
   theme: oneOf('theme', THEMES),
+  present: yesNo('present'),
   fitted: yesNo('fitted'),
   beside: words('beside', 60_000),
   panel: oneOf('panel', ['both', '1', '2']),

@@ -21,6 +21,7 @@ const OTHER: State = {
   glow: false,
   pace: 0.05,
   theme: 'dark',
+  present: true,
   fitted: true,
   beside: 'v8 & "flat" <b>#plane</b>',
   panel: '2',

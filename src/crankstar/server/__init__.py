@@ -6,10 +6,12 @@ reveals no path of the machine.
 
 | module, bottom to top | one line |
 |---|---|
+| `forms` | the forms in which an engine is given as a file |
 | `messages` | questions and answers as records |
 | `refusal` | a refusal: a status and every mistake |
 | `processes` | a process spawned, spoken to over a pipe, ended with its parent |
 | `tasks` | tasks of worker processes: a question to its answer as JSON |
+| `exporting` | tasks that give a file: solids, tables, report, page |
 | `workers` | worker processes with one task at a time and a time limit |
 | `answers` | answers kept; each question computed once |
 | `guard` | host, kind and size of a question; headers of every answer |

@@ -15,6 +15,7 @@ from crankstar.options.words import SearchWords
 from crankstar.page.records import Exhibit, Problem
 from crankstar.remedy.counterweights import GREATEST_FACTOR, LEAST_FACTOR
 from crankstar.search.stars import GREATEST_CYLINDERS
+from crankstar.server.forms import Form
 
 LONGEST_NAME = 100
 EXAMPLE = {
@@ -123,6 +124,18 @@ class FittedQuestion(ShownQuestion):
     )
     shafts: Literal["none", "needed", "all"] | None = Field(
         default=None, description="which balance shafts"
+    )
+
+
+class ExportQuestion(ShownQuestion):
+    """An engine as a file of a form."""
+
+    form: Form = Field(
+        description="moving parts (glb, stl), a model for EXUDYN (py), tables (csv, xlsx), the "
+        "report, the page as one file"
+    )
+    theta_deg: Annotated[float, Field(ge=-36000, le=36000)] = Field(
+        default=0.0, description="crank angle of the moving parts, degrees"
     )
 
 

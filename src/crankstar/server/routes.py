@@ -15,7 +15,7 @@ from starlette.exceptions import HTTPException
 from crankstar import files
 from crankstar.language.quoting import one_line
 from crankstar.page.records import Exhibit, Exhibition
-from crankstar.server import messages, search_process, tasks
+from crankstar.server import exporting, forms, messages, search_process, tasks
 from crankstar.server.answers import Answers
 from crankstar.server.refusal import Refused, refused
 from crankstar.server.searches import Searches
@@ -268,6 +268,24 @@ async def read(request: Request, question: messages.TextQuestion) -> Response:
 async def explicit(request: Request, question: messages.EngineQuestion) -> Response:
     """The same engine in the explicit form: every shaft, throw, weight and cylinder by itself."""
     return await _answer(request, tasks.explicit, bounded(question.engine))
+
+
+@router.post(
+    "/export",
+    response_class=Response,
+    summary="An engine as a file",
+    tags=["files"],
+    responses={200: {"content": {kind: {} for kind in {*forms.KINDS.values()}}}, **ASK},
+)
+async def export(request: Request, question: messages.ExportQuestion) -> Response:
+    """Moving parts, a multibody model, tables, the report, or the page as one file, to be kept.
+
+    It is sent as an attachment: no browser shows it under the address of this server.
+    """
+    asked = (bounded(question.engine), question.form, question.theta_deg, question.units)
+    content = await request.app.state.answers.to(exporting.exported, *asked)
+    heads = {"content-disposition": "attachment"}
+    return Response(content, media_type=forms.KINDS[question.form], headers=heads)
 
 
 @answering(

@@ -9,11 +9,26 @@ interface Request {
 }
 
 /** The value, or every fault of the request. Rejects only if the server cannot be reached. */
-export async function requested<T>(
+export async function requested<T>(path: string, request: Request = {}): Promise<Answer<T>> {
+  const response = await answered(path, request)
+  const answer: unknown = await response.json().catch(() => null)
+  if (response.ok && answer !== null) return { ok: true, value: answer as T }
+  return { ok: false, problems: problemsOf(response.status, answer) }
+}
+
+/** A file. Rejects with the sentences of all faults. */
+export async function sent(path: string, body: unknown): Promise<Blob> {
+  const response = await answered(path, { body })
+  if (response.ok) return response.blob()
+  const problems = problemsOf(response.status, await response.json().catch(() => null))
+  throw new Error(problems.map(({ message }) => message).join(' '))
+}
+
+function answered(
   path: string,
-  { body, method = body === undefined ? 'GET' : 'POST', signal }: Request = {},
-): Promise<Answer<T>> {
-  const response = await fetch(`/api/${path}`, {
+  { body, method = body === undefined ? 'GET' : 'POST', signal }: Request,
+): Promise<Response> {
+  return fetch(`/api/${path}`, {
     method,
     keepalive: method === 'DELETE', // also as the page is left
     headers: body === undefined ? {} : { 'Content-Type': 'application/json' },
@@ -23,16 +38,16 @@ export async function requested<T>(
     if (signal?.aborted) throw error
     throw new Error(t('The server does not answer. Is crankstar serve still running?'))
   })
-  const answer: unknown = await response.json().catch(() => null)
-  if (response.ok && answer !== null) return { ok: true, value: answer as T }
+}
+
+/** The faults in an answer that is no success. */
+function problemsOf(status: number, answer: unknown): Problem[] {
   const problems = (answer as { problems?: unknown } | null)?.problems
-  if (Array.isArray(problems) && problems.length)
-    return { ok: false, problems: problems as Problem[] }
-  const { status } = response
+  if (Array.isArray(problems) && problems.length) return problems as Problem[]
   const message = t('The server answered with HTTP status {status}. Try again, or restart it.', {
     status,
   })
-  return { ok: false, problems: [{ path: '', message }] }
+  return [{ path: '', message }]
 }
 
 /** The value of an answer; rejects with the sentences of its faults. */

@@ -42,6 +42,9 @@ export interface Host {
   readonly service?: Service
 }
 
+/** Files that only Python writes. */
+export type ExportForm = 'glb' | 'stl' | 'py' | 'csv' | 'xlsx' | 'report' | 'page'
+
 export type Tree = Record<string, unknown>
 
 /** An answer, or all faults of the request. */
@@ -60,6 +63,8 @@ export interface Service {
   engine(name: string): Promise<Answer<Tree>>
   exhibit(tree: Tree, signal?: AbortSignal): Promise<Answer<Exhibit>>
   toml(tree: Tree): Promise<Answer<string>>
+  /** An engine as a file, solids at a crank angle; rejects with the sentences of its faults. */
+  exported(exhibit: Exhibit, form: ExportForm, degrees: number): Promise<Blob>
   /** The same engine in the explicit form, part by part. */
   explicit(tree: Tree): Promise<Answer<Tree>>
   /** An engine file that was dropped or opened, TOML or JSON. */

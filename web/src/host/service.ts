@@ -6,7 +6,7 @@ import type {
   TomlShown,
   TreeShown,
 } from '../exhibit'
-import { part, requested, required } from './api'
+import { part, requested, required, sent } from './api'
 import type { Service, Tree } from './host'
 
 const post = <T>(path: string, body: unknown, signal?: AbortSignal) =>
@@ -22,6 +22,8 @@ export const service: Service = {
   engine: (name) => requested<Tree>(`catalog/${encodeURIComponent(name)}`),
   exhibit: (tree, signal) => post<Exhibit>('exhibit', { engine: tree }, signal),
   toml: async (tree) => part(await post<TomlShown>('toml', { engine: tree }), (it) => it.toml),
+  exported: ({ file, units }, form, degrees) =>
+    sent('export', { engine: file, form, theta_deg: degrees, units: units.chosen }),
   explicit: async (tree) =>
     part(await post<TreeShown>('explicit', { engine: tree }), (it) => it.tree),
   read: async (text) => part(await post<TreeShown>('read', { text }), (it) => it.tree),

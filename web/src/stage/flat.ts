@@ -8,6 +8,7 @@ import { projected } from './lettering'
 import { type Load, ROLL } from './load'
 import { css } from './palette'
 import type { Pane } from './panes'
+import type { Pen } from './pen'
 import type { Instant, Picture } from './picture'
 import type { Reading } from './stage'
 import { tint, windowsOf } from './strokes'
@@ -43,11 +44,17 @@ export class FlatPicture implements Picture {
 
   draw(instant: Instant): void {
     const to = this.canvas.getContext('2d')
-    const exhibit = this.#exhibit
-    if (!to || !exhibit) return
+    if (!to) return
     const { width, height, density } = this.#size
     to.setTransform(density, 0, 0, density, 0, 0)
     to.clearRect(0, 0, width, height)
+    this.sketch(to, instant)
+  }
+
+  /** Draws the same with any pen, in pixels of the page. */
+  sketch(to: Pen, instant: Instant): void {
+    const exhibit = this.#exhibit
+    if (!exhibit) return
     to.lineJoin = 'round'
     this.#pistons = {}
     this.#pins = exhibit.scene.shafts.map(() => [])
@@ -56,13 +63,15 @@ export class FlatPicture implements Picture {
       to.beginPath()
       to.rect(pane.x, pane.y, pane.width, pane.height)
       to.clip()
+      to.named?.(`view ${pane.camera}`)
       this.#view(to, exhibit, instant, pane)
+      to.named?.(null)
       to.restore()
     }
     this.#note(exhibit, instant)
   }
 
-  #view(to: CanvasRenderingContext2D, exhibit: Exhibit, instant: Instant, pane: Pane): void {
+  #view(to: Pen, exhibit: Exhibit, instant: Instant, pane: Pane): void {
     const project = (point: Vector) => projected(instant, pane, exhibit, point)
     const slice = pane.camera === 'front' ? instant.slice : null
     const drawn = this.#bodies
@@ -76,10 +85,14 @@ export class FlatPicture implements Picture {
       const behind = slice !== null && z < slice.from
       if (behind && shape.body.fill === 'charge') continue
       to.globalAlpha = behind ? FAINT : 1
+      to.named?.(nameOf(shape.body, exhibit))
       this.#paint(to, shape, instant)
+      to.named?.(null)
     }
     to.globalAlpha = 1
+    to.named?.('arrows')
     this.#arrows(to, instant, project)
+    to.named?.(null)
   }
 
   #flattened(
@@ -114,7 +127,7 @@ export class FlatPicture implements Picture {
     return { body, flat, depth, z: along, nearer: depths[1] > depths[0] ? count / 2 : 0 }
   }
 
-  #paint(to: CanvasRenderingContext2D, shape: Flattened, { palette, view }: Instant): void {
+  #paint(to: Pen, shape: Flattened, { palette, view }: Instant): void {
     const { body, flat, nearer } = shape
     const [side, cap] = coloursOf(body.fill, palette)
     const glass = body.fill === 'glass'
@@ -137,7 +150,7 @@ export class FlatPicture implements Picture {
   }
 
   /** Tints the charge of a bore by its stroke. */
-  #glow(to: CanvasRenderingContext2D, body: Body, theta: number): void {
+  #glow(to: Pen, body: Body, theta: number): void {
     const cycle = this.#exhibit?.cycle_deg ?? 720
     tint(this.#windows[body.index] ?? [], (theta * 180) / Math.PI, cycle, this.#hue, 0)
     const [red, green, blue, opacity] = this.#hue as unknown as [number, number, number, number]
@@ -146,11 +159,7 @@ export class FlatPicture implements Picture {
     to.fill()
   }
 
-  #arrows(
-    to: CanvasRenderingContext2D,
-    { load, arrow, palette }: Instant,
-    project: (point: Vector) => Vector,
-  ): void {
+  #arrows(to: Pen, { load, arrow, palette }: Instant, project: (point: Vector) => Vector): void {
     to.lineCap = 'round'
     curved(to, load, arrow, css(palette.roll), project)
     for (const { kind, x, y, z, up, right } of load.pulls) {
@@ -219,6 +228,12 @@ interface Flattened {
   readonly nearer: number
 }
 
+/** What a body is a part of, such as `piston 3`. */
+function nameOf({ carrier, index }: Body, { scene }: Exhibit): string {
+  const name = carrier === 'shaft' ? scene.shafts[index]?.name : scene.cylinders[index]?.number
+  return `${carrier} ${name ?? ''}`.trim()
+}
+
 function standOf(body: Body, exhibit: Exhibit, places: Places, theta: number): Stand {
   const { scene, sense } = exhibit
   const { index } = body
@@ -256,7 +271,7 @@ function chargeHeight({ index }: Body, { scene }: Exhibit, { piston }: Places): 
   return boreEnd(scene, c) - c.pin_height - up * Math.cos(c.bearing) - right * Math.sin(c.bearing)
 }
 
-function trace(to: CanvasRenderingContext2D, flat: Float64Array, corners: readonly number[]): void {
+function trace(to: Pen, flat: Float64Array, corners: readonly number[]): void {
   to.beginPath()
   for (const corner of corners)
     to.lineTo(flat[2 * corner] as number, flat[2 * corner + 1] as number)
@@ -265,7 +280,7 @@ function trace(to: CanvasRenderingContext2D, flat: Float64Array, corners: readon
 
 /** A curved arrow about the crank axis for the roll, clockwise from the top. */
 function curved(
-  to: CanvasRenderingContext2D,
+  to: Pen,
   { turning, about: [x, y, z] }: Load,
   arrow: number,
   colour: string,

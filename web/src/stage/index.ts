@@ -9,11 +9,12 @@ import { footOf, write } from './lettering'
 import { listened } from './orbit'
 import { DARK, LIGHT } from './palette'
 import { type Pane, pixelsOf } from './panes'
-import { printable } from './paper'
+import { composed, printable } from './paper'
+import type { Pen } from './pen'
 import type { Instant, Picture } from './picture'
 import { Room } from './room'
 import { type Slice, slicesOf } from './section'
-import type { CreateStage, Reading, Sight, Stage, View } from './stage'
+import type { CreateStage, Reading, Shots, Sight, Stage, View } from './stage'
 import { equal, Viewpoint } from './viewpoint'
 import { webglPicture } from './webgl'
 import { Whirling } from './whirl'
@@ -21,6 +22,8 @@ import { Whirling } from './whirl'
 /** The longest arrow at scale 1, as a share of the greater of breadth and height. */
 const ARROW = 0.28
 const DENSEST = 2
+/** Pixels across that every graphics card can draw. */
+const FINEST = 8192
 /** Arrows longer than this may leave the picture, so that the engine stays large. */
 const WITHIN = 2
 /** What the stage shows, for readers who do not see it. */
@@ -157,6 +160,14 @@ class EngineStage implements Stage {
   }
 
   #draw(view: View): void {
+    const instant = this.#instant(view)
+    if (this.#anew(instant)) this.#picture.draw(instant)
+    this.#write(instant)
+    this.#trace(instant)
+    if (this.#viewpoint.moving) this.#refresh()
+  }
+
+  #instant(view: View): Instant {
     const { chain, places, whirling, room, slices } = this.#machine
     const { width, height } = this.#size
     const palette = view.dark ? DARK : LIGHT
@@ -175,11 +186,7 @@ class EngineStage implements Stage {
     const slice = slices[view.section - 1] ?? null
     moved(chain, view.theta, places)
     const displacement = whirling.at(view.theta, view.whirl.orders)
-    const instant = { view, panes, slice, places, moved: displacement, load, arrow, palette }
-    if (this.#anew(instant)) this.#picture.draw(instant)
-    this.#write(instant)
-    this.#trace(instant)
-    if (this.#viewpoint.moving) this.#refresh()
+    return { view, panes, slice, places, moved: displacement, load, arrow, palette }
   }
 
   /** Whether an instant differs from the last drawn one; drawing without a card is slow. */
@@ -244,13 +251,18 @@ class EngineStage implements Stage {
     const shown = view.whirl.magnification > 0
     this.#inset.visible = shown
     if (!shown) return
-    const [front, rear] = this.#machine.whirling.ends
-    this.#machine.whirling.axis(displacement, front, this.#front)
-    this.#machine.whirling.axis(displacement, rear, this.#rear)
+    this.#place({ moved: displacement })
     this.#paths(view)
     const { magnification } = view.whirl
     const { density } = this.#size
     this.#inset.draw(this.#front, this.#rear, palette, { density, magnification })
+  }
+
+  /** Where the two ends of the crank axis are. */
+  #place({ moved: displacement }: Pick<Instant, 'moved'>): void {
+    const [front, rear] = this.#machine.whirling.ends
+    this.#machine.whirling.axis(displacement, front, this.#front)
+    this.#machine.whirling.axis(displacement, rear, this.#rear)
   }
 
   /** Works the paths out where the orders have changed. */
@@ -270,6 +282,47 @@ class EngineStage implements Stage {
     )
   }
 
+  get size(): Stage['size'] {
+    return this.#size
+  }
+
+  shots(density: number, finer: number): Shots {
+    const canvas = document.createElement('canvas')
+    const { width, height } = this.#size
+    this.#resize(Math.min(density * finer, FINEST / width, FINEST / height))
+    return {
+      take: (view) => {
+        this.#draw(view)
+        composed(this.#root, density, canvas)
+        return canvas
+      },
+      end: () => {
+        this.resize()
+        if (this.#view) this.#draw(this.#view)
+      },
+    }
+  }
+
+  sketch(view: View, pen: Pen): void {
+    const instant = this.#instant(view)
+    const { width, height } = this.#size
+    const flat = new FlatPicture()
+    flat.show(this.#exhibit, this.#colours)
+    flat.sketch(pen, instant)
+    pen.named?.('labels')
+    write(pen, this.#exhibit, { ...instant, width, height })
+    const { magnification } = view.whirl
+    if (magnification > 0) {
+      this.#place(instant)
+      const { offsetLeft, offsetTop } = this.#inset.canvas
+      pen.save()
+      pen.translate(offsetLeft, offsetTop)
+      this.#inset.sketch(pen, this.#front, this.#rear, instant.palette, magnification)
+      pen.restore()
+    }
+    pen.named?.(null)
+  }
+
   read(): Reading {
     if (this.#view) this.#paths(this.#view)
     return {
@@ -284,7 +337,9 @@ class EngineStage implements Stage {
   }
 
   resize(): void {
-    this.#resize(Math.min(DENSEST, globalThis.devicePixelRatio || 1))
+    // a presentation enlarges the stage with its letters
+    const enlarged = (this.#element as { currentCSSZoom?: number }).currentCSSZoom ?? 1
+    this.#resize(Math.min(DENSEST, globalThis.devicePixelRatio || 1) * enlarged)
   }
 
   #resize(density: number): void {

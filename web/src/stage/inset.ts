@@ -3,6 +3,7 @@ import { t } from '../language/messages'
 import { lengthText, lengthUnit } from '../lengths'
 import { roundValue } from './lettering'
 import { css, type Palette } from './palette'
+import type { Pen } from './pen'
 import { REST } from './whirl'
 
 /** Side of the inset, pixels: greatest, least, share of the stage; width of its words. */
@@ -22,7 +23,6 @@ export interface Paths {
 export class Inset {
   readonly canvas: HTMLCanvasElement
   #paths: Paths = { front: [], rear: [] }
-  #outlines: [Path2D, Path2D] = [new Path2D(), new Path2D()]
   #side = LARGEST
   #pixels = 0
   #ring = 0
@@ -75,16 +75,12 @@ export class Inset {
     this.#label = some
       ? t('ring: {radius}', { radius: lengthText(this.#ring, units) })
       : t('crank axis at rest')
-    this.#outlines = [this.#outline(paths.front), this.#outline(paths.rear)]
   }
 
-  #outline(path: readonly [number, number][]): Path2D {
-    const outline = new Path2D()
-    path.forEach(([up, right], index) => {
-      if (index === 0) outline.moveTo(right * this.#pixels, -up * this.#pixels)
-      else outline.lineTo(right * this.#pixels, -up * this.#pixels)
-    })
-    return outline
+  #outline(to: Pen, path: readonly [number, number][]): void {
+    to.beginPath()
+    for (const [up, right] of path) to.lineTo(right * this.#pixels, -up * this.#pixels)
+    to.stroke()
   }
 
   /** Draws the paths, and dots where the two ends are now; says how far the stage exaggerates. */
@@ -104,14 +100,26 @@ export class Inset {
     if (this.canvas.height !== high) this.canvas.height = high
     to.setTransform(density, 0, 0, density, 0, 0)
     to.clearRect(0, 0, across, side + BELOW)
-    to.translate(across / 2, side / 2)
+    this.sketch(to, front, rear, palette, magnification)
+  }
+
+  /** Draws the same with any pen, from its upper left corner. */
+  sketch(
+    to: Pen,
+    front: readonly number[],
+    rear: readonly number[],
+    palette: Palette,
+    magnification: number,
+  ): void {
+    const side = this.#side
+    to.translate(Math.max(WORDS, side) / 2, side / 2)
     this.#ground(to, palette)
     const colours = [css(palette.crankshaft[0]), css(palette.force)] as const
     for (const end of [0, 1] as const) {
       to.strokeStyle = to.fillStyle = colours[end]
       to.lineWidth = 1.8
       to.setLineDash(end === 1 ? DASHED : WHOLE)
-      to.stroke(this.#outlines[end])
+      this.#outline(to, end === 0 ? this.#paths.front : this.#paths.rear)
       const at = end === 0 ? front : rear
       to.beginPath()
       to.arc((at[1] as number) * this.#pixels, -(at[0] as number) * this.#pixels, 4, 0, 2 * Math.PI)
@@ -138,7 +146,7 @@ export class Inset {
     write(t('exaggerated × {factor}', { factor }), 'center', palette.text, 0, 33)
   }
 
-  #ground(to: CanvasRenderingContext2D, palette: Palette): void {
+  #ground(to: Pen, palette: Palette): void {
     const half = this.#side / 2
     to.fillStyle = palette.paper
     to.globalAlpha = 0.72

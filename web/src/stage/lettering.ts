@@ -5,6 +5,7 @@ import { along, facesAnother } from './extent'
 import { ROLL } from './load'
 import { css, type Palette } from './palette'
 import { type Pane, pixelsOf, placed } from './panes'
+import type { Pen } from './pen'
 import type { Instant } from './picture'
 import type { Slice } from './section'
 import type { Camera } from './stage'
@@ -18,8 +19,10 @@ const CLOSE = 15
 const CLEAR = 13
 /** Below this width, pixels, the scales of arrows go beneath the axes. */
 const NARROW = 300
-/** From this width on there is room for a sentence beside an arrow, pixels. */
+/** From these widths on there is room for a sentence beside an arrow, pixels: a sheet has its axes
+ * at the right. */
 const WIDE = 560
+const WIDE_SHEET = 720
 const AXES = [
   { along: [1, 0, 0], name: message('x right') },
   { along: [0, 1, 0], name: message('y up') },
@@ -48,7 +51,7 @@ export function footOf(width: number, height: number): number {
 }
 
 /** Writes the labels of the drawing: names of views, cylinder numbers, axes, scales of arrows. */
-export function write(to: CanvasRenderingContext2D, exhibit: Exhibit, writing: Writing): void {
+export function write(to: Pen, exhibit: Exhibit, writing: Writing): void {
   const { width, height, palette, panes, slice, view } = writing
   to.clearRect(0, 0, width, height)
   to.lineCap = 'round'
@@ -64,7 +67,7 @@ export function write(to: CanvasRenderingContext2D, exhibit: Exhibit, writing: W
   axes(to, writing, first, sheet ? { x: width - 84 - axesAt(to, width), y: height - 31 } : corner)
   if (sheet) thirdAngle(to, palette, width - 62, height - 24)
   const couple =
-    width < WIDE
+    width < (sheet ? WIDE_SHEET : WIDE)
       ? t('Couple')
       : view.arrows.axes
         ? t('Couple, as pitch (upright) and yaw (level)')
@@ -102,12 +105,7 @@ const VIEWS = {
 } as const satisfies Record<Camera, string>
 
 /** The name of a view at the head of its pane; a section says so. */
-function named(
-  to: CanvasRenderingContext2D,
-  { palette, slice }: Writing,
-  { camera, x, y }: Pane,
-  sheet: boolean,
-): void {
+function named(to: Pen, { palette, slice }: Writing, { camera, x, y }: Pane, sheet: boolean): void {
   const cut = slice && camera === 'front'
   if (!cut && !sheet) return
   const which = slice?.cylinders.join(' · ')
@@ -123,13 +121,7 @@ function named(
 }
 
 /** Where the section is taken: a chain line, its ends thick, with the letter and the way it looks. */
-function cutting(
-  to: CanvasRenderingContext2D,
-  exhibit: Exhibit,
-  writing: Writing,
-  pane: Pane,
-  slice: Slice,
-): void {
+function cutting(to: Pen, exhibit: Exhibit, writing: Writing, pane: Pane, slice: Slice): void {
   if (pane.camera === 'isometric') return
   const [across] = projected(writing, pane, exhibit, [0, 0, slice.to])
   const [top, bottom] = [pane.y + 4, pane.y + pane.height - 4]
@@ -159,7 +151,7 @@ function cutting(
 }
 
 /** The symbol of third-angle projection after ISO 5456-2, about a point: circles, then the cone. */
-function thirdAngle(to: CanvasRenderingContext2D, palette: Palette, x: number, y: number): void {
+function thirdAngle(to: Pen, palette: Palette, x: number, y: number): void {
   to.strokeStyle = palette.quiet
   to.lineWidth = 1.2
   for (const radius of [4, 8]) {
@@ -183,12 +175,7 @@ function thirdAngle(to: CanvasRenderingContext2D, palette: Palette, x: number, y
 }
 
 /** The cylinder numbers beyond the heads; those behind each other in one label. */
-function numbers(
-  to: CanvasRenderingContext2D,
-  exhibit: Exhibit,
-  writing: Writing,
-  pane: Pane,
-): void {
+function numbers(to: Pen, exhibit: Exhibit, writing: Writing, pane: Pane): void {
   const { scene } = exhibit
   const only = pane.camera === 'front' ? writing.slice : null
   const pixels = pixelsOf(pane)
@@ -242,19 +229,14 @@ interface Place {
 }
 
 /** How far from the left the axes stand, so that there is room for their names. */
-function axesAt(to: CanvasRenderingContext2D, width: number): number {
+function axesAt(to: Pen, width: number): number {
   to.font = `11px ${FONT}`
   const names = AXES.map(({ name }) => to.measureText(t(name)).width)
   return (width < NARROW ? 28 : 40) + Math.max(...names)
 }
 
 /** The axes in the lower left corner; a dot points at the eye, a cross away. */
-function axes(
-  to: CanvasRenderingContext2D,
-  { width, palette, panes }: Writing,
-  { frame }: Pane,
-  { x, y }: Place,
-): void {
+function axes(to: Pen, { width, palette, panes }: Writing, { frame }: Pane, { x, y }: Place): void {
   to.font = `11px ${FONT}`
   const length = width < NARROW || panes.length > 1 ? 20 : 30
   to.strokeStyle = palette.quiet
@@ -278,7 +260,7 @@ function axes(
   }
 }
 
-function end(to: CanvasRenderingContext2D, x: number, y: number, towardsEye: boolean): void {
+function end(to: Pen, x: number, y: number, towardsEye: boolean): void {
   to.beginPath()
   to.arc(x, y, 5, 0, 2 * Math.PI)
   to.stroke()
@@ -291,7 +273,7 @@ function end(to: CanvasRenderingContext2D, x: number, y: number, towardsEye: boo
   }
 }
 
-function line(to: CanvasRenderingContext2D, x: number, y: number, toX: number, toY: number): void {
+function line(to: Pen, x: number, y: number, toX: number, toY: number): void {
   to.beginPath()
   to.moveTo(x, y)
   to.lineTo(toX, toY)
@@ -300,7 +282,7 @@ function line(to: CanvasRenderingContext2D, x: number, y: number, toX: number, t
 
 /** An arrow of a round value beside what it is. */
 function scale(
-  to: CanvasRenderingContext2D,
+  to: Pen,
   { arrow, width, palette }: Writing,
   { value, unit, colour, name }: { value: number; unit: string; colour: number; name: string },
   pixels: number,
@@ -329,13 +311,7 @@ function scale(
 }
 
 /** How far a curved arrow of a round moment bends. */
-function roll(
-  to: CanvasRenderingContext2D,
-  { load, palette }: Writing,
-  { units }: Exhibit,
-  x: number,
-  y: number,
-): void {
+function roll(to: Pen, { load, palette }: Writing, { units }: Exhibit, x: number, y: number): void {
   const most = load.roll * units.roll_factor
   const value = roundValue(most)
   const [from, end] = [-Math.PI / 2, -Math.PI / 2 + (ROLL.angle * value) / most]

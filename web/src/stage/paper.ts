@@ -1,3 +1,24 @@
+/** Draws what all canvases in an element show, `density` pixels to one of the page. */
+export function composed(
+  root: HTMLElement,
+  density: number,
+  paper: HTMLCanvasElement,
+  settings: CanvasRenderingContext2DSettings = {},
+): readonly HTMLCanvasElement[] {
+  paper.width = Math.round(density * root.clientWidth)
+  paper.height = Math.round(density * root.clientHeight)
+  const to = paper.getContext('2d', settings)
+  const canvases = [...root.querySelectorAll('canvas')].filter((canvas) => canvas !== paper)
+  if (!to) return canvases
+  to.imageSmoothingQuality = 'high'
+  to.scale(density, density)
+  for (const canvas of canvases) {
+    const { offsetLeft, offsetTop, offsetWidth, offsetHeight } = canvas
+    if (offsetWidth > 0) to.drawImage(canvas, offsetLeft, offsetTop, offsetWidth, offsetHeight)
+  }
+  return canvases
+}
+
 /** Pixels on paper for each on the screen. */
 const DENSITY = 3
 
@@ -13,16 +34,9 @@ export function printable(root: HTMLElement, draw: (density: number | null) => v
   Object.assign(paper.style, place, { objectFit: 'contain' })
   const begin = (): void => {
     draw(DENSITY)
-    paper.width = DENSITY * root.clientWidth
-    paper.height = DENSITY * root.clientHeight
     // a canvas that is read often is printed as it is, not drawn again
-    const to = paper.getContext('2d', { willReadFrequently: true })
-    to?.scale(DENSITY, DENSITY)
-    for (const canvas of root.querySelectorAll('canvas')) {
-      const { offsetLeft, offsetTop, offsetWidth, offsetHeight } = canvas
-      if (offsetWidth > 0) to?.drawImage(canvas, offsetLeft, offsetTop, offsetWidth, offsetHeight)
-      canvas.style.visibility = 'hidden'
-    }
+    const canvases = composed(root, DENSITY, paper, { willReadFrequently: true })
+    for (const canvas of canvases) canvas.style.visibility = 'hidden'
     root.append(paper)
   }
   const end = (): void => {

@@ -1,4 +1,5 @@
 import type { Exhibit, StrokeColours } from '../exhibit'
+import type { Pen } from './pen'
 
 export type Camera = 'front' | 'plan' | 'side' | 'isometric' | 'orbit'
 export const CAMERAS: readonly Camera[] = ['front', 'plan', 'side', 'isometric', 'orbit']
@@ -72,9 +73,25 @@ export interface Stage {
   read(): Reading
   /** After the element has changed its size; `draw` follows. */
   resize(): void
+  /** Breadth and height, pixels of the page. */
+  readonly size: { readonly width: number; readonly height: number }
+  /**
+   * Pictures of views as the stage would show them, `density` pixels to one of the page; they are
+   * drawn `finer` times as finely, for not every machine draws smooth edges.
+   */
+  shots(density: number, finer: number): Shots
+  /** Draws a view with a pen, flat, in pixels of the page. */
+  sketch(view: View, pen: Pen): void
   dispose(): void
   /** How it draws: with WebGL, or flat where that is not to be had. */
   readonly means: 'webgl' | 'flat'
+}
+
+/** A stage that is drawn for pictures; `end` gives it back to the page. */
+export interface Shots {
+  /** The view on a canvas without a ground; the next one takes its place. */
+  take(view: View): HTMLCanvasElement
+  end(): void
 }
 
 /** Makes a stage that fills an element, flat where there is no WebGL; `refresh` asks for a frame. */

@@ -6,6 +6,7 @@ import { useFollower } from './context'
 import { dotOf, moveDots, sharesOf } from './dots'
 import { factorOf, quantityName, unitOf } from './names'
 import { Path } from './Path'
+import { Scroller } from './Scroller'
 
 /** The orders of two engines beside each other, to one scale, and by how much they differ. */
 export function BothOrders({ one, other }: { one: Exhibit; other: Exhibit }) {
@@ -38,7 +39,7 @@ export function BothOrders({ one, other }: { one: Exhibit; other: Exhibit }) {
       {same && one.units.counted[0] !== 'N' && (
         <p class="soft small">{t('Each engine is counted in its own m, r and a.')}</p>
       )}
-      <section class="scroll" aria-label={t('Orders of both engines')}>
+      <Scroller label={t('Orders of both engines')}>
         <table class="orders" ref={table}>
           <thead>
             <tr>
@@ -79,7 +80,7 @@ export function BothOrders({ one, other }: { one: Exhibit; other: Exhibit }) {
             )
           })}
         </table>
-      </section>
+      </Scroller>
       <p class="soft small">
         {t('Orders of which nothing remains in either engine are left out.')}
       </p>

@@ -1,5 +1,6 @@
 import type { Table } from '../exhibit'
 import { t } from '../language/messages'
+import { Scroller } from './Scroller'
 import { Term } from './Term'
 
 /** Letters of a cell that stays on one line. */
@@ -16,8 +17,7 @@ export function DataTable({ table }: { table: Table }) {
     <section class="table">
       {title && <h3>{title}</h3>}
       {rows.length > 0 && (
-        // biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls is reached by keyboard
-        <section class="scroll" tabIndex={0} aria-label={title || t('Table')}>
+        <Scroller label={title || t('Table')}>
           <table>
             {heads.length > 0 && (
               <thead>
@@ -49,7 +49,7 @@ export function DataTable({ table }: { table: Table }) {
               ))}
             </tbody>
           </table>
-        </section>
+        </Scroller>
       )}
       {notes.map((note) => (
         <p key={note} class="soft small">

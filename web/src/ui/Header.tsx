@@ -5,6 +5,7 @@ import { Above } from './Above'
 import { useApp } from './context'
 import { Estimates } from './Estimates'
 import { Icon } from './icons'
+import { canFill, present, toggleFull } from './presenting'
 import { rotationText } from './rotation'
 import { UnitChoice } from './UnitChoice'
 
@@ -16,9 +17,26 @@ const THEME = {
 /** Milliseconds for which a note stays. */
 const NOTED = 4000
 
+/** The first stop of the keyboard, seen while it has the focus: past the controls to the panels. */
+function SkipLink() {
+  return (
+    <button
+      type="button"
+      class="skip"
+      onClick={({ currentTarget }) => {
+        const page = currentTarget.closest('.crankstar')
+        page?.querySelector<HTMLElement>('.tabs [aria-selected=true]')?.focus()
+      }}
+    >
+      {t('Skip to the panels')}
+    </button>
+  )
+}
+
 /** The engine's name, how it turns, and what concerns the page as a whole. */
 export function Header() {
-  const { shown, store, clock, host, guide } = useApp()
+  const app = useApp()
+  const { shown, store, clock, host, guide, dialog } = app
   const note = useSignal('')
   const theme = store.theme.value
   const next = THEMES[(THEMES.indexOf(theme) + 1) % THEMES.length] ?? 'auto'
@@ -42,6 +60,7 @@ export function Header() {
 
   return (
     <header class="head">
+      {host.kind !== 'widget' && <SkipLink />}
       <div class="names">
         {shown.value.map((exhibit, index) => (
           <div class="name" key={index}>
@@ -72,6 +91,10 @@ export function Header() {
           <Icon name="guide" />
           <span>{t('Guide')}</span>
         </button>
+        <button type="button" class="plain" onClick={() => set(dialog, 'export')}>
+          <Icon name="export" />
+          <span>{t('Export')}</span>
+        </button>
         {host.kind !== 'widget' && (
           <button
             type="button"
@@ -85,12 +108,35 @@ export function Header() {
         )}
         <button
           type="button"
-          class="plain round"
+          class="plain terse"
+          title={t('Presentation: large type, no controls (p)')}
+          onClick={() => present(app, true)}
+        >
+          <Icon name="present" />
+          <span>{t('Present')}</span>
+        </button>
+        {canFill() && (
+          <button
+            type="button"
+            class="plain terse"
+            title={t('Full screen (f)')}
+            onClick={({ currentTarget }) =>
+              void toggleFull(currentTarget.closest<HTMLElement>('.crankstar'))
+            }
+          >
+            <Icon name="full" />
+            <span>{t('Full screen')}</span>
+          </button>
+        )}
+        <button
+          type="button"
+          class="plain terse"
           onClick={() => set(store.theme, next)}
           aria-label={t(THEME[theme])}
           title={t(THEME[theme])}
         >
           <Icon name={theme} />
+          <span>{t('Colours')}</span>
         </button>
       </div>
     </header>

@@ -11,7 +11,7 @@ import { useApp } from './context'
 import { Icon } from './icons'
 import { toggledWhirl } from './whirl'
 
-const SIGHT = {
+export const SIGHT = {
   sheet: message('Sheet'),
   front: message('Front'),
   plan: message('Plan'),

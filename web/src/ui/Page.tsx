@@ -1,4 +1,5 @@
 import { useEffect, useRef } from 'preact/hooks'
+import { ExportDialog } from '../export/ExportDialog'
 import { language, t } from '../language/messages'
 import type { Stage } from '../stage/stage'
 import { set } from '../state'
@@ -6,10 +7,14 @@ import { useApp } from './context'
 import { Editing } from './Editing'
 import { Guide } from './Guide'
 import { Header } from './Header'
+import { KeyDialog } from './KeyDialog'
 import { listenForKeys } from './keys'
 import { Layers } from './Layers'
+import { Leave } from './Leave'
 import { Mistakes } from './Mistakes'
 import { Now } from './Now'
+import { printing } from './PrintSheet'
+import { actionOf } from './presenting'
 import { StageView } from './StageView'
 import { Tabs } from './Tabs'
 import { Explanation } from './Term'
@@ -17,18 +22,21 @@ import { TimeBar } from './TimeBar'
 
 /** The whole page. `made` gets every stage when it is there, and null when it goes. */
 export function Page({ made }: { made: (index: number, stage: Stage | null) => void }) {
-  const { shown, host, clock, trouble, dark } = useApp()
+  const app = useApp()
+  const { shown, host, clock, trouble, dark, store } = app
   const root = useRef<HTMLDivElement>(null)
   useEffect(() => {
     const element = root.current
     if (!element) return undefined
-    return listenForKeys(host.kind === 'widget' ? element : document, element, clock)
-  }, [host, clock])
+    const heard = host.kind === 'widget' ? element : document
+    return listenForKeys(heard, element, clock, (key) => actionOf(app, element, key))
+  }, [app, host, clock])
+  useEffect(() => printing(app, root.current), [app])
   // a notebook has a main part of its own
   const Body = host.kind === 'widget' ? 'div' : 'main'
   return (
     <div
-      class={`crankstar ${host.kind} ${dark.value ? 'dark' : 'light'}`}
+      class={`crankstar ${host.kind} ${dark.value ? 'dark' : 'light'}${store.present.value ? ' present' : ''}`}
       ref={root}
       lang={language.value}
       data-playing={clock.playing.value}
@@ -59,7 +67,10 @@ export function Page({ made }: { made: (index: number, stage: Stage | null) => v
         </Body>
         <Editing />
       </div>
+      <Leave />
       <Guide />
+      <ExportDialog />
+      <KeyDialog />
       <Explanation />
     </div>
   )

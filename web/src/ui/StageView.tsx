@@ -10,7 +10,7 @@ import { useApp } from './context'
 import { listenForSights } from './gestures'
 
 /** What the stage is to draw at this angle. */
-function viewOf({ store, dark, sight }: App, theta: number): View {
+export function viewOf({ store, dark, sight }: App, theta: number): View {
   const orders = store.orders.value
   return {
     theta,

@@ -33,7 +33,8 @@ export function listenForSights(element: HTMLElement, app: App, stage: Stage): (
     if (!app.roomy.peek()) return undefined
     if (app.sight.peek() !== 'sheet') return null
     const box = element.getBoundingClientRect()
-    const [x, y] = [clientX - box.left, clientY - box.top]
+    const enlarged = box.width / element.clientWidth // in a presentation
+    const [x, y] = [(clientX - box.left) / enlarged, (clientY - box.top) / enlarged]
     return stage
       .read()
       .panes.find(

@@ -13,6 +13,9 @@ const PATHS = {
     'M12 3a9 9 0 1 0 0 18 9 9 0 0 0 0-18zM9.500 9.500a2.500 2.500 0 1 1 3.600 2.200c-.800.500-1.100 1-1.100 1.800M12 16.500v.100',
   engines:
     'M4 4h6.500v6.500H4zM13.500 4H20v6.500h-6.500zM4 13.500h6.500V20H4zM13.500 13.500H20V20h-6.500z',
+  export: 'M12 3v11M8 10l4 4 4-4M5 15v4h14v-4',
+  present: 'M4 5h16v11H4zM12 16v4M8 20h8M3 5h18',
+  full: 'M4 9V4h5M15 4h5v5M20 15v5h-5M9 20H4v-5',
   layers: 'M12 4l9 5-9 5-9-5zM4 13.500l8 4.500 8-4.500',
 } as const
 export type IconName = keyof typeof PATHS

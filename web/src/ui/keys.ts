@@ -21,11 +21,15 @@ const PRESSED = 'button, a, summary, [role=tab], [role=option], input'
 const MOVED_IN =
   'input, [role=tablist], [role=listbox], [role=radiogroup], [role=grid], dialog, .panels'
 
-/** Play, stop and step by keys, in `root` or where nothing has the focus. */
+/**
+ * Play, stop and step by keys, in `root` or where nothing has the focus; what other keys do is
+ * asked for by their names.
+ */
 export function listenForKeys(
   target: Document | HTMLElement,
   root: HTMLElement,
   clock: Clock,
+  other: (key: string) => (() => void) | undefined,
 ): () => void {
   function pressed(event: Event): void {
     if (!(event instanceof KeyboardEvent) || event.defaultPrevented) return
@@ -41,7 +45,13 @@ export function listenForKeys(
       return
     }
     const step = STEPS[key]
-    if (step === undefined || (SHARED.has(key) && where.closest(MOVED_IN))) return
+    if (step === undefined) {
+      const act = event.repeat ? undefined : other(key)
+      if (act) event.preventDefault()
+      act?.()
+      return
+    }
+    if (SHARED.has(key) && where.closest(MOVED_IN)) return
     event.preventDefault()
     clock.stop()
     const shifted = event.shiftKey && Math.abs(step) === 1

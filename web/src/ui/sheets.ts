@@ -1,7 +1,10 @@
+import exporting from '../export/export.css?inline'
 import derivation from './derivation.css?inline'
 import guide from './guide.css?inline'
 import narrow from './narrow.css?inline'
 import panels from './panels.css?inline'
+import present from './present.css?inline'
+import print from './print.css?inline'
 import style from './style.css?inline'
 
 const sheets = new Map<string, CSSStyleSheet>()
@@ -21,7 +24,7 @@ const users = new Map<CSSStyleSheet, number>()
 /** Adopts our styles in an element's document or shadow until the returned function is called. */
 export function adopt(
   element: Element,
-  css: readonly string[] = [style, panels, derivation, guide, narrow],
+  css: readonly string[] = [style, panels, derivation, guide, exporting, narrow, present, print],
 ): () => void {
   const node = element.getRootNode()
   const root = node instanceof ShadowRoot ? node : element.ownerDocument

@@ -1,15 +1,9 @@
 import { message, t } from '../../language/messages'
 import { useApp } from '../context'
 import { Heading } from '../Heading'
+import { KeyList } from '../keyList'
 import { NOTICES } from '../notices'
 import type { Panel } from '../panel'
-
-const KEYS = [
-  [message('space'), message('play or stop')],
-  [message('comma, full stop'), message('1° back, 1° forward; 10° with shift')],
-  [message('arrows'), message('the same, where nothing else uses them')],
-  [message('page up, page down'), message('90° forward, 90° back')],
-] as const
 
 export const about: Panel = {
   key: 'about',
@@ -51,16 +45,7 @@ function About() {
           )}
         </p>
         <h3>{t('Keys')}</h3>
-        <dl class="keys">
-          {KEYS.map(([key, action]) => (
-            <div key={key}>
-              <dt>
-                <kbd>{t(key)}</kbd>
-              </dt>
-              <dd>{t(action)}</dd>
-            </div>
-          ))}
-        </dl>
+        <KeyList />
       </section>
       <section>
         <h2>{t('This page')}</h2>

@@ -18,6 +18,7 @@ import { Each } from '../Each'
 import { decimalsOf, signedText } from '../figures'
 import { OrderChoice } from '../OrderChoice'
 import type { Panel } from '../panel'
+import { Scroller } from '../Scroller'
 
 export const cylinders: Panel = {
   key: 'cylinders',
@@ -126,7 +127,7 @@ function Forces() {
   const now = useMemo(() => textsOf(exhibit, lines, reach), [exhibit, lines, reach])
   useFollower((theta) => now(body.current, theta, chosen), [now, chosen])
   return (
-    <section class="scroll" aria-label={t('Forces at this crank angle')}>
+    <Scroller label={t('Forces at this crank angle')}>
       <table class="pulls" ref={body}>
         <thead>
           <tr>
@@ -166,7 +167,7 @@ function Forces() {
           ))}
         </tbody>
       </table>
-    </section>
+    </Scroller>
   )
 }
 

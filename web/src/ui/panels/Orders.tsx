@@ -9,6 +9,7 @@ import { quantityName, TERMS, unitOf } from '../names'
 import { isChosen, OrderChoice } from '../OrderChoice'
 import { Path } from '../Path'
 import type { Panel } from '../panel'
+import { Scroller } from '../Scroller'
 import { Term } from '../Term'
 
 export const orders: Panel = {
@@ -44,7 +45,7 @@ function Table() {
   )
   useFollower((theta) => moveDots(body.current, dots, theta), [dots])
   return (
-    <section class="scroll" aria-label={t('Orders')}>
+    <Scroller label={t('Orders')}>
       <table class="orders" ref={body}>
         <thead>
           <tr>
@@ -75,7 +76,7 @@ function Table() {
           />
         ))}
       </table>
-    </section>
+    </Scroller>
   )
 }
 
@@ -160,7 +161,7 @@ function Line({ row, share }: { row: Row; share: number }) {
       <td>
         <span class="drawn">
           <Path row={row} share={share} />
-          <span>{row.path}</span>
+          <span class="path-words">{row.path}</span>
         </span>
       </td>
       <td class="right">{row.greatest}</td>
