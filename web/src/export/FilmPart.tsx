@@ -3,16 +3,30 @@ import { useEffect, useRef } from 'preact/hooks'
 import { t } from '../language/messages'
 import { set } from '../state'
 import { useApp } from '../ui/context'
-import { filmed, type Kind, kinds, RATES, recordable } from './film'
+import { encodable, encoding } from './encoding'
+import { filmed, KINDS, type Kind, RATES, type RecorderOf } from './film'
 import { gif } from './gif'
+import { mp4 } from './mp4'
 import { type Ground, pictureName } from './picture'
-import { recording } from './recording'
 import type { Running } from './running'
+import { webm } from './webm'
 
 /** Seconds of a film: least, greatest. */
 const [SHORTEST, LONGEST] = [0.2, 60]
 /** Pixels of a frame to one of the page. */
 const DENSITY: Readonly<Record<Kind, number>> = { webm: 1.5, mp4: 1.5, gif: 1 }
+
+/** A size at which it is asked what can be written at all. */
+const USUAL = { width: 1280, height: 720, perSecond: 30 }
+const NAMES = { webm: 'WebM', mp4: 'MP4', gif: 'GIF' } as const satisfies Record<Kind, string>
+
+/** The recorder of a kind for frames of a canvas. Rejects where the browser has none of the size. */
+async function recorderOf(kind: Kind, { width, height }: HTMLCanvasElement): Promise<RecorderOf> {
+  if (kind === 'gif') return gif
+  const codec = await encodable(KINDS[kind], { width, height, perSecond: RATES[kind] })
+  if (codec !== undefined) return encoding(codec, kind === 'mp4' ? mp4 : webm)
+  throw new Error(t('This browser cannot write a film of this size. Make the window smaller.'))
+}
 
 /** A turn of the engine as a film that goes on where it began. */
 export function FilmPart({ ground, running }: { ground: Ground; running: Running }) {
@@ -23,7 +37,18 @@ export function FilmPart({ ground, running }: { ground: Ground; running: Running
   const seconds = useSignal(Number(usual.toPrecision(2)))
   const share = useSignal<number | null>(null)
   const filming = useRef<AbortController | null>(null)
+  const kinds = useSignal<readonly Kind[]>([])
   useEffect(() => () => filming.current?.abort(), [])
+  useEffect(() => {
+    const all = Object.keys(KINDS) as Kind[]
+    const asked = all.map(async (kind) => kind === 'gif' || (await encodable(KINDS[kind], USUAL)))
+    void Promise.all(asked).then((can) =>
+      set(
+        kinds,
+        all.filter((_, index) => can[index]),
+      ),
+    )
+  }, [])
   const wrong = !(seconds.value >= SHORTEST && seconds.value <= LONGEST)
 
   function begin(kind: Kind): void {
@@ -32,8 +57,7 @@ export function FilmPart({ ground, running }: { ground: Ground; running: Running
     const perSecond = RATES[kind]
     const frames = Math.max(2, Math.round(seconds.peek() * perSecond))
     const film = { frames, perSecond, ground, density: DENSITY[kind] }
-    const type = recordable(kind)
-    const recorder = type === undefined ? gif : recording(type)
+    const recorder = (canvas: HTMLCanvasElement) => recorderOf(kind, canvas)
     const told = (done: number): void => set(share, done)
     set(share, 0)
     void running
@@ -47,7 +71,7 @@ export function FilmPart({ ground, running }: { ground: Ground; running: Running
     <section>
       <h3>{t('One turn as a film')}</h3>
       <div class="buttons">
-        {kinds().map((kind) => (
+        {kinds.value.map((kind) => (
           <button
             key={kind}
             type="button"
@@ -55,7 +79,7 @@ export function FilmPart({ ground, running }: { ground: Ground; running: Running
             data-file={kind}
             onClick={() => begin(kind)}
           >
-            {kind === 'gif' ? 'GIF' : kind === 'mp4' ? 'MP4' : 'WebM'}
+            {NAMES[kind]}
           </button>
         ))}
         <label>

@@ -9,27 +9,16 @@ export interface Film {
   readonly density: number
 }
 
-/** Kinds of films, in the order in which they are offered; of a kind the first that is known. */
+/** Kinds of films and the codes in which they are written; of a kind the first that can be. */
 export const KINDS = {
-  webm: ['video/webm;codecs=vp9', 'video/webm;codecs=vp8', 'video/webm'],
-  mp4: ['video/mp4;codecs=avc1.640028', 'video/mp4;codecs=avc1.42E01E', 'video/mp4'],
+  webm: ['vp09.00.40.08', 'vp09.00.51.08', 'vp8'],
+  mp4: ['avc1.640028', 'avc1.640033', 'avc1.42E01F'],
   gif: [],
 } as const satisfies Record<string, readonly string[]>
 export type Kind = keyof typeof KINDS
 
 /** Frames in a second: of a GIF as many as it can count in hundredths. */
 export const RATES: Readonly<Record<Kind, number>> = { webm: 30, mp4: 30, gif: 20 }
-
-/** How a browser calls the kind of film that it can record; undefined where it cannot. */
-export function recordable(kind: Kind): string | undefined {
-  const known = (type: string): boolean =>
-    typeof MediaRecorder === 'function' && MediaRecorder.isTypeSupported(type)
-  return KINDS[kind].find(known)
-}
-
-/** The kinds of films that this browser makes. */
-export const kinds = (): readonly Kind[] =>
-  (Object.keys(KINDS) as Kind[]).filter((kind) => kind === 'gif' || recordable(kind))
 
 /** Frames that a recorder sees before: one of each stroke. */
 const LOOKS = 4
@@ -60,6 +49,9 @@ export interface Recorder {
   dispose(): void
 }
 
+/** Makes the recorder of a film. */
+export type RecorderOf = (canvas: HTMLCanvasElement, film: Film, signal: AbortSignal) => Recorder
+
 /**
  * Films a turn of the engines. The engine on the page stands still meanwhile; it is at the angle
  * at which it was when the film ends, and turns again if it did. Rejects when `signal` is aborted.
@@ -67,7 +59,7 @@ export interface Recorder {
 export async function filmed(
   app: App,
   film: Film,
-  recorder: (canvas: HTMLCanvasElement, film: Film, signal: AbortSignal) => Recorder,
+  recorder: (canvas: HTMLCanvasElement) => Promise<RecorderOf>,
   progress: Progress,
   signal: AbortSignal,
 ): Promise<Blob> {
@@ -76,10 +68,11 @@ export async function filmed(
   if (turning) clock.stop()
   const cycle = 360 * clock.turns.peek()
   const camera = cameraOf(app, film.density, film.ground, { even: true })
-  const into = recorder(camera.canvas, film, signal)
+  let into: Recorder | null = null
   // as many decimals at all angles, so that nothing in the picture jumps
   const written = (degrees: number): string => degrees.toFixed(0)
   try {
+    into = (await recorder(camera.canvas))(camera.canvas, film, signal)
     for (let look = 0; into.look && look < LOOKS; look++) {
       camera.take((cycle * look) / LOOKS, '0')
       into.look(camera.canvas)
@@ -93,7 +86,7 @@ export async function filmed(
     }
     return await into.done()
   } finally {
-    into.dispose()
+    into?.dispose()
     camera.end()
     if (turning) clock.play()
   }
