@@ -5,7 +5,9 @@ type Cell = string | number | null
 /** Rows as CSV after RFC 4180, with the mark by which spreadsheets know the letters. */
 export function csv(rows: readonly (readonly Cell[])[]): string {
   const written = (cell: Cell): string => {
-    const text = cell === null ? '' : String(cell)
+    const given = cell === null ? '' : String(cell)
+    // a spreadsheet would take it for a formula
+    const text = /^[=+\-@]/.test(given) && Number.isNaN(Number(given)) ? `'${given}` : given
     return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text
   }
   return `\ufeff${rows.map((row) => `${row.map(written).join(',')}\r\n`).join('')}`
