@@ -41,7 +41,7 @@ export function Embedding() {
   if (app.host.kind === 'widget') return null
   return (
     <section>
-      <h3>{t('In a website or a slide')}</h3>
+      <h3>{t('In a website or in slides')}</h3>
       <p class="soft small">
         {app.host.kind === 'server'
           ? t('Save this page as one file, put it beside yours, and show it in a frame:')

@@ -40,7 +40,7 @@ function Inside() {
   return (
     <>
       <Choice
-        label={t('Ground of pictures')}
+        label={t('Background of pictures')}
         value={ground.value}
         choices={GROUNDS.map((value) => ({ value, label: t(GROUND[value]) }))}
         chosen={(value) => set(ground, value)}
@@ -126,8 +126,9 @@ function Panels({ ground, running: { keep, busy } }: PartProps) {
                   disabled={busy.value}
                   aria-label={`${figure.label}: ${kind.toUpperCase()}`}
                   onClick={() =>
-                    void keep(fileName(app, kind, key, figure.label, angleWord(angle)), () =>
-                      kind === 'svg' ? svg(drawing(figure)) : rastered(drawing(figure)),
+                    void keep(
+                      fileName(app, kind, key, figure.label.split(':')[0] ?? '', angleWord(angle)),
+                      () => (kind === 'svg' ? svg(drawing(figure)) : rastered(drawing(figure))),
                     )
                   }
                 >

@@ -25,7 +25,7 @@ async function recorderOf(kind: Kind, { width, height }: HTMLCanvasElement): Pro
   if (kind === 'gif') return gif
   const codec = await encodable(KINDS[kind], { width, height, perSecond: RATES[kind] })
   if (codec !== undefined) return encoding(codec, kind === 'mp4' ? mp4 : webm)
-  throw new Error(t('This browser cannot write a film of this size. Make the window smaller.'))
+  throw new Error(t('This browser cannot write a video of this size. Make the window smaller.'))
 }
 
 /** A turn of the engine as a film that goes on where it began. */
@@ -69,7 +69,7 @@ export function FilmPart({ ground, running }: { ground: Ground; running: Running
 
   return (
     <section>
-      <h3>{t('One turn as a film')}</h3>
+      <h3>{t('One turn as a video')}</h3>
       <div class="buttons">
         {kinds.value.map((kind) => (
           <button
@@ -95,14 +95,14 @@ export function FilmPart({ ground, running }: { ground: Ground; running: Running
           />
         </label>
         <span class="soft small">
-          {t('{degrees}° of the crankshaft, after which all repeats: the film has no seam.', {
+          {t('{degrees}° of the crankshaft, after which all repeats: the video has no seam.', {
             degrees: 360 * turns,
           })}
         </span>
       </div>
       {share.value !== null && (
         <div class="buttons">
-          <progress value={share.value} max={1} aria-label={t('Filming')} />
+          <progress value={share.value} max={1} aria-label={t('Recording')} />
           <button type="button" onClick={() => filming.current?.abort()}>
             {t('Cancel')}
           </button>

@@ -9,7 +9,7 @@ const KEYS = [
   [message('[ and ]'), message('the panel before, the next one')],
   [message('f'), message('full screen')],
   [message('p'), message('presentation: large type, no controls')],
-  [message('e'), message('export pictures, films, tables, files')],
+  [message('e'), message('export pictures, videos, tables, files')],
   [message('?'), message('this list')],
   [message('escape'), message('leaves dialogs, presentation and full screen')],
 ] as const
