@@ -15,6 +15,7 @@ from crankstar.files import catalog
 from crankstar.language.faults import where
 from crankstar.page import exhibits, figures
 from crankstar.page.records import Exhibit, Exhibition
+from crankstar.page.workshop import workshop
 from crankstar.remedy import fitting
 
 V8 = catalog.tree_of("v8-cross-plane")[1]
@@ -208,3 +209,12 @@ def test_names_in_addresses_do_not_lead_out_of_the_catalog(server: Server) -> No
         answer = server.ask(f"api/catalog/{name}")
         assert answer.status in (404, 422), name
         assert answer.json["problems"]
+
+
+def test_the_workshop_offers_what_the_package_offers(server: Server) -> None:
+    answer = server.ask("api/workshop", {"engine": "i4", "cylinders": 5})
+    assert answer.json == workshop(catalog.tree_of("i4")[1], cylinders=5).model_dump(mode="json")
+    assert server.ask("api/workshop", {"engine": "v8-cross-plane", "cylinders": 9}).status == 422
+    curves = server.ask("api/sliders", {"engine": "v2-90"}).json["sliders"]
+    assert curves[0]["key"] == "layout.bank_angle"
+    assert {preset["key"] for preset in server.ask("api/presets").json} >= {"single", "v8-cross"}

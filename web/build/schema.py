@@ -10,12 +10,14 @@ from pydantic import BaseModel
 from pydantic.json_schema import JsonSchemaMode, models_json_schema
 
 from crankstar.page.records import Exhibition, Problem
+from crankstar.page.workshop_records import Preset, SlidersShown, WorkshopShown
 from crankstar.server import messages
 
 SENT: tuple[type[BaseModel], ...] = (
     *(Exhibition, Problem, messages.CatalogEntry, messages.DerivationShown),
     *(messages.FittedShown, messages.SearchShown, messages.TomlShown, messages.TreeShown),
     messages.WatchedShown,
+    *(Preset, SlidersShown, WorkshopShown),
 )
 RECEIVED: tuple[type[BaseModel], ...] = (messages.FittedQuestion, messages.SearchQuestion)
 

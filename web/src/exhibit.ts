@@ -10,6 +10,9 @@ export interface Exchange {
   TomlShown: TomlShown
   TreeShown: TreeShown
   WatchedShown: WatchedShown
+  Preset: Preset
+  SlidersShown: SlidersShown
+  WorkshopShown: WorkshopShown
   FittedQuestion: FittedQuestion
   SearchQuestion: SearchQuestion
 }
@@ -341,6 +344,8 @@ export interface Row {
 }
 /** A sentence of the verdict and what it is about. */
 export interface Fact {
+  /** force, couple, roll, ... whatever the language */
+  subject: string
   about: string
   sentence: string
 }
@@ -453,6 +458,91 @@ export interface WatchedShown {
   tree?: Record<string, unknown> | null
   /** what is wrong with it now */
   problems?: Problem[]
+}
+/** A usual layout: its engine file, and what a small picture of it shows. */
+export interface Preset {
+  key: string
+  label: string
+  group: string
+  tree: Record<string, unknown>
+  cylinders: number
+  /** bearings of the cylinder axes, each once */
+  axes_deg: number[]
+  /** bearings of the crank pins at theta = 0 */
+  throws_deg: number[]
+  radial: boolean
+  shafts: number
+}
+/** The curves behind the sliders of an engine. */
+export interface SlidersShown {
+  sliders: Slider[]
+}
+/** The curves of a control. */
+export interface Slider {
+  key: string
+  /** the value of the engine */
+  present: number
+  values: number[]
+  curves: SliderCurve[]
+  /** the same as crankstar sweep --over takes it */
+  range: string
+}
+/** What an engine leaves over the range of a slider, at the `values` of its `Slider`. */
+export interface SliderCurve {
+  label: string
+  /** as crankstar sweep --watch takes it */
+  what: string
+  order: number | null
+  unit: string
+  results: number[]
+  /** at the present value of the slider */
+  present: number
+}
+/** An engine on the bench: how many cylinders it may have, its cranks, orders, controls. */
+export interface WorkshopShown {
+  tree: Record<string, unknown>
+  cylinders: number
+  /** the next smaller number of cylinders */
+  fewer: number | null
+  /** the next greater number of cylinders */
+  more: number | null
+  /** what was decided, and what was left out */
+  sentences: string[]
+  cranks: OfferShown[]
+  orders: OfferShown[]
+  controls: Control[]
+}
+/** An engine file one click away. */
+export interface OfferShown {
+  label: string
+  tree: Record<string, unknown>
+  /** whether it is the present one */
+  chosen: boolean
+}
+/** A number of an engine that is changed directly, in `unit` ("" for a bare number). */
+export interface Control {
+  /** its key path, as crankstar sweep --over takes it */
+  key: string
+  label: string
+  help: string
+  value: number
+  unit: string
+  low: number
+  high: number
+  step: number
+  /** values that a drag comes to rest at */
+  snaps?: number[]
+  sets: Setting[]
+  /** key paths that are left out beside it */
+  removes?: string[]
+  /** whether its slider has curves */
+  swept?: boolean
+}
+/** A key of the engine file that a control sets: to `factor` times its value, and `added`. */
+export interface Setting {
+  path: string
+  factor?: number
+  added?: number
 }
 /** The weights and balance shafts to fit an engine with; by default the verdict's advice. */
 export interface FittedQuestion {

@@ -18,6 +18,8 @@
 | `estimate` | masses and lengths that a file leaves out |
 | `write` | Engines to TOML, the JSON Schema |
 | `rewritten` | a changed engine in the form of the file it came from |
+| `crank_layouts` | layouts for another number of cylinders: the cranks of each kind |
+| `rearranged` | a file with another number of cylinders, crank or firing order |
 | `starters` | commented files to begin with |
 | `catalog` | the engines of the package, and a file or engine by its name |
 """

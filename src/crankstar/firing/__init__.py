@@ -8,5 +8,6 @@
 | `timetable` | all ways to give each chamber one of its dead centres |
 | `orders` | firing orders that a crank can fire: even, given, all possible |
 | `strokes` | strokes, valve or port events, common exhausts |
+| `rows` | crankshafts of one row of cylinders that fire evenly |
 | `vees` | V engines that fire evenly: throws, bank angle, pin split |
 """

@@ -44,6 +44,14 @@ NAMED: dict[str, dict[str, str]] = {
 """Values that are names of things, with the words for them; others stand as they are."""
 
 SENTENCES: dict[str, str | Plural] = {
+    "workshop.explicit": N_(
+        "{where}: the explicit form lists every part; give the file a layout to change the number "
+        "of cylinders"
+    ),
+    "workshop.cylinders": N_(
+        "{where} is {value}; this layout has {step} more or fewer at a time, up to {greatest}"
+    ),
+    "workshop.no-crank": N_("{where} is {value}; no crankshaft of this layout has so many"),
     "text": N_("{text}"),
     "unit.needed": N_("{where} is {value}; {dimension} is needed, such as {example}"),
     "unit.missing": N_(

@@ -15,6 +15,10 @@
 | `keys` | the figures and derivations that an engine has, by key |
 | `figures` | a figure as Vega-Lite, a derivation as HTML, by key |
 | `exhibits` | Engine -> Exhibit, Exhibition; the engine with the recommended remedy |
+| `workshop_records` | what the workshop is sent |
+| `controls` | the numbers of an engine that are changed directly |
+| `sliders` | the curves behind them, by sweeping |
+| `workshop` | an engine with what can be changed in it; layouts to begin with |
 | `library` | the whole contents of a file or a notebook, packed |
 | `standalone` | the page as one file without a network |
 | `widget` | the page as a notebook widget |

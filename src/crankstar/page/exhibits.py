@@ -176,7 +176,8 @@ def in_units(engine: Engine, over: Spread | None, *, relatives: bool) -> dict[st
         "table": vectors.rows(sums, remains.orders_shown(result, sums), scaling=scaling, ends=ends),
         "bearing_numbers": bearing_numbers(engine, over),
         "verdict": tuple(
-            Fact(about=subject_of[fact.about], sentence=fact.sentence) for fact in facts
+            Fact(subject=fact.about, about=subject_of[fact.about], sentence=fact.sentence)
+            for fact in facts
         ),
     }
 

@@ -214,6 +214,7 @@ class Row(Shown):
 class Fact(Shown):
     """A sentence of the verdict and what it is about."""
 
+    subject: str = Field(description="force, couple, roll, ... whatever the language")
     about: str
     sentence: str
 

@@ -139,6 +139,14 @@ class ExportQuestion(ShownQuestion):
     )
 
 
+class WorkshopQuestion(EngineQuestion):
+    """An engine, as it is or with another number of cylinders."""
+
+    cylinders: Annotated[int, Field(ge=1, le=GREATEST_CYLINDERS)] | None = Field(
+        default=None, description="how many it is to have; left out, as many as it has"
+    )
+
+
 class TextQuestion(Message):
     """The text of an engine file, TOML or JSON."""
 

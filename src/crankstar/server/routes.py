@@ -15,6 +15,7 @@ from starlette.exceptions import HTTPException
 from crankstar import files
 from crankstar.language.quoting import one_line
 from crankstar.page.records import Exhibit, Exhibition
+from crankstar.page.workshop_records import Preset, SlidersShown, WorkshopShown
 from crankstar.server import exporting, forms, messages, search_process, tasks
 from crankstar.server.answers import Answers
 from crankstar.server.refusal import Refused, refused
@@ -250,6 +251,27 @@ async def fitted(request: Request, question: messages.FittedQuestion) -> Respons
 async def estimate(request: Request, question: messages.EngineQuestion) -> Response:
     """Its file as a tree, with masses and lengths that it leaves out, each marked as estimated."""
     return await _answer(request, tasks.estimate, bounded(question.engine))
+
+
+@answering("POST", "/workshop", WorkshopShown, "What can be changed in an engine", tag="workshop")
+async def workshop(request: Request, question: messages.WorkshopQuestion) -> Response:
+    """The engine, with another number of cylinders if one is given: throws, banks, firing order.
+
+    With it the cranks and firing orders that it could have instead, and its direct controls.
+    """
+    return await _answer(request, tasks.workshop, bounded(question.engine), question.cylinders)
+
+
+@answering("POST", "/sliders", SlidersShown, "The curves behind sliders", tag="workshop")
+async def sliders(request: Request, question: messages.ShownQuestion) -> Response:
+    """What an engine leaves over the range of each control, as `crankstar sweep` computes it."""
+    return await _answer(request, tasks.sliders, bounded(question.engine), question.units)
+
+
+@answering("GET", "/presets", list[Preset], "Usual layouts to begin with", tag="workshop")
+async def presets(request: Request) -> Response:
+    """Each with its engine file, and what a small picture of it shows."""
+    return await _answer(request, tasks.presets)
 
 
 @answering("POST", "/toml", messages.TomlShown, "An engine file in TOML", tag="files")

@@ -166,6 +166,35 @@ def _fitted(
     return exhibits.Done(after, factor)
 
 
+def workshop(engine: str | Tree, cylinders: int | None) -> bytes:
+    """What can be changed in an engine, with another number of cylinders if one is given.
+
+    Raises Refused.
+    """
+    from crankstar.page.workshop import workshop
+
+    with mistakes_refused():
+        tree = engine_of(engine)[1]
+        return _json(workshop(tree, cylinders=cylinders))
+
+
+def sliders(engine: str | Tree, units: str | None = None) -> bytes:
+    """The curves behind the sliders of an engine. Raises Refused."""
+    from crankstar.page.sliders import sliders
+    from crankstar.page.workshop_records import SlidersShown
+
+    with mistakes_refused(), units_of(units):
+        tree = engine_of(engine)[1]
+        return _json(SlidersShown(sliders=sliders(tree, name=ENGINE)))
+
+
+def presets() -> bytes:
+    """The usual layouts to begin with."""
+    from crankstar.page.workshop import presets
+
+    return answered([preset.model_dump(mode="json") for preset in presets()])
+
+
 def toml(engine: str | Tree) -> bytes:
     """An engine file in TOML.
 

@@ -222,6 +222,16 @@ def sweep(
     return _over(source, over_all, tell, reference=reference, orders=orders, speed=speed)
 
 
+def sweep_of(
+    source: Source,
+    over: Sequence[tuple[str, Sequence[float] | Real, str | None]],
+    *,
+    speed: float | Literal["file"] | None = "file",
+) -> Sweep:
+    """The sweep of the tree of a file over numbers: key path, values, unit. Raises as `swept`."""
+    return _over(source, over, None, reference=None, orders=None, speed=speed)
+
+
 def swept(
     name: str | Engine,
     *,
