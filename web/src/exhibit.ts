@@ -511,6 +511,8 @@ export interface WorkshopShown {
   cranks: OfferShown[]
   orders: OfferShown[]
   controls: Control[]
+  /** of the first crankshaft, from front to rear */
+  pins: Pin[]
 }
 /** An engine file one click away. */
 export interface OfferShown {
@@ -531,18 +533,27 @@ export interface Control {
   high: number
   step: number
   /** values that a drag comes to rest at */
-  snaps?: number[]
+  snaps: number[]
   sets: Setting[]
-  /** key paths that are left out beside it */
-  removes?: string[]
   /** whether its slider has curves */
-  swept?: boolean
+  swept: boolean
 }
 /** A key of the engine file that a control sets: to `factor` times its value, and `added`. */
 export interface Setting {
   path: string
-  factor?: number
-  added?: number
+  factor: number
+  added: number
+}
+/** A crank throw that can be turned: its key path, and the throws of its list as they stand. */
+export interface Pin {
+  path: string
+  label: string
+  /** what the file says: from pin 1 of its list, clockwise */
+  angle_deg: number
+  /** of the pin at theta = 0, clockwise from up */
+  bearing_deg: number
+  /** whether the others are counted from it */
+  fixed: boolean
 }
 /** The weights and balance shafts to fit an engine with; by default the verdict's advice. */
 export interface FittedQuestion {

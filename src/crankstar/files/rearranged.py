@@ -250,7 +250,8 @@ def _is_even(fired: Firing, share: float = 0.005) -> bool:
 def _cranks(engine: Engine, tree: Tree) -> tuple[Offer, ...]:
     """The present crank and others for as many cylinders, each with a firing order."""
     own = _shape(engine)
-    offers = {own: Offer(_crank_text(engine, tree["layout"]), tree, chosen=True)}
+    banks = _bank_text(engine, tree["layout"])
+    offers = {own: Offer(_crank_label(engine, tree["layout"], banks), tree, chosen=True)}
     tables = layouts_for(engine, tree["layout"], count=len(engine.chambers))
     for layout in islice(tables, MOST_CRANKS + 2):
         with suppress(EngineFileError):
@@ -259,7 +260,7 @@ def _cranks(engine: Engine, tree: Tree) -> tuple[Offer, ...]:
             other = engine_of(plain)
             if _shape(other) not in offers:
                 made = with_best_order(plain)
-                offers[_shape(other)] = Offer(_crank_text(other, layout), made)
+                offers[_shape(other)] = Offer(_crank_label(other, layout, banks), made)
     return tuple(islice(offers.values(), MOST_CRANKS))
 
 
@@ -312,30 +313,54 @@ def _said(engine: Engine, tree: Tree) -> str:
     )
 
 
+def _crank_label(engine: Engine, layout: Mapping[str, Any], banks: str) -> str:
+    """The crank in fewer words: its throws, and the bank angle where it is another one."""
+    own = _bank_text(engine, layout)
+    parts = [", ".join(_degree_texts(_throw_angles(engine, layout)))]
+    parts += [own] if own != banks else []
+    return "; ".join([*parts, *_split_text(engine, layout)])
+
+
 def _crank_text(engine: Engine, layout: Mapping[str, Any]) -> str:
     """The crank in few words: where its throws stand, how the banks stand, whether pins split."""
-    parts = [_throws_text(engine, layout)]
-    if layout["type"] == "vee" and len(layout["banks"]) == 2:
-        angle = abs(bank_angle_deg(engine, layout))
-        parts.append(_("banks {angle}°", angle=number(angle, digits=4)))
-        if len(engine.shafts[0].throws) == len(engine.cylinders) > len(layout.get("throws", ())):
-            first, second = engine.shafts[0].throws[:2]
-            split = abs(degrees(wrapped(second.angle - first.angle)))
-            parts.append(_("pins split by {angle}°", angle=number(split, digits=4)))
-    return ", ".join(parts)
+    angles = _throw_angles(engine, layout)
+    throws = _("throws at {angles}", angles=", ".join(_degree_texts(angles)))
+    parts = [throws if len(angles) > 1 else _("one throw"), _bank_text(engine, layout)]
+    return ", ".join(filter(None, [*parts, *_split_text(engine, layout)]))
 
 
-def _throws_text(engine: Engine, layout: Mapping[str, Any]) -> str:
+def _is_vee(layout: Mapping[str, Any]) -> bool:
+    return layout["type"] == "vee" and len(layout["banks"]) == 2
+
+
+def _bank_text(engine: Engine, layout: Mapping[str, Any]) -> str:
+    if not _is_vee(layout):
+        return ""
+    return _("banks {angle}°", angle=number(abs(bank_angle_deg(engine, layout)), digits=4))
+
+
+def _split_text(engine: Engine, layout: Mapping[str, Any]) -> list[str]:
+    """How far pins are split, if two banks share a list of throws and have pins of their own."""
+    pins = len(engine.shafts[0].throws)
+    if not _is_vee(layout) or not pins == len(engine.cylinders) > len(layout.get("throws", ())):
+        return []
+    first, second = (
+        next(c for c in engine.cylinders if c.number == bank["cylinders"][0])
+        for bank in layout["banks"]
+    )
+    split = abs(degrees(wrapped(engine.throw(second).angle - engine.throw(first).angle)))
+    return [_("pins split by {angle}°", angle=number(split, digits=4))]
+
+
+def _throw_angles(engine: Engine, layout: Mapping[str, Any]) -> list[float]:
+    """Where the throws of the file stand from the first, degrees."""
     given = layout.get("throws")
     pins = engine.shafts[0].throws
     if layout["type"] in ("vee", "boxer") and given and len(given) < len(pins):
         numbers = layout["banks"][0]["cylinders"]
         own = {cylinder.number: engine.throw(cylinder) for cylinder in engine.cylinders}
         pins = tuple(own[number_] for number_ in numbers)
-    angles = [degrees(wrapped(pin.angle - pins[0].angle)) for pin in pins]
-    if len(pins) == 1:
-        return _("one throw")
-    return _("throws at {angles}", angles=", ".join(_degree_texts(angles)))
+    return [degrees(wrapped(pin.angle - pins[0].angle)) for pin in pins]
 
 
 def _degree_texts(angles: Iterable[float]) -> list[str]:

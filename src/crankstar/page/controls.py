@@ -95,7 +95,7 @@ def _pin_split(layout: Mapping[str, Any]) -> Iterator[Control]:
         high=90,
         step=1,
         snaps=SPLIT_SNAPS,
-        sets=(Setting(path="layout.pin_split"),),
+        sets=(_setting("layout.pin_split"),),
         swept=True,
     )
 
@@ -114,7 +114,7 @@ def _second_pin(layout: Mapping[str, Any]) -> Iterator[Control]:
         high=360,
         step=1,
         snaps=PIN_SNAPS,
-        sets=(Setting(path="layout.throws[2]", added=_degrees(throws[0])),),
+        sets=(_setting("layout.throws[2]", added=_degrees(throws[0])),),
         swept=_degrees(throws[0]) == 0,
     )
 
@@ -139,7 +139,7 @@ def _lags(layout: Mapping[str, Any]) -> Iterator[Control]:
             high=high,
             step=1,
             snaps=PIN_SNAPS if high == 360 else (),
-            sets=(Setting(path=path),),
+            sets=(_setting(path),),
             swept=True,
         )
 
@@ -159,7 +159,7 @@ def _balance_factor(engine: Engine, tree: Mapping[str, Any]) -> Iterator[Control
         high=1,
         step=0.01,
         snaps=(0.0, 0.25, 0.5, 0.75, 1.0),
-        sets=(Setting(path="balance_factor"),),
+        sets=(_setting("balance_factor"),),
         swept=True,
     )
 
@@ -178,7 +178,8 @@ def _rod(tree: Mapping[str, Any]) -> Iterator[Control]:
             low=min(2.0, ratio),
             high=max(8.0, ratio),
             step=0.05,
-            sets=(Setting(path="cylinder.rod_ratio"),),
+            snaps=(),
+            sets=(_setting("cylinder.rod_ratio"),),
             swept=True,
         )
     elif stroke is not None and stroke[1] == length[1]:
@@ -230,7 +231,8 @@ def _length(
         low=float(f"{low:.3g}"),
         high=float(f"{high:.3g}"),
         step=float(f"{(high - low) / 200:.1g}"),
-        sets=(Setting(path=path),),
+        snaps=(),
+        sets=(_setting(path),),
         swept=swept and value[0] > 0,
     )
 
@@ -248,8 +250,14 @@ def _speed(tree: Mapping[str, Any]) -> Iterator[Control]:
         low=float(f"{0.1 * value[0]:.3g}"),
         high=float(f"{2 * value[0]:.3g}"),
         step=float(f"{value[0] / 100:.1g}"),
-        sets=(Setting(path="speed"),),
+        snaps=(),
+        sets=(_setting("speed"),),
+        swept=False,
     )
+
+
+def _setting(path: str, *, added: float = 0.0) -> Setting:
+    return Setting(path=path, factor=1.0, added=added)
 
 
 def _degrees(value: Any) -> float:

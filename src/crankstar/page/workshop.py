@@ -8,12 +8,14 @@ from math import degrees
 from typing import Any, NamedTuple
 
 from crankstar.engine.copies import wrapped
+from crankstar.engine.engine import Engine
 from crankstar.files import catalog, engine_of
+from crankstar.files.forms import is_explicit
 from crankstar.files.mistakes import Tree
 from crankstar.files.rearranged import Offer, rearranged, with_best_order
 from crankstar.language.messages import N_, _
 from crankstar.page.controls import controls
-from crankstar.page.workshop_records import OfferShown, Preset, WorkshopShown
+from crankstar.page.workshop_records import OfferShown, Pin, Preset, WorkshopShown
 
 
 def workshop(tree: Mapping[str, Any], *, cylinders: int | None = None) -> WorkshopShown:
@@ -22,6 +24,7 @@ def workshop(tree: Mapping[str, Any], *, cylinders: int | None = None) -> Worksh
     Raises EngineFileError, and EngineError for a number that its layout cannot have.
     """
     made = rearranged(tree, cylinders=cylinders)
+    engine = engine_of(made.tree)
     return WorkshopShown(
         tree=made.tree,
         cylinders=made.cylinders,
@@ -30,12 +33,64 @@ def workshop(tree: Mapping[str, Any], *, cylinders: int | None = None) -> Worksh
         sentences=made.sentences,
         cranks=_offers(made.cranks),
         orders=_offers(made.orders),
-        controls=controls(engine_of(made.tree), made.tree),
+        controls=controls(engine, made.tree),
+        pins=tuple(pins(engine, made.tree)),
     )
 
 
 def _offers(offers: Sequence[Offer]) -> tuple[OfferShown, ...]:
     return tuple(OfferShown(**offer._asdict()) for offer in offers)
+
+
+def pins(engine: Engine, tree: Mapping[str, Any]) -> Iterator[Pin]:
+    """The throws of the first crankshaft that the file can turn, each with its key path.
+
+    Of a star on one pin, and of a file whose throws follow from its firing order, only the latter
+    has any: they are written into it where one is turned.
+    """
+    shaft = engine.shafts[0]
+    if is_explicit(tree):
+        for place, throw in enumerate(shaft.throws, 1):
+            bearing = degrees(throw.angle)
+            path = f"shaft[1].throw[{place}].angle"
+            yield _pin(path, str(place), bearing, bearing, fixed=False)
+        return
+    layout = tree["layout"]
+    table, before = layout, "layout"
+    if layout["type"] == "tandem":
+        table, before = layout["cranks"][0], "layout.cranks[1]"
+    numbers = _numbers_of_pins(engine, table)
+    if layout["type"] == "radial" or len(numbers) < 2:
+        return
+    own = {cylinder.number: engine.throw(cylinder).angle for cylinder in engine.cylinders}
+    base = own[numbers[0]]
+    for place, number in enumerate(numbers, 1):
+        angle = degrees(wrapped(own[number] - base))
+        label = str(place) if len(numbers) <= len(shaft.throws) else str(number)
+        path = f"{before}.throws[{place}]"
+        yield _pin(path, label, angle, degrees(own[number]), fixed=place == 1)
+
+
+def _pin(path: str, label: str, angle: float, bearing: float, *, fixed: bool) -> Pin:
+    return Pin(
+        path=path,
+        label=label,
+        angle_deg=round(angle, 9) + 0.0,
+        bearing_deg=round(bearing, 9) + 0.0,
+        fixed=fixed,
+    )
+
+
+def _numbers_of_pins(engine: Engine, table: Mapping[str, Any]) -> list[int]:
+    """A cylinder on each throw of a list, in its order."""
+    banks = table.get("banks")
+    given = table.get("throws", (0,))
+    if banks is None:
+        return [cylinder.number for cylinder in engine.cylinders][: len(engine.chambers)]
+    first = [*banks[0]["cylinders"]]
+    if len(given) == len(first):
+        return first
+    return sorted(number for bank in banks for number in bank["cylinders"])
 
 
 Make = Callable[[], Tree]

@@ -13,8 +13,8 @@ class Setting(Shown):
     """A key of the engine file that a control sets: to `factor` times its value, and `added`."""
 
     path: str
-    factor: float = 1.0
-    added: float = 0.0
+    factor: float
+    added: float
 
 
 class Control(Shown):
@@ -28,12 +28,9 @@ class Control(Shown):
     low: float
     high: float
     step: float
-    snaps: tuple[float, ...] = Field(default=(), description="values that a drag comes to rest at")
+    snaps: tuple[float, ...] = Field(description="values that a drag comes to rest at")
     sets: tuple[Setting, ...]
-    removes: tuple[str, ...] = Field(
-        default=(), description="key paths that are left out beside it"
-    )
-    swept: bool = Field(default=False, description="whether its slider has curves")
+    swept: bool = Field(description="whether its slider has curves")
 
 
 class OfferShown(Shown):
@@ -42,6 +39,16 @@ class OfferShown(Shown):
     label: str
     tree: dict[str, Any]
     chosen: bool = Field(description="whether it is the present one")
+
+
+class Pin(Shown):
+    """A crank throw that can be turned: its key path, and the throws of its list as they stand."""
+
+    path: str
+    label: str
+    angle_deg: float = Field(description="what the file says: from pin 1 of its list, clockwise")
+    bearing_deg: float = Field(description="of the pin at theta = 0, clockwise from up")
+    fixed: bool = Field(description="whether the others are counted from it")
 
 
 class WorkshopShown(Shown):
@@ -55,6 +62,7 @@ class WorkshopShown(Shown):
     cranks: tuple[OfferShown, ...]
     orders: tuple[OfferShown, ...]
     controls: tuple[Control, ...]
+    pins: tuple[Pin, ...] = Field(description="of the first crankshaft, from front to rear")
 
 
 class SliderCurve(Shown):

@@ -14,6 +14,8 @@ export type Move<T> =
   | { readonly kind: 'rest' }
   | { readonly kind: 'undo' }
   | { readonly kind: 'redo' }
+  /** To a step of all, counted from the first, undone ones included. */
+  | { readonly kind: 'go'; readonly step: number }
 
 /** Steps that are kept: a day's work, and no more memory than a photograph. */
 export const LONGEST = 500
@@ -53,6 +55,17 @@ export function after<T>(history: History<T>, move: Move<T>): History<T> {
       const [next, ...rest] = future
       if (next === undefined) return history
       return { past: [...past, present], present: next, future: rest, gesture: null }
+    }
+    case 'go': {
+      const all = [...past, present, ...future]
+      const there = all[move.step]
+      if (there === undefined || move.step === past.length) return history
+      return {
+        past: all.slice(0, move.step),
+        present: there,
+        future: all.slice(move.step + 1),
+        gesture: null,
+      }
     }
   }
 }

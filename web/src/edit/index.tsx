@@ -1,6 +1,7 @@
 import { useEffect, useMemo, useRef } from 'preact/hooks'
 import type { Service } from '../host/host'
 import { plural, t } from '../language/messages'
+import { Workbench } from './Bench'
 import { CatalogPicker } from './catalog'
 import { Provider } from './context'
 import css from './edit.css?inline'
@@ -15,12 +16,14 @@ export const editStyle: string = css
 interface Props {
   readonly service: Service
   readonly engine: OnStage
+  /** The units of all numbers, as --units takes them. */
+  readonly units?: string
   /** Puts a new engine on the stage. */
   readonly shown: Shown
 }
 
 /** Live editing: catalog, form of the engine file, undo, files, and the crank search. */
-export function Editor({ service, engine, shown }: Props) {
+export function Editor({ service, engine, units = '', shown }: Props) {
   const session = sessionOf(service, engine, shown)
   const root = useRef<HTMLElement>(null)
   // drawn once: its fields follow the engine by themselves
@@ -60,6 +63,7 @@ export function Editor({ service, engine, shown }: Props) {
         </p>
         <NotDone session={session} />
         <Mistakes session={session} root={() => root.current} />
+        <Workbench units={units} />
         {form}
       </section>
     </Provider>

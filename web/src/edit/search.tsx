@@ -81,7 +81,7 @@ function SearchDialog({ close }: { close: () => void }) {
 }
 
 function putOnStage(session: Session, row: Found, number: number, close: () => void): void {
-  session.edit(row.tree)
+  session.replace(row.tree)
   session.note.value = t('Row {number} is now in the form. Undo restores the previous engine.', {
     number,
   })

@@ -1,10 +1,12 @@
 import { batch, computed, type ReadonlySignal, type Signal, signal } from '@preact/signals'
-import type { CatalogEntry, Exhibit, Problem } from '../exhibit'
+import type { CatalogEntry, Exhibit, Fact, Problem } from '../exhibit'
 import type { Answer, Service, Tree } from '../host/host'
 import { t } from '../language/messages'
 import { reasonOf } from '../reason'
+import { withoutOrder } from './control'
 import { after, begun, type History } from './history'
 import { latest } from './latest'
+import { renamed } from './naming'
 import { type Form, formOf, forms } from './schema'
 import { withoutSources } from './sources'
 import { withWeightsAlong } from './throws'
@@ -14,7 +16,9 @@ import { type Path, put, read, same, within } from './tree'
 export type Shown = (exhibit: Exhibit, tree: Tree) => void
 
 /** What the form knows of the engine on the stage. */
-export type OnStage = Pick<Exhibit, 'file' | 'relative' | 'weight_throws'>
+export type OnStage = Pick<Exhibit, 'file' | 'relative' | 'weight_throws'> & {
+  readonly verdict?: readonly Fact[]
+}
 
 /** A mistake and the place in the engine file that it is about. */
 export interface Placed extends Problem {
@@ -45,10 +49,24 @@ export interface Session {
   readonly relative: Exhibit['relative']
   /** What was done or went wrong last, for everyone to see and hear. */
   readonly note: Signal<string>
+  /** The engine on the stage: the last that was valid, and what its verdict says. */
+  readonly valid: ReadonlySignal<Tree>
+  readonly verdict: ReadonlySignal<readonly Fact[]>
+  /** All steps, done and undone, and the place of the present one. */
+  readonly steps: ReadonlySignal<{ readonly all: readonly Tree[]; readonly at: number }>
   readonly canUndo: ReadonlySignal<boolean>
   readonly canRedo: ReadonlySignal<boolean>
   /** Puts another engine file in place of this one. Edits of one gesture are one step of undo. */
   edit(to: Tree, gesture?: string): void
+  /** Puts another engine in place of this one, under its own name. */
+  replace(to: Tree): void
+  /**
+   * The same for a direct control: its steps go on until it rests, and a firing order that no
+   * longer fits is left out.
+   */
+  direct(to: Tree, control: string): void
+  /** To a step of `steps`. */
+  goTo(step: number): void
   set(path: Path, value: unknown, gesture?: string): void
   /** Ends a gesture: the next edit is a step of its own. */
   rest(): void
@@ -64,6 +82,8 @@ export interface Session {
   shown: Shown
 }
 
+/** A gesture that begins with this leaves out a firing order that does not fit. */
+const DIRECT = 'direct '
 /** A gesture that begins with this is typing, which a pause ends, milliseconds. */
 export const TYPING = 'type '
 const PAUSE = 1000
@@ -78,6 +98,9 @@ export function session(service: Service, engine: OnStage, shown: Shown): Sessio
   const refused = signal<Refused | null>(null)
   const busy = signal(false)
   const note = signal('')
+  const valid = signal<Tree>(engine.file)
+  const verdict = signal<readonly Fact[]>(engine.verdict ?? [])
+  const origins = new Set<unknown>([engine.file.name])
   let onStage = engine
   let lastEdit = 0
   let loading = false
@@ -87,8 +110,12 @@ export function session(service: Service, engine: OnStage, shown: Shown): Sessio
     answered: (answer, subject, newest) => {
       if (answer.ok) {
         onStage = answer.value
-        self.shown(answer.value, subject)
-      }
+        batch(() => {
+          valid.value = subject
+          verdict.value = answer.value.verdict ?? []
+          self.shown(answer.value, subject)
+        })
+      } else if (newest && leftOut(answer.problems, subject)) return
       const wrong = answer.ok ? [] : placed(answer.problems)
       if (newest && (wrong.length || problems.peek().length)) problems.value = wrong
     },
@@ -96,6 +123,18 @@ export function session(service: Service, engine: OnStage, shown: Shown): Sessio
       busy.value = now
     },
   })
+
+  /** Leaves out a firing order that a direct control made impossible. */
+  function leftOut(found: readonly Problem[], subject: Tree): boolean {
+    const { gesture, present: now } = history.peek()
+    const order = found.every(({ path }) => path.startsWith('firing_'))
+    if (!order || now !== subject || !gesture?.startsWith(DIRECT)) return false
+    const rest = withoutOrder(subject)
+    if (rest === subject) return false
+    move({ kind: 'edit', to: rest, gesture })
+    note.value = t('The firing order no longer fits and was left out. Choose one below.')
+    return true
+  }
 
   const move = (change: Parameters<typeof after<Tree>>[1]) => {
     const was = history.value.present
@@ -120,14 +159,29 @@ export function session(service: Service, engine: OnStage, shown: Shown): Sessio
     },
     note,
     shown,
+    valid,
+    verdict,
+    steps: computed(() => {
+      const { past, present: now, future } = history.value
+      return { all: [...past, now, ...future], at: past.length }
+    }),
     canUndo: computed(() => history.value.past.length > 0),
     canRedo: computed(() => history.value.future.length > 0),
     edit(to, gesture) {
       const now = performance.now()
       if (gesture?.startsWith(TYPING) && now - lastEdit > PAUSE) move({ kind: 'rest' })
       lastEdit = now
-      move(gesture === undefined ? { kind: 'edit', to } : { kind: 'edit', to, gesture })
+      const named = renamed(history.peek().present, to, origins, (name) =>
+        t('{name}, edited', { name }),
+      )
+      move({ kind: 'edit', to: named, ...(gesture !== undefined && { gesture }) })
     },
+    replace(to) {
+      origins.add(to.name)
+      move({ kind: 'edit', to })
+    },
+    direct: (to, control) => self.edit(to, DIRECT + control),
+    goTo: (step) => move({ kind: 'go', step }),
     set(path, value, gesture) {
       const along = withWeightsAlong(history.value.present, path, value, onStage)
       self.edit(withoutSources(put(along, path, value), path), gesture)
@@ -138,10 +192,13 @@ export function session(service: Service, engine: OnStage, shown: Shown): Sessio
     adopt(given) {
       const known = same(given.file, onStage.file) || same(given.file, present.peek())
       onStage = given
+      if (given.verdict) verdict.value = given.verdict
       if (known) return
+      origins.add(given.file.name)
       live.stop()
       batch(() => {
         history.value = after(history.value, { kind: 'edit', to: given.file })
+        valid.value = given.file
         problems.value = []
         busy.value = false
       })
@@ -163,7 +220,7 @@ export function session(service: Service, engine: OnStage, shown: Shown): Sessio
     async open(answer, what) {
       const opened = await answered(answer)
       batch(() => {
-        if (opened.ok) self.edit(opened.value)
+        if (opened.ok) self.replace(opened.value)
         note.value = opened.ok ? t('{what} is now in the form.', { what }) : ''
         refused.value = opened.ok
           ? null

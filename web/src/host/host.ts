@@ -3,9 +3,12 @@ import type {
   Exhibit,
   Exhibition,
   FittedQuestion,
+  Preset,
   Problem,
   SearchQuestion,
   SearchShown,
+  SlidersShown,
+  WorkshopShown,
 } from '../exhibit'
 import type { News } from './watching'
 
@@ -62,6 +65,12 @@ export interface Service {
   catalog(): Promise<CatalogEntry[]>
   engine(name: string): Promise<Answer<Tree>>
   exhibit(tree: Tree, signal?: AbortSignal): Promise<Answer<Exhibit>>
+  /** What can be changed in an engine, with another number of cylinders if one is given. */
+  workshop(tree: Tree, cylinders?: number, signal?: AbortSignal): Promise<Answer<WorkshopShown>>
+  /** The curves behind the sliders of an engine, in units as --units takes them. */
+  sliders(tree: Tree, units: string, signal?: AbortSignal): Promise<Answer<SlidersShown>>
+  /** Usual layouts to begin with. */
+  presets(): Promise<Preset[]>
   toml(tree: Tree): Promise<Answer<string>>
   /** An engine as a file, solids at a crank angle; rejects with the sentences of its faults. */
   exported(exhibit: Exhibit, form: ExportForm, degrees: number): Promise<Blob>

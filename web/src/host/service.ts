@@ -2,9 +2,12 @@ import type {
   CatalogEntry,
   Exhibit,
   FittedShown,
+  Preset,
   SearchShown,
+  SlidersShown,
   TomlShown,
   TreeShown,
+  WorkshopShown,
 } from '../exhibit'
 import { part, requested, required, sent } from './api'
 import type { Service, Tree } from './host'
@@ -21,6 +24,11 @@ export const service: Service = {
   catalog: () => required(requested<CatalogEntry[]>('catalog')),
   engine: (name) => requested<Tree>(`catalog/${encodeURIComponent(name)}`),
   exhibit: (tree, signal) => post<Exhibit>('exhibit', { engine: tree }, signal),
+  workshop: (tree, cylinders, signal) =>
+    post<WorkshopShown>('workshop', { engine: tree, cylinders: cylinders ?? null }, signal),
+  sliders: (tree, units, signal) =>
+    post<SlidersShown>('sliders', { engine: tree, units: units || null }, signal),
+  presets: () => required(requested<Preset[]>('presets')),
   toml: async (tree) => part(await post<TomlShown>('toml', { engine: tree }), (it) => it.toml),
   exported: ({ file, units }, form, degrees) =>
     sent('export', { engine: file, form, theta_deg: degrees, units: units.chosen }),

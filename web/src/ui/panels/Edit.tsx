@@ -13,7 +13,7 @@ export const edit: Panel = {
 
 /** Live editing, where a server checks the engine. */
 function Edit() {
-  const { host, engines, put } = useApp()
+  const { host, engines, units, put } = useApp()
   const exhibit = engines.value[0]
   if (!host.service || !exhibit) return null
   return (
@@ -21,7 +21,7 @@ function Edit() {
       {engines.value.length > 1 && (
         <p class="soft">{t('This form edits {engine}.', { engine: exhibit.name })}</p>
       )}
-      <Editor service={host.service} engine={exhibit} shown={put} />
+      <Editor service={host.service} engine={exhibit} units={units.value} shown={put} />
     </>
   )
 }

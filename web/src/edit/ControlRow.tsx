@@ -1,0 +1,205 @@
+import { useId, useRef, useState } from 'preact/hooks'
+import type { Control, Slider } from '../exhibit'
+import { Curves } from './Curves'
+import { useSession } from './context'
+import { moved, snapped, valueIn } from './control'
+import { parsed } from './quantity'
+import { put, read, same } from './tree'
+
+/** How near to a value that makes sense a drag comes to rest, as a share of the range. */
+const REACH = 0.012
+/** Steps in a fine one. */
+const FINE = 10
+
+/** A number with at most five digits, and its unit. */
+export function numberText(value: number, unit: string): string {
+  const text = String(Number(value.toPrecision(5)))
+  return unit === 'deg' ? `${text}°` : unit ? `${text} ${unit}` : text
+}
+
+interface Props {
+  readonly control: Control
+  /** Its curves, where it has any. */
+  readonly slider: Slider | undefined
+  /** Whether the curves are those of the engine as it is. */
+  readonly present: boolean
+}
+
+/** A number to type, and where it is swept a slider with the curves behind it. */
+export function ControlRow({ control, slider, present }: Props) {
+  const session = useSession()
+  const value = valueIn(session.tree.value, control)
+  const low = Math.min(control.low, value)
+  const high = Math.max(control.high, value)
+  const id = useId()
+  const set = (to: number): void =>
+    session.direct(moved(session.tree.peek(), control, to), control.key)
+  return (
+    <div class="control" data-control={control.key}>
+      <label for={`${id}box`}>{control.label}</label>
+      <NumberBox id={`${id}box`} control={control} value={value} set={set} />
+      {control.swept && (
+        <Range control={control} value={value} low={low} high={high} set={set} slider={slider} />
+      )}
+      {slider && <Legend slider={slider} present={present && slider.present === value} />}
+      <p class="help" id={`${id}box-help`}>
+        {control.help}
+      </p>
+    </div>
+  )
+}
+
+interface Moved {
+  readonly control: Control
+  readonly value: number
+  readonly set: (value: number) => void
+}
+
+function NumberBox({ id, control, value, set }: Moved & { id: string }) {
+  const session = useSession()
+  const [raw, setRaw] = useState<string | null>(null)
+  const shown = `${Number(value.toPrecision(9))}${control.unit && ` ${control.unit}`}`
+  const take = (text: string): void => {
+    const typed = parsed(text.replace(',', '.').replace('°', ' deg'))
+    if (!typed) return
+    const [only, second] = control.sets
+    if (!typed.unit || typed.unit === control.unit) set(typed.number)
+    // another unit: the file takes it as it is typed
+    else if (only && !second && only.added === 0)
+      session.direct(put(session.tree.peek(), read(only.path), text.trim()), control.key)
+  }
+  return (
+    <input
+      id={id}
+      type="text"
+      inputMode="decimal"
+      autocomplete="off"
+      spellcheck={false}
+      aria-describedby={`${id}-help`}
+      value={raw ?? shown}
+      onInput={(event) => {
+        setRaw(event.currentTarget.value)
+        take(event.currentTarget.value)
+      }}
+      onBlur={() => {
+        setRaw(null)
+        session.rest()
+      }}
+      onKeyDown={(event) => {
+        const way = { ArrowUp: 1, ArrowDown: -1 }[event.key]
+        if (!way) return
+        event.preventDefault()
+        setRaw(null)
+        set(stepped(value, way * control.step, event.shiftKey))
+      }}
+    />
+  )
+}
+
+const stepped = (value: number, step: number, fine: boolean): number => {
+  const size = fine ? step / FINE : step
+  return Number((value + size).toPrecision(12))
+}
+
+interface RangeProps extends Moved {
+  readonly low: number
+  readonly high: number
+  readonly slider: Slider | undefined
+}
+
+/** A slider: a drag rests at values that make sense, with alt anywhere; shift and arrows, fine. */
+function Range({ control, value, low, high, set, slider }: RangeProps) {
+  const session = useSession()
+  const held = useRef(false)
+  const free = useRef(false)
+  const share = (value - low) / (high - low)
+  const rest = (): void => {
+    held.current = false
+    session.rest()
+  }
+  const curved = slider?.curves.length ? slider : undefined
+  return (
+    <div class={curved ? 'sweep' : 'sweep plain'}>
+      {curved && <Curves slider={curved} share={share} />}
+      <input
+        type="range"
+        aria-label={control.label}
+        aria-valuetext={numberText(value, control.unit)}
+        min={low}
+        max={high}
+        step="any"
+        value={value}
+        onPointerDown={() => {
+          held.current = true
+        }}
+        onPointerMove={(event) => {
+          free.current = event.altKey
+        }}
+        onInput={(event) => {
+          const to = Number(event.currentTarget.value)
+          const whole = Math.round(to / control.step) * control.step
+          const near = free.current ? to : snapped(whole, control.snaps, REACH * (high - low))
+          set(Number(near.toPrecision(12)))
+        }}
+        onKeyDown={(event) => {
+          const ways: Record<string, number> = {
+            ArrowRight: 1,
+            ArrowUp: 1,
+            ArrowLeft: -1,
+            ArrowDown: -1,
+            PageUp: FINE,
+            PageDown: -FINE,
+          }
+          const way = ways[event.key]
+          if (way === undefined) return
+          event.preventDefault()
+          const to = stepped(value, way * control.step, event.shiftKey)
+          set(Math.min(high, Math.max(low, to)))
+        }}
+        onChange={rest}
+        onBlur={rest}
+      />
+      {held.current && (
+        <output class="readout" style={{ left: `${100 * share}%` }} aria-hidden="true">
+          {numberText(value, control.unit)}
+        </output>
+      )}
+    </div>
+  )
+}
+
+/** What each curve is, and its result at the value where the engine is. */
+function Legend({ slider, present }: { slider: Slider; present: boolean }) {
+  return (
+    <ul class={present ? 'legend' : 'legend waiting'}>
+      {slider.curves.map((curve, place) => (
+        <li key={`${curve.what} ${curve.order}`}>
+          <i class={`key curve-${place}`} aria-hidden="true" />
+          {curve.label} <b>{present ? `${significant(curve.present)} ${curve.unit}` : '…'}</b>
+        </li>
+      ))}
+    </ul>
+  )
+}
+
+/** A result with the digits of the tables. */
+export function significant(value: number): string {
+  const size = Math.abs(value)
+  if (size < 1e-9) return '0'
+  if (size >= 1e5 || size < 1e-3) return value.toExponential(2)
+  return String(Number(value.toPrecision(4)))
+}
+
+/** Whether two engines leave the same curves for a control: all but its own value is the same. */
+export function sameBut(
+  control: Control,
+  one: Parameters<typeof same>[0],
+  other: unknown,
+): boolean {
+  const bare = (tree: unknown): unknown =>
+    control.sets.reduce(
+      (now, { path }) => put(now as Record<string, unknown>, read(path), undefined),
+      tree,
+    )
+  return same(bare(one), bare(other))
+}

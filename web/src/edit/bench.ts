@@ -1,0 +1,113 @@
+import { effect, type Signal, signal } from '@preact/signals'
+import type { Preset, Slider, WorkshopShown } from '../exhibit'
+import type { Tree } from '../host/host'
+import { reasonOf } from '../reason'
+import { latest } from './latest'
+import { answered, type Session } from './session'
+
+/** Milliseconds for which an engine must rest before what it offers is asked for. */
+export const REST = 160
+
+/** What the server says of the engine on the stage: offers, controls, and curves of sliders. */
+export interface Bench {
+  /** Of the engine of `asked`; an older one while the newest is still to come. */
+  readonly shown: Signal<WorkshopShown | null>
+  readonly sliders: Signal<readonly Slider[]>
+  /** The engine that `sliders` are of. */
+  readonly swept: Signal<Tree | null>
+  readonly presets: Signal<readonly Preset[]>
+  readonly busy: Signal<boolean>
+  /** What was decided with the last number of cylinders. */
+  readonly decided: Signal<readonly string[]>
+  /** Puts the engine with another number of cylinders on the stage. */
+  cylinders(count: number): Promise<void>
+  loadPresets(): void
+}
+
+interface Answers {
+  readonly shown: WorkshopShown | null
+  readonly sliders: readonly Slider[]
+}
+
+/** Follows the engine on the stage of a session. Returns the bench and what ends it. */
+export function benchOf(session: Session, units: () => string): [Bench, () => void] {
+  const shown = signal<WorkshopShown | null>(null)
+  const sliders = signal<readonly Slider[]>([])
+  const swept = signal<Tree | null>(null)
+  const presets = signal<readonly Preset[]>([])
+  const busy = signal(false)
+  const decided = signal<readonly string[]>([])
+  let loading = false
+
+  const live = latest<Tree, Answers>({
+    async send(tree, abort) {
+      const [bench, curves] = await Promise.all([
+        session.service.workshop(tree, undefined, abort),
+        session.service.sliders(tree, units(), abort),
+      ])
+      return {
+        ok: true,
+        value: {
+          shown: bench.ok ? bench.value : null,
+          sliders: curves.ok ? curves.value.sliders : [],
+        },
+      }
+    },
+    answered(answer, tree, newest) {
+      if (!answer.ok || !newest) return
+      shown.value = answer.value.shown
+      sliders.value = answer.value.sliders
+      swept.value = tree
+    },
+    waiting: (now) => {
+      busy.value = now
+    },
+  })
+
+  let timer: ReturnType<typeof setTimeout> | undefined
+  const end = effect(() => {
+    const tree = session.valid.value
+    units()
+    clearTimeout(timer)
+    timer = setTimeout(() => live.ask(tree), shown.peek() === null ? 0 : REST)
+  })
+
+  return [
+    {
+      shown,
+      sliders,
+      swept,
+      presets,
+      busy,
+      decided,
+      async cylinders(count) {
+        const answer = await answered(session.service.workshop(session.tree.peek(), count))
+        if (!answer.ok) {
+          session.note.value = answer.problems.map(({ message }) => message).join(' ')
+          return
+        }
+        session.replace(answer.value.tree as Tree)
+        decided.value = answer.value.sentences.slice(1)
+        shown.value = answer.value
+      },
+      loadPresets() {
+        if (loading || presets.peek().length) return
+        loading = true
+        session.service.presets().then(
+          (list) => {
+            presets.value = list
+          },
+          (reason: unknown) => {
+            session.note.value = reasonOf(reason)
+            loading = false
+          },
+        )
+      },
+    },
+    () => {
+      end()
+      clearTimeout(timer)
+      live.stop()
+    },
+  ]
+}
