@@ -20,6 +20,7 @@ import {
   storeOf,
 } from './state'
 import { InUnits, keepUnits, keptUnits } from './units'
+import { visits } from './visits'
 
 /** What all parts of the page share. */
 export interface App {
@@ -226,10 +227,12 @@ export function createApp(host: Host): App {
     }),
   )
 
+  const visited = visits(snapshot(store))
   let later = 0
   const write = (): void => {
     later = 0
-    host.writeState(stateText(snapshot(store)))
+    const state = snapshot(store)
+    host.writeState(stateText(state), visited.isNew(state, performance.now()))
   }
   let first = true
   endings.push(
@@ -303,6 +306,7 @@ export function createApp(host: Host): App {
     host.onState((text) => {
       const state = stateOf(text)
       if (stateText(state) === stateText(snapshot(store))) return
+      visited.seen(state)
       restore(store, state)
       start()
     }),

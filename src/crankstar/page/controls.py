@@ -20,7 +20,7 @@ from crankstar.language.messages import _
 from crankstar.page.workshop_records import Control, Setting
 from crankstar.studies.fields import BANK_ANGLE
 
-GREATEST_TO_BALANCE = 4
+GREATEST_TO_BALANCE = 3
 """Cylinders up to which a balance factor is worth a slider in every engine."""
 BANK_SNAPS = (15.0, 30.0, 45.0, 60.0, 72.0, 75.0, 90.0, 120.0, 180.0)
 SPLIT_SNAPS = (-60.0, -30.0, -18.0, 0.0, 18.0, 30.0, 60.0)

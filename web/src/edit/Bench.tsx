@@ -2,10 +2,11 @@ import { useEffect, useState } from 'preact/hooks'
 import type { OfferShown } from '../exhibit'
 import type { Tree } from '../host/host'
 import { plural, t } from '../language/messages'
-import { type Bench, benchOf } from './bench'
 import { ControlRow, sameBut } from './ControlRow'
 import { useSession } from './context'
+import { type Bench, benchOf } from './offers'
 import { Presets } from './Presets'
+import { StageHandles } from './StageHandles'
 import { Star } from './Star'
 
 /** The bench of the present session, for as long as the panel is open. */
@@ -32,6 +33,7 @@ export function Workbench({ units }: { units: string }) {
         <summary>{t('Usual layouts')}</summary>
         <Presets bench={bench} />
       </details>
+      {shown && <StageHandles controls={shown.controls} />}
       {shown && (
         <>
           <div class="counts">

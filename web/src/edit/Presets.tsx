@@ -2,8 +2,8 @@ import { useEffect } from 'preact/hooks'
 import type { Preset } from '../exhibit'
 import type { Tree } from '../host/host'
 import { t } from '../language/messages'
-import type { Bench } from './bench'
 import { useSession } from './context'
+import type { Bench } from './offers'
 
 /** Usual layouts as small pictures. */
 export function Presets({ bench }: { bench: Bench }) {

@@ -1,5 +1,6 @@
+import { effect } from '@preact/signals'
 import { useEffect, useMemo, useRef } from 'preact/hooks'
-import type { Service } from '../host/host'
+import type { Service, Tree } from '../host/host'
 import { plural, t } from '../language/messages'
 import { Workbench } from './Bench'
 import { CatalogPicker } from './catalog'
@@ -7,6 +8,9 @@ import { Provider } from './context'
 import css from './edit.css?inline'
 import { DropZone, FileButtons } from './files'
 import { EngineForm, jump } from './form'
+import { keepLast } from './keeping'
+import { browserStore, keptNow, Shelf } from './Shelf'
+import { Steps } from './Steps'
 import { SearchButton } from './search'
 import { type OnStage, type Session, type Shown, sessionOf } from './session'
 
@@ -18,12 +22,14 @@ interface Props {
   readonly engine: OnStage
   /** The units of all numbers, as --units takes them. */
   readonly units?: string
+  /** Puts an engine beside the one that is edited. */
+  readonly beside?: (tree: Tree) => void
   /** Puts a new engine on the stage. */
   readonly shown: Shown
 }
 
 /** Live editing: catalog, form of the engine file, undo, files, and the crank search. */
-export function Editor({ service, engine, units = '', shown }: Props) {
+export function Editor({ service, engine, units = '', beside, shown }: Props) {
   const session = sessionOf(service, engine, shown)
   const root = useRef<HTMLElement>(null)
   // drawn once: its fields follow the engine by themselves
@@ -63,6 +69,8 @@ export function Editor({ service, engine, units = '', shown }: Props) {
         </p>
         <NotDone session={session} />
         <Mistakes session={session} root={() => root.current} />
+        {beside && <Shelf beside={beside} />}
+        <Steps />
         <Workbench units={units} />
         {form}
       </section>
@@ -75,6 +83,7 @@ export function EditAnywhere({ service, engine, shown, opens }: Props & { opens:
   const session = sessionOf(service, engine, shown)
   useEffect(() => session.adopt(engine), [session, engine])
   useEffect(() => undoKeys(session), [session])
+  useEffect(() => keepingLast(session), [session])
   return (
     <Provider value={session}>
       <DropZone opens={opens} />
@@ -146,6 +155,24 @@ function Mistakes({ session, root }: { session: Session; root: () => HTMLElement
       )}
     </div>
   )
+}
+
+/** Milliseconds after which an edited engine is kept as the last one. */
+const KEPT_AFTER = 1000
+
+/** Keeps the engine that was edited last, to be offered another day. Returns what ends it. */
+function keepingLast(session: Session): () => void {
+  let timer: ReturnType<typeof setTimeout> | undefined
+  const end = effect(() => {
+    void session.valid.value
+    clearTimeout(timer)
+    if (session.canUndo.value)
+      timer = setTimeout(() => keepLast(browserStore(), keptNow(session)), KEPT_AFTER)
+  })
+  return () => {
+    end()
+    clearTimeout(timer)
+  }
 }
 
 /** Ctrl+Z, Ctrl+Shift+Z, Ctrl+Y (Cmd on a Mac), except in other text. Returns what ends it. */

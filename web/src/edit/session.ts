@@ -18,6 +18,7 @@ export type Shown = (exhibit: Exhibit, tree: Tree) => void
 /** What the form knows of the engine on the stage. */
 export type OnStage = Pick<Exhibit, 'file' | 'relative' | 'weight_throws'> & {
   readonly verdict?: readonly Fact[]
+  readonly scene?: Exhibit['scene']
 }
 
 /** A mistake and the place in the engine file that it is about. */
@@ -47,6 +48,8 @@ export interface Session {
   readonly busy: Signal<boolean>
   /** What is not known of the engine on the stage, and so counted in its own unit. */
   readonly relative: Exhibit['relative']
+  /** The engine on the stage as it is drawn. */
+  readonly scene: Exhibit['scene'] | undefined
   /** What was done or went wrong last, for everyone to see and hear. */
   readonly note: Signal<string>
   /** The engine on the stage: the last that was valid, and what its verdict says. */
@@ -156,6 +159,9 @@ export function session(service: Service, engine: OnStage, shown: Shown): Sessio
     busy,
     get relative() {
       return onStage.relative
+    },
+    get scene() {
+      return onStage.scene
     },
     note,
     shown,

@@ -1,17 +1,18 @@
 import type { Host } from './host'
 
 /**
- * The state in the address, after `#`; the entry in the history is replaced, so that the back
- * button leaves the page. The language is that of `?lang=ru`, else that of the document.
+ * The state in the address, after `#`. What is another visit (`visits.ts`) is an entry of its own,
+ * so that Back and Forward step through what was looked at; all else replaces the entry. The language is that of `?lang=ru`, else that of the document.
  */
 export function addressState(): Pick<Host, 'language' | 'readState' | 'writeState' | 'onState'> {
   return {
     language: new URLSearchParams(location.search).get('lang') ?? document.documentElement.lang,
     readState: () => location.hash.slice(1),
-    writeState: (text) => {
+    writeState: (text, visit = false) => {
       if (text === location.hash.slice(1)) return
       const address = `${location.pathname}${location.search}${text && `#${text}`}`
-      history.replaceState(history.state, '', address)
+      if (visit) history.pushState(null, '', address)
+      else history.replaceState(history.state, '', address)
     },
     onState: (changed) => {
       const listener = (): void => changed(location.hash.slice(1))

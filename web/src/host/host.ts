@@ -36,7 +36,8 @@ export interface Host {
   readonly language: string
   /** The state of the page as text: of the address for a page, of the model for a notebook. */
   readState(): string
-  writeState(text: string): void
+  /** `visit`: it is worth an entry that Back leads to, where the host has such. */
+  writeState(text: string, visit?: boolean): void
   /** Calls back when the state changes from outside. Returns what ends it. */
   onState(changed: (text: string) => void): () => void
   /** Calls back when the file is saved that the server watches; absent elsewhere. */

@@ -8,7 +8,7 @@ import { Inset } from './inset'
 import { footOf, write } from './lettering'
 import { listened } from './orbit'
 import { DARK, LIGHT } from './palette'
-import { type Pane, pixelsOf } from './panes'
+import { type Pane, pixelsOf, placed } from './panes'
 import { composed, printable } from './paper'
 import type { Pen } from './pen'
 import type { Instant, Picture } from './picture'
@@ -331,7 +331,8 @@ class EngineStage implements Stage {
       paths: this.#inset.paths,
       panes: this.#panes.map((pane) => {
         const { camera, x, y, width, height } = pane
-        return { camera, x, y, width, height, scale: pixelsOf(pane) }
+        const [across, down] = placed(pane, [0, 0, 0])
+        return { camera, x, y, width, height, scale: pixelsOf(pane), origin: [across, down] }
       }),
     }
   }

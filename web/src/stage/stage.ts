@@ -61,6 +61,8 @@ export interface PaneRead {
   readonly width: number
   readonly height: number
   readonly scale: number
+  /** Where the axis of the first shaft stands at z = 0. */
+  readonly origin: readonly [number, number]
 }
 
 /** One engine on a canvas of its own; `draw` draws at once. */

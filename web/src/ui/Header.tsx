@@ -3,6 +3,7 @@ import { message, t } from '../language/messages'
 import { set, snapshot, stateText, THEMES, type Theme } from '../state'
 import { Above } from './Above'
 import { useApp } from './context'
+import { EngineName } from './EngineName'
 import { Estimates } from './Estimates'
 import { Icon } from './icons'
 import { canFill, present, toggleFull } from './presenting'
@@ -64,7 +65,7 @@ export function Header() {
       <div class="names">
         {shown.value.map((exhibit, index) => (
           <div class="name" key={index}>
-            <h1>{exhibit.name}</h1>
+            <EngineName index={index} />
             <p class="about">
               {rotationText(exhibit)}
               {exhibit.speed_rpm !== null && (

@@ -139,3 +139,33 @@ test('a value that is changed is no longer the one that a source gives', () => {
   now.set(['speed'], '900 rpm')
   expect(now.tree.value.provenance).toEqual({ cylinder: { status: 'published' } })
 })
+
+test('a direct control leaves out a firing order that no longer fits, in one step', async () => {
+  const { now, onStage } = begun({
+    exhibit: async (tree: Tree): Promise<Answer<Exhibit>> =>
+      'firing_order' in tree && JSON.stringify(tree).includes('30 deg')
+        ? { ok: false, problems: [{ path: 'firing_order', message: 'cannot fire' }] }
+        : { ok: true, value: { file: tree } as unknown as Exhibit },
+  })
+  now.replace({ ...now.tree.value, firing_order: [1, 2] })
+  now.direct({ ...now.tree.value, layout: { type: 'vee', banks: [{ bearing: '30 deg' }] } }, 'v')
+  await settle()
+  expect(onStage.at(-1)).toMatchObject({ name: 'V2, edited' })
+  expect(onStage.at(-1)).not.toHaveProperty('firing_order')
+  expect(now.problems.value).toEqual([])
+  expect(now.note.value).toContain('left out')
+  now.undo()
+  expect(now.tree.value).toMatchObject({ name: 'V2', firing_order: [1, 2] })
+})
+
+test('the history leads to any of its steps and back', () => {
+  const { now } = begun()
+  for (const to of ['10 deg', '20 deg', '30 deg']) now.set(bearing, to)
+  now.goTo(1)
+  expect(now.steps.value).toMatchObject({ at: 1 })
+  expect(now.steps.value.all).toHaveLength(4)
+  expect(now.tree.value.layout).toMatchObject({ banks: [{ bearing: '10 deg' }] })
+  now.goTo(3)
+  expect(now.tree.value.layout).toMatchObject({ banks: [{ bearing: '30 deg' }] })
+  expect(now.canRedo.value).toBe(false)
+})

@@ -6,7 +6,7 @@ import { latest } from './latest'
 import { answered, type Session } from './session'
 
 /** Milliseconds for which an engine must rest before what it offers is asked for. */
-export const REST = 160
+export const REST = 250
 
 /** What the server says of the engine on the stage: offers, controls, and curves of sliders. */
 export interface Bench {
@@ -41,10 +41,9 @@ export function benchOf(session: Session, units: () => string): [Bench, () => vo
 
   const live = latest<Tree, Answers>({
     async send(tree, abort) {
-      const [bench, curves] = await Promise.all([
-        session.service.workshop(tree, undefined, abort),
-        session.service.sliders(tree, units(), abort),
-      ])
+      // one after the other: the next change of the engine must find a process that is free
+      const bench = await session.service.workshop(tree, undefined, abort)
+      const curves = await session.service.sliders(tree, units(), abort)
       return {
         ok: true,
         value: {

@@ -1,0 +1,127 @@
+import type { Control, Exhibit } from '../exhibit'
+import type { PaneRead } from '../stage/stage'
+import { moved, snapped, valueIn } from './control'
+import { parsed, rewritten } from './quantity'
+import type { Session } from './session'
+import { at, type Path, put } from './tree'
+
+/** Degrees about a cylinder axis in which a press takes hold of its bank; pixels about a weight. */
+const [BESIDE, NEAR] = [14, 12]
+/** Degrees within which a dragged bank comes to rest at an angle that makes sense. */
+const REST = 3
+
+/** What is dragged on the stage: sets it to where the pointer is, and says what it is then. */
+export interface Handle {
+  follow(x: number, y: number, fine: boolean): string
+}
+
+/** What a press takes hold of. */
+export interface Grip {
+  readonly panes: readonly PaneRead[]
+  readonly scene: Exhibit['scene']
+  readonly controls: readonly Control[]
+  readonly session: Session
+}
+
+const paneAt = (panes: readonly PaneRead[], x: number, y: number): PaneRead | undefined =>
+  panes.find(
+    (pane) => x >= pane.x && x <= pane.x + pane.width && y >= pane.y && y <= pane.y + pane.height,
+  )
+
+const turned = (from: number, to: number): number => ((((to - from + 180) % 360) + 360) % 360) - 180
+
+/** The handle at a place of the stage, pixels; null where there is none. */
+export function handleAt(grip: Grip, x: number, y: number): Handle | null {
+  const pane = paneAt(grip.panes, x, y)
+  if (pane?.camera === 'front') return bankAt(grip, pane, x, y)
+  if (pane?.camera === 'side') return weightAt(grip, pane, x, y)
+  return null
+}
+
+const bearingOf = ({ origin }: PaneRead, x: number, y: number): number =>
+  (Math.atan2(x - origin[0], origin[1] - y) * 180) / Math.PI
+
+/** One of the two banks of a V engine, seen from the front. */
+function bankAt(
+  { scene, controls, session }: Grip,
+  pane: PaneRead,
+  x: number,
+  y: number,
+): Handle | null {
+  const control = controls.find(({ key }) => key === 'layout.bank_angle')
+  const first = scene.cylinders[0]
+  if (!control || !first) return null
+  const away = Math.hypot(x - pane.origin[0], y - pane.origin[1]) / pane.scale
+  if (away < 1.3 * first.crank_radius || away > 1.15 * first.bore_to) return null
+  const middle = control.sets[0]?.added ?? 0
+  const pressed = turned(middle, bearingOf(pane, x, y))
+  const half = valueIn(session.tree.peek(), control) / 2
+  if (Math.abs(Math.abs(pressed) - half) > BESIDE) return null
+  return {
+    follow(toX, toY, fine) {
+      const angle = 2 * Math.abs(turned(middle, bearingOf(pane, toX, toY)))
+      const whole = fine ? Math.round(10 * angle) / 10 : Math.round(angle)
+      const to = Math.min(180, fine ? whole : snapped(whole, control.snaps, REST))
+      session.direct(moved(session.tree.peek(), control, to), control.key)
+      return `${control.label}: ${to}°`
+    },
+  }
+}
+
+/** A weight of a file that says where it stands along the shaft, seen from the side. */
+function weightAt({ scene, session }: Grip, pane: PaneRead, x: number, y: number): Handle | null {
+  const tree = session.tree.peek()
+  const found = scene.shafts.flatMap((shaft, place) =>
+    shaft.weights.flatMap((weight, index) => {
+      const path = pathOf(tree, place, index, shaft.weights.length)
+      const across = pane.origin[0] - weight.z * pane.scale
+      const down = pane.origin[1] - shaft.up * pane.scale
+      const within = Math.abs(y - down) < weight.outer_radius * pane.scale
+      const off = Math.abs(x - across)
+      return path && within && off < NEAR ? [{ path, weight, off }] : []
+    }),
+  )
+  const nearest = found.sort((one, other) => one.off - other.off)[0]
+  if (!nearest) return null
+  const { path, weight } = nearest
+  const was = at(tree, path)
+  return {
+    follow(toX, _toY, fine) {
+      const along = (pane.origin[0] - toX) / pane.scale
+      const to = zOf(along, weight.z, was, scene.length_unit === 'm', fine)
+      session.direct(put(session.tree.peek(), path, to), path.join('.'))
+      return `z: ${String(to)}`
+    },
+  }
+}
+
+/** The place along the shaft in the unit of the file, rounded to what can be meant. */
+function zOf(along: number, from: number, was: unknown, metres: boolean, fine: boolean): unknown {
+  const given = parsed(was)
+  // how much of the file's unit the drawing's is, as the weight itself tells
+  const unit =
+    given && given.number !== 0 && from !== 0
+      ? given.number / from
+      : metres && given?.unit === 'mm'
+        ? 1000
+        : 1
+  const number = along * unit
+  const step = fine ? Math.abs(unit) / 10000 : Math.abs(unit) / 1000
+  return rewritten(Math.round(number / step) * step, was, '')
+}
+
+/** Where the file says how far along the shaft a weight stands; null where it does not. */
+function pathOf(tree: unknown, shaft: number, index: number, count: number): Path | null {
+  const cranks = at(tree, ['layout', 'cranks'])
+  const crankshafts = Array.isArray(cranks) ? cranks.length : 1
+  const table: Path = Array.isArray(at(tree, ['shaft']))
+    ? ['shaft', shaft]
+    : shaft < crankshafts
+      ? ['crankshaft', shaft]
+      : ['balance_shaft', shaft - crankshafts]
+  const weights = at(tree, [...table, 'weight'])
+  // with a balance factor there are more weights than the file lists
+  if (!Array.isArray(weights) || weights.length !== count) return null
+  const path: Path = [...table, 'weight', index, 'z']
+  return at(tree, path) === undefined ? null : path
+}
