@@ -350,12 +350,12 @@ def test_what_is_saved_is_what_is_on_the_stage(editing: Page, tmp_path: Path) ->
     eventually(lambda: bank_angles(editing), [36, -45])
     with editing.expect_download() as download:
         editing.get_by_role("button", name="Save as TOML").click()
-    assert download.value.suggested_filename == "v8-cross-plane-crank-90-deg.toml"
+    assert download.value.suggested_filename == "v8-cross-plane-crank-90-deg-edited.toml"
     place = tmp_path / "saved.toml"
     download.value.save_as(place)
     tree = files.tree_of(place.read_text(encoding="utf-8"), name="saved.toml")
     assert tree == on_stage(editing)["file"]
-    assert files.engine_of(tree, name="saved.toml").name == "V8, cross-plane crank, 90 deg"
+    assert files.engine_of(tree, name="saved.toml").name == "V8, cross-plane crank, 90 deg, edited"
 
 
 def test_a_hostile_name_is_text_everywhere(editing: Page) -> None:

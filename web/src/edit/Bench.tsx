@@ -172,13 +172,14 @@ const WATCHED = ['force', 'couple', 'roll', 'cure']
 function Remains() {
   const facts = useSession().verdict.value.filter(({ subject }) => WATCHED.includes(subject))
   return (
-    <div class="remains">
+    // biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls is reached by keys
+    <section class="remains" tabIndex={0} aria-label={t('Verdict')}>
       <h3>{t('Verdict')}</h3>
       <ul>
         {facts.map(({ sentence }) => (
           <li key={sentence}>{sentence}</li>
         ))}
       </ul>
-    </div>
+    </section>
   )
 }

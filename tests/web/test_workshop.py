@@ -1,0 +1,251 @@
+"""The workshop of the Edit panel in a real browser, by a real `crankstar serve`."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator
+from math import cos, radians, sin
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Browser, Locator, Page, expect
+from tests.web.browsing import barriers, watched
+from tests.web.serving import Server
+from tests.web.test_editing import REFUSED, bank_angles, eventually, on_stage
+
+import crankstar
+from crankstar.files import catalog
+from crankstar.files.rearranged import rearranged
+
+PANES = "document.querySelector('[data-crankstar]').crankstar.read().panes"
+
+
+@pytest.fixture
+def bench(browser: Browser, server: Server) -> Iterator[Page]:
+    """The page of the shared server with the workshop open, the V8 at rest, no complaints."""
+    complaints: list[str] = []
+    with watched(browser, complaints, width=1280, height=900) as page:
+        opened(page, server)
+        yield page
+    told = [line for line in complaints if not REFUSED.search(line)]
+    if told:
+        pytest.fail("\n".join(["the page complains:", *dict.fromkeys(told)]), pytrace=False)
+
+
+def opened(page: Page, server: Server, state: str = "tab=edit&a=0") -> None:
+    page.goto(f"{server.address}#{state}")
+    ready(page)
+
+
+def ready(page: Page) -> None:
+    """The server has said what can be changed in the engine, and what the sliders leave."""
+    page.locator(".bench .control").first.wait_for()
+    page.locator(".bench .legend:not(.waiting)").first.wait_for()
+
+
+def file_of(page: Page) -> dict[str, Any]:
+    return on_stage(page)["file"]
+
+
+def control(page: Page, key: str) -> Locator:
+    return page.locator(f'[data-control="{key}"]')
+
+
+def test_another_number_of_cylinders_is_an_engine_that_fires(bench: Page) -> None:
+    bench.get_by_role("button", name="10 cylinders").click()
+    eventually(lambda: len(on_stage(bench)["cylinders"]), 10)
+    wanted = rearranged(catalog.tree_of("v8-cross-plane")[1], cylinders=10)
+    assert file_of(bench) == wanted.tree
+    expect(bench.locator(".bench .decided")).to_contain_text(wanted.sentences[0])
+    expect(bench.locator("h1")).to_have_text("V10, 90 deg")
+    orders = bench.get_by_role("group", name="Firing order")
+    other = orders.locator('[aria-pressed="false"]').first
+    text = other.inner_text()
+    other.click()
+    eventually(lambda: "-".join(map(str, file_of(bench)["firing_order"])), text)
+    expect(bench.locator("h1")).to_have_text("V10, 90 deg, edited")
+    bench.get_by_role("button", name="Undo").click()
+    bench.get_by_role("button", name="Undo").click()
+    expect(bench.locator("h1")).to_have_text("V8, cross-plane crank, 90 deg")
+
+
+def test_a_usual_layout_is_one_click_away(bench: Page) -> None:
+    bench.get_by_text("Usual layouts").click()
+    bench.get_by_role("button", name="Twin 270°").click()
+    eventually(lambda: file_of(bench)["layout"].get("throws"), ["0 deg", "90 deg"])
+    expect(bench.locator("h1")).to_have_text("Parallel twin, 270 deg")
+    expect(control(bench, "layout.throws[2]")).to_be_visible()
+    expect(control(bench, "layout.bank_angle")).to_have_count(0)
+
+
+def test_a_slider_moves_both_banks_and_its_curve_is_that_of_the_sweep(bench: Page) -> None:
+    slider = bench.get_by_role("slider", name="Bank angle")
+    slider.focus()
+    bench.keyboard.press("ArrowLeft")
+    bearings = lambda: [bank["bearing"] for bank in file_of(bench)["layout"]["banks"]]  # noqa: E731
+    eventually(bearings, ["44.5 deg", "-44.5 deg"])
+    bench.keyboard.press("Shift+ArrowLeft")
+    eventually(lambda: file_of(bench)["layout"]["banks"][0]["bearing"], "44.45 deg")
+    expect(slider).to_have_attribute("aria-valuetext", "88.9°")
+    ready(bench)
+    legend = control(bench, "layout.bank_angle").locator(".legend li").first
+    expect(legend).to_contain_text("Primary couple")
+    swept = crankstar.sweep("v8-cross-plane", "layout.bank_angle=0, 88.9 deg")
+    size = crankstar.watched(swept, "couple", order=1).values[1]
+    expect(legend.locator("b")).to_have_text(f"{float(f'{size:.4g}'):g} m r ω² a")
+    fact = next(fact for fact in on_stage(bench)["verdict"] if fact["subject"] == "couple")
+    expect(bench.locator(".bench .remains")).to_contain_text(fact["sentence"])
+
+
+def test_a_number_that_is_typed_takes_any_unit_of_its_kind(bench: Page) -> None:
+    box = control(bench, "cylinder.rod_ratio").get_by_role("textbox")
+    box.fill("3,5")
+    eventually(lambda: file_of(bench)["cylinder"]["rod_ratio"], 3.5)
+    split = control(bench, "layout.pin_split").get_by_role("textbox")
+    split.fill("0.1 rad")
+    eventually(lambda: file_of(bench)["layout"].get("pin_split"), "0.1 rad")
+
+
+def test_a_throw_is_dragged_on_the_star_and_rests_at_angles_that_make_sense(bench: Page) -> None:
+    pin = bench.get_by_role("slider", name="Crank pin 2")
+    pin.scroll_into_view_if_needed()
+    star = bench.locator(".bench .star svg").bounding_box()
+    knob = pin.locator(".knob").bounding_box()
+    assert star is not None
+    assert knob is not None
+    middle = (star["x"] + star["width"] / 2, star["y"] + star["height"] / 2)
+    bench.mouse.move(knob["x"] + knob["width"] / 2, knob["y"] + knob["height"] / 2)
+    bench.mouse.down()
+    bearing = radians(45 + 118)  # of pin 1, and nearly 120
+    bench.mouse.move(middle[0] + 60 * sin(bearing), middle[1] - 60 * cos(bearing), steps=4)
+    expect(bench.locator(".bench .star figcaption")).to_have_text("Pin 2: 120°")
+    bench.mouse.up()
+    eventually(lambda: file_of(bench)["layout"]["throws"][1], "120 deg")
+    pin.focus()
+    bench.keyboard.press("Shift+ArrowRight")
+    eventually(lambda: file_of(bench)["layout"]["throws"][1], "120.1 deg")
+    expect(bench.locator(".mistakes")).to_have_count(0)
+
+
+def test_a_bank_is_dragged_on_the_front_view(bench: Page) -> None:
+    pane = next(each for each in bench.evaluate(PANES) if each["camera"] == "front")
+    box = bench.locator(".stage .canvas").bounding_box()
+    assert box is not None
+    head = on_stage(bench)["scene"]["cylinders"][0]["bore_to"] * pane["scale"] * 0.8
+
+    def place(bearing: float) -> tuple[float, float]:
+        x, y = pane["origin"]
+        angle = radians(bearing)
+        return box["x"] + x + head * sin(angle), box["y"] + y - head * cos(angle)
+
+    bench.mouse.move(*place(45))
+    bench.mouse.down()
+    bench.mouse.move(*place(31), steps=5)
+    expect(bench.locator(".stage-readout")).to_have_text("Bank angle: 60°")
+    bench.mouse.up()
+    eventually(lambda: bank_angles(bench), [30, -30])
+    expect(bench.locator(".stage-readout")).to_have_count(0)
+    bench.get_by_role("button", name="Undo").click()
+    eventually(lambda: bank_angles(bench), [45, -45])
+
+
+def test_the_heading_is_renamed_with_a_click(bench: Page) -> None:
+    bench.get_by_role("heading", level=1).get_by_role("button").click()
+    bench.get_by_role("textbox", name="Name of the engine").fill("mine")
+    bench.keyboard.press("Enter")
+    expect(bench.locator("h1")).to_have_text("mine")
+    eventually(lambda: file_of(bench)["name"], "mine")
+
+
+def test_the_history_leads_back_to_any_step(bench: Page) -> None:
+    for count in (10, 12):
+        bench.get_by_role("button", name=f"{count} cylinders").click()
+        eventually(lambda: len(on_stage(bench)["cylinders"]), count)
+        ready(bench)
+    bench.get_by_text(re.compile(r"^History")).click()
+    steps = bench.locator(".steps li button")
+    expect(steps).to_have_count(3)
+    steps.nth(1).click()
+    eventually(lambda: len(on_stage(bench)["cylinders"]), 10)
+    expect(steps.nth(1)).to_have_attribute("aria-current", "step")
+
+
+def test_back_and_forward_step_through_panels_and_edits(bench: Page) -> None:
+    bench.get_by_role("button", name="10 cylinders").click()
+    eventually(lambda: len(on_stage(bench)["cylinders"]), 10)
+    eventually(lambda: "engine=" in bench.evaluate("location.hash"), wanted=True)
+    bench.get_by_role("tab", name="Verdict").click()
+    eventually(lambda: "tab=verdict" in bench.evaluate("location.hash"), wanted=True)
+    bench.go_back()
+    expect(bench.get_by_role("tab", name="Edit")).to_have_attribute("aria-selected", "true")
+    assert len(on_stage(bench)["cylinders"]) == 10
+    bench.go_back()
+    eventually(lambda: len(on_stage(bench)["cylinders"]), 8)
+    bench.go_forward()
+    eventually(lambda: len(on_stage(bench)["cylinders"]), 10)
+    bench.go_forward()
+    expect(bench.get_by_role("tab", name="Verdict")).to_have_attribute("aria-selected", "true")
+
+
+def test_engines_are_kept_shown_beside_exported_deleted_and_taken_in_again(
+    bench: Page, tmp_path: Path
+) -> None:
+    shelf = bench.locator(".shelf")
+    bench.get_by_text(re.compile(r"^Kept engines")).click()
+    shelf.get_by_role("button", name="Keep this engine").click()
+    rows = shelf.locator("li")
+    expect(rows).to_have_count(1)
+    shelf.get_by_role("button", name=re.compile("^Beside: V8")).click()
+    expect(bench.locator("h1")).to_have_count(2)
+    with bench.expect_download() as download:
+        shelf.get_by_role("button", name="Export all").click()
+    place = tmp_path / "engines.json"
+    download.value.save_as(place)
+    assert json.loads(place.read_text())["engines"][0]["tree"] == file_of(bench)
+    shelf.get_by_role("button", name=re.compile("^Rename: V8")).click()
+    shelf.get_by_role("textbox", name="Name").fill("kept one")
+    bench.keyboard.press("Enter")
+    shelf.get_by_role("button", name="Delete: kept one").click()
+    expect(rows).to_have_count(0)
+    shelf.get_by_role("button", name="Undo the deletion").click()
+    expect(rows).to_have_count(1)
+    bench.get_by_label("File of kept engines to import").set_input_files(place)
+    expect(rows).to_have_count(2)
+    bench.reload()
+    bench.get_by_text("Kept engines (2)").click()
+    shelf.get_by_role("button", name="Open: kept one").click()
+    expect(bench.locator("h1").first).to_have_text("kept one")
+
+
+def test_a_store_that_is_full_is_said(bench: Page) -> None:
+    bench.evaluate(
+        "() => { Storage.prototype.setItem = () => { throw new DOMException('', "
+        "'QuotaExceededError') } }"
+    )
+    bench.get_by_text(re.compile(r"^Kept engines")).click()
+    bench.get_by_role("button", name="Keep this engine").click()
+    expect(bench.locator(".shelf [role=status]")).to_contain_text("store is full")
+
+
+def test_the_engine_that_was_edited_last_is_offered_again(bench: Page, server: Server) -> None:
+    bench.get_by_role("button", name="10 cylinders").click()
+    kept = "() => localStorage.getItem('crankstar.last') !== null"
+    eventually(lambda: bench.evaluate(kept), wanted=True)
+    bench.goto("about:blank")
+    opened(bench, server)
+    bench.get_by_text(re.compile(r"^Kept engines")).click()
+    bench.get_by_role("button", name="Your last engine: V10, 90 deg").click()
+    eventually(lambda: len(on_stage(bench)["cylinders"]), 10)
+
+
+def test_the_workshop_can_be_read_and_used_by_everyone(bench: Page) -> None:
+    for title in ("Usual layouts", "History (1)"):
+        bench.get_by_text(title).click()
+    bench.get_by_text(re.compile(r"^Kept engines")).click()
+    bench.get_by_role("button", name="Keep this engine").click()
+    bench.get_by_role("button", name="Twin 270°").wait_for()
+    for colours in ("light", "dark"):
+        bench.emulate_media(color_scheme=colours)
+        assert barriers(bench) == []
