@@ -17,8 +17,9 @@ export function stepText(before: Tree | undefined, after: Tree): string {
   const [first] = found
   if (!first) return t('Name: {name}', { name })
   if (found.length > NAMED) return name
+  const nothing = t('nothing')
   return found
-    .map(({ path, from, to }) => `${path}: ${from || t('nothing')} → ${to || t('nothing')}`)
+    .map(({ path, from, to }) => `${path}: ${from || nothing} → ${to || nothing}`)
     .join('; ')
 }
 
