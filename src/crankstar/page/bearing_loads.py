@@ -28,14 +28,14 @@ SMALL = 1e-4
 """Share of the greatest order below which an order is not sent."""
 
 
-def bearings_shown(engine: Engine) -> Bearings:
-    """The loads of an engine at the speed of its file, order by order.
+def bearings_shown(engine: Engine, known: BearingLoads | None = None) -> Bearings:
+    """The loads of an engine at the speed of its file, order by order; `known` if they are there.
 
     >>> from crankstar.files.catalog import load
     >>> [load.name for load in bearings_shown(load("i4")).loads][:2]
     ['bearing 1', 'bearing 2']
     """
-    loads = bearing_loads(engine, speed=engine.speed)
+    loads = known or bearing_loads(engine, speed=engine.speed)
     return Bearings(
         orders=(orders := _orders(loads)),
         model=_(MODELS[loads.model]),
@@ -43,7 +43,9 @@ def bearings_shown(engine: Engine) -> Bearings:
     )
 
 
-def bearing_numbers(engine: Engine, over: Spread | None = None) -> BearingNumbers:
+def bearing_numbers(
+    engine: Engine, over: Spread | None = None, known: BearingLoads | None = None
+) -> BearingNumbers:
     """Their greatest values and tables, in the units of the context; with ranges over a Spread.
 
     >>> from crankstar.files.catalog import load
@@ -52,7 +54,7 @@ def bearing_numbers(engine: Engine, over: Spread | None = None) -> BearingNumber
     """
 
     def sheet(each: Engine) -> Document:
-        loads = bearing_loads(each, speed=each.speed)
+        loads = known if known and each is engine else bearing_loads(each, speed=each.speed)
         return Document("", (peaks(each, loads), pins(loads)))
 
     document = sheet(engine) if over is None else merged(alike(sheet, over.engines))

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 from crankstar import files, spectra
 from crankstar.charts.strokes import STROKE_COLOURS
+from crankstar.dynamics.bearings import BearingLoads, bearing_loads
 from crankstar.engine.copies import throws_of_weights, with_values
 from crankstar.engine.engine import Engine
 from crankstar.files.box import Spread, spread
@@ -122,12 +123,12 @@ def exhibit(
     also names better engines of the catalog, which takes the longest the first time.
     """
     tree = dict(file) if file is not None else files.explicit(engine)
-    result = balance(engine, speed=engine.speed)
-    sums = remains.summed(result)
     over = spread_of(engine, tree)
-    ends = [remains.summed(balance(each, speed=each.speed)) for each in over.ends] if over else []
+    known = _known(engine, over)
+    result, sums, ends, loads = known
     orders = remains.orders_shown(result, sums)
-    along, cycle = proportions(engine).along, _cycle(engine)
+    sizes, cycle = proportions(engine), _cycle(engine)
+    along = sizes.along
     return Exhibit(
         name=engine.name,
         file=tree,
@@ -151,22 +152,41 @@ def exhibit(
         whirl_ends=tuple(
             vectors.free_response(each, orders, along=along) for each in (over.ends if over else ())
         ),
-        bearings=bearings_shown(engine),
-        scene=scene(engine),
+        bearings=bearings_shown(engine, loads),
+        scene=scene(engine, sizes),
         strokes=printed(strokes.tables(engine, cycle)) if cycle else (),
         stroke_windows=_windows(cycle) if cycle else (),
         charts=chart_keys(engine, remains.orders_pushed(result)),
         derivations=derivation_keys(remains.orders_pushed(result)),
         remedies=tuple(remedies),
-        **in_units(engine, over, relatives=relatives),
+        **in_units(engine, over, relatives=relatives, known=known),
     )
 
 
-def in_units(engine: Engine, over: Spread | None, *, relatives: bool) -> dict[str, Any]:
-    """The parts of an exhibit that are in the units of the context: units, texts and numbers."""
+class _Known(NamedTuple):
+    """What several parts of an exhibit are made from, worked out once."""
+
+    result: Balance
+    sums: remains.Sums
+    ends: list[remains.Sums]
+    loads: BearingLoads
+
+
+def _known(engine: Engine, over: Spread | None) -> _Known:
     result = balance(engine, speed=engine.speed)
-    sums = remains.summed(result)
-    ends = [remains.summed(balance(each, speed=each.speed)) for each in over.ends] if over else []
+    return _Known(
+        result,
+        remains.summed(result),
+        [remains.summed(balance(each, speed=each.speed)) for each in over.ends] if over else [],
+        bearing_loads(engine, speed=engine.speed),
+    )
+
+
+def in_units(
+    engine: Engine, over: Spread | None, *, relatives: bool, known: _Known | None = None
+) -> dict[str, Any]:
+    """The parts of an exhibit that are in the units of the context: units, texts and numbers."""
+    result, sums, ends, loads = known or _known(engine, over)
     units, scaling = units_of(engine, result, sums)
     subject_of = subjects()
     facts = ranged_facts(partial(verdict, relatives=relatives), over, engine)
@@ -174,7 +194,7 @@ def in_units(engine: Engine, over: Spread | None, *, relatives: bool) -> dict[st
         "units": units,
         "heading": ranged_lines(_heading, over, engine),
         "table": vectors.rows(sums, remains.orders_shown(result, sums), scaling=scaling, ends=ends),
-        "bearing_numbers": bearing_numbers(engine, over),
+        "bearing_numbers": bearing_numbers(engine, over, loads),
         "verdict": tuple(
             Fact(subject=fact.about, about=subject_of[fact.about], sentence=fact.sentence)
             for fact in facts

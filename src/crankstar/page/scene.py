@@ -26,9 +26,9 @@ STUB = 0.5
 """Bores: overhang of a shaft at both ends."""
 
 
-def scene(engine: Engine) -> Scene:
+def scene(engine: Engine, known: Proportions | None = None) -> Scene:
     """The drawn engine, with a sentence on every proportion that is assumed."""
-    sizes = proportions(engine)
+    sizes = known or proportions(engine)
     cranks = {
         index: crank(engine, shaft, sizes)
         for index, shaft in enumerate(engine.shafts)
