@@ -118,7 +118,11 @@ function Rotation() {
       <span>{t('Rotation')}</span>
       <select
         value={value}
-        onChange={(event) => session.set(['rotation'], event.currentTarget.value)}
+        onChange={(event) => {
+          const rotation = event.currentTarget.value
+          session.direct({ ...session.tree.peek(), rotation }, 'rotation')
+          session.rest()
+        }}
       >
         <option value="clockwise">{t('clockwise')}</option>
         <option value="counter-clockwise">{t('counter-clockwise')}</option>

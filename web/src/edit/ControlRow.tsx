@@ -8,6 +8,8 @@ import { put, read, same } from './tree'
 
 /** How near to a value that makes sense a drag comes to rest, as a share of the range. */
 const REACH = 0.012
+/** Share of a range by which a value that was read back may differ and be the same. */
+const SAME = 1e-9
 /** Steps in a fine one. */
 const FINE = 10
 
@@ -41,7 +43,12 @@ export function ControlRow({ control, slider, present }: Props) {
       {control.swept && (
         <Range control={control} value={value} low={low} high={high} set={set} slider={slider} />
       )}
-      {slider && <Legend slider={slider} present={present && slider.present === value} />}
+      {slider && (
+        <Legend
+          slider={slider}
+          present={present && Math.abs(slider.present - value) < SAME * (high - low)}
+        />
+      )}
       <p class="help" id={`${id}box-help`}>
         {control.help}
       </p>

@@ -4,6 +4,9 @@ import type { Reading } from '../stage/stage'
 import { useSession } from './context'
 import { type Handle, handleAt } from './stageDrag'
 
+/** Pixels that a press may move and be a click. */
+const STILL = 4
+
 interface Held extends HTMLElement {
   crankstar?: { read(): Reading }
 }
@@ -18,6 +21,7 @@ export function StageHandles({ controls }: { controls: readonly Control[] }) {
     if (!holder?.crankstar || !canvas) return undefined
     const page = holder.crankstar
     let handle: Handle | null = null
+    let from: { x: number; y: number } | null = null
     const at = (event: PointerEvent): Handle | null => {
       const { scene } = session
       if (!scene || event.pointerType === 'touch') return null
@@ -28,6 +32,7 @@ export function StageHandles({ controls }: { controls: readonly Control[] }) {
     }
     const pressed = (event: PointerEvent): void => {
       handle = event.button === 0 ? at(event) : null
+      from = { x: event.clientX, y: event.clientY }
       if (handle) canvas.setPointerCapture(event.pointerId)
     }
     const over = (event: PointerEvent): void => {
@@ -35,6 +40,9 @@ export function StageHandles({ controls }: { controls: readonly Control[] }) {
         canvas.style.cursor = event.buttons === 0 && at(event) ? 'grab' : ''
         return
       }
+      // a click that trembles is a click
+      if (from && Math.hypot(event.clientX - from.x, event.clientY - from.y) < STILL) return
+      from = null
       const box = canvas.getBoundingClientRect()
       const fine = event.shiftKey || event.altKey
       const text = handle.follow(event.clientX - box.left, event.clientY - box.top, fine)

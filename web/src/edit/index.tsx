@@ -3,6 +3,7 @@ import { useEffect, useMemo, useRef } from 'preact/hooks'
 import type { Service, Tree } from '../host/host'
 import { plural, t } from '../language/messages'
 import { Workbench } from './Bench'
+import benchCss from './bench.css?inline'
 import { CatalogPicker } from './catalog'
 import { Provider } from './context'
 import css from './edit.css?inline'
@@ -15,7 +16,7 @@ import { SearchButton } from './search'
 import { type OnStage, type Session, type Shown, sessionOf } from './session'
 
 /** The style of the editor, to be adopted by the page beside its own. */
-export const editStyle: string = css
+export const editStyle: string = `${css}${benchCss}`
 
 interface Props {
   readonly service: Service

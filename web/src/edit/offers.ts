@@ -4,6 +4,7 @@ import type { Tree } from '../host/host'
 import { reasonOf } from '../reason'
 import { latest } from './latest'
 import { answered, type Session } from './session'
+import { same } from './tree'
 
 /** Milliseconds for which an engine must rest before what it offers is asked for. */
 export const REST = 250
@@ -38,6 +39,7 @@ export function benchOf(session: Session, units: () => string): [Bench, () => vo
   const busy = signal(false)
   const decided = signal<readonly string[]>([])
   let loading = false
+  let decidedFor: Tree | null = null
 
   const live = latest<Tree, Answers>({
     async send(tree, abort) {
@@ -55,6 +57,7 @@ export function benchOf(session: Session, units: () => string): [Bench, () => vo
     answered(answer, tree, newest) {
       if (!answer.ok || !newest) return
       shown.value = answer.value.shown
+      if (decidedFor && !same(decidedFor, tree)) decided.value = []
       sliders.value = answer.value.sliders
       swept.value = tree
     },
@@ -85,7 +88,8 @@ export function benchOf(session: Session, units: () => string): [Bench, () => vo
           session.note.value = answer.problems.map(({ message }) => message).join(' ')
           return
         }
-        session.replace(answer.value.tree as Tree)
+        decidedFor = answer.value.tree as Tree
+        session.replace(decidedFor)
         decided.value = answer.value.sentences.slice(1)
         shown.value = answer.value
       },

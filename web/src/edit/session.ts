@@ -3,6 +3,7 @@ import type { CatalogEntry, Exhibit, Fact, Problem } from '../exhibit'
 import type { Answer, Service, Tree } from '../host/host'
 import { t } from '../language/messages'
 import { reasonOf } from '../reason'
+import { changes } from './changes'
 import { withoutOrder } from './control'
 import { after, begun, type History } from './history'
 import { latest } from './latest'
@@ -10,7 +11,7 @@ import { renamed } from './naming'
 import { type Form, formOf, forms } from './schema'
 import { withoutSources } from './sources'
 import { withWeightsAlong } from './throws'
-import { type Path, put, read, same, within } from './tree'
+import { at, type Path, put, read, same, within } from './tree'
 
 /** Puts a valid engine on the stage. */
 export type Shown = (exhibit: Exhibit, tree: Tree) => void
@@ -186,7 +187,13 @@ export function session(service: Service, engine: OnStage, shown: Shown): Sessio
       origins.add(to.name)
       move({ kind: 'edit', to })
     },
-    direct: (to, control) => self.edit(to, DIRECT + control),
+    direct(to, control) {
+      const moved = changes(history.peek().present, to).reduce((now, { path }) => {
+        const place = read(path)
+        return withoutSources(withWeightsAlong(now, place, at(to, place), onStage), place)
+      }, to)
+      self.edit(moved, DIRECT + control)
+    },
     goTo: (step) => move({ kind: 'go', step }),
     set(path, value, gesture) {
       const along = withWeightsAlong(history.value.present, path, value, onStage)

@@ -56,10 +56,11 @@ function bankAt(
   const middle = control.sets[0]?.added ?? 0
   const pressed = turned(middle, bearingOf(pane, x, y))
   const half = valueIn(session.tree.peek(), control) / 2
-  if (Math.abs(Math.abs(pressed) - half) > BESIDE) return null
+  const beside = Math.abs(pressed) - half
+  if (Math.abs(beside) > BESIDE) return null
   return {
     follow(toX, toY, fine) {
-      const angle = 2 * Math.abs(turned(middle, bearingOf(pane, toX, toY)))
+      const angle = 2 * Math.max(0, Math.abs(turned(middle, bearingOf(pane, toX, toY))) - beside)
       const whole = fine ? Math.round(10 * angle) / 10 : Math.round(angle)
       const to = Math.min(180, fine ? whole : snapped(whole, control.snaps, REST))
       session.direct(moved(session.tree.peek(), control, to), control.key)
@@ -87,7 +88,7 @@ function weightAt({ scene, session }: Grip, pane: PaneRead, x: number, y: number
   const was = at(tree, path)
   return {
     follow(toX, _toY, fine) {
-      const along = (pane.origin[0] - toX) / pane.scale
+      const along = weight.z + (x - toX) / pane.scale
       const to = zOf(along, weight.z, was, scene.length_unit === 'm', fine)
       session.direct(put(session.tree.peek(), path, to), path.join('.'))
       return `z: ${String(to)}`

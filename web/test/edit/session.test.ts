@@ -169,3 +169,17 @@ test('the history leads to any of its steps and back', () => {
   expect(now.tree.value.layout).toMatchObject({ banks: [{ bearing: '30 deg' }] })
   expect(now.canRedo.value).toBe(false)
 })
+
+test('a direct control takes weights along and leaves out the source of what it changes', () => {
+  const weight = { unbalance: '1 kg*m', angle: '-90 deg' }
+  const shaft = { throw: [{ angle: '0 deg' }, { angle: '90 deg' }], weight: [weight] }
+  const provenance = { 'shaft.throw.angle': { status: 'published', source: 'x' } }
+  const { now } = begun()
+  const file = { shaft: [shaft], provenance }
+  now.adopt({ file, relative: [], weight_throws: [[2]] })
+  const turned = { ...shaft, throw: [shaft.throw[0], { angle: '120 deg' }] }
+  now.direct({ ...file, shaft: [turned] }, 'pin')
+  expect(now.tree.value).toEqual({
+    shaft: [{ ...turned, weight: [{ ...weight, angle: '-60 deg' }] }],
+  })
+})

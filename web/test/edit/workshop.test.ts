@@ -148,8 +148,36 @@ test('a bank is taken hold of on the front view, beside its cylinders only, and 
   ]
   expect(handleAt(grip, ...at(10, 4))).toBeNull()
   expect(handleAt(grip, ...at(55, 0.5))).toBeNull()
-  const handle = handleAt(grip, ...at(53, 4))
+  const handle = handleAt(grip, ...at(55, 4))
   expect(handle?.follow(...at(41, 4), false)).toBe('Bank angle: 60°')
   expect(handle?.follow(...at(41, 4), true)).toBe('Bank angle: 62°')
   expect(said).toEqual([moved(V8, BANKS, 60), moved(V8, BANKS, 62)])
+})
+
+test('a weight is taken hold of on the side view where its file says z, and follows', () => {
+  const weight = { unbalance: '1 kg*m', z: '50 mm' }
+  const tree = { shaft: [{ weight: [weight, { ...weight, z: '-50 mm' }] }] }
+  const said: unknown[] = []
+  const drawn = (z: number) => ({ z, outer_radius: 0.1 })
+  const grip = {
+    panes: [
+      { camera: 'side', x: 0, y: 0, width: 400, height: 200, scale: 1000, origin: [200, 100] },
+    ],
+    scene: {
+      cylinders: [],
+      shafts: [{ up: 0, weights: [drawn(0.05), drawn(-0.05)] }],
+      length_unit: 'm',
+    },
+    controls: [],
+    session: { tree: { peek: () => tree }, direct: (to: unknown) => said.push(to) },
+  } as unknown as Grip
+  expect(handleAt(grip, 200, 100)).toBeNull()
+  const handle = handleAt(grip, 152, 120)
+  expect(handle?.follow(142.2, 120, false)).toBe('z: 60 mm')
+  expect(said).toEqual([
+    { shaft: [{ weight: [{ ...weight, z: '60 mm' }, tree.shaft[0]?.weight[1]] }] },
+  ])
+  const without = { shaft: [{ weight: [{ unbalance: '1 kg*m' }, weight] }] }
+  const other = { ...grip, session: { tree: { peek: () => without } } } as unknown as Grip
+  expect(handleAt(other, 152, 120)).toBeNull()
 })
