@@ -130,3 +130,14 @@ def test_the_seven_of_marine_diesels_is_the_best_of_its_kind() -> None:
     """The crank of 1-7-2-5-4-3-6: couples 0.267 and 1.006."""
     first = row_cranks(cylinders=7, cycle="two-stroke")[0]
     assert [round(couple, 3) for couple in first.couples] == [0.267, 1.006]
+
+
+def test_a_harley_is_not_said_to_fire_nearly_evenly_but_a_radial_is() -> None:
+    assert "unevenly at 315-405°" in rearranged(tree_of("harley-45")).sentences[0]
+    assert "nearly evenly every 80°" in rearranged(tree_of("radial-9")).sentences[0]
+
+
+def test_the_explicit_form_says_why_its_cylinders_stay() -> None:
+    made = rearranged(tree_of("napier-deltic"))
+    assert (made.fewer, made.more) == (None, None)
+    assert "layout is needed" in made.sentences[0]

@@ -39,7 +39,7 @@ MOST_ORDERS = 8
 MOST_CRANKS = 12
 FEW = 8
 """Cylinders up to which every possible firing order of an uneven crank is looked at."""
-NEARLY = 0.15
+NEARLY = 0.08
 """Share of the mean interval by which the intervals of nearly even firing differ from it."""
 OF_THE_OLD_CRANK = ("crankshaft", "balance_shaft", "block", "cylinders", "notes")
 """Tables that another number of cylinders makes untrue."""
@@ -94,7 +94,11 @@ def rearranged(tree: Mapping[str, Any], *, cylinders: int | None = None) -> Rear
     if is_explicit(given):
         if cylinders not in (None, count):
             raise EngineError([Fault(("cylinders",), "workshop.explicit")])
-        return Rearranged(given, count, None, None, (), (), _orders(engine, given))
+        said = _(
+            "The explicit form lists every part; a layout is needed to change the number of "
+            "cylinders."
+        )
+        return Rearranged(given, count, None, None, (said,), (), _orders(engine, given))
     wanted = count if cylinders is None else cylinders
     kind = kind_of(given["layout"], engine.cycle)
     if wanted != count and not _possible(wanted, count, kind):
