@@ -65,6 +65,13 @@ def help_sentences() -> list[str]:
     return sentences(app)
 
 
+def other_sentences() -> list[str]:
+    """The help of the command line and the meanings of the glossary, which are in no call."""
+    from crankstar.language.glossary import terms
+
+    return [*help_sentences(), *(term.meanings["en"] for term in terms())]
+
+
 MESSAGE_ERRORS = [
     "ChartError",
     "DerivationError",
@@ -90,7 +97,7 @@ PYTHON = Domain(
     },
     template=ROOT / "src/crankstar/language/catalogs/crankstar.pot",
     catalogs="*/LC_MESSAGES/crankstar.po",
-    more=help_sentences,
+    more=other_sentences,
 )
 PAGE = Domain(
     sources=ROOT / "web/src",

@@ -236,7 +236,8 @@ def glossary(_: str) -> str:
         also = f"; also: {', '.join(others)}" if others else ""
         symbol = f"<br>{term.symbol}" if term.symbol else ""
         cells = (f"**{term.term}**{symbol}", f"{term.japanese}<br>{term.russian}")
-        lines.append(f"| {' | '.join(cells)} | {term.meaning}{also} |")
+        meaning = term.meanings["en"]
+        lines.append(f"| {' | '.join(cells)} | {meaning}{also} |")
     return "\n".join(lines)
 
 

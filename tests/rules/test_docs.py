@@ -310,9 +310,10 @@ def test_every_term_has_its_names_in_three_languages_once() -> None:
     names = [term.term for term in glossary.terms()]
     assert len(names) == len(set(names)) >= 70
     for term in glossary.terms():
+        assert len({*term.meanings.values()}) == 3, term.term
         assert re.search(r"[\u3040-\u30ff\u4e00-\u9fff]", term.japanese), term.term
         assert re.search(r"[\u0400-\u04ff]", term.russian), term.term
-        assert not term.meaning.endswith("."), term.term
+        assert not any(meaning.endswith((".", "。")) for meaning in term.meanings.values())
 
 
 def test_the_words_of_the_design_are_in_the_glossary() -> None:

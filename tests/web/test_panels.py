@@ -110,7 +110,7 @@ def test_a_word_with_a_dotted_line_is_explained_as_in_the_glossary(
 ) -> None:
     page.set_viewport_size({"width": width, "height": 844})
     opened(page, built_page(ENGINE), "a=0")
-    meanings = {term.term: term.meaning for term in glossary.terms()}
+    meanings = {term.term: term.meanings["en"] for term in glossary.terms()}
     for word, term in (
         ("order", "order"),
         ("Couple", "couple"),
@@ -132,7 +132,7 @@ def test_a_word_with_a_dotted_line_is_explained_as_in_the_glossary(
 
 
 @pytest.mark.parametrize("language", ["ja", "ru"])
-def test_terms_are_named_in_the_language_of_the_page(
+def test_terms_are_named_and_explained_in_the_language_of_the_page(
     language: str, built_page: Build, page: Page
 ) -> None:
     opened(page, built_page(ENGINE), f"a=0&lang={language}")
@@ -140,3 +140,5 @@ def test_terms_are_named_in_the_language_of_the_page(
     page.locator(".orders .term").first.click()
     name = term.japanese if language == "ja" else term.russian
     expect(page.get_by_role("tooltip").locator("strong")).to_have_text(name)
+    expect(page.get_by_role("tooltip")).to_contain_text(term.meanings[language])
+    assert term.meanings[language] != term.meanings["en"]

@@ -1,7 +1,7 @@
 import { computed, effect, type ReadonlySignal, type Signal, signal } from '@preact/signals'
 import { commonTurns } from './angle'
 import { type Clock, createClock } from './clock'
-import type { Exhibit, TermShown } from './exhibit'
+import type { Exhibit, Term } from './exhibit'
 import type { Host, Tree } from './host/host'
 import type { News } from './host/watching'
 import { language, t } from './language/messages'
@@ -50,7 +50,7 @@ export interface App {
   /** Whether each stage has room for a drawing sheet. */
   readonly roomy: Signal<boolean>
   /** The term of the glossary that is explained at the moment, and the word beside which. */
-  readonly explained: Signal<{ term: TermShown; beside: HTMLElement } | null>
+  readonly explained: Signal<{ term: Term; beside: HTMLElement } | null>
   /** Step of the guide that is shown, from 1; 0 for none. */
   readonly guide: Signal<number>
   /** The dialog that is open, by name; empty for none. */
@@ -122,7 +122,7 @@ export function createApp(host: Host): App {
     () => store.quantity.value ?? prevailing(engines.value[subject.value] ?? own.value),
   )
   const roomy = signal(true)
-  const explained = signal<{ term: TermShown; beside: HTMLElement } | null>(null)
+  const explained = signal<{ term: Term; beside: HTMLElement } | null>(null)
   const guide = signal(0)
   const dialog = signal<'' | 'export' | 'keys'>('')
   const sight = computed((): Sight => {

@@ -25,7 +25,7 @@ export interface Exhibition {
   /** the choices of units that are offered by name */
   units?: UnitsOffered[]
   /** the terms that the page explains where they stand */
-  glossary?: TermShown[]
+  glossary?: Term[]
   /** names or files of the engines on the command line */
   sources?: string[]
   command?: string
@@ -384,12 +384,14 @@ export interface UnitsOffered {
   name: string
   label: string
 }
-/** A term of the glossary: its names, its symbol or "", its meaning, other words for it. */
-export interface TermShown {
+/** A term: its names, its meaning in each language, its symbol or "", other words for it. */
+export interface Term {
   term: string
   japanese: string
   russian: string
-  meaning: string
+  meanings: {
+    [k: string]: string
+  }
   symbol?: string
   also?: string[]
 }

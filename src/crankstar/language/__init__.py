@@ -13,6 +13,6 @@
 | `file_faults` | the sentence of each fault of an engine file |
 | `search_faults` | the sentence of each fault of a search |
 | `server_faults` | the sentence of each fault of a question to the server |
-| `glossary` | the terms of the field, with symbol, Japanese and Russian |
+| `glossary` | the terms of the field, with symbol, names and meanings in every language |
 | `faults` | faults as records: path, code, values; their sentences |
 """

@@ -4,7 +4,6 @@
 |---|---|
 | `proportions` | bores, lengths and radii that a drawing needs, given or assumed |
 | `unit_records` | the units of numbers, the base of all records |
-| `term_records` | the terms that the page explains where they stand |
 | `records` | Exhibition, Exhibit and their parts |
 | `crankshafts` | pins, webs, rods side by side, weights on webs |
 | `gears` | gear wheels between shafts |

@@ -17,6 +17,7 @@ from crankstar.engine.engine import Engine
 from crankstar.files.box import Spread, spread
 from crankstar.firing.strokes import WorkingCycle, working_cycle
 from crankstar.language.faults import EngineError
+from crankstar.language.glossary import terms
 from crankstar.language.kept import alike
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import unit_text
@@ -38,7 +39,6 @@ from crankstar.page.records import (
     Table,
 )
 from crankstar.page.scene import scene
-from crankstar.page.term_records import terms_shown
 from crankstar.page.unit_records import Unit, Units, UnitsOffered
 from crankstar.remedy import fitting
 from crankstar.remedy.kept import with_source
@@ -91,7 +91,7 @@ def opening(
         fitted=tuple(cured),
         stroke_colours=StrokeColours(**STROKE_COLOURS),
         units=offered(),
-        glossary=terms_shown(),
+        glossary=terms(),
         sources=tuple(sources),
         command=command,
         version=version("crankstar"),

@@ -14,7 +14,7 @@ from typing import Any, Literal
 from pydantic import Field
 
 from crankstar.engine.quantities import Unknown
-from crankstar.page.term_records import TermShown
+from crankstar.language.glossary import Term
 from crankstar.page.unit_records import Shown, Units, UnitsOffered
 
 Pair = tuple[float, float]
@@ -389,7 +389,7 @@ class Exhibition(Shown):
     units: tuple[UnitsOffered, ...] = Field(
         default=(), description="the choices of units that are offered by name"
     )
-    glossary: tuple[TermShown, ...] = Field(
+    glossary: tuple[Term, ...] = Field(
         default=(), description="the terms that the page explains where they stand"
     )
     sources: tuple[str, ...] = Field(

@@ -1,12 +1,12 @@
 import type { ComponentChildren } from 'preact'
 import { useMemo } from 'preact/hooks'
-import type { Exhibition, TermShown } from '../exhibit'
+import type { Term as Entry, Exhibition } from '../exhibit'
 import { language, t } from '../language/messages'
 import { useApp } from './context'
 
 /** The glossary by its words, in lower case. */
-export function wordsOf({ glossary = [] }: Exhibition): ReadonlyMap<string, TermShown> {
-  const words = new Map<string, TermShown>()
+export function wordsOf({ glossary = [] }: Exhibition): ReadonlyMap<string, Entry> {
+  const words = new Map<string, Entry>()
   for (const term of glossary)
     for (const word of [
       ...[term.term, ...term.term.split(', '), ...(term.also ?? [])],
@@ -17,8 +17,13 @@ export function wordsOf({ glossary = [] }: Exhibition): ReadonlyMap<string, Term
 }
 
 /** What a term is called in the language of the page. */
-export function nameOf({ term, japanese, russian }: TermShown): string {
+export function nameOf({ term, japanese, russian }: Entry): string {
   return language.value === 'ja' ? japanese : language.value === 'ru' ? russian : term
+}
+
+/** What a term means, in the language of the page. */
+function meaningOf({ meanings }: Entry): string {
+  return meanings[language.value] ?? ''
 }
 
 /** A word that the glossary explains: at a touch, under a pointer, or when it has the focus. */
@@ -39,7 +44,7 @@ export function Term({ word, children }: { word: string; children: ComponentChil
       class="term"
       role="button"
       tabIndex={0}
-      aria-description={term.meaning}
+      aria-description={meaningOf(term)}
       onPointerEnter={(event) => event.pointerType === 'mouse' && show(event)}
       onPointerLeave={(event) => event.pointerType === 'mouse' && hide()}
       onClick={(event) => {
@@ -81,7 +86,7 @@ export function Explanation() {
         <strong>{nameOf(term)}</strong>
         {term.symbol && <span class="symbol"> {symbolText(term.symbol)}</span>}
       </p>
-      <p>{term.meaning}.</p>
+      <p>{t('{meaning}.', { meaning: meaningOf(term) })}</p>
       <p class="soft">
         {[term.term, term.japanese, term.russian]
           .filter((name) => name !== nameOf(term))
