@@ -439,6 +439,24 @@ def current_mask() -> int:
     return mask
 
 
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["analyse"], 'Неизвестная команда "analyse". Возможно, имелось в виду "analyze"?'),
+        (["analyze"], "Для ENGINE нужно значение."),
+        (["analyze", "i4", "--jsn"], "Неизвестный параметр: --jsn."),
+        (["list", "--cylinders", "x"], '--cylinders: "x" — не целое число.'),
+        (["search", "5", "--cycle", "x"], "возможны: "),
+    ],
+)
+def test_what_the_parser_refuses_is_told_in_the_reader_s_language(
+    words: list[str], said: str, run: Run
+) -> None:
+    result = run(*words, "--lang", "ru")
+    assert result.code == 2
+    assert said in result.err
+
+
 BAD_LINES = [
     (["analyse", "X"], 'Unknown command "analyse". Did you mean "analyze"?'),
     (["X"], 'Unknown command "mine.toml"'),
@@ -453,7 +471,7 @@ BAD_LINES = [
     (["analyze", "X", "--csv", "--theta", "0 deg"], "--theta has no effect with --csv"),
     (["analyze", "X", "--json=maybe"], 'unable to convert "maybe" into yes or no'),
     (["analyze", "X", "--speed"], "--speed requires an argument"),
-    (["analyze", "X", "--speed", "1 rpm", "--speed", "2 rpm"], "--speed specified multiple times"),
+    (["analyze", "X", "--speed", "1 rpm", "--speed", "2 rpm"], "--speed is specified multiple "),
     (["analyze", "X", "--speed", "0 rpm"],
         '--speed is "0 rpm"; it must be greater than 0, such as "6000 rpm"'),
     (["analyze", "X", "--speed", "-5 rpm"],

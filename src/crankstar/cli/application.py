@@ -9,9 +9,8 @@ from collections.abc import Sequence
 from contextlib import suppress
 from importlib.metadata import version
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
-from cyclopts import App, CycloptsError, UnknownOptionError, UnusedCliTokensError
+from cyclopts import App, CycloptsError
 
 from crankstar.cli.output import OutputError, abandon, complain, is_file
 from crankstar.files import STANDARD_INPUT
@@ -19,14 +18,10 @@ from crankstar.language import spelling
 from crankstar.language.messages import LANGUAGES, N_, MessageError, _, spoken
 from crankstar.language.quoting import one_line, seen
 from crankstar.language.shown_units import SYSTEMS, Choice, UnitsError, read_choice, shown_in
-from crankstar.options.names import meant
-from crankstar.options.refusals import RequestError, refusal
+from crankstar.options.refusals import RequestError
 from crankstar.options.values import NEEDED
 from crankstar.options.vocabulary import OPTIONS
 from crankstar.search.faults import SearchError
-
-if TYPE_CHECKING:
-    from pydantic_core import ErrorDetails
 
 COMPLETION = "--install-completion"
 FILES = ("--beside", "--checkpoint", "--output")
@@ -96,25 +91,30 @@ def main(arguments: Sequence[str] | None = None) -> None:
             del os.environ[size]
     words = list(sys.argv[1:] if arguments is None else arguments)
     try:
-        with spoken(_language(words)), shown_in(_units(words)):
+        with spoken(_language(words)):
+            code = _answered(words)
+    except RequestError as error:
+        code = _refuse(str(error))
+    abandon()
+    sys.exit(code)
+
+
+def _answered(words: list[str]) -> int:
+    """Run a command line, tell what is refused in the language of the context: the exit code."""
+    try:
+        with shown_in(_units(words)):
             if not words and _gallery():
                 raise SystemExit(0)
             if not words or {"--help", "-h"} & set(words):  # only help needs its libraries
-                from crankstar.cli.help import TranslatedHelp
-
-                app.help_formatter = TranslatedHelp()
-                app.help_epilogue = _(EVERYWHERE)
-                if not VERBS.keys() & set(words):  # the list of verbs has a line of each
-                    app.resolved_commands()
-                if columns := os.environ.get("COLUMNS"):  # help is endless in a column or two
-                    width = int(columns) if columns.isdecimal() and len(columns) < 5 else 80
-                    os.environ["COLUMNS"] = str(max(width, LEAST_WIDTH))
+                _prepare_help(words)
             _refuse_source(words)
             code = app(_spelt_out(words), exit_on_error=False, print_error=False) or 0
         if sys.stdout is not None:
             sys.stdout.flush()
     except CycloptsError as error:
-        code = _refuse(_complaint(error))
+        from crankstar.cli.complaints import complaint
+
+        code = _refuse(complaint(error))
     except MessageError as error:
         code = _refuse(str(error))
     except SearchError as error:
@@ -129,8 +129,20 @@ def main(arguments: Sequence[str] | None = None) -> None:
         code = _refuse(_("not enough memory for this engine; try fewer cylinders, or longer rods"))
     except KeyboardInterrupt:
         code = 130
-    abandon()
-    sys.exit(code)
+    return code
+
+
+def _prepare_help(words: Sequence[str]) -> None:
+    """Have the help in the language of the context, in a width that can be read."""
+    from crankstar.cli.help import TranslatedHelp
+
+    app.help_formatter = TranslatedHelp()
+    app.help_epilogue = _(EVERYWHERE)
+    if not VERBS.keys() & set(words):  # the list of verbs has a line of each
+        app.resolved_commands()
+    if columns := os.environ.get("COLUMNS"):  # help is endless in a column or two
+        width = int(columns) if columns.isdecimal() and len(columns) < 5 else 80
+        os.environ["COLUMNS"] = str(max(width, LEAST_WIDTH))
 
 
 def _gallery() -> bool:
@@ -233,44 +245,6 @@ def _may_be_a_file(text: str) -> bool:
     with suppress(UnicodeEncodeError):
         return b"\0" not in os.fsencode(text)
     return False
-
-
-def _complaint(error: CycloptsError) -> str:
-    """The mistake in the words of a command line, and the command that explains them."""
-    from pydantic import ValidationError
-
-    if isinstance(error.__cause__, ValidationError):
-        return "\n".join(map(_wrong_word, error.__cause__.errors(include_url=False)))
-    text = one_line(str(error).strip(), longest=300)
-    text = text.replace("into int", "into a whole number").replace("into bool", "into yes or no")
-    if isinstance(error, UnknownOptionError):
-        text = _unknown_option(error)
-    if isinstance(error, UnusedCliTokensError):
-        text = _(
-            "too many arguments: {words}", words=", ".join(map(seen, error.unused_tokens or ()))
-        )
-    command = " ".join(["crankstar", *(error.command_chain or ())])
-    return _("{mistake}\nSee: {command} --help", mistake=text, command=command)
-
-
-def _unknown_option(error: UnknownOptionError) -> str:
-    """An option that the command has not, and the one that is meant, also by another name."""
-    word = (error.token.keyword or error.token.value).partition("=")[0]
-    own = [name for argument in error.argument_collection for name in argument.names]
-    near = meant(word, sorted(name for name in own if name.startswith("--")))
-    text = _("Unknown option: {option}.", option=one_line(word, longest=60))
-    return (
-        text if near is None else _("{mistake} Did you mean {option}?", mistake=text, option=near)
-    )
-
-
-def _wrong_word(mistake: ErrorDetails) -> str:
-    """What a record of options does not take."""
-    option = "--" + str(mistake["loc"][0]).replace("_", "-")
-    choices = mistake.get("ctx", {}).get("expected", "").replace("'", "").replace(" or ", ", ")
-    if not choices:
-        return f"{option}: {mistake['msg']}"
-    return str(refusal(option, mistake["input"], "choose from {choices}", choices=choices))
 
 
 def _unwritable(error: OSError) -> str:

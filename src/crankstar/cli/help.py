@@ -7,8 +7,13 @@ from io import StringIO
 from typing import Any
 
 from cyclopts import App
-from cyclopts.help import DefaultFormatter, HelpPanel
+from cyclopts.help import ColumnSpec, DefaultFormatter, DescriptionRenderer, HelpEntry, HelpPanel
 from cyclopts.help.inline_text import InlineText
+from cyclopts.help.specs import (
+    DefaultStyled,
+    get_default_command_columns,
+    get_default_parameter_columns,
+)
 from rich.console import Console, ConsoleOptions
 from rich.text import Text
 
@@ -29,7 +34,15 @@ class TranslatedHelp(DefaultFormatter):
         ]
         if entries:
             title = self._translate(str(panel.title))
+            self.column_specs = _columns(panel.format)
             super().__call__(console, options, panel.copy(title=title, entries=entries))
+
+    def render_usage(self, console: Console, options: ConsoleOptions, usage: Any) -> None:
+        """Render the line of the form that a command has."""
+        del options
+        if usage:
+            line = Text(_("Usage: {usage}", usage=str(usage)), style="cyclopts.usage")
+            console.print(DefaultStyled(line))
 
     def render_description(
         self, console: Console, options: ConsoleOptions, description: Any
@@ -42,6 +55,33 @@ class TranslatedHelp(DefaultFormatter):
             return description
         text = str(description.primary_renderable)
         return Text(self._translate(text) + ("\n" if description.force_empty_end else ""))
+
+
+class _Described(DescriptionRenderer):
+    """The description of an entry, and whether it is required, its choices and its default."""
+
+    def __call__(self, entry: HelpEntry) -> Any:
+        shown: Any = super().__call__(entry.copy(choices=None, default=None, required=False))
+        if entry.choices:
+            words = _("[choices: {choices}]", choices=", ".join(entry.choices))
+            shown.append(Text(words, "cyclopts.choices"))
+        if entry.default is not None:
+            words = _("[default: {default}]", default=entry.default)
+            shown.append(Text(words, "cyclopts.default"))
+        if entry.required:
+            shown.append(Text(_("[required]"), "cyclopts.required"))
+        return shown
+
+
+def _columns(kind: str) -> Callable[..., tuple[ColumnSpec, ...]]:
+    """The columns of a panel, the last of them in the reader's language."""
+    made = get_default_command_columns if kind == "command" else get_default_parameter_columns
+
+    def columns(*given: Any) -> tuple[ColumnSpec, ...]:
+        *others, last = made(*given)
+        return (*others, last.copy(renderer=_Described()))
+
+    return columns
 
 
 def sentences(app: App) -> list[str]:
