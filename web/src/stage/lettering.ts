@@ -292,8 +292,11 @@ function scale(
   const round = roundValue(perPixel * Math.min(96, width / 5))
   const long = round / perPixel
   to.font = `12px ${FONT}`
-  const text = `${quantity(round, unit)}  ${name}`
-  const right = width - long - 12 - to.measureText(text).width
+  const full = `${quantity(round, unit)}  ${name}`
+  const room = (text: string): number => width - long - 12 - to.measureText(text).width
+  // a name that would push the arrow over the axes is left out; the unit tells a force from a couple
+  const text = width < NARROW || room(full) >= beside ? full : quantity(round, unit)
+  const right = room(text)
   const x = width < NARROW ? 12 : Math.max(4, Math.min(beside, right))
   to.strokeStyle = to.fillStyle = css(colour)
   to.lineWidth = 3

@@ -1,9 +1,14 @@
-import { expect, test } from 'vitest'
+import { afterEach, expect, test } from 'vitest'
+import { language } from '../../src/language/messages'
 import { HOME, lookOf } from '../../src/stage/cameras'
 import { footOf, type Writing, write } from '../../src/stage/lettering'
 import { LIGHT } from '../../src/stage/palette'
 import { CAMERAS } from '../../src/stage/stage'
 import { exhibit } from './engine'
+
+afterEach(() => {
+  language.value = 'en'
+})
 
 const LETTER = 11
 const LOOKS = { orbit: HOME, azimuth: Math.PI / 4 }
@@ -48,3 +53,11 @@ test.each([...CAMERAS])(
           expect(top, text).toBeGreaterThanOrEqual(height * (1 - footOf(195, height)))
   },
 )
+
+test('a long name does not push the scale of an arrow over the axes', () => {
+  language.value = 'ru'
+  const names = (width: number) =>
+    written(width, 264, 'isometric').filter(({ text }) => text.includes('Продольный момент'))
+  expect(names(320)).toEqual([])
+  expect(names(520)).toHaveLength(1)
+})
