@@ -126,3 +126,13 @@ def test_the_name_of_an_engine_is_text_in_a_drawing() -> None:
     engine = with_values(crankstar.load("single"), name="</title><script>")
     for draw in (orthographic, small_views):
         assert "<script" not in draw(engine, scene(engine))
+
+
+def test_the_numbers_of_a_bank_are_within_the_drawing() -> None:
+    """All four of a bank of a V8 stand at the left of its front view; the first was cut off."""
+    engine = crankstar.load("v8-flat-plane")
+    for draw in (orthographic, small_views):
+        root = ElementTree.fromstring(draw(engine, scene(engine)))  # noqa: S314 - our own
+        left = float((root.get("viewBox") or "").split()[0])
+        (label,) = [text for text in root.iter(f"{SPACE}text") if text.text == "1, 3, 5, 7"]
+        assert float(label.get("x") or "nan") - 30 >= left

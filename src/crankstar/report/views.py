@@ -57,6 +57,15 @@ class Placed(NamedTuple):
     piston: complex
 
 
+class Label(NamedTuple):
+    """The numbers of cylinders, about a middle, and how wide they are, px."""
+
+    x: float
+    y: float
+    wide: float
+    text: str
+
+
 def placed(engine: Engine) -> tuple[Placed, ...]:
     """Rods and pistons at theta = 0, by cylinder."""
     links = motion.linkage(engine)
@@ -99,16 +108,21 @@ def _aligned(
     across = right * scale + 2 * MARGIN
     above = along * scale + 2 * MARGIN + AXES + GAP if PLAN in looks else 0.0
     places = {FRONT: (0.0, above), SIDE: (across + GAP, above), PLAN: (0.0, 0.0)}
-    drawn = [_view(scene, moving, look, scale, engine.name, places[look]) for look in looks]
+    drawn, ends = [], [0.0, 0.0]
+    for look in looks:
+        view, reach = _view(scene, moving, look, scale, engine.name, places[look])
+        drawn.append(view)
+        ends += reach
     size = (across + GAP + along * scale + 2 * MARGIN, above + up * scale + 2 * MARGIN + AXES)
     if PLAN in looks:
         drawn.append(third_angle(x=across + GAP + MARGIN, y=MARGIN))
     name = _("{engine} from the front and the right side", engine=engine.name)
     if PLAN in looks:
         name = _("{engine} from the front, the right side and above", engine=engine.name)
+    left, wide = min(ends), max(*ends, size[0]) - min(ends)
     return (
-        f'<svg role="img" xmlns="http://www.w3.org/2000/svg" width="{size[0]:.0f}" '
-        f'height="{size[1]:.0f}" viewBox="0 0 {size[0]:.0f} {size[1]:.0f}" '
+        f'<svg role="img" xmlns="http://www.w3.org/2000/svg" width="{wide:.0f}" '
+        f'height="{size[1]:.0f}" viewBox="{left:.0f} 0 {wide:.0f} {size[1]:.0f}" '
         f'font-family="sans-serif" font-size="{LETTERS}" stroke-linejoin="round">'
         f"<title>{escape(name)}</title>{''.join(drawn)}</svg>"
     )
@@ -121,19 +135,27 @@ def _view(
     scale: float,
     name: str,
     place: tuple[float, float],
-) -> str:
-    """A view as a group whose upper left corner is at `place`, px."""
+) -> tuple[str, list[float]]:
+    """A view as a group whose upper left corner is at `place`, and the ends of its labels, px."""
     corners = [look.turned(*scene.low), look.turned(*scene.high)]
     (left, _right), (bottom, top) = (sorted(corner[at] for corner in corners) for at in (0, 1))
     height = (top - bottom) * scale + 2 * MARGIN + AXES
     pen = Pen(look, scale, MARGIN - left * scale, MARGIN + top * scale)
     parts = sorted(_parts(scene, moving, pen), key=lambda part: part.near)
     title = escape(_(look.title, engine=name))
-    return (
+    labels = list(_numbers(scene, pen))
+    texts = "".join(
+        f'<text x="{label.x:.1f}" y="{label.y:.1f}" text-anchor="middle" fill="currentColor">'
+        f"{label.text}</text>"
+        for label in labels
+    )
+    ends = [place[0] + label.x + side * label.wide / 2 for label in labels for side in (-1, 1)]
+    svg = (
         f'<g class="view" transform="translate({place[0]:.1f} {place[1]:.1f})">'
         f"<title>{title}</title>{''.join(part.svg for part in parts)}"
-        f"{''.join(_numbers(scene, pen))}{axes(look, height)}</g>"
+        f"{texts}{axes(look, height)}</g>"
     )
+    return svg, ends
 
 
 def _parts(scene: Scene, moving: Sequence[Placed], pen: Pen) -> Iterator[Part]:
@@ -236,7 +258,7 @@ def _rod(scene: Scene, one: CylinderShown, place: Placed) -> Complex:
     )
 
 
-def _numbers(scene: Scene, pen: Pen) -> Iterator[str]:
+def _numbers(scene: Scene, pen: Pen) -> Iterator[Label]:
     """The numbers of the cylinders beyond their heads, without overlaps."""
     groups: dict[tuple[float, float, float], list[int]] = {}
     for one in scene.cylinders:
@@ -246,18 +268,18 @@ def _numbers(scene: Scene, pen: Pen) -> Iterator[str]:
             groups.setdefault((round(float(x), 1), round(float(y), 1), aside), []).append(
                 one.number
             )
-    written: list[tuple[float, float, float]] = []
+    written: list[Label] = []
     for (x, y, aside), numbers in groups.items():
-        label = numbers_text(numbers)
-        wide = 0.6 * LETTERS * len(label)
-        middle = x + aside * (wide - LETTERS) / 2  # long labels clear of an inclined bank
+        text = numbers_text(numbers)
+        wide = 0.6 * LETTERS * len(text)
+        # long labels clear of an inclined bank
+        label = Label(x + aside * (wide - LETTERS) / 2, y + LETTERS * 0.35, wide, text)
         if all(
-            abs(middle - other) > (wide + width) / 2 or abs(y - above) > LETTERS
-            for other, above, width in written
+            abs(label.x - other.x) > (wide + other.wide) / 2 or abs(label.y - other.y) > LETTERS
+            for other in written
         ):
-            written.append((middle, y, wide))
-            place = f'x="{middle:.1f}" y="{y + LETTERS * 0.35:.1f}"'
-            yield f'<text {place} text-anchor="middle" fill="currentColor">{label}</text>'
+            written.append(label)
+            yield label
 
 
 def _label(scene: Scene, one: CylinderShown, pen: Pen) -> complex:
