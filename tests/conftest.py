@@ -10,8 +10,9 @@ from collections.abc import Iterator
 import pytest
 from hypothesis import HealthCheck, settings
 
-for name in ("COLUMNS", "CRANKSTAR_LANG", "LANGUAGE"):
+for name in ("COLUMNS", "CRANKSTAR_LANG", "LANGUAGE", "LC_ALL"):
     os.environ.pop(name, None)  # of the one who started the suite
+os.environ["LC_MESSAGES"] = "C"
 
 SLOW = [HealthCheck.too_slow]
 

@@ -64,7 +64,7 @@ def test_without_arguments_and_with_help_it_tells_its_verbs(run: Run) -> None:
         assert all(re.search(rf"^│ {verb} +\w{{3}}", result.out, re.MULTILINE) for verb in VERBS)
 
 
-@pytest.mark.parametrize("words", [(), ("--lang", "ja"), ("--lang", "ru")])
+@pytest.mark.parametrize("words", [(), ("--language", "ja"), ("--lang", "ru")])
 def test_a_new_process_tells_what_each_verb_does(words: tuple[str, ...]) -> None:
     """The verbs are loaded when they are asked for; the list of all of them has to ask."""
     told = subprocess.run([*COMMAND, *words], capture_output=True, check=True, encoding="utf-8")

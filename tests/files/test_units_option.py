@@ -113,7 +113,7 @@ def test_limits_and_unbalances_are_read_in_all_units() -> None:
     assert ounces == pytest.approx(grams, rel=1e-14)
 
 
-@pytest.mark.parametrize("option", ["--units", "--lang"])
+@pytest.mark.parametrize("option", ["--units", "--language", "--lang"])
 def test_an_option_of_every_command_that_stands_twice_is_refused(run: Run, option: str) -> None:
     said = run("list", option, "us", f"{option}=si")
     assert (said.code, said.out) == (2, "")

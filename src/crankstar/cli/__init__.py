@@ -3,6 +3,8 @@
 | module, bottom to top | one line |
 |---|---|
 | `help` | the help in the reader's language |
+| `system_language` | the language of the system |
+| `complaints` | what is wrong with a command line |
 | `output` | where results go: terminal, pipe or file |
 | `options` | options that several verbs share |
 | `tabulating` | a Document as tables, JSON, CSV, a spreadsheet or Parquet |

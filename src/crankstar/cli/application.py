@@ -12,10 +12,12 @@ from itertools import pairwise
 
 from cyclopts import App, CycloptsError
 
+from crankstar.cli.complaints import complaint, unwritable
 from crankstar.cli.output import OutputError, abandon, complain, is_file
+from crankstar.cli.system_language import of_system
 from crankstar.files import STANDARD_INPUT
 from crankstar.language import spelling
-from crankstar.language.messages import LANGUAGES, N_, MessageError, _, spoken
+from crankstar.language.messages import LANGUAGES, N_, MessageError, _, language, speak, spoken
 from crankstar.language.quoting import one_line, seen
 from crankstar.language.shown_units import SYSTEMS, Choice, UnitsError, read_choice, shown_in
 from crankstar.options.refusals import RequestError
@@ -26,11 +28,14 @@ from crankstar.search.faults import SearchError
 COMPLETION = "--install-completion"
 FILES = ("--beside", "--checkpoint", "--output")
 """Options that take a file."""
+LANGUAGE = ("--language", "--lang")
+"""The option of the language, and its short name."""
 LEAST_WIDTH = 20
 """Columns of help, at least."""
 EVERYWHERE = N_(
     "Every command also takes --units (or CRANKSTAR_UNITS), the units of its results: si, us, or "
-    "units with commas, as in kN, kN m; and --lang (or CRANKSTAR_LANG), the language: en, ja or ru."
+    "units with commas, as in kN, kN m; and --language (or CRANKSTAR_LANG), the language: en, ja "
+    "or ru (default: that of the system)."
 )
 """The options that are taken out of the words before a command is read, at the end of any help."""
 VERBS = {
@@ -90,18 +95,16 @@ def main(arguments: Sequence[str] | None = None) -> None:
         if not os.environ.get(size, "0").isdecimal():
             del os.environ[size]
     words = list(sys.argv[1:] if arguments is None else arguments)
-    try:
-        with spoken(_language(words)):
-            code = _answered(words)
-    except RequestError as error:
-        code = _refuse(str(error))
+    with spoken(of_system(os.environ)):
+        code = _code(words)
     abandon()
     sys.exit(code)
 
 
-def _answered(words: list[str]) -> int:
-    """Run a command line, tell what is refused in the language of the context: the exit code."""
+def _code(words: list[str]) -> int:
+    """Run a command line, its complaints in the language it asks for. Returns the exit code."""
     try:
+        speak(_language(words))
         with shown_in(_units(words)):
             if not words and _gallery():
                 raise SystemExit(0)
@@ -112,28 +115,26 @@ def _answered(words: list[str]) -> int:
         if sys.stdout is not None:
             sys.stdout.flush()
     except CycloptsError as error:
-        from crankstar.cli.complaints import complaint
-
-        code = _refuse(complaint(error))
+        return _refuse(complaint(error))
     except MessageError as error:
-        code = _refuse(str(error))
+        return _refuse(str(error))
     except SearchError as error:
-        code = _refuse(error.text(lambda option: f"--{option.replace('_', '-')}"))
+        return _refuse(error.text(lambda option: f"--{option.replace('_', '-')}"))
     except BrokenPipeError:
-        code = 0  # the reader of the pipe has all it wanted
+        return 0  # the reader of the pipe has all it wanted
     except SystemExit as ended:  # rich raises it for a broken pipe, cyclopts without a shell
-        code = 2 if ended.code and COMPLETION in words else 0
+        return 2 if ended.code and COMPLETION in words else 0
     except OSError as error:
-        code = _refuse(_unwritable(error))
+        return _refuse(unwritable(error))
     except MemoryError:
-        code = _refuse(_("not enough memory for this engine; try fewer cylinders, or longer rods"))
+        return _refuse(_("not enough memory for this engine; try fewer cylinders, or longer rods"))
     except KeyboardInterrupt:
-        code = 130
+        return 130
     return code
 
 
 def _prepare_help(words: Sequence[str]) -> None:
-    """Have the help in the language of the context, in a width that can be read."""
+    """Have help in the language of the context, as wide as is asked for."""
     from crankstar.cli.help import TranslatedHelp
 
     app.help_formatter = TranslatedHelp()
@@ -158,40 +159,46 @@ def _gallery() -> bool:
 
 
 def _language(words: list[str]) -> str:
-    """The language of --lang, which is taken out of the words, or of CRANKSTAR_LANG, or English."""
-    asked, language = _taken(words, "--lang", "CRANKSTAR_LANG")
-    language = LANGUAGES[0] if language is None else language
-    if language not in LANGUAGES:
+    """The language of --language, taken out of the words, else of its variable, else the present.
+
+    Raises RequestError.
+    """
+    asked, wanted = _taken(words, LANGUAGE, "CRANKSTAR_LANG")
+    if wanted is None:
+        return language()
+    if wanted not in LANGUAGES:
         raise RequestError(
-            _(
-                "{option} {language}: the languages are {languages}",
-                option=asked,
-                language=seen(language),
-                languages=", ".join(LANGUAGES),
-            )
+            "{option} {language}: the languages are {languages}",
+            option=asked,
+            language=seen(wanted),
+            languages=", ".join(LANGUAGES),
         )
-    return language
+    return wanted
 
 
 def _units(words: list[str]) -> Choice:
     """The units of --units, which is taken out of the words, or of CRANKSTAR_UNITS, or SI."""
-    asked, text = _taken(words, "--units", "CRANKSTAR_UNITS")
+    asked, text = _taken(words, ("--units",), "CRANKSTAR_UNITS")
     try:
         return SYSTEMS["si"] if text is None else read_choice(text)
     except UnitsError as error:
         raise RequestError(f"{asked}: {error}") from None
 
 
-def _taken(words: list[str], name: str, variable: str) -> tuple[str, str | None]:
-    """An option for all commands, taken out of the words, or its variable: which, and its value."""
-    if len([word for word in words if word.partition("=")[0] == name]) > 1:
-        raise RequestError("{option} stands twice; give it once", option=name)
+def _taken(words: list[str], names: Sequence[str], variable: str) -> tuple[str, str | None]:
+    """An option for all commands, taken out of the words, or its variable: which, and its value.
+
+    Raises RequestError where it stands twice.
+    """
+    given = [word for word in words if word.partition("=")[0] in names]
+    if len(given) > 1:
+        raise RequestError("{option} stands twice; give it once", option=given[1].partition("=")[0])
     for place, word in enumerate(words):
         option, equals, value = word.partition("=")
-        if option == name:
+        if option in names:
             value = value if equals else "".join(words[place + 1 : place + 2])
             del words[place : place + (1 if equals else 2)]
-            return name, value
+            return option, value
     return variable, os.environ.get(variable) or None
 
 
@@ -245,22 +252,6 @@ def _may_be_a_file(text: str) -> bool:
     with suppress(UnicodeEncodeError):
         return b"\0" not in os.fsencode(text)
     return False
-
-
-def _unwritable(error: OSError) -> str:
-    """A file, or standard output, that could not be written."""
-    reason = error.strerror or error
-    if error.filename is None:
-        return _(
-            "standard output or a temporary file (TMPDIR) cannot be written ({reason}); free some "
-            "space, or name a file with -o",
-            reason=reason,
-        )
-    return _(
-        "{file} cannot be written ({reason}); free some space, or name another file with -o",
-        file=one_line(str(error.filename)),
-        reason=reason,
-    )
 
 
 def _refuse(message: str) -> int:

@@ -1,19 +1,11 @@
-"""What the parser of the command line refuses, in the reader's language."""
+"""What is wrong with a command line or a file that cannot be written, in the reader's language."""
 
 from __future__ import annotations
 
-from difflib import get_close_matches
-from typing import TYPE_CHECKING, Literal, get_args, get_origin
+import re
+from typing import TYPE_CHECKING
 
-from cyclopts import (
-    CoercionError,
-    CycloptsError,
-    MissingArgumentError,
-    RepeatArgumentError,
-    UnknownOptionError,
-    UnusedCliTokensError,
-)
-from cyclopts.exceptions import UnknownCommandError
+from cyclopts import CycloptsError, UnknownOptionError, UnusedCliTokensError
 
 from crankstar.language.messages import N_, _
 from crankstar.language.quoting import one_line, seen
@@ -23,12 +15,19 @@ from crankstar.options.refusals import refusal
 if TYPE_CHECKING:
     from pydantic_core import ErrorDetails
 
-KINDS: dict[object, str] = {
-    int: N_("{option}: unable to convert {given} into a whole number."),
-    float: N_("{option}: unable to convert {given} into a number."),
-    bool: N_("{option}: unable to convert {given} into yes or no."),
-}
-"""By the type of an option, that its value is not of this type."""
+PARSED = (
+    N_('Command "{command}" parameter {parameter} requires an argument.'),
+    N_('Invalid value for {parameter}: unable to convert "{value}" into a whole number.'),
+    N_('Invalid value for {parameter}: unable to convert "{value}" into a number.'),
+    N_('Invalid value for {parameter}: unable to convert "{value}" into yes or no.'),
+    N_('Invalid value "{value}" for {parameter}. Choose from: {choices}. Did you mean "{near}"?'),
+    N_('Invalid value "{value}" for {parameter}. Choose from: {choices}.'),
+    N_('Unknown command "{value}". Did you mean "{near}"? Available commands: {choices}'),
+    N_('Unknown command "{value}". Available commands: {choices}'),
+    N_("Parameter {parameter} specified multiple times."),
+)
+"""What the parser of command lines says, with the kinds of values in plain words."""
+KINDS = {"int": "a whole number", "float": "a number", "bool": "yes or no"}
 
 
 def complaint(error: CycloptsError) -> str:
@@ -37,29 +36,16 @@ def complaint(error: CycloptsError) -> str:
 
     if isinstance(error.__cause__, ValidationError):
         return "\n".join(map(_wrong_word, error.__cause__.errors(include_url=False)))
+    if isinstance(error, UnknownOptionError):
+        text = _unknown_option(error)
+    elif isinstance(error, UnusedCliTokensError):
+        text = _(
+            "too many arguments: {words}", words=", ".join(map(seen, error.unused_tokens or ()))
+        )
+    else:
+        text = _translated(one_line(str(error).strip(), longest=300))
     command = " ".join(["crankstar", *(error.command_chain or ())])
-    return _("{mistake}\nSee: {command} --help", mistake=_mistake(error), command=command)
-
-
-def _mistake(error: CycloptsError) -> str:
-    match error:
-        case UnknownOptionError():
-            return _unknown_option(error)
-        case UnknownCommandError():
-            return _unknown_command(error)
-        case UnusedCliTokensError():
-            words = ", ".join(map(seen, error.unused_tokens or ()))
-            return _("too many arguments: {words}", words=words)
-        case MissingArgumentError(argument=argument) if argument is not None:
-            named = [token.keyword for token in argument.tokens if token.keyword]
-            name = error.keyword or (named[-1] if named else argument.name)
-            return _("{option} requires an argument.", option=name)
-        case RepeatArgumentError(token=token):
-            return _("{option} is specified multiple times.", option=token.keyword)
-        case CoercionError():
-            return _no_value(error)
-        case _:
-            return one_line(str(error).strip(), longest=300)
+    return _("{mistake}\nSee: {command} --help", mistake=text, command=command)
 
 
 def _unknown_option(error: UnknownOptionError) -> str:
@@ -68,37 +54,9 @@ def _unknown_option(error: UnknownOptionError) -> str:
     own = [name for argument in error.argument_collection for name in argument.names]
     near = meant(word, sorted(name for name in own if name.startswith("--")))
     text = _("Unknown option: {option}.", option=one_line(word, longest=60))
-    return _near(text, near)
-
-
-def _unknown_command(error: UnknownCommandError) -> str:
-    """A command that there is not, and the one that is meant."""
-    (word, *_rest) = error.unused_tokens or [""]
-    known = [name for name in error.app or () if not name.startswith("-")]
-    near = get_close_matches(word, known, n=1)
-    text = _('Unknown command "{command}".', command=one_line(word, longest=60))
-    return _near(text, f'"{near[0]}"' if near else None)
-
-
-def _near(text: str, near: str | None) -> str:
     return (
         text if near is None else _("{mistake} Did you mean {option}?", mistake=text, option=near)
     )
-
-
-def _no_value(error: CoercionError) -> str:
-    """A value that is not of the type of its option, or not among its choices."""
-    token, kind = error.token, error.target_type
-    if token is None or error.argument is None:
-        return one_line(str(error).strip(), longest=300)
-    option = token.keyword or error.argument.name.lstrip("-").upper()
-    if get_origin(kind) is Literal:
-        choices = ", ".join(map(str, get_args(kind)))
-        return str(refusal(option, token.value, "choose from {choices}", choices=choices))
-    kind = next((each for each in KINDS if each in (kind, *get_args(kind))), None)
-    if kind is None:
-        return one_line(str(error).strip(), longest=300)
-    return _(KINDS[kind], option=option, given=seen(token.value))
 
 
 def _wrong_word(mistake: ErrorDetails) -> str:
@@ -108,3 +66,30 @@ def _wrong_word(mistake: ErrorDetails) -> str:
     if not choices:
         return f"{option}: {mistake['msg']}"
     return str(refusal(option, mistake["input"], "choose from {choices}", choices=choices))
+
+
+def unwritable(error: OSError) -> str:
+    """A file, or standard output, that could not be written."""
+    reason = error.strerror or error
+    if error.filename is None:
+        return _(
+            "standard output or a temporary file (TMPDIR) cannot be written ({reason}); free some "
+            "space, or name a file with -o",
+            reason=reason,
+        )
+    return _(
+        "{file} cannot be written ({reason}); free some space, or name another file with -o",
+        file=one_line(str(error.filename)),
+        reason=reason,
+    )
+
+
+def _translated(text: str) -> str:
+    """What the parser says, translated where its sentence is known."""
+    for kind, words in KINDS.items():
+        text = re.sub(rf"into {kind}\b\.?$", f"into {words}.", text)
+    for sentence in PARSED:
+        pattern = re.sub(r"\\{(\w+)\\}", r"(?P<\1>.+?)", re.escape(sentence))
+        if match := re.fullmatch(pattern, text):
+            return _(sentence, **match.groupdict())
+    return text

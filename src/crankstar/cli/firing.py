@@ -22,7 +22,7 @@ from crankstar.cli.tabulating import give
 from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import Cycle
-from crankstar.language.messages import _, _n
+from crankstar.language.messages import _, _n, passage
 from crankstar.options import values as request
 from crankstar.options.forms import ENGINES, TABLES, form_of
 from crankstar.options.values import RequestError, refusal
@@ -82,7 +82,7 @@ def orders(
                 listing = tables.Listing(
                     loaded,
                     firing_orders.most_even_orders(loaded),
-                    " ".join(fault.sentence for fault in reasons),
+                    passage(fault.sentence for fault in reasons),
                 )
     except OrderError as error:
         raise RequestError(f"{loaded.name}: {error}") from None

@@ -31,7 +31,7 @@ from crankstar.cli.options import (
 )
 from crankstar.cli.output import display, working
 from crankstar.cli.speed_ranges import over_speeds
-from crankstar.cli.tabulating import give
+from crankstar.cli.tabulating import give, words_for
 from crankstar.language.messages import _
 from crankstar.language.quoting import one_line
 from crankstar.options import values as request
@@ -190,7 +190,7 @@ def bearings(
             machine=form != "txt",
         )
 
-    with working(_("Computing the loads ...")):
+    with working(_("Computing the loads ...")), words_for(form):
         document = ranged(sheet, spread, loaded)
     give(document, output, form=form)
 
@@ -290,6 +290,8 @@ def strokes(
     form = form_of(output, TABLES, json=json)
     loaded = loaded_engine(engine, settings)
     try:
-        give(document(loaded), output, form=form)
+        with words_for(form):
+            shown = document(loaded)
+        give(shown, output, form=form)
     except EngineError as error:
         raise RequestError(f"{one_line(engine)}: {error}") from None

@@ -92,7 +92,8 @@ def together(*readings: Callable[[], Any]) -> tuple[Any, ...]:
         except (RequestError, EngineFileError) as error:
             messages[str(error)] = None
     if messages:
-        raise RequestError("\n".join(messages))
+        text = "\n".join(messages)
+        raise RequestError(text)
     return tuple(values)
 
 

@@ -22,7 +22,7 @@ from crankstar.cli.options import (
 )
 from crankstar.cli.output import complain, display, working, writable, write_result
 from crankstar.cli.search_options import Form, Work
-from crankstar.cli.tabulating import give
+from crankstar.cli.tabulating import give, words_for
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
 from crankstar.language.quoting import one_line
@@ -171,7 +171,9 @@ def _show(
         write_result(content, output, usual_place(about, "search", chart or "front", kind=kind))
     else:
         limit = tables.ROWS if kind == "txt" else None
-        give(tables.search_stars(answer, engine=engine, limit=limit), output, form=kind)
+        with words_for(kind):
+            document = tables.search_stars(answer, engine=engine, limit=limit)
+        give(document, output, form=kind)
 
 
 def _show_row(

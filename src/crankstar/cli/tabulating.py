@@ -2,13 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 from crankstar.cli.output import display, write, write_bytes
+from crankstar.language.messages import language, spoken
 
 if TYPE_CHECKING:
     from crankstar.tables.table import Document
+
+MACHINE = ("json", "csv", "parquet")
+"""Forms of tables that programs read."""
+
+
+@contextmanager
+def words_for(form: str) -> Iterator[None]:
+    """Have words in the reader's language, or in English in a form that programs read."""
+    with spoken("en" if form in MACHINE else language()):
+        yield
 
 
 def give(

@@ -30,7 +30,7 @@ from crankstar.derive.bodies import Body, Push, pushed
 from crankstar.derive.records import Line, Step
 from crankstar.derive.task import Task, degrees_text, resolved, rows, sides
 from crankstar.engine.engine import Engine
-from crankstar.language.messages import _
+from crankstar.language.messages import _, passage
 
 
 class Row(NamedTuple):
@@ -144,7 +144,7 @@ def _sums(task: Task, banks: Sequence[Row]) -> Step:
         terms, chain, note = _terms(row.members), (wave.signal(row.wave, task.order),), ""
         if terms is not None:
             sums = addition(terms, task.order, moments=task.quantity == "couple")
-            chain, note = sums.chain, " ".join(sums.notes)
+            chain, note = sums.chain, passage(sums.notes)
         lines.append(Line(name, chain, "signal", rows(row.members), bearing, label, note))
     title = _("Bank by bank") if many else _("All cylinders")
     words = _("All cylinders push along one line, so their cosines simply add.")

@@ -73,7 +73,7 @@ def rendered(chapters: Sequence[Readable], notation: Notation = CRANKSTAR) -> An
                 meanings = "; ".join(
                     f"{typeset.text(meaning.letter)}: {meaning.words}" for meaning in shown.letters
                 )
-                out.append(Padding(Text(f"{meanings}."), (0, 0, 0, 3)))
+                out.append(Padding(Text(_("{text}.", text=meanings)), (0, 0, 0, 3)))
             table = Table.grid(padding=(0, 3, 0, 0))
             table.add_column(ratio=2, style="dim", overflow="fold")
             table.add_column(ratio=5, overflow="fold")

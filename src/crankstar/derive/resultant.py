@@ -26,7 +26,7 @@ from crankstar.derive.algebra.wave import Amount, Wave, at
 from crankstar.derive.records import Kind, Line, Step
 from crankstar.derive.task import Task, arm_of, degrees_text, rows, sides
 from crankstar.engine.motion import first_harmonic
-from crankstar.language.messages import N_, _
+from crankstar.language.messages import N_, _, passage
 from crankstar.language.numbers import NEGLIGIBLE
 
 KINDS: tuple[Kind, Kind] = ("forward", "backward")
@@ -115,7 +115,7 @@ def shape(task: Task) -> tuple[tuple[str, ...], list[Line]]:
     if common is not None:
         line, *bearings = LINES[task.quantity]
         why = _("Its two vectors are equally long and turn in opposite directions.")
-        return (f"{_(line)} {_bearing(*common, bearings)} {why}",), []
+        return (passage((_(line), _bearing(*common, bearings), why)),), []
     if first is None or second is None:
         words = _(
             "The sum has parts with different harmonics; its path depends on the lengths of "
@@ -126,7 +126,7 @@ def shape(task: Task) -> tuple[tuple[str, ...], list[Line]]:
     path = _("The path is an ellipse, traversed in the direction of rotation of the crank.")
     if not larger_first:
         path = _("The path is an ellipse, traversed against the rotation of the crank.")
-    words = f"{path} {_bearing(first, second, ELLIPSE)}"
+    words = passage((path, _bearing(first, second, ELLIPSE)))
     if len(forward) > 1 or len(backward) > 1 or set(forward) != set(backward):
         return (words,), []
     return (words,), _axes(task.letter, forward, backward, larger_first=larger_first)
@@ -135,7 +135,7 @@ def shape(task: Task) -> tuple[tuple[str, ...], list[Line]]:
 def _circle(task: Task, *, with_crank: bool) -> str:
     """A circle, which a counterweight can take away where it turns as the crank does."""
     path, cure = _CIRCLES[task.quantity, with_crank]
-    return f"{_(path)} {_(cure)}" if task.order == 1 else _(path)
+    return passage((_(path), _(cure))) if task.order == 1 else _(path)
 
 
 _NO_CURE = N_("No counterweight on the crankshaft can reduce it.")

@@ -46,7 +46,7 @@ from crankstar.derive.steps import theta
 from crankstar.derive.task import rows
 from crankstar.engine.engine import Engine
 from crankstar.engine.motion import series_coefficient
-from crankstar.language.messages import _
+from crankstar.language.messages import _, passage
 from crankstar.mechanics.balance import unit_unbalance
 
 SHOWN = 3
@@ -94,7 +94,7 @@ def inertia_torque(
             lines.append(Line(name, chain, "torque", rows([body]), label=label))
             terms.append(Term(body.cylinder, {(): Fraction(-1)}, k * body.lag))
         sums = addition(terms, Fraction(k), moments=True, function="sin")
-        note, every = " ".join(sums.notes), rows(pistons)
+        note, every = passage(sums.notes), rows(pistons)
         total = [Line(Symbol("T"), sums.chain, "torque", every, label=_("torque"), note=note)]
         if len(engine.shafts) == 1:
             roll = product(-engine.sense, sums.chain[-1])

@@ -7,7 +7,8 @@ Only whole sentences are passed, numbers and units are placed by name, already f
 from __future__ import annotations
 
 import gettext
-from collections.abc import Iterator
+import re
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
 from functools import cache
@@ -18,6 +19,9 @@ CATALOGS = Path(__file__).with_name("catalogs")
 DOMAIN = "crankstar"
 LANGUAGES = ("en", "ja", "ru")
 """Languages with a catalog, English, the language of the keys, first."""
+
+WIDE = re.compile("[\u3000-\u9fff\uf900-\ufaff\uff00-\uffef]")
+"""A sign of Japanese print, beside which there is no space."""
 
 _language: ContextVar[str] = ContextVar("language", default="en")
 
@@ -56,7 +60,7 @@ def _(message: str, /, **values: object) -> str:
     >>> _("The shaft turns at {speed} rpm.", speed=3000)
     'The shaft turns at 3000 rpm.'
     """
-    return _catalog(_language.get()).gettext(message).format(**values)
+    return _filled(_catalog(_language.get()).gettext(message), values)
 
 
 def _n(one: str, several: str, count: int, /, **values: object) -> str:
@@ -65,7 +69,27 @@ def _n(one: str, several: str, count: int, /, **values: object) -> str:
     >>> _n("{count} cylinder", "{count} cylinders", 8, count=8)
     '8 cylinders'
     """
-    return _catalog(_language.get()).ngettext(one, several, count).format(**values)
+    return _filled(_catalog(_language.get()).ngettext(one, several, count), values)
+
+
+def _filled(sentence: str, values: Mapping[str, object]) -> str:
+    """The sentence with its values, those in Japanese print without spaces around them."""
+    if _language.get() == "ja":
+        for name, text in ((name, str(value)) for name, value in values.items()):
+            if WIDE.match(text[:1]):
+                sentence = sentence.replace(f" {{{name}}}", f"{{{name}}}")
+            if WIDE.match(text[-1:]):
+                sentence = sentence.replace(f"{{{name}}} ", f"{{{name}}}")
+    return sentence.format(**values)
+
+
+def passage(sentences: Iterable[str]) -> str:
+    """Sentences one after the other, without those that are empty; no space follows a Japanese one.
+
+    >>> passage(["No primary force.", "", "No couple of any order."])
+    'No primary force. No couple of any order.'
+    """
+    return " ".join(filter(None, sentences)).replace("。 ", "。")
 
 
 class MessageError(ValueError):
@@ -76,7 +100,7 @@ class MessageError(ValueError):
 
     def __init__(self, sentence: str, /, **values: object) -> None:
         translated = _catalog(_language.get()).gettext(sentence)
-        super().__init__(translated.format(**values) if values else translated)
+        super().__init__(_filled(translated, values) if values else translated)
 
 
 class Plural(NamedTuple):

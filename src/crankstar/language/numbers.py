@@ -8,6 +8,7 @@ from math import degrees
 import numpy as np
 
 from crankstar.language.kept import CLOSING, MIDDLE, OPENING, are_kept, value_text
+from crankstar.language.messages import _n
 
 NEGLIGIBLE = 1e-9
 """A number smaller than this share of the largest beside it is written as 0."""
@@ -45,14 +46,14 @@ def duration(seconds: float) -> str:
     """
     if seconds < 100:
         return f"{max(1, round(seconds))} s"
-    for unit, size, most, decimals in (
-        ("min", 60, 100, 0),
-        ("h", 3600, 48, 1),
-        ("days", 86400, 1000, 0),
-    ):
-        if seconds < most * size:
-            return f"{seconds / size:.{decimals}f} {unit}"
-    return f"{seconds / 31_557_600:,.0f} years"
+    if seconds < 6000:
+        return f"{seconds / 60:.0f} min"
+    if seconds < 172_800:
+        return f"{seconds / 3600:.1f} h"
+    days, years = round(seconds / 86_400), round(seconds / 31_557_600)
+    if days < 1000:
+        return _n("{count} day", "{count} days", days, count=days)
+    return _n("{count} year", "{count} years", years, count=f"{years:,}")
 
 
 def wave(value: complex, largest: float = 0.0) -> str:

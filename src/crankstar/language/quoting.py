@@ -6,6 +6,8 @@ import re
 from numbers import Number
 from typing import Any
 
+from crankstar.language.messages import _
+
 CONTROL = re.compile(
     r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200b\u200e\u200f\u2028-\u202e\u2060-\u2069\ud800-\udfff\ufeff\ufff9-\ufffb\U000e0000-\U000e007f]"
 )
@@ -34,15 +36,18 @@ def seen(value: Any) -> str:
     >>> seen("82.5 mm"), seen([1, 2]), seen(True), seen(7)
     ('"82.5 mm"', 'a list', 'true', '7')
     """
-    named = {dict: "a table", list: "a list", tuple: "a list", type(None): "null"}.get(type(value))
-    if named is not None:
-        return named
+    if value is None:
+        return "null"
+    if isinstance(value, dict):
+        return _("a table")
+    if isinstance(value, list | tuple):
+        return _("a list")
     if isinstance(value, str):
         return f'"{_flat(value, 60)}"'
     try:
         text = str(value)
     except ValueError:  # Python does not write whole numbers of thousands of digits
-        return "a number of thousands of digits"
+        return _("a number of thousands of digits")
     return one_line(text.lower() if isinstance(value, bool) else text, longest=60)
 
 

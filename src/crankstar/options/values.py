@@ -53,7 +53,10 @@ def reading(option: str, *, example: str = "") -> Iterator[None]:
     try:
         yield
     except ValueFaultError as error:
-        raise RequestError(", ".join(filter(None, (error.at(option), example)))) from None
+        mistake = error.at(option)
+        if example:
+            mistake = _("{mistake}, {example}", mistake=mistake, example=example)
+        raise RequestError(mistake) from None
 
 
 def named(engine: str) -> str:

@@ -12,6 +12,7 @@ from pydantic import BaseModel, ConfigDict, Field
 from crankstar.engine.quantities import ANGLE, DENSITY, LEAST, LENGTH, MASS, UNBALANCE, Quantity
 from crankstar.files import units
 from crankstar.language.faults import ValueFaultError
+from crankstar.language.messages import _
 from crankstar.options import values as request
 from crankstar.options.refusals import RequestError, refusal
 from crankstar.options.vocabulary import meaning
@@ -107,7 +108,7 @@ def measured(text: str, *, radius: float | None = None, most: int = 24) -> list[
             text,
             "give from 1 to {most} unbalances with commas, {example}",
             most=most,
-            example='as in "850 g*mm at 20 deg, 38 g at 4 in at 200 deg"',
+            example=_('as in "850 g*mm at 20 deg, 38 g at 4 in at 200 deg"'),
         )
     out: list[Measured] = []
     for part in parts:

@@ -12,7 +12,7 @@ from typing import Literal, NamedTuple
 from crankstar.dynamics.bearings import Model
 from crankstar.engine.assembly import GREATEST_SHAFTS
 from crankstar.engine.engine import Engine
-from crankstar.language.messages import N_, _, _n
+from crankstar.language.messages import N_, _, _n, passage
 from crankstar.mechanics.balance import default_reference
 from crankstar.remedy import (
     GREATEST_RATIO,
@@ -95,7 +95,7 @@ class Fitted(NamedTuple):
                     "the crank, and the rolling moment depends on their place."
                 ),
             ]
-        return " ".join(sentences)
+        return passage(sentences)
 
 
 _WEIGHTS = {

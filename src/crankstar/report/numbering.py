@@ -69,7 +69,7 @@ def _references(before: dict[str, int], after: dict[str, int]) -> Iterator[str]:
         parts.append(text(name(len(ends))).replace(LINKS, links))
     if parts:
         joined = ", ".join(parts)
-        yield f"{joined[0].upper()}{joined[1:]}."
+        yield _("{text}.", text=f"{joined[0].upper()}{joined[1:]}")
 
 
 LINKS = "\ue000"

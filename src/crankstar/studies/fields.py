@@ -28,7 +28,7 @@ from crankstar.files.forms import (
     short_form,
 )
 from crankstar.files.mistakes import copied
-from crankstar.language.messages import _
+from crankstar.language.messages import _, passage
 from crankstar.language.quoting import one_line, seen
 from crankstar.remedy import with_counterweights
 from crankstar.studies.variants import SweepError
@@ -374,4 +374,4 @@ def _why_fixed(over: str, keys: Sequence[str | int], forms: Sequence[dict[str, A
             "vary one part."
         )
     can = _("The numbers that can be swept are {numbers}.", **values)
-    return " ".join(filter(None, (fault, near, can)))
+    return passage((fault, near, can))

@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from crankstar.files.changes import path_and_value
+from crankstar.language.messages import N_, _
 from crankstar.language.quoting import one_line, seen
 from crankstar.studies.variants import SweepError
 
@@ -20,7 +21,7 @@ GREATEST_POINTS = 20_000
 USUAL_POINTS = 201
 USUAL_OF = {1: USUAL_POINTS, 2: 51}
 """Values of a range, by how many numbers are varied at once."""
-EXAMPLE = (
+EXAMPLE = N_(
     'as in "layout.banks[1].bearing=0..90 deg", "balance_factor=0..1/11", '
     '"speed=600..6000 rpm by 200" or "balance_factor=0, 0.5"'
 )
@@ -76,9 +77,9 @@ def over_request(text: str, *, usual: int = USUAL_POINTS) -> Over:
         raise SweepError(
             "{asked}: give a field of the engine file and its values, {example}",
             asked=asked,
-            example=EXAMPLE,
+            example=_(EXAMPLE),
         )
-    return Over(path, *_values(wanted, asked, EXAMPLE, usual))
+    return Over(path, *_values(wanted, asked, _(EXAMPLE), usual))
 
 
 def speeds_request(text: str, *, option: str = "--speeds") -> Over:
@@ -88,7 +89,7 @@ def speeds_request(text: str, *, option: str = "--speeds") -> Over:
     Over(path='speed', values=(1000.0, 2000.0), unit='rpm')
     """
     asked = f"{option} {one_line(text, longest=100)}"
-    example = 'as in "600..6000 rpm by 200"'
+    example = _('as in "600..6000 rpm by 200"')
     if not text.strip():
         raise SweepError("{asked}: give speeds, {example}", asked=asked, example=example)
     return Over("speed", *_values(text, asked, example, USUAL_OF[MOST_AXES]))

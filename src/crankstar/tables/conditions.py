@@ -8,7 +8,7 @@ from math import pi
 from crankstar.engine.basis import ASSUMED_ROD_RATIO, ROD_SOURCE
 from crankstar.engine.engine import Engine
 from crankstar.engine.proportions import Look, inferred
-from crankstar.language.messages import N_, _
+from crankstar.language.messages import N_, _, passage
 from crankstar.language.numbers import number
 from crankstar.mechanics.balance import Balance, unit_mass
 from crankstar.tables.scales import scales
@@ -50,11 +50,12 @@ def unit_sentence(engine: Engine, result: Balance) -> str:
     """
     if result.speed is not None:
         speed = _("Forces and moments at {speed} rpm.", speed=number(result.speed * 30 / pi))
-        return " ".join(filter(None, (speed, _pitch_sentence(engine))))
+        return passage((speed, _pitch_sentence(engine)))
     if not {*KEYS} & {*engine.relative}:
         return _(UNITS["speed"])
     if _is_explicit(engine):
-        return _(UNITS["explicit"], keys=", ".join(engine.relative))
+        sentence = UNITS["explicit"]
+        return _(sentence, keys=", ".join(engine.relative))
     keys = _missing_keys(engine) + (["speed"] if engine.speed is None else [])
     form = "short or estimate" if can_be_estimated(engine) else "short"
     return _(UNITS[form], keys=", ".join(keys))
@@ -70,7 +71,8 @@ def missing_sentence(engine: Engine) -> str:
     if not {*KEYS} & {*engine.relative}:
         return _pitch_sentence(engine)
     if _is_explicit(engine):
-        return _(UNITS["explicit masses"], keys=", ".join(engine.relative))
+        sentence = UNITS["explicit masses"]
+        return _(sentence, keys=", ".join(engine.relative))
     return _(UNITS["masses"], keys=", ".join(_missing_keys(engine)))
 
 
@@ -84,7 +86,8 @@ def _pitch_sentence(engine: Engine) -> str:
     if "pitch" not in engine.relative:
         return ""
     if _is_explicit(engine):
-        return _(UNITS["explicit pitch"])
+        sentence = UNITS["explicit pitch"]
+        return _(sentence)
     return _(UNITS["pitch"], keys=pitch_key(engine))
 
 
@@ -219,4 +222,4 @@ def unit_sizes(engine: Engine, result: Balance) -> str:
     known = [
         f"{letter} = {size}" for letter, (key, size) in sizes.items() if key not in engine.relative
     ]
-    return f"{', '.join(known)}." if known else ""
+    return _("{text}.", text=", ".join(known)) if known else ""

@@ -171,4 +171,5 @@ def _left(result: Balance) -> str:
     values = {
         name: quantity_text(vector, getattr(result.units, name)) for name, vector in vectors.items()
     }
-    return _(LEFT[" ".join(name for name in vectors if vectors[name])], **values)
+    sentence = LEFT[" ".join(name for name in vectors if vectors[name])]
+    return _(sentence, **values)

@@ -14,7 +14,7 @@ from crankstar.firing.intervals import firing
 from crankstar.firing.strokes import exhaust_groups, exhaust_intervals, working_cycle
 from crankstar.firing.succession import Follower, in_succession, neighbours, partners
 from crankstar.language.faults import EngineError
-from crankstar.language.messages import _, _n
+from crankstar.language.messages import _, _n, passage
 from crankstar.language.numbers import number
 from crankstar.tables.headings import firing_text
 
@@ -63,8 +63,9 @@ def layout_sentence(engine: Engine) -> str:
             _("{count} crankshafts, each with {throws}.", count=len(cranks), throws=cranks[0][1])
         )
     else:
-        parts.append(f"{cranks[0][1][:1].upper()}{cranks[0][1][1:]}.")
-    return " ".join(parts)
+        throws = cranks[0][1]
+        parts.append(_("{text}.", text=f"{throws[:1].upper()}{throws[1:]}"))
+    return passage(parts)
 
 
 def _throws(engine: Engine, shaft: Shaft) -> str:

@@ -15,7 +15,7 @@ import numpy as np
 from crankstar import spectra
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import of_any
-from crankstar.language.messages import N_, _
+from crankstar.language.messages import N_, _, passage
 from crankstar.language.numbers import order_text
 from crankstar.mechanics.balance import Balance, balance
 from crankstar.mechanics.bounds import lengths, peaks
@@ -111,7 +111,7 @@ def document(
         if left[component.key]
     ]
     absent = [each for each in COMPONENTS if not left[each.key]]
-    none = " ".join(_(each.none) for each in absent)
+    none = passage(_(each.none) for each in absent)
     if orders and absent:
         none = _(
             "Nothing of orders {orders}: {parts}.",
@@ -120,7 +120,7 @@ def document(
         )
     missing = missing_sentence(engine)
     heads = (
-        *remarks(" ".join(filter(None, (speed_note(sweep), missing)))),
+        *remarks(passage((speed_note(sweep), missing))),
         *remarks(*conditions(engine, replace(result, speed=None))[1:], kind="note"),
         *remarks(assumed_sentence(engine), unverified_sentence(engine), kind="doubt"),
     )

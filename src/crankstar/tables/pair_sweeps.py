@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from crankstar.language.messages import _, _n
+from crankstar.language.messages import _, _n, passage
 from crankstar.language.numbers import number
 from crankstar.language.shown_units import quantity_text
 from crankstar.studies.best_pair import BestPair, Unbeaten
@@ -109,7 +109,7 @@ def best_sentence(sweep: Sweep, curve: Curve, found: BestPair, *, greatest: bool
             "This is an end of the range of {paths}; a better value may lie beyond it.",
             paths=", ".join(ends),
         )
-    return " ".join(filter(None, (best, also, edge)))
+    return passage((best, also, edge))
 
 
 def _place(sweep: Sweep, found: BestPair, which: int) -> str:

@@ -29,7 +29,7 @@ import numpy as np
 from crankstar.engine.engine import Engine
 from crankstar.files.box import MOST_RANGES, Spread
 from crankstar.language.kept import NUMBER, Size, alike, plain, value_of
-from crankstar.language.messages import _
+from crankstar.language.messages import _, passage
 from crankstar.tables.cells import rough
 from crankstar.tables.hulls import distances, greatest_sum
 from crankstar.tables.table import Column, Document, Ranged, Remarks, Table, Value, remarks
@@ -228,7 +228,7 @@ def _in_parts(line: str, others: Sequence[str]) -> str:
                     continue
                 pool_of = zip(pools, others, strict=True)
                 out.append(sentence(text, [pool.get(name, other) for pool, other in pool_of]))
-            return " ".join(out)
+            return passage(out)
     return _marked(line)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import of_any
-from crankstar.language.messages import N_, _
+from crankstar.language.messages import N_, _, passage
 from crankstar.language.numbers import number, order_text
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics import bounds
@@ -41,8 +41,8 @@ def summary(engine: Engine, result: Balance, sums: Sums) -> Remarks:
     remaining = [largest_sentences(name, result, sums) for name in ("force", "couple")]
     remaining.append(_roll_sentence(result, sums))
     lines = (
-        " ".join(filter(None, (unit_sentence(engine, result), assumed_sentence(engine)))),
-        " ".join(filter(None, remaining)),
+        passage((unit_sentence(engine, result), assumed_sentence(engine))),
+        passage(remaining),
         _peaks_sentence(engine, result, sums),
         _remedy_sentence(engine, result),
     )
@@ -89,7 +89,7 @@ def _peaks_sentence(engine: Engine, result: Balance, sums: Sums) -> str:
         "The peak force is {share} times the weight of the engine.",
         share=number(force * (1 / (engine.block.mass * GRAVITY)), digits=3),
     )
-    return f"{text} {share}"
+    return passage((text, share))
 
 
 def _bare_sentence(engine: Engine, result: Balance) -> str:
@@ -122,4 +122,4 @@ def _remedy_sentence(engine: Engine, result: Balance) -> str:
     lines = [*filter(None, [bare]), *cure_lines(engine, remaining)]
     if len(lines) == 1:
         return lines[0]
-    return " ".join((lines[0], _("Cures: crankstar verdict.")))
+    return passage((lines[0], _("Cures: crankstar verdict.")))

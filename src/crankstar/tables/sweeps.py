@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from crankstar.language.messages import _
+from crankstar.language.messages import _, passage
 from crankstar.language.numbers import NEGLIGIBLE, number
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.balance import balance
@@ -317,7 +317,7 @@ def best_sentence(
     # Nothing is less than zero, so beyond the end it cannot be better.
     beyond = found.at_edge and (greatest or found.result > FOUND * top)
     edge = _("This is an end of the range; a better value may lie beyond it.") if beyond else ""
-    return " ".join(filter(None, (best, also, reach, edge)))
+    return passage((best, also, reach, edge))
 
 
 def _bars(curve: Curve) -> str:

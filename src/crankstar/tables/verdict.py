@@ -11,7 +11,7 @@ import numpy as np
 from crankstar import spectra
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import as_given, of_any
-from crankstar.language.messages import N_, _
+from crankstar.language.messages import N_, _, passage
 from crankstar.language.numbers import order_text
 from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.balance import Balance, balance
@@ -163,8 +163,8 @@ def _vector_sentences(name: str, result: Balance, sums: Sums) -> str:
         else:
             out.append(_vector_sentence(name, result, remaining, row))
     rest = "; ".join(minor)
-    out += [f"{rest[:1].upper()}{rest[1:]}."] if rest else []
-    return " ".join(out)
+    out += [_("{text}.", text=f"{rest[:1].upper()}{rest[1:]}")] if rest else []
+    return passage(out)
 
 
 def largest_sentences(name: str, result: Balance, sums: Sums) -> str:
@@ -182,7 +182,7 @@ def largest_sentences(name: str, result: Balance, sums: Sums) -> str:
         for row, order in enumerate(remaining.orders)
         if row and order in (1, 2) and not _is_minor(name, remaining, row)
     ]
-    return " ".join(out)
+    return passage(out)
 
 
 def _greatest(spectrum: Spectrum, row: int) -> float:
@@ -230,7 +230,7 @@ def _moment_sentences(result: Balance, sums: Sums) -> str:
         if of_any(("there", name), [True] * bool(there[name] and amplitudes[place])):
             size = quantity_text(complex(amplitudes[place]), result.units.moment)
             out.append(_(sentence, order=order_text(signal.orders[place]), size=size))
-    return " ".join(out) or _("No rolling moment from inertia.")
+    return passage(out) or _("No rolling moment from inertia.")
 
 
 def _cures(engine: Engine, speed: float | None) -> list[str]:
