@@ -32,6 +32,28 @@ TRANSLATIONS = [
 ]
 CALL = re.compile(r"(?<![.\w])(?:t|message|plural)\(\s*['\"`]")
 """A call with a message in TypeScript, seen without any knowledge of the language."""
+LETTERS = {"ja": "[\u3040-\u30ff\u4e00-\u9fff]", "ru": "[\u0400-\u04ff]"}
+"""A letter that a translation has."""
+NAMES = {
+    "SI",
+    "The Kawasaki KR250",
+    "at z = {z}",
+    "page up, page down",
+    "zero",
+    "{angle} deg",
+    "{name} of {owner}",
+    "{size} at {angle}°",
+    "{speed} rpm",
+    "{values} in {unit}",
+    "({low} to {high})",
+    "° of {cycle}",
+}
+"""Texts of names, numbers and units, in which a translation may have no letter of its own."""
+TYPED = re.compile(
+    r"`[^`]+`|--[a-z][a-z-]*|\b[a-z]{2,}(?:[._][a-z]{2,})+\b|(?<!\S)\.[a-z]{2,}\b"
+    r"|\"[^\"{.?, ][^\"{]*\""
+)
+"""What a reader types: commands, options, key paths, suffixes, examples in quotation marks."""
 
 
 def forms(text: str | tuple[str, ...] | list[str]) -> list[str]:
@@ -40,6 +62,11 @@ def forms(text: str | tuple[str, ...] | list[str]) -> list[str]:
 
 def placeholders(text: str) -> set[str]:
     return {name for _, name, _, _ in string.Formatter().parse(text) if name is not None}
+
+
+def bare(sentence: str) -> str:
+    """A sentence without its placeholders and what is typed."""
+    return TYPED.sub("", re.sub(r"{\w*}", "", sentence))
 
 
 def entries(path: Path, language: str | None = None) -> dict[Any, Any]:
@@ -85,6 +112,37 @@ def test_a_translation_has_the_sentences_of_the_template(
 
 
 @pytest.mark.parametrize(("domain", "language", "path"), TRANSLATIONS)
+def test_every_sentence_is_translated_in_every_plural(
+    domain: Any, language: str, path: Path
+) -> None:
+    """Write what is missing into the file that is named, then run `make messages`."""
+    del domain
+    count = TOOL["read"](path, language).num_plurals
+    lacking = [
+        forms(sentence)[0]
+        for sentence, translation in entries(path, language).items()
+        if not all(forms(translation))
+        or len(forms(translation)) != (1 if isinstance(sentence, str) else count)
+    ]
+    assert lacking == [], f"{len(lacking)} sentences of {path} have no translation"
+
+
+@pytest.mark.parametrize(("domain", "language", "path"), TRANSLATIONS)
+def test_a_translation_is_no_copy_of_an_english_sentence(
+    domain: Any, language: str, path: Path
+) -> None:
+    del domain
+    letters = re.compile(LETTERS[language])
+    copied = [
+        forms(sentence)[0]
+        for sentence, translation in entries(path, language).items()
+        if re.search("[A-Za-z]{2}", bare(forms(sentence)[0]))
+        and not all(map(letters.search, filter(None, forms(translation))))
+    ]
+    assert [sentence for sentence in copied if sentence not in NAMES] == [], path
+
+
+@pytest.mark.parametrize(("domain", "language", "path"), TRANSLATIONS)
 def test_a_translation_has_the_placeholders_of_its_sentence(
     domain: Any, language: str, path: Path
 ) -> None:
@@ -92,7 +150,20 @@ def test_a_translation_has_the_placeholders_of_its_sentence(
     for sentence, translation in entries(path, language).items():
         wanted = placeholders(forms(sentence)[-1])
         for form in filter(None, forms(translation)):
-            assert placeholders(form) == wanted, form
+            assert placeholders(form) == wanted, f"{form} ({path})"
+
+
+@pytest.mark.parametrize(("domain", "language", "path"), TRANSLATIONS)
+def test_a_translation_has_what_is_typed_as_it_stands_in_its_sentence(
+    domain: Any, language: str, path: Path
+) -> None:
+    """Options, commands, key paths, suffixes and examples in quotation marks; line breaks too."""
+    del domain
+    for sentence, translation in entries(path, language).items():
+        wanted = set(TYPED.findall(forms(sentence)[-1]))
+        for form in filter(None, forms(translation)):
+            assert {typed for typed in wanted if typed not in form} == set(), f"{form} ({path})"
+            assert form.count("\n") == forms(sentence)[-1].count("\n"), form
 
 
 @pytest.mark.parametrize(("domain", "language", "path"), TRANSLATIONS)
