@@ -66,10 +66,12 @@ def help_sentences() -> list[str]:
 
 
 def other_sentences() -> list[str]:
-    """The help of the command line and the meanings of the glossary, which are in no call."""
+    """Help of the command line, meanings of the glossary, words of forms, which are in no call."""
     from crankstar.language.glossary import terms
+    from crankstar.page.form_words import words_of_forms
 
-    return [*help_sentences(), *(term.meanings["en"] for term in terms())]
+    meanings = [term.meanings["en"] for term in terms()]
+    return [*dict.fromkeys([*help_sentences(), *meanings, *words_of_forms()])]
 
 
 MESSAGE_ERRORS = [

@@ -17,7 +17,7 @@ from urllib.parse import urlsplit
 
 import pytest
 
-READY = re.compile(r"^crankstar: .*(http://\S+/)")
+READY = re.compile(r"^crankstar: .*?(http://\S+/)")
 END_SECONDS = 20
 
 

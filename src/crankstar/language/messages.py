@@ -73,13 +73,14 @@ def _n(one: str, several: str, count: int, /, **values: object) -> str:
 
 
 def _filled(sentence: str, values: Mapping[str, object]) -> str:
-    """The sentence with its values, those in Japanese print without spaces around them."""
+    """The sentence with its values; Japanese print has no space between its own signs."""
     if _language.get() == "ja":
         for name, text in ((name, str(value)) for name, value in values.items()):
+            place = f"{{{name}}}"
             if WIDE.match(text[:1]):
-                sentence = sentence.replace(f" {{{name}}}", f"{{{name}}}")
+                sentence = re.sub(f"(?<={WIDE.pattern}) (?={place})", "", sentence)
             if WIDE.match(text[-1:]):
-                sentence = sentence.replace(f"{{{name}}} ", f"{{{name}}}")
+                sentence = re.sub(f"(?<={place}) (?={WIDE.pattern})", "", sentence)
     return sentence.format(**values)
 
 

@@ -4,6 +4,7 @@
 |---|---|
 | `proportions` | bores, lengths and radii that a drawing needs, given or assumed |
 | `unit_records` | the units of numbers, the base of all records |
+| `form_words` | the schema of engine files in the reader's language |
 | `records` | Exhibition, Exhibit and their parts |
 | `crankshafts` | pins, webs, rods side by side, weights on webs |
 | `gears` | gear wheels between shafts |

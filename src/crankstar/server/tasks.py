@@ -20,6 +20,7 @@ from crankstar.language.faults import EngineError, Fault
 from crankstar.language.messages import MessageError
 from crankstar.language.shown_units import read_choice, shown_in
 from crankstar.page import exhibits
+from crankstar.page.form_words import form_schema
 from crankstar.page.records import Exhibit
 from crankstar.remedy import fitting
 from crankstar.search.faults import SearchError
@@ -248,8 +249,8 @@ def estimate(engine: str | Tree) -> bytes:
 
 
 def schema() -> bytes:
-    """The JSON Schema of engine files."""
-    return answered(files.schema())
+    """The JSON Schema of engine files, its words in the language of the server."""
+    return answered(form_schema())
 
 
 def summaries() -> bytes:

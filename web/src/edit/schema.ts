@@ -1,4 +1,5 @@
 import type { Tree } from '../host/host'
+import { t } from '../language/messages'
 import { type Dimension, textOf } from './quantity'
 import { at } from './tree'
 
@@ -126,7 +127,7 @@ function fieldOf(schema: Tree, key: string, node: Node, required: boolean): Fiel
   const whole = followed(schema, node)
   return {
     key,
-    label: worded(key),
+    label: text(whole['x-label']) || worded(key),
     help: text(whole.description),
     example: exampleOf(schema, whole),
     required,
@@ -168,7 +169,7 @@ export function forms(schema: Tree): Form[] {
       type,
       help:
         type === EXPLICIT
-          ? 'every shaft, throw, weight and cylinder by itself'
+          ? t('every shaft, throw, weight and cylinder by itself')
           : text(node.description),
       fields,
     }
