@@ -5,19 +5,21 @@ from __future__ import annotations
 from typing import Any
 
 from crankstar.files import schema
-from crankstar.language.messages import _
+from crankstar.language.messages import _, language
 
 UNSHOWN = ("a number with a unit of ", "An engine file of crankstar")
 """How meanings begin that no form shows."""
 
 
 def form_schema() -> dict[str, Any]:
-    """The schema, `x-label` the name of each key in words.
+    """The schema of engine files; in a language other than English, `x-label` names each key.
 
-    >>> form_schema()["$defs"]["Bank"]["properties"]["pin_angle"]["x-label"]
-    'Pin angle'
+    >>> from crankstar.language.messages import spoken
+    >>> with spoken("ja"):
+    ...     form_schema()["$defs"]["Bank"]["properties"]["pin_angle"]["x-label"]
+    'ピン角度'
     """
-    return _labelled(schema())
+    return schema() if language() == "en" else _labelled(schema())
 
 
 def words_of_forms() -> list[str]:
