@@ -66,12 +66,15 @@ def help_sentences() -> list[str]:
 
 
 def other_sentences() -> list[str]:
-    """Help of the command line, meanings of the glossary, words of forms, which are in no call."""
+    """Sentences in no call: help, meanings of the glossary, words of forms and of the frame."""
     from crankstar.language.glossary import terms
     from crankstar.page.form_words import words_of_forms
 
+    from crankstar.report import frame
+
     meanings = [term.meanings["en"] for term in terms()]
-    return [*dict.fromkeys([*help_sentences(), *meanings, *words_of_forms()])]
+    words = [*help_sentences(), *meanings, *words_of_forms(), *frame.words()]
+    return [*dict.fromkeys(words)]
 
 
 MESSAGE_ERRORS = [
@@ -107,6 +110,7 @@ PAGE = Domain(
     keywords={"t": None, "message": None, "plural": (1, 2)},
     template=ROOT / "web/src/language/crankstar-page.pot",
     catalogs="*.po",
+    more=frame_words,
 )
 DOMAINS = (PYTHON, PAGE)
 

@@ -287,7 +287,7 @@ def units_of(engine: Engine, result: Balance, sums: remains.Sums) -> tuple[Units
     force = shown(own.force, spectra.peak(sums.force).value)
     couple = shown(own.couple, spectra.peak(sums.couple).value)
     moment = shown(own.moment, max(spectra.peak(each).value for each in (sums.roll, sums.torque)))
-    lengths = (Unit(label=engine.across, factor=1.0),)
+    lengths = (Unit(label=_(engine.across), factor=1.0),)
     if "radius" not in engine.relative:
         long = shown("mm", 1.0)  # a lone m is the relative mass
         chosen = Unit(label=unit_text(long.unit), factor=1000.0 * long.factor)

@@ -13,6 +13,7 @@
 | `bearings` | loads on the main bearings, bending of the crankshaft |
 | `whirling` | the paths of the crankshaft's ends in an unmounted engine |
 | `remedies` | counterweights and balance shafts: before and after |
+| `frame` | the drawing of axes, angles and signs |
 | `sources` | the last pages: sources, conventions, the command |
 | `numbering` | the numbers of sections, figures and tables, and references to them |
 | `lettering` | parts of free fonts for Japanese and Cyrillic letters |

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import re
-from importlib.resources import files
 
 from crankstar import __version__
 from crankstar.files.write import tree_text
 from crankstar.language.messages import N_, _
+from crankstar.report import frame
 from crankstar.report.gallery import Gallery
 from crankstar.report.markup import figure, parts_html, section
 from crankstar.report.subject import Subject
@@ -55,8 +55,12 @@ def sources(subject: Subject, gallery: Gallery) -> str:  # noqa: ARG001 - one si
 def conventions(subject: Subject, gallery: Gallery) -> str:  # noqa: ARG001
     """The signs in three paragraphs, in a full report with a drawing."""
     lines = "".join(paragraph(_(line)) for line in CONVENTIONS)
-    drawing = figure(STYLE.sub("", _frame()), _("Frame and signs."), "wide") if subject.full else ""
-    return section(_("Conventions"), lines + drawing, name="conventions")
+    shown = (
+        figure(STYLE.sub("", frame.drawing()), _("Frame and signs."), "wide")
+        if subject.full
+        else ""
+    )
+    return section(_("Conventions"), lines + shown, name="conventions")
 
 
 def again(subject: Subject, gallery: Gallery) -> str:  # noqa: ARG001
@@ -89,10 +93,5 @@ def _shown(file: str) -> str:
 
 def frame_style() -> str:
     """The style of the drawing of the frame, for the style sheet of the report."""
-    match = STYLE.search(_frame())
+    match = STYLE.search(frame.drawing())
     return match.group(1) if match else ""
-
-
-def _frame() -> str:
-    drawing = files("crankstar.report").joinpath("frame.svg").read_text(encoding="utf-8")
-    return drawing[drawing.index("<svg") :].strip()

@@ -1,6 +1,7 @@
 import type { ComponentChildren } from 'preact'
 import { useRef, useState } from 'preact/hooks'
 import { t } from '../language/messages'
+import { choiceText } from './choices'
 import { idOf, useSentences, useSession, useValue } from './context'
 import { Dial } from './dial'
 import {
@@ -212,7 +213,7 @@ export function ChoiceField(props: FieldProps & { kind: Of<'choice'> }) {
         )}
         {kind.among.map((each) => (
           <option key={each} value={each}>
-            {each}
+            {choiceText(each)}
           </option>
         ))}
       </select>
@@ -240,7 +241,7 @@ export function MarksField(props: FieldProps & { kind: Of<'marks'> }) {
               session.set(path, next.length ? next : undefined)
             }}
           />
-          {each}
+          {choiceText(each)}
         </label>
       ))}
       <p class="help">{field.help}</p>

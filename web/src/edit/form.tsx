@@ -1,4 +1,5 @@
 import { message, t } from '../language/messages'
+import { choiceText } from './choices'
 import { idOf, useSession } from './context'
 import { Fit } from './fit'
 import { TYPES, withLayout } from './layouts'
@@ -112,7 +113,7 @@ function LayoutType() {
         >
           {TYPES.map((each) => (
             <option key={each} value={each}>
-              {each}
+              {choiceText(each)}
             </option>
           ))}
           <option value={EXPLICIT}>{t('explicit: every shaft, throw and weight')}</option>

@@ -115,12 +115,25 @@ function kept({ theme, units, language }: Store): Pick<State, 'theme' | 'units' 
   return { theme: theme.peek(), units: units.peek(), language: language.peek() }
 }
 
-/** The drawing of axes, angles and signs that the documents have. */
+/** The words of a drawing, and a letter of a quantity within them. */
+const WORDS = /(<(text|title|desc)\b[^>]*>)(.*?)(<\/\2>)/gs
+const LETTER = /<tspan class="italic">(\w)<\/tspan>/g
+const italic = (letter: string): string => `<tspan class="italic">${letter}</tspan>`
+
+/** The drawing of axes, angles and signs that the documents have, in the language of the page. */
+const framed = (): string =>
+  frame.replace(WORDS, (_whole, open: string, _name, words: string, close: string) => {
+    const sentence = words.replace(LETTER, '{$1}') as '{e}{l}{r}{z}'
+    const letters = { e: italic('e'), l: italic('l'), r: italic('r'), z: italic('z') }
+    return `${open}${t(sentence, letters)}${close}`
+  })
+
+/** The picture of it. */
 function Frame() {
   return (
     <img
       class="frame-and-signs"
-      src={`data:image/svg+xml,${encodeURIComponent(frame)}`}
+      src={`data:image/svg+xml,${encodeURIComponent(framed())}`}
       alt={t(
         'The engine from the front: up, right and z toward the viewer; crank angle, bearing and forces clockwise. From the side: the front at the left.',
       )}
