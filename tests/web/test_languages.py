@@ -48,7 +48,7 @@ WORD = re.compile(r"[A-Za-z]{2,}")
 AS_THEY_STAND = """
 crankstar serve analyze derive verdict balance TOML JSON Excel JavaScript PNG SVG URL HTTP MB
 Ctrl Shift Esc Escape Home Page Up Down cos sin pi rpm deg rad turns mm cm in ft kg lb oz mg
-kN MN kgf lbf KR
+kN MN kgf lbf KR VR
 speed neighbours front rear odd even crank balancer
 """
 KNOWN = set(AS_THEY_STAND.split())
