@@ -80,8 +80,10 @@ def show(
     if explicit:
         write_tree(part_by_part(loaded), output)
     else:
-        tree = engine_tree(engine, settings, loaded)
-        give(ranged(description, spread, loaded), output, form=form_of(output, TABLES), tree=tree)
+        tree, form = engine_tree(engine, settings, loaded), form_of(output, TABLES)
+        with words_for(form):
+            shown = ranged(description, spread, loaded)
+        give(shown, output, form=form, tree=tree)
 
 
 def analyze(

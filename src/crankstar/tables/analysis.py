@@ -44,6 +44,8 @@ SHARES = {
     "kind": (N_("Greatest value of each order by kind of part"), N_("part")),
 }
 """The table of shares and its first heading, by what parts are grouped."""
+KINDS = (N_("piston"), N_("rod"), N_("big end"), N_("throw"), N_("weight"))
+"""The kinds of parts."""
 AT_ANGLES = {
     "force": (N_("force up"), N_("force right"), N_("force, resultant")),
     "couple": (N_("pitch M_V"), N_("yaw M_H"), N_("couple, resultant")),
@@ -152,7 +154,7 @@ def _shares(shown: Analysis, by: Grouping) -> Table:
     ]
     rows = [
         (
-            _("shafts alone") if label is None else str(label),
+            _("shafts alone") if label is None else _group(by, label),
             *(
                 size(rolling_moment(sums) if name == "roll" else getattr(sums, name), order)
                 for name, order in pairs
@@ -163,6 +165,11 @@ def _shares(shown: Analysis, by: Grouping) -> Table:
     title, group = SHARES[by]
     first = Column(_(group), kind="text", label=True)
     return Table(_(title), (first, *heads), tuple(rows))
+
+
+def _group(by: Grouping, label: object) -> str:
+    """A kind of part in words; other groups by their names or numbers."""
+    return _(str(label)) if by == "kind" else str(label)
 
 
 def _at_angles(shown: Analysis, sums: Sums, angles: Sequence[float]) -> Table:

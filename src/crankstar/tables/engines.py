@@ -61,6 +61,9 @@ RELATIVE = {
 }
 """The units of what the file does not give."""
 
+STATUSES = (N_("published"), N_("computed"), N_("unverified"), N_("placeholder"), N_("estimated"))
+"""How far values are to be trusted, as files say it."""
+
 
 def origins(engine: Engine) -> Table:
     """Where each value of the engine file comes from."""
@@ -68,9 +71,12 @@ def origins(engine: Engine) -> Table:
         Column(words, kind="text", key=key, wraps=key != "status")
         for key, words in (("value", _("value")), ("status", _("status")), ("source", _("source")))
     )
-    rows = tuple((path, origin.status, origin.source) for path, origin in engine.provenance.items())
+    given = [*engine.provenance.items()]
+    rows = tuple((path, _(origin.status), origin.source) for path, origin in given)
     doubtful = frozenset(
-        place for place, row in enumerate(rows) if row[1] in ("unverified", "placeholder")
+        place
+        for place, (_path, origin) in enumerate(given)
+        if origin.status in ("unverified", "placeholder")
     )
     title = _("Sources of the values")
     return Table(title, columns, rows, key="provenance", doubtful=doubtful)

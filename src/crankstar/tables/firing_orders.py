@@ -66,7 +66,7 @@ def _columns(listing: Listing) -> tuple[Column, ...]:
     out = [
         Column(_("row"), key="row", label=True),
         Column("", kind="text"),
-        Column(_("order"), kind="order", key="order"),
+        Column(_("firing order"), kind="order", key="order"),
         Column("", "deg", kind="list", key="angles_deg", machine=True),
         Column(_("intervals"), "deg", kind="text", wraps=True, machine=even),
         Column("", "deg", kind="list", key="intervals_deg", machine=True),
