@@ -70,11 +70,16 @@ def other_sentences() -> list[str]:
     from crankstar.language.glossary import terms
     from crankstar.page.form_words import words_of_forms
 
+    meanings = [term.meanings["en"] for term in terms()]
+    words = [*help_sentences(), *meanings, *words_of_forms(), *frame_words()]
+    return [*dict.fromkeys(words)]
+
+
+def frame_words() -> list[str]:
+    """What is written in the drawing of axes, angles and signs, which report and page show."""
     from crankstar.report import frame
 
-    meanings = [term.meanings["en"] for term in terms()]
-    words = [*help_sentences(), *meanings, *words_of_forms(), *frame.words()]
-    return [*dict.fromkeys(words)]
+    return frame.words()
 
 
 MESSAGE_ERRORS = [

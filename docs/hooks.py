@@ -77,8 +77,8 @@ SECTIONS: dict[type[Record], str] = {
 """Where the page describes the tables that other tables hold."""
 
 MARK = re.compile(
-    r"^<!-- (keys|options|figure|sources|errata|sinitsyn|kr250|orders|estimate|plot|draw|search|sweep|"
-    r"glossary|commands): ?([^\n]*?) ?-->$(?:(?:(?!^<!-- ).)*?^<!-- end -->$)?",
+    r"^<!-- (keys|options|figure|sources|errata|sinitsyn|kr250|orders|estimate|plot|draw|search|"
+    r"sweep|glossary|commands): ?([^\n]*?) ?-->$(?:(?:(?!^<!-- ).)*?^<!-- end -->$)?",
     re.MULTILINE | re.DOTALL,
 )
 """A marker, with what `docs/tables.py` has put between it and its end for readers of the text."""
