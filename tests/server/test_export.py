@@ -6,6 +6,7 @@ import io
 import json
 import subprocess
 import sys
+from typing import Any
 
 import numpy as np
 import pytest
@@ -15,13 +16,13 @@ from tests.web.serving import Server
 
 from crankstar.exports import solids
 from crankstar.files.catalog import load
-from crankstar.server.forms import KINDS
+from crankstar.server.forms import KINDS, Form
 
 ENGINE = "v8-cross-plane"
 
 
 @pytest.mark.parametrize("form", KINDS)
-def test_every_form_is_sent_as_a_file_to_keep(form: str, server: Server) -> None:
+def test_every_form_is_sent_as_a_file_to_keep(form: Form, server: Server) -> None:
     answer = server.ask("api/export", {"engine": ENGINE, "form": form})
     assert answer.status == 200
     assert answer.heads["content-type"].split(";")[0] == KINDS[form]
@@ -33,7 +34,7 @@ def test_every_form_is_sent_as_a_file_to_keep(form: str, server: Server) -> None
 def test_solids_stand_at_the_crank_angle_asked_for(server: Server) -> None:
     question = {"engine": ENGINE, "form": "glb", "theta_deg": 30.0}
     sent = server.ask("api/export", question).body
-    scene = trimesh.load(io.BytesIO(sent), file_type="glb")
+    scene: Any = trimesh.load(io.BytesIO(sent), file_type="glb")
     ours = solids.solids(load(ENGINE), theta=np.radians(30))
     assert {*scene.graph.nodes_geometry} == {solid.name for solid in ours}
     for solid in ours:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
 import subprocess
 from collections.abc import Callable
 from pathlib import Path
@@ -11,6 +10,7 @@ import numpy as np
 import pytest
 from PIL import Image
 from playwright.sync_api import Page, expect
+from tests.tools import path_of
 from tests.web.browsing import barriers, too_wide
 from tests.web.engine_page import handle, opened
 
@@ -168,13 +168,14 @@ def test_it_prints_one_sheet_and_what_else_is_open(
 ) -> None:
     opened(page, built_page(ENGINE, figures=True), f"a=40&theme=dark&tab={tab}")
     page.pdf(path=tmp_path / "sheet.pdf", format="A4")
-    tools = [shutil.which(name) for name in ("pdftoppm", "pdftotext")]
-    if not all(tools):
-        pytest.skip("no poppler")
-    subprocess.run([tools[0], "-r", "60", "-png", "sheet.pdf", "p"], cwd=tmp_path, check=True)
+    poppler = Path(path_of("poppler"))
+    paper = str(tmp_path / "sheet.pdf")
+    subprocess.run(
+        [poppler.with_name("pdftoppm"), "-r", "60", "-png", paper, tmp_path / "p"], check=True
+    )
     text = subprocess.run(
-        [tools[1], "-layout", "-l", "1", "sheet.pdf", "-"], cwd=tmp_path, check=True,
-        capture_output=True, text=True,
+        [poppler.with_name("pdftotext"), "-layout", "-l", "1", paper, "-"],
+        check=True, capture_output=True, text=True,
     ).stdout  # fmt: skip
     pages = sorted(tmp_path.glob("p-*.png"))
     assert (len(pages) == 1) == (tab == "orders")
