@@ -17,7 +17,6 @@ from crankstar.cli.options import (
 )
 from crankstar.cli.output import progress, working, writable, write_result
 from crankstar.language.messages import _
-from crankstar.options import pictures as request
 from crankstar.options.forms import form_of, refuse_terminal, require, usual_place
 
 
@@ -45,6 +44,7 @@ def draw(
     ] = None,
 ) -> None:
     """Draw the engine itself at a crank angle, with its forces: a picture without a browser."""
+    from crankstar.pictures import options as request
     from crankstar.pictures.films import STILLS
 
     usual = usual_place(engine, kind="svg")
@@ -80,6 +80,7 @@ def animate(
     ] = None,
 ) -> None:
     """Write the turning engine as a film that loops without a seam, without a browser."""
+    from crankstar.pictures import options as request
     from crankstar.pictures.films import FILMS, film
     from crankstar.pictures.motions import turns_of
 

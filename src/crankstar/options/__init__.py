@@ -2,6 +2,7 @@
 
 | module, bottom to top | one line |
 |---|---|
+| `entries` | an option: what it takes, what it means, its other names |
 | `vocabulary` | every option of every command: what it takes, what it means |
 | `names` | the option that an unknown name stands for |
 | `refusals` | requests that cannot be met |

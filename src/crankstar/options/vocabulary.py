@@ -5,19 +5,7 @@ A command adds at most how it uses the option. `OPTIONS` is in alphabetical orde
 
 from __future__ import annotations
 
-from typing import Literal, NamedTuple
-
-Takes = Literal["nothing", "text", "several texts", "whole number", "number"]
-"""What follows an option. `several texts`: it may be repeated."""
-
-
-class Option(NamedTuple):
-    """What an option takes, what it means, and other names under which people look for it."""
-
-    takes: Takes
-    meaning: str
-    also: tuple[str, ...] = ()
-
+from crankstar.options.entries import Option
 
 OPTIONS = {
     "--all": Option("nothing", "All stars within the limits."),
@@ -303,9 +291,7 @@ OPTIONS = {
     "--signs": Option(
         "nothing", "Derive the six signs of balance instead: P_R, M_R, P_I, M_I, P_II, M_II."
     ),
-    "--size": Option(
-        "text", "Width and height of the picture in pixels (default: 720x540).", ("--pixels",)
-    ),
+    "--size": Option("text", "Width and height of the picture in pixels, such as 720x540."),
     "--slug": Option(
         "text",
         "Fit slugs of heavy metal opposite the heavy spot instead of drilling there: their "
@@ -386,8 +372,7 @@ OPTIONS = {
     ),
     "--view": Option(
         "text",
-        "From where the engine is seen: isometric, front, side, plan, or sheet, which has all four "
-        "(default: isometric).",
+        "From where one looks: isometric (the default), front, side, plan, or sheet: all four.",
         ("--camera", "--look", "--from"),
     ),
     "--weights": Option(

@@ -15,6 +15,7 @@ A scene of the page is drawn at any crank angle as filled outlines, the far ones
 | `painting` | the bodies at a crank angle as SVG |
 | `drawings` | the whole drawing, at one crank angle or many |
 | `films` | drawings one after the other as GIF, WebP, PNG or MP4 |
+| `options` | how an engine is drawn, from the words of a command line |
 
 Pillow and imageio-ffmpeg, which write films, come with `pip install "crankstar[film]"`.
 """

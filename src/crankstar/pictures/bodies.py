@@ -77,15 +77,20 @@ def _shaft(drawn: Scene, index: int) -> Iterator[Body]:
             for c in drawn.cylinders
             if (c.shaft, c.throw, c.master) == (index, place, -1)
         ]
-        pin = circle(throw.pin_radius, complex(throw.radius * np.exp(1j * throw.angle)))
+        pin = circle(throw.pin_radius, centre=complex(throw.radius * np.exp(1j * throw.angle)))
         for span in _outside((throw.pin_from, throw.pin_to), rods):
             yield _prism(pin, span, own)
     for web in shaft.webs:
         pin = shaft.throws[web.throw]
-        cheek = band(1.28 * shaft.journal_radius, pin.radius, pin.angle, 1.26 * pin.pin_radius)
+        cheek = band(
+            radius=1.28 * shaft.journal_radius,
+            distance=pin.radius,
+            bearing=pin.angle,
+            other=1.26 * pin.pin_radius,
+        )
         yield _prism(cheek, (web.z_from, web.z_to), own, rank=2)
     for weight in shaft.weights:
-        rim = sector(weight.outer_radius, weight.angle, weight.half_angle)
+        rim = sector(outer=weight.outer_radius, bearing=weight.angle, half=weight.half_angle)
         yield _prism(rim, _slab(weight.z, weight.thickness), own)
 
 
@@ -96,10 +101,11 @@ def _cylinder(drawn: Scene, index: int) -> Iterator[Body]:
     pin = drawn.shafts[c.shaft].throws[c.throw].pin_radius
     eye = 0.8 * pin if c.rod == "slave" else 1.36 * pin
     small = min(1.5 * PISTON_PIN * c.bore, 1.2 * eye)
-    half, middle = c.rod_width / 2, 0.0
+    half = c.rod_width / 2
     own = ("slave" if c.rod in ("slave", "blade") else "rod", "rod", index)
-    yield _prism(strip(0, c.rod_length, 0.6 * eye, 0.7 * small), (-half / 2, half / 2), own, rank=1)
-    yield _prism(circle(small, complex(c.rod_length)), (middle - half, middle + half), own, rank=2)
+    shank = strip(low=0, high=c.rod_length, wide=0.6 * eye, narrow=0.7 * small)
+    yield _prism(shank, (-half / 2, half / 2), own, rank=1)
+    yield _prism(circle(small, centre=complex(c.rod_length)), (-half, half), own, rank=2)
     for outline in _knuckles(drawn, index):
         yield _prism(outline, (-half, half), own, rank=2)
     yield _prism(circle(eye), (-half, half), own, rank=2)
@@ -112,7 +118,12 @@ def _knuckles(drawn: Scene, index: int) -> list[Complex]:
     if len(slaves) > 3:
         return [circle(max(1.3 * c.knuckle_radius for c in slaves), corners=40)]
     return [
-        band(0.6 * c.knuckle_radius, c.knuckle_radius, c.knuckle_angle, 0.3 * c.knuckle_radius)
+        band(
+            radius=0.6 * c.knuckle_radius,
+            distance=c.knuckle_radius,
+            bearing=c.knuckle_angle,
+            other=0.3 * c.knuckle_radius,
+        )
         for c in slaves
     ]
 

@@ -44,10 +44,10 @@ def look_of(view: View, azimuth: float) -> Look:
         "plan": Look((0, 0, -1), (-1, 0, 0), (0, 1, 0)),
         "side": Look((0, 0, -1), (0, 1, 0), (1, 0, 0)),
     }
-    return flat.get(view) or upright(azimuth, ISOMETRIC)
+    return flat.get(view) or upright(azimuth=azimuth, elevation=ISOMETRIC)
 
 
-def upright(azimuth: float, elevation: float) -> Look:
+def upright(*, azimuth: float, elevation: float) -> Look:
     """The look from an azimuth and an elevation, the vertical upright."""
     aside, ahead, rise, level = sin(azimuth), cos(azimuth), sin(elevation), cos(elevation)
     return Look(
@@ -69,7 +69,7 @@ def clearest_azimuth(drawn: Scene) -> float:
 
 def _hidden_share(drawn: Scene, azimuth: float) -> float:
     """The share of the bores that stands behind other bores, from 0 to 1."""
-    axes = np.array(upright(azimuth * pi / 180, ISOMETRIC)).T
+    axes = np.array(upright(azimuth=azimuth * pi / 180, elevation=ISOMETRIC)).T
     starts = np.array([along(drawn, c, c.bore_from) for c in drawn.cylinders]) @ axes
     ends = np.array([along(drawn, c, bore_end(drawn, c)) for c in drawn.cylinders]) @ axes
     halves = np.array([c.bore / 2 for c in drawn.cylinders])

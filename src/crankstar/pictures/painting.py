@@ -139,7 +139,7 @@ def _seen(drawn: Scene, body: Body, look: Look) -> Iterator[Body]:
     if body.rank == 1:
         wide, narrow = abs(body.points[0].imag), abs(body.points[2].imag)
         narrow = wide + (narrow - wide) * reach / c.rod_length
-        yield body._replace(points=np.tile(strip(0, reach, wide, narrow), 2))
+        yield body._replace(points=np.tile(strip(low=0, high=reach, wide=wide, narrow=narrow), 2))
     elif float(np.real(body.points[:half]).mean()) < reach - PISTON_PIN * c.bore:
         yield body
 

@@ -8,8 +8,12 @@ from typing import Any
 from crankstar.language.messages import N_, _
 from crankstar.options import values as request
 from crankstar.options.values import refusal
+from crankstar.pictures.arrows import KINDS
+from crankstar.pictures.drawings import Picture
+from crankstar.pictures.films import Pace
+from crankstar.pictures.palettes import PALETTES
+from crankstar.pictures.panes import SIGHTS
 
-ARROWS = ("force", "couple")
 PRINT = "print"
 """A theme of charts; drawings are printed in their light colours."""
 SIDES, SQUARE = (64, 4096), 4096 * 2304
@@ -24,12 +28,8 @@ FASTEST_GIF = 50.0
 
 def picture(
     *, view: str | None, size: str | None, theme: str | None, arrows: str | None, orders: str | None
-) -> Any:
+) -> Picture:
     """A Picture. Raises RequestError."""
-    from crankstar.pictures.drawings import Picture
-    from crankstar.pictures.palettes import PALETTES
-    from crankstar.pictures.panes import SIGHTS
-
     given: dict[str, Any] = {}
     if view is not None:
         given["view"] = request.choice("--view", view, SIGHTS)
@@ -40,7 +40,7 @@ def picture(
         given["width"], given["height"] = _size(size)
     if arrows is not None:
         words = [] if arrows.strip() == "none" else [word.strip() for word in arrows.split(",")]
-        given["arrows"] = tuple(request.choice("--arrows", word, ARROWS) for word in words)
+        given["arrows"] = tuple(request.choice("--arrows", word, KINDS) for word in words)
     if orders is not None and orders.strip() != "all":
         given["orders"] = tuple(request.orders(orders, []) or ())
     return Picture(**given)
@@ -60,10 +60,8 @@ def _size(text: str) -> tuple[int, int]:
     return width, height
 
 
-def pace(kind: str, *, seconds: float | None, rate: float | None, turns: int) -> Any:
+def pace(kind: str, *, seconds: float | None, rate: float | None, turns: int) -> Pace:
     """The Pace of a film of a cycle of so many turns. Raises RequestError."""
-    from crankstar.pictures.films import Pace
-
     usual = Pace()
     given = Pace(
         usual.seconds if seconds is None else _within("--seconds", seconds, SECONDS),
