@@ -6,8 +6,9 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from crankstar.site import building, pages
 from tests.commands import Run
+
+from crankstar.site import building, pages
 
 
 def test_a_site_of_one_engine_has_its_page_and_may_be_written_again(

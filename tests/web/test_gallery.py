@@ -5,13 +5,13 @@ from __future__ import annotations
 import re
 
 import pytest
-from crankstar.site.miniatures import LOOKS
 from playwright.sync_api import Browser, Page, expect
 from tests.server.test_watching import RIGHT
 from tests.web.browsing import barriers, too_wide, watched
 from tests.web.serving import Server
 
 from crankstar.files.catalog import names, summaries
+from crankstar.site.miniatures import LOOKS
 
 READY = "() => document.querySelector('[data-crankstar]').crankstar.ready"
 DROPPED = """([text, name]) => {

@@ -8,13 +8,13 @@ from pathlib import Path
 from urllib.parse import unquote
 
 import pytest
-from crankstar.site.building import build
-from crankstar.site.pages import Subject
 from playwright.sync_api import Browser, Page, expect
 from tests.web.browsing import too_wide
 from tests.web.engine_page import READY, handle
 
 from crankstar.files.catalog import names, tree_of
+from crankstar.site.building import build
+from crankstar.site.pages import Subject
 
 ENGINES = ("boxer-2", "radial-9", "single")
 

@@ -28,7 +28,7 @@ STYLE = "gallery.css"
 
 
 class Card(NamedTuple):
-    """An engine of a gallery: its name, title, layout, cylinders, cycle, and the page it leads to."""
+    """An engine of a gallery: name, title, layout, cylinders, cycle, the page it leads to."""
 
     name: str
     title: str
@@ -113,12 +113,9 @@ def _filters(cards: Sequence[Card]) -> str:
         (
             _labelled(_("Search"), '<input type="search" name="words" autocomplete="off">'),
             _labelled(
-                _("Layout"),
-                _select("layout", [(name, _(LAYOUTS[name])) for name in layouts]),
+                _("Layout"), _select("layout", [(name, _(LAYOUTS[name])) for name in layouts])
             ),
-            _labelled(
-                _("Cylinders"), _select("cylinders", [(str(n), str(n)) for n in counts])
-            ),
+            _labelled(_("Cylinders"), _select("cylinders", [(str(n), str(n)) for n in counts])),
             f'<output aria-live="polite" name="count">{len(cards)}</output>',
         )
     )

@@ -46,9 +46,7 @@ LOOKS = tuple(Look(theme, turning) for turning in (False, True) for theme in PAL
 
 def miniature(engine: Engine, look: Look) -> bytes:
     """A miniature as WebP, of at most `LARGEST` bytes."""
-    how = Picture(
-        width=SIZE[0], height=SIZE[1], theme=look.theme, arrows=(), letters=False
-    )
+    how = Picture(width=SIZE[0], height=SIZE[1], theme=look.theme, arrows=(), letters=False)
     if not look.turning:
         file = io.BytesIO()
         next(rasters(drawings(engine, [STILL_AT], how))).save(file, "WEBP", quality=STILL_QUALITY)
