@@ -18,7 +18,7 @@ from crankstar.cli.options import (
     together,
 )
 from crankstar.cli.output import complain, working, writable, write_result
-from crankstar.language.messages import _
+from crankstar.language.messages import _, language
 from crankstar.options import charts as chart_request
 from crankstar.options import values as request
 from crankstar.options.forms import STANDARD_OUTPUT, form_of, refuse_terminal, usual_place
@@ -75,6 +75,7 @@ def write_report(
         "--full": [""] if full else None,
         "--set": settings,
         "--estimate": [""] if estimate else None,
+        "--language": None if language() == "en" else [language()],
         "-o": [request.named(output) if output not in STANDARD_OUTPUT else usual],
     }
     command = command_text("report", request.named(engine), options)
