@@ -46,9 +46,25 @@ def test_no_panel_reaches_over_an_edge(built_page: Build, page: Page) -> None:
     assert {name: told for name, told in found.items() if told} == {}
 
 
-def test_everything_has_a_name_and_can_be_read(built_page: Build, page: Page) -> None:
+@pytest.mark.parametrize(
+    ("language", "width"),
+    [
+        ("en", 1440),
+        ("ja", 390),
+        *(
+            pytest.param(language, width, marks=pytest.mark.long)
+            for language in ("en", "ja", "ru")
+            for width in (1440, 1024, 390, 320)
+            if (language, width) not in {("en", 1440), ("ja", 390)}
+        ),
+    ],
+)
+def test_everything_has_a_name_and_can_be_read(
+    language: str, width: int, built_page: Build, page: Page
+) -> None:
     """axe-core's rules, contrast of colours among them, on every panel."""
-    opened(page, built_page(ENGINE, figures=True))
+    page.set_viewport_size({"width": width, "height": 900})
+    opened(page, built_page(ENGINE, figures=True), f"a=0&lang={language}")
     found = {}
     for colours, rules in RULES.items():
         page.emulate_media(color_scheme=colours)
