@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+import os
+import signal
+import subprocess
+import sys
+import time
 from collections.abc import Callable
 from pathlib import Path
 
@@ -72,3 +77,19 @@ def pages_tree(name: str) -> dict[str, object]:
     from crankstar.files.catalog import tree_of
 
     return tree_of(name)[1]
+
+
+@pytest.mark.usefixtures("interruptible")
+def test_a_site_that_is_interrupted_leaves_nothing(tmp_path: Path) -> None:
+    """Also while its processes write: an interrupt comes to all of them, as in a terminal."""
+    words = [sys.executable, "-m", "crankstar", "site", "-o", "site"]
+    process = subprocess.Popen(words, cwd=tmp_path, start_new_session=True)
+    try:
+        ends = time.monotonic() + 60
+        while not [*tmp_path.glob(".site.*/pictures/*")] and time.monotonic() < ends:
+            time.sleep(0.05)
+        os.killpg(process.pid, signal.SIGINT)
+        assert process.wait(60) == 130
+    finally:
+        process.kill()
+    assert [*tmp_path.iterdir()] == []
