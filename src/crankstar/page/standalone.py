@@ -51,8 +51,9 @@ def policy(*scripts: str) -> str:
 
 UNPACK = """
 const place = document.querySelector("[data-crankstar]")
-place.crankstar = { ready: new Promise((follow) => place.addEventListener(
-  "crankstar", () => follow(place.crankstar.ready), { once: true })) }
+const ready = new Promise((follow) => place.addEventListener(
+  "crankstar", () => follow(place.crankstar.ready), { once: true }))
+place.crankstar = { ready, settled: () => ready.then(() => place.crankstar.settled()) }
 const packed = document.getElementById("crankstar-script").textContent
 const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0))
 const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))

@@ -6,6 +6,12 @@ import { reasonOf } from '../reason'
 import { useApp } from './context'
 import { type Drawing, drawn } from './drawing'
 
+/** A drawing that is wider than its room is scrolled with the arrow keys. */
+function reached(frame: HTMLElement | null): void {
+  if (frame && frame.scrollWidth > frame.clientWidth) frame.tabIndex = 0
+  else frame?.removeAttribute('tabindex')
+}
+
 /** A figure of an engine by its key, turning with it; the old one stays until the next. */
 export function Figure({
   exhibit,
@@ -44,6 +50,7 @@ export function Figure({
         if (made.turns) await made.turnTo(clock.degrees() % (360 * exhibit.turns))
         shown.current?.dispose()
         place.current?.replaceChildren(made.element)
+        requestAnimationFrame(() => reached(place.current))
         // figures that stand beside each other are drawn to one scale, near their own
         figure.current?.style.setProperty('--natural', String(made.width))
         shown.current = made
@@ -82,8 +89,12 @@ export function Figure({
       inView.current = changes.at(-1)?.isIntersecting ?? true
     })
     if (figure.current) watch.observe(figure.current)
+    const frame = place.current
+    const sized = new ResizeObserver(() => reached(frame))
+    if (frame) sized.observe(frame)
     return () => {
       watch.disconnect()
+      sized.disconnect()
       shown.current?.dispose()
     }
   }, [])
