@@ -102,6 +102,7 @@ def rows() -> list[tables.Row]:
             ("a frame, table of orders", "tab=orders"),
             ("a frame, loads on bearings", "tab=bearings"),
             ("a frame, two figures that follow the angle", "tab=forces"),
+            ("a frame, forces of each cylinder and bank", "tab=cylinders"),
             ("a frame, star and polygon of twelve cylinders", "tab=stars"),
             (
                 "a frame, two figures, all arrows and the whirl",

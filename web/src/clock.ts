@@ -16,6 +16,11 @@ export interface Clock {
   play(): void
   stop(): void
   follow(follower: Follower): () => void
+  /**
+   * For what takes long: while the engine turns, such followers take turns, one a frame; one that
+   * gives no promise had nothing to show and passes its turn on. At rest all show the angle.
+   */
+  followInTurn(follower: Follower): () => void
   /** Something else than the angle has changed: everything is shown again with the next frame. */
   refresh(): void
   /** Shows everything now, not with the next frame. */
@@ -38,6 +43,7 @@ export function createClock(
   const playing = signal(false)
   const turns = signal(1)
   const followers = new Set<Follower>()
+  const inTurn = new Set<Follower>()
   const times: number[] = []
   // kept in degrees, so that 450 stays 450 in links
   let angle = 0
@@ -51,12 +57,24 @@ export function createClock(
     const theta = (angle * Math.PI) / 180
     try {
       const waiting = [...followers].map((follower) => follower(theta))
+      waiting.push(...(playing.peek() ? next(theta) : [...inTurn].map((each) => each(theta))))
       if (waiting.some((done) => done instanceof Promise)) await Promise.all(waiting)
     } finally {
       showing -= 1
     }
     times.push(performance.now() - began)
     if (times.length > KEPT) times.shift()
+  }
+
+  /** Has the first in turn that has something to show show it, and puts it last. */
+  function next(theta: number): readonly unknown[] {
+    for (const follower of [...inTurn]) {
+      const shown = follower(theta)
+      if (!(shown instanceof Promise)) continue
+      if (inTurn.delete(follower)) inTurn.add(follower)
+      return [shown]
+    }
+    return []
   }
 
   function frame(now: number): void {
@@ -109,6 +127,11 @@ export function createClock(
       ask()
       return () => followers.delete(follower)
     },
+    followInTurn(follower) {
+      inTurn.add(follower)
+      ask()
+      return () => inTurn.delete(follower)
+    },
     refresh: ask,
     flush: show,
     waiting: () => asked + showing > 0,
@@ -118,6 +141,7 @@ export function createClock(
       cancelAnimationFrame(asked)
       playing.value = false
       followers.clear()
+      inTurn.clear()
     },
   }
 }

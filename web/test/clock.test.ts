@@ -134,3 +134,25 @@ test('what was asked for is waited for until it is shown', async () => {
   await new Promise((done) => setTimeout(done))
   expect(clock.waiting()).toBe(false)
 })
+
+test('what takes long takes turns while the engine turns, and is right at rest', async () => {
+  const { clock } = clockOf()
+  const shown: string[] = []
+  const slow = (name: string) => () => {
+    shown.push(name)
+    return Promise.resolve()
+  }
+  clock.followInTurn(slow('star'))
+  clock.followInTurn(() => undefined) // scrolled away
+  const ended = clock.followInTurn(slow('polygon'))
+  clock.play()
+  for (let now = 1000; now < 1400; now += 100) frame(now)
+  expect(shown).toEqual(['star', 'polygon', 'star', 'polygon'])
+  clock.stop()
+  frame(1400)
+  expect(shown.slice(4).sort()).toEqual(['polygon', 'star'])
+  ended()
+  clock.turnTo(40)
+  frame(1500)
+  expect(shown.slice(6)).toEqual(['star'])
+})

@@ -73,7 +73,7 @@ export function Figure({
       return drawing?.turns ? drawing.turnTo(clock.degrees() % (360 * exhibit.turns)) : undefined
     }
     // what is scrolled away need not turn with the engine, but is right when it stops, and on paper
-    const unfollow = clock.follow(() =>
+    const unfollow = clock.followInTurn(() =>
       inView.current || !clock.playing.peek() ? turn() : undefined,
     )
     addEventListener('beforeprint', turn)
