@@ -90,12 +90,15 @@ def test_the_guide_points_at_the_parts_of_the_page_one_after_the_other(
     card = page.get_by_role("complementary", name="What am I looking at?")
     seen = []
     for step in range(1, 6):
-        expect(card.get_by_role("heading")).to_contain_text(f"{step}/5")
+        expect(card.get_by_role("heading", level=2)).to_contain_text(f"{step}/5")
         (pointed,) = page.locator(".shown-by-guide").all()
         seen.append(pointed.get_attribute("class"))
         if step < 5:
             card.get_by_role("button", name="Next").click()
     assert len(set(seen)) == 5
+    commands = card.locator("code").all_inner_texts()
+    assert f"crankstar page {ENGINE} --beside v8-cross-plane -o example.html" in commands
+    assert len(commands) == 4
     card.get_by_role("button", name="Frame and signs").click()
     drawn = card.get_by_role("img").evaluate("img => [img.complete, img.naturalWidth]")
     assert drawn[1] > 0, drawn

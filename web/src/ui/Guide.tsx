@@ -4,7 +4,7 @@ import { message, t } from '../language/messages'
 import { restore, type State, type Store, set, stateOf } from '../state'
 import { useApp } from './context'
 import { Icon } from './icons'
-import { TOURS, type Tour } from './tours'
+import { enginesOf, onThisPage, TOURS, type Tour } from './tours'
 
 /** What the guide says, step by step, and which part of the page it is about. */
 const STEPS = [
@@ -73,10 +73,11 @@ export function Guide() {
         </button>
       </div>
       {step ? <p>{t(step.text)}</p> : <Frame />}
-      {guide.value === STEPS.length && host.service && (
+      {guide.value === STEPS.length && (
         <Tours
           take={(tour) => {
-            restore(store, { ...stateOf(tour.state), ...kept(store) })
+            const state = host.service ? tour.state : onThisPage(tour)
+            restore(store, { ...stateOf(state), ...kept(store) })
             if (!calm.peek()) clock.play()
             close()
           }}
@@ -141,17 +142,28 @@ function Frame() {
   )
 }
 
+/** Examples: on a server each at a click, in a file those of its engines; of others the command. */
 function Tours({ take }: { take: (tour: Tour) => void }) {
+  const { host } = useApp()
+  const here = host.exhibition.sources?.join() ?? ''
+  const reached = (tour: Tour): boolean => !!host.service || enginesOf(tour).join() === here
   return (
     <>
       <h3>{t('Look at an example')}</h3>
       <ul class="tours">
         {TOURS.map((tour) => (
           <li key={tour.state}>
-            <button type="button" class="plain" onClick={() => take(tour)}>
-              {t(tour.title)}
-            </button>
+            {reached(tour) ? (
+              <button type="button" class="plain" onClick={() => take(tour)}>
+                {t(tour.title)}
+              </button>
+            ) : (
+              <strong>{t(tour.title)}</strong>
+            )}
             <span class="soft small">{t(tour.text)}</span>
+            {!reached(tour) && (
+              <code>{`crankstar page ${enginesOf(tour).join(' --beside ')} -o example.html`}</code>
+            )}
           </li>
         ))}
       </ul>

@@ -7,6 +7,19 @@ export interface Tour {
   readonly state: string
 }
 
+/** The engines of a tour by their names in the catalog: that on the stage, that beside it. */
+export function enginesOf(tour: Tour): readonly string[] {
+  const state = new URLSearchParams(tour.state)
+  return ['engine', 'beside'].flatMap((key) => state.get(key) ?? [])
+}
+
+/** The tour on a page that was opened with its engines. */
+export function onThisPage(tour: Tour): string {
+  const state = new URLSearchParams(tour.state)
+  for (const key of ['engine', 'beside']) state.delete(key)
+  return state.toString()
+}
+
 /** Examples from the catalog, as links would open them. */
 export const TOURS: readonly Tour[] = [
   {
