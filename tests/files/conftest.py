@@ -14,7 +14,7 @@ from tests.commands import Ran, Run, replaced
 
 from crankstar import cli
 
-WRITTEN = re.compile(r"^(Wrote |Replaced |Estimated: ).*\n", re.MULTILINE)
+WRITTEN = re.compile(r"^(Wrote |Replaced |Estimated: |Записан файл ).*\n", re.MULTILINE)
 """The lines on standard error that name a file once it is written, and what in it is estimated."""
 
 

@@ -443,9 +443,9 @@ def current_mask() -> int:
     ("words", "said"),
     [
         (["analyse"], 'Неизвестная команда "analyse". Возможно, имелось в виду "analyze"?'),
-        (["analyze"], "Для ENGINE нужно значение."),
+        (["analyze"], "параметр ENGINE требует значения."),
         (["analyze", "i4", "--jsn"], "Неизвестный параметр: --jsn."),
-        (["list", "--cylinders", "x"], '--cylinders: "x" — не целое число.'),
+        (["list", "--cylinders", "x"], '--cylinders: "x" не является целым числом.'),
         (["search", "5", "--cycle", "x"], "возможны: "),
     ],
 )
@@ -471,7 +471,7 @@ BAD_LINES = [
     (["analyze", "X", "--csv", "--theta", "0 deg"], "--theta has no effect with --csv"),
     (["analyze", "X", "--json=maybe"], 'unable to convert "maybe" into yes or no'),
     (["analyze", "X", "--speed"], "--speed requires an argument"),
-    (["analyze", "X", "--speed", "1 rpm", "--speed", "2 rpm"], "--speed is specified multiple "),
+    (["analyze", "X", "--speed", "1 rpm", "--speed", "2 rpm"], "--speed specified multiple "),
     (["analyze", "X", "--speed", "0 rpm"],
         '--speed is "0 rpm"; it must be greater than 0, such as "6000 rpm"'),
     (["analyze", "X", "--speed", "-5 rpm"],

@@ -35,9 +35,11 @@ CALL = re.compile(r"(?<![.\w])(?:t|message|plural)\(\s*['\"`]")
 LETTERS = {"ja": "[\u3040-\u30ff\u4e00-\u9fff]", "ru": "[\u0400-\u04ff]"}
 """A letter that a translation has."""
 NAMES = {
+    "PNG, {times} ×",
     "SI",
     "The Kawasaki KR250",
     "at z = {z}",
+    "escape",
     "page up, page down",
     "zero",
     "{angle} deg",

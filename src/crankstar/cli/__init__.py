@@ -27,7 +27,6 @@
 | `serving` | serve |
 | `exporting` | export |
 | `files` | check, new, schema |
-| `complaints` | what the parser refuses, in the reader's language |
 | `application` | how a command line is read, the verbs by name, how the process ends |
 """
 

@@ -20,7 +20,7 @@ from crankstar.mechanics.balance import balance
 from crankstar.page.exhibits import advised, exhibition, in_units, remedy_tables, spread_of
 from crankstar.page.figures import chart, derivation
 from crankstar.page.keys import BEFORE_AND_AFTER
-from crankstar.page.records import Exhibit
+from crankstar.page.records import Exhibit, Exhibition
 from crankstar.remedy import fitting
 from crankstar.remedy.kept import with_source
 
@@ -47,22 +47,10 @@ def held(
     (`engines`, `cured`) and figures (`libraries`, `fitted`).
     """
     shown = exhibition(engines, files_given=files_given, sources=sources, command=command)
-    subjects = [
-        _Subject(engine, exhibit, spread_of(engine, exhibit.file))
-        for engine, exhibit in zip(engines, shown.engines, strict=True)
-    ]
-    cured = [_cured(subject, after) for subject, after in zip(subjects, shown.fitted, strict=True)]
-    others = _beside(subjects)
-    fitted_others = _beside([after or own for own, after in zip(subjects, cured, strict=True)])
+    subjects, cured = _subjects(engines, shown)
     jobs: list[_Job] = []
 
-    def library(
-        subject: _Subject | None,
-        beside: _Subject | None,
-        *,
-        more: bool = False,
-        again: bool = False,
-    ) -> Tree:
+    def library(subject: _Subject | None, *, more: bool = False, again: bool = False) -> Tree:
         """The places of figures and derivations; `again`: those in other units alone."""
         if subject is None:
             return {"charts": {}, "derivations": {}}
@@ -71,13 +59,8 @@ def held(
         keys += [(BEFORE_AND_AFTER, _("Spectrum, before and after"))] if more else []
         for key, label in keys:
             if not again or _has_units(key, subject.engine):
-                made = partial(
-                    chart,
-                    subject.engine,
-                    key,
-                    spread=subject.spread,
-                    beside=beside and beside.engine,
-                )
+                options = {"spread": subject.spread, "beside": subject.beside}
+                made = partial(chart, subject.engine, key, **options)
                 jobs.append(_Job(shelves["charts"], key, label, made, choice()))
         for key in () if again else subject.exhibit.derivations:
             made = partial(derivation, subject.engine, key.key)
@@ -87,13 +70,9 @@ def held(
     whole = {
         "exhibition": shown.model_dump(mode="json"),
         "libraries": [
-            library(own, beside, more=after is not None)
-            for own, beside, after in zip(subjects, others, cured, strict=True)
+            library(own, more=after is not None) for own, after in zip(subjects, cured, strict=True)
         ],
-        "fitted": [
-            None if after is None else library(after, beside)
-            for after, beside in zip(cured, fitted_others, strict=True)
-        ],
+        "fitted": [None if after is None else library(after) for after in cured],
         "units": {},
     }
     for offer in shown.units:
@@ -104,13 +83,10 @@ def held(
                 "engines": [_differences(own) for own in subjects],
                 "cured": [None if after is None else _differences(after) for after in cured],
                 "libraries": [
-                    library(own, beside, more=after is not None, again=True)
-                    for own, beside, after in zip(subjects, others, cured, strict=True)
+                    library(own, more=after is not None, again=True)
+                    for own, after in zip(subjects, cured, strict=True)
                 ],
-                "fitted": [
-                    library(after, beside, again=True)
-                    for after, beside in zip(cured, fitted_others, strict=True)
-                ],
+                "fitted": [library(after, again=True) for after in cured],
             }
     for done, job in enumerate(jobs):
         tell(done, len(jobs), job.label)
@@ -120,12 +96,16 @@ def held(
 
 
 class _Subject(NamedTuple):
-    """An engine on the page, over the ranges of its estimated values; how it was fitted."""
+    """An engine on the page, over the ranges of its estimated values; how it was fitted.
+
+    The engine `beside` it has figures to one scale with its own.
+    """
 
     engine: Engine
     exhibit: Exhibit
     spread: Spread | None
     fitted_from: _Subject | None = None
+    beside: Engine | None = None
 
 
 class _Job(NamedTuple):
@@ -138,9 +118,28 @@ class _Job(NamedTuple):
     units: Choice
 
 
-def _beside(subjects: Sequence[_Subject]) -> list[_Subject | None]:
-    """The other of two, of each; none beside a single one."""
-    return [*reversed(subjects)] if len(subjects) > 1 else [None]
+def _subjects(
+    engines: Sequence[Engine], shown: Exhibition
+) -> tuple[list[_Subject], list[_Subject | None]]:
+    """The engines of a page, and each with what is recommended."""
+    subjects = [
+        _Subject(engine, exhibit, spread_of(engine, exhibit.file))
+        for engine, exhibit in zip(engines, shown.engines, strict=True)
+    ]
+    cured = [_cured(subject, after) for subject, after in zip(subjects, shown.fitted, strict=True)]
+    if len(subjects) == 1:
+        return subjects, cured
+    after = [(fitted or own).engine for own, fitted in zip(subjects, cured, strict=True)]
+    return (
+        [
+            own._replace(beside=other.engine)
+            for own, other in zip(subjects, reversed(subjects), strict=True)
+        ],
+        [
+            own and own._replace(beside=other)
+            for own, other in zip(cured, reversed(after), strict=True)
+        ],
+    )
 
 
 def _cured(subject: _Subject, after: Exhibit | None) -> _Subject | None:
