@@ -218,3 +218,10 @@ def test_the_workshop_offers_what_the_package_offers(server: Server) -> None:
     curves = server.ask("api/sliders", {"engine": "v2-90"}).json["sliders"]
     assert curves[0]["key"] == "layout.bank_angle"
     assert {preset["key"] for preset in server.ask("api/presets").json} >= {"single", "v8-cross"}
+
+
+def test_mistakes_of_an_engine_beside_are_told_as_its_own(server: Server) -> None:
+    for beside, path in (("nope", "beside"), ({"name": 7}, "beside.name")):
+        answer = server.ask("api/chart", {"engine": "i4", "key": "spectrum", "beside": beside})
+        assert answer.status == 422
+        assert path in [problem["path"] for problem in answer.json["problems"]]

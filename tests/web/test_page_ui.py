@@ -325,7 +325,7 @@ def test_two_engines_stand_side_by_side(built_page: Build, page: Page) -> None:
     heads = page.get_by_role("columnheader").all_text_contents()
     assert heads == ["order", load(CROSS).name, load(FLAT).name, "difference, second − first"]
     forces = page.locator("table.orders tbody").filter(has_text="Force")
-    line = forces.get_by_role("row", name=re.compile("^2"))
+    line = forces.get_by_role("row", name=re.compile("^Force, order 2"))
     expect(line).to_contain_text("horizontal line")
     expect(page.locator(".stage canvas").first).to_be_visible()
     assert page.locator(".stage").count() == 2

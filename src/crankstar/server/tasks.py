@@ -69,9 +69,9 @@ def units_of(text: str | None) -> Iterator[None]:
         yield
 
 
-def engine_of(engine: str | Tree) -> tuple[Engine, Tree]:
+def engine_of(engine: str | Tree, *, at: str = "engine") -> tuple[Engine, Tree]:
     """An engine that is asked about, and its tree. Raises EngineFileError, Refused."""
-    tree = engine if isinstance(engine, dict) else catalog_tree(engine, status=422, at="engine")
+    tree = engine if isinstance(engine, dict) else catalog_tree(engine, status=422, at=at)
     return _kept(json.dumps(tree)), tree
 
 
@@ -116,8 +116,17 @@ def chart(
     with mistakes_refused(at="key"), units_of(units):
         made, tree = engine_of(engine)
         over = exhibits.spread_of(made, tree)
-        other = None if beside is None else engine_of(beside)[0]
+        other = None if beside is None else _beside(beside)
         return answered(figures.chart(made, key, spread=over, beside=other))
+
+
+def _beside(engine: str | Tree) -> Engine:
+    """A second engine of a question; its mistakes are told apart from those of the first."""
+    try:
+        return engine_of(engine, at="beside")[0]
+    except EngineFileError as error:
+        faults = [fault._replace(path=("beside", *fault.path)) for fault in error.faults]
+        raise Refused(422, faults) from None
 
 
 def derivation(engine: str | Tree, key: str) -> bytes:

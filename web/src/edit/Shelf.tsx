@@ -11,6 +11,7 @@ import {
   keptIn,
   type Likeness,
   lastIn,
+  MOST,
   type Store,
   type Trouble,
   withEngine,
@@ -88,13 +89,25 @@ export function Shelf({ beside }: Props) {
   }
   const takeIn = async (file: File): Promise<void> => {
     const more = file.size > LARGEST ? null : imported(await file.text(), Date.now())
-    if (!more) setSaid(t('{file} is no file of kept engines.', { file: file.name.slice(0, 80) }))
+    const taken = more?.slice(0, Math.max(0, MOST - engines.length)) ?? []
+    if (!more?.length)
+      setSaid(t('{file} is no file of kept engines.', { file: file.name.slice(0, 80) }))
     else
       change(
-        [...more, ...engines],
-        plural('{count} engine was added.', '{count} engines were added.', more.length, {
-          count: more.length,
-        }),
+        [...taken, ...engines],
+        [
+          plural('{count} engine was added.', '{count} engines were added.', taken.length, {
+            count: taken.length,
+          }),
+          ...(taken.length < more.length
+            ? [
+                t('{count} do not fit: at most {most} are kept.', {
+                  count: more.length - taken.length,
+                  most: MOST,
+                }),
+              ]
+            : []),
+        ].join(' '),
       )
   }
   const isOther = last !== null && last.name !== session.tree.value.name

@@ -4,9 +4,11 @@ import { t } from '../language/messages'
 import { QUANTITIES, type Quantity } from '../state'
 import { useFollower } from './context'
 import { dotOf, moveDots, sharesOf } from './dots'
-import { factorOf, quantityName, unitOf } from './names'
+import { factorOf, quantityName, TERMS, unitOf } from './names'
+import { OrderRow } from './OrderRow'
 import { Path } from './Path'
 import { Scroller } from './Scroller'
+import { Term } from './Term'
 
 /** The orders of two engines beside each other, to one scale, and by how much they differ. */
 export function BothOrders({ one, other }: { one: Exhibit; other: Exhibit }) {
@@ -43,7 +45,9 @@ export function BothOrders({ one, other }: { one: Exhibit; other: Exhibit }) {
         <table class="orders" ref={table}>
           <thead>
             <tr>
-              <th scope="col">{t('order')}</th>
+              <th scope="col">
+                <Term word="order">{t('order')}</Term>
+              </th>
               <th scope="col">{one.name}</th>
               <th scope="col">{other.name}</th>
               <th scope="col" class="right">
@@ -59,12 +63,12 @@ export function BothOrders({ one, other }: { one: Exhibit; other: Exhibit }) {
               <tbody key={quantity}>
                 <tr class="group">
                   <th colSpan={4} scope="rowgroup">
-                    {quantityName(quantity)} <span class="unit">{common && unit}</span>
+                    <Term word={TERMS[quantity]}>{quantityName(quantity)}</Term>{' '}
+                    <span class="unit">{common && unit}</span>
                   </th>
                 </tr>
                 {own.map((line) => (
-                  <tr key={line.label}>
-                    <th scope="row">{line.label}</th>
+                  <OrderRow key={line.label} {...line}>
                     <Cell
                       row={line.rows[0]}
                       shares={shares}
@@ -74,7 +78,7 @@ export function BothOrders({ one, other }: { one: Exhibit; other: Exhibit }) {
                     <td class="right">
                       {same && <Difference lines={line} unit={common ? '' : unit} />}
                     </td>
-                  </tr>
+                  </OrderRow>
                 ))}
               </tbody>
             )
@@ -127,7 +131,7 @@ function Difference({ lines, unit }: { lines: Line; unit: string }) {
       <span class="whole">
         {text} {text !== '0' && unit}
       </span>
-      {!!first?.size && text !== '0' && (
+      {!!first?.size && !!second?.size && text !== '0' && (
         <>
           <br />
           <span class="soft small">
@@ -168,6 +172,7 @@ export function alike(one: Exhibit, other: Exhibit): boolean {
 
 interface Line {
   readonly label: string
+  readonly order: number
   readonly quantity: Quantity
   readonly rows: readonly [Row | undefined, Row | undefined]
   /** What a size is multiplied with to be in the unit of its quantity. */
@@ -184,10 +189,12 @@ function pairs(one: Exhibit, other: Exhibit): Line[] {
     return [...labels].map((label) => {
       const row = ({ table }: Exhibit): Row | undefined =>
         table.find((each) => each.quantity === quantity && each.label === label)
+      const [first, second] = [row(one), row(other)]
       return {
         label,
+        order: (first ?? second)?.order ?? 0,
         quantity,
-        rows: [row(one), row(other)],
+        rows: [first, second],
         factor: factorOf(other, quantity),
       }
     })

@@ -57,15 +57,19 @@ export function Guide() {
     part?.scrollIntoView({ block: 'nearest' })
     return () => part?.classList.remove('shown-by-guide')
   }, [step])
-  if (guide.value === 0) return null
+  const open = guide.value > 0
+  useEffect(() => {
+    if (!open) return undefined
+    const pressed = (event: KeyboardEvent): void => {
+      if (event.key === 'Escape') set(guide, 0)
+    }
+    document.addEventListener('keydown', pressed)
+    return () => document.removeEventListener('keydown', pressed)
+  }, [open, guide])
+  if (!open) return null
   const close = (): void => set(guide, 0)
   return (
-    <aside
-      class="guide"
-      ref={card}
-      aria-label={t('What am I looking at?')}
-      onKeyDown={(event) => event.key === 'Escape' && close()}
-    >
+    <aside class="guide" ref={card} aria-label={t('What am I looking at?')}>
       <div class="guide-head">
         <h2>{step ? `${guide.value}/${STEPS.length} · ${t(step.title)}` : t('Frame and signs')}</h2>
         <button type="button" class="plain" onClick={close}>

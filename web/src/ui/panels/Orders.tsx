@@ -3,10 +3,11 @@ import type { Exhibit, Row } from '../../exhibit'
 import { message, plural, t } from '../../language/messages'
 import { QUANTITIES } from '../../state'
 import { BothOrders } from '../BothOrders'
-import { useApp, useExhibit, useExhibits, useFollower } from '../context'
+import { useExhibit, useExhibits, useFollower } from '../context'
 import { dotOf, moveDots, sharesOf } from '../dots'
 import { quantityName, TERMS, unitOf } from '../names'
-import { isChosen, OrderChoice } from '../OrderChoice'
+import { OrderChoice } from '../OrderChoice'
+import { OrderRow } from '../OrderRow'
 import { Path } from '../Path'
 import type { Panel } from '../panel'
 import { Scroller } from '../Scroller'
@@ -136,28 +137,8 @@ function isShown({ remains, estimated }: Row): boolean {
 const LITTLE = 0.01
 
 function Line({ row, share }: { row: Row; share: number }) {
-  const { store } = useApp()
-  const chosen = isChosen(store.orders.value, row.order)
-  const alone = chosen && store.orders.value?.length === 1
-  function choose(): void {
-    store.orders.value = alone ? null : [row.order]
-    if (!alone) store.quantity.value = row.quantity
-  }
   return (
-    // a click anywhere in the row is the same as on its button
-    <tr class={`${chosen ? 'chosen' : ''}${share < LITTLE ? ' little' : ''}`} onClick={choose}>
-      <th scope="row">
-        <button
-          type="button"
-          aria-pressed={chosen}
-          aria-label={t('{quantity}, order {order}: show alone', {
-            quantity: quantityName(row.quantity),
-            order: row.label,
-          })}
-        >
-          {row.label}
-        </button>
-      </th>
+    <OrderRow {...row} little={share < LITTLE}>
       <td>
         <span class="drawn">
           <Path row={row} share={share} />
@@ -167,6 +148,6 @@ function Line({ row, share }: { row: Row; share: number }) {
       <td class="right">{row.greatest}</td>
       <td>{row.up}</td>
       <td>{row.right}</td>
-    </tr>
+    </OrderRow>
   )
 }

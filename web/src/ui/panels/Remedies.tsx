@@ -1,11 +1,12 @@
 import { useEffect } from 'preact/hooks'
-import type { Exhibit } from '../../exhibit'
+import type { Exhibit, Row } from '../../exhibit'
 import { message, t } from '../../language/messages'
 import { set } from '../../state'
 import { Choice } from '../Choice'
 import { useApp, useSubject } from '../context'
 import { DataTable } from '../DataTable'
 import { Figure } from '../Figure'
+import { quantityName, unitOf } from '../names'
 import type { Panel } from '../panel'
 
 /** The spectra of both on common axes: the key BEFORE_AND_AFTER of Python. */
@@ -44,6 +45,7 @@ function Remedies() {
         ]}
         chosen={(value) => set(store.fitted, value === 'after')}
       />
+      <Grown before={before} after={after} />
       <div class="figures">
         <Figure
           exhibit={before}
@@ -61,6 +63,42 @@ function Remedies() {
           <DataTable key={table.title} table={table} />
         ))}
     </>
+  )
+}
+
+/** A rise below this share of what it is compared with is not told. */
+const RISE = 0.01
+
+/** The orders of which weights and shafts leave more than there was. */
+function Grown({ before, after }: { before: Exhibit; after: Exhibit }) {
+  const most = (quantity: Row['quantity']): number =>
+    Math.max(
+      ...[...before.table, ...after.table].map((row) => (row.quantity === quantity ? row.size : 0)),
+    )
+  const grown = after.table.flatMap((row) => {
+    const was = before.table.find(
+      (each) => each.quantity === row.quantity && each.label === row.label,
+    )
+    return row.size - (was?.size ?? 0) > RISE * most(row.quantity) ? [{ row, was }] : []
+  })
+  if (!grown.length) return null
+  return (
+    <div class="estimate">
+      <p>{t('This leaves more of:')}</p>
+      <ul>
+        {grown.map(({ row, was }) => (
+          <li key={`${row.quantity} ${row.label}`}>
+            {t('{quantity}, order {order}: {after} {unit} instead of {before}', {
+              quantity: quantityName(row.quantity),
+              order: row.label,
+              after: row.greatest,
+              before: was?.greatest ?? '0',
+              unit: unitOf(after, row.quantity),
+            })}
+          </li>
+        ))}
+      </ul>
+    </div>
   )
 }
 

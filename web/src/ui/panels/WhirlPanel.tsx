@@ -74,6 +74,13 @@ function Displacement() {
   return (
     <>
       <DataTable table={displacement} />
+      {!store.fitted.value && isBare(exhibit) && (
+        <p class="estimate">
+          {t(
+            'The engine file has no counterweights, which such an engine may need: see Balancing for how it moves with them.',
+          )}
+        </p>
+      )}
       <DataTable
         table={{
           title: t('Block'),
@@ -110,6 +117,11 @@ function Displacement() {
       ))}
     </>
   )
+}
+
+/** Whether no shaft has a weight. */
+function isBare({ scene }: Exhibit): boolean {
+  return scene.shafts.every(({ weights }) => weights.length === 0)
 }
 
 function magnified(factor: number): string {
