@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import json
 import os
+import re
 import signal
 import subprocess
 import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
+from urllib.parse import unquote
 
 import pytest
 from tests.commands import Run
@@ -22,9 +25,68 @@ def test_a_site_of_one_engine_has_its_page_and_may_be_written_again(
     assert run("site", "single", "-o", "mine").err.startswith("Wrote 1 engine into mine")
     first = sorted(path.relative_to(tmp_path) for path in (tmp_path / "mine").rglob("*"))
     assert Path("mine/engines/single.html") in first
-    (tmp_path / "mine" / "left.txt").write_text("of the old one")
     assert run("site", "single", "-o", "mine").code == 0
     assert sorted(path.relative_to(tmp_path) for path in (tmp_path / "mine").rglob("*")) == first
+
+
+def site_of(name: str, place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A site of an engine without its pictures, which take longest."""
+
+    def quick(subject: pages.Subject, folder: Path, _script: str) -> None:
+        pages.write(folder, pages.page_of(subject.name), name.encode())
+
+    monkeypatch.setattr(building, "_engine", quick)
+    subjects = [pages.Subject(name, pages_tree("i4"), name)]
+    building.build(subjects, place, tell=lambda _done, _of, _name: None)
+
+
+def test_a_site_written_again_loses_its_old_pages_and_keeps_files_of_others(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    place = tmp_path / "site"
+    site_of("before", place, monkeypatch)
+    kept = ["CNAME", ".git/HEAD", "engines/own.html"]
+    for name in kept:
+        pages.write(place, name, b"mine")
+    pages.write(tmp_path, "precious.html", b"mine")
+    listed = json.loads((place / building.LIST).read_text())["files"]
+    assert "engines/before.html" in listed
+    assert building.INDEX in listed
+    bad = ["../precious.html", str(tmp_path / "precious.html"), "", ".", 3, "a\0"]
+    (place / building.LIST).write_text(json.dumps({"files": [*listed, *bad]}))
+    site_of("after", place, monkeypatch)
+    assert all((place / name).read_bytes() == b"mine" for name in kept)
+    assert (tmp_path / "precious.html").exists()
+    assert not (place / "engines/before.html").exists()
+    assert (place / "engines/after.html").read_text() == "after"
+    now = json.loads((place / building.LIST).read_text())["files"]
+    assert "engines/before.html" not in now
+    assert "engines/after.html" in now
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["precious.html", "site"]
+
+
+@pytest.mark.parametrize("contents", ["", "[]", '{"files": 3}', "\xff"])
+def test_a_site_whose_list_cannot_be_read_loses_no_file(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, contents: str
+) -> None:
+    site_of("before", tmp_path / "site", monkeypatch)
+    (tmp_path / "site" / building.LIST).write_text(contents, encoding="latin-1")
+    site_of("after", tmp_path / "site", monkeypatch)
+    assert (tmp_path / "site/engines/before.html").exists()
+
+
+def test_links_of_a_gallery_lead_to_files_with_any_name(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    name = '#?%41 ü, "b"'
+    site_of(name, tmp_path / "site", monkeypatch)
+    index = (tmp_path / "site" / building.INDEX).read_text(encoding="utf-8")
+    links = re.findall(r'<a href="(.*?)"', index)
+    assert [unquote(link) for link in links] == [f"engines/{name}.html"]
+    assert not set("#? ,") & set(links[0])
+    sources = re.findall(r'(?:srcset|src)="(pictures.*?)"', index)
+    assert unquote(sources[0]).startswith(f"pictures/{name}-")
+    assert not set("#? ,") & set(sources[0])
 
 
 def test_an_engine_file_of_ones_own_is_on_the_site(run: Run, tmp_path: Path) -> None:
@@ -40,7 +102,8 @@ def test_a_directory_with_other_files_is_not_replaced(
     (tmp_path / "docs" / "thesis.txt").write_text("years of work")
     assert "holds other files" in refused("site", "single", "-o", "docs")
     assert (tmp_path / "docs" / "thesis.txt").read_text() == "years of work"
-    assert "not a directory" in refused("site", "single", "-o", "docs/thesis.txt")
+    assert "name a directory" in refused("site", "single", "-o", "docs/thesis.txt")
+    assert refused("site", "single", "-o", "-").startswith("crankstar: -o -: name a directory")
     assert "no directory" in refused("site", "single", "-o", "nowhere/site")
 
 
@@ -80,16 +143,26 @@ def pages_tree(name: str) -> dict[str, object]:
 
 
 @pytest.mark.usefixtures("interruptible")
-def test_a_site_that_is_interrupted_leaves_nothing(tmp_path: Path) -> None:
+@pytest.mark.parametrize("sent", [[signal.SIGINT], [signal.SIGINT] * 3, [signal.SIGTERM]])
+def test_a_site_that_is_interrupted_leaves_nothing(tmp_path: Path, sent: list[int]) -> None:
     """Also while its processes write: an interrupt comes to all of them, as in a terminal."""
     words = [sys.executable, "-m", "crankstar", "site", "-o", "site"]
-    process = subprocess.Popen(words, cwd=tmp_path, start_new_session=True)
+    process = subprocess.Popen(words, cwd=tmp_path, start_new_session=True, stderr=-1)
     try:
         ends = time.monotonic() + 60
         while not [*tmp_path.glob(".site.*/pictures/*")] and time.monotonic() < ends:
             time.sleep(0.05)
-        os.killpg(process.pid, signal.SIGINT)
-        assert process.wait(60) == 130
+        began = time.monotonic()
+        for number in sent:
+            if number == signal.SIGINT:
+                os.killpg(process.pid, number)
+            else:
+                process.send_signal(number)
+            time.sleep(0.02)
+        _out, said = process.communicate(timeout=60)
+        assert process.returncode == (130 if sent[0] == signal.SIGINT else -signal.SIGTERM)
+        assert said == b""
+        assert time.monotonic() - began < 10  # what is begun would take longer
     finally:
         process.kill()
     assert [*tmp_path.iterdir()] == []

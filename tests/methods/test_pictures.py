@@ -3,8 +3,14 @@
 from __future__ import annotations
 
 import io
+import os
 import re
+import signal
+import subprocess
+import sys
+import time
 from math import cos, pi, sin, sqrt
+from pathlib import Path
 from xml.etree import ElementTree
 
 import numpy as np
@@ -199,3 +205,29 @@ def test_a_raster_is_as_large_as_it_was_asked_for() -> None:
     assert shown.getpixel((1, 198)) == (255, 255, 255)
     dark = next(rasters([drawing(crankstar.load("single"), Picture(theme="dark"))]))
     assert dark.getpixel((1, 1)) == (0x14, 0x18, 0x1D)
+
+
+@pytest.mark.usefixtures("interruptible")
+@pytest.mark.parametrize(("sent", "code"), [(signal.SIGINT, 130), (signal.SIGTERM, -15)])
+def test_an_interrupted_film_leaves_no_word_and_no_file(
+    tmp_path: Path, sent: int, code: int
+) -> None:
+    (tmp_path / "drafts").mkdir()
+    words = "animate", "i4", "-o", "x.mp4", "--seconds", "20"
+    process = subprocess.Popen(
+        [sys.executable, "-m", "crankstar", *words],
+        cwd=tmp_path,
+        env={**os.environ, "TMPDIR": str(tmp_path / "drafts")},
+        start_new_session=True,
+        stderr=subprocess.PIPE,
+    )
+    try:
+        ends = time.monotonic() + 60
+        while not [*tmp_path.glob("drafts/*/film.mp4")] and time.monotonic() < ends:
+            time.sleep(0.05)
+        os.killpg(process.pid, sent)
+        assert process.communicate(timeout=60)[1] == b""
+        assert process.returncode == code
+    finally:
+        process.kill()
+    assert [path.name for path in tmp_path.rglob("*")] == ["drafts"]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import asdict, dataclass
 from functools import partial
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from crankstar.cli.options import (
     FLAT,
@@ -15,9 +15,13 @@ from crankstar.cli.options import (
     option,
     together,
 )
-from crankstar.cli.output import progress, working, writable, write_result
+from crankstar.cli.output import complain, progress, working, writable, write_result
 from crankstar.language.messages import _
 from crankstar.options.forms import form_of, refuse_terminal, require, usual_place
+
+if TYPE_CHECKING:
+    from crankstar.engine.engine import Engine
+    from crankstar.pictures.drawings import Picture
 
 
 @dataclass(frozen=True)
@@ -64,6 +68,7 @@ def draw(
 
         content = still(drawing(loaded.engine, picture, theta=angle), kind)
     write_result(content, output, usual)
+    _tell_absent(loaded.engine, picture)
 
 
 def animate(
@@ -83,6 +88,7 @@ def animate(
     from crankstar.pictures import options as request
     from crankstar.pictures.films import FILMS, film
     from crankstar.pictures.motions import turns_of
+    from crankstar.search.interrupts import ended_once
 
     usual = usual_place(engine, kind="gif")
     refuse_terminal(output, FILMS)
@@ -97,7 +103,7 @@ def animate(
     pace = request.pace(
         kind, seconds=seconds, rate=frames_per_second, turns=turns_of(loaded.engine)
     )
-    with progress(_("Drawing")) as tell:
+    with ended_once(), progress(_("Drawing")) as tell:
         content = film(
             loaded.engine,
             kind,
@@ -106,3 +112,15 @@ def animate(
             tell=lambda done, of: tell(done, of, f"{done}/{of}"),
         )
     write_result(content, output, usual)
+    _tell_absent(loaded.engine, picture)
+
+
+def _tell_absent(engine: Engine, picture: Picture) -> None:
+    """Say of which orders that are asked for there is nothing, as the tables do."""
+    if picture.orders is None or not picture.arrows:
+        return
+    from crankstar.pictures.arrows import absent
+    from crankstar.tables.by_order import none_line
+
+    for line in none_line(absent(engine, picture.arrows, picture.orders)):
+        complain(line)

@@ -31,8 +31,9 @@ def site(
     require("chart")
     require("film")
     if output is not None and output in STANDARD_OUTPUT:
-        raise refusal("-o", output, "name a directory")
+        raise refusal("-o", "-", "name a directory")
     place = Path(USUAL if output is None else output)
+    from crankstar.search.interrupts import ended_once
     from crankstar.site.building import build, check_place
     from crankstar.site.pages import Subject, card_of
 
@@ -48,7 +49,7 @@ def site(
         raise RequestError(
             "two engines would have the page {name}; rename one of the files", name=twice[0]
         )
-    with progress(_("Drawing")) as tell:
+    with ended_once(), progress(_("Drawing")) as tell:
         build(subjects, place, tell=tell)
     complain(
         _n(

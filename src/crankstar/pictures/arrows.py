@@ -97,6 +97,18 @@ def load_of(
     return Load(tuple(arrows), tuple(values))
 
 
+def absent(engine: Engine, kinds: Sequence[Kind], orders: Sequence[float]) -> list[float]:
+    """Of these orders those of which nothing of these kinds remains.
+
+    >>> from crankstar.files.catalog import load
+    >>> absent(load("i4"), KINDS, [1.0, 2.0, 999.0])
+    [1.0, 999.0]
+    """
+    sums = remains.summed(balance(engine, speed=engine.speed))
+    left = {order for kind in kinds for order in remains.ranked(getattr(sums, kind), orders)[0]}
+    return [order for order in orders if order not in left]
+
+
 def _among(order: float, orders: Sequence[float]) -> bool:
     return any(abs(order - other) < 1e-6 for other in orders)
 

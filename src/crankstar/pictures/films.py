@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import io
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from itertools import pairwise
 from math import pi
@@ -153,14 +154,18 @@ def _mp4(shown: Iterable[Any], size: tuple[int, int], rate: float) -> bytes:
             codec="libx264",
             macro_block_size=2,
             quality=None,
+            ffmpeg_log_level="quiet",
             output_params=["-crf", "18", "-preset", "medium", "-movflags", "+faststart"],
         )
-        writer.send(None)
         try:
+            writer.send(None)
             for each in shown:
                 writer.send(each.tobytes())
-        finally:
-            writer.close()
+        except BaseException as error:  # an interrupt ends ffmpeg at once
+            with suppress(BaseException):
+                writer.throw(error)
+            raise
+        writer.close()
         return place.read_bytes()
 
 

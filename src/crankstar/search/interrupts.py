@@ -51,6 +51,37 @@ def terminated_in_order() -> Iterator[None]:
 
 
 @contextmanager
+def ended_once() -> Iterator[None]:
+    """Have the first Ctrl-C or SIGTERM end what is inside; later ones do not break its tidying up.
+
+    Ctrl-C raises KeyboardInterrupt; after SIGTERM the process ends as usual. Dispositions of the
+    program's own are left alone. After an interrupt more of them stay ignored: the process ends.
+    """
+    usual = {signal.SIGINT: signal.default_int_handler, signal.SIGTERM: signal.SIG_DFL}
+    before = {number: default for number, default in usual.items() if _is_default(number, default)}
+
+    def end(number: int, _frame: object) -> None:
+        for each in before:
+            signal.signal(each, signal.SIG_IGN)
+        raise Terminated if number == signal.SIGTERM else KeyboardInterrupt
+
+    for number in before:
+        signal.signal(number, end)
+    try:
+        yield
+    except Terminated:
+        pass
+    else:
+        return
+    finally:
+        for number, handler in before.items():
+            if number == signal.SIGTERM or signal.getsignal(number) is end:
+                signal.signal(number, handler)
+    gc.collect()  # semaphores are given back when they are collected
+    signal.raise_signal(signal.SIGTERM)
+
+
+@contextmanager
 def signals_noted() -> Iterator[threading.Event]:
     """An event that is set when the process is to stop, by Ctrl-C or SIGTERM.
 

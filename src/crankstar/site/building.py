@@ -1,28 +1,37 @@
-"""A whole site: its engines in processes side by side, beside its place, then moved there."""
+"""A whole site: its engines in processes side by side, beside its place, then moved there.
+
+A site that is there is updated file by file: its own list says which files are crankstar's.
+"""
 
 from __future__ import annotations
 
+import json
 import os
 import shutil
 import signal
 import tempfile
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
+from contextlib import contextmanager
 from hashlib import sha256
 from multiprocessing import get_context
-from pathlib import Path
+from pathlib import Path, PurePosixPath
+from urllib.parse import quote
 
 from crankstar.language.messages import MessageError, language, speak
 from crankstar.language.quoting import one_line
 from crankstar.language.shown_units import Choice, choice, shown_in
 from crankstar.page.standalone import BUNDLE, SHARED_POLICY, PageError, plain_script
+from crankstar.search.interrupts import held_back
 from crankstar.site.gallery import Gallery, html, style
 from crankstar.site.pages import Subject, card_of, files_of, picture_of, write
 
 PROCESSES = 2
 INDEX = "index.html"
+LIST = "crankstar-site.json"
+"""The files of a site, for the next one in its place."""
 MARK = '<meta name="generator" content="crankstar">'
-"""In the index of a site, so that it may be replaced."""
+"""In the index of a site, by which it is known."""
 GREATEST_PAGE = 2_000_000
 """Bytes."""
 Tell = Callable[[int, int, str], None]
@@ -42,30 +51,31 @@ def check_place(place: Path) -> None:
     if not place.exists() and not place.is_symlink():
         return
     if not place.is_dir():
-        raise SiteError("{folder} is not a directory; name another", folder=one_line(str(place)))
+        raise SiteError(
+            "{folder} is not a directory; name a directory", folder=one_line(str(place))
+        )
     index = place / INDEX
     ours = index.is_file() and MARK in index.read_text(encoding="utf-8", errors="replace")[:2000]
     if any(place.iterdir()) and not ours:
         raise SiteError(
-            "{folder} holds other files, which would be lost; name a directory that is empty or "
-            "that is a site of crankstar",
+            "{folder} holds other files; name a directory that is empty or that is a site of "
+            "crankstar",
             folder=one_line(str(place)),
         )
 
 
 def build(subjects: Sequence[Subject], place: Path, *, tell: Tell) -> None:
-    """Write a site, all of it or nothing. Raises SiteError, EngineFileError, PageError, OSError."""
+    """Write a site, whole or not at all. Raises SiteError, EngineFileError, PageError, OSError."""
     place = place.resolve()
     check_place(place)
-    draft = Path(tempfile.mkdtemp(dir=place.parent, prefix=f".{place.name[:50]}."))
-    try:
+    with _draft(place) as draft:
         script = _shared(draft)
         cards = [card_of(subject) for subject in subjects]
         _engines(subjects, draft, script=script, tell=tell)
         names = {card.name: card for card in cards}
         gallery = Gallery(
             cards=[*names.values()],
-            picture=picture_of,
+            picture=lambda name, look: quote(picture_of(name, look)),
             style="gallery.css",
             script="gallery.js",
             policy=SHARED_POLICY,
@@ -73,9 +83,16 @@ def build(subjects: Sequence[Subject], place: Path, *, tell: Tell) -> None:
         write(draft, INDEX, html(gallery).encode())
         draft.chmod(0o755)
         _moved(draft, place)
-    except BaseException:
+
+
+@contextmanager
+def _draft(place: Path) -> Iterator[Path]:
+    """A directory beside a place, gone at the end unless it has been moved there."""
+    draft = Path(tempfile.mkdtemp(dir=place.parent, prefix=f".{place.name[:50]}."))
+    try:
+        yield draft
+    finally:
         shutil.rmtree(draft, ignore_errors=True)
-        raise
 
 
 def _shared(draft: Path) -> str:
@@ -108,14 +125,15 @@ def _engines(subjects: Sequence[Subject], draft: Path, *, script: str, tell: Tel
         count, get_context("spawn"), initializer=_begin, initargs=(language(), choice())
     )
     try:
-        work = {pool.submit(_engine, subject, draft, script): subject for subject in subjects}
+        with held_back():  # processes begin as work is given
+            work = {pool.submit(_engine, subject, draft, script): subject for subject in subjects}
         for done, each in enumerate(as_completed(work)):
             each.result()
             tell(done + 1, len(subjects), work[each].name)
     except BaseException:
-        pool.shutdown(wait=False, cancel_futures=True)
-        for process in (pool._processes or {}).values():  # what is begun is not waited for
+        for process in [*(pool._processes or {}).values()]:  # what is begun is not waited for
             process.terminate()
+        pool.shutdown(cancel_futures=True)
         raise
     pool.shutdown()
 
@@ -133,17 +151,46 @@ def _engine(subject: Subject, draft: Path, script: str) -> None:
         write(draft, place, contents)
 
 
+def _listed(place: Path) -> list[str]:
+    """The files of the site that is there by its own list; none where the list cannot be read."""
+    try:
+        files = json.loads((place / LIST).read_bytes())["files"]
+    except (OSError, ValueError, KeyError, TypeError):
+        return []
+    if not isinstance(files, list):
+        return []
+    return [file for file in files if isinstance(file, str) and _is_inside(file, place)]
+
+
+def _is_inside(file: str, place: Path) -> bool:
+    """Whether a file of a list lies in the site, so that no list can name others."""
+    path = PurePosixPath(file)
+    if path.is_absolute() or not path.name or ".." in path.parts or "\0" in file:
+        return False
+    return (place / path).parent.resolve().is_relative_to(place)
+
+
+def _list(files: Iterable[str]) -> bytes:
+    return f"{json.dumps({'files': sorted(files)}, indent=1)}\n".encode()
+
+
 def _moved(draft: Path, place: Path) -> None:
-    """Put a complete site in its place; one that was there goes when the new one is."""
+    """Put a complete site in its place, file by file where one is; other files are left alone.
+
+    The list names old and new files until the old ones are gone, the index comes after its pages.
+    """
+    new = {path.relative_to(draft).as_posix() for path in draft.rglob("*") if path.is_file()}
+    new.add(LIST)
     if not place.exists():
+        write(draft, LIST, _list(new))
         draft.rename(place)
         return
-    old = Path(tempfile.mkdtemp(dir=place.parent, prefix=f".{place.name[:50]}."))
-    place.rename(old / place.name)
-    try:
-        draft.rename(place)
-    except BaseException:
-        (old / place.name).rename(place)
-        raise
-    finally:
-        shutil.rmtree(old, ignore_errors=True)
+    old = {*_listed(place)} - new
+    write(draft, LIST, _list({*old, *new}))
+    for file in (LIST, *sorted(new - {LIST, INDEX}), INDEX):
+        (place / file).parent.mkdir(parents=True, exist_ok=True)
+        (draft / file).replace(place / file)
+    for file in old:
+        (place / file).unlink(missing_ok=True)
+    write(draft, LIST, _list(new))
+    (draft / LIST).replace(place / LIST)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
+from urllib.parse import quote
 
 from crankstar.engine.engine import Engine
 from crankstar.files import engine_of
@@ -34,7 +35,7 @@ def card_of(subject: Subject) -> Card:
         str(subject.tree.get("layout", {}).get("type", "explicit")),
         len(engine.chambers),
         "two-stroke" if engine.cycle_angle == 360 else "four-stroke",
-        page_of(subject.name),
+        quote(page_of(subject.name)),
     )
 
 
