@@ -14,8 +14,10 @@ from tests.commands import Ran, Run, replaced
 
 from crankstar import cli
 
-WRITTEN = re.compile(r"^(Wrote |Replaced |Estimated: |Записан файл ).*\n", re.MULTILINE)
-"""The lines on standard error that name a file once it is written, and what in it is estimated."""
+WRITTEN = re.compile(
+    r"^(Wrote |Replaced |Estimated: |None of orders? |Записан файл ).*\n", re.MULTILINE
+)
+"""Lines on standard error of a success: a file written, what in it is estimated or not there."""
 
 
 @pytest.fixture
