@@ -37,6 +37,8 @@ FOUND = r"""() => {
         const node = walker.currentNode
         const element = node.parentElement
         if (!node.data.trim() || element.closest(APART)) continue
+        // said to those who listen, not shown
+        if (lineage(element).some(one => style(one).clipPath === 'inset(50%)')) continue
         if (!element.checkVisibility({ visibilityProperty: true, opacityProperty: true })) continue
         texts.push({ node, element, above: lineage(element), words: node.data.trim() })
     }

@@ -53,6 +53,7 @@ def test_a_page_is_redrawn_when_its_file_is_saved_and_tells_mistakes(
     page.reload()
     page.evaluate(READY)
     assert handle(page, "read().pistons") == before
+    page.goto("about:blank")  # before its server ends
 
 
 def test_a_saved_file_takes_the_place_of_what_was_edited_on_the_page(
@@ -66,6 +67,7 @@ def test_a_saved_file_takes_the_place_of_what_was_edited_on_the_page(
     save(file, RIGHT.replace("Mine", "Saved"))
     expect(page.get_by_role("heading", level=1)).to_have_text("Saved")
     expect(name).to_have_value("Saved")
+    page.goto("about:blank")  # before its server ends
 
 
 def test_a_server_of_the_catalog_watches_nothing(server: Server) -> None:

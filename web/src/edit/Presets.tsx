@@ -21,7 +21,6 @@ export function Presets({ bench }: { bench: Bench }) {
             <button
               key={preset.key}
               type="button"
-              title={preset.tree.name as string}
               onClick={() => {
                 session.replace(preset.tree as Tree)
                 session.note.value = t('{what} is now in the form.', {
