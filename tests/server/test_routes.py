@@ -212,9 +212,11 @@ def test_names_in_addresses_do_not_lead_out_of_the_catalog(server: Server) -> No
 
 
 def test_the_workshop_offers_what_the_package_offers(server: Server) -> None:
-    answer = server.ask("api/workshop", {"engine": "i4", "cylinders": 5})
+    answer = server.ask("api/arrangements", {"engine": "i4", "cylinders": 5})
     assert answer.json == workshop(catalog.tree_of("i4")[1], cylinders=5).model_dump(mode="json")
-    assert server.ask("api/workshop", {"engine": "v8-cross-plane", "cylinders": 9}).status == 422
+    assert (
+        server.ask("api/arrangements", {"engine": "v8-cross-plane", "cylinders": 9}).status == 422
+    )
     curves = server.ask("api/sliders", {"engine": "v2-90"}).json["sliders"]
     assert curves[0]["key"] == "layout.bank_angle"
     assert {preset["key"] for preset in server.ask("api/presets").json} >= {"single", "v8-cross"}

@@ -253,7 +253,9 @@ async def estimate(request: Request, question: messages.EngineQuestion) -> Respo
     return await _answer(request, tasks.estimate, bounded(question.engine))
 
 
-@answering("POST", "/workshop", WorkshopShown, "What can be changed in an engine", tag="workshop")
+@answering(
+    "POST", "/arrangements", WorkshopShown, "What can be changed in an engine", tag="workshop"
+)
 async def workshop(request: Request, question: messages.WorkshopQuestion) -> Response:
     """The engine, with another number of cylinders if one is given: throws, banks, firing order.
 

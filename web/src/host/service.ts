@@ -25,7 +25,7 @@ export const service: Service = {
   engine: (name) => requested<Tree>(`catalog/${encodeURIComponent(name)}`),
   exhibit: (tree, signal) => post<Exhibit>('exhibit', { engine: tree }, signal),
   workshop: (tree, cylinders, signal) =>
-    post<WorkshopShown>('workshop', { engine: tree, cylinders: cylinders ?? null }, signal),
+    post<WorkshopShown>('arrangements', { engine: tree, cylinders: cylinders ?? null }, signal),
   sliders: (tree, units, signal) =>
     post<SlidersShown>('sliders', { engine: tree, units: units || null }, signal),
   presets: () => required(requested<Preset[]>('presets')),
