@@ -55,9 +55,11 @@ DRIVER = re.compile(r"^\[\.WebGL-0x[0-9a-f]+\]GL Driver Message \(OpenGL, Perfor
 SETTLED = """async () => {
     await new Promise(done => requestAnimationFrame(() => setTimeout(done)))
     const pages = [...document.querySelectorAll('*')].map(element => element.crankstar)
-    await Promise.allSettled(pages.map(page => page?.settled()))
+    const late = new Promise((_, fail) => setTimeout(
+        () => fail(new Error('the page draws itself again and again and does not settle')), 60000))
+    await Promise.race([late, Promise.allSettled(pages.map(page => page?.settled()))])
 }"""
-"""The next frame is there, and our pages have drawn all that was begun."""
+"""The next frame is there, and our pages have drawn all that was begun; an error after a minute."""
 READINGS = {
     Locator: (
         "all",

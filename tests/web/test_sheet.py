@@ -34,6 +34,10 @@ WRITTEN = """(() => {
 })()"""
 """Texts are kept with the canvas they are written on, each with its box, pixels."""
 TEXTS = "() => document.querySelector('.canvas canvas[aria-hidden]').texts"
+CANVAS = """() => [
+  document.querySelector('.canvas').clientHeight,
+  document.querySelectorAll('input[name$=camera][value=sheet]').length]"""
+"""Height of the stage, and whether the sheet can be chosen."""
 OFTEN = ("napier-deltic", "v8-cross-plane")
 
 
@@ -173,3 +177,18 @@ def test_the_paths_of_the_whirl_stand_beside_the_engine_and_say_how_much_is_exag
         assert stage["x"] + pane["x"] + pane["width"] <= box["x"]
     texts = [text for text, _ in inset.evaluate("canvas => canvas.texts")]
     assert texts[-1] == "exaggerated × 250"
+
+
+@pytest.mark.parametrize("language", [pytest.param("en", marks=pytest.mark.long), "ru"])
+def test_a_window_of_any_height_comes_to_rest(language: str, built_page: Build, page: Page) -> None:
+    """The switches of the sheet take the height that decides whether there is a sheet."""
+    page.set_viewport_size({"width": 1280, "height": 900})
+    opened(page, built_page("v8-flat-plane"), f"a=0&lang={language}")
+    views = set()
+    for height in range(900, 600, -12):
+        page.set_viewport_size({"width": 1280, "height": height})
+        before = page.evaluate(CANVAS)  # once the page has settled
+        page.wait_for_timeout(60)
+        assert page.evaluate(CANVAS) == before, height
+        views.add(before[1])
+    assert views == {0, 1}

@@ -34,9 +34,12 @@ export function viewOf({ store, dark, sight }: App, theta: number): View {
 
 /** The least stage that has room for four views, pixels. */
 const ROOM = { width: 560, height: 380 }
+/** What the rows of switches above may take from the stage when the four views become a choice. */
+const ROWS = 90
 
-function hasRoom({ clientWidth, clientHeight }: HTMLElement): boolean {
-  return clientWidth >= ROOM.width && clientHeight >= ROOM.height
+/** Whether four views have room; those that are there stay, although their switches cost height. */
+function hasRoom({ clientWidth, clientHeight }: HTMLElement, there: boolean): boolean {
+  return clientWidth >= ROOM.width && clientHeight >= ROOM.height - (there ? ROWS : 0)
 }
 
 /** One of the engines shown, on a stage of its own. */
@@ -55,7 +58,7 @@ export function StageView({
     const first = app.shown.peek()[index]
     if (!element || !first) return undefined
     // before the first frame, so that what is seen first stays
-    if (index === 0) set(app.roomy, hasRoom(element))
+    if (index === 0) set(app.roomy, hasRoom(element, false))
     const stage = createStage(element, first, app.host.exhibition.stroke_colours, app.clock.refresh)
     made(index, stage)
     let current = first
@@ -79,7 +82,7 @@ export function StageView({
       }),
     ]
     const sized = new ResizeObserver(() => {
-      if (index === 0) set(app.roomy, hasRoom(element))
+      if (index === 0) set(app.roomy, hasRoom(element, app.roomy.peek()))
       stage.resize()
       app.clock.refresh()
     })
