@@ -5,6 +5,7 @@
 
 import os
 import signal
+from collections import Counter
 from collections.abc import Iterator
 
 import pytest
@@ -27,6 +28,20 @@ settings.register_profile(
 settings.register_profile("long", settings.get_profile("default"), max_examples=300)
 settings.register_profile("explore", settings.get_profile("long"), derandomize=False)
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "default"))
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """What is tried of many cases: the first ones always, the others by `make test-long`."""
+    seen: Counter[str] = Counter()
+    for item in items:
+        many = item.get_closest_marker("many")
+        if many is None or item.get_closest_marker("long"):
+            continue
+        test = item.nodeid.partition("[")[0]
+        seen[test] += 1
+        if seen[test] > many.kwargs["first"]:
+            item.add_marker("long")
 
 
 @pytest.fixture

@@ -910,6 +910,7 @@ def test_a_file_that_is_read_is_not_written_over_however_it_is_named(
         assert "would be lost" in refused("balance", file, option)
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("columns", ["1", "9" * 20, "abc"])
 def test_help_is_printed_in_any_width(columns: str) -> None:
     for words in (["--help"], ["analyze", "--help"]):

@@ -47,6 +47,7 @@ def weighted(run: Run, tmp_path: Path) -> str:
     return str(place)
 
 
+@pytest.mark.many(first=4)
 @pytest.mark.parametrize("words", VERBS, ids=" ".join)
 def test_what_is_printed_in_newtons_or_grams_is_marked(
     words: tuple[str, ...], run: Run, weighted: str
@@ -61,6 +62,7 @@ def test_what_is_printed_in_newtons_or_grams_is_marked(
     assert [block for block in weighed if "estimated" not in block] == []
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("words", TABLES, ids=" ".join)
 def test_what_is_written_for_machines_has_its_range(
     words: tuple[str, ...], run: Run, weighted: str
@@ -113,6 +115,7 @@ def test_an_estimate_without_an_engine_has_no_effect_on_a_measured_unbalance(
     assert "--estimate has no effect with --unbalance" in told
 
 
+@pytest.mark.long
 def test_a_length_that_replaces_its_estimate_leaves_what_moved_with_it(
     run: Run, tmp_path: Path
 ) -> None:

@@ -457,6 +457,7 @@ def test_an_estimated_engine_is_searched_in_newtons_and_says_so(
     assert "has no effect without an engine" in refused("search", "7", "--estimate")
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("unit", ["rpm", "RPM", "Rpm"])
 def test_revolutions_per_minute_are_read_in_any_case(run: Run, unit: str) -> None:
     assert (

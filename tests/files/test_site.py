@@ -142,6 +142,7 @@ def pages_tree(name: str) -> dict[str, object]:
     return tree_of(name)[1]
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.usefixtures("interruptible")
 @pytest.mark.parametrize("sent", [[signal.SIGINT], [signal.SIGINT] * 3, [signal.SIGTERM]])
 def test_a_site_that_is_interrupted_leaves_nothing(tmp_path: Path, sent: list[int]) -> None:

@@ -189,6 +189,7 @@ def test_the_vertical_moment_is_paid_for_with_the_horizontal_one(name: str, shar
     assert found.bound == pytest.approx(found.value, abs=1e-6)
 
 
+@pytest.mark.long
 def test_no_weights_of_a_minimisation_by_hand_have_a_smaller_vertical_moment() -> None:
     from scipy.optimize import minimize
 

@@ -379,6 +379,7 @@ def test_a_quantity_without_derivation_is_told_in_a_sentence(quantity: Any) -> N
         derivation(catalog.load("i4"), 2, quantity)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("count", "part", "bearings"),
     [

@@ -306,6 +306,7 @@ def test_nothing_to_draw_is_said(
     assert words in words_of(picture)
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     "name",
     [

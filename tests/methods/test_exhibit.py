@@ -645,6 +645,7 @@ def test_a_notebook_is_answered_for_the_engine_that_it_asks_about() -> None:
         assert notebook.answer(subjects, wrong)["sentence"].startswith("The notebook cannot answer")
 
 
+@pytest.mark.long
 def test_all_engines_have_a_name_for_every_line_under_it() -> None:
     for name in names():
         shown = told(name)

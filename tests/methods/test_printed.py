@@ -319,6 +319,7 @@ def test_derivations_of_the_catalog_are_true_as_they_are_printed(name: str) -> N
             checked(catalog.load(name), order, quantity)
 
 
+@pytest.mark.long
 @settings(max_examples=15)
 @given(st.data(), short_engines(), st.sampled_from(["force", "couple"]))
 def test_derivations_of_engines_with_short_numbers_are_true_as_they_are_printed(

@@ -66,6 +66,7 @@ def numbers(request: Request, count: int) -> np.ndarray:
     return np.linspace(request[2], request[3], count)
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(("name", "first", "second", "lawful"), PAIRS, ids=str)
 def test_engines_over_two_numbers_are_those_built_one_by_one(
     name: str, first: Request, second: Request, lawful: bool
@@ -372,6 +373,7 @@ def test_steps_end_at_the_end_of_the_range_or_before_it() -> None:
     assert values("layout.throws[2]=90..0 deg by -30 deg") == [90, 60, 30, 0]
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     "over",
     [

@@ -70,6 +70,7 @@ def filled(place: Path) -> list[float]:
     return out
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("name", ENGINES)
 def test_a_report_has_few_pages_and_no_half_empty_ones(
     name: str, chromium: str, tmp_path: Path
@@ -86,6 +87,7 @@ def test_a_report_has_few_pages_and_no_half_empty_ones(
         assert lines[0].startswith(title[:30]) or number == 1
 
 
+@pytest.mark.long
 def test_the_contents_name_the_pages_of_the_sections(chromium: str, tmp_path: Path) -> None:
     pages = text_of(on_paper("i4", chromium, tmp_path))
     listed = re.findall(
@@ -145,6 +147,7 @@ def test_only_the_full_report_has_derivations_and_the_engine_file() -> None:
     assert "crankstar report --full" not in full
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("language", "words"),
     [

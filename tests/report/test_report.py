@@ -42,6 +42,7 @@ def written(name: str) -> str:
     return report(subject(name))
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("name", ENGINES)
 def test_a_report_is_well_formed_and_nothing_in_it_can_run_or_be_fetched(name: str) -> None:
     read = Reader(written(name))
@@ -201,6 +202,7 @@ def test_where_two_crankshafts_turn_against_each_other_counterweights_take_both_
         assert abs(left.forward[0]) + abs(left.backward[0]) < 1e-9
 
 
+@pytest.mark.long
 def test_a_long_table_may_run_over_pages_and_a_lone_cylinder_has_no_millimetres() -> None:
     columns = (Column("a"), Column("b"))
     assert 'class="table short"' in part_html(Table("", columns, ((1.0, 2.0),) * 8))

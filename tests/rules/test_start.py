@@ -65,6 +65,7 @@ finally:
 """
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize(
     "command",
     [pytest.param(command, marks=[pytest.mark.long] * (command in SELDOM)) for command in MAY_LOAD],

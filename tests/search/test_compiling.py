@@ -21,6 +21,7 @@ print(doubled(21))
 """
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("disk", ["full", "unwritable", "ready"])
 def test_a_loop_is_compiled_whatever_becomes_of_its_cache(disk, tmp_path: Path):
     script, cache = tmp_path / "doubled.py", tmp_path / "cache"

@@ -153,6 +153,7 @@ def test_the_answer_is_the_same_after_several_attempts(monkeypatch, two, answers
     assert all(p.seconds_left is None or p.seconds_left >= 0 for p in told)
 
 
+@pytest.mark.long
 def test_a_lost_process_of_this_machine_changes_nothing(middle):
     others, killed = set(active_children()), []
 
@@ -415,6 +416,7 @@ def test_ctrl_c_ends_at_once_and_quietly_and_nothing_is_lost(workers, tmp_path, 
     assert told[0].done > 32
 
 
+@pytest.mark.long
 def test_a_search_killed_in_the_middle_goes_on_and_leaves_no_processes(tmp_path, fifteen):
     path = tmp_path / "file"
     with started("2", path) as process:

@@ -86,6 +86,7 @@ def test_a_spoilt_engine_is_answered_or_refused_in_sentences(seeds: range) -> No
     assert 0 < good < len(seeds)
 
 
+@pytest.mark.many(first=2)
 @API.parametrize()
 @settings(max_examples=100 if LONG else 8, suppress_health_check=PATIENT, deadline=None)
 def test_whatever_the_description_allows_is_answered_as_it_says(case: Any, server: Server) -> None:

@@ -142,6 +142,7 @@ def test_a_search_that_takes_too_long_for_a_page_is_not_begun(
     )
 
 
+@pytest.mark.long
 def test_searches_are_stopped_with_what_they_have_and_only_so_many_run_at_once() -> None:
     with serving() as server:
         first, second = begun(server, LONG), begun(server, LONG)

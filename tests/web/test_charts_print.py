@@ -62,11 +62,13 @@ def assert_clear(drawings: dict[str, str], page: Page) -> list[Measured]:
     return seen
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("name", ENGINES)
 def test_no_text_of_a_chart_stands_on_another_or_is_cut(name: str, page: Page) -> None:
     assert_clear(pictures(crankstar.load(name)), page)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "name", ["v8-cross-plane", pytest.param("napier-deltic", marks=pytest.mark.long)]
 )
@@ -158,6 +160,7 @@ TALL = (
 """Charts that are taller than 110 mm with letters of 10 pt."""
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     "paper",
     [

@@ -14,6 +14,8 @@ import yaml
 from playwright.sync_api import Page
 from tests.web.browsing import too_wide
 
+pytestmark = pytest.mark.long
+
 ROOT = Path(__file__).parents[2]
 BUILT = ROOT / ".venv" / "site"
 TELEPHONE = 400

@@ -284,6 +284,7 @@ def test_the_explicit_form_is_the_same_engine_part_by_part(editing: Page) -> Non
     expect(field(editing, "edit:shaft[1].weight[1].unbalance")).to_be_visible()
 
 
+@pytest.mark.long
 def test_every_key_of_the_schema_has_a_field(editing: Page, server: Server) -> None:
     schema = server.ask("api/schema").json
     for _ in range(2):  # what was folded holds folds itself
@@ -462,6 +463,7 @@ def test_fitting_puts_weights_on_and_undo_takes_them_off(editing: Page) -> None:
     eventually(lambda: "crankshaft" in on_stage(editing)["file"], False)
 
 
+@pytest.mark.long
 def test_the_editor_and_its_search_can_be_read_and_used(editing: Page) -> None:
     for colours in COLOURS:
         editing.emulate_media(color_scheme=colours)

@@ -34,6 +34,7 @@ def tabs(page: Page) -> list[Locator]:
     return page.get_by_role("tab").all()
 
 
+@pytest.mark.long
 def test_no_panel_reaches_over_an_edge(built_page: Build, page: Page) -> None:
     opened(page, built_page(ENGINE, figures=True))
     found = {}
@@ -46,6 +47,7 @@ def test_no_panel_reaches_over_an_edge(built_page: Build, page: Page) -> None:
     assert {name: told for name, told in found.items() if told} == {}
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     ("language", "width"),
     [

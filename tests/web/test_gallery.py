@@ -67,6 +67,7 @@ def test_one_goes_to_an_engine_by_keyboard_and_back_to_what_was_left(gallery: Pa
     assert gallery.locator(".cards li:visible").count() == len(names())
 
 
+@pytest.mark.long
 def test_pictures_that_are_seen_turn_unless_less_motion_is_wished(gallery: Page) -> None:
     first = gallery.locator("img").first
     expect(first).to_have_js_property("naturalWidth", 240)
@@ -94,6 +95,7 @@ def test_the_gallery_is_for_everyone(gallery: Page) -> None:
     assert {name: told for name, told in found.items() if told} == {}
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(("language", "heading"), [("ja", "エンジン"), ("ru", "Двигатели")])
 def test_the_gallery_speaks_other_languages(
     page: Page, server: Server, language: str, heading: str
@@ -146,6 +148,7 @@ def test_pictures_are_of_the_catalog_and_of_nothing_else(
         assert answer.body[8:12] == b"WEBP"
 
 
+@pytest.mark.long
 def test_a_miniature_is_small(server: Server) -> None:
     sizes = {
         name: max(len(server.ask(f"pictures/{name}{look.suffix}").body) for look in LOOKS)

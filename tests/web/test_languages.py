@@ -113,6 +113,7 @@ def through_dialogs(page: Page, seen: Seen) -> None:
     seen.read(page)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("language", ["ja", pytest.param("ru", marks=pytest.mark.long)])
 def test_no_english_is_left_on_a_page_in_another_language(language: str, browser: Browser) -> None:
     seen, complaints = Seen([], {EXAMPLE}), list[str]()

@@ -19,9 +19,9 @@ ENGINE = "v8-cross-plane"
 WIDE, MIDDLE, NARROW, NARROWEST = 1440, 1024, 390, 320
 LONG = pytest.mark.long
 SERVED = [
+    ("ru", (WIDE, MIDDLE, NARROW)),
     ("en", (WIDE, NARROW)),
     ("ja", (WIDE, NARROW)),
-    ("ru", (WIDE, MIDDLE, NARROW)),
     *(pytest.param(language, (MIDDLE, NARROWEST), marks=LONG) for language in LANGUAGES),
 ]
 """Russian has the longest words."""
@@ -95,6 +95,7 @@ def served(browser: Browser, language: str, width: int) -> Iterator[Page]:
     assert complaints == []
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(("language", "widths"), SERVED)
 def test_nothing_overflows_on_a_served_page(
     language: str, widths: tuple[int, ...], browser: Browser
@@ -103,6 +104,7 @@ def test_nothing_overflows_on_a_served_page(
         assert faults(page, widths) == {}
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("widths", [(NARROW,), pytest.param((WIDE, NARROWEST), marks=LONG)])
 def test_nothing_overflows_on_the_page_of_a_file(
     widths: tuple[int, ...], built_page: Callable[..., Path], page: Page
@@ -115,6 +117,7 @@ def test_nothing_overflows_on_the_page_of_a_file(
         assert faults(page, widths) == {}, language
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("style", BREAKAGES.values(), ids=BREAKAGES)
 def test_a_text_that_overflows_is_found(
     style: str, built_page: Callable[..., Path], page: Page

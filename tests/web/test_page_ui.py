@@ -121,6 +121,7 @@ def test_the_dot_in_the_table_is_where_the_vector_points(built_page: Build, page
 CENTRES = "all => all.map(one => [one.cx.baseVal.value, one.cy.baseVal.value])"
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("name", [CROSS, pytest.param("kr250-racer", marks=pytest.mark.long)])
 def test_loads_on_bearings_are_those_of_python_at_every_angle(
     name: str, built_page: Build, page: Page

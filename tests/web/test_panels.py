@@ -25,6 +25,7 @@ DRAWN = """() =>
 })"""
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("width", [1440, 1024, 390])
 def test_tabs_stand_in_one_row_and_the_chosen_one_is_seen(
     width: int, built_page: Build, page: Page

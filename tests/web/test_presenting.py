@@ -162,6 +162,7 @@ def test_where_it_is_low_the_engine_stands_beside_its_panel(
     assert barriers(page) == []
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("tab", ["orders", "stars"])
 def test_it_prints_one_sheet_and_what_else_is_open(
     tab: str, built_page: Build, page: Page, tmp_path: Path

@@ -43,6 +43,7 @@ def seen(page: Page) -> bytes:
     return stage(page).screenshot()
 
 
+@pytest.mark.long
 def test_every_camera_draws_something_else_and_comes_back_to_the_same(
     built_page: Build, page: Page
 ) -> None:
@@ -60,6 +61,7 @@ def test_every_camera_draws_something_else_and_comes_back_to_the_same(
     assert len(set(pictures.values())) == len(descriptions) == 5
 
 
+@pytest.mark.long
 def test_what_changes_is_drawn_and_what_does_not_is_not_drawn_again(
     built_page: Build, page: Page
 ) -> None:
@@ -202,6 +204,7 @@ PAPER = """() => {
 """The share of the printed picture that is painted, and how many other canvases are printed."""
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("theme", ["light", pytest.param("dark", marks=pytest.mark.long)])
 def test_what_is_printed_shows_the_engine(theme: str, built_page: Build, page: Page) -> None:
     page.add_init_script(CARD)

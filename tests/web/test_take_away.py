@@ -234,6 +234,7 @@ def small(page: Page, path: Path, state: str, *, seconds: float) -> Locator:
     return window
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("kind", ["webm", pytest.param("mp4", marks=pytest.mark.long)])
 def test_a_film_is_one_turn_that_ends_where_it_began(
     kind: str, built_page: Build, page: Page, tmp_path: Path
@@ -265,6 +266,7 @@ def _base64(place: Path) -> str:
     return b64encode(place.read_bytes()).decode()
 
 
+@pytest.mark.long
 def test_a_gif_is_the_turn_without_a_seam_and_the_page_is_as_before(
     built_page: Build, page: Page, tmp_path: Path
 ) -> None:
@@ -285,6 +287,7 @@ def test_a_gif_is_the_turn_without_a_seam_and_the_page_is_as_before(
     assert step[-1] < 2 * float(np.median(step))
 
 
+@pytest.mark.long
 def test_a_film_can_be_cancelled(built_page: Build, page: Page) -> None:
     window = small(page, built_page(ENGINE), "a=40&camera=front", seconds=30)
     window.locator("[data-file=gif]").click()
@@ -336,6 +339,7 @@ def test_a_file_page_works_in_a_frame_at_the_view_of_its_code(
     expect(frame.locator(".canvas canvas").first).to_be_visible()
 
 
+@pytest.mark.long
 def test_the_server_sends_files_and_cannot_be_framed(
     server: Server, page: Page, tmp_path: Path
 ) -> None:
@@ -357,6 +361,7 @@ def test_the_server_sends_files_and_cannot_be_framed(
     assert "frame-ancestors 'none'" in heads["content-security-policy"]
 
 
+@pytest.mark.long
 def test_the_dialog_is_for_everyone(built_page: Build, page: Page) -> None:
     opened(page, built_page(ENGINE, figures=True), "a=40&tab=stars")
     page.get_by_role("button", name="Export").focus()

@@ -22,6 +22,7 @@ LAYOUTS = [
 ]
 
 
+@pytest.mark.long
 def test_it_plays_when_it_is_opened_and_stops_and_plays_again(
     built_page: Build, page: Page
 ) -> None:
@@ -58,6 +59,7 @@ TYPED = {
 }
 
 
+@pytest.mark.many(first=1)
 def test_it_goes_to_a_typed_angle(built_page: Build, page: Page) -> None:
     page.emulate_media(reduced_motion="no-preference")
     opened(page, built_page("v8-cross-plane"), "")
@@ -81,6 +83,7 @@ def test_what_is_no_angle_is_answered_and_moves_nothing(built_page: Build, page:
     assert handle(page, "theta") == 90
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("name", LAYOUTS)
 def test_every_piston_is_where_python_says(name: str, built_page: Build, page: Page) -> None:
     opened(page, built_page(name))

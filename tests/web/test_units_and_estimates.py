@@ -53,6 +53,7 @@ def greatest(page: Page, quantity: str) -> list[float]:
     return [float(re.sub(r" \(.*", "", text).replace("\N{MINUS SIGN}", "-")) for text in cells]
 
 
+@pytest.mark.many(first=1)
 def test_a_file_changes_its_units_in_every_panel(file_page: Path, page: Page) -> None:
     opened(page, file_page)
     metric = greatest(page, "Rolling moment")
@@ -155,6 +156,7 @@ def test_the_server_estimates_masses_and_shows_any_units(page: Page, server: Ser
     expect(page.locator("table.orders")).to_contain_text("Force kN", timeout=60_000)
 
 
+@pytest.mark.long
 def test_what_the_server_estimates_is_saved_with_its_marks(server: Server) -> None:
     tree = server.ask("api/estimate", {"engine": "kr250-racer"}).json["tree"]
     text = server.ask("api/toml", {"engine": tree}).json["toml"]
@@ -192,6 +194,7 @@ def test_the_kernel_answers_in_units_and_estimates() -> None:
     assert "stone" in wrong["sentence"]
 
 
+@pytest.mark.long
 def test_a_page_with_estimates_shows_them_and_their_ranges(tmp_path: Path, page: Page) -> None:
     path = tmp_path / "estimated.html"
     tree = estimated(tree_of("vw-vr6")[1]).tree
@@ -230,6 +233,7 @@ def test_a_page_with_estimates_shows_them_and_their_ranges(tmp_path: Path, page:
     assert {name: told for name, told in found.items() if told} == {}
 
 
+@pytest.mark.long
 def test_a_row_that_is_zero_for_estimated_masses_has_its_range_and_a_dot_in_the_middle(
     tmp_path: Path, page: Page
 ) -> None:

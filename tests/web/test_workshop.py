@@ -53,6 +53,7 @@ def control(page: Page, key: str) -> Locator:
     return page.locator(f'[data-control="{key}"]')
 
 
+@pytest.mark.many(first=1)
 def test_another_number_of_cylinders_is_an_engine_that_fires(bench: Page) -> None:
     bench.get_by_role("button", name="10 cylinders").click()
     eventually(lambda: len(on_stage(bench)["cylinders"]), 10)
@@ -129,6 +130,7 @@ def test_a_throw_is_dragged_on_the_star_and_rests_at_angles_that_make_sense(benc
     expect(bench.locator(".mistakes")).to_have_count(0)
 
 
+@pytest.mark.long
 def test_a_bank_is_dragged_on_the_front_view(bench: Page) -> None:
     pane = next(each for each in bench.evaluate(PANES) if each["camera"] == "front")
     box = bench.locator(".stage .canvas").bounding_box()
@@ -151,6 +153,7 @@ def test_a_bank_is_dragged_on_the_front_view(bench: Page) -> None:
     eventually(lambda: bank_angles(bench), [45, -45])
 
 
+@pytest.mark.long
 def test_the_heading_is_renamed_with_a_click(bench: Page) -> None:
     bench.get_by_role("heading", level=1).get_by_role("button").click()
     bench.get_by_role("textbox", name="Name of the engine").fill("mine")
@@ -229,6 +232,7 @@ def test_a_store_that_is_full_is_said(bench: Page) -> None:
     expect(bench.locator(".shelf [role=status]")).to_contain_text("store is full")
 
 
+@pytest.mark.long
 def test_the_engine_that_was_edited_last_is_offered_again(bench: Page, server: Server) -> None:
     bench.get_by_role("button", name="10 cylinders").click()
     kept = "() => localStorage.getItem('crankstar.last') !== null"
@@ -240,6 +244,7 @@ def test_the_engine_that_was_edited_last_is_offered_again(bench: Page, server: S
     eventually(lambda: len(on_stage(bench)["cylinders"]), 10)
 
 
+@pytest.mark.long
 def test_the_workshop_can_be_read_and_used_by_everyone(bench: Page) -> None:
     for title in ("Usual layouts", "History (1)"):
         bench.get_by_text(title).click()

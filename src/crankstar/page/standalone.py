@@ -53,6 +53,7 @@ UNPACK = """
 const place = document.querySelector("[data-crankstar]")
 const ready = new Promise((follow) => place.addEventListener(
   "crankstar", () => follow(place.crankstar.ready), { once: true }))
+ready.catch(() => {})  // the page says it
 place.crankstar = { ready, settled: () => ready.then(() => place.crankstar.settled()) }
 const packed = document.getElementById("crankstar-script").textContent
 const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0))
