@@ -184,7 +184,7 @@ def beam(engine: Engine) -> Document:
     return bearing_document(engine, model="continuous", machine=True)
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("sheet", "least"),
     [
@@ -234,6 +234,7 @@ def test_what_is_balanced_for_estimated_masses_says_what_others_leave(run: Run, 
     assert next(line.split()[1] for line in stars if line.split()[:1] == ["1"]) == "1"
 
 
+@pytest.mark.long
 def test_a_row_that_some_masses_make_negligible_keeps_its_low_end() -> None:
     """A load of order 3 has the range of all masses, though not all of them would print it."""
     ends = spread(tree())
@@ -248,7 +249,7 @@ def test_a_row_that_some_masses_make_negligible_keeps_its_low_end() -> None:
         assert 0.2 * abs(greatest.value) < greatest.low < abs(greatest.value)
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.long
 @pytest.mark.parametrize("sheet", [readers, compared])
 def test_analyses_that_say_the_same_are_made_once(sheet: Callable[[Engine], Document]) -> None:
     made: list[Engine] = []

@@ -47,7 +47,7 @@ def weighted(run: Run, tmp_path: Path) -> str:
     return str(place)
 
 
-@pytest.mark.many(first=4)
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("words", VERBS, ids=" ".join)
 def test_what_is_printed_in_newtons_or_grams_is_marked(
     words: tuple[str, ...], run: Run, weighted: str
@@ -62,7 +62,7 @@ def test_what_is_printed_in_newtons_or_grams_is_marked(
     assert [block for block in weighed if "estimated" not in block] == []
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("words", TABLES, ids=" ".join)
 def test_what_is_written_for_machines_has_its_range(
     words: tuple[str, ...], run: Run, weighted: str

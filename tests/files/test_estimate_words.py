@@ -30,7 +30,7 @@ def quiet(run: Run, monkeypatch: pytest.MonkeyPatch) -> str:
     return "quiet.toml"
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.long
 @pytest.mark.parametrize("words", [["verdict"], ["analyze"], ["balance", "--factor", "0.5"]])
 def test_a_remedy_that_any_masses_need_is_not_marked(
     run: Run, quiet: str, words: list[str]

@@ -117,6 +117,7 @@ def try_texts(seeds: range) -> None:
             check_answers(engine)
 
 
+@pytest.mark.long
 def test_spoilt_trees_are_engines_or_refused() -> None:
     good = try_trees(range(700))
     assert 100 < good < 600

@@ -343,6 +343,7 @@ def test_a_hundredth_of_a_degree_is_not_zero(
     assert_closed_forms_are(told, symbols, scale, truth, 1, CLOSE)
 
 
+@pytest.mark.long
 @settings(max_examples=10)
 @given(st.sampled_from([2, 3, 4, 5, 6, 8]), st.data(), st.sampled_from([1, 2]))
 def test_no_star_stays_balanced_when_one_throw_is_turned_a_little(

@@ -443,6 +443,7 @@ def false_torques(engine: Engine, order: int) -> list[str]:
     return out
 
 
+@pytest.mark.long
 def test_torques_of_the_catalog_are_true_as_printed_or_refused() -> None:
     refused: dict[str, str] = {}
     tried = catalog.names() if LONG else sorted(OFTEN)

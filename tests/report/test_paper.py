@@ -70,7 +70,7 @@ def filled(place: Path) -> list[float]:
     return out
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.long
 @pytest.mark.parametrize("name", ENGINES)
 def test_a_report_has_few_pages_and_no_half_empty_ones(
     name: str, chromium: str, tmp_path: Path

@@ -60,6 +60,7 @@ screens, hooks, doctests = script("screens"), script("hooks"), script("doctests"
 mathematics, tables = script("mathematics"), script("tables")
 PAGES: list[Path] = screens.pages()
 EVERY_PAGE = pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+FULL_OF_SCREENS = {"analyse.md", "command-line.md"}
 WRONG_ON_PURPOSE = {"mistakes.toml", "wrong-side.toml"}
 
 
@@ -100,7 +101,14 @@ def printed(command: str, folder: Path) -> str:
     return screens.trimmed(out.getvalue())
 
 
-@EVERY_PAGE
+@pytest.mark.parametrize(
+    "page",
+    [
+        pytest.param(page, marks=[pytest.mark.long] * (page.name in FULL_OF_SCREENS))
+        for page in PAGES
+    ],
+    ids=lambda page: page.name,
+)
 def test_every_screen_is_what_the_command_prints(page: Path) -> None:
     """If this fails: is the program or the page wrong? `python docs/screens.py` updates pages."""
     written = page.read_text(encoding="utf-8")

@@ -388,6 +388,7 @@ def fifteen():
     return answer_to(front(15))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("workers", [pytest.param("0", marks=pytest.mark.long), "2"])
 def test_sigterm_ends_a_search_quietly_with_its_workers_and_its_semaphores(workers, tmp_path):
     with started(workers, tmp_path / "file") as process:

@@ -160,7 +160,7 @@ TALL = (
 """Charts that are taller than 110 mm with letters of 10 pt."""
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.long
 @pytest.mark.parametrize(
     "paper",
     [

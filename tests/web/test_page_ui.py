@@ -392,6 +392,7 @@ def test_a_figure_that_is_not_there_says_so_and_can_be_asked_for_again(
     expect(place).to_contain_text("This file does not hold the figure.")
 
 
+@pytest.mark.long
 def test_names_are_text_everywhere(tmp_path: Path, page: Page) -> None:
     engine = load("v2-90").model_copy(update={"name": HOSTILE})
     file = tmp_path / "hostile.html"

@@ -56,6 +56,7 @@ def whole(site: Path) -> None:
     assert [path for path in site.rglob("*") if path.name.startswith(".")] == []
 
 
+@pytest.mark.long
 def test_every_link_of_a_site_leads_to_a_file_of_it(site: Path) -> None:
     whole(site)
     assert {path.stem for path in (site / "engines").iterdir()} == {*ENGINES}

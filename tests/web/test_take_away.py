@@ -163,6 +163,7 @@ def test_the_svg_puts_pistons_where_the_stage_has_them(
         assert middles[other] - middles[one] == pytest.approx(on_stage, abs=1.0)
 
 
+@pytest.mark.long
 def test_figures_and_tables_of_the_panel_are_saved(
     built_page: Build, page: Page, tmp_path: Path
 ) -> None:

@@ -52,6 +52,7 @@ def number(text: str) -> float:
     return float(text.replace("\u2212", "-").replace("\u2007", "").replace("+", ""))
 
 
+@pytest.mark.long
 @pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     "name",

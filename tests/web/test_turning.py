@@ -59,7 +59,7 @@ TYPED = {
 }
 
 
-@pytest.mark.many(first=1)
+@pytest.mark.long
 def test_it_goes_to_a_typed_angle(built_page: Build, page: Page) -> None:
     page.emulate_media(reduced_motion="no-preference")
     opened(page, built_page("v8-cross-plane"), "")

@@ -53,6 +53,7 @@ def greatest(page: Page, quantity: str) -> list[float]:
     return [float(re.sub(r" \(.*", "", text).replace("\N{MINUS SIGN}", "-")) for text in cells]
 
 
+@pytest.mark.long
 @pytest.mark.many(first=1)
 def test_a_file_changes_its_units_in_every_panel(file_page: Path, page: Page) -> None:
     opened(page, file_page)
@@ -128,6 +129,7 @@ def test_a_file_written_in_other_units_offers_them(tmp_path: Path, page: Page) -
     expect(page.locator("table.orders")).to_contain_text("lbf ft")
 
 
+@pytest.mark.long
 def test_the_server_estimates_masses_and_shows_any_units(page: Page, server: Server) -> None:
     page.goto(f"{server.address}#a=0&engine=kr250-racer")
     page.evaluate(READY)
