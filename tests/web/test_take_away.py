@@ -91,7 +91,7 @@ def test_the_stage_is_saved_sharp_with_its_name_and_angle(
     sizes = {}
     for density in (2, 4):
         place = taken(page, window.locator(f"[data-file=png-{density}]"), tmp_path)
-        assert place.name == "v8-cross-plane-crank-90-deg-side-40deg.png"
+        assert place.name == f"v8-cross-plane-crank-90-deg-side-40deg-{density}x.png"
         with Image.open(place) as picture:
             sizes[density] = picture.size
             assert 0.03 < ink(picture) < 0.7

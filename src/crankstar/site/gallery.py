@@ -59,7 +59,7 @@ def style() -> str:
 
 
 def html(gallery: Gallery) -> str:
-    """The gallery as a page."""
+    """The gallery as a page, its engines by title."""
     title = _("Engines")
     policy = (
         f'<meta http-equiv="Content-Security-Policy" content="{escape(gallery.policy)}">'
@@ -68,7 +68,8 @@ def html(gallery: Gallery) -> str:
     )
     about = _("Piston engines that turn, and how they shake: choose one.")
     own = _own() if gallery.live else ""
-    cards = "\n".join(_card(card, gallery) for card in gallery.cards)
+    ordered = sorted(gallery.cards, key=lambda card: card.title.casefold())
+    cards = "\n".join(_card(card, gallery) for card in ordered)
     none = _("No engine matches. Type fewer words, or take all layouts.")
     return f"""<!DOCTYPE html>
 <html lang="{language()}">

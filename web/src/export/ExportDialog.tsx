@@ -75,7 +75,10 @@ function Stages({ ground, running: { keep, busy } }: PartProps) {
             disabled={busy.value}
             data-file={`png-${density}`}
             onClick={() =>
-              void keep(pictureName(app, 'png'), () => png(photographed(app, density, ground)))
+              void keep(
+                pictureName(app, 'png', angleWord(app.clock.degrees()), `${density}x`),
+                () => png(photographed(app, density, ground)),
+              )
             }
           >
             {t('PNG, {times} ×', { times: density })}
