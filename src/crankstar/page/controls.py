@@ -184,7 +184,7 @@ def _rod(tree: Mapping[str, Any]) -> Iterator[Control]:
         )
     elif stroke is not None and stroke[1] == length[1]:
         radius = stroke[0] / 2
-        yield _length(
+        yield _number(
             "cylinder.rod_length",
             _("Connecting rod"),
             _("between centres; the crank radius is half the stroke"),
@@ -209,10 +209,10 @@ def _lengths(tree: Mapping[str, Any]) -> Iterator[Control]:
         if value is None or not value[0]:
             continue
         size = abs(value[0])
-        yield _length(path, label, about, value, low=0.5 * size, high=2 * size, swept=swept)
+        yield _number(path, label, about, value, low=0.5 * size, high=2 * size, swept=swept)
 
 
-def _length(
+def _number(
     path: str,
     label: str,
     about: str,
@@ -241,19 +241,9 @@ def _speed(tree: Mapping[str, Any]) -> Iterator[Control]:
     value = _parsed(tree.get("speed"))
     if value is None:
         return
-    yield Control(
-        key="speed",
-        label=_("Speed"),
-        help=_("at which forces are quoted"),
-        value=value[0],
-        unit=value[1],
-        low=float(f"{0.1 * value[0]:.3g}"),
-        high=float(f"{2 * value[0]:.3g}"),
-        step=float(f"{value[0] / 100:.1g}"),
-        snaps=(),
-        sets=(_setting("speed"),),
-        swept=False,
-    )
+    about = _("at which forces are quoted")
+    low, high = 0.1 * value[0], 2 * value[0]
+    yield _number("speed", _("Speed"), about, value, low=low, high=high, swept=False)
 
 
 def _setting(path: str, *, added: float = 0.0) -> Setting:

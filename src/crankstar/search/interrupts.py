@@ -38,6 +38,13 @@ def terminated_in_order() -> Iterator[None]:
         raise Terminated
 
     signal.signal(signal.SIGTERM, unwind)
+    with _unwound(lambda: signal.signal(signal.SIGTERM, signal.SIG_DFL)):
+        yield
+
+
+@contextmanager
+def _unwound(restore: Callable[[], object]) -> Iterator[None]:
+    """What SIGTERM ends inside has tidied up and given back its signals before the process ends."""
     try:
         yield
     except Terminated:
@@ -45,7 +52,7 @@ def terminated_in_order() -> Iterator[None]:
     else:
         return
     finally:
-        signal.signal(signal.SIGTERM, signal.SIG_DFL)
+        restore()
     gc.collect()  # semaphores are given back when they are collected
     signal.raise_signal(signal.SIGTERM)
 
@@ -65,20 +72,15 @@ def ended_once() -> Iterator[None]:
             signal.signal(each, signal.SIG_IGN)
         raise Terminated if number == signal.SIGTERM else KeyboardInterrupt
 
-    for number in before:
-        signal.signal(number, end)
-    try:
-        yield
-    except Terminated:
-        pass
-    else:
-        return
-    finally:
+    def restore() -> None:
         for number, handler in before.items():
             if number == signal.SIGTERM or signal.getsignal(number) is end:
                 signal.signal(number, handler)
-    gc.collect()  # semaphores are given back when they are collected
-    signal.raise_signal(signal.SIGTERM)
+
+    for number in before:
+        signal.signal(number, end)
+    with _unwound(restore):
+        yield
 
 
 @contextmanager
