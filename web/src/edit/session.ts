@@ -211,7 +211,8 @@ export function session(service: Service, engine: OnStage, shown: Shown): Sessio
       live.stop()
       // Back and Forward bring what was there before: a step that is known, not one more
       const step = self.steps.peek().all.findLastIndex((each) => same(each, given.file))
-      const change = step < 0 ? ({ kind: 'edit', to: given.file } as const) : ({ kind: 'go', step } as const)
+      const change =
+        step < 0 ? ({ kind: 'edit', to: given.file } as const) : ({ kind: 'go', step } as const)
       batch(() => {
         history.value = after(history.value, change)
         valid.value = given.file

@@ -96,12 +96,13 @@ export class Solid {
     profile: readonly (readonly [number, number, number])[],
     from = 0,
     to = 2 * Math.PI,
-    steps = 40,
+    steps = 32,
   ): this {
     const whole = to - from > 6.28
     for (let part = 0; part + 1 < profile.length; part++) {
       const [a, b] = [profile[part], profile[part + 1]] as [readonly number[], readonly number[]]
       const [r0, y0, r1, y1] = [a[0], a[1], b[0], b[1]] as [number, number, number, number]
+      if (r0 === r1 && y0 === y1) continue // only the tint changes
       const [nr, ny] = unit(y1 - y0, r0 - r1)
       const first = this.#positions.length / 3
       for (let step = 0; step <= steps; step++) {

@@ -70,11 +70,10 @@ function piston(cylinder: CylinderShown): Shape {
   const belt = Math.max(0.42 * crown, Math.min(1.25 * pin, 0.8 * crown))
   const solid = new Solid()
   const land = (crown - belt) / 8
-  const groove = 0.022 * bore
   const rings = [1.6, 3.6, 5.6].flatMap((place): [number, number, number][] => [
     [radius, belt + place * land, 0],
-    [radius - groove, belt + place * land, 1],
-    [radius - groove, belt + (place + 0.7) * land, 1],
+    [radius, belt + place * land, 1],
+    [radius, belt + (place + 0.7) * land, 1],
     [radius, belt + (place + 0.7) * land, 0],
   ])
   const under = Math.min(crown - 0.08 * bore, belt + 3 * land)
