@@ -25,11 +25,14 @@ export function resource(text) {
   return Object.fromEntries(entries)
 }
 
-/** Lets the page import a `.po` file. */
+/** Lets the page import a `.po` file: a function, so that only a language that is shown is read. */
 export const catalogs = () => ({
   name: 'catalogs',
   transform: (text, id) =>
     id.endsWith('.po')
-      ? { code: `export default ${JSON.stringify(resource(text))}`, map: null }
+      ? {
+          code: `export default () => JSON.parse(${JSON.stringify(JSON.stringify(resource(text)))})`,
+          map: null,
+        }
       : null,
 })

@@ -5,14 +5,13 @@ import ru from './ru.po'
 
 /** Languages the page can be shown in; what a catalog does not translate is shown in English. */
 const CATALOGS = { ja, ru }
+const SPACE = 'translation'
 
 const translator = createInstance()
 void translator.init({
   lng: 'en',
   initAsync: false,
-  resources: Object.fromEntries(
-    Object.entries(CATALOGS).map(([language, translation]) => [language, { translation }]),
-  ),
+  resources: {},
   // an English sentence is its own key: no point or colon in it has a meaning
   keySeparator: false,
   nsSeparator: false,
@@ -28,9 +27,12 @@ export const language = {
   },
   /** `en`, `ja`, `ru`, or one of them with a region; English for every other. */
   set value(wanted: string) {
-    const known = ['en', ...Object.keys(CATALOGS)].find((code) => wanted.split('-')[0] === code)
-    void translator.changeLanguage(known ?? 'en')
-    chosen.value = known ?? 'en'
+    const code = wanted.split('-')[0]
+    const known = code === 'ja' || code === 'ru' ? code : 'en'
+    if (known !== 'en' && !translator.hasResourceBundle(known, SPACE))
+      translator.addResourceBundle(known, SPACE, CATALOGS[known]())
+    void translator.changeLanguage(known)
+    chosen.value = known
   },
 }
 
