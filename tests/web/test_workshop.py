@@ -190,6 +190,10 @@ def test_back_and_forward_step_through_panels_and_edits(bench: Page) -> None:
     eventually(lambda: len(on_stage(bench)["cylinders"]), 10)
     bench.go_forward()
     expect(bench.get_by_role("tab", name="Verdict")).to_have_attribute("aria-selected", "true")
+    # what was looked at again is no further step of the history
+    bench.get_by_role("tab", name="Edit").click()
+    bench.get_by_text(re.compile(r"^History")).click()
+    expect(bench.locator(".steps li")).to_have_count(2)
 
 
 def test_engines_are_kept_shown_beside_exported_deleted_and_taken_in_again(
