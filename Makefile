@@ -70,9 +70,10 @@ vitest: front-end
 docs: $(READY)
 	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict --quiet --site-dir $(VENV)/site
 
-# The gallery of the whole catalog with the page of each engine; the documents do without it.
+# The documents with the gallery of the whole catalog in them, for any web host; two minutes.
 site: $(READY) bundle
-	$(BIN)/crankstar site -o $(VENV)/engines
+	CRANKSTAR_GALLERY=engines NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict --quiet --site-dir $(VENV)/site
+	$(BIN)/crankstar site -o $(VENV)/site/engines
 
 # The TypeScript types of the records that Python sends; a test compares them.
 types: $(READY) front-end

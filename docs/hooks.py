@@ -7,6 +7,7 @@ there, nor leave one out.
 
 from __future__ import annotations
 
+import os
 import re
 import shlex
 from contextlib import redirect_stderr
@@ -82,6 +83,7 @@ MARK = re.compile(
     re.MULTILINE | re.DOTALL,
 )
 """A marker, with what `docs/tables.py` has put between it and its end for readers of the text."""
+GALLERY = "<!-- here: the gallery -->"
 CITATION = re.compile(r"\[(@[\w-]+(?:; ?@[\w-]+)*)\]")
 
 
@@ -101,9 +103,16 @@ def on_page_markdown(markdown: str, *, page: Any, **_: Any) -> str:
 
 def filled(markdown: str, place: str = "index.md") -> str:
     """A page with its markers replaced by what they stand for; `place` is its path in docs/."""
-    written = MARK.sub(lambda mark: made(*mark.groups()), markdown)
+    written = MARK.sub(lambda mark: made(*mark.groups()), markdown).replace(GALLERY, gallery())
     up = "../" * place.count("/")
     return CITATION.sub(lambda found: cited(found, up), written)
+
+
+def gallery() -> str:
+    """A link to the engines of the catalog, where `make site` puts them beside the documents."""
+    place = os.environ.get("CRANKSTAR_GALLERY")
+    words = "All engines of the catalog, turning"
+    return f'<p><a href="{place}/index.html">{words}</a></p>' if place else ""
 
 
 def made(kind: str, argument: str) -> str:

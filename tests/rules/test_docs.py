@@ -563,3 +563,13 @@ def test_the_answer_of_make_demo_is_of_an_engine_in_the_catalog() -> None:
 
 def test_screens_reports_what_a_command_complains_of(tmp_path: Path) -> None:
     assert screens.shown("crankstar check nothing.toml; echo $?", tmp_path).splitlines()[-1] == "2"
+
+
+def test_the_first_page_leads_to_the_gallery_where_it_is_built(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    first = text_of("docs/index.md")
+    monkeypatch.delenv("CRANKSTAR_GALLERY", raising=False)
+    assert "engines/index.html" not in hooks.filled(first)
+    monkeypatch.setenv("CRANKSTAR_GALLERY", "engines")
+    assert '<a href="engines/index.html">' in hooks.filled(first)
