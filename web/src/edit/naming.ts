@@ -11,6 +11,9 @@ const ESSENCE = [
   'rotation',
   'firing_order',
   'firing_angles',
+  'balance_factor',
+  'crankshaft',
+  'balance_shaft',
 ] as const
 
 /**

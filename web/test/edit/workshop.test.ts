@@ -84,6 +84,8 @@ test('a name that is no longer true says that the engine was edited, once', () =
   const other = moved(V8, BANKS, 60)
   expect(renamed(V8, other, known, edited).name).toBe('V8, edited')
   expect(renamed(V8, { ...V8, speed: '6000 rpm' } as typeof V8, known, edited).name).toBe('V8')
+  const overbalanced = { ...V8, balance_factor: 0.6 }
+  expect(renamed(V8, overbalanced as typeof V8, known, edited).name).toBe('V8, edited')
   expect(renamed(V8, { ...other, name: 'mine' }, known, edited).name).toBe('mine')
   const mine = { ...V8, name: 'mine' }
   expect(renamed(mine, moved(mine, BANKS, 60), known, edited).name).toBe('mine')
