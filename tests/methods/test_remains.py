@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 from crankstar.engine.basis import Basis, Sizes
 from crankstar.engine.layouts import inline
+from crankstar.files import engine_of
 from crankstar.files.catalog import load
 from crankstar.mechanics.balance import balance
 from crankstar.mechanics.bounds import size
@@ -19,6 +21,7 @@ from crankstar.mechanics.remains import (
     sizes,
     summed,
 )
+from crankstar.tables.peaks import part_peaks
 
 
 def test_a_couple_with_an_arm_of_rounding_is_none() -> None:
@@ -71,3 +74,27 @@ def test_the_greatest_roll_is_shown_however_high_its_order() -> None:
     rolls = sizes(sums.roll)
     assert sums.roll.orders[int(np.argmax(rolls))] == 7
     assert 7.0 in orders_turning(result, sums)
+
+
+@pytest.mark.parametrize("bearings", [(0.0,), (45.0, -45.0)])
+def test_a_peak_that_is_rounding_is_nought_where_none_is_said(bearings: tuple[float, ...]) -> None:
+    pins = 36
+    banks = [
+        {
+            "bearing": f"{bearing} deg",
+            "cylinders": list(range(pins * place + 1, pins * (place + 1) + 1)),
+        }
+        for place, bearing in enumerate(bearings)
+    ]
+    throws = [f"{720 * pin / pins % 360:g} deg" for pin in range(pins)]
+    tree = {
+        "format": 1,
+        "name": "long",
+        "cylinder": {"rod_ratio": 3.5},
+        "layout": {"type": "vee", "banks": banks, "throws": throws},
+    }
+    result = balance(engine_of(tree))
+    sums = summed(result)
+    assert not remains(sums.torque, result.torque)
+    peaks = part_peaks(result, sums)
+    assert peaks["roll"][0] == peaks["vertical"][0] == peaks["horizontal"][0] == 0.0

@@ -56,18 +56,26 @@ def summed(result: Balance) -> Sums:
     force = pushed(result.force)
     turning = pushed(result.axis_moment) + pushed(result.torque)
     arm = ROUNDED_ARM / NEGLIGIBLE * force
+    axis_moment = _cleared(sums.axis_moment, pushed(result.axis_moment))
+    torque = _cleared(sums.torque, pushed(result.torque))
+    # the block rolls only if a moment about the axis or a torque remains
+    none = not (sizes(axis_moment).any() or sizes(torque).any())
     return Sums(
         force=_cleared(sums.force, force),
         couple=_cleared(sums.couple, np.maximum(pushed(result.couple), arm)),
-        roll=_cleared(rolling_moment(sums), turning),
-        axis_moment=_cleared(sums.axis_moment, pushed(result.axis_moment)),
-        torque=_cleared(sums.torque, pushed(result.torque)),
+        roll=_cleared(rolling_moment(sums), turning, none=none),
+        axis_moment=axis_moment,
+        torque=torque,
     )
 
 
-def _cleared(whole: Spectrum, beside: Real) -> Spectrum:
-    """Zero where it is zero beside the parts of its order, or negligible beside every order."""
+def _cleared(whole: Spectrum, beside: Real, *, none: bool = False) -> Spectrum:
+    """Zero where it is zero beside the parts of its order, or negligible beside every order.
+
+    All of it is zero where `none` of it is to remain, or its greatest order is negligible.
+    """
     kept = sizes(whole) > NEGLIGIBLE * np.maximum(beside, NEGLIGIBLE * beside.max(initial=0.0))
+    kept &= not none and _is_there(whole, beside)
     return replace(whole, forward=whole.forward * kept, backward=whole.backward * kept)
 
 
@@ -83,7 +91,11 @@ def pushed(parts: Spectrum) -> Real:
 
 def remains(whole: Spectrum, parts: Spectrum) -> bool:
     """Whether anything of a quantity remains beside what its parts push."""
-    return float(sizes(whole).max(initial=0.0)) > NEGLIGIBLE * float(pushed(parts).max(initial=0.0))
+    return _is_there(whole, pushed(parts))
+
+
+def _is_there(whole: Spectrum, beside: Real) -> bool:
+    return float(sizes(whole).max(initial=0.0)) > NEGLIGIBLE * float(beside.max(initial=0.0))
 
 
 def ranked(spectrum: Spectrum, orders: Sequence[float]) -> tuple[list[float], list[float]]:
