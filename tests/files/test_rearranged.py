@@ -141,3 +141,11 @@ def test_the_explicit_form_says_why_its_cylinders_stay() -> None:
     made = rearranged(tree_of("napier-deltic"))
     assert (made.fewer, made.more) == (None, None)
     assert "layout is needed" in made.sentences[0]
+
+
+def test_a_row_longer_than_any_built_has_no_other_cranks() -> None:
+    plain = {k: v for k, v in tree_of("i6").items() if k in ("format", "name", "cylinder")}
+    throws = [f"{720 * pin / 128 % 360:.9g} deg" for pin in range(128)]
+    made = rearranged({**plain, "layout": {"type": "inline", "throws": throws}})
+    assert (made.fewer, made.more, len(made.cranks)) == (16, None, 1)
+    assert rearranged(made.tree, cylinders=16).cylinders == 16

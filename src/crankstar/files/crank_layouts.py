@@ -80,11 +80,13 @@ def _angle(value: float) -> str:
 
 
 def _rows(engine: Engine, count: int, *, lone: bool = False) -> Iterator[list[str]]:
-    """Throws of one row: even ones, then uneven ones that are built.
+    """Throws of one row: even ones, then uneven ones that are built; none of longer rows.
 
     Two pins of an engine that has more than a `lone` row stand opposite each other at first.
     """
     backwards = engine.sense < 0
+    if count > GREATEST_ROW:
+        return
     if count == 2 and not lone:
         yield _angles((0.0, 180.0))
     for crank in row_cranks(cylinders=count, cycle=engine.cycle):
@@ -123,6 +125,8 @@ def _banks(layout: Mapping[str, Any], pins: int, *, plain: bool = True) -> list[
 
 def _boxer(engine: Engine, layout: Table, count: int) -> Iterator[Table]:
     pins = count // 2
+    if pins > GREATEST_ROW:
+        return
     for crank in islice(row_cranks(cylinders=pins, cycle="two-stroke"), 3):
         throws = _angles(crank.throws_deg, mirrored=engine.sense < 0)
         yield {**layout, "banks": _banks(layout, pins), "throws": throws}

@@ -121,12 +121,14 @@ def rearranged(tree: Mapping[str, Any], *, cylinders: int | None = None) -> Rear
 
 
 def _possible(wanted: int, count: int, kind: Kind) -> bool:
-    return (wanted - count) % kind.step == 0 and 0 < wanted <= max(kind.greatest, count)
+    return (wanted - count) % kind.step == 0 and 0 < wanted <= kind.greatest
 
 
 def _next(wanted: int, count: int, kind: Kind, way: int) -> int | None:
-    """The next number of cylinders up or down."""
+    """The next number of cylinders up or down, of a longer engine than any the greatest."""
     other = wanted + way * kind.step
+    if way < 0 and other > kind.greatest:
+        other -= -(-(other - kind.greatest) // kind.step) * kind.step
     return other if _possible(other, count, kind) else None
 
 

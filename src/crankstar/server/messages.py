@@ -9,6 +9,7 @@ from typing import Annotated, Any, Literal, cast
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, WithJsonSchema
 
+from crankstar.engine import records
 from crankstar.language.faults import ValueFaultError
 from crankstar.language.quoting import seen
 from crankstar.options.words import SearchWords
@@ -142,7 +143,7 @@ class ExportQuestion(ShownQuestion):
 class WorkshopQuestion(EngineQuestion):
     """An engine, as it is or with another number of cylinders."""
 
-    cylinders: Annotated[int, Field(ge=1, le=GREATEST_CYLINDERS)] | None = Field(
+    cylinders: Annotated[int, Field(ge=1, le=records.GREATEST_CYLINDERS)] | None = Field(
         default=None, description="how many it is to have; left out, as many as it has"
     )
 
