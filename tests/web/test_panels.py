@@ -135,6 +135,25 @@ def test_a_word_with_a_dotted_line_is_explained_as_in_the_glossary(
         expect(box).to_have_count(0)
 
 
+@pytest.mark.parametrize(
+    ("tab", "word", "term"),
+    [
+        ("orders", "m r ω²", "unit of force, m r ω²"),
+        ("orders", "m r ω² a", "unit of couple, m r ω² a"),
+        ("verdict", "secondary", "primary, secondary"),
+        ("verdict", "Lanchester balancer", "Lanchester balancer"),
+    ],
+)
+def test_units_and_words_of_the_verdict_are_explained(
+    tab: str, word: str, term: str, built_page: Build, page: Page
+) -> None:
+    opened(page, built_page("v8-cross-plane"), f"a=0&tab={tab}")
+    (meaning,) = [each.meanings["en"] for each in glossary.terms() if each.term == term]
+    page.locator(".term").get_by_text(word, exact=True).first.click()
+    expect(page.get_by_role("tooltip")).to_contain_text(meaning)
+    page.keyboard.press("Escape")
+
+
 @pytest.mark.parametrize("language", ["ja", "ru"])
 def test_terms_are_named_and_explained_in_the_language_of_the_page(
     language: str, built_page: Build, page: Page

@@ -36,6 +36,11 @@ SENTENCES: dict[str, str | Plural] = {
         "ask for symmetric cranks or require a sum to vanish; or use `crankstar search`, which "
         "has no limit."
     ),
+    "question.no-text-file": N_("is not a text file in UTF-8; an engine file is TOML or JSON"),
+    "question.spreadsheet": N_(
+        "is a spreadsheet, which only the command line reads; `crankstar show engine.xlsx "
+        "--explicit -o engine.toml` writes a file to open here"
+    ),
     "question.not-text": N_("The request is not text in UTF-8."),
     "question.not-object": N_("The request is not a JSON object, as in {example}."),
     "question.late": N_("The request did not arrive within {seconds} s."),

@@ -232,6 +232,11 @@ def read(text: str) -> bytes:
     """The tree of an engine file's text, TOML or JSON, checked to be an engine; raises Refused."""
     if not text.strip():
         raise refused(422, "question.no-text", "text")
+    if text.startswith("PK\x03\x04"):
+        raise refused(422, "question.spreadsheet", "text")
+    # what a browser reads of a file in no text: control characters, letters it could not decode
+    if "\0" in text or "\ufffd" in text:
+        raise refused(422, "question.no-text-file", "text")
     with mistakes_refused():
         tree = files.tree_of(text.removeprefix("\ufeff"), name=ENGINE)
         files.engine_of(tree, name=ENGINE)

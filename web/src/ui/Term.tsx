@@ -60,6 +60,17 @@ export function Term({ word, children }: { word: string; children: ComponentChil
   )
 }
 
+/** Words of the sentences above, which come as text: explained here. */
+export function Words() {
+  return (
+    <p class="soft small">
+      {t('Words used here:')} <Term word="primary">{t('primary')}</Term>,{' '}
+      <Term word="secondary">{t('secondary')}</Term>,{' '}
+      <Term word="Lanchester">{t('Lanchester balancer')}</Term>
+    </p>
+  )
+}
+
 /** Room between a word and its explanation, and at the edges of the window, pixels. */
 const [GAP, EDGE, WIDE] = [6, 8, 320]
 

@@ -102,7 +102,9 @@ function Group({
       <tr class="group">
         <th colSpan={3} scope="rowgroup">
           <Term word={TERMS[quantity]}>{quantityName(quantity)}</Term>{' '}
-          <span class="unit">{unitOf(exhibit, quantity)}</span>
+          <span class="unit">
+            <Term word={unitOf(exhibit, quantity)}>{unitOf(exhibit, quantity)}</Term>
+          </span>
           {rows.some(({ estimated }) => estimated) && (
             <span class="badge">{t('estimated, with ranges')}</span>
           )}

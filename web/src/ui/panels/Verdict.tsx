@@ -2,6 +2,7 @@ import { message } from '../../language/messages'
 import { useExhibit } from '../context'
 import { Heading } from '../Heading'
 import type { Panel } from '../panel'
+import { Words } from '../Term'
 
 export const verdict: Panel = {
   key: 'verdict',
@@ -31,6 +32,7 @@ function Verdict() {
           </div>
         ))}
       </dl>
+      <Words />
     </>
   )
 }
