@@ -60,11 +60,11 @@ export function Term({ word, children }: { word: string; children: ComponentChil
   )
 }
 
-/** Words of the sentences above, which come as text: explained here. */
+/** The words that the sentences of a verdict use, which come as text: explained below them. */
 export function Words() {
   return (
     <p class="soft small">
-      {t('Words used here:')} <Term word="primary">{t('primary')}</Term>,{' '}
+      {t('Words of verdicts:')} <Term word="primary">{t('primary')}</Term>,{' '}
       <Term word="secondary">{t('secondary')}</Term>,{' '}
       <Term word="Lanchester">{t('Lanchester balancer')}</Term>
     </p>
