@@ -53,6 +53,27 @@ def control(page: Page, key: str) -> Locator:
     return page.locator(f'[data-control="{key}"]')
 
 
+@pytest.mark.parametrize("share", [0.02, 0.98])
+def test_what_a_held_slider_says_covers_no_label(bench: Page, share: float) -> None:
+    row = bench.locator(".bench .control:has(.sweep)").first
+    slider = row.get_by_role("slider")
+    slider.scroll_into_view_if_needed()
+    place = slider.bounding_box()
+    assert place is not None
+    bench.mouse.move(place["x"] + share * place["width"], place["y"] + place["height"] / 2)
+    bench.mouse.down()
+    bench.mouse.move(place["x"] + share * place["width"] + 1, place["y"] + place["height"] / 2)
+    told = row.locator(".readout").bounding_box()
+    label, sweep = row.locator("label").bounding_box(), row.locator(".sweep").bounding_box()
+    bench.mouse.up()
+    assert told is not None
+    assert label is not None
+    assert sweep is not None
+    assert told["y"] >= label["y"] + label["height"]
+    assert told["x"] >= sweep["x"] - 1
+    assert told["x"] + told["width"] <= sweep["x"] + sweep["width"] + 1
+
+
 @pytest.mark.many(first=1)
 def test_another_number_of_cylinders_is_an_engine_that_fires(bench: Page) -> None:
     bench.get_by_role("button", name="10 cylinders").click()

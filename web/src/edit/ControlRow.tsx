@@ -167,7 +167,12 @@ function Range({ control, value, low, high, set, slider }: RangeProps) {
         onBlur={rest}
       />
       {held.current && (
-        <output class="readout" style={{ left: `${100 * share}%` }} aria-hidden="true">
+        <output
+          class="readout"
+          // within the slider at both of its ends
+          style={{ left: `${100 * share}%`, transform: `translateX(${-100 * share}%)` }}
+          aria-hidden="true"
+        >
           {numberText(value, control.unit)}
         </output>
       )}

@@ -8,9 +8,11 @@ import { REST } from './whirl'
 
 /** Side of the inset, pixels: greatest, least, share of the stage; width of its words. */
 const [LARGEST, SMALLEST, SHARE] = [148, 76, 0.27]
-const [WORDS, BELOW] = [140, 50]
+const [WORDS, BELOW, LINE] = [140, 50, 15]
 /** From the edge of the stage, pixels. */
 const EDGE = 10
+/** Below this breadth of the stage, pixels, it stands before the engine. */
+const SMALL = 480
 const FONT = '11px system-ui, sans-serif'
 
 /** Paths of the crank axis at its two ends, [up, right], in the scene's unit. */
@@ -24,6 +26,8 @@ export class Inset {
   readonly canvas: HTMLCanvasElement
   #paths: Paths = { front: [], rear: [] }
   #side = LARGEST
+  /** Whether the names of the ends stand below each other, being too long for one line. */
+  #apart = false
   #pixels = 0
   #ring = 0
   #label = ''
@@ -52,13 +56,25 @@ export class Inset {
     return Math.max(WORDS, this.#side) + 2 * EDGE
   }
 
+  get #high(): number {
+    return this.#side + BELOW + (this.#apart ? LINE : 0)
+  }
+
   /** Takes the measure of the stage, before paths are traced. */
   fit(width: number, height: number): void {
     this.#side = Math.round(
       Math.max(SMALLEST, Math.min(LARGEST, SHARE * width, 1.3 * SHARE * height)),
     )
+    const to = this.canvas.getContext('2d')
+    if (to) {
+      to.font = FONT
+      const long = Math.max(...ends().map((end) => to.measureText(end).width))
+      this.#apart = 2 * (long + 6) > Math.max(WORDS, this.#side)
+    }
+    // beneath it no number is half covered where the stage is small
+    this.canvas.style.top = `${width < SMALL ? 2 : EDGE}px`
     this.canvas.style.width = `${Math.max(WORDS, this.#side)}px`
-    this.canvas.style.height = `${this.#side + BELOW}px`
+    this.canvas.style.height = `${this.#high}px`
   }
 
   /** Takes new paths; `units` are the scene's, `size` the engine's. */
@@ -95,11 +111,11 @@ export class Inset {
     const side = this.#side
     const across = Math.max(WORDS, side)
     const wide = Math.round(across * density)
-    const high = Math.round((side + BELOW) * density)
+    const high = Math.round(this.#high * density)
     if (this.canvas.width !== wide) this.canvas.width = wide
     if (this.canvas.height !== high) this.canvas.height = high
     to.setTransform(density, 0, 0, density, 0, 0)
-    to.clearRect(0, 0, across, side + BELOW)
+    to.clearRect(0, 0, across, this.#high)
     this.sketch(to, front, rear, palette, magnification)
   }
 
@@ -139,11 +155,17 @@ export class Inset {
       to.fillStyle = colour
       to.fillText(text, x, side / 2 + y)
     }
-    write(t('front end'), 'right', colours[0], -6)
-    write(t('rear end'), 'left', colours[1], 6)
-    write(this.#label, 'center', palette.text, 0, 18)
+    const [frontEnd, rearEnd] = ends()
+    const room = Math.max(WORDS, side)
+    const apart = this.#apart
+    write(frontEnd, apart ? 'center' : 'right', colours[0], apart ? 0 : -6)
+    write(rearEnd, apart ? 'center' : 'left', colours[1], apart ? 0 : 6, apart ? 18 : 3)
     const factor = Number(magnification.toPrecision(2))
-    write(t('exaggerated × {factor}', { factor }), 'center', palette.text, 0, 33)
+    const said = [this.#label, t('exaggerated × {factor}', { factor })]
+    said.forEach((text, line) => {
+      to.font = fitting(to, text, room)
+      write(text, 'center', palette.text, 0, LINE * line + (apart ? 33 : 18))
+    })
   }
 
   #ground(to: Pen, palette: Palette): void {
@@ -176,6 +198,15 @@ export class Inset {
   set visible(shown: boolean) {
     this.canvas.style.display = shown ? '' : 'none'
   }
+}
+
+const ends = (): readonly [string, string] => [t('front end'), t('rear end')]
+
+/** The font of the words, less where a line would be wider than its room. */
+function fitting(to: Pen, text: string, room: number): string {
+  to.font = FONT
+  const share = Math.min(1, (room - 4) / to.measureText(text).width)
+  return FONT.replace('11px', `${Math.floor(110 * share) / 10}px`)
 }
 
 const DASHED = [4, 3]

@@ -17,6 +17,8 @@ const FONT = 'system-ui, sans-serif'
 const CLOSE = 15
 /** Least from a head to the middle of its number, pixels. */
 const CLEAR = 13
+/** From a label to the edge of its pane, pixels; an engine beside begins there. */
+const RIM = 6
 /** Below this width, pixels, the scales of arrows go beneath the axes. */
 const NARROW = 300
 /** From these widths on there is room for a sentence beside an arrow, pixels: a sheet has its axes
@@ -47,7 +49,7 @@ export function projected(
 
 /** Kept at the lower edge for axes and scales: pixels, and at most a share of the height. */
 export function footOf(width: number, height: number): number {
-  return width < NARROW ? Math.min(0.4, 98 / height) : Math.min(0.25, 58 / height)
+  return width < NARROW ? Math.min(0.4, 112 / height) : Math.min(0.25, 58 / height)
 }
 
 /** Writes the labels of the drawing: names of views, cylinder numbers, axes, scales of arrows. */
@@ -63,7 +65,8 @@ export function write(to: Pen, exhibit: Exhibit, writing: Writing): void {
   }
   const [first] = panes
   if (!first) return
-  const corner = { x: axesAt(to, width), y: height - (width < NARROW ? 58 : 50) }
+  const corner = { x: axesAt(to, width), y: 0 }
+  corner.y = height - (width < NARROW ? 48 + below(first) : 50)
   axes(to, writing, first, sheet ? { x: width - 84 - axesAt(to, width), y: height - 31 } : corner)
   if (sheet) thirdAngle(to, palette, width - 62, height - 24)
   const couple =
@@ -196,12 +199,18 @@ function numbers(to: Pen, exhibit: Exhibit, writing: Writing, pane: Pane): void 
   to.textAlign = 'center'
   to.textBaseline = 'middle'
   const taken: { x: number; y: number; half: number }[] = []
-  for (const { x: middle, y, out, names } of labels.sort((a, b) => b.near - a.near)) {
-    const text = names.length > 4 ? `${names[0]} … ${names[names.length - 1]}` : names.join(' · ')
+  for (const { x: middle, y: level, out, names } of labels.sort((a, b) => b.near - a.near)) {
+    const all = names.join(' · ')
+    // there is room for as much at the other side
+    const long = 2 * (to.measureText(all).width + 2 * RIM) > pane.width
+    const short = names.length > 4 || (long && names.length > 2)
+    const text = short ? `${names[0]} … ${names[names.length - 1]}` : all
     const half = to.measureText(text).width / 2 + 2
     // a long text stands clear of the head too
     const beyond = middle + out * Math.max(0, half - CLEAR)
-    const x = Math.min(Math.max(beyond, pane.x + half), pane.x + pane.width - half)
+    const edge = half + RIM
+    const x = Math.min(Math.max(beyond, pane.x + edge), pane.x + pane.width - edge)
+    const y = Math.max(level, pane.y + RIM + 4)
     if (
       taken.some((label) => Math.abs(label.x - x) < label.half + half && Math.abs(label.y - y) < 13)
     )
@@ -233,6 +242,16 @@ function axesAt(to: Pen, width: number): number {
   to.font = `11px ${FONT}`
   const names = AXES.map(({ name }) => to.measureText(t(name)).width)
   return (width < NARROW ? 28 : 40) + Math.max(...names)
+}
+
+/** How far the axes and their names reach below their origin, pixels. */
+function below({ frame: { look } }: Pane): number {
+  const depths = AXES.map(({ along }) => {
+    const [right, up] = [dot(along, look.right), dot(along, look.up)]
+    const long = Math.hypot(right, up)
+    return long < 0.12 ? 18 : -20 * up - (6 * up) / long + (up < -0.5 * long ? 12 : 6)
+  })
+  return Math.max(...depths)
 }
 
 /** The axes in the lower left corner; a dot points at the eye, a cross away. */

@@ -5,12 +5,7 @@ import { t } from '../language/messages'
 import { reasonOf } from '../reason'
 import { useApp } from './context'
 import { type Drawing, drawn } from './drawing'
-
-/** A drawing that is wider than its room is scrolled with the arrow keys. */
-function reached(frame: HTMLElement | null): void {
-  if (frame && frame.scrollWidth > frame.clientWidth) frame.tabIndex = 0
-  else frame?.removeAttribute('tabindex')
-}
+import { Scroller } from './Scroller'
 
 /** A figure of an engine by its key, turning with it; the old one stays until the next. */
 export function Figure({
@@ -50,7 +45,6 @@ export function Figure({
         if (made.turns) await made.turnTo(clock.degrees() % (360 * exhibit.turns))
         shown.current?.dispose()
         place.current?.replaceChildren(made.element)
-        requestAnimationFrame(() => reached(place.current))
         // figures that stand beside each other are drawn to one scale, near their own
         figure.current?.style.setProperty('--natural', String(made.width))
         shown.current = made
@@ -89,12 +83,8 @@ export function Figure({
       inView.current = changes.at(-1)?.isIntersecting ?? true
     })
     if (figure.current) watch.observe(figure.current)
-    const frame = place.current
-    const sized = new ResizeObserver(() => reached(frame))
-    if (frame) sized.observe(frame)
     return () => {
       watch.disconnect()
-      sized.disconnect()
       shown.current?.dispose()
     }
   }, [])
@@ -106,7 +96,9 @@ export function Figure({
       data-chart={chart}
       aria-busy={busy.value}
     >
-      <div class="drawing" ref={place} role="img" aria-label={`${label}. ${exhibit.name}.`} />
+      <Scroller label={`${label}. ${exhibit.name}.`} hint={t('The figure scrolls sideways')}>
+        <div class="drawing" ref={place} role="img" aria-label={`${label}. ${exhibit.name}.`} />
+      </Scroller>
       {!there.value && !trouble.value && (
         <p class="wait">{t('Drawing {figure} …', { figure: label })}</p>
       )}

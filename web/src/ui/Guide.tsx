@@ -6,6 +6,14 @@ import { useApp } from './context'
 import { Icon } from './icons'
 import { enginesOf, onThisPage, TOURS, type Tour } from './tours'
 
+interface Step {
+  readonly about: string
+  /** The panel that it speaks of: open until the next step. */
+  readonly tab?: string
+  readonly title: string
+  readonly text: string
+}
+
 /** What the guide says, step by step, and which part of the page it is about. */
 const STEPS = [
   {
@@ -31,6 +39,7 @@ const STEPS = [
   },
   {
     about: '.panels',
+    tab: 'orders',
     title: message('Orders'),
     text: message(
       'A shake is a sum of orders. Order 1 repeats once per turn of the crankshaft, order 2 twice, and so on. For each the table gives its greatest value and its path. Click an order to see it alone on the engine. A dotted line under a word means that it is explained.',
@@ -38,24 +47,42 @@ const STEPS = [
   },
   {
     about: '.tabs',
+    tab: 'verdict',
     title: message('What to do about it'),
     text: message(
       'Verdict says in words what remains. Balancing fits the counterweights and balance shafts that would cure it. Derivation shows why, step by step.',
     ),
   },
-] as const
+] as const satisfies readonly Step[]
 
 /** The guide "What am I looking at?", which points at one part of the page after the other. */
 export function Guide() {
   const { guide, host, store, clock, calm } = useApp()
   const card = useRef<HTMLElement>(null)
-  const step = STEPS[guide.value - 1]
+  const step: Step | undefined = STEPS[guide.value - 1]
+  useEffect(() => {
+    const tab = step?.tab
+    if (!tab) return undefined
+    const before = store.tab.peek()
+    set(store.tab, tab)
+    // back to where the reader was, who may have gone elsewhere
+    return () => {
+      if (store.tab.peek() === tab) set(store.tab, before)
+    }
+  }, [step, store])
   useEffect(() => {
     const root = card.current?.closest('.crankstar')
     const part = step && root?.querySelector<HTMLElement>(step.about)
     part?.classList.add('shown-by-guide')
-    part?.scrollIntoView({ block: 'nearest' })
-    return () => part?.classList.remove('shown-by-guide')
+    // when the panel that it speaks of is there: what was scrolled may have been another
+    const waiting = requestAnimationFrame(() => {
+      part?.closest('.panels')?.querySelector('.panel')?.scrollTo({ top: 0 })
+      part?.scrollIntoView({ block: step?.tab ? 'start' : 'nearest' })
+    })
+    return () => {
+      cancelAnimationFrame(waiting)
+      part?.classList.remove('shown-by-guide')
+    }
   }, [step])
   const open = guide.value > 0
   useEffect(() => {

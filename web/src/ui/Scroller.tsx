@@ -4,7 +4,15 @@ import { useEffect, useRef } from 'preact/hooks'
 import { t } from '../language/messages'
 
 /** What may be too wide: then it scrolls sideways by itself, says so, and fades where more is. */
-export function Scroller({ label, children }: { label: string; children: ComponentChildren }) {
+export function Scroller({
+  label,
+  hint = t('The table scrolls sideways'),
+  children,
+}: {
+  label: string
+  hint?: string
+  children: ComponentChildren
+}) {
   const inside = useRef<HTMLElement>(null)
   const [before, after] = [useSignal(false), useSignal(false)]
   useEffect(() => {
@@ -26,7 +34,7 @@ export function Scroller({ label, children }: { label: string; children: Compone
   const wide = before.value || after.value
   return (
     <div class={`scroller${before.value ? ' before' : ''}${after.value ? ' after' : ''}`}>
-      {wide && <p class="sideways">{t('The table scrolls sideways')} ↔</p>}
+      {wide && <p class="sideways">{hint} ↔</p>}
       <section
         class="scroll"
         ref={inside}
