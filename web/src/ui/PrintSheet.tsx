@@ -48,18 +48,21 @@ function Sheet({ exhibit, named }: { exhibit: Exhibit; named: boolean }) {
     <section>
       {named && <h2>{exhibit.name}</h2>}
       <OrderTable exhibit={exhibit} />
-      <dl class="verdict">
-        {[...new Set(exhibit.verdict.map(({ about }) => about))].map((about) => (
-          <div key={about}>
-            <dt>{about}</dt>
-            {exhibit.verdict
-              .filter((fact) => fact.about === about)
-              .map(({ sentence }) => (
-                <dd key={sentence}>{sentence}</dd>
-              ))}
-          </div>
-        ))}
-      </dl>
+      <div class="judged">
+        {named && <h2>{exhibit.name}</h2>}
+        <dl class="verdict">
+          {[...new Set(exhibit.verdict.map(({ about }) => about))].map((about) => (
+            <div key={about}>
+              <dt>{about}</dt>
+              {exhibit.verdict
+                .filter((fact) => fact.about === about)
+                .map(({ sentence }) => (
+                  <dd key={sentence}>{sentence}</dd>
+                ))}
+            </div>
+          ))}
+        </dl>
+      </div>
     </section>
   )
 }
