@@ -49,7 +49,7 @@ export function projected(
 
 /** Kept at the lower edge for axes and scales: pixels, and at most a share of the height. */
 export function footOf(width: number, height: number): number {
-  return width < NARROW ? Math.min(0.4, 112 / height) : Math.min(0.25, 58 / height)
+  return width < NARROW ? Math.min(0.43, 112 / height) : Math.min(0.25, 58 / height)
 }
 
 /** Writes the labels of the drawing: names of views, cylinder numbers, axes, scales of arrows. */
