@@ -44,6 +44,7 @@ def writings(page: Page) -> list[dict[str, Any]]:
     return page.evaluate("() => window.writings")
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("camera", ["front", "isometric", "orbit"])
 @pytest.mark.parametrize("width", [390, 320])
 def test_labels_of_two_small_stages_keep_clear_of_edges_and_each_other(
@@ -66,6 +67,7 @@ def test_labels_of_two_small_stages_keep_clear_of_edges_and_each_other(
     assert lowest + 3 <= min(one["top"] for one in scales)
 
 
+@pytest.mark.long
 def test_the_words_of_the_whirl_have_room_in_every_language(built_page: Build, page: Page) -> None:
     page.set_viewport_size({"width": 320, "height": 640})
     page.add_init_script(WRITTEN)
@@ -133,3 +135,15 @@ def test_the_guide_opens_the_panel_it_speaks_of_and_goes_back(
     expect(panel).to_have_attribute("data-panel", "verdict")
     page.locator(".guide-head button").click()
     expect(panel).to_have_attribute("data-panel", "cylinders")
+
+
+@pytest.mark.parametrize(("width", "height"), [(320, 640), (812, 375)])
+def test_the_choice_of_views_keeps_its_room_beside_the_section(
+    width: int, height: int, built_page: Build, page: Page
+) -> None:
+    page.set_viewport_size({"width": width, "height": height})
+    opened(page, built_page(ONE), "a=40&camera=front")
+    expect(page.locator(".layers .section")).to_be_visible()
+    box = page.locator(".cameras").bounding_box()
+    assert box
+    assert box["width"] > 200
