@@ -1,3 +1,4 @@
+import { bytesOf } from './base64'
 import { piped } from './deflated'
 import type { Answer, Tree } from './host/host'
 import { t } from './language/messages'
@@ -7,8 +8,7 @@ export { packedTree } from './deflated'
 /** The engine file in a text made by `packedTree`. */
 export async function unpackedTree(packed: string): Promise<Answer<Tree>> {
   try {
-    const text = atob(packed.replaceAll('-', '+').replaceAll('_', '/'))
-    const bytes = Uint8Array.from(text, (letter) => letter.charCodeAt(0))
+    const bytes = bytesOf(packed.replaceAll('-', '+').replaceAll('_', '/'))
     const whole = await piped(bytes, new DecompressionStream('deflate-raw'))
     const tree: unknown = JSON.parse(new TextDecoder('utf-8', { fatal: true }).decode(whole))
     if (typeof tree === 'object' && tree !== null && !Array.isArray(tree))

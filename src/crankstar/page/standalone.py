@@ -55,8 +55,9 @@ const ready = new Promise((follow) => place.addEventListener(
   "crankstar", () => follow(place.crankstar.ready), { once: true }))
 ready.catch(() => {})  // the page says it
 place.crankstar = { ready, settled: () => ready.then(() => place.crankstar.settled()) }
-const packed = document.getElementById("crankstar-script").textContent
-const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0))
+const letters = atob(document.getElementById("crankstar-script").textContent)
+const bytes = new Uint8Array(letters.length)
+for (let i = 0; i < bytes.length; i++) bytes[i] = letters.charCodeAt(i)
 const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))
 const script = document.createElement("script")
 script.type = "module"

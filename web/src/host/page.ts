@@ -1,3 +1,4 @@
+import { bytesOf } from '../base64'
 import type { Exhibit, Exhibition } from '../exhibit'
 import { t } from '../language/messages'
 import { addressState } from './address'
@@ -53,13 +54,6 @@ function isPacked(value: unknown): value is { encoding: string; data: string } {
     'encoding' in value &&
     value.encoding === 'gzip+base64'
   )
-}
-
-function bytesOf(base64: string): Uint8Array<ArrayBuffer> {
-  const text = atob(base64)
-  const bytes = new Uint8Array(text.length)
-  for (let i = 0; i < text.length; i++) bytes[i] = text.charCodeAt(i)
-  return bytes
 }
 
 /** Charts, derivations and fitted engines that a file holds. */

@@ -1,4 +1,5 @@
 import font from 'virtual:math-font'
+import { bytesOf } from '../base64'
 
 /** The family of the font in which formulas are set. */
 const FAMILY = 'crankstar math'
@@ -9,8 +10,4 @@ export function loadMathFont(): Promise<unknown> {
   // from bytes, not from an address: no policy of a page has to allow it
   wanted ??= new FontFace(FAMILY, bytesOf(font)).load().then((face) => document.fonts.add(face))
   return wanted
-}
-
-function bytesOf(base64: string): ArrayBuffer {
-  return Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0)).buffer
 }
