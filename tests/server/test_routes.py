@@ -227,3 +227,30 @@ def test_mistakes_of_an_engine_beside_are_told_as_its_own(server: Server) -> Non
         answer = server.ask("api/chart", {"engine": "i4", "key": "spectrum", "beside": beside})
         assert answer.status == 422
         assert path in [problem["path"] for problem in answer.json["problems"]]
+
+
+@pytest.mark.parametrize(
+    ("heads", "words"),
+    [
+        ({}, "No primary couple."),
+        ({"Accept-Language": "ja"}, "一次慣性偶力なし。"),
+        ({"Accept-Language": "ja-JP,en;q=0.5"}, "一次慣性偶力なし。"),
+        ({"Accept-Language": "fr"}, "No primary couple."),
+    ],
+)
+def test_an_engine_is_told_of_in_the_language_that_is_asked_for(
+    heads: dict[str, str], words: str, server: Server
+) -> None:
+    answer = server.ask("api/exhibit", {"engine": "v8-flat-plane"}, heads=heads)
+    told = " ".join(fact["sentence"] for fact in answer.json["verdict"])
+    assert words in told
+
+
+def test_a_refusal_is_in_the_language_that_is_asked_for(server: Server) -> None:
+    def told(language: str) -> str:
+        heads = {"Accept-Language": language}
+        answer = server.ask("api/exhibit", {"engine": "nonsense"}, heads=heads)
+        return answer.json["problems"][0]["message"]
+
+    assert "no such engine" in told("en")
+    assert "каталог" in told("ru")

@@ -126,3 +126,34 @@ def test_every_example_of_the_guide_is_of_engines_that_there_are(state: str) -> 
     words = parse_qs(state)
     assert {*words.get("engine", []), *words.get("beside", [])} <= set(names())
     assert words["of"] in (["force"], ["couple"])
+
+
+@pytest.mark.many(first=1)
+@pytest.mark.parametrize(("language", "word"), [("ja", "判定"), ("ru", "Заключение")])
+def test_the_server_tells_of_engines_in_the_language_of_the_page(
+    language: str, word: str, page: Page, server: Server
+) -> None:
+    page.goto(f"{server.address}#engine=harley-45&a=0&tab=about")
+    page.evaluate(READY)
+    page.evaluate("window.first = true")
+    page.locator(f"[data-panel=about] input[value={language}]").check()
+    there = "document.querySelector('[data-crankstar]')?.crankstar"
+    page.wait_for_function(f"() => !window.first && {there}")  # opened again
+    page.evaluate(READY)
+    page.locator("[data-tab=verdict]").click()
+    verdict = page.get_by_role("tabpanel")
+    expect(verdict).to_contain_text(word)
+    expect(verdict).not_to_contain_text("force")
+    page.locator("[data-tab=edit]").click()
+    page.locator(".editor .form .field").first.wait_for()
+    labels = page.locator(".editor .form label").all_inner_texts()
+    assert not [label for label in labels if re.search("[a-z]{4}", label)]
+
+
+def test_an_engine_that_a_link_opens_is_where_its_history_begins(
+    page: Page, server: Server
+) -> None:
+    page.goto(f"{server.address}#engine=harley-45&a=0&tab=edit")
+    page.locator(".editor .form .field").first.wait_for()
+    expect(page.locator("h1")).to_contain_text("Harley")
+    expect(page.get_by_role("button", name="Undo")).to_be_disabled()

@@ -181,6 +181,7 @@ export function createApp(host: Host): App {
   }
 
   let ownName = ''
+  let begun = false
   endings.push(
     effect(() => convert(asGiven.value, units.value)),
     effect(() => {
@@ -221,7 +222,12 @@ export function createApp(host: Host): App {
       if (host.kind === 'server') document.title = engines.value.map(({ name }) => name).join(' · ')
     }),
     effect(() => {
+      const before = language.value
       language.value = store.language.value || host.language
+      // a server tells of its engines in one language: asked again, when the link has the choice
+      if (host.kind === 'server' && begun && language.value !== before)
+        window.setTimeout(() => location.reload(), 2 * WRITTEN_AFTER)
+      begun = true
       // a notebook is not ours
       if (host.kind !== 'widget') document.documentElement.lang = language.value
     }),

@@ -20,6 +20,8 @@ from crankstar.firing.vees import GREATEST_VEE, vees
 Table = dict[str, Any]
 GREATEST_ROW = 16
 """Cylinders of one row: beyond that nobody builds them, and there are too many cranks."""
+GREATEST_BOXER = 20
+"""Cylinders of a boxer: each pair of them doubles the number of firing orders."""
 GREATEST_SPLIT = 60.0
 """Degrees up to which pins are split: what is left of the pin must still carry the load."""
 OFFERED = 5
@@ -40,7 +42,7 @@ def kind_of(layout: Mapping[str, Any], cycle: str) -> Kind:
     """The step of the number of cylinders of a layout, and the greatest number."""
     match layout.get("type"):
         case "boxer":
-            return Kind(2, 2 * GREATEST_ROW)
+            return Kind(2, GREATEST_BOXER)
         case "vee":
             banks = len(layout.get("banks", ()))
             return Kind(banks, GREATEST_ROW * banks)

@@ -8,10 +8,17 @@ import json
 from collections import OrderedDict
 from typing import Any
 
+from crankstar.language.messages import language, spoken
 from crankstar.server.workers import Task, Workers
 
 GREATEST_KEPT = 64_000_000
 """Bytes of answers that are kept."""
+
+
+def _spoken(language: str, task: Task, *arguments: Any) -> bytes:
+    """The answer of a task in a language."""
+    with spoken(language):
+        return task(*arguments)
 
 
 class Answers:
@@ -25,16 +32,19 @@ class Answers:
         self._under_way: dict[bytes, tuple[asyncio.Task[bytes], list[int]]] = {}
 
     async def to(self, task: Task, *arguments: Any) -> bytes:
-        """The answer of a task to its arguments, which are JSON. Raises Refused.
+        """The answer of a task to its arguments, which are JSON, in the language of the context.
+
+        Raises Refused.
 
         A question that nobody waits for any more is dropped, unless it is already at work.
         """
-        key = hashlib.sha256(json.dumps([task.__name__, *arguments]).encode("ascii")).digest()
+        asked = [language(), task.__name__, *arguments]
+        key = hashlib.sha256(json.dumps(asked).encode("ascii")).digest()
         if (kept := self._kept.get(key)) is not None:
             self._kept.move_to_end(key)
             return kept
         if key not in self._under_way:
-            made = asyncio.ensure_future(self.workers.do(task, *arguments))
+            made = asyncio.ensure_future(self.workers.do(_spoken, language(), task, *arguments))
             made.add_done_callback(lambda done: self._ended(key, done))
             self._under_way[key] = made, [0]
         work, askers = self._under_way[key]

@@ -13,9 +13,10 @@ import asyncio
 import ipaddress
 import logging
 import socket
-from collections.abc import Awaitable, Callable, Iterable, MutableMapping
+from collections.abc import Awaitable, Callable, Iterable, Mapping, MutableMapping
 from typing import Any
 
+from crankstar.language.messages import LANGUAGES, language, spoken
 from crankstar.language.quoting import one_line
 from crankstar.server.refusal import Refused, refused
 
@@ -63,6 +64,16 @@ def too_late(seconds: float) -> Refused:
     return refused(408, "question.late", seconds=seconds)
 
 
+def asked_language(path: str, heads: Mapping[str, str]) -> str:
+    """The language of the answer to a question: the first one of Accept-Language, if it is known.
+
+    Else, and for pages, which have languages of their own, that of the server.
+    """
+    first = heads.get("accept-language", "").split(",")[0].split(";")[0].split("-")[0].strip()
+    known = path.startswith("/api/") and first.lower() in LANGUAGES
+    return first.lower() if known else language()
+
+
 class Guard:
     """Stands before an ASGI application."""
 
@@ -99,7 +110,8 @@ class Guard:
             if scope["method"] == "HEAD":
                 # asked as if for the whole answer; who sends it leaves its body out
                 scope = {**scope, "method": "GET"}
-            await _until_left(self.application(scope, _given(body), answer.send), receive)
+            with spoken(asked_language(scope["path"], heads)):
+                await _until_left(self.application(scope, _given(body), answer.send), receive)
         except Refused as refusal:
             await answer.refuse(refusal)
         except asyncio.CancelledError:

@@ -209,12 +209,14 @@ export function session(service: Service, engine: OnStage, shown: Shown): Sessio
       if (known) return
       origins.add(given.file.name)
       live.stop()
+      const untouched = self.steps.peek().all.length === 1
       // Back and Forward bring what was there before: a step that is known, not one more
       const step = self.steps.peek().all.findLastIndex((each) => same(each, given.file))
       const change =
         step < 0 ? ({ kind: 'edit', to: given.file } as const) : ({ kind: 'go', step } as const)
       batch(() => {
-        history.value = after(history.value, change)
+        // until something is changed, what the link shows is what the session begins with
+        history.value = untouched ? begun(given.file) : after(history.value, change)
         valid.value = given.file
         problems.value = []
         busy.value = false

@@ -1,5 +1,5 @@
 import type { Problem } from '../exhibit'
-import { t } from '../language/messages'
+import { language, t } from '../language/messages'
 import type { Answer } from './host'
 
 interface Request {
@@ -31,7 +31,10 @@ function answered(
   return fetch(`/api/${path}`, {
     method,
     keepalive: method === 'DELETE', // also as the page is left
-    headers: body === undefined ? {} : { 'Content-Type': 'application/json' },
+    headers: {
+      'Accept-Language': language.value,
+      ...(body === undefined ? {} : { 'Content-Type': 'application/json' }),
+    },
     ...(body === undefined ? {} : { body: JSON.stringify(body) }),
     ...(signal ? { signal } : {}),
   }).catch((error: unknown) => {

@@ -1,4 +1,6 @@
 import type { DerivationShown, Exhibit, Exhibition, FittedShown, TreeShown } from '../exhibit'
+import { language } from '../language/messages'
+import { stateOf } from '../state'
 import { addressState } from './address'
 import { requested, required } from './api'
 import type { Host, Spec } from './host'
@@ -25,6 +27,9 @@ function remembered<T>(): (key: string, ask: () => Promise<T>) => Promise<T> {
 
 /** The local server, `crankstar serve`. */
 export async function serverHost(): Promise<Host> {
+  const address = addressState()
+  // the engine that comes first is already told of in the language of the link
+  language.value = stateOf(address.readState()).language || address.language
   const exhibition = await required(requested<Exhibition>('opening'))
   const numbers = new WeakMap<Exhibit, number>()
   let count = 0
@@ -75,6 +80,6 @@ export async function serverHost(): Promise<Host> {
     },
     watched: (changed) => watched(exhibition.engines[0].file, changed),
     service,
-    ...addressState(),
+    ...address,
   }
 }

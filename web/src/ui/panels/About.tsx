@@ -1,4 +1,6 @@
-import { message, t } from '../../language/messages'
+import { language, message, t } from '../../language/messages'
+import { set } from '../../state'
+import { Choice } from '../Choice'
 import { useApp } from '../context'
 import { Heading } from '../Heading'
 import { KeyList } from '../keyList'
@@ -12,9 +14,16 @@ export const about: Panel = {
   of: 'all',
 }
 
+/** Each language by its own name. */
+const LANGUAGES = [
+  { value: 'en', label: 'English' },
+  { value: 'ja', label: '日本語' },
+  { value: 'ru', label: 'Русский' },
+]
+
 /** Sources, assumptions, how to read the page, and how to write it again. */
 function About() {
-  const { host, shown, engines } = useApp()
+  const { host, shown, store, engines } = useApp()
   const { command, version, sources = [] } = host.exhibition
   const asOpened = (index: number): boolean =>
     same(engines.value[index]?.file, host.exhibition.engines[index]?.file)
@@ -49,9 +58,17 @@ function About() {
       </section>
       <section>
         <h2>{t('This page')}</h2>
+        <Choice
+          label={t('Language')}
+          value={language.value}
+          choices={LANGUAGES}
+          chosen={(code) => set(store.language, code)}
+        />
         <p>{t('Made by crankstar {version}.', { version })}</p>
-        {!asOpened(0) && (
-          <p>{t('The engine has been changed. Save it as TOML (Edit) to keep it.')}</p>
+        {store.engine.value.startsWith('~') && (
+          <p>
+            {t('This engine is only in the link of the page. Save it as TOML (Edit) to keep it.')}
+          </p>
         )}
         {command && asOpened(0) && (
           <p>

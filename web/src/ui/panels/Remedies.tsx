@@ -84,7 +84,7 @@ function Grown({ before, after }: { before: Exhibit; after: Exhibit }) {
   if (!grown.length) return null
   return (
     <div class="estimate">
-      <p>{t('This leaves more of:')}</p>
+      <p>{t('Weights and shafts leave more of:')}</p>
       <ul>
         {grown.map(({ row, was }) => (
           <li key={`${row.quantity} ${row.label}`}>
