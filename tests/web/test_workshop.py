@@ -128,6 +128,28 @@ def test_a_number_that_is_typed_takes_any_unit_of_its_kind(bench: Page) -> None:
     split = control(bench, "layout.pin_split").get_by_role("textbox")
     split.fill("0.1 rad")
     eventually(lambda: file_of(bench)["layout"].get("pin_split"), "0.1 rad")
+    box.fill("４.５")  # of a Japanese keyboard
+    eventually(lambda: file_of(bench)["cylinder"]["rod_ratio"], 4.5)
+    box.fill("350%")
+    eventually(lambda: file_of(bench)["cylinder"]["rod_ratio"], 3.5)
+
+
+def test_what_is_no_value_is_said_beside_its_box_and_changes_nothing(bench: Page) -> None:
+    before = file_of(bench)
+    angle = control(bench, "layout.bank_angle")
+    box = angle.get_by_role("textbox")
+    for nonsense in ("abc", "45 kg", ""):
+        box.fill(nonsense)
+        expect(box).to_have_attribute("aria-invalid", "true")
+        expect(angle.get_by_role("alert")).to_contain_text("Type one such as 90 deg")
+    assert file_of(bench) == before
+    box.fill("60")
+    expect(angle.get_by_role("alert")).to_have_count(0)
+    box.press("Enter")
+    box.fill("75")
+    eventually(lambda: file_of(bench)["layout"]["banks"][0]["bearing"].split()[0], "37.5")
+    bench.get_by_role("button", name="Undo").click()
+    eventually(lambda: file_of(bench)["layout"]["banks"][0]["bearing"].split()[0], "30")
 
 
 def test_a_throw_is_dragged_on_the_star_and_rests_at_angles_that_make_sense(bench: Page) -> None:

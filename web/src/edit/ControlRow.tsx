@@ -1,9 +1,10 @@
 import { useId, useRef, useState } from 'preact/hooks'
 import type { Control, Slider } from '../exhibit'
+import { t } from '../language/messages'
 import { Curves } from './Curves'
 import { useSession } from './context'
 import { moved, snapped, valueIn } from './control'
-import { parsed } from './quantity'
+import { parsed, type Quantity } from './quantity'
 import { put, read, same } from './tree'
 
 /** How near to a value that makes sense a drag comes to rest, as a share of the range. */
@@ -66,41 +67,66 @@ function NumberBox({ id, control, value, set }: Moved & { id: string }) {
   const session = useSession()
   const [raw, setRaw] = useState<string | null>(null)
   const shown = `${Number(value.toPrecision(9))}${control.unit && ` ${control.unit}`}`
+  const [only, second] = control.sets
+  const alone = only && !second && only.added === 0 ? only : null
+  const typed = raw === null ? null : typedIn(raw)
+  // another unit is for the file to read, where it has the number as it is typed
+  const wrong = raw !== null && !(typed && (plainIn(typed, control) !== null || alone))
   const take = (text: string): void => {
-    const typed = parsed(text.replace(',', '.').replace('°', ' deg'))
-    if (!typed) return
-    const [only, second] = control.sets
-    if (!typed.unit || typed.unit === control.unit) set(typed.number)
-    // another unit: the file takes it as it is typed
-    else if (only && !second && only.added === 0)
-      session.direct(put(session.tree.peek(), read(only.path), text.trim()), control.key)
+    const now = typedIn(text)
+    const plain = now && plainIn(now, control)
+    if (plain !== null) set(plain)
+    else if (now && alone)
+      session.direct(put(session.tree.peek(), read(alone.path), text.trim()), control.key)
   }
   return (
-    <input
-      id={id}
-      type="text"
-      inputMode="decimal"
-      autocomplete="off"
-      spellcheck={false}
-      aria-describedby={`${id}-help`}
-      value={raw ?? shown}
-      onInput={(event) => {
-        setRaw(event.currentTarget.value)
-        take(event.currentTarget.value)
-      }}
-      onBlur={() => {
-        setRaw(null)
-        session.rest()
-      }}
-      onKeyDown={(event) => {
-        const way = { ArrowUp: 1, ArrowDown: -1 }[event.key]
-        if (!way) return
-        event.preventDefault()
-        setRaw(null)
-        set(stepped(value, way * control.step, event.shiftKey))
-      }}
-    />
+    <>
+      <input
+        id={id}
+        type="text"
+        inputMode="decimal"
+        autocomplete="off"
+        spellcheck={false}
+        aria-describedby={`${wrong ? `${id}-wrong ` : ''}${id}-help`}
+        aria-invalid={wrong}
+        value={raw ?? shown}
+        onInput={(event) => {
+          setRaw(event.currentTarget.value)
+          take(event.currentTarget.value)
+        }}
+        onBlur={() => {
+          setRaw(null)
+          session.rest()
+        }}
+        onKeyDown={(event) => {
+          if (event.key === 'Enter') {
+            if (!wrong) setRaw(null)
+            session.rest()
+          }
+          const way = { ArrowUp: 1, ArrowDown: -1 }[event.key]
+          if (!way) return
+          event.preventDefault()
+          setRaw(null)
+          set(stepped(value, way * control.step, event.shiftKey))
+        }}
+      />
+      {wrong && (
+        <p class="sentences" id={`${id}-wrong`} role="alert">
+          {t('Not a value for this engine. Type one such as {example}.', { example: shown })}
+        </p>
+      )}
+    </>
   )
+}
+
+/** What was typed as number and unit, in the letters of any keyboard; null where it is neither. */
+const typedIn = (text: string): Quantity | null =>
+  parsed(text.normalize('NFKC').replace(',', '.').replace('°', ' deg'))
+
+/** The number in the unit of a control; null where it has another one. */
+function plainIn({ number, unit }: Quantity, control: Control): number | null {
+  if (!unit || unit === control.unit) return number
+  return unit === '%' && !control.unit ? number / 100 : null
 }
 
 const stepped = (value: number, step: number, fine: boolean): number => {
