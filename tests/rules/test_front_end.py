@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gzip
 import json
 import re
 import runpy
@@ -9,6 +10,7 @@ import shutil
 import subprocess
 import sys
 import tomllib
+from base64 import b64decode
 from pathlib import Path
 
 import pytest
@@ -129,5 +131,9 @@ def test_sdist_and_wheel_have_the_page_in_them_and_install_without_node(tmp_path
     run(tmp_path / "fresh/bin/crankstar", "page", "v8-cross-plane", "-o", "v8.html")
     page = (tmp_path / "v8.html").read_text(encoding="utf-8")
     assert "<title>V8, cross-plane crank" in page
-    assert all(owner in page for owner in ("three.js authors", "Jason Miller", "Interactive Data"))
+    packed = re.search(r'id="crankstar-script">([^<]+)<', page)
+    assert packed
+    script = gzip.decompress(b64decode(packed[1])).decode()
+    owners = ("three.js authors", "Jason Miller", "Interactive Data")
+    assert all(owner in script for owner in owners)
     assert MEGABYTE / 2 < len(page.encode()) <= 3 * MEGABYTE

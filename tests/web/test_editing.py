@@ -123,6 +123,8 @@ def test_a_change_is_on_the_stage_at_once(editing: Page) -> None:
 
 @pytest.mark.long
 def test_a_change_is_drawn_once(editing: Page) -> None:
+    # so wide that another name leaves the stage its size
+    editing.set_viewport_size({"width": 1280, "height": 800})
     editing.add_init_script(CARD)
     editing.add_init_script(COUNTED)
     editing.reload()
