@@ -62,15 +62,27 @@ test('a throw that is turned takes its weights along, by any way of typing', asy
 })
 
 test('an engine that others put on the stage is taken over as a step that can be undone', async () => {
-  const { now, onStage, tree } = begun()
+  const { now, onStage } = begun()
   const other = { name: 'I4' }
+  now.set(['name'], 'V2, mine')
+  await settle()
+  const mine = now.tree.value
+  onStage.length = 0
   now.adopt(placed(other))
   await settle()
   expect(now.tree.value).toEqual(other)
   expect(onStage).toEqual([])
   now.undo()
   await settle()
-  expect(onStage).toEqual([tree])
+  expect(onStage).toEqual([mine])
+})
+
+test('until something is changed, a session begins with what others put on the stage', async () => {
+  const { now } = begun()
+  now.adopt(placed({ name: 'I4' }))
+  await settle()
+  expect(now.tree.value).toEqual({ name: 'I4' })
+  expect(now.canUndo.value).toBe(false)
 })
 
 test('the engine that the form itself put on the stage is not taken over, and a draft with a mistake stays', async () => {
