@@ -36,7 +36,8 @@ EDIT = """async () => {
         while (HANDLE.exhibits[0] === before) await new Promise(done => setTimeout(done, 1))
         await drawn()
         took.push(performance.now() - from)
-        await new Promise(done => setTimeout(done, 900)) // drawn finely by then, where no card draws
+        // drawn finely by then, where no card draws
+        await new Promise(done => setTimeout(done, 900))
     }
     return took
 }"""
