@@ -32,7 +32,7 @@ def gallery(page: Page, server: Server) -> Page:
 
 def test_every_engine_of_the_catalog_has_a_card_that_leads_to_it(gallery: Page) -> None:
     links = gallery.locator(".cards a").evaluate_all("all => all.map(a => a.getAttribute('href'))")
-    assert links == [f"/#engine={name}" for name in names()]
+    assert sorted(links) == sorted(f"/#engine={name}" for name in names())
     titles = gallery.locator(".cards .title").all_text_contents()
     assert titles == [entry.title for entry in summaries()]
 

@@ -13,7 +13,7 @@ export function Scroller({
   hint?: string
   children: ComponentChildren
 }) {
-  const inside = useRef<HTMLElement>(null)
+  const inside = useRef<HTMLDivElement>(null)
   const [before, after] = [useSignal(false), useSignal(false)]
   useEffect(() => {
     const box = inside.current
@@ -35,7 +35,8 @@ export function Scroller({
   return (
     <div class={`scroller${before.value ? ' before' : ''}${after.value ? ' after' : ''}`}>
       {wide && <p class="sideways">{hint} ↔</p>}
-      <section
+      <div
+        role="group"
         class="scroll"
         ref={inside}
         aria-label={label}
@@ -43,7 +44,7 @@ export function Scroller({
         {...(wide && { tabIndex: 0 })}
       >
         {children}
-      </section>
+      </div>
     </div>
   )
 }
