@@ -35,6 +35,7 @@ export function Scroller({
   return (
     <div class={`scroller${before.value ? ' before' : ''}${after.value ? ' after' : ''}`}>
       {wide && <p class="sideways">{hint} ↔</p>}
+      {/* biome-ignore lint/a11y/useSemanticElements: a fieldset is for what is filled in */}
       <div
         role="group"
         class="scroll"
