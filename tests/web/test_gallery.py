@@ -32,9 +32,11 @@ def gallery(page: Page, server: Server) -> Page:
 
 def test_every_engine_of_the_catalog_has_a_card_that_leads_to_it(gallery: Page) -> None:
     links = gallery.locator(".cards a").evaluate_all("all => all.map(a => a.getAttribute('href'))")
-    assert sorted(links) == sorted(f"/#engine={name}" for name in names())
     titles = gallery.locator(".cards .title").all_text_contents()
-    assert titles == [entry.title for entry in summaries()]
+    assert titles == sorted(titles, key=str.casefold)
+    every = {f"/#engine={entry.name}": entry.title for entry in summaries()}
+    assert len(links) == len(every) == len(titles)
+    assert dict(zip(links, titles, strict=True)) == every
 
 
 def test_filters_leave_the_engines_that_are_wanted(gallery: Page) -> None:
