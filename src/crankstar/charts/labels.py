@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from cmath import exp
 from collections.abc import Sequence
-from math import copysign, pi
+from math import copysign, inf, pi
 from typing import NamedTuple
 
 import numpy as np
@@ -17,10 +17,14 @@ ASIDE = (0, 25, -25, 50, -50, 80, -80, 115, -115, 150, -150, 180)
 """Degrees from the preferred direction of a label, in the order in which they are tried."""
 FARTHER = (0.0, 9.0, 20.0, 32.0, 46.0, 62.0, 80.0, 100.0, 122.0, 146.0)
 """px beyond the gap of a label, in the order in which they are tried."""
-PLACES = tuple(
+Place = tuple[float, float, float]
+"""How much farther than the gap of a label (px), how far aside (degrees), and its cost."""
+PLACES: tuple[Place, ...] = tuple(
     (farther, turn, abs(turn) / 60 + farther / 14) for farther in FARTHER for turn in ASIDE
 )
-"""The places of a label in the order in which they are tried: farther, aside, and the cost."""
+"""The places of a label in the order in which they are tried."""
+SAME = 1e-9
+"""Costs that differ by so little are the same: the first place is taken."""
 NEAREST = tuple(place for place in PLACES if place[0] <= FARTHER[2] and abs(place[1]) <= 25)
 """Those in which every way of a label is tried."""
 BESIDE = 75
@@ -112,11 +116,7 @@ def apart(
     lines: Complex = np.array([*faint, *strokes], complex).reshape(-1, 2)
     out: list[Label] = []
     for ways in labels[:GREATEST_LABELS]:
-        best: _Place | None = None
-        ground = _Ground(taken, lines, len(faint), within, theta, scale)
-        for later, label in enumerate(ways if len(ways) > 1 else ()):
-            best = _placed(label, ground, best, NEAREST, later * ANOTHER)
-        best = _placed(ways[0], ground, best, PLACES)
+        best = _placed(ways, _Ground(taken, lines, len(faint), within, theta, scale))
         if best is not None:
             out.append(best.label)
             taken.append(best.box)
@@ -128,9 +128,8 @@ def apart(
 
 
 class _Place(NamedTuple):
-    """A label where it may stand, and what that costs."""
+    """A label where it may stand."""
 
-    cost: float
     label: Label
     box: Box
 
@@ -146,46 +145,71 @@ class _Ground(NamedTuple):
     scale: float
 
 
-def _placed(
-    label: Label,
-    ground: _Ground,
-    best: _Place | None,
-    places: Sequence[tuple[float, int, float]],
-    least: float = 0.0,
-) -> _Place | None:
-    """The best of places of a label that cost at least so much, unless another one is better."""
-    taken, lines, faint = ground.taken, ground.lines, ground.faint
+def _placed(ways: Sequence[Label], ground: _Ground) -> _Place | None:
+    """The cheapest place of a label, of several the first; None where there is none.
+
+    All places are compared at once; only leaders are drawn one by one, the cheapest place first.
+    """
+    several = len(ways) if len(ways) > 1 else 0
+    owner = np.repeat([*range(several), 0], [len(NEAREST)] * several + [len(PLACES)])
+    places: Real = np.array([*NEAREST * several, *PLACES])
+    boxes = _boxes(ways, owner, places, ground)
+    free = np.nonzero(_inside(boxes, ground.within) & ~_met(boxes, ground.taken))[0]
+    owner, places, boxes = owner[free], places[free], boxes[free]
+    lines, faint = ground.lines[ground.faint :], ground.lines[: ground.faint]
+    cost: Real = places[:, 2] + ANOTHER * owner
+    cost += ACROSS_TEXT * crossed(boxes, lines).sum(axis=1)
+    cost += ACROSS_FAINT * crossed(boxes, faint).any(axis=1)
+    if ways[0].beside:
+        points = np.array([_point(way, theta=ground.theta, scale=ground.scale)[0] for way in ways])
+        wider = boxes + np.array([0, CLEAR, CLEAR])
+        others = _away(points, lines)[owner]
+        cost += NEAR_LINE * (crossed(wider, lines) & others).sum(axis=1)
+        cost += NEAR_LABEL * _met(wider, ground.taken)
+    best = (inf, 0)
+    for rank in np.argsort(cost, kind="stable"):
+        if cost[rank] > best[0] + SAME:
+            break
+        moved = _moved(ways[int(owner[rank])], *places[rank, :2].tolist())
+        with_leader = float(cost[rank]) + _cost_of_leader(moved, ground)
+        best = min(best, (round(with_leader, 9), int(rank)))
+    if not len(cost):
+        return None
+    moved = _moved(ways[int(owner[best[1]])], *places[best[1], :2].tolist())
+    return _Place(moved, box(moved, theta=ground.theta, scale=ground.scale))
+
+
+def _boxes(
+    labels: Sequence[Label], owner: NDArray[np.int_], places: Real, ground: _Ground
+) -> Complex:
+    """The rectangles of labels at places, as rows of `Box`; `owner` is the label of each place."""
+    shown = [_point(label, theta=ground.theta, scale=ground.scale) for label in labels]
+    point, way = np.array(shown, complex)[owner].T
+    across, upright = np.array([extent(label) for label in labels])[owner].T
+    turned = way * np.exp(1j * np.radians(places[:, 1]))
+    gap = np.array([label.gap for label in labels])[owner] + places[:, 0]
+    middle = point + (upright + gap) * np.real(turned) + 1j * (across + gap) * np.imag(turned)
+    return np.column_stack([middle, across, upright])
+
+
+def _cost_of_leader(label: Label, ground: _Ground) -> float:
+    """What the texts and lines cost over which the leader of a label runs, if it has one."""
+    if not label.led:
+        return 0.0
+    here = box(label, theta=ground.theta, scale=ground.scale)
     point, _way = _point(label, theta=ground.theta, scale=ground.scale)
-    others = lines[faint:][_away(point, lines[faint:])] if label.beside else lines[:0]
-    for farther, turn, price in places:
-        cost = least + price
-        if best is not None and cost >= best.cost - 1e-9:
-            continue
-        tried = _moved(label, farther, turn)
-        here = box(tried, theta=ground.theta, scale=ground.scale)
-        if not _inside(here, ground.within) or any(meets(here, other) for other in taken):
-            continue
-        through = crossed([here], lines)[0]
-        cost += ACROSS_TEXT * int(through[faint:].sum())
-        cost += ACROSS_FAINT * int(through[:faint].any())
-        if label.beside and (best is None or cost < best.cost):
-            wider = here._replace(across=here.across + CLEAR, upright=here.upright + CLEAR)
-            cost += NEAR_LINE * int(crossed([wider], others).sum())
-            cost += NEAR_LABEL * any(meets(wider, other) for other in taken)
-        if tried.led and (best is None or cost < best.cost):
-            leader = np.array([[point, leader_end(point, here)]])
-            cost += ACROSS_TEXT * int(crossed(taken, leader).sum())
-            cost += ACROSS_LINE * _crossings(leader[0], lines[faint:])
-        if best is None or cost < best.cost - 1e-9:
-            best = _Place(cost, tried, here)
-    return best
+    leader = np.array([[point, leader_end(point, here)]])
+    over_texts = int(crossed(ground.taken, leader).sum())
+    return ACROSS_TEXT * over_texts + ACROSS_LINE * _crossings(
+        leader[0], ground.lines[ground.faint :]
+    )
 
 
-def _away(point: complex, lines: Complex) -> NDArray[np.bool_]:
-    """Which lines do not run through a point, px."""
-    ways = lines[:, 1] - lines[:, 0]
-    along = np.real(np.conj(ways) * (point - lines[:, 0])) / np.maximum(np.abs(ways) ** 2, 1e-12)
-    nearest: Real = np.abs(lines[:, 0] + np.clip(along, 0.0, 1.0) * ways - point)
+def _away(points: Complex, lines: Complex) -> NDArray[np.bool_]:
+    """Which lines do not run through points, [point, line], px."""
+    ways, off = lines[:, 1] - lines[:, 0], points[:, None] - lines[:, 0]
+    along = np.real(np.conj(ways) * off) / np.maximum(np.abs(ways) ** 2, 1e-12)
+    nearest: Real = np.abs(np.clip(along, 0.0, 1.0) * ways - off)
     return nearest > 1.0
 
 
@@ -239,15 +263,25 @@ def meets(box: Box, other: Box) -> bool:
     )
 
 
-def _inside(box: Box, frame: Box) -> bool:
-    off = box.middle - frame.middle
-    return (
-        abs(off.imag) + box.across <= frame.across + 1
-        and abs(off.real) + box.upright <= frame.upright + 1
+def _met(boxes: Complex, taken: Sequence[Box]) -> NDArray[np.bool_]:
+    """Which rectangles, rows of `Box`, overlap with one of others."""
+    others: Complex = np.array(taken, complex).reshape(-1, 3)
+    between = boxes[:, None, 0] - others[:, 0]
+    across, upright = (np.real(boxes[:, None, i] + others[:, i]) for i in (1, 2))
+    met: NDArray[np.bool_] = np.abs(np.imag(between)) < across + 1
+    met &= np.abs(np.real(between)) < upright
+    return np.any(met, axis=1)
+
+
+def _inside(boxes: Complex, frame: Box) -> NDArray[np.bool_]:
+    """Which rectangles, rows of `Box`, are within another one."""
+    off, across, upright = boxes[:, 0] - frame.middle, np.real(boxes[:, 1]), np.real(boxes[:, 2])
+    return (np.abs(np.imag(off)) + across <= frame.across + 1) & (
+        np.abs(np.real(off)) + upright <= frame.upright + 1
     )
 
 
-def crossed(boxes: Sequence[Box], lines: Complex) -> NDArray[np.bool_]:
+def crossed(boxes: Sequence[Box] | Complex, lines: Complex) -> NDArray[np.bool_]:
     """Which lines [line, end] run through which rectangles, [box, line]; height taken tightly.
 
     A line misses a rectangle where the two lie apart across, upright or along the normal of the
