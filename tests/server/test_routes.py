@@ -236,6 +236,8 @@ def test_mistakes_of_an_engine_beside_are_told_as_its_own(server: Server) -> Non
         ({"Accept-Language": "ja"}, "一次慣性偶力なし。"),
         ({"Accept-Language": "ja-JP,en;q=0.5"}, "一次慣性偶力なし。"),
         ({"Accept-Language": "fr"}, "No primary couple."),
+        ({"Accept-Language": "fr, en;q=0.2, ja;q=0.3, ru;q=0"}, "一次慣性偶力なし。"),
+        ({"Accept-Language": "ja;q=nonsense, *;q=2, ;q=0.1,,"}, "No primary couple."),
     ],
 )
 def test_an_engine_is_told_of_in_the_language_that_is_asked_for(

@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import Browser, Page, expect
 from tests.server.test_watching import RIGHT
 from tests.web.browsing import barriers, too_wide, watched
-from tests.web.serving import Server
+from tests.web.serving import Server, serving
 
 from crankstar.files.catalog import names, summaries
 from crankstar.site.miniatures import LOOKS
@@ -109,6 +109,31 @@ def test_the_gallery_speaks_other_languages(
     page.evaluate(READY)
     page.locator("a.above").click()
     page.wait_for_url(f"**/gallery?lang={language}")
+
+
+def test_the_gallery_and_the_page_are_in_the_language_that_the_browser_prefers(
+    browser: Browser, server: Server
+) -> None:
+    context = browser.new_context(locale="ja-JP")
+    with context, context.new_page() as page:
+        page.goto(f"{server.address}gallery")
+        expect(page.get_by_role("heading", level=1)).to_have_text("エンジン")
+        page.locator(".cards a").first.click()
+        page.wait_for_url("**/#engine=*")
+        page.evaluate(READY)
+        assert page.evaluate("document.documentElement.lang") == "ja"
+        page.locator("a.above").click()
+        page.get_by_role("link", name="English").click()
+        expect(page.get_by_role("heading", level=1)).to_have_text("Engines")
+        assert page.locator(".languages [aria-current]").inner_text() == "English"
+
+
+def test_a_server_that_is_told_its_language_keeps_to_it(browser: Browser) -> None:
+    complaints: list[str] = []
+    with serving("--language", "ru") as server, watched(browser, complaints) as page:
+        page.goto(f"{server.address}gallery")
+        expect(page.get_by_role("heading", level=1)).to_have_text("Двигатели")
+    assert complaints == []
 
 
 def test_an_engine_file_that_is_dropped_is_opened(gallery: Page) -> None:

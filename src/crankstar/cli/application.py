@@ -104,7 +104,8 @@ def main(arguments: Sequence[str] | None = None) -> None:
 def _code(words: list[str]) -> int:
     """Run a command line, its complaints in the language it asks for. Returns the exit code."""
     try:
-        speak(_language(words))
+        wanted = _language(words)
+        speak(wanted or language(), named=wanted is not None)
         with shown_in(_units(words)):
             if not words and _gallery():
                 raise SystemExit(0)
@@ -158,15 +159,13 @@ def _gallery() -> bool:
     return wanted
 
 
-def _language(words: list[str]) -> str:
-    """The language of --language, taken out of the words, else of its variable, else the present.
+def _language(words: list[str]) -> str | None:
+    """The language of --language, taken out of the words, else of its variable, if any.
 
     Raises RequestError.
     """
     asked, wanted = _taken(words, LANGUAGE, "CRANKSTAR_LANG")
-    if wanted is None:
-        return language()
-    if wanted not in LANGUAGES:
+    if wanted is not None and wanted not in LANGUAGES:
         raise RequestError(
             "{option} {language}: the languages are {languages}",
             option=asked,

@@ -20,10 +20,13 @@ DOMAIN = "crankstar"
 LANGUAGES = ("en", "ja", "ru")
 """Languages with a catalog, English, the language of the keys, first."""
 
+NAMES = {"en": "English", "ja": "日本語", "ru": "Русский"}
+"""What those who speak a language call it."""
 WIDE = re.compile("[\u3000-\u9fff\uf900-\ufaff\uff00-\uffef]")
 """A sign of Japanese print, beside which there is no space."""
 
 _language: ContextVar[str] = ContextVar("language", default="en")
+_named: ContextVar[bool] = ContextVar("named", default=False)
 
 
 @contextmanager
@@ -36,9 +39,18 @@ def spoken(language: str) -> Iterator[None]:
         _language.reset(token)
 
 
-def speak(language: str) -> None:
-    """Have sentences in this language from now on, in a process or thread that begins."""
+def speak(language: str, *, named: bool = False) -> None:
+    """Have sentences in this language from now on, in a process or thread that begins.
+
+    `named`: the reader asked for it, no system was asked.
+    """
     _language.set(language)
+    _named.set(named)
+
+
+def is_named() -> bool:
+    """Whether the reader asked for the language of the context."""
+    return _named.get()
 
 
 def language() -> str:

@@ -42,8 +42,12 @@ def application(
     opening: Opening = OPENS_WITH,
     host: str = "127.0.0.1",
     watched: Watched | None = None,
+    one_language: bool = False,
 ) -> Guard:
-    """The ASGI application of the server; the page follows a watched file."""
+    """The ASGI application of the server; the page follows a watched file.
+
+    It is in the language that a browser prefers, or, of `one_language`, always in ours.
+    """
     searches = Searches()
 
     @asynccontextmanager
@@ -78,7 +82,7 @@ def application(
     app.add_exception_handler(Refused, _refuse)
     app.add_exception_handler(HTTPException, _refuse_http)
     app.add_exception_handler(RequestValidationError, _refuse_invalid)
-    return Guard(app, host=host)
+    return Guard(app, host=host, one_language=one_language)
 
 
 def _shown(refusal: Refused, headers: Any = None) -> Response:

@@ -12,8 +12,9 @@ from __future__ import annotations
 import asyncio
 import ipaddress
 import logging
+import re
 import socket
-from collections.abc import Awaitable, Callable, Iterable, Mapping, MutableMapping
+from collections.abc import Awaitable, Callable, Iterable, MutableMapping
 from typing import Any
 
 from crankstar.language.messages import LANGUAGES, language, spoken
@@ -26,6 +27,9 @@ GREATEST_HEARD_OUT = 20_000_000
 """Bytes read of a question that is too long: a browser accepts the refusal only after them."""
 QUESTION_SECONDS = 10.0
 """How long a question may take to come."""
+MOST_PREFERENCES = 400
+"""Letters of an Accept-Language that are read."""
+QUALITY = re.compile(r"q=([01](?:\.\d{0,3})?)")
 LOOPBACK = frozenset({"localhost", "127.0.0.1", "::1"})
 PAGE_POLICY = (
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; "
@@ -64,14 +68,20 @@ def too_late(seconds: float) -> Refused:
     return refused(408, "question.late", seconds=seconds)
 
 
-def asked_language(path: str, heads: Mapping[str, str]) -> str:
-    """The language of the answer to a question: the first one of Accept-Language, if it is known.
+def preferred_language(header: str) -> str | None:
+    """The language that an Accept-Language likes best of those there are; None without one.
 
-    Else, and for pages, which have languages of their own, that of the server.
+    >>> preferred_language("fr-CH, fr;q=0.9, ja;q=0.7, en;q=0.8"), preferred_language("*")
+    ('en', None)
     """
-    first = heads.get("accept-language", "").split(",")[0].split(";")[0].split("-")[0].strip()
-    known = path.startswith("/api/") and first.lower() in LANGUAGES
-    return first.lower() if known else language()
+    liked: list[tuple[float, str]] = []
+    for part in header[:MOST_PREFERENCES].lower().split(","):
+        tag, _semicolon, weight = part.partition(";")
+        share = QUALITY.fullmatch(weight.strip())
+        if not weight or share:
+            liked.append((float(share[1]) if share else 1.0, tag.split("-")[0].strip()))
+    known = [(share, name) for share, name in liked if share > 0 and name in LANGUAGES]
+    return max(known, key=lambda each: each[0], default=(0.0, None))[1]
 
 
 class Guard:
@@ -83,8 +93,10 @@ class Guard:
         *,
         host: str = "127.0.0.1",
         seconds: float = QUESTION_SECONDS,
+        one_language: bool = False,
     ) -> None:
         self.application = application
+        self.one_language = one_language
         self.hosts = hosts_of(host)
         self.own = {host.lower(), socket.gethostname().lower(), "localhost"}
         self.seconds = seconds
@@ -110,7 +122,7 @@ class Guard:
             if scope["method"] == "HEAD":
                 # asked as if for the whole answer; who sends it leaves its body out
                 scope = {**scope, "method": "GET"}
-            with spoken(asked_language(scope["path"], heads)):
+            with spoken(self._language(scope["path"], heads.get("accept-language", ""))):
                 await _until_left(self.application(scope, _given(body), answer.send), receive)
         except Refused as refusal:
             await answer.refuse(refusal)
@@ -119,6 +131,15 @@ class Guard:
         except Exception:
             log.exception("a question failed")
             await answer.refuse(refused(500, "question.failed"))
+
+    def _language(self, path: str, header: str) -> str:
+        """The language of an answer: what the asker likes best, else that of the server.
+
+        A server of one language has its pages in it; what a page asks for is in that of the page.
+        """
+        if self.one_language and not path.startswith("/api/"):
+            return language()
+        return preferred_language(header) or language()
 
     def _check(self, scope: Message, heads: dict[str, str]) -> None:
         host = heads.get("host", "")

@@ -16,7 +16,7 @@ import h11
 import uvicorn
 from uvicorn.protocols.http.h11_impl import H11Protocol
 
-from crankstar.language.messages import _
+from crankstar.language.messages import _, is_named
 from crankstar.language.quoting import one_line
 from crankstar.options.values import RequestError
 from crankstar.server import guard
@@ -97,9 +97,14 @@ def serve(
     ready: Callable[[], None],
     watched: Watched | None = None,
 ) -> None:
-    """Serve until an interrupt or a signal to end; `ready` is called when the server is up."""
+    """Serve until an interrupt or a signal to end; `ready` is called when the server is up.
+
+    Pages are in the language that is named, or in that of each browser.
+    """
     workers = Workers(max(1, min(os.cpu_count() or 1, GREATEST_PROCESSES)), seconds=TASK_SECONDS)
-    app = application(workers=workers, opening=opening, host=host, watched=watched)
+    app = application(
+        workers=workers, opening=opening, host=host, watched=watched, one_language=is_named()
+    )
     settings: dict[str, Any] = {
         "lifespan": "on",
         "log_config": None,

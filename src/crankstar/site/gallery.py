@@ -11,7 +11,7 @@ from html import escape
 from importlib.resources import files
 from typing import NamedTuple
 
-from crankstar.language.messages import N_, _, _n, language
+from crankstar.language.messages import N_, NAMES, _, _n, language
 from crankstar.site.miniatures import SIZE, Look
 
 LAYOUTS = {
@@ -67,7 +67,7 @@ def html(gallery: Gallery) -> str:
         else ""
     )
     about = _("Piston engines that turn, and how they shake: choose one.")
-    own = _own() if gallery.live else ""
+    own, others = (_own(), _languages()) if gallery.live else ("", "")
     ordered = sorted(gallery.cards, key=lambda card: card.title.casefold())
     cards = "\n".join(_card(card, gallery) for card in ordered)
     none = _("No engine matches. Type fewer words, or take all layouts.")
@@ -87,6 +87,7 @@ def html(gallery: Gallery) -> str:
 </head>
 <body{" data-live" * gallery.live}>
 <header>
+{others}
 <h1>{escape(title)}</h1>
 <p>{escape(about)}</p>
 </header>
@@ -130,6 +131,16 @@ def _select(name: str, choices: Sequence[tuple[str, str]]) -> str:
     options = [("", _("All")), *choices]
     inner = "".join(f'<option value="{value}">{escape(text)}</option>' for value, text in options)
     return f'<select name="{name}">{inner}</select>'
+
+
+def _languages() -> str:
+    """The same gallery in each language."""
+    present, label = {language(): ' aria-current="true"'}, _("Language")
+    links = " ".join(
+        f'<a href="?lang={code}" lang="{code}" hreflang="{code}"{present.get(code, "")}>{name}</a>'
+        for code, name in NAMES.items()
+    )
+    return f'<nav class="languages" aria-label="{escape(label)}">{links}</nav>'
 
 
 def _own() -> str:
