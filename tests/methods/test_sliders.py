@@ -84,6 +84,18 @@ def test_every_control_sets_its_number_and_makes_an_engine(name: str) -> None:
         assert again[control.key].value == pytest.approx(control.value + control.step)
 
 
+def test_banks_more_than_half_a_turn_apart_have_an_angle_too() -> None:
+    tree = tree_of("v2-90")
+    for bank, bearing in zip(tree["layout"]["banks"], ("100 deg", "-100 deg"), strict=True):
+        bank["bearing"] = bearing
+    engine = engine_of(tree)
+    (angle,) = (each for each in controls(engine, tree) if each.key == "layout.bank_angle")
+    assert angle.value == pytest.approx(160)
+    same = engine_of(set_to(tree, angle, angle.value))
+    again, bearings = ([np.exp(1j * c.bearing) for c in e.cylinders] for e in (same, engine))
+    assert again == pytest.approx(bearings)
+
+
 def test_every_usual_layout_is_an_engine_that_fires() -> None:
     shown = presets()
     assert [preset.key for preset in shown] == [*USUAL]

@@ -56,15 +56,13 @@ def _bank_angle(engine: Engine, layout: Mapping[str, Any]) -> Iterator[Control]:
         return
     if not all("bearing" in bank for bank in banks):
         return
-    bearings = [_degrees(bank["bearing"]) for bank in banks]
-    if abs(bearings[0] - bearings[1]) > 180:
-        return
-    middle, sign = sum(bearings) / 2, 1.0 if bearings[0] > bearings[1] else -1.0
+    between = bank_angle_deg(engine, layout)
+    middle, sign = _degrees(banks[1]["bearing"]) + between / 2, 1.0 if between > 0 else -1.0
     yield Control(
         key=BANK_ANGLE,
         label=_("Bank angle"),
         help=_("between the two banks, about the middle between them"),
-        value=round(abs(bank_angle_deg(engine, layout)), 9),
+        value=round(abs(between), 9),
         unit="deg",
         low=0,
         high=180,

@@ -8,10 +8,10 @@ import { type Bench, benchOf } from './offers'
 import { Presets } from './Presets'
 import { StageHandles } from './StageHandles'
 import { Star } from './Star'
+import type { Session } from './session'
 
 /** The bench of the present session, for as long as the panel is open. */
-export function useBench(units: string): Bench | null {
-  const session = useSession()
+export function useBench(session: Session, units: string): Bench | null {
   const [bench, setBench] = useState<Bench | null>(null)
   useEffect(() => {
     const [made, end] = benchOf(session, () => units)
@@ -22,10 +22,8 @@ export function useBench(units: string): Bench | null {
 }
 
 /** What one changes first: cylinders, crank, firing order, and the few numbers that matter. */
-export function Workbench({ units }: { units: string }) {
+export function Workbench({ bench }: { bench: Bench }) {
   const session = useSession()
-  const bench = useBench(units)
-  if (!bench) return null
   const shown = bench.shown.value
   return (
     <section class="bench" aria-label={t('Workshop')} aria-busy={bench.busy.value}>

@@ -1,7 +1,8 @@
 import { useRef, useState } from 'preact/hooks'
 import type { Exhibit } from '../exhibit'
 import type { Tree } from '../host/host'
-import { plural, t } from '../language/messages'
+import { language, plural, t } from '../language/messages'
+import { choiceText } from './choices'
 import { useSession } from './context'
 import {
   exported,
@@ -166,7 +167,7 @@ export function Shelf({ beside }: Props) {
               ) : (
                 <span class="kept">
                   <b>{engine.name}</b>
-                  <span class="facts">{`${engine.summary} · ${dateOf(engine.at)}`}</span>
+                  <span class="facts">{`${summaryText(engine)} · ${dateOf(engine.at)}`}</span>
                 </span>
               )}
               <span class="bar">
@@ -247,9 +248,15 @@ function download(text: string): void {
   setTimeout(() => URL.revokeObjectURL(address), 10_000)
 }
 
+/** Layout and number of cylinders; the layout is kept as the engine file names it. */
+function summaryText({ summary }: Kept): string {
+  const [layout = '', ...more] = summary.split(', ')
+  return [choiceText(layout), ...more].join(', ')
+}
+
 function dateOf(at: string): string {
   const date = new Date(at)
   return Number.isNaN(date.getTime())
     ? ''
-    : date.toLocaleString(undefined, { dateStyle: 'medium', timeStyle: 'short' })
+    : date.toLocaleString(language.value, { dateStyle: 'medium', timeStyle: 'short' })
 }

@@ -1,13 +1,14 @@
 import { useId, useRef, useState } from 'preact/hooks'
 import type { CatalogEntry } from '../exhibit'
 import { t } from '../language/messages'
+import { choiceText } from './choices'
 
 /** The entries with every typed word in name, title, layout, cylinders or cycle. */
 export function matching(entries: readonly CatalogEntry[], typed: string): CatalogEntry[] {
   const words = typed.toLowerCase().split(/\s+/).filter(Boolean)
   return entries.filter((entry) => {
     const said =
-      `${entry.name} ${entry.title} ${entry.layout} ${entry.cylinders} cylinders ${entry.cycle}`.toLowerCase()
+      `${entry.name} ${entry.title} ${entry.layout} ${entry.cylinders} cylinders ${entry.cycle} ${choiceText(entry.layout)} ${choiceText(entry.cycle)}`.toLowerCase()
     return words.every((word) => said.includes(word))
   })
 }
@@ -102,7 +103,7 @@ export function CatalogPicker({ label, entries: all, take: taken }: Props) {
             onKeyDown={() => undefined}
           >
             <span class="title">{entry.title}</span>
-            <span class="facts">{`${entry.layout}, ${entry.cylinders}, ${entry.cycle}`}</span>
+            <span class="facts">{`${choiceText(entry.layout)}, ${entry.cylinders}, ${choiceText(entry.cycle)}`}</span>
           </div>
         ))}
         {entries.length === 0 && (

@@ -28,7 +28,7 @@ export function valueIn(tree: Tree, control: Control): number {
   if (!first) return control.value
   // both banks of a V: what stands between them, wherever the middle is
   const value = second
-    ? (first.number - second.number) / (first.factor - second.factor)
+    ? Math.abs(wrapped((first.number - second.number) / (first.factor - second.factor), 1e-9))
     : (first.number - first.added) / first.factor
   const round = control.unit === 'deg' && control.high === 360 && value < 0 ? value + 360 : value
   return plain(round)

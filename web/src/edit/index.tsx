@@ -2,7 +2,7 @@ import { effect } from '@preact/signals'
 import { useEffect, useMemo, useRef } from 'preact/hooks'
 import type { Service, Tree } from '../host/host'
 import { plural, t } from '../language/messages'
-import { Workbench } from './Bench'
+import { useBench, Workbench } from './Bench'
 import benchCss from './bench.css?inline'
 import { CatalogPicker } from './catalog'
 import { Provider } from './context'
@@ -33,6 +33,7 @@ interface Props {
 export function Editor({ service, engine, units = '', beside, shown }: Props) {
   const session = sessionOf(service, engine, shown)
   const root = useRef<HTMLElement>(null)
+  const bench = useBench(session, units)
   // drawn once: its fields follow the engine by themselves
   const form = useMemo(() => <EngineForm />, [])
   useEffect(() => session.adopt(engine), [session, engine])
@@ -71,8 +72,8 @@ export function Editor({ service, engine, units = '', beside, shown }: Props) {
         <NotDone session={session} />
         <Mistakes session={session} root={() => root.current} />
         {beside && <Shelf beside={beside} />}
-        <Steps />
-        <Workbench units={units} />
+        <Steps controls={bench?.shown.value?.controls ?? []} />
+        {bench && <Workbench bench={bench} />}
         {form}
       </section>
     </Provider>

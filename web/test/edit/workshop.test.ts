@@ -40,6 +40,8 @@ test('a bank angle turns both banks about the middle between them', () => {
   const to = moved(V8, BANKS, 60)
   expect(to.layout).toMatchObject({ banks: [{ bearing: '40 deg' }, { bearing: '-20 deg' }] })
   expect([valueIn(V8, BANKS), valueIn(to, BANKS)]).toEqual([90, 60])
+  const below = { layout: { banks: [{ bearing: '100 deg' }, { bearing: '-100 deg' }] } }
+  expect(valueIn(below, BANKS)).toBe(160)
 })
 
 test('a control reads the number of its file, in radians too, and keeps what is bare', () => {
@@ -101,6 +103,8 @@ test('a step of the history is told by what it changed', () => {
   expect(stepText(V8, to)).toBe('balance_factor: nothing → 0.5')
   expect(stepText(undefined, V8)).toBe('Opened: V8')
   expect(stepText(V8, moved(V8, BANKS, 60))).toContain('layout.banks[1].bearing: 55 deg → 40 deg')
+  expect(stepText(V8, moved(V8, BANKS, 60), [BANKS])).toBe('Bank angle: 90 → 60 deg')
+  expect(stepText(V8, to, [BANKS])).toBe('balance_factor: nothing → 0.5')
 })
 
 test('curves of one quantity are drawn to one scale, over the whole range', () => {
