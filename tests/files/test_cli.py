@@ -85,6 +85,7 @@ def test_completion_is_installed_with_the_options_of_all_verbs(tmp_path: Path) -
     assert (tmp_path / ".bashrc").read_bytes() == before
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("columns", ["²", "-3", "x", "0", ""])
 def test_a_width_that_is_none_is_passed_over(columns: str) -> None:
     """Rich takes a superscript for a digit, and int does not."""
@@ -610,6 +611,7 @@ def test_faults_of_engines_and_speed_are_reported_together(
     assert all(sum(line.startswith(place) for line in lines) == 1 for place in places), lines
 
 
+@pytest.mark.many(first=4)
 @pytest.mark.parametrize(
     ("place", "reason"),
     [

@@ -38,6 +38,7 @@ def formulas(page: str) -> list[str]:
     return re.findall(r"<math.*?</math>", page, re.DOTALL)
 
 
+@pytest.mark.many(first=4)
 @pytest.mark.parametrize("name", KINDS)
 def test_every_format_of_a_derivation_is_written(run: Run, name: str) -> None:
     for form, begins in (

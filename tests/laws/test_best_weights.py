@@ -59,6 +59,7 @@ def ends(engine: Engine) -> list[Plane]:
     return [Plane(shaft.name, z) for shaft in engine.shafts for z in end_webs(engine, shaft)]
 
 
+@pytest.mark.many(first=24)
 @pytest.mark.parametrize("aim", AIMS.values(), ids=AIMS.keys())
 @pytest.mark.parametrize("name", ENGINES)
 def test_no_weights_are_better(name: str, aim: Aim) -> None:

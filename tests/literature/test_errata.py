@@ -57,6 +57,7 @@ def engine_of(one: Erratum) -> crankstar.Engine:
 # Results and steps, judged by momentum
 
 
+@pytest.mark.many(first=12)
 @each(JUDGED)
 def test_what_is_printed_is_not_what_momentum_says(one: Erratum) -> None:
     found = curves(one)
@@ -66,6 +67,7 @@ def test_what_is_printed_is_not_what_momentum_says(one: Erratum) -> None:
         assert off > 0.7 * np.nanmax(np.abs(found.printed))
 
 
+@pytest.mark.many(first=12)
 @each(JUDGED)
 def test_what_we_derive_is_what_momentum_says(one: Erratum) -> None:
     found = curves(one)

@@ -56,6 +56,7 @@ def blue_paths(chart: charts.Chart) -> list[np.ndarray]:
     return out
 
 
+@pytest.mark.many(first=8)
 @pytest.mark.parametrize("quantity", QUANTITIES)
 @pytest.mark.parametrize("name", ENGINES)
 def test_farthest_point_of_a_polar_diagram_is_the_peak_in_the_table(

@@ -115,6 +115,7 @@ def huge() -> Engine:
     return inline(Basis(name=name), throws=tuple(0.1 * place for place in range(256)))
 
 
+@pytest.mark.many(first=24)
 @EVERY_CHART
 @pytest.mark.parametrize(
     "engine",
@@ -136,6 +137,7 @@ def test_every_figure_can_be_drawn_of_the_whole_catalog(name: str, engine: str) 
     compiled(crankstar.load(engine), charts.CHARTS[name])
 
 
+@pytest.mark.many(first=5)
 @EVERY_CHART
 def test_figures_of_an_engine_with_balance_shafts_and_weights(name: str) -> None:
     compiled(with_counterweights(lanchester(), factor=0.5), charts.CHARTS[name])
@@ -168,6 +170,7 @@ def test_every_figure_takes_the_options_it_is_said_to_take(name: str) -> None:
     )
 
 
+@pytest.mark.many(first=12)
 @EVERY_CHART
 @pytest.mark.parametrize("engine", ["v8-cross-plane", "i4", "kr250-racer"])
 def test_what_depends_on_the_crank_angle_has_one_parameter_for_it_in_degrees(
@@ -245,6 +248,7 @@ def test_what_shows_geometry_has_equal_scales(name: str, engine: str) -> None:
     assert shown
 
 
+@pytest.mark.many(first=14)
 @pytest.mark.parametrize("name", PLANES)
 @pytest.mark.parametrize(
     "engine", [*ENGINES, "napier-deltic", pytest.param("huge", marks=pytest.mark.long)]

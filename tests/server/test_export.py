@@ -21,6 +21,7 @@ from crankstar.server.forms import KINDS, Form
 ENGINE = "v8-cross-plane"
 
 
+@pytest.mark.many(first=3)
 @pytest.mark.parametrize("form", KINDS)
 def test_every_form_is_sent_as_a_file_to_keep(form: Form, server: Server) -> None:
     answer = server.ask("api/export", {"engine": ENGINE, "form": form})

@@ -36,6 +36,7 @@ def written(name: str, folder: Path) -> Path:
     return place
 
 
+@pytest.mark.many(first=2)
 @pytest.mark.parametrize("name", ENGINES)
 def test_every_formula_is_set(page: Page, tmp_path: Path, name: str) -> None:
     page.goto(written(name, tmp_path).as_uri())
@@ -49,6 +50,7 @@ def test_every_formula_is_set(page: Page, tmp_path: Path, name: str) -> None:
         assert formula["told"]
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_a_page_fits_and_is_legible_in_any_light(page: Page, tmp_path: Path, scheme: str) -> None:
     page.emulate_media(color_scheme=scheme)  # pyright: ignore[reportArgumentType]

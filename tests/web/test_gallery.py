@@ -97,6 +97,7 @@ def test_the_gallery_is_for_everyone(gallery: Page) -> None:
     assert {name: told for name, told in found.items() if told} == {}
 
 
+@pytest.mark.long
 @pytest.mark.many(first=1)
 @pytest.mark.parametrize(("language", "heading"), [("ja", "エンジン"), ("ru", "Двигатели")])
 def test_the_gallery_speaks_other_languages(

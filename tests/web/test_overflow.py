@@ -117,7 +117,7 @@ def test_nothing_overflows_on_the_page_of_a_file(
         assert faults(page, widths) == {}, language
 
 
-@pytest.mark.many(first=2)
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("style", BREAKAGES.values(), ids=BREAKAGES)
 def test_a_text_that_overflows_is_found(
     style: str, built_page: Callable[..., Path], page: Page

@@ -121,6 +121,7 @@ def test_the_dot_in_the_table_is_where_the_vector_points(built_page: Build, page
 CENTRES = "all => all.map(one => [one.cx.baseVal.value, one.cy.baseVal.value])"
 
 
+@pytest.mark.long
 @pytest.mark.many(first=1)
 @pytest.mark.parametrize("name", [CROSS, pytest.param("kr250-racer", marks=pytest.mark.long)])
 def test_loads_on_bearings_are_those_of_python_at_every_angle(
@@ -284,6 +285,7 @@ def test_weights_take_the_couple_from_a_cross_plane_crank_in_all_parts(
     expect(panel.locator("[data-chart=spectrum]")).to_have_count(0)
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     ("language", "play", "roll"),
     [("ja", "再生", "ローリングモーメント"), ("ru", "Пуск", "Опрокидывающий момент")],
@@ -304,6 +306,7 @@ def test_the_page_is_shown_in_the_language_of_its_address(
     assert page.locator("html").get_attribute("lang") == "en"
 
 
+@pytest.mark.long
 def test_every_panel_names_the_engine_it_shows_and_shows_either(
     built_page: Build, page: Page
 ) -> None:
@@ -438,6 +441,7 @@ def written() -> str:
     )
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     ("found", "instead", "told"),
     [

@@ -108,6 +108,7 @@ def test_the_guide_points_at_the_parts_of_the_page_one_after_the_other(
     expect(page.locator(".shown-by-guide")).to_have_count(0)
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("width", [1440, 390])
 def test_a_word_with_a_dotted_line_is_explained_as_in_the_glossary(
     width: int, built_page: Build, page: Page
@@ -135,6 +136,7 @@ def test_a_word_with_a_dotted_line_is_explained_as_in_the_glossary(
         expect(box).to_have_count(0)
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     ("tab", "word", "term"),
     [
@@ -154,6 +156,7 @@ def test_units_and_words_of_the_verdict_are_explained(
     page.keyboard.press("Escape")
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("language", ["ja", "ru"])
 def test_terms_are_named_and_explained_in_the_language_of_the_page(
     language: str, built_page: Build, page: Page

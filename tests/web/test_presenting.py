@@ -52,6 +52,7 @@ def test_a_link_opens_a_presentation_and_a_button_ends_it(built_page: Build, pag
     page.wait_for_function("() => !location.hash.includes('present')")
 
 
+@pytest.mark.long
 def test_a_click_on_the_enlarged_sheet_enlarges_the_view_below_it(
     built_page: Build, page: Page
 ) -> None:
@@ -110,6 +111,7 @@ NAMED = """() => [...document.querySelectorAll('.tools > button')].map(button =>
 })"""
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("width", [390, 320])
 def test_on_a_phone_every_button_in_the_head_shows_its_name(
     width: int, built_page: Build, page: Page
@@ -139,6 +141,7 @@ def test_a_table_says_that_it_scrolls_and_keeps_its_orders(built_page: Build, pa
     assert box.get_attribute("tabindex") is None
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize(
     "size", [(844, 390), (720, 450)], ids=["a phone held across", "enlarged to 200 %"]
 )

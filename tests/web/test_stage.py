@@ -121,6 +121,7 @@ def test_on_the_fixed_cameras_the_wheel_scrolls_the_page_and_turns_nothing(
     assert stage(page).evaluate(prevented) is True
 
 
+@pytest.mark.long
 def test_the_whirl_moves_all_that_is_drawn_and_is_taken_away_from_what_is_read(
     built_page: Build, page: Page
 ) -> None:

@@ -102,6 +102,7 @@ def test_the_stage_is_saved_sharp_with_its_name_and_angle(
     assert handle(page, "read().pistons") == before
 
 
+@pytest.mark.long
 def test_a_dark_ground_is_chosen_apart_from_the_page(
     built_page: Build, page: Page, tmp_path: Path
 ) -> None:
@@ -194,6 +195,7 @@ def test_figures_and_tables_of_the_panel_are_saved(
     assert couple[1:5] == ["1", "circle with the crank", "3.1623", "3.1623 ∠ 63.43°"]
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("rotation", ["clockwise", "counter-clockwise"])
 def test_the_amplitudes_are_those_of_analyze(rotation: str, page: Page, tmp_path: Path) -> None:
     tree = {**catalog.tree_of(ENGINE)[1], "rotation": rotation}
@@ -300,6 +302,7 @@ def test_a_film_can_be_cancelled(built_page: Build, page: Page) -> None:
     assert handle(page, "theta") == pytest.approx(40)
 
 
+@pytest.mark.long
 def test_two_engines_stand_side_by_side_in_a_picture(
     built_page: Build, page: Page, tmp_path: Path
 ) -> None:

@@ -113,6 +113,7 @@ def test_every_piston_is_where_python_says(show: Show, page: Page) -> None:
     assert farthest_off(crankstar.load("audi-25-tfsi"), found) < 1e-6
 
 
+@pytest.mark.long
 def test_it_plays_and_stops_from_both_sides(show: Show, page: Page) -> None:
     show("v8-cross-plane")
     page.get_by_role("button", name="Play").click()

@@ -53,6 +53,7 @@ def control(page: Page, key: str) -> Locator:
     return page.locator(f'[data-control="{key}"]')
 
 
+@pytest.mark.many(first=1)
 @pytest.mark.parametrize("share", [0.02, 0.98])
 def test_what_a_held_slider_says_covers_no_label(bench: Page, share: float) -> None:
     row = bench.locator(".bench .control:has(.sweep)").first
@@ -269,6 +270,7 @@ def test_engines_are_kept_shown_beside_exported_deleted_and_taken_in_again(
     expect(bench.locator("h1").first).to_have_text("kept one")
 
 
+@pytest.mark.long
 def test_a_store_that_is_full_is_said(bench: Page) -> None:
     bench.evaluate(
         "() => { Storage.prototype.setItem = () => { throw new DOMException('', "
