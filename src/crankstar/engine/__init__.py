@@ -5,16 +5,20 @@
 | `quantities` | types of values: physical quantities with their units, printable text |
 | `cylinder_parts` | the base of all records; a rod, and the parts of a cylinder as weighed |
 | `provenance` | where a value comes from, and its range if it is estimated |
+| `gas` | the gas in the cylinders: a cycle by few numbers or a measured trace, and loads |
+| `drive` | flywheel and load |
 | `records` | the frozen records: shafts, throws, weights, cylinders, rods, valves, block |
 | `assembly` | shafts and cylinders put together, and what follows without motion |
 | `basis` | what a layout needs besides angles: name, cycle, firing order, sizes |
 | `main_bearings` | main bearings and webs of a crankshaft, given or assumed |
 | `valves` | valve and port timing, given or assumed |
+| `gas_checks` | loads, traces and drives that can be |
 | `checks` | sizes, numbers and references that must fit each other |
 | `copies` | changed copies of records, each checked again |
 | `motion` | exact motion of pins, rods and pistons, and its harmonics |
 | `dead_centres` | top and bottom dead centres of each chamber |
 | `firing_angles` | the crank angles at which a firing order fires |
+| `volumes` | the volume of each chamber over its working cycle, and its rate |
 | `engine` | the Engine: an assembly that passed every check |
 | `arguments` | what is no Engine, no number, no list of planes is refused with what to write |
 | `crankshafts` | weights, bearings and balance shafts that a short file gives its crankshafts |

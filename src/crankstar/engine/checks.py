@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping
 from math import lcm
 from typing import Any
 
-from crankstar.engine import main_bearings, valves
+from crankstar.engine import gas_checks, main_bearings, valves
 from crankstar.engine.assembly import Assembly
 from crankstar.engine.quantities import GREATEST_LENGTH, GREATEST_RELATIVE
 from crankstar.engine.records import Block, Cylinder, Shaft
@@ -38,6 +38,8 @@ def faults(engine: Assembly) -> Iterator[Fault]:
     yield from _chamber_faults(engine)
     yield from _firing_faults(engine)
     yield from valves.faults(engine.valves, cycle=engine.cycle, chambers=engine.chambers)
+    yield from gas_checks.faults(engine.gas, cycle=engine.cycle, chambers=engine.chambers)
+    yield from gas_checks.drive_faults(engine.drive, cycle=engine.cycle)
     yield from main_bearings.faults(engine)
     yield from _block_faults(engine.block)
     if len(set(engine.relative)) != len(engine.relative):

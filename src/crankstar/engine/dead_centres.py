@@ -119,11 +119,11 @@ def _searched(
     """Search a grid over one turn of the pistons' own shaft, then refine by Newton's method."""
     speed = abs(float(ratio[pistons[0]]))
     grid = np.arange(360) * (2 * np.pi / 360)
-    travel, _, _ = _outward(links, pistons, grid / speed, lag, ratio, area)
+    travel, _, _ = outward(links, pistons, grid / speed, lag, ratio, area)
     theta = float(grid[np.argmax(travel)]) / speed
     for _ in range(20):
         _, slope, bend = (
-            float(part[0]) for part in _outward(links, pistons, np.array([theta]), lag, ratio, area)
+            float(part[0]) for part in outward(links, pistons, np.array([theta]), lag, ratio, area)
         )
         step = -slope / bend if bend < 0 else 0.0
         theta += float(np.clip(step, -0.02 / speed, 0.02 / speed))
@@ -132,7 +132,7 @@ def _searched(
     return _centre(theta, speed)
 
 
-def _outward(
+def outward(
     links: motion.Linkage,
     pistons: list[int],
     theta: np.ndarray,

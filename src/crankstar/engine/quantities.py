@@ -99,6 +99,9 @@ BendingStiffness = Annotated[
 ]
 BearingStiffness = Annotated[Number, Field(gt=0), Quantity("stiffness", "500 kN/mm", _ALONG)]
 Speed = Annotated[Number, Field(gt=0), SPEED]
+PRESSURE = Quantity("pressure", "60 bar", least=LEAST)
+Pressure = Annotated[Number, Field(gt=0), PRESSURE]
+Temperature = Annotated[Number, Field(gt=0), Quantity("temperature", "350 K")]
 VOLUME = Quantity("volume", "1998 cm^3", least=1e-9)
 ShareOfValue = Annotated[Number, Field(gt=0, le=100)]
 """A multiple of a value."""

@@ -17,6 +17,8 @@ from crankstar.engine.cylinder_parts import Parts as Parts
 from crankstar.engine.cylinder_parts import Record as Record
 from crankstar.engine.cylinder_parts import Rod as Rod
 from crankstar.engine.cylinder_parts import required_without_parts
+from crankstar.engine.drive import Drive as Drive
+from crankstar.engine.gas import Gas as Gas
 from crankstar.engine.provenance import Provenance as Provenance
 from crankstar.engine.quantities import (
     Angle,
@@ -368,6 +370,10 @@ class Identity(Record):
     block: Block | None = Field(
         default=None, description="mass, centre of mass and moments of inertia of the whole engine"
     )
+    gas: Gas | None = Field(
+        default=None, description="gas in the cylinders: cycle or measured pressure, and loads"
+    )
+    drive: Drive | None = Field(default=None, description="flywheel, and what the engine drives")
     source: Text = Field(default="", description="where the numbers come from")
     notes: Text = Field(default="", description="anything a reader should know")
     provenance: dict[Line, Provenance] = Field(

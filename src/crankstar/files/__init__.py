@@ -9,6 +9,7 @@
 | `sheets` | a tree of keys as the form of a spreadsheet, and back |
 | `cells` | the cells of that form to a tree, with every fault |
 | `workbook` | that form in an .xlsx file, written and read |
+| `traces` | a measured pressure from the CSV file that an engine file names |
 | `source` | a file to its text and its tree of keys |
 | `changes` | values of a tree set by key path |
 | `parts` | the weighed parts of a cylinder added up to its masses |

@@ -254,6 +254,8 @@ _OPTIONAL = {
     "cylinders",
     "valves",
     "block",
+    "gas",
+    "drive",
     "firing_order",
     "firing_angles",
     "crankshaft",

@@ -13,6 +13,7 @@ from typing import Any
 
 from crankstar.files.errors import EngineFileError, refused
 from crankstar.files.mistakes import Tree
+from crankstar.files.traces import with_trace
 from crankstar.files.workbook import PROTECTED, ZIP, workbook_tree
 from crankstar.language.quoting import one_line, seen
 
@@ -32,7 +33,8 @@ def read_tree(path: str | Path, *, name: str | None = None) -> tuple[str, Tree]:
     raw = _content(path, name)
     if raw[:4] in (ZIP, PROTECTED) or str(path).lower().endswith(".xlsx"):
         return name, workbook_tree(raw, name)
-    return name, tree_of(_text(raw, name), name=name)
+    tree = tree_of(_text(raw, name), name=name)
+    return name, with_trace(tree, Path(path).parent, name)
 
 
 def _shown_name(path: str | Path) -> str:

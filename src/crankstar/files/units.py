@@ -50,6 +50,8 @@ _KINDS = {
     "couple": _Kind("newton*metre", "N m", 1e12, 1e12),
     "stiffness": _Kind("newton/metre", "N/m", 1e13, 1e13),
     "bending stiffness": _Kind("newton*metre^2", "N*m^2", 1e13, 1e13),
+    "pressure": _Kind("pascal", "Pa", 0.0, 1e9),
+    "temperature": _Kind("kelvin", "K", 5000.0, 5000.0),
 }
 _OTHERS = {
     "area": "metre^2",
@@ -72,6 +74,8 @@ _SHOWN = {
     "couple": (1.0, "N m"),
     "stiffness": (1.0, "N/m"),
     "bending stiffness": (1.0, "N*m^2"),
+    "pressure": (1e-5, "bar"),
+    "temperature": (1.0, "K"),
 }
 
 

@@ -10,6 +10,7 @@
 | `shown_units` | the units in which results are shown, and quantities as text |
 | `spelling` | signs that an encoding lacks, in ASCII |
 | `engine_faults` | the sentence of each fault of an engine |
+| `gas_faults` | the sentence of each fault of gas, trace and drive |
 | `file_faults` | the sentence of each fault of an engine file |
 | `search_faults` | the sentence of each fault of a search |
 | `server_faults` | the sentence of each fault of a question to the server |

@@ -16,6 +16,8 @@ _DIMENSIONS = {
     "couple": N_("a couple"),
     "stiffness": N_("a stiffness"),
     "bending stiffness": N_("a bending stiffness"),
+    "pressure": N_("a pressure"),
+    "temperature": N_("a temperature"),
     "area": N_("an area"),
     "volume": N_("a volume"),
     "time": N_("a time"),

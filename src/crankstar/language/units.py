@@ -15,6 +15,7 @@ DEFINITIONS = """
 metre = [length] = m
 kilogram = [mass] = kg
 second = [time] = s
+kelvin = [temperature] = K
 radian = [] = rad
 degree = 0.017453292519943295 * radian = deg = degrees
 turn = 6.283185307179586 * radian = rev = revolution = turns
@@ -39,6 +40,14 @@ meganewton = 1e6 * newton = MN
 kilogramforce = 9.80665 * newton = kgf
 poundforce = 4.4482216152605 * newton = lbf
 ounceforce = 0.27801385095378125 * newton = ozf
+pascal = newton / metre^2 = Pa
+hectopascal = 100 * pascal = hPa
+kilopascal = 1000 * pascal = kPa
+megapascal = 1e6 * pascal = MPa
+bar = 1e5 * pascal = bars
+millibar = 100 * pascal = mbar
+atmosphere = 101325 * pascal = atm
+psi = 6894.757293168361 * pascal
 newtonmetre = newton * metre = Nm
 kilonewtonmetre = 1000 * newton * metre = kNm
 meganewtonmetre = 1e6 * newton * metre = MNm

@@ -1,0 +1,140 @@
+"""What must hold of the gas of an engine: one load, possible angles, a trace of a whole cycle."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+from itertools import pairwise
+from math import degrees, pi, radians
+
+from crankstar.engine.drive import Drive
+from crankstar.engine.gas import LOADS, Gas, Load, Trace
+from crankstar.engine.quantities import Cycle
+from crankstar.language.faults import Fault
+
+Path = tuple[str | int, ...]
+LEAST_SAMPLES = 36
+"""Of a trace: every 10 or 20 degrees; fewer say nothing of combustion."""
+GREATEST_STEP = radians(30.0)
+"""Between samples of a trace."""
+LEAST_PEAK, GREATEST_PEAK = 2e5, 5e7
+"""Pa: the peak of a trace, and of any cycle, is within."""
+GREATEST_MEAN = 6e6
+"""Pa: no engine has a greater mean effective pressure."""
+GREATEST_JUMP = 0.25
+"""Of the range of a trace, from its last sample to its first."""
+LATEST_START = pi / 2
+LONGEST_COMBUSTION = pi
+_SLACK = 1e-9
+
+
+def faults(gas: Gas | None, *, cycle: Cycle, chambers: Collection[int]) -> Iterator[Fault]:
+    """What is wrong with the gas of an engine with these chambers."""
+    if gas is None:
+        return
+    yield from _load_faults(gas, gas, ("gas",))
+    for index, point in enumerate(gas.points):
+        yield from _load_faults(point, gas, ("gas", "points", index))
+        if any(other.name == point.name for other in gas.points[:index]):
+            yield Fault(("gas", "points", index, "name"), "gas.same-name", {"name": point.name})
+    if gas.trace is None:
+        return
+    if gas.process is not None:
+        yield Fault(("gas", "process"), "gas.trace-and-process")
+    for name in LOADS:
+        if getattr(gas, name) is not None:
+            yield Fault(("gas", name), "gas.trace-and-load")
+    yield from _trace_faults(gas.trace, cycle, chambers)
+
+
+def drive_faults(drive: Drive | None, *, cycle: Cycle) -> Iterator[Fault]:
+    """What is wrong with the load of an engine over its cycle."""
+    if drive is None or not (drive.load_angle or drive.load_torque):
+        return
+    angle, whole = drive.load_angle, 2 * pi if cycle == "two-stroke" else 4 * pi
+    if len(angle) != len(drive.load_torque):
+        values = {"count": len(drive.load_torque), "angles": len(angle)}
+        yield Fault(("drive", "load_torque"), "drive.lengths", values)
+    elif sum(drive.load_torque) <= 0:
+        yield Fault(("drive", "load_torque"), "drive.no-load")
+    elif any(b <= a for a, b in pairwise(angle)) or angle[-1] - angle[0] > whole + _SLACK:
+        yield Fault(("drive", "load_angle"), "drive.angles", {"cycle": degrees(whole)})
+
+
+def _load_faults(load: Load, gas: Gas, path: Path) -> Iterator[Fault]:
+    """More than one load, and values that no engine has."""
+    kinds = LOADS[:2] if gas.process == "limited-pressure" else LOADS
+    given = [name for name in kinds if getattr(load, name) is not None]
+    if len(given) > 1:
+        yield Fault((*path, given[1]), "gas.two-loads", {"one": given[0], "other": given[1]})
+    if gas.process == "diesel" and load.peak_pressure is not None:
+        yield Fault((*path, "peak_pressure"), "gas.diesel-peak")
+    for name, greatest in (("imep", GREATEST_MEAN), ("bmep", GREATEST_MEAN)):
+        value = getattr(load, name)
+        if value is not None and value > greatest:
+            values = {"value": value / 1e5, "greatest": greatest / 1e5}
+            yield Fault((*path, name), "gas.too-high", values)
+    for name, greatest in (
+        ("peak_pressure", GREATEST_PEAK),
+        ("intake_pressure", 1.5e6),
+        ("exhaust_pressure", 1.5e6),
+    ):
+        value = getattr(load, name)
+        if value is not None and value > greatest:
+            values = {"value": value / 1e5, "greatest": greatest / 1e5}
+            yield Fault((*path, name), "gas.too-high", values)
+    start, duration = load.combustion_start, load.combustion_duration
+    if start is not None and abs(start) > LATEST_START + _SLACK:
+        yield Fault((*path, "combustion_start"), "gas.start", {"value": degrees(start)})
+    if duration is not None and not 0 < duration <= LONGEST_COMBUSTION + _SLACK:
+        yield Fault((*path, "combustion_duration"), "gas.duration", {"value": degrees(duration)})
+
+
+def _trace_faults(trace: Trace, cycle: Cycle, chambers: Collection[int]) -> Iterator[Fault]:
+    """A trace that is not a whole cycle, goes back, has other lengths, units or ends."""
+    path: Path = ("gas", "trace")
+    whole = 2 * pi if cycle == "two-stroke" else 4 * pi
+    angle, count = trace.angle, len(trace.angle)
+    if count < LEAST_SAMPLES:
+        values = {"count": count, "least": LEAST_SAMPLES}
+        yield Fault((*path, "angle"), "trace.too-few", values)
+        return
+    back = next((i for i, (a, b) in enumerate(pairwise(angle)) if b <= a), None)
+    if back is not None:
+        values = {"before": degrees(angle[back]), "after": degrees(angle[back + 1])}
+        yield Fault((*path, "angle", back + 1), "trace.not-ascending", values)
+        return
+    length = angle[-1] - angle[0]
+    steps = [b - a for a, b in pairwise(angle)]
+    if length >= whole - _SLACK:
+        values = {"length": degrees(length), "cycle": degrees(whole)}
+        yield Fault((*path, "angle", count - 1), "trace.more-than-a-cycle", values)
+    elif max(*steps, whole - length) > GREATEST_STEP + _SLACK:
+        values = {
+            "step": degrees(max(*steps, whole - length)),
+            "greatest": degrees(GREATEST_STEP),
+            "cycle": degrees(whole),
+        }
+        yield Fault((*path, "angle"), "trace.gap", values)
+    yield from _pressure_faults(trace, path, chambers)
+
+
+def _pressure_faults(trace: Trace, path: Path, chambers: Collection[int]) -> Iterator[Fault]:
+    lists, named = len(trace.pressure), sorted(trace.chambers)
+    if lists != 1 and lists != len(chambers):
+        values = {"count": lists, "chambers": len(chambers)}
+        yield Fault((*path, "pressure"), "trace.lists", values)
+    if named and named != sorted(chambers):
+        values = {"numbers": named, "chambers": sorted(chambers)}
+        yield Fault((*path, "chambers"), "trace.chambers", values)
+    for index, pressure in enumerate(trace.pressure):
+        here = (*path, "pressure", index)
+        if len(pressure) != len(trace.angle):
+            values = {"count": len(pressure), "angles": len(trace.angle)}
+            yield Fault(here, "trace.lengths", values)
+            continue
+        peak, least = max(pressure), min(pressure)
+        if not LEAST_PEAK <= peak <= GREATEST_PEAK:
+            yield Fault(here, "trace.unit", {"peak": peak / 1e5})
+        elif abs(pressure[-1] - pressure[0]) > GREATEST_JUMP * (peak - least):
+            values = {"first": pressure[0] / 1e5, "last": pressure[-1] / 1e5}
+            yield Fault(here, "trace.jump", values)

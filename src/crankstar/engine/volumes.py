@@ -1,0 +1,100 @@
+"""The volume of each combustion chamber over its working cycle, and its rate, exactly.
+
+With A the bore area of a piston and x its outward travel, both functions of the reference crank
+angle theta, the volume of a chamber above its least, and its rate, are
+
+    V(theta) - V_c = sum A x(at top dead centre) - sum A x(theta)        m^3
+    V'(theta)      = -sum A x'(theta)                                     m^3/rad
+
+over all pistons of the chamber: one, or two that face each other, on any shafts and any rods.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import pi, radians
+
+import numpy as np
+
+from crankstar.engine import motion
+from crankstar.engine.assembly import Assembly
+from crankstar.engine.dead_centres import dead_centres, outward
+from crankstar.engine.firing_angles import firing_angles
+from crankstar.spectra import Real
+
+
+@dataclass(frozen=True)
+class Volumes:
+    """The chambers of an engine over one working cycle, from the dead centre at which each fires.
+
+    `numbers` [chamber], `fires` [chamber] (crank angle, radians), `kind` [chamber], the row of the
+    chamber in `above` [kind, sample] (m^3 above the least volume), `rate` [kind, sample] (m^3/rad)
+    and `swept` [kind] (m^3). `cycle` is the length of a cycle, radians of the reference shaft.
+    """
+
+    numbers: tuple[int, ...]
+    fires: Real
+    kind: tuple[int, ...]
+    above: Real
+    rate: Real
+    swept: Real
+    cycle: float
+
+
+def volumes(engine: Assembly, count: int) -> Volumes:
+    """The chambers at `count` equal steps of a cycle. The bores must be known.
+
+    >>> from crankstar.files.catalog import load
+    >>> found = volumes(load("audi-25-tfsi"), 720)
+    >>> len(found.numbers), len(found.swept), round(float(found.swept[0]) * 1e6, 1)
+    (5, 1, 496.1)
+    """
+    cycle = radians(engine.cycle_angle)
+    centres = dead_centres(engine)
+    fires = dict(zip(engine.firing_order, np.radians(firing_angles(engine)), strict=True))
+    numbers = tuple(engine.chambers)
+    if len(numbers) == 1 and not fires:
+        fires = {numbers[0]: radians(centres[numbers[0]].angle_deg)}
+    links = motion.linkage(engine)
+    place = {cylinder.number: index for index, cylinder in enumerate(engine.cylinders)}
+    root = motion.roots(links.master)
+    lag = np.array(
+        [
+            engine.throw(c).angle - engine.cylinders[root[i]].bearing
+            for i, c in enumerate(engine.cylinders)
+        ]
+    )
+    ratio = np.array(
+        [float(engine.shaft(c.shaft).speed_ratio) * engine.sense for c in engine.cylinders]
+    )
+    area = np.array([pi / 4 * (c.bore or 0.0) ** 2 for c in engine.cylinders])
+    step = np.arange(count) * (cycle / count)
+    rows: dict[object, int] = {}
+    kind: list[int] = []
+    above: list[Real] = []
+    rate: list[Real] = []
+    for number in numbers:
+        pistons = [place[cylinder.number] for cylinder in engine.chambers[number]]
+        first = pistons[0]
+        plain = len(pistons) == 1 and links.master[first] < 0
+        key: object = number
+        if plain:  # chambers alike move alike
+            sizes = (links.crank_radius, links.rod_length, area, ratio)
+            key = (*(float(each[first]) for each in sizes), float(links.offset[first]))
+        if key not in rows:
+            rows[key] = len(above)
+            theta = np.append(step, 0.0) + radians(centres[number].angle_deg)
+            travel, slope, _bend = outward(links, pistons, theta, lag, ratio, area)
+            above.append(travel[-1] - travel[:-1])
+            rate.append(-slope[:-1])
+        kind.append(rows[key])
+    whole = np.array(above)
+    return Volumes(
+        numbers,
+        np.array([fires[number] for number in numbers]),
+        tuple(kind),
+        whole,
+        np.array(rate),
+        whole.max(axis=-1),
+        cycle,
+    )

@@ -1,0 +1,125 @@
+"""A measured pressure from a CSV file that an engine file names: `gas.trace = "pressure.csv"`.
+
+The first column is the crank angle from the dead centre at which the cylinder fires, in degrees;
+each other column the absolute pressure of a cylinder, or one for all. Heads say the unit, as in
+`p [kPa]` or `cyl1_bar`; bar where they do not. Columns stand apart by commas, semicolons, tabs or
+spaces; with semicolons a comma may be the decimal sign. A last sample that is the first of the next
+cycle, as instruments write it, is left out.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+from crankstar.files.errors import EngineFileError
+from crankstar.language.faults import Fault
+from crankstar.language.quoting import one_line
+
+GREATEST_CSV = 20_000_000
+"""Bytes."""
+ALIKE = 0.02
+"""Share of the peak by which the ends of a cycle may differ."""
+_UNITS = ("mbar", "bar", "kPa", "MPa", "hPa", "Pa", "psi")
+_HEAD = re.compile(rf"(?<![A-Za-z])({'|'.join(_UNITS)})(?![A-Za-z])", re.IGNORECASE)
+PLACE = ("gas", "trace")
+Tree = dict[str, Any]
+
+
+def with_trace(tree: Tree, folder: Path, name: str) -> Tree:
+    """The tree of an engine file with the trace that it names read in. Raises EngineFileError."""
+    gas = tree.get("gas")
+    if not isinstance(gas, dict) or not isinstance(gas.get("trace"), str):
+        return tree
+    table = trace_of(_text(folder, gas["trace"], name), name=name, file=gas["trace"])
+    cycle = 360.0 if tree.get("cycle") == "two-stroke" else 720.0
+    return {**tree, "gas": {**gas, "trace": _once(table, cycle)}}
+
+
+def _refused(name: str, code: str, **values: Any) -> EngineFileError:
+    return EngineFileError(name, [Fault(PLACE, f"trace.{code}", values)])
+
+
+def _text(folder: Path, file: str, name: str) -> str:
+    """The text of a CSV file beside the engine file."""
+    shown = one_line(file, longest=80)
+    try:
+        place = folder / file
+        if not place.is_file():
+            raise _refused(name, "missing", file=shown)
+        with place.open("rb") as opened:
+            raw = opened.read(GREATEST_CSV + 1)
+        if len(raw) > GREATEST_CSV:
+            raise _refused(name, "too-large", file=shown, greatest=GREATEST_CSV // 1_000_000)
+        return raw.decode("utf-8-sig")
+    except (OSError, ValueError):
+        raise _refused(name, "unreadable", file=shown) from None
+
+
+def trace_of(text: str, *, name: str, file: str) -> Tree:
+    r"""The table `trace` of the text of a CSV file. Raises EngineFileError.
+
+    >>> trace_of("angle;p kPa\n0;5000,5\n90;200", name="mine", file="p.csv")["pressure"]
+    [['5000.5 kPa', '200 kPa']]
+    """
+    lines = [line for line in text.splitlines() if line.strip() and not line.startswith("#")]
+    comma = any(";" in line for line in lines[:5])
+    rows = [_cells(line, semicolons=comma) for line in lines]
+    heads = [] if not rows or _number(rows[0][0]) is not None else rows.pop(0)
+    width = len(rows[0]) if rows else 0
+    if width < 2:
+        raise _refused(name, "no-columns", file=one_line(file, longest=80))
+    for place, row in enumerate(rows, 1 + bool(heads)):
+        wrong = next((cell for cell in row if _number(cell) is None), None)
+        if wrong is not None or len(row) != width:
+            raise _refused(
+                name,
+                "row",
+                file=one_line(file, longest=80),
+                line=place,
+                cells=one_line(", ".join(row), longest=60),
+            )
+    units = [_unit(heads[column] if column < len(heads) else "") for column in range(1, width)]
+    return {
+        "angle": [f"{row[0]} deg" for row in rows],
+        "pressure": [
+            [f"{row[column]} {unit}" for row in rows] for column, unit in enumerate(units, 1)
+        ],
+    }
+
+
+def _cells(line: str, *, semicolons: bool) -> list[str]:
+    """The cells of a line; a decimal comma becomes a point."""
+    if semicolons:
+        cells = line.replace(",", ".").split(";")
+    else:
+        cells = re.split(r"\t|,", line) if re.search(r"[\t,]", line) else line.split()
+    return [cell.strip().strip('"').strip() for cell in cells]
+
+
+def _number(text: str) -> float | None:
+    return float(text) if re.fullmatch(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?", text) else None
+
+
+def _unit(head: str) -> str:
+    """The unit that a heading names."""
+    found = _HEAD.search(re.sub(r"[_()\[\]/]", " ", head))
+    if not found:
+        return "bar"
+    return next(unit for unit in _UNITS if unit.lower() == found[1].lower())
+
+
+def _once(table: Tree, cycle: float) -> Tree:
+    """The table without a last sample that is the first of the next cycle."""
+    angle = [float(text.split()[0]) for text in table["angle"]]
+    if abs(angle[-1] - angle[0] - cycle) > 1e-6:
+        return table
+    columns = [[float(text.split()[0]) for text in column] for column in table["pressure"]]
+    if any(abs(each[-1] - each[0]) > ALIKE * max(each) for each in columns):
+        return table
+    return {
+        **table,
+        "angle": table["angle"][:-1],
+        "pressure": [column[:-1] for column in table["pressure"]],
+    }
