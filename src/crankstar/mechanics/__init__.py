@@ -1,4 +1,4 @@
-"""The excitation: force, couple, moment and torque of the moving parts, by order.
+"""The excitation: what moving parts and gas do to block and crankshaft, by order.
 
 | module, bottom to top | one line |
 |---|---|
@@ -10,5 +10,14 @@
 | `labelled` | spectra with labels: rows of amplitudes, pandas data frames, xarray data sets |
 | `balance` | the labelled record of an excitation, in N and N m or in units of m r w^2 |
 | `bounds` | greatest values and peaks, with what bounds them where ranges are made |
+| `kinetic` | the inertia of the moving parts that the crankshaft feels, over its angle |
+| `friction` | friction mean effective pressure by published correlations |
+| `ideal_cycles` | Otto, Diesel and limited pressure |
+| `heat_release` | a finite heat release by Wiebe's function; gas exchange |
+| `real_gas` | the same with gamma of the temperature and heat to the walls |
+| `operating_points` | the values of an operating point, given or assumed |
+| `roots` | where a function is nought |
+| `gas` | the pressure in every chamber over a cycle |
+| `gas_torque` | gas torque of every chamber by order; the roll of the block with it |
 | `remains` | what remains of a balance: zero, negligible or worth a cure |
 """

@@ -1,0 +1,314 @@
+"""The pressure in every chamber over a cycle, at an operating point of an engine.
+
+What the engine file gives is used as it is; what it leaves out is assumed (`operating_points`), and
+named in the answer. The heat of a cycle is sought so that the load comes out: for an indicated or
+brake mean effective pressure the work of the samples themselves, W = sum p V' dtheta, so that mean
+torque and mean effective pressure agree to rounding.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+from math import inf, pi, radians
+from typing import Any
+
+import numpy as np
+
+from crankstar.engine.engine import Engine
+from crankstar.engine.valves import timing
+from crankstar.engine.volumes import Volumes, volumes
+from crankstar.mechanics import heat_release, ideal_cycles, real_gas
+from crankstar.mechanics.friction import friction_pressure
+from crankstar.mechanics.operating_points import GasError, resolved
+from crankstar.mechanics.roots import root
+from crankstar.spectra import Real
+
+SAMPLES = 3600
+"""Samples of a cycle: a fifth of a degree of a four-stroke one."""
+
+
+@dataclass(frozen=True)
+class Cycle:
+    """The pressure in every chamber over a cycle, SI.
+
+    `pressure` [chamber, sample], absolute, at the equal steps of `volumes` from the dead centre at
+    which the chamber fires; mean effective pressures over all chambers; `values` are all that went
+    into it, `assumed` the names of those that the file does not give.
+    """
+
+    volumes: Volumes
+    pressure: Real
+    crankcase: float
+    imep: float
+    friction: float
+    peak: float
+    speed: float | None
+    name: str
+    values: Mapping[str, Any]
+    assumed: tuple[str, ...]
+    off: tuple[int, ...] = ()
+
+    @property
+    def bmep(self) -> float:
+        """The brake mean effective pressure, Pa."""
+        return self.imep - self.friction
+
+
+def cycle(
+    engine: Engine,
+    *,
+    point: str = "",
+    speed: float | None = None,
+    motored: bool = False,
+    off: Collection[int] = (),
+    **load: float,
+) -> Cycle:
+    """The cycle of an engine at an operating point, by name; without one as the table says.
+
+    `speed` (rad/s) and `load` (one of imep, bmep, peak_pressure, Pa) stand before what the file
+    gives. A `motored` engine burns nothing, and so do the chambers that are `off`: the others burn
+    what they would. Raises GasError.
+
+    >>> from crankstar.files.catalog import load
+    >>> found = cycle(load("audi-25-tfsi"), imep=12e5)
+    >>> round(found.imep / 1e5, 9), len(found.pressure)
+    (12.0, 5)
+    """
+    _check(engine)
+    strange = sorted(set(off) - set(engine.chambers))
+    if strange:
+        raise GasError(
+            "no cylinder has the number {number}; the engine has {numbers}",
+            number=strange[0],
+            numbers=", ".join(map(str, engine.chambers)),
+        )
+    values, assumed = resolved(engine, point=point, speed=speed, load=load)
+    stroke = 2 * engine.throw(engine.first).radius
+    values["stroke"] = stroke
+    places = volumes_of(engine)
+    rows = _pressures(engine, places, values, motored=motored, off=off)
+    work = (rows * places.rate[[*places.kind]]).sum(axis=-1) * places.cycle / SAMPLES
+    turning = values.get("speed")
+    friction = (
+        0.0
+        if turning is None
+        else friction_pressure(values["friction"], speed=turning, stroke=stroke)
+    )
+    return Cycle(
+        volumes=places,
+        pressure=rows,
+        crankcase=values["crankcase_pressure"],
+        imep=float(work.sum() / places.swept[[*places.kind]].sum()),
+        friction=friction,
+        peak=float(rows.max()),
+        speed=turning,
+        name=point,
+        values=values,
+        assumed=assumed,
+        off=tuple(sorted(off)),
+    )
+
+
+def _check(engine: Engine) -> None:
+    """Raises GasError for an engine whose gas cannot be computed, with what it needs."""
+    if any(cylinder.bore is None for cylinder in engine.cylinders):
+        raise GasError("gas forces need the bore: give cylinder.bore in the engine file")
+    if "radius" in engine.relative:
+        raise GasError("gas forces need sizes: give cylinder.stroke in the engine file")
+    if len(engine.chambers) > 1 and not engine.firing_order:
+        raise GasError("gas torque needs a firing order: give firing_order in the engine file")
+    slow = {abs(float(engine.shaft(c.shaft).speed_ratio)) for c in engine.cylinders}
+    if slow != {1.0}:
+        raise GasError("gas torque needs crankshafts that all turn equally fast")
+
+
+@lru_cache(maxsize=64)
+def volumes_of(engine: Engine) -> Volumes:
+    """The chambers of an engine at the samples of a cycle."""
+    return volumes(engine, SAMPLES)
+
+
+Law = Callable[[float], Real]
+"""From a heat per swept volume (Pa) to the pressure, Pa [sample]."""
+
+
+def _pressures(
+    engine: Engine,
+    places: Volumes,
+    values: Mapping[str, Any],
+    *,
+    motored: bool,
+    off: Collection[int],
+) -> Real:
+    """The pressure [chamber, sample] with the heat that gives the load. Raises GasError."""
+    laws = [_law(engine, places, row, values) for row in range(len(places.swept))]
+    silent = np.array([motored or number in off for number in places.numbers])
+    kinds = np.array(places.kind)
+    if engine.gas is not None and engine.gas.trace is not None:
+        measured = _traced(engine, places)
+        still = np.array([law(0.0) for law in laws])[kinds] if silent.any() else measured
+        return np.where(silent[:, None], still, measured)
+    heat = 0.0 if motored else _heat(laws, places, values)
+    burning = np.array([law(heat) for law in laws])
+    still = np.array([law(0.0) for law in laws]) if silent.any() else burning
+    return np.where(silent[:, None], still[kinds], burning[kinds])
+
+
+def _law(engine: Engine, places: Volumes, row: int, values: Mapping[str, Any]) -> Law:
+    """The pressure of the chambers of one kind as a function of their heat."""
+    swept, above, rate = float(places.swept[row]), places.above[row], places.rate[row]
+    four_stroke = engine.cycle == "four-stroke"
+    ratio, process = values["compression_ratio"], values["process"]
+    if process != "heat-release":
+        ideal = ideal_cycle(values)
+        return lambda heat: ideal_cycles.pressure(
+            ideal, heat, above / swept, four_stroke=four_stroke
+        )
+    grid = heat_release.Grid(above + swept / (ratio - 1), rate, places.cycle / SAMPLES)
+    release = heat_release.Release(
+        values["combustion_start"],
+        values["combustion_duration"],
+        values["wiebe_a"],
+        values["wiebe_m"],
+    )
+    happens = events(engine, above)
+    charge = (values["intake_pressure"], values["exhaust_pressure"])
+    if not values.get("variable_gamma") and values.get("wall_temperature") is None:
+        parts = heat_release.curves(grid, happens, release, gamma=values["gamma"])
+        still = charge[0] * parts.intake + charge[1] * parts.exhaust
+        return lambda heat: still + heat * swept * parts.heat
+    if values.get("wall_temperature") is not None and "speed" not in values:
+        raise GasError("heat to the walls needs the speed: give speed")
+    stroke = 2 * engine.throw(engine.first).radius
+    real = real_gas.Charge(
+        *charge,
+        temperature=values["intake_temperature"],
+        bore=engine.first.bore or 0.0,
+        stroke=stroke,
+        piston_speed=values.get("speed", 0.0) * stroke / pi,
+        wall=values.get("wall_temperature"),
+        gamma=None if values.get("variable_gamma") else values["gamma"],
+    )
+    return lambda heat: real_gas.real_pressure(grid, happens, release, real, heat=heat * swept)
+
+
+def ideal_cycle(values: Mapping[str, Any]) -> ideal_cycles.Ideal:
+    """The ideal cycle of these values."""
+    cycle = ideal_cycles.Ideal(
+        values["compression_ratio"],
+        values["gamma"],
+        values["intake_pressure"],
+        values["exhaust_pressure"],
+    )
+    if values["process"] == "diesel":
+        return cycle._replace(limit=ideal_cycles.compressed(cycle))
+    if values["process"] == "limited-pressure":
+        return cycle._replace(limit=values["peak_pressure"])
+    return cycle
+
+
+LEAST_BLOW_DOWN = radians(20.0)
+LEAST_EXCHANGE = radians(20.0)
+"""Radians: the pressure takes so long at least from that of the cylinder to the exhaust's, and on
+to that of the intake."""
+
+
+def events(engine: Engine, above: Real) -> heat_release.Events:
+    """When compression begins and the exhaust opens, by the valves of the file or assumed ones."""
+    times = timing(engine.valves, cycle=engine.cycle)
+    turn = 2 * pi
+    per_turn = above.size // 2 if engine.cycle == "four-stroke" else above.size
+    bottom = float(np.argmax(above[:per_turn])) * turn / per_turn
+    opened = bottom - times.exhaust_opens
+    if engine.cycle == "four-stroke":
+        emptied = max(bottom, opened + LEAST_BLOW_DOWN)
+        middle = turn + (times.exhaust_closes - times.intake_opens) / 2
+        half = max(times.exhaust_closes + times.intake_opens, LEAST_EXCHANGE) / 2
+        return heat_release.Events(
+            closed=bottom + times.intake_closes - turn,
+            opened=opened,
+            emptied=emptied,
+            exchange=(middle - half, middle + half),
+        )
+    closed = bottom + max(times.exhaust_closes, times.intake_closes)
+    emptied = max(bottom, opened + LEAST_BLOW_DOWN)
+    return heat_release.Events(
+        closed=closed - turn,
+        opened=opened,
+        emptied=emptied,
+        exchange=(emptied, max(closed, emptied + LEAST_EXCHANGE)),
+    )
+
+
+def _heat(laws: list[Law], places: Volumes, values: Mapping[str, Any]) -> float:
+    """The heat per swept volume (Pa) that gives the load. Raises GasError."""
+    kinds = np.bincount(places.kind)
+    swept = float((places.swept * kinds).sum())
+    step = places.cycle / SAMPLES
+
+    def mean(heat: float) -> float:
+        work = [(law(heat) * rate).sum() for law, rate in zip(laws, places.rate, strict=True)]
+        return float(np.dot(work, kinds)) * step / swept
+
+    def peak(heat: float) -> float:
+        return max(float(law(heat).max()) for law in laws)
+
+    wanted, found = _target(values), mean
+    if "imep" not in values and "bmep" not in values:
+        found = peak
+    greatest = inf
+    if values["process"] != "heat-release":
+        greatest = ideal_cycles.greatest_heat(ideal_cycle(values))
+    low, high = 0.0, min(4 * wanted, greatest)
+    if found(low) >= wanted:
+        raise GasError(
+            "the load is {load} bar, and without any combustion it is {least} bar; give more, or "
+            "use --motored",
+            load=f"{wanted / 1e5:.4g}",
+            least=f"{found(low) / 1e5:.4g}",
+        )
+    while found(high) < wanted:
+        if high >= greatest or high > 1e4 * wanted:
+            raise GasError(
+                "the load is {load} bar, and this cycle reaches {most} bar at most",
+                load=f"{wanted / 1e5:.4g}",
+                most=f"{found(high) / 1e5:.4g}",
+            )
+        high = min(2 * high, greatest)
+    return root(lambda heat: found(heat) - wanted, low=low, high=high)
+
+
+def _target(values: Mapping[str, Any]) -> float:
+    """What the load asks of the cycle, Pa."""
+    if "imep" in values:
+        return values["imep"]
+    if "bmep" in values:
+        if "speed" not in values:
+            raise GasError("a brake mean effective pressure needs the speed: give speed")
+        return values["bmep"] + friction_pressure(
+            values["friction"], speed=values["speed"], stroke=values["stroke"]
+        )
+    return values["peak_pressure"]
+
+
+def _traced(engine: Engine, places: Volumes) -> Real:
+    """The measured pressure of every chamber at the samples, by a periodic cubic spline."""
+    from scipy.interpolate import CubicSpline
+
+    assert engine.gas is not None  # noqa: S101  # asked before
+    assert engine.gas.trace is not None  # noqa: S101
+    trace = engine.gas.trace
+    angle = np.array([*trace.angle, trace.angle[0] + places.cycle])
+    step = np.arange(SAMPLES) * places.cycle / SAMPLES
+    rows = [
+        CubicSpline(angle, [*pressure, pressure[0]], bc_type="periodic")(
+            angle[0] + (step - angle[0]) % places.cycle
+        )
+        for pressure in trace.pressure
+    ]
+    if len(rows) == 1:
+        return np.array(rows * len(places.numbers))
+    by_number = dict(zip(trace.chambers or places.numbers, rows, strict=True))
+    return np.array([by_number[number] for number in places.numbers])

@@ -1,0 +1,123 @@
+"""Gas torque: what the pressure in the chambers does to crankshaft and block, order by order.
+
+Work is force times way, so a chamber of pressure p, behind whose pistons p_0 stands, gives the
+crankshafts
+
+    T(theta) = (p - p_0) V'(theta)                        N m, positive in the direction of rotation
+
+whatever carries its pistons: one crank or two, plain rods or slave rods. Over a cycle of C radians
+(2 pi two-stroke, 4 pi four-stroke) its mean is imep V_d/C, and it is a sum of the orders n 2 pi/C:
+halves for a four-stroke engine. V' repeats with every turn, so that p_0, which is steady, adds to
+whole orders only, and nothing to the mean.
+
+Head and pistons are pushed apart with equal forces, so that gas makes no force on the block: what
+remains is a moment about the crank axis. Where the driveline carries the torque away, the block
+feels the reaction, minus the torque in the sense of rotation; where the whole drive hangs on the
+same mounts, it feels none of it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from crankstar import spectra
+from crankstar.mechanics.excitation import Totals, rolling_moment
+from crankstar.mechanics.gas import Cycle
+from crankstar.spectra import Complex, Real, Spectrum
+
+HIGHEST = 24.0
+"""The highest order of gas torque that is kept."""
+
+
+@dataclass(frozen=True)
+class GasTorque:
+    """The gas torque of every chamber: mean [chamber] and spectrum [chamber, order], N m."""
+
+    numbers: tuple[int, ...]
+    mean: Real
+    torque: Spectrum
+
+    @property
+    def total(self) -> Spectrum:
+        """The torque of the engine, rounding errors set to zero."""
+        return spectra.total(self.torque)
+
+
+def gas_torque(cycle: Cycle) -> GasTorque:
+    """The gas torque of each chamber over the angle of the reference crankshaft.
+
+    >>> from crankstar.files.catalog import load
+    >>> from crankstar.mechanics.gas import cycle
+    >>> found = gas_torque(cycle(load("honda-b18c"), imep=1e6))
+
+    A four-stroke in-line four fires twice a turn: order 2 and its multiples remain.
+
+    >>> kept = abs(spectra.amplitude(found.total)) > 0
+    >>> found.total.orders[kept][:3].tolist()
+    [2.0, 4.0, 6.0]
+    """
+    samples = chamber_torque(cycle)
+    count = samples.shape[-1]
+    places = cycle.volumes
+    numbers = np.arange(1, int(HIGHEST * places.cycle / (2 * np.pi)) + 1)
+    orders = numbers * (2 * np.pi / places.cycle)
+    amplitude = 2 / count * np.fft.rfft(samples, axis=-1)[:, numbers]
+    delayed = amplitude * np.exp(-1j * orders * places.fires[:, None])
+    return GasTorque(places.numbers, samples.mean(axis=-1), spectra.real_signal(orders, delayed))
+
+
+def chamber_torque(cycle: Cycle) -> Real:
+    """The torque of each chamber, N m [chamber, sample], from the dead centre at which it fires."""
+    rate = cycle.volumes.rate[[*cycle.volumes.kind]]
+    return (cycle.pressure - cycle.crankcase) * rate
+
+
+def over_cycle(cycle: Cycle, count: int = 1440) -> Real:
+    """The torque of each chamber, N m [chamber, angle], at equal steps of the crank from 0.
+
+    The samples are moved by the firing angle as sums of harmonics, so that no angle is favoured.
+    """
+    samples = chamber_torque(cycle)
+    numbers = np.arange((count + 1) // 2)  # the harmonics that so many angles tell apart
+    turn = np.exp(-1j * numbers * (2 * np.pi / cycle.volumes.cycle) * cycle.volumes.fires[:, None])
+    waves = np.fft.rfft(samples, axis=-1)[:, : numbers.size] * turn
+    return np.fft.irfft(waves, n=count, axis=-1) * (count / samples.shape[-1])
+
+
+def with_gas(sums: Totals, gas: Spectrum) -> Totals:
+    """The sums of an engine with its gas torque added to the torque of its moving parts.
+
+    Gas turns no body, so `axis_moment` stays; force and couple stay, for gas has neither.
+    """
+    return sums._replace(torque=added(sums.torque, gas))
+
+
+def roll_with_gas(sums: Totals, gas: Spectrum) -> Spectrum:
+    """The rolling moment on the block, N m, where the driveline carries the torque away."""
+    return rolling_moment(_common(with_gas(sums, gas)))
+
+
+def _common(sums: Totals) -> Totals:
+    """The same with `axis_moment` and `torque` over the same orders."""
+    return sums._replace(axis_moment=added(sums.axis_moment, _none(sums.torque)))
+
+
+def _none(spectrum: Spectrum) -> Spectrum:
+    return spectra.scaled(spectrum, 0.0)
+
+
+def added(one: Spectrum, other: Spectrum) -> Spectrum:
+    """The sum of two real signals, over the orders of both."""
+    orders = spectra.distinct(np.concatenate([one.orders, other.orders]))
+
+    def placed(spectrum: Spectrum) -> Complex:
+        out = np.zeros((*spectrum.forward.shape[:-1], orders.size), complex)
+        out[..., np.searchsorted(orders, spectrum.orders - 1e-9)] = spectra.amplitude(spectrum)
+        return out
+
+    return replace(
+        spectra.real_signal(orders, placed(one) + placed(other)),
+        complete=one.complete and other.complete,
+    )

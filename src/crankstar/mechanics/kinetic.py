@@ -1,0 +1,79 @@
+"""The inertia of the moving parts as the crankshaft feels it, over the crank angle.
+
+With T the kinetic energy of all moving parts at w = 1 rad/s,
+
+    J(theta) = 2 T(theta) = sum ratio^2 (m |P'|^2 + I b'^2)      kg m^2
+
+over pistons, rods and big ends, and m r^2 of what turns with the throws. Its mean is taken over the
+motion of each part, its change from the torque that the parts ask for, J' = -2 torque at 1 rad/s:
+the two halves of one law on two roads.
+"""
+
+from __future__ import annotations
+
+from math import pi
+
+import numpy as np
+
+from crankstar import spectra
+from crankstar.engine import motion
+from crankstar.engine.engine import Engine
+from crankstar.mechanics.excitation import part_spectra
+from crankstar.mechanics.mechanism import Mechanism, mechanism
+from crankstar.spectra import Real
+
+
+def mean_inertia(machine: Mechanism) -> float:
+    """The mean of J over a turn of each shaft, kg m^2, without flywheel and bare crankshaft.
+
+    A light rod: half the reciprocating mass, and a little more, at the crank radius.
+
+    >>> from crankstar.files.catalog import load
+    >>> engine = load("audi-25-tfsi")
+    >>> whole = 5 * engine.first.reciprocating_mass * 0.0464**2
+    >>> round(mean_inertia(mechanism(engine)) / whole, 3)
+    0.514
+    """
+    moved = motion.resolved(machine.links)
+    ratio = np.array([above / below for above, below in machine.ratios])
+    squared = ratio[[*machine.cylinder_shaft]] ** 2
+
+    def mean(path: motion.Path) -> Real:
+        return (np.abs(path.first) ** 2).mean(axis=-1)
+
+    share = (machine.rod_centre / machine.links.rod_length)[..., None]
+    centre = motion.Path(
+        *(q + share * (p - q) for p, q in zip(moved.piston, moved.big_end, strict=True))
+    )
+    own = (
+        machine.reciprocating_mass * mean(moved.piston)
+        + machine.rod_mass * mean(centre)
+        + machine.rod_inertia * mean(moved.direction)
+        + machine.big_end_mass * mean(moved.big_end)
+    )
+    return float((squared * own).sum())
+
+
+def throw_inertia(engine: Engine) -> float:
+    """M r^2 of what hangs on the pins and is turned with the throws, kg m^2."""
+    return sum(
+        float(shaft.speed_ratio) ** 2 * throw.turning_mass * throw.radius**2
+        for shaft in engine.shafts
+        for throw in shaft.throws
+    )
+
+
+def inertia(engine: Engine, theta: Real) -> Real:
+    """J at crank angles theta (radians), kg m^2 [angle], without flywheel and bare crankshaft."""
+    machine = mechanism(engine)
+    torque = spectra.total(part_spectra(machine).torque)
+    amplitude = spectra.amplitude(torque)
+    # J' = -2 torque, term by term
+    wave = -2 * amplitude / (1j * torque.orders)
+    change = np.real(np.exp(1j * np.outer(np.asarray(theta), torque.orders)) @ wave)
+    return mean_inertia(machine) + throw_inertia(engine) + change
+
+
+def samples_over(engine: Engine, count: int) -> Real:
+    """Equal steps of the reference crankshaft over a working cycle, radians [count]."""
+    return np.arange(count) * (engine.cycle_angle / 180 * pi / count)
