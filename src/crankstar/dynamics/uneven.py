@@ -1,0 +1,193 @@
+"""Uneven running: how the speed of the crankshaft goes over a cycle, and the flywheel it needs.
+
+With E = J w^2/2 the kinetic energy of all that turns and moves, J(theta) the inertia that the
+crankshaft feels, flywheel included, and the torque of the load T_L,
+
+    dE/dtheta = T_gas(theta) - T_L(theta, w)
+
+exactly: that J changes with the angle is the inertia torque. In steady running E comes back after a
+cycle, and the mean of the speed over time is what was asked for. The load is
+
+    T_L = c g(theta) (w/w_m)^k
+
+with g its course over the cycle (1 where it is steady) and c such that over a cycle it takes what
+gas and friction leave. The degree of irregularity is (w_max - w_min)/w_m.
+
+The linear estimate takes J at its mean: with the fluctuation of energy dE = max - min of the
+integral of T_gas + T_inertia - T_L at the mean speed, delta = dE/(J w_m^2).
+
+Source: any textbook on flywheels; J. E. Shigley, J. J. Uicker, Theory of Machines and Mechanisms.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from crankstar import spectra
+from crankstar.engine.drive import Drive
+from crankstar.engine.engine import Engine
+from crankstar.language.messages import MessageError
+from crankstar.mechanics.excitation import part_spectra
+from crankstar.mechanics.gas import Cycle
+from crankstar.mechanics.gas_torque import over_cycle
+from crankstar.mechanics.kinetic import inertia, mean_inertia, samples_over, throw_inertia
+from crankstar.mechanics.mechanism import mechanism
+from crankstar.mechanics.roots import root
+from crankstar.spectra import Real
+
+SAMPLES = 1440
+MOST_ROUNDS = 200
+CONVERGED = 1e-13
+SLOWEST = 0.2
+"""Share of the mean speed: an engine that turns slower within its cycle stops."""
+
+
+class UnevenError(MessageError):
+    """A speed that cannot be computed, and why."""
+
+
+@dataclass(frozen=True)
+class Running:
+    """A cycle of steady running [angle]: crank angle (rad), speed (rad/s), torques (N m).
+
+    `irregularity` is (max - min)/mean of the speed, `linear` its estimate; `fluctuation` the
+    greatest change of kinetic energy (J); `inertia` the mean J with flywheel, kg m^2.
+    """
+
+    theta: Real
+    speed: Real
+    gas: Real
+    load: Real
+    mean_speed: float
+    irregularity: float
+    linear: float
+    fluctuation: float
+    inertia: float
+
+
+def running(
+    engine: Engine,
+    cycle: Cycle,
+    *,
+    flywheel: float,
+    exponent: float = 0.0,
+    course: Real | None = None,
+) -> Running:
+    """The speed over a cycle. `flywheel`: inertia of crankshaft, flywheel and coupled parts.
+
+    `exponent` and `course` [angle] are k and g of the load. Raises UnevenError where the engine
+    would stop within the cycle.
+    """
+    speed = cycle.speed
+    if speed is None:
+        raise UnevenError("uneven running needs a speed: give speed")
+    theta = samples_over(engine, SAMPLES)
+    gas = over_cycle(cycle, SAMPLES).sum(axis=0)
+    whole = flywheel + inertia(engine, theta)
+    shape = np.ones_like(theta) if course is None else course / course.mean()
+    span = theta[1] - theta[0]
+    now = np.full_like(theta, speed)
+    load = gas
+    for _ in range(MOST_ROUNDS):
+        load = shape * (now / speed) ** exponent
+        load = load * (gas.mean() / load.mean())
+        change = _integral(gas - load, span)
+        energy = _energy(change, whole, speed)
+        after = np.sqrt(2 * energy / whole)
+        moved = float(np.abs(after - now).max()) / speed
+        now = after
+        if moved < CONVERGED:
+            break
+    else:
+        raise UnevenError("the speed does not settle: give drive.load_exponent nearer 0")
+    if float(now.min()) < SLOWEST * speed:
+        raise UnevenError(
+            "at {rpm} rpm the engine would stop within a cycle: give it more flywheel, more speed "
+            "or less load",
+            rpm=f"{speed * 30 / np.pi:.4g}",
+        )
+    torque = spectra.total(part_spectra(mechanism(engine)).torque)
+    moving = np.real(spectra.value(torque, theta)) * speed**2
+    steady = shape * gas.mean()
+    fluctuation = float(np.ptp(_integral(gas + moving - steady, span)))
+    mean = flywheel + mean_inertia(mechanism(engine)) + throw_inertia(engine)
+    return Running(
+        theta=theta,
+        speed=now,
+        gas=gas,
+        load=load,
+        mean_speed=speed,
+        irregularity=float(np.ptp(now)) / speed,
+        linear=fluctuation / (mean * speed**2),
+        fluctuation=fluctuation,
+        inertia=mean,
+    )
+
+
+def _integral(torque: Real, span: float) -> Real:
+    """The integral over the angle of a periodic torque without its mean, of mean nought."""
+    count = torque.size
+    numbers = np.fft.rfftfreq(count, 1 / count)
+    wave = np.fft.rfft(torque)
+    wave[0] = 0
+    per_radian = numbers * (2 * np.pi / (count * span))
+    wave[1:] /= 1j * per_radian[1:]
+    if count % 2 == 0:
+        wave[-1] = 0
+    return np.fft.irfft(wave, n=count)
+
+
+def _energy(change: Real, whole: Real, speed: float) -> Real:
+    """The energy over the cycle whose speed has this mean over time."""
+    least = -float(change.min())
+
+    def slow(mean: float) -> float:
+        # time of a cycle over that at the mean speed
+        return float(np.mean(np.sqrt(whole / (2 * (mean + change))))) * speed - 1.0
+
+    high = least + float(whole.max()) * speed**2 * 2 + float(np.ptp(change))
+    low = least * (1 + 1e-12) + 1e-12 * high
+    return root(slow, low=low, high=high) + change
+
+
+def flywheel_for(
+    engine: Engine, cycle: Cycle, *, irregularity: float, exponent: float = 0.0
+) -> float:
+    """The inertia of flywheel and crankshaft for a degree of irregularity, kg m^2.
+
+    Nought where the moving parts alone are enough.
+    """
+
+    def over(flywheel: float) -> float:
+        try:
+            found = running(engine, cycle, flywheel=flywheel, exponent=exponent)
+        except UnevenError:
+            return 10.0
+        return found.irregularity - irregularity
+
+    if over(0.0) <= 0:
+        return 0.0
+    first = running(engine, cycle, flywheel=1e9, exponent=exponent)
+    high = 4 * first.fluctuation / (irregularity * (cycle.speed or 1.0) ** 2)
+    while over(high) > 0:
+        high *= 2
+    return root(over, low=0.0, high=high)
+
+
+def driven(engine: Engine, cycle: Cycle, *, flywheel: float | None = None) -> Running | None:
+    """Steady running with the drive of the engine file, or another `flywheel` (kg m^2).
+
+    None where inertia, speed or masses are not known.
+    """
+    drive = engine.drive or Drive()
+    own = drive.inertia if flywheel is None else flywheel
+    if own is None or cycle.speed is None or not {"mass", "radius"}.isdisjoint(engine.relative):
+        return None
+    course = None
+    if drive.load_torque:
+        theta = samples_over(engine, SAMPLES)
+        period = float(SAMPLES * (theta[1] - theta[0]))
+        course = np.interp(theta, drive.load_angle, drive.load_torque, period=period)
+    return running(engine, cycle, flywheel=own, exponent=drive.load_exponent, course=course)
