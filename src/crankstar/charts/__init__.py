@@ -29,6 +29,7 @@ Engines in, a chart out, and a chart as an SVG that needs no browser.
 | `spectra` | the size of each order |
 | `strokes` | when valves are open, and when each cylinder fires |
 | `firing_rings` | the cylinders round a circle at their firing angles |
+| `exhaust_orders` | the orders of the exhaust of each bank or manifold |
 | `elevations` | the crankshaft from the side |
 | `cylinder_forces` | the forces on each cylinder at chosen crank angles |
 | `polar_grid` | the circles of a polar diagram, with their values |
@@ -71,6 +72,7 @@ from crankstar.charts.drawing import GREY, ChartError, svg
 from crankstar.charts.elevations import shaft_elevation
 from crankstar.charts.errata import judged, over_rods
 from crankstar.charts.estimates import over_ranges
+from crankstar.charts.exhaust_orders import exhaust_order_chart
 from crankstar.charts.firing_rings import firing_ring
 from crankstar.charts.hodographs import hodograph
 from crankstar.charts.pair_sweeps import contours
@@ -104,6 +106,7 @@ __all__ = [
     "contours",
     "crank_star",
     "drawn_on",
+    "exhaust_order_chart",
     "firing_ring",
     "force_arrows",
     "hodograph",

@@ -14,6 +14,7 @@ from crankstar.charts.curves import over_turn
 from crankstar.charts.cylinder_forces import force_arrows
 from crankstar.charts.drawing import ChartError
 from crankstar.charts.elevations import shaft_elevation
+from crankstar.charts.exhaust_orders import exhaust_order_chart
 from crankstar.charts.firing_rings import firing_ring
 from crankstar.charts.grammar import Chart
 from crankstar.charts.hodographs import hodograph
@@ -86,6 +87,11 @@ _FIGURES = (
         "stroke-chart", stroke_chart, N_("open valves and ignition of each cylinder over one cycle")
     ),
     Figure("firing-ring", firing_ring, N_("the cylinders around a circle at their firing angles")),
+    Figure(
+        "exhaust-orders",
+        exhaust_order_chart,
+        N_("the orders of the exhaust pulses of each bank or manifold"),
+    ),
     Figure("forces", force_arrows, N_("the forces of each cylinder at chosen crank angles")),
     Figure(
         "bearing-loads",

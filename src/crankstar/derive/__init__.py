@@ -24,6 +24,7 @@ Engine -> Derivation -> document.
 | `families` | closed forms in which a dimension stays a letter |
 | `six_signs` | the six signs of balance of a single-shaft engine |
 | `cure` | weights on a shaft, with the proof that they leave nothing |
+| `exhaust` | the orders of the exhaust, and the proof of those that are zero |
 
 >>> from crankstar import derivation, load
 >>> derivation(load("v8-cross-plane"), 2).zero

@@ -8,6 +8,7 @@
 | `timetable` | all ways to give each chamber one of its dead centres |
 | `orders` | firing orders that a crank can fire: even, given, all possible |
 | `strokes` | strokes, valve or port events, common exhausts |
+| `exhaust_orders` | the orders of the exhaust pulses of a group |
 | `rows` | crankshafts of one row of cylinders that fire evenly |
 | `vees` | V engines that fire evenly: throws, bank angle, pin split |
 """

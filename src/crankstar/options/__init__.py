@@ -3,6 +3,8 @@
 | module, bottom to top | one line |
 |---|---|
 | `entries` | an option: what it takes, what it means, its other names |
+| `media` | the part of the vocabulary about films and sounds |
+| `loads` | the part of the vocabulary about operating points |
 | `vocabulary` | every option of every command: what it takes, what it means |
 | `names` | the option that an unknown name stands for |
 | `refusals` | requests that cannot be met |
@@ -16,4 +18,5 @@
 | `balancing` | the options of a balance, and the balanced engine |
 | `charts` | the options of a figure |
 | `search` | the values of the options of a search |
+| `sounds` | the speeds and the pipes of a sound |
 """

@@ -7,6 +7,9 @@ from difflib import get_close_matches
 
 from crankstar.options.vocabulary import OPTIONS
 
+ELSEWHERE = {"--rpm": "--speed"}
+"""Options of one command, and what they stand for in those that have it not."""
+
 
 def field_name(name: str) -> str:
     """The field of a record that an option sets: `--mode-shape` sets `mode_shape`."""
@@ -32,4 +35,5 @@ def _names(offered: list[str]) -> Iterator[tuple[str, str]]:
     yield from (
         (name, option) for option in offered if option in OPTIONS for name in OPTIONS[option].also
     )
+    yield from (pair for pair in ELSEWHERE.items() if pair[1] in offered)
     yield from ((option, option) for option in offered)

@@ -6,8 +6,10 @@ A command adds at most how it uses the option. `OPTIONS` is in alphabetical orde
 from __future__ import annotations
 
 from crankstar.options.entries import Option
+from crankstar.options.loads import LOADS
+from crankstar.options.media import FILMS_AND_SOUNDS
 
-OPTIONS = {
+_MOST = {
     "--all": Option("nothing", "All stars within the limits."),
     "--all-with": Option(
         "text",
@@ -119,9 +121,6 @@ OPTIONS = {
         ("--letters", "--text-size"),
     ),
     "--format": Option("text", "text, latex, markdown or html."),
-    "--frames-per-second": Option(
-        "number", "Pictures of a film in a second (default: 25).", ("--fps", "--rate", "--frames")
-    ),
     "--front": Option(
         "nothing",
         "The Pareto front: where one quantity can improve only at the expense of another.",
@@ -257,9 +256,6 @@ OPTIONS = {
     "--scheduler": Option(
         "text", "A dask scheduler with workers, as in tcp://host:8786.", ("--cluster", "--dask")
     ),
-    "--seconds": Option(
-        "number", "How long a turn of the crankshaft takes in a film (default: 3).", ("--duration",)
-    ),
     "--set": Option(
         "several texts",
         'Change a value of the file, such as layout.bore_pitch="100 mm"; repeatable.',
@@ -305,7 +301,6 @@ OPTIONS = {
         "text",
         'Crank speed, such as "6000 rpm", "628 rad/s" or "100 Hz" (default: the speed in the '
         "file).",
-        ("--rpm",),
     ),
     "--speeds": Option(
         "text",
@@ -337,7 +332,7 @@ OPTIONS = {
         "text",
         'Angle of the tip of the drill, such as "118 deg" (the default); 180 deg is flat, as the '
         "default for slugs.",
-        ("--point", "--tip-angle"),
+        ("--tip-angle",),
     ),
     "--together": Option(
         "nothing", "With --any: cylinders may fire together at the same dead centre."
@@ -392,6 +387,7 @@ OPTIONS = {
     "--yes": Option("nothing", "Search even if it takes more than an hour."),
     "--zero": Option("text", "Quantities that must vanish, as in M2."),
 }
+OPTIONS = dict(sorted((_MOST | FILMS_AND_SOUNDS | LOADS).items()))
 """Every option by its name."""
 
 

@@ -6,8 +6,11 @@ from collections.abc import Iterator, Sequence
 from math import degrees
 from typing import Any
 
+import numpy as np
+
 from crankstar.engine.engine import Engine
 from crankstar.engine.valves import EVENTS
+from crankstar.firing.exhaust_orders import ExhaustOrders, exhaust_orders
 from crankstar.firing.intervals import Firing
 from crankstar.firing.strokes import (
     EVEN,
@@ -23,9 +26,12 @@ from crankstar.firing.strokes import (
 )
 from crankstar.firing.succession import Follower, in_succession, neighbours, partners
 from crankstar.language.messages import _
-from crankstar.language.numbers import number
+from crankstar.language.numbers import number, order_text
 from crankstar.tables.headings import heading, timing_lines
 from crankstar.tables.table import Column, Document, Remarks, Table, remarks
+
+HIGHEST = 4.0
+"""The highest order of the exhaust that is listed."""
 
 
 def strokes(engine: Engine) -> Document:
@@ -49,6 +55,7 @@ def tables(engine: Engine, cycle: WorkingCycle) -> Iterator[Table | Remarks]:
     )
     yield _cylinders(cycle, groups)
     yield _exhausts(cycle, groups)
+    yield _orders(engine)
     yield _disturbances(cycle, groups)
     sides, pins = (in_succession(cycle.firing, of(engine)) for of in (neighbours, partners))
     yield from remarks(
@@ -171,6 +178,33 @@ def _exhausts(cycle: WorkingCycle, groups: Sequence[ExhaustGroup]) -> Table:
     )
     notes = (alone,) if all(len(group.chambers) == 1 for group in groups) else ()
     return Table(_("Exhaust pulses"), columns, tuple(rows), notes=notes, key="exhausts")
+
+
+def _orders(engine: Engine) -> Table:
+    """|S_q| of every exhaust group of several cylinders and of the engine."""
+    found = exhaust_orders(engine, highest=HIGHEST)
+    columns = (
+        Column(_("exhaust group"), kind="text", key="name", label=True),
+        *(
+            Column(_("order {order}", order=order_text(order)), key=f"pulses/{order_text(order)}")
+            for order in found.orders.tolist()
+        ),
+    )
+    rows = [
+        (group.name, *np.abs(sums).tolist())
+        for group, sums in zip(found.groups, found.sums, strict=True)
+        if len(group.chambers) > 1
+    ]
+    if len(found.groups) > 1:
+        rows.append((_("whole engine"), *np.abs(found.whole).tolist()))
+    note = _("|sum of exp(-i q θ)| over the firing angles θ, in equal pulses of one cylinder.")
+    title = _("Exhaust orders")
+    return Table(title, columns, tuple(rows or _alone(found)), notes=(note,), key="exhaust_orders")
+
+
+def _alone(found: ExhaustOrders) -> list[tuple[Any, ...]]:
+    """The row of the one cylinder of an engine."""
+    return [(found.groups[0].name, *np.abs(found.sums[0]).tolist())]
 
 
 def _disturbances(cycle: WorkingCycle, groups: Sequence[ExhaustGroup]) -> Table:

@@ -1,0 +1,43 @@
+"""The verb that makes the exhaust heard: sound."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Annotated
+
+from crankstar.cli.options import EngineName, Settings, loaded_engine, option, together
+from crankstar.cli.output import progress, writable, write_result
+from crankstar.language.messages import _
+from crankstar.options.forms import form_of, refuse_terminal, usual_place
+
+SOUNDS = ("wav",)
+
+
+def sound(
+    engine: EngineName,
+    /,
+    *,
+    rpm: Annotated[str | None, option("--rpm")] = None,
+    seconds: Annotated[float | None, option("--seconds", "From 0.2 to 60.")] = None,
+    pipe: Annotated[list[str] | None, option("--pipe")] = None,
+    settings: Settings = None,
+    output: Annotated[str | None, option("--output", ".wav; default: ENGINE.wav.")] = None,
+) -> None:
+    """Write the rhythm of the exhaust as a sound, without muffler, intake and mechanical noise."""
+    from crankstar.dynamics import sound as acoustics
+    from crankstar.options import sounds as request
+    from crankstar.search.interrupts import ended_once
+
+    usual = usual_place(engine, kind="wav")
+    refuse_terminal(output, SOUNDS)
+    writable(usual if output is None else output)
+    form_of(usual if output is None else output, SOUNDS)
+    loaded, ride = together(
+        partial(loaded_engine, engine, settings),
+        partial(request.ride, rpm=rpm, seconds=seconds, pipe=pipe),
+    )
+    with ended_once(), progress(_("Adding up the pulses")) as tell:
+        heard = acoustics.sound(
+            loaded, ride=ride, tell=lambda done, of: tell(done, of, f"{done}/{of}")
+        )
+    write_result(acoustics.wav(heard), output, usual)

@@ -1,0 +1,32 @@
+"""The part of the vocabulary of options that is about how much the engine does."""
+
+from __future__ import annotations
+
+from crankstar.options.entries import Option
+
+LOADS = {
+    "--bmep": Option(
+        "text", 'Brake mean effective pressure, such as "9 bar".', ("--brake-mean-pressure",)
+    ),
+    "--flywheel": Option(
+        "text",
+        "Moment of inertia of crankshaft, flywheel and what is coupled to them, such as "
+        '"0.25 kg*m^2" (default: drive.inertia of the file).',
+        ("--inertia",),
+    ),
+    "--imep": Option(
+        "text",
+        'Indicated mean effective pressure of the whole cycle, such as "10 bar".',
+        ("--mean-pressure",),
+    ),
+    "--motored": Option("nothing", "The engine is turned and burns nothing.", ("--cold",)),
+    "--off": Option(
+        "text", "Cylinders that do not fire, as in 2,3; the others burn as much.", ("--misfire",)
+    ),
+    "--peak-pressure": Option(
+        "text", 'Greatest pressure of the cycle, such as "75 bar".', ("--pmax",)
+    ),
+    "--point": Option(
+        "text", "Operating point of the engine file, by its name, such as idle.", ("--load-point",)
+    ),
+}
