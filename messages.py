@@ -86,6 +86,7 @@ MESSAGE_ERRORS = [
     "ChartError",
     "DerivationError",
     "ErrataError",
+    "GasError",
     "NoSuchKeyError",
     "OutputError",
     "PageError",
@@ -93,6 +94,7 @@ MESSAGE_ERRORS = [
     "RemedyError",
     "RequestError",
     "SiteError",
+    "UnevenError",
     "SweepError",
     "UnitsError",
 ]

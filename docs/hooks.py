@@ -22,7 +22,7 @@ from typing import Any, Literal, get_args, get_origin
 
 from pydantic.fields import FieldInfo
 
-from crankstar.engine import engine, layouts, records
+from crankstar.engine import engine, gas, layouts, records
 from crankstar.engine.basis import BalanceShaft, Crankshaft, CrankWeight, Override, Sizes
 from crankstar.engine.records import Record
 from crankstar.files.forms import by_key, quantity_of, record_in, short_form
@@ -49,6 +49,10 @@ TABLES: dict[str, type[Record]] = {
     "articulated": records.Articulation,
     "valves": records.Valves,
     "block": records.Block,
+    "gas": records.Gas,
+    "operating point": gas.OperatingPoint,
+    "trace": gas.Trace,
+    "drive": records.Drive,
     "provenance": records.Provenance,
     **{kind: _layout(kind) for kind in layouts.LAYOUTS},
     "bank": layouts.Bank,
@@ -70,6 +74,8 @@ SECTIONS: dict[type[Record], str] = {
     CrankWeight: "[its weights](#crankshaft)",
     BalanceShaft: "[a balance shaft](#balance_shaft)",
     records.Valves: "[valves](#valves)",
+    records.Gas: "[gas](#gas)",
+    records.Drive: "[drive](#drive)",
     records.Shaft: "[a shaft](#a-shaft)",
     records.Throw: "[a throw](#a-throw)",
     records.Weight: "[a weight](#a-weight)",

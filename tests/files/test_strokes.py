@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from math import sqrt
 from pathlib import Path
 
 import pytest
@@ -42,3 +43,20 @@ def test_strokes_into_a_file_named_json_are_json(run: Run, tmp_path: Path) -> No
 
 def test_strokes_have_no_picture(refused: Callable[..., str]) -> None:
     assert "the name must end in .txt, .csv, .json" in refused("strokes", "i4", "-o", "strokes.svg")
+
+
+def test_strokes_list_the_orders_of_banks_and_engine(run: Run) -> None:
+    rows = json.loads(run("strokes", "v8-cross-plane", "--json").out)["exhaust_orders"]
+    assert [row["name"] for row in rows] == ["bank odd", "bank even", "whole engine"]
+    assert rows[0]["pulses"]["1.5"] == pytest.approx(sqrt(4 + 2 * sqrt(2)))
+    assert rows[1]["pulses"]["2"] == 0
+    assert rows[2]["pulses"] == {**dict.fromkeys(rows[0]["pulses"], 0), "4": 8}
+    assert "Exhaust orders" in run("strokes", "v8-cross-plane").out
+
+
+def test_cylinders_with_exhausts_of_their_own_have_one_row_together(run: Run) -> None:
+    rows = json.loads(run("strokes", "v2-90", "--json").out)["exhaust_orders"]
+    assert [row["name"] for row in rows] == ["whole engine"]
+    assert rows[0]["pulses"]["1"] == pytest.approx(sqrt(2))
+    (row,) = json.loads(run("strokes", "single", "--json").out)["exhaust_orders"]
+    assert set(row["pulses"].values()) == {1}

@@ -160,7 +160,8 @@ def test_an_engine_alone_in_the_catalog_says_so() -> None:
 BURBLE = (
     "Uneven exhaust pulses, the burble of a cross-plane V8: bank odd, cylinders 5 and 7, "
     "90 deg apart "
-    "(270-180-90-180); bank even, cylinders 8 and 4, 90 deg apart (90-180-270-180)."
+    "(270-180-90-180); bank even, cylinders 8 and 4, 90 deg apart (90-180-270-180). "
+    "Exhaust of each bank: orders 0.5, 1.5, 2.5, 3.5 beside 4."
 )
 
 

@@ -289,7 +289,7 @@ NO_TERMS = {
     "all orders together at these crank angles",
     *("shafts, throws and weights", "turning vectors", "main bearings by order", "crankshaft"),
     *("number", "place", "share", "speed_rpm", "{engine}, of the first"),
-    *("order {order}", "amplitude", "result", "alike"),
+    *("order {order}", "amplitude", "result", "alike", "torque by order"),
     *("each cylinder", "cylinders {numbers}", "moves", "whole", "measured"),
     *("theta_deg", "mean", "forward", "backward", "{quantity} forward", "{quantity} backward"),
 }

@@ -10,6 +10,7 @@
 | `tabulating` | a Document as tables, JSON, CSV, a spreadsheet or Parquet |
 | `speed_ranges` | what `analyze --speeds` prints |
 | `inspect` | list, show, analyze, bearings, compare, verdict, strokes |
+| `torque` | torque |
 | `estimating` | estimate |
 | `deriving` | derive, errata |
 | `firing` | orders, vees |
@@ -20,6 +21,7 @@
 | `workshop` | bobweight, drill, grade |
 | `picturing` | plot |
 | `drawing` | draw, animate |
+| `sounding` | sound |
 | `sweeping` | sweep |
 | `showing` | page |
 | `siting` | site |

@@ -64,8 +64,10 @@ VERBS = {
     "serve": "serving:serve",
     "show": "inspect:show",
     "site": "siting:site",
+    "sound": "sounding:sound",
     "strokes": "inspect:strokes",
     "sweep": "sweeping:sweep",
+    "torque": "torque:torque",
     "vees": "firing:vees",
     "verdict": "inspect:verdict",
 }

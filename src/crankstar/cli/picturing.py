@@ -34,7 +34,8 @@ def plot(
         str,
         Parameter(
             help="crank-star, vector-star, polygon, hodograph, over-turn, amplitudes, spectrum, "
-            "shaft, stroke-chart, firing-ring, forces, bearing-loads, bending or balance-shafts."
+            "shaft, stroke-chart, firing-ring, exhaust-orders, forces, bearing-loads, bending or "
+            "balance-shafts."
         ),
     ],
     /,

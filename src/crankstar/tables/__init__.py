@@ -38,6 +38,7 @@
 | `certificate` | the best weights and their lower bound |
 | `cures` | what removes the remaining forces and couples |
 | `roll_cures` | the rolling moment that is left, and what would remove it |
+| `torque` | gas torque by order, the cycle and what is assumed, uneven running |
 | `turning` | what turns with the crankshaft: moving parts, weights of the file, new ones |
 | `placings` | the places of balance shafts, and what they leave of the roll |
 | `remedies` | the balancing sheet |

@@ -10,12 +10,13 @@ import numpy as np
 from crankstar.engine.engine import Engine
 from crankstar.engine.main_bearings import main_bearings, pin_groups
 from crankstar.engine.records import Shaft
+from crankstar.firing.exhaust_orders import exhaust_orders
 from crankstar.firing.intervals import firing
 from crankstar.firing.strokes import exhaust_groups, exhaust_intervals, working_cycle
 from crankstar.firing.succession import Follower, in_succession, neighbours, partners
 from crankstar.language.faults import EngineError
 from crankstar.language.messages import _, _n, passage
-from crankstar.language.numbers import number
+from crankstar.language.numbers import number, order_text
 from crankstar.tables.headings import firing_text
 
 COMPARED = 4
@@ -27,6 +28,8 @@ UNEVEN = 0.75
 
 The shift by slave rods is smaller.
 """
+AUDIBLE = 0.1
+"""Share of all pulses of a group from which an order of its exhaust is named."""
 BURBLE = (90.0, 180.0, 180.0, 270.0)
 """Degrees between the exhausts of a bank of a cross-plane V8, from the shortest."""
 
@@ -143,10 +146,34 @@ def _pulses(engine: Engine, groups: Sequence[Pulses]) -> str:
     parts = "; ".join(_pulse(group) for group in uneven[:2])
     values = {"pulses": parts, "count": len(uneven) - 2}
     if _burbles(engine, groups):
-        return _("Uneven exhaust pulses, the burble of a cross-plane V8: {pulses}.", **values)
-    if len(uneven) > 2:
-        return _("Uneven exhaust pulses: {pulses}; and in {count} more.", **values)
-    return _("Uneven exhaust pulses: {pulses}.", **values)
+        told = _("Uneven exhaust pulses, the burble of a cross-plane V8: {pulses}.", **values)
+    elif len(uneven) > 2:
+        told = _("Uneven exhaust pulses: {pulses}; and in {count} more.", **values)
+    else:
+        told = _("Uneven exhaust pulses: {pulses}.", **values)
+    return passage(filter(None, [told, _orders(engine)]))
+
+
+def _orders(engine: Engine) -> str:
+    """The orders that every bank has below the one at which all its pulses fall together.
+
+    Even exhausts have none. Where the banks differ, or there are many, nothing is said.
+    """
+    found = exhaust_orders(engine)
+    sizes = np.array([len(group.chambers) for group in found.groups])
+    shares = np.abs(found.sums) / sizes[:, None]
+    full = np.flatnonzero((shares > 1 - 1e-6).all(axis=0))
+    present = shares[:, : full[0] if full.size else 0] > AUDIBLE
+    extra = np.flatnonzero(present[0])
+    if not full.size or (present != present[0]).any() or not 0 < extra.size <= COMPARED:
+        return ""
+    values = {
+        "orders": ", ".join(order_text(order) for order in found.orders[extra].tolist()),
+        "own": order_text(float(found.orders[full[0]])),
+    }
+    if engine.valves is None or not engine.valves.manifolds:
+        return _("Exhaust of each bank: orders {orders} beside {own}.", **values)
+    return _("Exhaust of each manifold: orders {orders} beside {own}.", **values)
 
 
 def _pulse(group: Pulses) -> str:

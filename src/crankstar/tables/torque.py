@@ -1,0 +1,257 @@
+"""Gas torque as tables: the cycle and what is assumed, torque by order, uneven running."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import degrees, pi
+from typing import NamedTuple
+
+import numpy as np
+
+from crankstar import spectra
+from crankstar.dynamics.uneven import Running
+from crankstar.engine.engine import Engine
+from crankstar.language.messages import N_, _
+from crankstar.language.numbers import number
+from crankstar.mechanics.balance import balance, total
+from crankstar.mechanics.gas import Cycle
+from crankstar.mechanics.gas_torque import GasTorque, added, gas_torque, roll_with_gas
+from crankstar.spectra import Complex, Spectrum
+from crankstar.tables.headings import heading
+from crankstar.tables.table import ROW_UNIT, Column, Document, Table, Value, remarks
+
+NOTED = 0.01
+"""Share of the greatest amplitude from which an order is shown to readers."""
+VALUES = {
+    "compression_ratio": (N_("compression ratio"), 1.0, ""),
+    "gamma": (N_("ratio of specific heats"), 1.0, ""),
+    "intake_pressure": (N_("intake pressure"), 1e-5, "bar"),
+    "exhaust_pressure": (N_("exhaust pressure"), 1e-5, "bar"),
+    "crankcase_pressure": (N_("crankcase pressure"), 1e-5, "bar"),
+    "intake_temperature": (N_("intake temperature"), 1.0, "K"),
+    "wall_temperature": (N_("wall temperature"), 1.0, "K"),
+    "combustion_start": (N_("start of combustion"), 180 / pi, "deg"),
+    "combustion_duration": (N_("duration of combustion"), 180 / pi, "deg"),
+    "wiebe_a": (N_("Wiebe's a"), 1.0, ""),
+    "wiebe_m": (N_("Wiebe's m"), 1.0, ""),
+}
+"""The values of a cycle that readers are told: name, factor from SI, unit."""
+PROCESSES = {
+    "otto": N_("ideal Otto cycle"),
+    "diesel": N_("ideal Diesel cycle"),
+    "limited-pressure": N_("ideal cycle with limited pressure"),
+    "heat-release": N_("heat release by Wiebe's function"),
+}
+
+
+class Orders(NamedTuple):
+    """Amplitudes by order, N m, `Re(c exp(i k theta))`; inertia is None without known masses."""
+
+    orders: list[float]
+    gas: Complex
+    inertia: Complex | None
+    total: Complex
+    roll: Complex
+
+
+def by_order(engine: Engine, cycle: Cycle, found: GasTorque) -> Orders:
+    """Gas torque, inertia torque, their sum and the rolling moment on the block, all orders."""
+    gas = found.total
+    result = balance(engine, speed=cycle.speed)
+    if cycle.speed is None or result.speed is None:
+        wave = spectra.amplitude(gas)
+        return Orders(gas.orders.tolist(), wave, None, wave, -engine.sense * wave)
+    sums = total(result)
+    whole = added(sums.torque, gas)
+    roll = added(roll_with_gas(sums, gas), spectra.scaled(whole, 0.0))
+
+    def at(spectrum: Spectrum) -> Complex:
+        return spectra.amplitude(spectra.selected(spectrum, roll.orders))
+
+    return Orders(roll.orders.tolist(), at(gas), at(sums.torque), at(whole), at(roll))
+
+
+def torque_document(
+    engine: Engine,
+    cycle: Cycle,
+    *,
+    running: Running | None = None,
+    orders: Sequence[float] | None = None,
+    machine: bool = False,
+) -> Document:
+    """Torque by order, what a cycle does, and how evenly the engine runs."""
+    found = gas_torque(cycle)
+    waves = by_order(engine, cycle, found)
+    mean = float(found.mean.sum()) - _friction_torque(cycle)
+    turning = cycle.speed
+    facts = {
+        "format": 1,
+        "engine": engine.name,
+        "point": cycle.name or None,
+        "speed_rpm": None if turning is None else float(f"{turning * 30 / pi:.12g}"),
+        "mean_torque": float(found.mean.sum()),
+        "brake_torque": mean,
+        "power": None if turning is None else float(found.mean.sum()) * turning,
+        "brake_power": None if turning is None else mean * turning,
+        "imep": cycle.imep,
+        "bmep": cycle.bmep if turning is not None else None,
+        "peak_pressure": cycle.peak,
+        "irregularity": None if running is None else running.irregularity,
+        "off": list(cycle.off),
+        "assumed": list(cycle.assumed),
+        "units": {"torque": "N*m", "power": "W", "pressure": "Pa"},
+    }
+    shown = tuple(orders) if orders else _shown(waves, machine=machine)
+    table = order_table(waves, shown, machine=machine)
+    if machine:
+        return Document(engine.name, (table,), facts)
+    return Document(
+        engine.name,
+        (
+            heading(engine),
+            work_table(cycle, found),
+            table,
+            *(() if running is None else (running_table(running),)),
+            *remarks(*_notes(engine, cycle, waves), kind="note"),
+        ),
+        facts,
+    )
+
+
+def _friction_torque(cycle: Cycle) -> float:
+    places = cycle.volumes
+    return cycle.friction * float(places.swept[[*places.kind]].sum()) / places.cycle
+
+
+def _shown(waves: Orders, *, machine: bool) -> tuple[float, ...]:
+    """All orders for machines; for readers those of note, and what is nought before the first."""
+    if machine:
+        return tuple(waves.orders)
+    size = np.maximum(np.abs(waves.total), np.abs(waves.gas))
+    noted = size > NOTED * size.max(initial=0.0)
+    first = next((order for order, kept in zip(waves.orders, noted, strict=True) if kept), 0.0)
+    return tuple(
+        order for order, kept in zip(waves.orders, noted, strict=True) if kept or order < first
+    )
+
+
+def order_table(waves: Orders, shown: Sequence[float], *, machine: bool) -> Table:
+    """Gas, inertia, their sum and the roll of the block, order by order."""
+    kind = "signal" if machine else "wave"
+    columns = [Column(_("order"), key="order", label=True)]
+    series: list[tuple[str, str, Complex]] = [("gas", _("gas torque"), waves.gas)]
+    if waves.inertia is not None:
+        series.append(("inertia", _("inertia torque"), waves.inertia))
+    series += [("total", _("together"), waves.total), ("roll", _("rolling moment"), waves.roll)]
+    columns += [Column(title, "N*m", kind=kind, key=key) for key, title, _wave in series]
+    place = {order: index for index, order in enumerate(waves.orders)}
+    rows = tuple(
+        (
+            float(order),
+            *(
+                complex(wave[place[order]]) if order in place else 0j
+                for _key, _title, wave in series
+            ),
+        )
+        for order in shown
+    )
+    return Table(_("Torque by order"), tuple(columns), rows, key="orders")
+
+
+def work_table(cycle: Cycle, found: GasTorque) -> Table:
+    """Mean effective pressures, torque and power of the operating point."""
+    mean, lost = float(found.mean.sum()), _friction_torque(cycle)
+    rows: list[tuple[Value, ...]] = [
+        (_("indicated mean effective pressure"), cycle.imep / 1e5, "bar"),
+        (_("peak pressure"), cycle.peak / 1e5, "bar"),
+        (_("mean gas torque"), mean, "N*m"),
+    ]
+    if cycle.speed is not None:
+        rows += [
+            (_("friction mean effective pressure"), cycle.friction / 1e5, "bar"),
+            (_("brake torque"), mean - lost, "N*m"),
+            (_("brake power"), (mean - lost) * cycle.speed / 1e3, "kW"),
+        ]
+    title = (
+        _("One cycle")
+        if cycle.speed is None
+        else _("One cycle at {rpm} rpm", rpm=number(cycle.speed * 30 / pi))
+    )
+    return _pairs(title, rows)
+
+
+def running_table(running: Running) -> Table:
+    """How the speed goes over a cycle."""
+    rpm = running.speed * 30 / pi
+    least, greatest = int(np.argmin(rpm)), int(np.argmax(rpm))
+    irregular = running.irregularity
+    return _pairs(
+        _("Uneven running"),
+        [
+            (_("inertia of all that turns"), running.inertia, "kg*m^2"),
+            (_("fluctuation of energy"), running.fluctuation, "J"),
+            (_("degree of irregularity"), irregular, ""),
+            (_("the same, linear estimate"), running.linear, ""),
+            (
+                _("least speed, at {angle} deg", angle=number(degrees(running.theta[least]))),
+                float(rpm[least]),
+                "rpm",
+            ),
+            (
+                _("greatest speed, at {angle} deg", angle=number(degrees(running.theta[greatest]))),
+                float(rpm[greatest]),
+                "rpm",
+            ),
+        ],
+    )
+
+
+def _pairs(title: str, rows: Sequence[tuple[Value, ...]]) -> Table:
+    columns = (
+        Column("", kind="text", label=True),
+        Column(_("value"), ROW_UNIT),
+        Column(_("unit"), kind="unit"),
+    )
+    return Table(title, columns, tuple(rows))
+
+
+def _valued(name: str, value: float) -> str:
+    """A value of a cycle with its name and unit."""
+    words, factor, unit = VALUES[name]
+    return f"{_(words)} {number(value * factor)} {unit}".strip()
+
+
+def _notes(engine: Engine, cycle: Cycle, waves: Orders) -> list[str]:
+    """What the numbers rest on: the process, what is assumed, what is not known."""
+    lines: list[str] = []
+    if engine.gas is not None and engine.gas.trace is not None:
+        lines.append(_("Pressure as measured."))
+    else:
+        process = _(PROCESSES[cycle.values["process"]])
+        lines.append(_("Pressure: {process}.", process=process))
+    assumed = [_valued(name, cycle.values[name]) for name in cycle.assumed if name in VALUES]
+    if assumed:
+        lines.append(
+            _(
+                "Assumed, since the file does not say: {values}. The table [gas] gives them.",
+                values=", ".join(assumed),
+            )
+        )
+    if "imep" in cycle.assumed:
+        lines.append(
+            _(
+                "The load is assumed too: {imep} bar indicated mean effective pressure.",
+                imep=number(cycle.imep / 1e5),
+            )
+        )
+    if waves.inertia is None:
+        lines.append(
+            _("Without a speed or without masses there is no inertia torque: this is gas alone.")
+        )
+    lines.append(
+        _(
+            "The rolling moment is that on the block where the driveline takes the torque; gas "
+            "makes no force and no couple."
+        )
+    )
+    return lines
