@@ -17,8 +17,8 @@ from tests.rules.test_options import COMMANDS, options
 from crankstar.options.forms import DERIVATIONS
 
 LINES = [
-    "analyze single",
     "analyze i4 --speeds '600..1200 rpm/3'",
+    "analyze single",
     "animate single --seconds 0.2 --frames-per-second 10 --size 96x72",
     "balance single --factor 0.5",
     "bearings i4",
@@ -32,20 +32,22 @@ LINES = [
     "export single",
     "grade --mass '28 kg' --speed '6000 rpm'",
     "new inline",
-    "orders i4",
     "orders i4 --row 1",
+    "orders i4",
     "page single",
     "plot single spectrum",
     "report single",
     "schema",
-    "search 3",
     "search 3 --row 1",
-    "show single",
+    "search 3",
     "show single --explicit",
+    "show single",
+    "sound v8-cross-plane --rpm 3000 --seconds 1",
     "strokes i4",
     "sweep single --over balance_factor=0..1/3",
-    "vees 4",
+    "torque audi-25-tfsi",
     "vees 4 --row 1",
+    "vees 4",
     "verdict single",
 ]
 FOLDERS = {"site"}
@@ -84,6 +86,7 @@ FITS: dict[str, Callable[[bytes], bool]] = {
     "tex": starting(b"\\documentclass"),
     "toml": lambda content: "format" in tomllib.loads(content.decode()),
     "txt": is_readable,
+    "wav": starting(b"RIFF"),
     "webp": lambda content: content[8:12] == b"WEBP",
     "xlsx": starting(b"PK"),
 }

@@ -27,7 +27,7 @@ class Drive(Record):
             "axis, without pistons, rods and what turns with the pins; of shafts at other speeds "
             "times their speed ratios squared"
         ),
-        examples=["0.25 kg*m^2"],
+        examples=["2 kg*m^2"],
     )
     load_exponent: Exponent = Field(
         default=0.0,
