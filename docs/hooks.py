@@ -200,6 +200,7 @@ def _value(info: FieldInfo) -> str:
         )
     simple = {
         Fraction: 'ratio, `-1` or `"29/31"`',
+        bool: "`true` or `false`",
         int: "whole number",
         float: "number",
         str: "text",
@@ -228,6 +229,8 @@ def _default(info: FieldInfo) -> str:
     value = info.default
     if value is None or isinstance(value, Record) or value in ((), {}, ""):
         return "-"
+    if isinstance(value, bool):
+        return f"`{str(value).lower()}`"
     if isinstance(value, tuple):
         return "`[" + ", ".join(f"{item:g}" for item in value) + "]`"
     if isinstance(value, str):

@@ -228,6 +228,8 @@ def test_a_motored_engine_gives_nothing_and_has_no_half_orders(run: Run) -> None
         (("--point", "idle"), "no operating point"),
         (("--flywheel", "1 m"), "moment of inertia"),
         (("--flywheel", "0.1 kg*m^2"), "masses"),
+        (("--orders", "24.5"), "orders up to 24"),
+        (("--set", "gas.process=limited-pressure", "--set", "gas.peak_pressure=9 bar"), "alone"),
     ],
 )
 def test_a_wrong_request_of_torque_is_told_in_a_sentence(
@@ -242,6 +244,37 @@ def test_an_engine_that_would_stop_within_its_cycle_is_told_of(run: Run, four: s
     result = run("torque", four, "--flywheel", "0.001 kg*m^2", "--speed", "60 rpm")
     assert result.code == 2
     assert "would stop" in result.err
+
+
+@pytest.mark.parametrize(
+    "values",
+    [
+        ("variable_gamma=true", "intake_pressure=0.02 bar"),
+        ("variable_gamma=true", "combustion_start=90 deg", "combustion_duration=180 deg"),
+        ("wall_temperature=450 K", "speed=1 rpm"),
+    ],
+)
+def test_a_charge_that_cannot_be_is_refused_or_computed(
+    values: tuple[str, ...], run: Run, four: str
+) -> None:
+    settings = [word for value in values for word in ("--set", f"gas.{value}")]
+    result = run("torque", four, *settings)
+    assert result.code in (0, 2)
+    assert "Traceback" not in result.err
+
+
+def test_a_drive_without_inertia_cannot_run(run: Run, four: str) -> None:
+    result = run("torque", four, "--set", "drive.inertia=0 kg*m^2")
+    assert result.code == 2
+    assert "would stop" in result.err
+
+
+def test_a_measured_pressure_takes_no_other_load(run: Run, tmp_path: Path) -> None:
+    rows = zip(trace()["angle"], trace()["pressure"][0], strict=True)
+    text = "\n".join(f"{a.split()[0]}\t{p.split()[0]}".replace(".", ",") for a, p in rows)
+    place = written(tmp_path, text)
+    assert torque(run, place)["peak_pressure"] == pytest.approx(50e5)
+    assert "load of its own" in run("torque", place, "--imep", "5 bar").err
 
 
 def test_an_engine_without_bore_says_what_it_needs(run: Run) -> None:
@@ -312,7 +345,7 @@ def test_a_file_that_is_no_trace_is_told_with_its_line(
 def test_a_trace_that_is_not_there_is_told(run: Run, tmp_path: Path) -> None:
     place = tmp_path / "mine.toml"
     place.write_text(SHORT + '\n[gas]\ntrace = "nowhere.csv"\n', encoding="utf-8")
-    assert "nowhere.csv" in run("check", str(place)).err
+    assert "nowhere.csv, which is not beside" in run("check", str(place)).err
 
 
 def test_the_same_torque_is_told_in_every_language(run: Run) -> None:

@@ -16,7 +16,7 @@ from crankstar.firing.exhaust_orders import exhaust_orders
 from crankstar.language.messages import _
 from crankstar.language.numbers import number, order_text
 
-HEIGHT, HEADROOM = 80, 1.3
+HEIGHT, HEADROOM = 56, 1.35
 """Px of a panel, and the end of its axis in pulses of its cylinders."""
 LIFT = 8.0
 """Px from the end of a bar to the middle of its number."""
@@ -49,9 +49,15 @@ def exhaust_order_chart(engine: Engine) -> Chart:
         if several:
             whole = (_("whole engine"), len(engine.chambers), np.abs(found.whole).tolist())
             shown.append(whole)
-        names = [order_text(order) for order in found.orders.tolist()]
         panels = [
-            _panel(name, count, lengths, names, place=place, foot=place == len(shown) - 1)
+            _panel(
+                name,
+                count,
+                lengths,
+                found.orders.tolist(),
+                place=place,
+                foot=place == len(shown) - 1,
+            )
             for place, (name, count, lengths) in enumerate(shown)
         ]
     return figure(
@@ -65,31 +71,34 @@ def _panel(
     title: str,
     count: int,
     lengths: Sequence[float],
-    names: Sequence[str],
+    orders: Sequence[float],
     *,
     place: int,
     foot: bool,
 ) -> Panel:
     """One group: a bar for each order that is there, its length at its end."""
+    names = [order_text(order) for order in orders]
+    slot = panel_width() / len(names)
+    fits = max(text_width(name, SMALL) for name in names) < 0.9 * slot
+    shown = [name for name, order in zip(names, orders, strict=True) if fits or order % 1 == 0]
     x = field(
         "order:N",
         sort=None,
         scale={"domain": names},
         title=_("order") if foot else None,
-        axis={"labelAngle": 0, "labels": foot},
+        axis={"labelAngle": 0, "labels": foot, "values": shown, "labelOverlap": False},
     )
     y = field(
         "to:Q",
         title=_("pulses"),
         scale=span(0, HEADROOM * count),
-        axis={"tickCount": 3, "minExtent": EXTENT},
+        axis={"tickCount": 2, "minExtent": EXTENT, "labelOverlap": False},
     )
     rows = [
         {"order": name, "from": 0.0, "to": length, "text": number(round(length, 1))}
         for name, length in zip(names, lengths, strict=True)
         if length > VISIBLE * count
     ]
-    slot = panel_width() / len(names)
     bars = of_rows(rows).mark("bar", size=max(6.0, min(22.0, 0.6 * slot)))
     colour = constant(PALETTE[place % len(PALETTE)])
     layers = [bars.encode(x=x, y=y, y2=field("from"), color=colour)]

@@ -84,7 +84,7 @@ def torque(
             loaded,
             found,
             running=_running(loaded, found, inertia),
-            orders=request.orders(orders, []) if orders != "all" else None,
+            orders=_orders(orders),
             machine=form != "txt",
         )
     give(document, output, form=form)
@@ -105,6 +105,16 @@ def _numbers(text: str | None) -> tuple[int, ...]:
     if any(not part.isdecimal() or len(part) > 4 for part in parts) or (text and not parts):
         raise refusal("--off", text or "", "give numbers of cylinders, as in 2,3")
     return tuple(dict.fromkeys(int(part) for part in parts))
+
+
+def _orders(text: str | None) -> list[float] | None:
+    """The orders of --orders, those of note without. Raises RequestError."""
+    from crankstar.mechanics.gas_torque import HIGHEST
+
+    wanted = request.orders(text, [n / 2 for n in range(1, int(2 * HIGHEST) + 1)])
+    if wanted and max(wanted) > HIGHEST:
+        raise refusal("--orders", text or "", "give orders up to {highest}", highest=f"{HIGHEST:g}")
+    return wanted
 
 
 def _running(engine: Engine, cycle: Cycle, flywheel: float | None) -> Running | None:

@@ -41,7 +41,7 @@ SAMPLES = 1440
 MOST_ROUNDS = 200
 CONVERGED = 1e-13
 SLOWEST = 0.2
-"""Share of the mean speed: an engine that turns slower within its cycle stops."""
+"""Share of the mean speed below which, or as far above, an engine cannot run."""
 
 
 class UnevenError(MessageError):
@@ -102,7 +102,7 @@ def running(
             break
     else:
         raise UnevenError("the speed does not settle: give drive.load_exponent nearer 0")
-    if float(now.min()) < SLOWEST * speed:
+    if float(now.min()) < SLOWEST * speed or float(now.max()) > speed / SLOWEST:
         raise UnevenError(
             "at {rpm} rpm the engine would stop within a cycle: give it more flywheel, more speed "
             "or less load",

@@ -3,8 +3,8 @@
 The first column is the crank angle from the dead centre at which the cylinder fires, in degrees;
 each other column the absolute pressure of a cylinder, or one for all. Heads say the unit, as in
 `p [kPa]` or `cyl1_bar`; bar where they do not. Columns stand apart by commas, semicolons, tabs or
-spaces; with semicolons a comma may be the decimal sign. A last sample that is the first of the next
-cycle, as instruments write it, is left out.
+spaces; but between commas, a comma may be the decimal sign. A last sample that is the first of the
+next cycle, as instruments write it, is left out.
 """
 
 from __future__ import annotations
@@ -44,17 +44,21 @@ def _refused(name: str, code: str, **values: Any) -> EngineFileError:
 def _text(folder: Path, file: str, name: str) -> str:
     """The text of a CSV file beside the engine file."""
     shown = one_line(file, longest=80)
+    place = folder / file
     try:
-        place = folder / file
-        if not place.is_file():
-            raise _refused(name, "missing", file=shown)
-        with place.open("rb") as opened:
-            raw = opened.read(GREATEST_CSV + 1)
-        if len(raw) > GREATEST_CSV:
-            raise _refused(name, "too-large", file=shown, greatest=GREATEST_CSV // 1_000_000)
-        return raw.decode("utf-8-sig")
+        there = place.is_file()
+        raw = b""
+        if there:
+            with place.open("rb") as opened:
+                raw = opened.read(GREATEST_CSV + 1)
+        text = raw[:GREATEST_CSV].decode("utf-8-sig")
     except (OSError, ValueError):
         raise _refused(name, "unreadable", file=shown) from None
+    if not there:
+        raise _refused(name, "missing", file=shown)
+    if len(raw) > GREATEST_CSV:
+        raise _refused(name, "too-large", file=shown, greatest=GREATEST_CSV // 1_000_000)
+    return text
 
 
 def trace_of(text: str, *, name: str, file: str) -> Tree:
@@ -91,10 +95,12 @@ def trace_of(text: str, *, name: str, file: str) -> Tree:
 
 def _cells(line: str, *, semicolons: bool) -> list[str]:
     """The cells of a line; a decimal comma becomes a point."""
-    if semicolons:
-        cells = line.replace(",", ".").split(";")
+    if semicolons or "\t" in line:
+        cells = line.replace(",", ".").split(";" if semicolons else "\t")
+    elif re.search(r"\d\s+[-+.\d]", line):
+        cells = line.replace(",", ".").split()
     else:
-        cells = re.split(r"\t|,", line) if re.search(r"[\t,]", line) else line.split()
+        cells = line.split(",") if "," in line else line.split()
     return [cell.strip().strip('"').strip() for cell in cells]
 
 

@@ -51,7 +51,7 @@ _KINDS = {
     "stiffness": _Kind("newton/metre", "N/m", 1e13, 1e13),
     "bending stiffness": _Kind("newton*metre^2", "N*m^2", 1e13, 1e13),
     "pressure": _Kind("pascal", "Pa", 0.0, 1e9),
-    "temperature": _Kind("kelvin", "K", 5000.0, 5000.0),
+    "temperature": _Kind("kelvin", "K", 0.0, 5000.0),
 }
 _OTHERS = {
     "area": "metre^2",

@@ -49,6 +49,7 @@ class Cycle:
     values: Mapping[str, Any]
     assumed: tuple[str, ...]
     off: tuple[int, ...] = ()
+    motored: bool = False
 
     @property
     def bmep(self) -> float:
@@ -88,7 +89,13 @@ def cycle(
     stroke = 2 * engine.throw(engine.first).radius
     values["stroke"] = stroke
     places = volumes_of(engine)
-    rows = _pressures(engine, places, values, motored=motored, off=off)
+    try:
+        rows = _pressures(engine, places, values, motored=motored, off=off)
+    except ArithmeticError:
+        raise GasError(
+            "with these values the pressure has no end or falls to nothing: give more intake "
+            "pressure, more speed, or a longer combustion nearer to the dead centre"
+        ) from None
     work = (rows * places.rate[[*places.kind]]).sum(axis=-1) * places.cycle / SAMPLES
     turning = values.get("speed")
     friction = (
@@ -108,6 +115,7 @@ def cycle(
         values=values,
         assumed=assumed,
         off=tuple(sorted(off)),
+        motored=motored,
     )
 
 
@@ -205,6 +213,14 @@ def ideal_cycle(values: Mapping[str, Any]) -> ideal_cycles.Ideal:
     if values["process"] == "diesel":
         return cycle._replace(limit=ideal_cycles.compressed(cycle))
     if values["process"] == "limited-pressure":
+        least = ideal_cycles.compressed(cycle)
+        if values["peak_pressure"] < least:
+            raise GasError(
+                "peak_pressure is {limit} bar, less than compression alone, {least} bar: give "
+                "more, or a smaller compression_ratio",
+                limit=f"{values['peak_pressure'] / 1e5:.4g}",
+                least=f"{least / 1e5:.4g}",
+            )
         return cycle._replace(limit=values["peak_pressure"])
     return cycle
 

@@ -69,6 +69,8 @@ def resolved(
             )
         layers.append(_given(known[point]))
     layers.append({name: value for name, value in (load or {}).items() if value is not None})
+    if gas.trace is not None and any(name in layer for layer in layers for name in LOADS):
+        raise GasError("a measured pressure has a load of its own: ask for no other")
     process = gas.process or "heat-release"
     given: dict[str, Any] = {}
     for layer in layers:

@@ -24,6 +24,10 @@ from crankstar.spectra import Real
 
 GAS_CONSTANT = 287.0
 """Of air, J/(kg K)."""
+COLDEST, HOTTEST = 300.0, 3000.0
+"""K: for these gamma of the temperature was found."""
+GREATEST = 1e10
+"""Pa: a pressure beyond is none."""
 COARSE = 4
 """Samples to a step of the integration."""
 
@@ -47,10 +51,13 @@ class Charge(NamedTuple):
 def gamma_of(temperature: float) -> float:
     """The ratio of specific heats of a charge at a temperature (K), 300 to 3000 K.
 
+    Beyond them it stays as it is there: the parabola would rise again.
+
     >>> round(gamma_of(1000.0), 3)
     1.288
     """
-    return 1.338 - 6.0e-5 * temperature + 1.0e-8 * temperature**2
+    within = min(max(temperature, COLDEST), HOTTEST)
+    return 1.338 - 6.0e-5 * within + 1.0e-8 * within**2
 
 
 def film_coefficient(
@@ -68,7 +75,7 @@ def film_coefficient(
 def real_pressure(
     grid: Grid, events: Events, release: Release, charge: Charge, *, heat: float
 ) -> Real:
-    """The pressure, Pa [sample], with a heat per cycle (J)."""
+    """The pressure, Pa [sample], with a heat per cycle (J); raises ArithmeticError without one."""
     parts = placed(grid, events)
     closed = _closed(grid, events, release, charge, heat, parts)
     out = np.empty_like(grid.volume)
@@ -99,6 +106,8 @@ def _closed(
         three = slope(pressure + width / 2 * two, row, 1)
         four = slope(pressure + width * three, row, 2)
         pressure += width / 6 * (one + 2 * two + 2 * three + four)
+        if not 0 < pressure < GREATEST:
+            raise ArithmeticError(pressure)
         found.append(pressure)
         slopes.append(slope(pressure, row, 2))
     return CubicHermiteSpline(knots, found, slopes)(parts.angle)
@@ -129,6 +138,8 @@ def _slope(
 
     def slope(pressure: float, row: int, column: int) -> float:
         volume = float(volumes[row, column])
+        if not 0 < pressure < GREATEST:
+            raise ArithmeticError(pressure)
         temperature = pressure * volume / (mass * GAS_CONSTANT)
         gamma = charge.gamma or gamma_of(temperature)
         gained = float(burning[row, column])

@@ -11,6 +11,7 @@ import numpy as np
 from crankstar import spectra
 from crankstar.dynamics.uneven import Running
 from crankstar.engine.engine import Engine
+from crankstar.engine.valves import timing
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
 from crankstar.mechanics.balance import balance, total
@@ -22,11 +23,16 @@ from crankstar.tables.table import ROW_UNIT, Column, Document, Table, Value, rem
 
 NOTED = 0.01
 """Share of the greatest amplitude from which an order is shown to readers."""
+CORRELATIONS = {
+    "spark-ignition": N_("Friction as of motored spark-ignition engines."),
+    "diesel": N_("Friction as of motored Diesel engines."),
+}
 VALUES = {
     "compression_ratio": (N_("compression ratio"), 1.0, ""),
     "gamma": (N_("ratio of specific heats"), 1.0, ""),
     "intake_pressure": (N_("intake pressure"), 1e-5, "bar"),
     "exhaust_pressure": (N_("exhaust pressure"), 1e-5, "bar"),
+    "peak_pressure": (N_("limit of pressure"), 1e-5, "bar"),
     "crankcase_pressure": (N_("crankcase pressure"), 1e-5, "bar"),
     "intake_temperature": (N_("intake temperature"), 1.0, "K"),
     "wall_temperature": (N_("wall temperature"), 1.0, "K"),
@@ -230,7 +236,7 @@ def _notes(engine: Engine, cycle: Cycle, waves: Orders) -> list[str]:
         process = _(PROCESSES[cycle.values["process"]])
         lines.append(_("Pressure: {process}.", process=process))
     assumed = [_valued(name, cycle.values[name]) for name in cycle.assumed if name in VALUES]
-    if assumed:
+    if assumed and (engine.gas is None or engine.gas.trace is None or cycle.motored or cycle.off):
         lines.append(
             _(
                 "Assumed, since the file does not say: {values}. The table [gas] gives them.",
@@ -244,6 +250,14 @@ def _notes(engine: Engine, cycle: Cycle, waves: Orders) -> list[str]:
                 imep=number(cycle.imep / 1e5),
             )
         )
+    if (
+        cycle.values["process"] == "heat-release"
+        and timing(engine.valves, cycle=engine.cycle).assumed
+    ):
+        lines.append(_("Valve or port timing is assumed, see `crankstar strokes`."))
+    correlation = CORRELATIONS.get(cycle.values["friction"])
+    if cycle.speed is not None and correlation is not None:
+        lines.append(_(correlation))
     if waves.inertia is None:
         lines.append(
             _("Without a speed or without masses there is no inertia torque: this is gas alone.")
