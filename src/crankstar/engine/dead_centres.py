@@ -48,8 +48,21 @@ def bottom_dead_centres(engine: Assembly) -> dict[int, DeadCentre]:
     return _dead_centres(engine, outward=-1.0)
 
 
-def _dead_centres(engine: Assembly, *, outward: float) -> dict[int, DeadCentre]:
-    """Where a chamber's pistons are farthest out (outward = 1) or in (-1)."""
+class Pistons(NamedTuple):
+    """The pistons of an engine: their rods, and the places of cylinders by number in the arrays.
+
+    `lag` [cylinder] is the angle of the crank from the axis of its group at theta = 0, radians,
+    `ratio` [cylinder] its clockwise turns per turn of the reference shaft.
+    """
+
+    links: motion.Linkage
+    place: dict[int, int]
+    lag: np.ndarray
+    ratio: np.ndarray
+
+
+def pistons(engine: Assembly) -> Pistons:
+    """What moves the pistons of an engine, as arrays."""
     links = motion.linkage(engine)
     place = {cylinder.number: index for index, cylinder in enumerate(engine.cylinders)}
     root = motion.roots(links.master)
@@ -62,6 +75,12 @@ def _dead_centres(engine: Assembly, *, outward: float) -> dict[int, DeadCentre]:
     ratio = np.array(
         [float(engine.shaft(c.shaft).speed_ratio) * engine.sense for c in engine.cylinders]
     )
+    return Pistons(links, place, lag, ratio)
+
+
+def _dead_centres(engine: Assembly, *, outward: float) -> dict[int, DeadCentre]:
+    """Where a chamber's pistons are farthest out (outward = 1) or in (-1)."""
+    links, place, lag, ratio = pistons(engine)
     area = outward * np.array([1.0 if c.bore is None else c.bore**2 for c in engine.cylinders])
     chambers = tuple(
         (number, tuple(place[c.number] for c in pistons))

@@ -16,9 +16,8 @@ from math import pi, radians
 
 import numpy as np
 
-from crankstar.engine import motion
 from crankstar.engine.assembly import Assembly
-from crankstar.engine.dead_centres import dead_centres, outward
+from crankstar.engine.dead_centres import dead_centres, outward, pistons
 from crankstar.engine.firing_angles import firing_angles
 from crankstar.spectra import Real
 
@@ -55,18 +54,7 @@ def volumes(engine: Assembly, count: int) -> Volumes:
     numbers = tuple(engine.chambers)
     if len(numbers) == 1 and not fires:
         fires = {numbers[0]: radians(centres[numbers[0]].angle_deg)}
-    links = motion.linkage(engine)
-    place = {cylinder.number: index for index, cylinder in enumerate(engine.cylinders)}
-    root = motion.roots(links.master)
-    lag = np.array(
-        [
-            engine.throw(c).angle - engine.cylinders[root[i]].bearing
-            for i, c in enumerate(engine.cylinders)
-        ]
-    )
-    ratio = np.array(
-        [float(engine.shaft(c.shaft).speed_ratio) * engine.sense for c in engine.cylinders]
-    )
+    links, place, lag, ratio = pistons(engine)
     area = np.array([pi / 4 * (c.bore or 0.0) ** 2 for c in engine.cylinders])
     step = np.arange(count) * (cycle / count)
     rows: dict[object, int] = {}
@@ -74,9 +62,9 @@ def volumes(engine: Assembly, count: int) -> Volumes:
     above: list[Real] = []
     rate: list[Real] = []
     for number in numbers:
-        pistons = [place[cylinder.number] for cylinder in engine.chambers[number]]
-        first = pistons[0]
-        plain = len(pistons) == 1 and links.master[first] < 0
+        own = [place[cylinder.number] for cylinder in engine.chambers[number]]
+        first = own[0]
+        plain = len(own) == 1 and links.master[first] < 0
         key: object = number
         if plain:  # chambers alike move alike
             sizes = (links.crank_radius, links.rod_length, area, ratio)
@@ -84,7 +72,7 @@ def volumes(engine: Assembly, count: int) -> Volumes:
         if key not in rows:
             rows[key] = len(above)
             theta = np.append(step, 0.0) + radians(centres[number].angle_deg)
-            travel, slope, _bend = outward(links, pistons, theta, lag, ratio, area)
+            travel, slope, _bend = outward(links, own, theta, lag, ratio, area)
             above.append(travel[-1] - travel[:-1])
             rate.append(-slope[:-1])
         kind.append(rows[key])
