@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import openpyxl
 import pytest
 from tests.commands import Run
 from tests.texts import SHORT, spoilt
@@ -300,6 +301,21 @@ def test_an_uneven_run_has_the_irregularity_of_its_speeds(run: Run, four: str) -
         for start in ("least speed", "greatest speed")
     )
     assert (high - low) / 800 == pytest.approx(told, rel=2e-3)
+
+
+def test_a_spreadsheet_holds_the_cycle_the_orders_and_the_speed(
+    run: Run, four: str, tmp_path: Path
+) -> None:
+    arguments = (four, "--imep", "2 bar", "--flywheel", "0.15 kg*m^2")
+    told = torque(run, *arguments)
+    assert run("torque", *arguments, "-o", str(tmp_path / "t.xlsx")).code == 0
+    sheets = [*openpyxl.load_workbook(tmp_path / "t.xlsx").worksheets]
+    rows = [row for sheet in sheets for row in sheet.iter_rows(values_only=True)]
+    cells = {row[0]: row[1] for row in rows if len(row) > 1}
+    assert cells["mean gas torque"] == pytest.approx(told["mean_torque"])
+    assert cells["degree of irregularity"] == pytest.approx(told["irregularity"])
+    second = next(row for row in told["orders"] if row["order"] == 2.0)
+    assert cells[2] == pytest.approx(float(np.hypot(*second["gas"])))
 
 
 def written(tmp_path: Path, text: str) -> str:

@@ -85,7 +85,7 @@ def torque(
             found,
             running=_running(loaded, found, inertia),
             orders=_orders(orders),
-            machine=form != "txt",
+            machine=form not in ("txt", "xlsx"),
         )
     give(document, output, form=form)
 
