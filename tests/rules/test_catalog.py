@@ -31,13 +31,14 @@ NAMES_IN_TABLES = {"name", "bank"}
 """What banks and shafts are called, wherever it stands."""
 WITHOUT_FIRING_ORDER = {"napier-lion": "not known"}
 REAL = {
-    "in-line two": {"bmw-f800", "fiat-twinair", "parallel-twin-180"},
+    "single": {"bmw-g650"},
+    "in-line two": {"bmw-f800", "fiat-twinair", "parallel-twin-180", "yamaha-mt-07"},
     "in-line three": {"triumph-675"},
     "in-line four": {"suzuki-hayabusa", "honda-b18c"},
     "cross-plane four": {"yamaha-r1-crossplane"},
     "in-line five": {"audi-25-tfsi"},
     "in-line six": {"toyota-2jz", "bmw-m52b28"},
-    "V2": {"harley-45", "ducati-90"},
+    "V2": {"harley-45", "ducati-90", "ducati-900ss"},
     "V6 60": {"ford-cologne"},
     "V6 90 split-pin": {"gm-3800", "ford-essex-42", "international-vt275"},
     "VR6": {"vw-vr6"},
@@ -80,6 +81,8 @@ def leaves(value: Any, path: str = "") -> Iterator[str]:
 
 
 def covers(key: str, path: str) -> bool:
+    """Whether an entry is of a value; `gas.point[2].speed` is that of one table in a list."""
+    key = re.sub(r"\[\d+\]", "", key)
     return path == key or path.startswith(f"{key}.")
 
 

@@ -39,7 +39,13 @@ def check(
             complain(str(error))
         else:
             own = loaded.engine
-            lines = [_good(name, own), *_far(own), *_stale(tree), *_twice(tree)]
+            lines = [
+                _good(name, own),
+                *_far(own),
+                *_stale(tree),
+                *_twice(tree),
+                *_hardly(own, tree),
+            ]
             display(Text("\n".join(lines)))
     return 2 if failed else 0
 
@@ -61,6 +67,16 @@ def _far(engine: Engine) -> list[str]:
         count=f"{BEYOND:g}",
     )
     return [line] if far else []
+
+
+def _hardly(engine: Engine, tree: Mapping[str, Any]) -> list[str]:
+    """Lines on values that hardly any engine has, and on cycles that cannot be."""
+    from crankstar.files.forms import is_explicit
+    from crankstar.files.read import in_file
+    from crankstar.mechanics.doubts import doubts
+
+    found = in_file(dict(tree), list(doubts(engine)), explicit=is_explicit(dict(tree)))
+    return [f"  {fault.sentence}" for fault in found]
 
 
 def _stale(tree: Mapping[str, Any]) -> list[str]:

@@ -14,6 +14,7 @@ from crankstar.engine.cylinder_parts import Record
 from crankstar.engine.quantities import Angle, Line, Number, Ordinal, Pressure, Speed, Temperature
 
 Process = Literal["otto", "diesel", "limited-pressure", "heat-release"]
+Ignition = Literal["spark", "compression"]
 GREATEST_POINTS = 50
 """Operating points of one engine."""
 GREATEST_TRACE = 20_000
@@ -56,6 +57,11 @@ class Load(Record):
     )
     combustion_duration: Angle | None = Field(
         default=None, description="of the whole heat release", examples=["55 deg"]
+    )
+    friction_pressure: Pressure | None = Field(
+        default=None,
+        description="friction mean effective pressure where it is known, instead of `friction`",
+        examples=["1.6 bar"],
     )
 
 
@@ -103,6 +109,14 @@ class Gas(Load):
 
     process: Process | None = Field(
         default=None, description="ideal cycle, or a finite heat release; heat-release if left out"
+    )
+    ignition: Ignition | None = Field(
+        default=None,
+        description=(
+            "spark or compression: what is assumed of combustion and friction; if left out, "
+            "compression where the process is diesel or limited-pressure, the compression ratio "
+            "is above 14 or, without one, the bore is above 180 mm"
+        ),
     )
     compression_ratio: Ratio | None = Field(
         default=None, description="greatest over least volume", examples=[10.5]

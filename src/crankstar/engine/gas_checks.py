@@ -22,6 +22,10 @@ GREATEST_MEAN = 6e6
 """Pa: no engine has a greater mean effective pressure."""
 GREATEST_JUMP = 0.25
 """Of the range of a trace, from its last sample to its first."""
+LEAST_RISE = 2.0
+"""Greatest over least pressure of a trace: compression alone is more."""
+FARTHEST_PEAK = pi / 2
+"""Radians from the dead centre of firing to the peak of a trace."""
 LATEST_START = pi / 2
 LONGEST_COMBUSTION = pi
 _SLACK = 1e-9
@@ -32,18 +36,54 @@ def faults(gas: Gas | None, *, cycle: Cycle, chambers: Collection[int]) -> Itera
     if gas is None:
         return
     yield from _load_faults(gas, gas, ("gas",))
+    yield from _idle_faults(gas, gas, ("gas",))
+    yield from _friction_faults(gas)
     for index, point in enumerate(gas.points):
-        yield from _load_faults(point, gas, ("gas", "points", index))
+        yield from _load_faults(point, gas, ("gas", "point", index))
+        yield from _idle_faults(point, gas, ("gas", "point", index))
         if any(other.name == point.name for other in gas.points[:index]):
-            yield Fault(("gas", "points", index, "name"), "gas.same-name", {"name": point.name})
+            yield Fault(("gas", "point", index, "name"), "gas.same-name", {"name": point.name})
     if gas.trace is None:
         return
     if gas.process is not None:
         yield Fault(("gas", "process"), "gas.trace-and-process")
-    for name in LOADS:
-        if getattr(gas, name) is not None:
-            yield Fault(("gas", name), "gas.trace-and-load")
+    places: list[tuple[Path, Load]] = [(("gas",), gas)]
+    places += [(("gas", "point", index), point) for index, point in enumerate(gas.points)]
+    for path, load in places:
+        for name in LOADS:
+            if getattr(load, name) is not None:
+                yield Fault((*path, name), "gas.trace-and-load")
     yield from _trace_faults(gas.trace, cycle, chambers)
+
+
+_OF_COMBUSTION = ("combustion_start", "combustion_duration", "wiebe_a", "wiebe_m")
+_OF_RELEASE = (*_OF_COMBUSTION, "variable_gamma", "intake_temperature", "wall_temperature")
+"""Keys of a heat release, which an ideal cycle does not have."""
+
+
+def _idle_faults(load: Load, gas: Gas, path: Path) -> Iterator[Fault]:
+    """Keys that nothing would come of."""
+    values = {name: getattr(load, name, None) for name in _OF_RELEASE}
+    given = [name for name, value in values.items() if value is not None and value is not False]
+    if gas.process not in (None, "heat-release"):
+        for name in given:
+            yield Fault((*path, name), "gas.not-of-process", {"process": gas.process})
+        return
+    if gas.trace is not None:
+        for name in given:
+            if name in _OF_COMBUSTION:
+                yield Fault((*path, name), "gas.not-of-trace")
+        return
+    if isinstance(load, Gas) and load.gamma is not None and load.variable_gamma:
+        yield Fault((*path, "gamma"), "gas.gamma-twice")
+    warm = gas.variable_gamma or gas.wall_temperature is not None
+    if "intake_temperature" in given and not warm:
+        yield Fault((*path, "intake_temperature"), "gas.temperature-unused")
+
+
+def _friction_faults(gas: Gas) -> Iterator[Fault]:
+    if gas.friction is not None and gas.friction_pressure is not None:
+        yield Fault(("gas", "friction"), "gas.friction-twice")
 
 
 def drive_faults(drive: Drive | None, *, cycle: Cycle) -> Iterator[Fault]:
@@ -115,10 +155,12 @@ def _trace_faults(trace: Trace, cycle: Cycle, chambers: Collection[int]) -> Iter
             "cycle": degrees(whole),
         }
         yield Fault((*path, "angle"), "trace.gap", values)
-    yield from _pressure_faults(trace, path, chambers)
+    yield from _pressure_faults(trace, path, whole, chambers)
 
 
-def _pressure_faults(trace: Trace, path: Path, chambers: Collection[int]) -> Iterator[Fault]:
+def _pressure_faults(
+    trace: Trace, path: Path, whole: float, chambers: Collection[int]
+) -> Iterator[Fault]:
     lists, named = len(trace.pressure), sorted(trace.chambers)
     if lists != 1 and lists != len(chambers):
         values = {"count": lists, "chambers": len(chambers)}
@@ -133,8 +175,15 @@ def _pressure_faults(trace: Trace, path: Path, chambers: Collection[int]) -> Ite
             yield Fault(here, "trace.lengths", values)
             continue
         peak, least = max(pressure), min(pressure)
+        place = trace.angle[pressure.index(peak)]
+        off = place - round(place / whole) * whole
         if not LEAST_PEAK <= peak <= GREATEST_PEAK:
             yield Fault(here, "trace.unit", {"peak": peak / 1e5})
+        elif peak < LEAST_RISE * least:
+            yield Fault(here, "trace.constant", {"peak": peak / 1e5, "least": least / 1e5})
+        elif abs(off) > FARTHEST_PEAK + _SLACK:
+            shift = -round(degrees(off) / 180) * 180
+            yield Fault(here, "trace.peak", {"place": degrees(place), "shift": f"{shift:+d}"})
         elif abs(pressure[-1] - pressure[0]) > GREATEST_JUMP * (peak - least):
             values = {"first": pressure[0] / 1e5, "last": pressure[-1] / 1e5}
             yield Fault(here, "trace.jump", values)

@@ -63,7 +63,7 @@ def faults_of(
 ) -> list[Fault]:
     """Every mistake of a validation as a fault; `under` is the path of the validated part."""
     faults: list[Fault] = []
-    for mistake in _mistakes(error):
+    for mistake in _first_of_lists(_mistakes(error)):
         cause = mistake.get("ctx", {}).get("error")
         if isinstance(cause, EngineError):
             faults += cause.faults
@@ -84,6 +84,23 @@ def _mistakes(error: ValidationError) -> Iterator[Any]:
             or len(mistake["input"]) < mistake.get("ctx", {})["min_length"]
         ):
             yield mistake
+
+
+_LONG = (("gas", "trace"), ("drive", "load_angle"), ("drive", "load_torque"))
+"""Tables whose lists have thousands of numbers."""
+
+
+def _first_of_lists(mistakes: Iterable[Any]) -> Iterator[Any]:
+    """The mistakes, of each kind only the first in a list of samples: all have one reason."""
+    seen_there: set[tuple[Any, ...]] = set()
+    for mistake in mistakes:
+        path, cause = _path(mistake), mistake.get("ctx", {}).get("error")
+        kind = (path[:-1], mistake["type"], getattr(cause, "code", ""))
+        if path[:2] in _LONG and isinstance(path[-1], int):
+            if kind in seen_there:
+                continue
+            seen_there.add(kind)
+        yield mistake
 
 
 def _path(mistake: Any) -> Path:

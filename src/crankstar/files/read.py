@@ -93,7 +93,7 @@ def _engine_of(tree: Tree, name: str) -> Engine:
     forms = chain([form_of(tree)], map(short_form, layouts))
     faults = [*draft.faults, *_elsewhere(contradictions, draft.faults)]
     faults += _elsewhere([*unknown_sources(tree, forms), *range_faults(tree)], draft.faults)
-    faults = _without_repeats(_in_file(tree, faults, explicit=explicit))
+    faults = _without_repeats(in_file(tree, faults, explicit=explicit))
     cells: Mapping[KeyPath, str] = {}
     if isinstance(tree, SpreadsheetTree):
         known = [fault for fault in tree.faults if fault.path]
@@ -311,7 +311,7 @@ def _overlap(path: tuple[str | int, ...], other: tuple[str | int, ...]) -> bool:
     return path[:shorter] == other[:shorter]
 
 
-def _in_file(tree: Tree, faults: list[Fault], *, explicit: bool) -> list[Fault]:
+def in_file(tree: Tree, faults: list[Fault], *, explicit: bool) -> list[Fault]:
     """Faults with the key paths of the file.
 
     What the short form says of all cylinders is one fault, with the numbers of these cylinders.

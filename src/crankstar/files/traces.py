@@ -2,9 +2,10 @@
 
 The first column is the crank angle from the dead centre at which the cylinder fires, in degrees;
 each other column the absolute pressure of a cylinder, or one for all. Heads say the unit, as in
-`p [kPa]` or `cyl1_bar`; bar where they do not. Columns stand apart by commas, semicolons, tabs or
-spaces; but between commas, a comma may be the decimal sign. A last sample that is the first of the
-next cycle, as instruments write it, is left out.
+`p [kPa]` or `cyl1_bar`; bar, and degrees, where they do not. A unit in brackets must be known.
+Columns stand apart by commas, semicolons, tabs or spaces; but between commas, a comma may be the
+decimal sign. A last sample that is the first of the next cycle, as instruments write it, is left
+out.
 """
 
 from __future__ import annotations
@@ -13,16 +14,28 @@ import re
 from pathlib import Path
 from typing import Any
 
+from crankstar.engine.quantities import ANGLE, PRESSURE, Quantity
+from crankstar.files import units
 from crankstar.files.errors import EngineFileError
-from crankstar.language.faults import Fault
+from crankstar.language.faults import Fault, ValueFaultError
 from crankstar.language.quoting import one_line
 
 GREATEST_CSV = 20_000_000
 """Bytes."""
 ALIKE = 0.02
 """Share of the peak by which the ends of a cycle may differ."""
-_UNITS = ("mbar", "bar", "kPa", "MPa", "hPa", "Pa", "psi")
-_HEAD = re.compile(rf"(?<![A-Za-z])({'|'.join(_UNITS)})(?![A-Za-z])", re.IGNORECASE)
+_BRACKETS = re.compile(r"[(\[{]([^)\]}]*)[)\]}]\s*([A-Za-z]*)")
+_WORD = re.compile(r"[^\W\d_]+[²2]?")
+_NUMBERED = re.compile(r"(?:cyl\w*|ch\w*|no|nr|#)?[\s.]*\d+$", re.IGNORECASE)
+"""Brackets about the number of a cylinder or of a channel."""
+_SAME = {
+    **{name.lower(): name for name in ("mbar", "bar", "kPa", "MPa", "hPa", "Pa", "psi", "atm")},
+    **dict.fromkeys(("degca", "deg ca", "°ca", "degca.", "ca", "deg", "degree", "degrees"), "deg"),
+    **dict.fromkeys(("kgf/cm²", "kgf/cm2", "kg/cm²", "kg/cm2", "at"), "kgf/cm^2"),
+}
+"""Units as headings write them."""
+_PLAIN = frozenset({"min", "max", "in", "out", "no", "nr", "ca", "cad", "atdc", "a", "b", "p"})
+"""Words of headings that are units, too, or read like some."""
 PLACE = ("gas", "trace")
 Tree = dict[str, Any]
 
@@ -72,21 +85,25 @@ def trace_of(text: str, *, name: str, file: str) -> Tree:
     rows = [_cells(line, semicolons=comma) for line in lines]
     heads = [] if not rows or _number(rows[0][0]) is not None else rows.pop(0)
     width = len(rows[0]) if rows else 0
+    file_name = one_line(file, longest=80)
     if width < 2:
-        raise _refused(name, "no-columns", file=one_line(file, longest=80))
+        raise _refused(name, "no-columns", file=file_name)
     for place, row in enumerate(rows, 1 + bool(heads)):
         wrong = next((cell for cell in row if _number(cell) is None), None)
         if wrong is not None or len(row) != width:
             raise _refused(
-                name,
-                "row",
-                file=one_line(file, longest=80),
-                line=place,
-                cells=one_line(", ".join(row), longest=60),
+                name, "row", file=file_name, line=place, cells=one_line(", ".join(row), longest=60)
             )
-    units = [_unit(heads[column] if column < len(heads) else "") for column in range(1, width)]
+    heads += [""] * (width - len(heads))
+    turn = _unit(heads[0], ANGLE, "deg", name=name, file=file)
+    units = [_unit(head, PRESSURE, "bar", name=name, file=file) for head in heads[1:width]]
+    for column, head in enumerate(heads[1:width], 1):
+        lowest = min(float(row[column]) for row in rows)
+        if lowest <= 0:
+            shown = one_line(head, longest=60) or str(column)
+            raise _refused(name, "gauge", file=file_name, head=shown, value=lowest)
     return {
-        "angle": [f"{row[0]} deg" for row in rows],
+        "angle": [f"{row[0]} {turn}" for row in rows],
         "pressure": [
             [f"{row[column]} {unit}" for row in rows] for column, unit in enumerate(units, 1)
         ],
@@ -108,12 +125,32 @@ def _number(text: str) -> float | None:
     return float(text) if re.fullmatch(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?", text) else None
 
 
-def _unit(head: str) -> str:
-    """The unit that a heading names."""
-    found = _HEAD.search(re.sub(r"[_()\[\]/]", " ", head))
-    if not found:
-        return "bar"
-    return next(unit for unit in _UNITS if unit.lower() == found[1].lower())
+def _unit(head: str, quantity: Quantity, usual: str, *, name: str, file: str) -> str:
+    """The unit that a heading names, `usual` where it names none.
+
+    What stands in brackets must be one; of other words those count that are units. Raises
+    EngineFileError.
+    """
+    brackets = [f"{inner}{after}".strip() for inner, after in _BRACKETS.findall(head)]
+    inside = [text for text in brackets if text and not _NUMBERED.match(text)][-1:]
+    words = inside or _WORD.findall(re.sub(r"[_/]", " ", head.replace("°", " deg ")))
+    for word in words:
+        if not inside and word.lower() in _PLAIN:
+            continue
+        unit = _SAME.get(word.lower(), word)
+        try:
+            units.si(f"1 {unit}", quantity)
+        except ValueFaultError as fault:
+            known = fault.code not in ("unit.unknown", "unit.not-a-number")
+            wrong = fault.code in ("unit.gauge", "unit.misspelt") or (known and len(word) > 2)
+            if inside or wrong:
+                code = "head-gauge" if fault.code == "unit.gauge" else "head"
+                shown = {"head": one_line(head, longest=60), "dimension": quantity.dimension}
+                places = {"file": one_line(file, longest=80), "example": usual}
+                raise _refused(name, code, **shown, **places) from None
+            continue
+        return unit
+    return usual
 
 
 def _once(table: Tree, cycle: float) -> Tree:

@@ -22,6 +22,14 @@ _NUMBER = re.compile(
 _AT = re.compile(r"\s+at\s+|\s*@\s*", re.IGNORECASE)
 """Between a mass and its radius."""
 _WEIGHED, _ACROSS = Quantity("mass", "38 g"), Quantity("length", "100 mm")
+_SCALES = {
+    **dict.fromkeys(("degc", "c", "\u2103", "celsius"), (273.15, 1.0)),
+    **dict.fromkeys(("degf", "f", "\u2109", "fahrenheit"), (459.67, 5 / 9)),
+}
+"""Scales of temperature: what is added to a number, and the kelvins of a degree."""
+_GAUGE = re.compile(r"([A-Za-z]+?)\s*[-_(]?\s*(?:gauge|g|ü|\(g\))\)?", re.IGNORECASE)
+_ABSOLUTE = re.compile(r"([A-Za-z]+?)\s*[-_(]?\s*(?:abs|absolute|a)\)?", re.IGNORECASE)
+"""Units of pressure with a letter behind them: "barg", "psig", "bar (g)"; "bara"."""
 _LONGEST = 60
 """Letters: a longer text is no number with a unit."""
 _GREATEST_NUMBER = 1e300
@@ -180,7 +188,31 @@ def _read(value: Any, quantity: Quantity) -> tuple[float, bool]:
         raise _fault("unit.decimal-comma", value, quantity)
     if abs(number) > _GREATEST_NUMBER:
         raise _fault("unit.too-large", value, quantity)
+    if quantity.dimension == "temperature":
+        zero, degree = _SCALES.get(unit.lower().replace(" ", ""), (0.0, 0.0))
+        if degree:
+            return (number + zero) * degree, True
+    if quantity.dimension == "pressure":
+        unit = _absolute(unit, value, quantity)
     return (number * _factor(unit, value, quantity), True) if unit else (number, False)
+
+
+def _absolute(unit: str, value: str, quantity: Quantity) -> str:
+    """A unit of pressure without the letter that says absolute. Raises for gauge pressures."""
+    for form in (_GAUGE, _ABSOLUTE):
+        found = form.fullmatch(unit)
+        if found and not _is_pressure(unit) and _is_pressure(found[1]):
+            if form is _GAUGE:
+                raise _fault("unit.gauge", value, quantity, unit=seen(found[1]))
+            return found[1]
+    return unit
+
+
+def _is_pressure(unit: str) -> bool:
+    try:
+        return measured(unit).dimensions == measured("Pa").dimensions
+    except ValueError:
+        return False
 
 
 def _mass_at_radius(text: str, value: str, quantity: Quantity) -> float:

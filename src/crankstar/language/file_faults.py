@@ -82,6 +82,10 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} is {value}, whose unit {unit} is not known; {dimension} is needed, such as "
         "{example}"
     ),
+    "unit.gauge": N_(
+        "{where} is {value}, a gauge pressure; give the absolute one: add the pressure of the "
+        "surroundings, 1.013 bar at sea level, and write {unit}"
+    ),
     "unit.misspelt": N_(
         "{where} is {value}, whose unit {unit} is not known (did you mean {meant}?); "
         "{dimension} is "

@@ -25,6 +25,63 @@ SENTENCES: dict[str, str | Plural] = {
     "gas.trace-and-load": N_(
         "{where} is given and so is gas.trace, which has a load of its own: leave one out"
     ),
+    "gas.not-of-process": N_(
+        "{where} has no effect with an ideal cycle, as {process}; leave it out, or take the "
+        "process heat-release"
+    ),
+    "gas.not-of-trace": N_(
+        "{where} has no effect beside gas.trace, a measured pressure: leave it out"
+    ),
+    "gas.gamma-twice": N_(
+        "{where} is given and so is variable_gamma, by which gamma follows the temperature: leave "
+        "one out"
+    ),
+    "gas.temperature-unused": N_(
+        "{where} has no effect without variable_gamma = true or a wall_temperature; give one of "
+        "these, or leave it out"
+    ),
+    "gas.friction-twice": N_("{where} is given and so is gas.friction_pressure: leave one out"),
+    "doubt.spark-ratio": N_(
+        "{where} is {value}; spark ignition knocks above {bound}: for a Diesel give "
+        'gas.ignition = "compression"'
+    ),
+    "doubt.diesel-ratio": N_(
+        "{where} is {value}; compression does not ignite fuel below {bound}: for spark ignition "
+        'give gas.ignition = "spark"'
+    ),
+    "doubt.gamma": N_("{where} is {value}; the gas in a cylinder has 1.2 to 1.42"),
+    "doubt.scavenging": N_(
+        "{where} is {intake} bar and the exhaust has {exhaust} bar; the charge of a two-stroke "
+        "engine drives the exhaust out with more pressure, not less"
+    ),
+    "doubt.late": N_(
+        "{where}: combustion ends at {end} deg, and the exhaust opens at {opened} deg; what burns "
+        "later is left out: give a shorter combustion, or a smaller valves.exhaust_opens"
+    ),
+    "doubt.peak": N_(
+        "{where}: the pressure reaches {value} bar; hardly any engine has more than {bound} bar: "
+        "are load, compression ratio and intake pressure right?"
+    ),
+    "doubt.imep": N_(
+        "{where}: the indicated mean effective pressure is {value} bar; hardly any engine has more "
+        "than {bound} bar"
+    ),
+    "doubt.charge": N_(
+        "{where} is {intake} bar, with which an engine makes {bound} bar of indicated mean "
+        "effective pressure at most, and this is {value} bar: give the pressure of the charge"
+    ),
+    "doubt.friction": N_(
+        "{where} is not given, and at {rpm} rpm the correlation of friction, measured up to "
+        "{bound} rpm, gives {value} bar, which may be far too much"
+    ),
+    "doubt.no-cycle": N_("{where}: {message}"),
+    "doubt.rod-inertia": N_(
+        "{where} is {value} kg m²; rods of this mass, length and centre have about {usual} kg m²"
+    ),
+    "doubt.flywheel": N_(
+        "{where} is {value} kg m², less than the pistons and rods have, {moving} kg m²: crankshaft "
+        "and flywheel together have more"
+    ),
     "drive.lengths": N_("{where} has {count} values for {angles} angles; give as many"),
     "drive.no-load": N_("{where} takes no work over the cycle; its mean is above 0"),
     "drive.angles": N_("{where} ascends within one cycle of {cycle} deg"),
@@ -50,11 +107,32 @@ SENTENCES: dict[str, str | Plural] = {
     "trace.unit": N_(
         "{where} has a peak of {peak} bar; that of a cylinder is 2 to 500 bar: is the unit right?"
     ),
+    "trace.constant": N_(
+        "{where} goes from {least} to {peak} bar only, and compression alone makes more of it: is "
+        "it the pressure in a cylinder?"
+    ),
+    "trace.peak": N_(
+        "{where} has its peak at {place} deg; angle 0 is the dead centre at which the chamber "
+        "fires, and the peak is within 90 deg of it: add {shift} deg to the angles, or is it the "
+        "trace of another cycle?"
+    ),
     "trace.missing": N_("{where} names {file}, which is not beside the engine file"),
     "trace.unreadable": N_("{where} names {file}, which cannot be read as text"),
     "trace.too-large": N_("{where} names {file}, which is larger than {greatest} MB"),
     "trace.no-columns": N_(
         "{where} names {file}, which has no two columns: crank angle in degrees, pressure in bar"
+    ),
+    "trace.head": N_(
+        "{where} names {file}, whose heading {head} does not have the unit of {dimension}; write "
+        "one, as in [{example}]"
+    ),
+    "trace.head-gauge": N_(
+        "{where} names {file}, whose heading {head} says gauge pressure; give absolute pressures: "
+        "add that of the surroundings, 1.013 bar at sea level"
+    ),
+    "trace.gauge": N_(
+        "{where} names {file}, in whose column {head} stands {value}; absolute pressures are above "
+        "0: add that of the surroundings to gauge pressures"
     ),
     "trace.row": N_(
         "{where} names {file}, whose line {line} is {cells}; give numbers, as many in each line"

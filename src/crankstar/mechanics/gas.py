@@ -98,11 +98,7 @@ def cycle(
         ) from None
     work = (rows * places.rate[[*places.kind]]).sum(axis=-1) * places.cycle / SAMPLES
     turning = values.get("speed")
-    friction = (
-        0.0
-        if turning is None
-        else friction_pressure(values["friction"], speed=turning, stroke=stroke)
-    )
+    friction = 0.0 if turning is None else _friction(values)
     return Cycle(
         volumes=places,
         pressure=rows,
@@ -130,6 +126,15 @@ def _check(engine: Engine) -> None:
     slow = {abs(float(engine.shaft(c.shaft).speed_ratio)) for c in engine.cylinders}
     if slow != {1.0}:
         raise GasError("gas torque needs crankshafts that all turn equally fast")
+
+
+def computable(engine: Engine) -> bool:
+    """Whether sizes and firing order are known, so that there can be cycles at all."""
+    try:
+        _check(engine)
+    except GasError:
+        return False
+    return True
 
 
 @lru_cache(maxsize=64)
@@ -303,10 +308,16 @@ def _target(values: Mapping[str, Any]) -> float:
     if "bmep" in values:
         if "speed" not in values:
             raise GasError("a brake mean effective pressure needs the speed: give speed")
-        return values["bmep"] + friction_pressure(
-            values["friction"], speed=values["speed"], stroke=values["stroke"]
-        )
+        return values["bmep"] + _friction(values)
     return values["peak_pressure"]
+
+
+def _friction(values: Mapping[str, Any]) -> float:
+    """The friction mean effective pressure, Pa: as given, or by a correlation."""
+    given = values.get("friction_pressure")
+    if given is not None:
+        return given
+    return friction_pressure(values["friction"], speed=values["speed"], stroke=values["stroke"])
 
 
 def _traced(engine: Engine, places: Volumes) -> Real:

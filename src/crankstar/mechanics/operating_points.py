@@ -7,42 +7,55 @@ from math import radians
 from typing import Any
 
 from crankstar.engine.engine import Engine
-from crankstar.engine.gas import LOADS, Gas, Load, Process
+from crankstar.engine.gas import LOADS, Gas, Ignition, Load, Process
 from crankstar.language.messages import MessageError
 
 CRANKCASE = 101_325.0
 """Pa: the standard atmosphere behind the pistons."""
-_SPARK: dict[str, Any] = {
-    "compression_ratio": 10.0,
+SPARK_RATIO = 14.0
+"""Greatest compression ratio of an engine that is taken for one with spark ignition."""
+SPARK_BORE = 0.18
+"""Greatest bore, m, of an engine that is taken for one with spark ignition."""
+SCAVENGING = 1.1
+"""Intake over exhaust pressure of a two-stroke chamber where one of them is assumed."""
+_COMMON: dict[str, Any] = {
     "gamma": 1.30,
     "imep": 9e5,
     "intake_pressure": 1.0e5,
     "exhaust_pressure": 1.05e5,
     "intake_temperature": 340.0,
-    "combustion_start": radians(-20.0),
-    "combustion_duration": radians(55.0),
-    "wiebe_a": 5.0,
-    "wiebe_m": 2.0,
     "crankcase_pressure": CRANKCASE,
-    "friction": "spark-ignition",
 }
-ASSUMED: Mapping[Process, Mapping[str, Any]] = {
-    "heat-release": _SPARK,
-    "otto": {**_SPARK, "gamma": 1.4},
-    "diesel": {**_SPARK, "compression_ratio": 17.0, "gamma": 1.4, "friction": "diesel"},
-    "limited-pressure": {
-        **_SPARK,
+ASSUMED: Mapping[Ignition, Mapping[str, Any]] = {
+    "spark": {
+        "compression_ratio": 10.0,
+        **_COMMON,
+        "combustion_start": radians(-20.0),
+        "combustion_duration": radians(55.0),
+        "wiebe_a": 5.0,
+        "wiebe_m": 2.0,
+        "friction": "spark-ignition",
+    },
+    "compression": {
         "compression_ratio": 17.0,
-        "gamma": 1.4,
-        "peak_pressure": 80e5,
+        **_COMMON,
+        "combustion_start": radians(-6.0),
+        "combustion_duration": radians(65.0),
+        "wiebe_a": 6.9,
+        "wiebe_m": 1.0,
         "friction": "diesel",
     },
 }
 """What is assumed where a file says nothing, SI: a naturally aspirated engine near full load.
 
-The air-standard gamma of ideal cycles is 1.4. Wiebe's a = 5 and m = 2 are those of spark ignition.
-Source: J. B. Heywood, Internal Combustion Engine Fundamentals, chapters 5 and 9.
+Wiebe's a = 5 and m = 2 are those of spark ignition; a = 6.9 burns 99.9 %, and a smaller m burns
+most of it early, as injected fuel does.
+Source: J. B. Heywood, Internal Combustion Engine Fundamentals, chapters 5 and 9; I. Wiebe (1962).
 """
+LIMIT = 80e5
+"""Pa: the assumed limit of pressure of a limited-pressure cycle."""
+AIR_STANDARD = 1.4
+"""The ratio of specific heats of ideal cycles."""
 
 
 class GasError(MessageError):
@@ -72,6 +85,7 @@ def resolved(
     if gas.trace is not None and any(name in layer for layer in layers for name in LOADS):
         raise GasError("a measured pressure has a load of its own: ask for no other")
     process = gas.process or "heat-release"
+    fires, told = ignition(engine, gas)
     given: dict[str, Any] = {}
     for layer in layers:
         fixed = LOADS if process != "limited-pressure" else LOADS[:2]
@@ -82,13 +96,54 @@ def resolved(
         given["speed"] = speed
     elif "speed" not in given and engine.speed is not None:
         given["speed"] = engine.speed
-    assumed = dict(ASSUMED[process])
+    assumed = _assumed(engine, process, fires, given)
     if gas.trace is not None or any(name in given for name in LOADS[:2]):
         assumed.pop("imep", None)
     if process in ("heat-release", "otto") and "peak_pressure" in given:
         assumed.pop("imep", None)
+    if "friction_pressure" in given:
+        assumed.pop("friction", None)
+    if not told:
+        assumed["ignition"] = fires
     names = tuple(name for name in assumed if name not in given and _used(name, process, given))
-    return {**assumed, **given, "process": process}, names
+    return {**assumed, **given, "process": process, "ignition": fires}, names
+
+
+def ignition(engine: Engine, gas: Gas) -> tuple[Ignition, bool]:
+    """How an engine ignites, and whether its file says so or only its sizes do.
+
+    >>> from crankstar.files.catalog import load
+    >>> ignition(load("audi-25-tfsi"), Gas()), ignition(load("man-s90mc-c"), Gas())
+    (('spark', False), ('compression', False))
+    """
+    if gas.ignition is not None:
+        return gas.ignition, True
+    if gas.process in ("diesel", "limited-pressure") or gas.friction == "diesel":
+        return "compression", True
+    if gas.process == "otto" or gas.friction == "spark-ignition":
+        return "spark", True
+    if gas.compression_ratio is not None:
+        return ("compression" if gas.compression_ratio > SPARK_RATIO else "spark"), False
+    large = (engine.first.bore or 0.0) > SPARK_BORE and "radius" not in engine.relative
+    return ("compression" if large else "spark"), False
+
+
+def _assumed(
+    engine: Engine, process: Process, fires: Ignition, given: Mapping[str, Any]
+) -> dict[str, Any]:
+    """All that may have to be assumed of a cycle."""
+    values = dict(ASSUMED[fires])
+    if process != "heat-release":
+        values["gamma"] = AIR_STANDARD
+    if process == "limited-pressure":
+        values["peak_pressure"] = LIMIT
+    if engine.cycle == "two-stroke":  # the charge drives the exhaust out
+        if "intake_pressure" in given:
+            values["exhaust_pressure"] = given["intake_pressure"] / SCAVENGING
+        else:
+            exhaust = given.get("exhaust_pressure", values["exhaust_pressure"])
+            values["intake_pressure"] = exhaust * SCAVENGING
+    return values
 
 
 def _used(name: str, process: Process, given: Mapping[str, Any]) -> bool:
@@ -104,5 +159,5 @@ def _used(name: str, process: Process, given: Mapping[str, Any]) -> bool:
 
 def _given(record: Load) -> dict[str, Any]:
     """What a record gives, by name."""
-    skipped = ("name", "points", "trace", "process")
+    skipped = ("name", "points", "trace", "process", "ignition")
     return {name: value for name, value in record if value is not None and name not in skipped}

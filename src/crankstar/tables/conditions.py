@@ -17,6 +17,8 @@ RADIAL = 5
 """Cylinders on one throw from which it is the throw of a radial engine."""
 KEYS = {"radius": "cylinder.stroke", "mass": "cylinder.reciprocating_mass"}
 """The keys of a short file that give what is missing."""
+OF_TORQUE = ("gas", "drive")
+"""Keys of what makes torque, and no force."""
 UNITS = {
     "short": N_("In m r ω². For newtons, add to the file: {keys}."),
     "short or estimate": N_("In m r ω². For newtons: --estimate, or add {keys}."),
@@ -150,12 +152,22 @@ def missing_parts(engine: Engine) -> str:
 
 
 def unverified(engine: Engine) -> list[str]:
-    """The key paths of values whose status is unverified or placeholder."""
-    return [
-        path
-        for path, origin in engine.provenance.items()
-        if origin.status in ("unverified", "placeholder")
-    ]
+    """The key paths of values whose status is unverified or placeholder.
+
+    Those of gas and drive are left out, for forces and couples do not hang on them.
+    """
+    return [path for path in _unverified(engine) if not path.startswith(OF_TORQUE)]
+
+
+def unverified_gas(engine: Engine) -> str:
+    """The key paths of unverified values of gas and drive as a sentence; empty without any."""
+    paths = [path for path in _unverified(engine) if path.startswith(OF_TORQUE)]
+    return _("Unverified: {paths}.", paths=", ".join(paths)) if paths else ""
+
+
+def _unverified(engine: Engine) -> list[str]:
+    statuses = ("unverified", "placeholder")
+    return [path for path, origin in engine.provenance.items() if origin.status in statuses]
 
 
 def assumed_sentence(engine: Engine) -> str:

@@ -14,10 +14,13 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.valves import timing
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
+from crankstar.language.quoting import one_line
 from crankstar.mechanics.balance import balance, total
+from crankstar.mechanics.doubts import point_doubts
 from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.gas_torque import GasTorque, added, gas_torque, roll_with_gas
 from crankstar.spectra import Complex, Spectrum
+from crankstar.tables.conditions import unverified_gas
 from crankstar.tables.headings import heading
 from crankstar.tables.table import ROW_UNIT, Column, Document, Table, Value, remarks
 
@@ -42,6 +45,13 @@ VALUES = {
     "wiebe_m": (N_("Wiebe's m"), 1.0, ""),
 }
 """The values of a cycle that readers are told: name, factor from SI, unit."""
+IGNITIONS = {
+    "spark": N_("Ignition: by spark, as sizes say; gas.ignition says it for certain."),
+    "compression": N_(
+        "Ignition: by compression, as compression ratio or bore say; gas.ignition says it for "
+        "certain."
+    ),
+}
 PROCESSES = {
     "otto": N_("ideal Otto cycle"),
     "diesel": N_("ideal Diesel cycle"),
@@ -104,7 +114,9 @@ def torque_document(
         "peak_pressure": cycle.peak,
         "irregularity": None if running is None else running.irregularity,
         "off": list(cycle.off),
+        "ignition": cycle.values["ignition"],
         "assumed": list(cycle.assumed),
+        "doubts": [fault.sentence for fault in point_doubts(engine, cycle)],
         "units": {"torque": "N*m", "power": "W", "pressure": "Pa"},
     }
     shown = tuple(orders) if orders else _shown(waves, machine=machine)
@@ -119,6 +131,11 @@ def torque_document(
             table,
             *(() if running is None else (running_table(running),)),
             *remarks(*_notes(engine, cycle, waves), kind="note"),
+            *remarks(
+                unverified_gas(engine),
+                *(fault.sentence for fault in point_doubts(engine, cycle)),
+                kind="doubt",
+            ),
         ),
         facts,
     )
@@ -227,6 +244,17 @@ def _valued(name: str, value: float) -> str:
     return f"{_(words)} {number(value * factor)} {unit}".strip()
 
 
+def _known_points(engine: Engine) -> str:
+    """The operating points that could have been asked for; empty where the file has none."""
+    names = [] if engine.gas is None else [point.name for point in engine.gas.points]
+    if not names:
+        return ""
+    return _(
+        "The file has operating points, for --point: {points}.",
+        points=one_line(", ".join(names), longest=400),
+    )
+
+
 def _notes(engine: Engine, cycle: Cycle, waves: Orders) -> list[str]:
     """What the numbers rest on: the process, what is assumed, what is not known."""
     lines: list[str] = []
@@ -243,6 +271,8 @@ def _notes(engine: Engine, cycle: Cycle, waves: Orders) -> list[str]:
                 values=", ".join(assumed),
             )
         )
+    if "ignition" in cycle.assumed:
+        lines.append(_(IGNITIONS[cycle.values["ignition"]]))
     if "imep" in cycle.assumed:
         lines.append(
             _(
@@ -250,12 +280,14 @@ def _notes(engine: Engine, cycle: Cycle, waves: Orders) -> list[str]:
                 imep=number(cycle.imep / 1e5),
             )
         )
+        lines.append(_known_points(engine))
     if (
         cycle.values["process"] == "heat-release"
         and timing(engine.valves, cycle=engine.cycle).assumed
     ):
         lines.append(_("Valve or port timing is assumed, see `crankstar strokes`."))
-    correlation = CORRELATIONS.get(cycle.values["friction"])
+    known = cycle.values.get("friction_pressure") is not None
+    correlation = None if known else CORRELATIONS.get(cycle.values["friction"])
     if cycle.speed is not None and correlation is not None:
         lines.append(_(correlation))
     if waves.inertia is None:

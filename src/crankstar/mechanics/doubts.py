@@ -1,0 +1,169 @@
+"""Values that an engine can have, but hardly any engine has: slips of unit and of thought.
+
+They do not hinder a computation. Each is a `Fault`, a place with a sentence: of what a cycle is
+computed from (`value_doubts`), of the cycle itself (`cycle_doubts`), of the moments of inertia
+(`inertia_doubts`); of a whole engine `doubts` has them all.
+
+>>> from crankstar.files.catalog import load
+>>> [fault.code for fault in doubts(load("honda-b18c", changes={"gas.compression_ratio": 19,
+...     "gas.ignition": "spark"}))]
+['doubt.spark-ratio', 'doubt.friction']
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from math import degrees, pi
+from typing import Any
+
+from crankstar.engine.engine import Engine
+from crankstar.engine.gas import LOADS
+from crankstar.engine.proportions import TWO_MASSES
+from crankstar.engine.valves import timing
+from crankstar.language.faults import Fault
+from crankstar.mechanics.gas import Cycle, computable, cycle
+from crankstar.mechanics.kinetic import mean_inertia, throw_inertia
+from crankstar.mechanics.mechanism import mechanism
+from crankstar.mechanics.operating_points import GasError
+
+Path = tuple[str | int, ...]
+GREATEST_SPARK_RATIO = 16.0
+LEAST_DIESEL_RATIO = 10.0
+"""Compression ratios beyond which spark ignition knocks, and a Diesel does not fire."""
+GREATEST_PEAK = 250e5
+GREATEST_IMEP = 35e5
+"""Pa; only racing and research engines have more."""
+GREATEST_CHARGE = 18.0
+"""Indicated mean effective pressure over intake pressure: as much as the air of a charge burns."""
+GAMMAS = (1.2, 1.42)
+"""Of burnt gas at its hottest, and of cold air."""
+FASTEST = 7000.0
+"""rpm up to which the correlation of friction was measured, and a little more."""
+FRICTIONS = {"spark-ignition": FASTEST}
+LEAST_FLYWHEEL = 0.3
+"""Of the inertia of all that moves: the crankshaft alone has more."""
+INERTIA_SPREAD = 2.5
+"""Factor by which a moment of inertia may miss that of two masses at the ends of the rod."""
+
+
+def doubts(engine: Engine) -> tuple[Fault, ...]:
+    """All that is hardly right in an engine, each once; its cycles are computed, if it has gas."""
+    found = [*inertia_doubts(engine)]
+    gas = engine.gas
+    if gas is not None:
+        loaded = any(getattr(gas, name) is not None for name in LOADS) or not gas.points
+        places: list[tuple[Path, str]] = [(("gas",), "")] if loaded else []
+        places += [(("gas", "point", index), point.name) for index, point in enumerate(gas.points)]
+        for path, name in places:
+            found += _point_doubts(engine, name, path)
+    once: dict[tuple[str, Any], Fault] = {}
+    for fault in found:
+        once.setdefault((fault.code, tuple(fault.values.items())), fault)
+    return tuple(once.values())
+
+
+def _point_doubts(engine: Engine, name: str, path: Path) -> Iterator[Fault]:
+    """The doubts of one operating point, or that it has no cycle."""
+    try:
+        yield from point_doubts(engine, cycle(engine, point=name))
+    except GasError as error:
+        if computable(engine):
+            yield Fault(path, "doubt.no-cycle", {"message": str(error)})
+
+
+def point_doubts(engine: Engine, computed: Cycle) -> tuple[Fault, ...]:
+    """The doubts of one computed cycle, of its values and of its pressures."""
+    names = [point.name for point in engine.gas.points] if engine.gas is not None else []
+    point = ("point", names.index(computed.name)) if computed.name in names else ()
+    path: Path = ("gas", *point)
+    values = computed.values
+    given = {key: value for key, value in values.items() if key not in computed.assumed}
+    return (
+        *value_doubts(engine, values, given, path=path),
+        *cycle_doubts(engine, computed, path=path),
+    )
+
+
+def value_doubts(
+    engine: Engine, values: Mapping[str, Any], given: Mapping[str, Any], *, path: Path
+) -> Iterator[Fault]:
+    """What is hardly right in the values of an operating point; `given` are those of the file."""
+    ratio, measured = given.get("compression_ratio"), engine.gas is not None and engine.gas.trace
+    if ratio is not None and values["ignition"] == "spark" and ratio > GREATEST_SPARK_RATIO:
+        bound = {"value": ratio, "bound": GREATEST_SPARK_RATIO}
+        yield Fault((*path, "compression_ratio"), "doubt.spark-ratio", bound)
+    if ratio is not None and values["ignition"] == "compression" and ratio < LEAST_DIESEL_RATIO:
+        bound = {"value": ratio, "bound": LEAST_DIESEL_RATIO}
+        yield Fault((*path, "compression_ratio"), "doubt.diesel-ratio", bound)
+    gamma = given.get("gamma")
+    if gamma is not None and not GAMMAS[0] <= gamma <= GAMMAS[1]:
+        yield Fault((*path, "gamma"), "doubt.gamma", {"value": gamma})
+    if measured:
+        return
+    scavenged = values["intake_pressure"] > values["exhaust_pressure"]
+    if engine.cycle == "two-stroke" and not scavenged:
+        pressures = {
+            "intake": values["intake_pressure"] / 1e5,
+            "exhaust": values["exhaust_pressure"] / 1e5,
+        }
+        yield Fault((*path, "intake_pressure"), "doubt.scavenging", pressures)
+    yield from _late(engine, values, path)
+
+
+def _late(engine: Engine, values: Mapping[str, Any], path: Path) -> Iterator[Fault]:
+    """Combustion that goes on after the exhaust opens."""
+    if values["process"] != "heat-release":
+        return
+    end = values["combustion_start"] + values["combustion_duration"]
+    opened = pi - timing(engine.valves, cycle=engine.cycle).exhaust_opens
+    if end > opened + 1e-9:
+        angles = {"end": degrees(end), "opened": degrees(opened)}
+        yield Fault((*path, "combustion_duration"), "doubt.late", angles)
+
+
+def cycle_doubts(engine: Engine, cycle: Cycle, *, path: Path = ("gas",)) -> Iterator[Fault]:
+    """What is hardly right in a cycle as computed: its pressures, and its friction."""
+    if cycle.motored:
+        return
+    if cycle.peak > GREATEST_PEAK:
+        bound = {"value": cycle.peak / 1e5, "bound": GREATEST_PEAK / 1e5}
+        yield Fault(path, "doubt.peak", bound)
+    if cycle.imep > GREATEST_IMEP:
+        bound = {"value": cycle.imep / 1e5, "bound": GREATEST_IMEP / 1e5}
+        yield Fault(path, "doubt.imep", bound)
+    intake = cycle.values["intake_pressure"]
+    measured = engine.gas is not None and engine.gas.trace is not None
+    if not measured and cycle.imep > GREATEST_CHARGE * intake:
+        bound = {
+            "value": cycle.imep / 1e5,
+            "intake": intake / 1e5,
+            "bound": GREATEST_CHARGE * intake / 1e5,
+        }
+        yield Fault((*path, "intake_pressure"), "doubt.charge", bound)
+    rpm = None if cycle.speed is None else cycle.speed * 30 / pi
+    known = cycle.values.get("friction_pressure") is not None
+    limit = FRICTIONS.get(cycle.values.get("friction", ""))
+    if rpm is not None and limit is not None and not known and rpm > limit:
+        bound = {"rpm": rpm, "bound": limit, "value": cycle.friction / 1e5}
+        yield Fault((*path, "friction_pressure"), "doubt.friction", bound)
+
+
+def inertia_doubts(engine: Engine) -> Iterator[Fault]:
+    """Moments of inertia of rods and of the flywheel that are out of all proportion."""
+    if {"mass", "radius"} & set(engine.relative):
+        return
+    for index, cylinder in enumerate(engine.cylinders):
+        rod = cylinder.rod
+        if rod is None or rod.inertia <= 0 or not 0 < rod.centre < cylinder.rod_length:
+            continue
+        two = rod.mass * rod.centre * (cylinder.rod_length - rod.centre) / TWO_MASSES[1]
+        if not two / INERTIA_SPREAD <= rod.inertia <= two * INERTIA_SPREAD:
+            values = {"value": rod.inertia, "usual": float(f"{two:.2g}")}
+            path = ("cylinders", index, "rod", "inertia")
+            yield Fault(path, "doubt.rod-inertia", values, cylinder.number)
+    drive = engine.drive
+    if drive is not None and drive.inertia is not None:
+        moving = mean_inertia(mechanism(engine)) + throw_inertia(engine)
+        if drive.inertia < LEAST_FLYWHEEL * moving:
+            values = {"value": drive.inertia, "moving": float(f"{moving:.2g}")}
+            yield Fault(("drive", "inertia"), "doubt.flywheel", values)

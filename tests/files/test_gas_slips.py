@@ -1,0 +1,288 @@
+"""Slips in `[gas]`: keys without effect, units, traces, values that hardly any engine has."""
+
+from __future__ import annotations
+
+import json
+from math import cos, degrees, radians
+from pathlib import Path
+from typing import Any
+
+import pytest
+from tests.commands import Run
+from tests.texts import SHORT, spoilt
+
+import crankstar
+from crankstar.engine.gas import Gas
+from crankstar.files import EngineFileError, engine_of
+from crankstar.mechanics.doubts import doubts
+from crankstar.mechanics.gas import cycle
+from crankstar.mechanics.operating_points import SCAVENGING, ignition
+
+
+def mistakes(**tables: Any) -> list[str]:
+    with pytest.raises(EngineFileError) as refusal:
+        engine_of(spoilt(SHORT, **tables))
+    return [fault.code for fault in refusal.value.faults]
+
+
+def pressures(angles: range, place: float = 0.0) -> list[float]:
+    return [1 + 49 * max(cos(radians((angle - place) / 4)), 0.0) ** 40 for angle in angles]
+
+
+def trace(place: float = 0.0, angles: range = range(-360, 360, 2)) -> dict[str, Any]:
+    """A pressure with its peak at a place."""
+    return {
+        "angle": [f"{angle} deg" for angle in angles],
+        "pressure": [[f"{pressure} bar" for pressure in pressures(angles, place)]],
+    }
+
+
+@pytest.mark.parametrize("process", ["otto", "diesel", "limited-pressure"])
+@pytest.mark.parametrize(
+    "key",
+    [
+        {"variable_gamma": True},
+        {"wiebe_a": 5.0},
+        {"wiebe_m": 2.0},
+        {"combustion_start": "0 deg"},
+        {"combustion_duration": "50 deg"},
+        {"wall_temperature": "450 K"},
+    ],
+)
+def test_a_key_of_a_heat_release_is_refused_with_an_ideal_cycle(
+    process: str, key: dict[str, Any]
+) -> None:
+    assert mistakes(gas={"process": process, **key}) == ["gas.not-of-process"]
+
+
+@pytest.mark.parametrize(
+    ("gas", "code"),
+    [
+        ({"gamma": 1.3, "variable_gamma": True}, "gas.gamma-twice"),
+        ({"intake_temperature": "340 K"}, "gas.temperature-unused"),
+        ({"friction": "diesel", "friction_pressure": "2 bar"}, "gas.friction-twice"),
+        ({"trace": trace(), "wiebe_m": 2.0}, "gas.not-of-trace"),
+        ({"trace": trace(), "point": [{"name": "a", "imep": "3 bar"}]}, "gas.trace-and-load"),
+    ],
+)
+def test_a_key_without_effect_is_told(gas: dict[str, Any], code: str) -> None:
+    assert mistakes(gas=gas) == [code]
+
+
+def test_a_point_names_its_key_without_effect_as_the_file_does() -> None:
+    gas = {"process": "otto", "point": [{"name": "a", "combustion_start": "-9 deg"}]}
+    with pytest.raises(EngineFileError) as refusal:
+        engine_of(spoilt(SHORT, gas=gas))
+    assert [fault.path for fault in refusal.value.faults] == [
+        ("gas", "point", 0, "combustion_start")
+    ]
+
+
+@pytest.mark.parametrize("place", [360.0, -360.0, 180.0, 100.0])
+def test_a_trace_whose_peak_is_elsewhere_is_refused(place: float) -> None:
+    assert mistakes(gas={"trace": trace(place, range(-360, 360, 2))})[0] in (
+        "trace.peak",
+        "trace.jump",
+    )
+    late = trace(place, range(int(place) - 360, int(place) + 360, 2))
+    assert mistakes(gas={"trace": late}) == ["trace.peak"]
+
+
+def test_a_trace_that_hardly_changes_is_refused() -> None:
+    flat = trace() | {"pressure": [["30 bar"] * 360]}
+    assert mistakes(gas={"trace": flat}) == ["trace.constant"]
+
+
+def test_a_trace_with_one_slip_in_every_sample_has_one_fault() -> None:
+    for wrong in ("5 furlong", "-5 bar", "5 barg", 5):
+        assert len(mistakes(gas={"trace": trace() | {"pressure": [[wrong] * 360]}})) == 1
+
+
+@pytest.mark.parametrize(
+    ("text", "kelvin"),
+    [
+        ("60 degC", 333.15),
+        ("60 \u00b0C", 333.15),
+        ("60\u00b0C", 333.15),
+        ("60 \u2103", 333.15),
+        ("140 degF", 333.15),
+        ("-10 degC", 263.15),
+        ("333.15 K", 333.15),
+    ],
+)
+def test_temperatures_are_read_on_every_scale(text: str, kelvin: float) -> None:
+    gas = {"variable_gamma": True, "intake_temperature": text}
+    found = engine_of(spoilt(SHORT, gas=gas)).gas
+    assert found is not None
+    assert found.intake_temperature == pytest.approx(kelvin)
+
+
+def test_no_temperature_is_below_absolute_nought() -> None:
+    gas = {"variable_gamma": True, "intake_temperature": "-300 degC"}
+    assert mistakes(gas=gas) == ["greater-than.example"]
+
+
+@pytest.mark.parametrize("text", ["0.2 barg", "3 psig", "0.2 bar(g)", "20 kPa gauge"])
+def test_a_gauge_pressure_is_refused_with_advice(text: str) -> None:
+    assert mistakes(gas={"intake_pressure": text}) == ["unit.gauge"]
+
+
+def test_an_absolute_pressure_may_say_so() -> None:
+    for text in ("1.2 bara", "1.2 bar(a)", "1.2 bar"):
+        found = engine_of(spoilt(SHORT, gas={"intake_pressure": text})).gas
+        assert found is not None
+        assert found.intake_pressure == pytest.approx(1.2e5)
+
+
+def with_csv(tmp_path: Path, head: str, factor: float = 1.0, turn: float = 1.0) -> str:
+    angles = range(-360, 360)
+    rows = zip(angles, pressures(angles), strict=True)
+    lines = [head, *(f"{angle * turn:.9g},{factor * p:.9g}" for angle, p in rows)]
+    (tmp_path / "p.csv").write_text("\n".join(lines), encoding="utf-8")
+    place = tmp_path / "mine.toml"
+    place.write_text(SHORT + '\n[gas]\ntrace = "p.csv"\n', encoding="utf-8")
+    return str(place)
+
+
+@pytest.mark.parametrize(
+    ("head", "factor", "turn"),
+    [
+        ("angle,p [atm]", 1e5 / 101_325, 1.0),
+        ("angle,p_atm", 1e5 / 101_325, 1.0),
+        ("angle [rad],p [MPa]", 0.1, radians(1)),
+        ("CA [\u00b0CA],p (cyl 1) [bar]", 1.0, 1.0),
+        ("angle,p [kgf/cm2]", 1e5 / 98_066.5, 1.0),
+        ("angle,pressure bara", 1.0, 1.0),
+        ("angle,cylinder 1", 1.0, 1.0),
+    ],
+)
+def test_the_heads_of_a_trace_say_its_units(
+    head: str, factor: float, turn: float, run: Run, tmp_path: Path
+) -> None:
+    result = run("torque", with_csv(tmp_path, head, factor, turn), "--json")
+    assert json.loads(result.out)["peak_pressure"] == pytest.approx(50e5, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("head", "words"),
+    [
+        ("angle,p [furlong]", "the unit of a pressure"),
+        ("angle,p [barg]", "gauge pressure"),
+        ("angle,p barg", "gauge pressure"),
+        ("angle [mm],p [bar]", "the unit of an angle"),
+    ],
+)
+def test_a_head_with_no_unit_of_its_column_is_refused(
+    head: str, words: str, run: Run, tmp_path: Path
+) -> None:
+    assert words in " ".join(run("check", with_csv(tmp_path, head)).err.split())
+
+
+def test_a_column_below_nought_is_told_to_be_gauge(run: Run, tmp_path: Path) -> None:
+    place = with_csv(tmp_path, "angle,p [bar]")
+    text = (tmp_path / "p.csv").read_text(encoding="utf-8")
+    (tmp_path / "p.csv").write_text(text.replace("\n200,1", "\n200,-0"), encoding="utf-8")
+    assert "absolute pressures are above 0" in " ".join(run("check", place).err.split())
+
+
+def test_ignition_follows_process_ratio_and_bore_and_what_the_file_says() -> None:
+    small, large = crankstar.load("honda-b18c"), crankstar.load("man-s90mc-c")
+    assert ignition(small, Gas()) == ("spark", False)
+    assert ignition(large, Gas()) == ("compression", False)
+    assert ignition(small, Gas(compression_ratio=14.0)) == ("spark", False)
+    assert ignition(small, Gas(compression_ratio=14.1)) == ("compression", False)
+    assert ignition(large, Gas(compression_ratio=12.0)) == ("spark", False)
+    assert ignition(small, Gas(process="diesel")) == ("compression", True)
+    assert ignition(small, Gas(friction="diesel")) == ("compression", True)
+    assert ignition(small, Gas(ignition="compression", compression_ratio=9)) == (
+        "compression",
+        True,
+    )
+
+
+def test_what_is_assumed_of_ignition_is_told(run: Run) -> None:
+    changes = ("--set", "gas.compression_ratio=18")
+    shown = " ".join(run("torque", "honda-b18c", *changes).out.split())
+    assert "Ignition: by compression, as compression ratio or bore say" in shown
+    assert "Friction as of motored Diesel engines" in shown
+    given = run("torque", "honda-b18c", *changes, "--set", "gas.ignition=spark").out
+    assert "Ignition:" not in given
+    assert "motored spark-ignition engines" in " ".join(given.split())
+
+
+def test_an_assumed_two_stroke_charge_drives_the_exhaust_out() -> None:
+    engine = crankstar.load("kr250-racer")
+    for changes in ({}, {"gas.intake_pressure": "3 bar"}, {"gas.exhaust_pressure": "2 bar"}):
+        given = engine if not changes else crankstar.load("kr250-racer", changes=changes)
+        values = cycle(given, speed=500.0, imep=9e5).values
+        assert values["intake_pressure"] == pytest.approx(SCAVENGING * values["exhaust_pressure"])
+
+
+def test_a_given_friction_pressure_replaces_the_correlation() -> None:
+    engine = crankstar.load("honda-b18c", changes={"gas.friction_pressure": "2 bar"})
+    computed = cycle(engine, bmep=8e5)
+    assert computed.friction == pytest.approx(2e5)
+    assert computed.imep == pytest.approx(10e5)
+    assert "friction" not in computed.assumed
+
+
+@pytest.mark.parametrize(
+    ("gas", "code"),
+    [
+        ({"compression_ratio": 18, "ignition": "spark"}, "doubt.spark-ratio"),
+        ({"compression_ratio": 8, "ignition": "compression"}, "doubt.diesel-ratio"),
+        ({"gamma": 1.6}, "doubt.gamma"),
+        ({"combustion_duration": "170 deg"}, "doubt.late"),
+        ({"peak_pressure": "260 bar", "intake_pressure": "4 bar"}, "doubt.peak"),
+        ({"imep": "36 bar", "intake_pressure": "4 bar"}, "doubt.imep"),
+        ({"imep": "25 bar"}, "doubt.charge"),
+        ({"speed": "9000 rpm"}, "doubt.friction"),
+        ({"imep": "0.2 bar", "intake_pressure": "1.5 bar"}, "doubt.no-cycle"),
+    ],
+)
+def test_a_value_that_hardly_any_engine_has_is_told_by_check(
+    gas: dict[str, Any], code: str
+) -> None:
+    changes = {f"gas.{key}": value for key, value in gas.items()}
+    engine = crankstar.load("bmw-m52b28", changes={"gas": {}})
+    assert doubts(engine) == ()
+    engine = crankstar.load("bmw-m52b28", changes={"gas": {}, **changes})
+    assert code in [fault.code for fault in doubts(engine)]
+
+
+def test_an_exhaust_above_the_charge_of_a_two_stroke_is_doubted() -> None:
+    changes = {"gas.intake_pressure": "1.0 bar", "gas.exhaust_pressure": "1.1 bar"}
+    engine = crankstar.load("kr250-racer", changes=changes)
+    assert [fault.code for fault in doubts(engine)] == ["doubt.scavenging"]
+
+
+def test_moments_of_inertia_out_of_proportion_are_told_once(run: Run, tmp_path: Path) -> None:
+    text = """
+name = "four"
+firing_order = [1, 3, 4, 2]
+[cylinder]
+bore = "82 mm"
+stroke = "90 mm"
+rod_length = "145 mm"
+reciprocating_mass = "480 g"
+rod = { mass = "500 g", centre = "45 mm", inertia = "0.00002 kg*m^2" }
+[layout]
+type = "inline"
+bore_pitch = "91 mm"
+[drive]
+inertia = "0.0002 kg*m^2"
+"""
+    (tmp_path / "four.toml").write_text(text, encoding="utf-8")
+    shown = " ".join(run("check", str(tmp_path / "four.toml")).out.split())
+    assert shown.count("cylinder.rod.inertia is 2e-05 kg m²") == 1
+    assert "drive.inertia is 0.0002 kg m², less than" in shown
+    good = text.replace("0.00002", "0.002").replace("0.0002", "0.2")
+    (tmp_path / "four.toml").write_text(good, encoding="utf-8")
+    assert "kg m²" not in run("check", str(tmp_path / "four.toml")).out
+
+
+def test_late_combustion_is_told_with_its_angles() -> None:
+    engine = crankstar.load("bmw-m52b28", changes={"gas.combustion_duration": "160 deg"})
+    late = next(fault for fault in doubts(engine) if fault.code == "doubt.late")
+    assert late.values == {"end": pytest.approx(140.0), "opened": pytest.approx(130.0)}
+    assert degrees(radians(130)) == pytest.approx(late.values["opened"])
