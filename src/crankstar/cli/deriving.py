@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from typing import Annotated
+from typing import Annotated, Any
 
 from crankstar.cli.options import (
     EngineName,
@@ -31,8 +32,9 @@ def derive(
         str | None,
         option(
             "--quantity",
-            "Also motion (one piston, up to its harmonics A_2, A_4, A_6) and torque. Default: "
-            "motion, force and couple; force and couple with --orders.",
+            "Also motion (one piston, up to its harmonics A_2, A_4, A_6), torque, and gas (which "
+            "orders of gas torque vanish). Default: motion, force and couple; force and couple "
+            "with --orders.",
         ),
     ] = None,
     asked: Annotated[
@@ -42,6 +44,7 @@ def derive(
     power: Annotated[int | None, option("--power")] = None,
     symbolic: Annotated[str | None, option("--symbolic")] = None,
     signs: Annotated[bool, option("--signs")] = False,
+    off: Annotated[str | None, option("--off", "For --quantity gas.")] = None,
     speed: Speed = None,
     reference: ReferencePoint = None,
     settings: Settings = None,
@@ -61,6 +64,7 @@ def derive(
     if power is not None and not 1 <= power <= 24:
         raise refusal("--power", power, "give a power of λ from 1 to 24")
     names = request.listed(quantity)
+    silent = request.cylinders_off(off)
     given = {
         "--orders": orders,
         "--quantity": quantity,
@@ -68,17 +72,8 @@ def derive(
         "--speed": speed,
         "--reference": reference,
     }
-    if signs:
-        unused = {**given, "--reference": None, "--symbolic": symbolic}
-        request.refuse_unused(unused, beside="--signs")
-    elif symbolic is not None:
-        unused = {**given, "--orders": None, "--quantity": None}
-        request.refuse_unused(unused, beside="--symbolic")
-    elif names == ["torque"]:
-        request.refuse_unused({"--reference": reference}, beside="--quantity torque")
-    elif names == ["motion"]:
-        unused = {**given, "--quantity": None, "--power": None}
-        request.refuse_unused(unused, beside="--quantity motion")
+    given |= {"--signs": signs, "--symbolic": symbolic, "--quantity": quantity, "--off": off}
+    _refuse_unused(given, names)
     wanted: list[tuple[Fraction, request.Derived]] = [
         (number, kind)
         for number in request.derived_orders("1,2" if orders is None else orders)
@@ -92,6 +87,9 @@ def derive(
         whole = orders is None and quantity is None and symbolic is None and not signs
         if whole or "motion" in names:
             chapters.append(exact.motion_chapter(loaded, power=power or 7))
+        if "gas" in names and not signs:
+            asked_for = () if orders is None else request.derived_orders(orders)
+            chapters.append(exact.gas_orders(loaded, asked_for, off=silent))
         for number, kind in [] if signs else wanted:
             tell(_("Deriving the {quantity} of order {order} ...", quantity=_(kind), order=number))
             if symbolic is not None:
@@ -110,6 +108,28 @@ def derive(
         display(documents.rendered(chapters, letters), output)
     else:
         write(documents.FORMATS[form](chapters, letters), output)
+
+
+def _refuse_unused(given: Mapping[str, Any], names: Sequence[str]) -> None:
+    """Raise RequestError for an option that has no effect on what is derived."""
+    signs, symbolic = given["--signs"], given["--symbolic"]
+    of_order = ("--orders", "--quantity", "--power", "--speed", "--reference")
+
+    def beside(what: str, *left_out: str) -> None:
+        request.refuse_unused({name: given[name] for name in left_out}, beside=what)
+
+    if "gas" not in names or signs or symbolic is not None:
+        request.refuse_unused({"--off": given["--off"]}, without="--quantity gas")
+    if signs:
+        beside("--signs", "--orders", "--quantity", "--power", "--speed", "--symbolic")
+    elif symbolic is not None:
+        beside("--symbolic", *of_order[2:])
+    elif names == ["torque"]:
+        beside("--quantity torque", "--reference")
+    elif names == ["gas"]:
+        beside("--quantity gas", *of_order[2:])
+    elif names == ["motion"]:
+        beside("--quantity motion", "--orders", "--speed", "--reference")
 
 
 def errata(

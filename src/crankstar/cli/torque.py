@@ -67,7 +67,7 @@ def torque(
         partial(loaded_engine, engine, settings),
         partial(request.speed, speed),
         lambda: {name: _positive(name, loads[name] or "", PRESSURE) for name in given},
-        partial(_numbers, off),
+        partial(request.cylinders_off, off),
         lambda: None if flywheel is None else _positive("--flywheel", flywheel, INERTIA),
     )
     names = {"--imep": "imep", "--bmep": "bmep", "--peak-pressure": "peak_pressure"}
@@ -97,14 +97,6 @@ def _positive(name: str, text: str, quantity: Quantity) -> float:
     if value <= 0:
         raise request.not_positive(name, text, quantity)
     return value
-
-
-def _numbers(text: str | None) -> tuple[int, ...]:
-    """The numbers of cylinders with commas. Raises RequestError."""
-    parts = request.listed(text)
-    if any(not part.isdecimal() or len(part) > 4 for part in parts) or (text and not parts):
-        raise refusal("--off", text or "", "give numbers of cylinders, as in 2,3")
-    return tuple(dict.fromkeys(int(part) for part in parts))
 
 
 def _orders(text: str | None) -> list[float] | None:

@@ -25,6 +25,7 @@ Engine -> Derivation -> document.
 | `six_signs` | the six signs of balance of a single-shaft engine |
 | `cure` | weights on a shaft, with the proof that they leave nothing |
 | `exhaust` | the orders of the exhaust, and the proof of those that are zero |
+| `firing_sums` | the orders of gas torque that remain, and the proof that others vanish |
 
 >>> from crankstar import derivation, load
 >>> derivation(load("v8-cross-plane"), 2).zero
@@ -40,6 +41,7 @@ if TYPE_CHECKING:
     from crankstar.derive.chapters import Chapter, Derivation
     from crankstar.derive.expansion import motion_chapter
     from crankstar.derive.families import family
+    from crankstar.derive.firing_sums import gas_orders
     from crankstar.derive.records import DerivationError, Line, Step
     from crankstar.derive.six_signs import Sign, signs, signs_chapter
     from crankstar.derive.steps import derivation
@@ -48,6 +50,7 @@ if TYPE_CHECKING:
 _LATE = {
     "motion_chapter": "expansion",
     "family": "families",
+    "gas_orders": "firing_sums",
     "Chapter": "chapters",
     "Derivation": "chapters",
     "DerivationError": "records",
@@ -68,6 +71,7 @@ __all__ = [
     "Step",
     "derivation",
     "family",
+    "gas_orders",
     "inertia_torque",
     "motion_chapter",
     "signs",

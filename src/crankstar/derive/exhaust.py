@@ -60,7 +60,7 @@ def exact_exhaust_orders(
     """
     fired = checked(engine, highest=highest)
     parts = {
-        number: _part(number, angle)
+        number: part_of_turn(number, angle)
         for number, angle in zip(fired.order, fired.angles_deg, strict=True)
     }
     groups = exhaust_groups(engine)
@@ -73,7 +73,8 @@ def exact_exhaust_orders(
     )
 
 
-def _part(number: int, angle_deg: float) -> Fraction:
+def part_of_turn(number: int, angle_deg: float) -> Fraction:
+    """The firing angle of a cylinder as a part of a turn. Raises DerivationError."""
     part = rational.turn(radians(angle_deg))
     if part is None:
         raise DerivationError(

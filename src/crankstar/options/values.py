@@ -27,7 +27,7 @@ from crankstar.options.refusals import refuse_unused as refuse_unused  # with th
 from crankstar.tables.scales import along_in_radii, scales
 
 Derived = Literal["force", "couple", "torque"]
-Derivable = Literal["motion", "force", "couple", "torque"]
+Derivable = Literal["motion", "force", "couple", "torque", "gas"]
 NEEDED = "needed"
 """What --shafts means without speed ratios."""
 
@@ -198,10 +198,18 @@ def orders(text: str | None, present: list[float]) -> list[float] | None:
 
 
 def quantities(text: str | None) -> list[Derived]:
-    """The quantities to derive order by order, force and couple by default; `motion` is none."""
+    """The quantities derived order by order, by default force and couple; not motion and gas."""
     names = ["force", "couple"] if text is None else (listed(text) or [text])
     chosen = [choice("--quantity", name, get_args(Derivable)) for name in names]
-    return [cast("Derived", name) for name in chosen if name != "motion"]
+    return [cast("Derived", name) for name in chosen if name not in ("motion", "gas")]
+
+
+def cylinders_off(text: str | None) -> tuple[int, ...]:
+    """The numbers of cylinders that do not fire, with commas. Raises RequestError."""
+    parts = listed(text)
+    if any(not part.isdecimal() or len(part) > 4 for part in parts) or (text and not parts):
+        raise refusal("--off", text or "", "give numbers of cylinders, as in 2,3")
+    return tuple(dict.fromkeys(int(part) for part in parts))
 
 
 def fractions(text: str, *, most: int) -> list[Fraction]:
