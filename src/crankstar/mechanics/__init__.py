@@ -20,5 +20,7 @@
 | `gas` | the pressure in every chamber over a cycle |
 | `doubts` | values that hardly any engine has: slips of unit and of thought |
 | `gas_torque` | gas torque of every chamber by order; the roll of the block with it |
+| `gas_loads` | gas torque at many loads, and over the speed |
+| `side_thrust` | how hard each piston presses on its wall over a cycle |
 | `remains` | what remains of a balance: zero, negligible or worth a cure |
 """

@@ -33,6 +33,11 @@ SAMPLES = 3600
 class Cycle:
     """The pressure in every chamber over a cycle, SI.
 
+    >>> from crankstar import cycle
+    >>> idle = cycle("audi-25-tfsi", speed="800 rpm", imep="2 bar")
+    >>> idle.pressure.shape, "gamma" in idle.assumed, bool(idle.peak > 10e5)
+    ((5, 3600), True, True)
+
     `pressure` [chamber, sample], absolute, at the equal steps of `volumes` from the dead centre at
     which the chamber fires; mean effective pressures over all chambers; `values` are all that went
     into it, `assumed` the names of those that the file does not give.
@@ -64,11 +69,13 @@ def cycle(
     speed: float | None = None,
     motored: bool = False,
     off: Collection[int] = (),
-    **load: float,
+    imep: float | None = None,
+    bmep: float | None = None,
+    peak_pressure: float | None = None,
 ) -> Cycle:
     """The cycle of an engine at an operating point, by name; without one as the table says.
 
-    `speed` (rad/s) and `load` (one of imep, bmep, peak_pressure, Pa) stand before what the file
+    `speed` (rad/s) and a load (one of imep, bmep, peak_pressure, Pa) stand before what the file
     gives. A `motored` engine burns nothing, and so do the chambers that are `off`: the others burn
     what they would. Raises GasError.
 
@@ -85,6 +92,8 @@ def cycle(
             number=strange[0],
             numbers=", ".join(map(str, engine.chambers)),
         )
+    given = {"imep": imep, "bmep": bmep, "peak_pressure": peak_pressure}
+    load = {name: value for name, value in given.items() if value is not None}
     values, assumed = resolved(engine, point=point, speed=speed, load=load)
     stroke = 2 * engine.throw(engine.first).radius
     values["stroke"] = stroke

@@ -33,7 +33,13 @@ HIGHEST = 24.0
 
 @dataclass(frozen=True)
 class GasTorque:
-    """The gas torque of every chamber: mean [chamber] and spectrum [chamber, order], N m."""
+    """The gas torque of every chamber: mean [chamber] and spectrum [chamber, order], N m.
+
+    >>> from crankstar import cycle
+    >>> found = gas_torque(cycle("audi-25-tfsi", imep="9 bar"))
+    >>> found.numbers, found.torque.orders[:3].tolist()
+    ((1, 2, 3, 4, 5), [0.5, 1.0, 1.5])
+    """
 
     numbers: tuple[int, ...]
     mean: Real

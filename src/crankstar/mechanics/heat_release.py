@@ -29,8 +29,6 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.integrate import cumulative_simpson
-from scipy.interpolate import CubicHermiteSpline
 
 from crankstar.spectra import Real
 
@@ -111,6 +109,8 @@ def curves(grid: Grid, events: Events, release: Release, *, gamma: float) -> Cur
     >>> bool(np.isclose(found.intake[0], 17.0**1.4))
     True
     """
+    from scipy.integrate import cumulative_simpson
+
     parts = placed(grid, events)
     where, angle = parts.where, parts.angle
     volume, rate = grid.volume[where], grid.rate[where]
@@ -161,6 +161,8 @@ def _eased(angle: Real, start: float, end: float) -> Real:
 
 def volume_at(grid: Grid, angle: float) -> float:
     """The volume between two samples, by the cubic that has their values and rates."""
+    from scipy.interpolate import CubicHermiteSpline
+
     place = angle / grid.step
     before = floor(place)
     share = place - before

@@ -28,7 +28,7 @@ from crankstar.engine import motion
 from crankstar.mechanics.excitation import columns_of, placed
 from crankstar.mechanics.harmonics import Harmonics, bodies, highest, vector
 from crankstar.mechanics.mechanism import Mechanism
-from crankstar.spectra import Complex, Spectrum
+from crankstar.spectra import Complex, Real, Spectrum
 
 
 class PinLoads(NamedTuple):
@@ -88,24 +88,59 @@ def pin_loads(machine: Mechanism, *, orders: Sequence[float] | None = None) -> P
     )
 
 
+class Applied(NamedTuple):
+    """What acts on the parts of each cylinder [..., cylinder, sample], the wall and pins aside.
+
+    Forces, N, on piston, centre of the rod and big end, in the frame of the group; `spin` is the
+    moment on the rod, N m clockwise.
+    """
+
+    piston: Complex
+    rod: Complex
+    big_end: Complex
+    spin: Real
+
+
 def guide_samples(machine: Mechanism, moved: motion.Rods) -> Complex:
     """G of every cylinder at 1 rad/s, N [..., cylinder, sample], in the frame of its group.
 
     That is the frame of `motion`: the axis of the group's root cylinder up, its crank turned
     clockwise.
     """
+    centre = np.asarray(machine.rod_centre)[..., None]
+    inertia = Applied(
+        piston=-np.asarray(machine.reciprocating_mass)[..., None] * moved.piston.second,
+        rod=-np.asarray(machine.rod_mass)[..., None]
+        * (moved.big_end.second + centre * moved.direction.second),
+        big_end=-np.asarray(machine.big_end_mass)[..., None] * moved.big_end.second,
+        spin=-np.asarray(machine.rod_inertia)[..., None] * _turning(moved.direction),
+    )
+    return held(machine, moved, inertia).guide
+
+
+class Held(NamedTuple):
+    """Samples [..., cylinder, sample] in the frame of the group: guide force, and load of the pin.
+
+    `pin` is what the rod of a cylinder hands on, to its crank pin or the rod of its master.
+    """
+
+    guide: Complex
+    pin: Complex
+
+
+def held(machine: Mechanism, moved: motion.Rods, forces: Applied) -> Held:
+    """Guide forces and pin loads of parts on which these forces act, from the outermost rod in."""
     links = machine.links
     axis = np.exp(1j * np.asarray(links.bearing))[..., None]
     rod = moved.direction.place * np.asarray(links.rod_length)[..., None]
     centre = np.asarray(machine.rod_centre)[..., None]
-    piston = -np.asarray(machine.reciprocating_mass)[..., None] * moved.piston.second
-    body = -np.asarray(machine.rod_mass)[..., None] * (
-        moved.big_end.second + centre * moved.direction.second
+    moment = (
+        np.imag(np.conj(rod) * forces.piston + np.conj(centre * moved.direction.place) * forces.rod)
+        + forces.spin
     )
-    spin = -np.asarray(machine.rod_inertia)[..., None] * _turning(moved.direction)
-    moment = np.imag(np.conj(rod) * piston + np.conj(centre * moved.direction.place) * body) + spin
-    big_end = -np.asarray(machine.big_end_mass)[..., None] * moved.big_end.second
-    pin = np.array(np.broadcast_to(piston + body + big_end, moment.shape))
+    pin = np.array(
+        np.broadcast_to(forces.piston + forces.rod + forces.big_end, moment.shape), complex
+    )
     guide = np.zeros(moment.shape, complex)
     height = np.real(np.conj(rod) * axis)
     for index in sorted(
@@ -119,7 +154,7 @@ def guide_samples(machine: Mechanism, moved: motion.Rods) -> Complex:
             arm = moved.big_end.place[..., index, :] - moved.big_end.place[..., master, :]
             moment[..., master, :] += np.imag(np.conj(arm) * pin[..., index, :])
             pin[..., master, :] += pin[..., index, :]
-    return guide
+    return Held(guide, pin)
 
 
 def _turning(direction: motion.Path) -> Complex:

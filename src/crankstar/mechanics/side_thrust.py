@@ -1,0 +1,142 @@
+"""Side thrust: how hard each piston presses on its cylinder wall over a working cycle.
+
+Gas pushes a piston inward along its cylinder axis with (p - p_0) A; piston, rod and wall are in
+equilibrium as in `pin_loads`, by the same equations: for a plain rod at the angle phi to the axis
+
+    N_gas = (p - p_0) A tan(phi)                        N
+
+and the inertia forces of piston and rod add to it with the square of the speed. Positive is towards
+the thrust side, to which gas presses during expansion: the left of a cylinder that stands up,
+where the crankshaft turns clockwise as seen from the front; negative is the other side.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import pi
+
+import numpy as np
+
+from crankstar import spectra
+from crankstar.engine import motion
+from crankstar.engine.dead_centres import pistons
+from crankstar.engine.engine import Engine
+from crankstar.mechanics.gas import Cycle
+from crankstar.mechanics.kinetic import samples_over
+from crankstar.mechanics.mechanism import mechanism
+from crankstar.mechanics.pin_loads import Applied, held, pin_loads
+from crankstar.spectra import Complex, Real
+
+SAMPLES = 720
+
+
+@dataclass(frozen=True)
+class SideThrust:
+    """Side thrust [cylinder, angle] on each wall, N, at crank angles `theta`, radians.
+
+    `inertia` is None without speed or masses.
+
+    >>> from crankstar import cycle, load
+    >>> five = load("audi-25-tfsi")
+    >>> found = side_thrust(five, cycle(five, speed="3000 rpm", imep="9 bar"))
+    >>> found.numbers, found.total.shape
+    ((1, 2, 3, 4, 5), (5, 720))
+    """
+
+    numbers: tuple[int, ...]
+    theta: Real
+    gas: Real
+    inertia: Real | None
+
+    @property
+    def total(self) -> Real:
+        """Of gas and inertia together."""
+        return self.gas if self.inertia is None else self.gas + self.inertia
+
+
+def side_thrust(engine: Engine, cycle: Cycle, *, samples: int = SAMPLES) -> SideThrust:
+    """The side thrust of every piston over a working cycle of the reference crankshaft.
+
+    A centred piston at top dead centre has its rod in line, and no side thrust; on its way down it
+    presses to the thrust side:
+
+    >>> from crankstar.files.catalog import load
+    >>> from crankstar.mechanics.gas import cycle
+    >>> engine = load("audi-25-tfsi")
+    >>> found = side_thrust(engine, cycle(engine))
+    >>> bool(abs(found.gas[0, 0]) < 1e-6), bool(found.gas[0, 30] > 1000)
+    (True, True)
+    """
+    theta = samples_over(engine, samples)
+    return SideThrust(
+        tuple(cylinder.number for cylinder in engine.cylinders),
+        theta,
+        _of_gas(engine, cycle, theta),
+        _of_inertia(engine, cycle.speed, theta),
+    )
+
+
+def pressure_at(cycle: Cycle, theta: Real) -> Real:
+    """The pressure of each chamber at angles of the reference crankshaft, Pa [chamber, angle]."""
+    whole = cycle.volumes.cycle
+    count = cycle.pressure.shape[-1]
+    own = np.arange(count) * (whole / count)
+    return np.array(
+        [
+            np.interp(theta - fires, own, pressure, period=whole)
+            for fires, pressure in zip(cycle.volumes.fires, cycle.pressure, strict=True)
+        ]
+    )
+
+
+def _of_gas(engine: Engine, cycle: Cycle, theta: Real) -> Real:
+    machine = mechanism(engine)
+    links, place, _lag, ratio = pistons(engine)
+    pressures = dict(zip(cycle.volumes.numbers, pressure_at(cycle, theta), strict=True))
+    push = np.zeros((len(place), theta.size))
+    for number, members in engine.chambers.items():
+        for cylinder in members:
+            row = place[cylinder.number]
+            area = pi / 4 * (cylinder.bore or 0.0) ** 2
+            push[row] = (pressures[number] - cycle.crankcase) * area
+    along = np.exp(1j * np.asarray(links.bearing))[:, None]
+    moved = rods_over(engine, theta)
+    none = np.zeros_like(push)
+    loads = held(machine, moved, Applied(-push * along, none, none, none))
+    return _to_thrust_side(loads.guide / along, ratio)
+
+
+def rods_over(engine: Engine, theta: Real) -> motion.Rods:
+    """The rods of every cylinder at angles of the reference shaft, each in the frame of its group.
+
+    That frame has the axis of the group's root cylinder up and its crank turning clockwise.
+    """
+    links, _place, lag, ratio = pistons(engine)
+    known: dict[tuple[float, float], motion.Rods] = {}
+    out: motion.Rods | None = None
+    for row in range(len(links.master)):
+        key = (float(ratio[row]), float(lag[row]))
+        if key not in known:
+            known[key] = motion.rods(links, ratio[row] * theta + lag[row])
+        if out is None:
+            out = motion.Rods(
+                *(motion.Path(*(np.zeros_like(part) for part in path)) for path in known[key])
+            )
+        for target, path in zip(out, known[key], strict=True):
+            for values, part in zip(target, path, strict=True):
+                values[row] = part[row]
+    assert out is not None  # noqa: S101  # an engine has a cylinder
+    return out
+
+
+def _of_inertia(engine: Engine, speed: float | None, theta: Real) -> Real | None:
+    if speed is None or not {"mass", "radius"}.isdisjoint(engine.relative):
+        return None
+    values = spectra.value(pin_loads(mechanism(engine)).guide, theta) * speed**2
+    axis = np.exp(1j * np.array([cylinder.bearing for cylinder in engine.cylinders]))
+    return _to_thrust_side(values / axis[:, None], pistons(engine).ratio)
+
+
+def _to_thrust_side(guide: Complex, ratio: Real) -> Real:
+    """The part across the axis, positive to the side to which expansion presses."""
+    return -np.imag(guide) * np.sign(ratio)[:, None]
