@@ -5,6 +5,7 @@
 | `beams` | how the forces on a crankshaft are shared among its main bearings |
 | `bearings` | loads on main bearings and crank pins, the bending moment along a crankshaft |
 | `uneven` | the speed of the crankshaft over a cycle, and the flywheel that evens it |
+| `uneven_forces` | what the uneven speed changes in force and couple |
 | `whirl` | shift, tilt and turn of the free rigid engine, order by order |
 | `sound` | the exhaust as a sound: equal pulses through plain pipes |
 """
