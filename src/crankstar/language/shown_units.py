@@ -28,6 +28,8 @@ PREFIXED = {
     "density": ("g/cm^3",),
     "angle": ("deg",),
     "rotational speed": ("rpm",),
+    "pressure": ("bar",),
+    "power": ("kW", "MW"),
 }
 """The SI units of each dimension, smallest first."""
 NAMES = {
@@ -40,6 +42,8 @@ NAMES = {
     "density": N_("density"),
     "angle": N_("angle"),
     "rotational speed": N_("rotational speed"),
+    "pressure": N_("pressure"),
+    "power": N_("power"),
 }
 """The dimensions as readers know them."""
 OTHERS = {
@@ -50,6 +54,8 @@ OTHERS = {
     "unbalance": ("g*cm", "oz*in"),
     "moment of inertia": ("kg*cm^2", "lb*in^2"),
     "density": ("kg/m^3", "lb/in^3"),
+    "pressure": ("kPa", "MPa", "psi"),
+    "power": ("W", "hp", "PS"),
 }
 """Units outside PREFIXED that a refusal names; any unit of the dimension is understood."""
 Choice = Mapping[str, tuple[str, ...]]
@@ -64,6 +70,8 @@ SYSTEMS: dict[str, Choice] = {
         "unbalance": ("oz*in",),
         "moment of inertia": ("lb*in^2",),
         "density": ("lb/in^3",),
+        "pressure": ("psi",),
+        "power": ("hp",),
     },
 }
 """Sets of units by their short names; what a set leaves out has an SI prefix.

@@ -51,6 +51,11 @@ psi = 6894.757293168361 * pascal
 newtonmetre = newton * metre = Nm
 kilonewtonmetre = 1000 * newton * metre = kNm
 meganewtonmetre = 1e6 * newton * metre = MNm
+watt = newton * metre / second = W
+kilowatt = 1000 * watt = kW
+megawatt = 1e6 * watt = MW
+horsepower = 745.6998715822702 * watt = hp
+metrichorsepower = 735.49875 * watt = PS
 """
 """Units as pint reads them too: base dimensions in brackets, products of numbers and units."""
 
