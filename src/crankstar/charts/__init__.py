@@ -30,6 +30,10 @@ Engines in, a chart out, and a chart as an SVG that needs no browser.
 | `strokes` | when valves are open, and when each cylinder fires |
 | `firing_rings` | the cylinders round a circle at their firing angles |
 | `exhaust_orders` | the orders of the exhaust of each bank or manifold |
+| `gas_curves` | curves over a working cycle, and what a figure of gas says |
+| `pressures` | the pressure over volume or crank angle |
+| `torque` | gas and inertia torque over a cycle, by cylinder, load and order |
+| `side_thrusts` | the side thrust of the pistons |
 | `elevations` | the crankshaft from the side |
 | `cylinder_forces` | the forces on each cylinder at chosen crank angles |
 | `polar_grid` | the circles of a polar diagram, with their values |
@@ -78,11 +82,14 @@ from crankstar.charts.hodographs import hodograph
 from crankstar.charts.pair_sweeps import contours
 from crankstar.charts.paper import Paper, Print, printed
 from crankstar.charts.polar_loads import polar_loads
+from crankstar.charts.pressures import pressure_chart
 from crankstar.charts.registry import CHARTS, Figure, side_by_side
 from crankstar.charts.saving import SUFFIXES, saved, saved_print
+from crankstar.charts.side_thrusts import side_thrust_chart
 from crankstar.charts.spectra import spectrum
 from crankstar.charts.strokes import stroke_chart
 from crankstar.charts.sweeps import swept
+from crankstar.charts.torque import torque_chart
 from crankstar.charts.vector_stars import polygon, vector_star
 from crankstar.engine.arguments import of_engines
 
@@ -118,15 +125,18 @@ __all__ = [
     "pareto_front",
     "polar_loads",
     "polygon",
+    "pressure_chart",
     "printed",
     "saved",
     "saved_print",
     "shaft_elevation",
     "side_by_side",
+    "side_thrust_chart",
     "spectrum",
     "stroke_chart",
     "svg",
     "swept",
+    "torque_chart",
     "vector_star",
 ]
 

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from crankstar import spectra
 from crankstar.charts.canvas import curve_height, panel_width, relative_width
 from crankstar.charts.curves import BAND
 from crankstar.charts.drawing import (
@@ -29,7 +30,11 @@ from crankstar.language.numbers import number, unit_text
 from crankstar.language.shown_units import shown
 from crankstar.mechanics.balance import balance
 from crankstar.mechanics.excitation import Reference
+from crankstar.mechanics.gas_loads import gas_over_speeds
+from crankstar.mechanics.gas_torque import roll_with_gas
+from crankstar.mechanics.operating_points import GasError
 from crankstar.spectra import Real
+from crankstar.studies.study import rad_per_s
 from crankstar.studies.sweep import Sweep, swept, watched
 from crankstar.tables.conditions import missing_sentence
 from crankstar.tables.over_speeds import COMPONENTS, Component, remaining, rpm, waves
@@ -71,8 +76,13 @@ def amplitudes(
     speeds: Sequence[float] | None = None,
     orders: Sequence[float] | None = None,
     reference: Reference | None = None,
+    point: str | None = None,
 ) -> Chart:
     """The amplitude of each order over the speed (thin) and the peak of all (thick), by component.
+
+    Where the file says what the gas does, the rolling moment is that of gas and inertia together,
+    half orders included: at the load of an operating `point`, else interpolated over the speeds of
+    the operating points, else at the load of the file. Raises GasError for an unknown point.
 
     `speeds` in rad/s, else from a tenth of the engine's own speed to all of it. Components of which
     nothing is left have no panel. In N and N m, or in m r omega_0^2, omega_0 the highest speed.
@@ -92,12 +102,18 @@ def amplitudes(
         for component in COMPONENTS
         if left[component.key]
     ]
+    burning = _with_gas(sweep, engine, point, asked)
+    if burning is not None:
+        shown_parts = [part for part in shown_parts if part.component.key != "roll"]
+        shown_parts.append(burning)
     names = sorted({order for part in shown_parts for order in part.of_order})
     panels = [
         [_panel(rpm(sweep), part, names, foot=part is shown_parts[-1])] for part in shown_parts
     ]
     lines = estimate_lines([engine], drawn=_(BAND))
     subtitle = [*heading(engine), *_words(engine, sweep), *lines]
+    if burning is not None:
+        subtitle.append(_gas_words(engine, point))
     if not panels:
         panels, subtitle = [[_empty(rpm(sweep))]], [*subtitle, _(NOTHING)]
     return figure(panels, title=_("Amplitude over the speed"), subtitle=subtitle)
@@ -137,6 +153,55 @@ def _drawn(
     reach = size_range(top, [float(watched(end, component.what).values[-1]) for end in ends])
     shares = None if reach is None or not top else (reach[0] / top, reach[1] / top)
     return Drawn(component, said.unit, by_order, curve.values * said.factor, shares)
+
+
+def _with_gas(
+    sweep: Sweep, engine: Engine, point: str | None, asked: Sequence[float] | None
+) -> Drawn | None:
+    """The rolling moment of gas and inertia; None where the gas or the newtons are not known."""
+    if point is None and engine.gas is None:
+        return None
+    speeds = rad_per_s(sweep.values, sweep.unit)
+    try:
+        gas = gas_over_speeds(engine, speeds, point=point or "")
+    except GasError:
+        if point is not None:
+            raise
+        return None
+    if sweep.units.force != "N":
+        return None
+    roll = roll_with_gas(sweep.sums, gas)
+    size = np.abs(spectra.amplitude(roll))
+    tops = size.max(axis=0)
+    kept = [
+        place
+        for place in np.argsort(-tops)
+        if (asked is None and tops[place] > VISIBLE * tops.max() > 0)
+        or (asked is not None and float(roll.orders[place]) in asked)
+    ]
+    kept = kept if asked is not None else kept[:MOST_ORDERS]
+    if not tops.max(initial=0.0):
+        return None
+    peak = spectra.peaks(roll)
+    said = shown("N*m", float(peak.max()))
+    by_order = {
+        order: size[:, place] * said.factor
+        for order, place in sorted((float(roll.orders[place]), place) for place in kept)
+    }
+    return Drawn(COMPONENTS[-1], said.unit, by_order, peak * said.factor)
+
+
+def _gas_words(engine: Engine, point: str | None) -> str:
+    if point is not None:
+        return _("Rolling moment with gas at the load of {point}.", point=point)
+    points = [] if engine.gas is None else [p for p in engine.gas.points if p.speed is not None]
+    if len(points) > 1:
+        return _(
+            "Rolling moment with gas, its load from {first} to {last} by the operating points.",
+            first=min(points, key=lambda p: p.speed or 0.0).name,
+            last=max(points, key=lambda p: p.speed or 0.0).name,
+        )
+    return _("Rolling moment with gas at the load of the file.")
 
 
 def _panel(speeds: Real, part: Drawn, orders: Sequence[float], *, foot: bool) -> Panel:

@@ -23,6 +23,11 @@ NAMES = {
     "roll": N_("rolling moment"),
     "axis_moment": N_("moment about the crank axis"),
     "torque": N_("inertia torque"),
+    "gas_torque": N_("torque of gas and inertia"),
+    "gas_roll": N_("rolling moment with gas"),
+    "mean_torque": N_("mean gas torque"),
+    "peak_pressure": N_("peak pressure"),
+    "irregularity": N_("degree of irregularity"),
 }
 """By what is watched."""
 

@@ -19,9 +19,12 @@ from crankstar.charts.firing_rings import firing_ring
 from crankstar.charts.grammar import Chart
 from crankstar.charts.hodographs import hodograph
 from crankstar.charts.polar_loads import Loaded, polar_loads
+from crankstar.charts.pressures import PressureView, pressure_chart
+from crankstar.charts.side_thrusts import side_thrust_chart
 from crankstar.charts.spectra import spectrum
 from crankstar.charts.strokes import stroke_chart
 from crankstar.charts.sums import Quantity, Signal
+from crankstar.charts.torque import TorqueView, torque_chart
 from crankstar.charts.vector_stars import polygon, vector_star
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
@@ -91,6 +94,23 @@ _FIGURES = (
         "exhaust-orders",
         exhaust_order_chart,
         N_("the orders of the exhaust pulses of each bank or manifold"),
+    ),
+    Figure(
+        "torque",
+        torque_chart,
+        N_("gas and inertia torque over a cycle: together, by cylinder, by load or by order"),
+        get_args(TorqueView),
+    ),
+    Figure(
+        "pressure",
+        pressure_chart,
+        N_("the pressure in the cylinders over their volume or over the crank angle"),
+        get_args(PressureView),
+    ),
+    Figure(
+        "side-thrust",
+        side_thrust_chart,
+        N_("how hard the pistons press on their cylinder walls over a cycle"),
     ),
     Figure("forces", force_arrows, N_("the forces of each cylinder at chosen crank angles")),
     Figure(

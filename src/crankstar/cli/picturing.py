@@ -34,8 +34,8 @@ def plot(
         str,
         Parameter(
             help="crank-star, vector-star, polygon, hodograph, over-turn, amplitudes, spectrum, "
-            "shaft, stroke-chart, firing-ring, exhaust-orders, forces, bearing-loads, bending or "
-            "balance-shafts."
+            "shaft, stroke-chart, firing-ring, exhaust-orders, torque, pressure, side-thrust, "
+            "forces, bearing-loads, bending or balance-shafts."
         ),
     ],
     /,
@@ -50,7 +50,8 @@ def plot(
         option(
             "--quantity",
             "For over-turn also roll or torque; for bearing-loads main-bearing, main-journal, "
-            "crank-pin or crank-pin-journal (journals turn with the crankshaft).",
+            "crank-pin or crank-pin-journal (journals turn with the crankshaft); for torque "
+            "together, cylinders, loads or orders; for pressure volume or angle.",
         ),
     ] = None,
     model: Annotated[str | None, option("--model")] = None,
@@ -60,6 +61,8 @@ def plot(
     speed: Speed = None,
     speeds: Annotated[str | None, option("--speeds", "For the chart amplitudes.")] = None,
     reference: ReferencePoint = None,
+    point: Annotated[str | None, option("--point", "For charts of gas, and amplitudes.")] = None,
+    off: Annotated[str | None, option("--off", "For charts of gas.")] = None,
     settings: Settings = None,
     estimate: Estimating = False,
     looks: Annotated[Looks, FLAT] = Looks(),  # noqa: B008  # it is frozen
@@ -72,7 +75,7 @@ def plot(
         ),
     ] = None,
 ) -> None:
-    """Draw a chart of an engine: stars, paths, curves, spectra, strokes, forces, bearing loads."""
+    """Draw a chart of an engine: stars, paths, curves, spectra, strokes, gas, bearing loads."""
     drawing = chart_request.charts()
     figure = drawing.CHARTS[request.choice("chart", chart, drawing.CHARTS)]
     suffix = chart_request.suffix(output, drawing.SUFFIXES)
@@ -99,6 +102,8 @@ def plot(
         speed=speed,
         speeds=speeds,
         reference=reference,
+        point=point,
+        off=off,
         alone=not others,
     )
     with working(_("Drawing {chart} ...", chart=chart)):

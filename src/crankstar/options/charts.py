@@ -13,6 +13,7 @@ from crankstar.files import units
 from crankstar.language.messages import N_, _
 from crankstar.options import values as request
 from crankstar.options.forms import PICTURES, form_of, refuse_terminal, require
+from crankstar.options.gas import cylinders_off
 from crankstar.options.values import refusal
 
 GREATEST_ANGLES = 24
@@ -44,6 +45,8 @@ def options(
     speed: str | None,
     reference: str | None,
     speeds: str | None = None,
+    point: str | None = None,
+    off: str | None = None,
     alone: bool = True,
 ) -> dict[str, Any]:
     """The options of a figure by keyword. Raises RequestError for those that it does not take.
@@ -59,6 +62,8 @@ def options(
         "--speed": (speed, {"speed"}),
         "--speeds": (speeds, {"speeds"}),
         "--reference": (reference, {"reference"}),
+        "--point": (point, {"point"}),
+        "--off": (off, {"off"}),
     }
     unused = {option: text for option, (text, names) in given.items() if not names & takes}
     request.refuse_unused(unused, beside=_("the chart {chart}", chart=figure.name))
@@ -93,12 +98,16 @@ def options(
             )
         out |= {"theta": angles[0]} if "theta" in takes else {"angles": angles}
     if "speed" in takes:
-        own = engine.speed if alone else None
+        own = engine.speed if alone and "point" not in takes else None
         out["speed"] = own if speed is None else request.speed(speed)
     if speeds is not None:
         out["speeds"] = request.speeds(speeds)
     if reference is not None:
         out["reference"] = request.reference(reference, engine)
+    if point is not None:
+        out["point"] = point
+    if off is not None:
+        out["off"] = cylinders_off(off)
     return out
 
 

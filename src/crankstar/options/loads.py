@@ -14,6 +14,17 @@ LOADS = {
         '"0.25 kg*m^2" (default: drive.inertia of the file).',
         ("--inertia",),
     ),
+    "--irregularity": Option(
+        "text",
+        "Degree of irregularity for which the flywheel is wanted, such as 1/50 or 0.02.",
+        ("--coefficient-of-fluctuation",),
+    ),
+    "--tangential": Option(
+        "text",
+        "Harmonics of the tangential pressure of one cylinder at these indicated mean effective "
+        'pressures, such as "4 bar, 8 bar".',
+        ("--tangential-pressure",),
+    ),
     "--imep": Option(
         "text",
         'Indicated mean effective pressure of the whole cycle, such as "10 bar".',

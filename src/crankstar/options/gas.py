@@ -1,0 +1,57 @@
+"""What is asked of the gas: cylinders that are off, a degree of irregularity, mean pressures."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from crankstar.engine.quantities import PRESSURE
+from crankstar.files import units
+from crankstar.options import values as request
+from crankstar.options.values import refusal
+
+MOST_LOADS = 12
+"""Columns of a table of harmonics."""
+LEAST_IRREGULARITY, GREATEST_IRREGULARITY = 1e-4, 1.0
+
+
+def cylinders_off(text: str | None) -> tuple[int, ...]:
+    """The numbers of --off, with commas. Raises RequestError."""
+    parts = request.listed(text)
+    if any(not part.isdecimal() or len(part) > 4 for part in parts) or (text and not parts):
+        raise refusal("--off", text or "", "give numbers of cylinders, as in 2,3")
+    return tuple(dict.fromkeys(int(part) for part in parts))
+
+
+def degree_of_irregularity(text: str | None) -> float | None:
+    """The share of --irregularity, as a number or a fraction. Raises RequestError."""
+    if text is None:
+        return None
+    try:
+        value = float(Fraction(text.replace(" ", "")))
+    except (ValueError, ZeroDivisionError, OverflowError):
+        value = 0.0
+    if not LEAST_IRREGULARITY <= value <= GREATEST_IRREGULARITY:
+        raise refusal(
+            "--irregularity", text, "give a share from 1/10000 to 1, such as 1/50 or 0.02"
+        )
+    return value
+
+
+def mean_pressures(text: str | None) -> tuple[float, ...]:
+    """The pressures of --tangential, Pa. Raises RequestError."""
+    parts = request.listed(text)
+    if text is not None and not 1 <= len(parts) <= MOST_LOADS:
+        raise refusal(
+            "--tangential",
+            text,
+            'give one to {most} pressures with commas, such as "4 bar, 8 bar"',
+            most=MOST_LOADS,
+        )
+    out: list[float] = []
+    for part in parts:
+        with request.reading("--tangential"):
+            value = units.si(part, PRESSURE)
+        if value <= 0:
+            raise request.not_positive("--tangential", part, PRESSURE)
+        out.append(value)
+    return tuple(out)
