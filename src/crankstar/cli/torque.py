@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING, Annotated
 from crankstar.cli.options import (
     Csv,
     EngineName,
+    Estimating,
     Json,
     Output,
     Settings,
     Speed,
-    loaded_engine,
+    loaded_values,
     option,
     together,
 )
@@ -23,13 +24,19 @@ from crankstar.files import units
 from crankstar.language.messages import _
 from crankstar.options import values as request
 from crankstar.options.forms import TABLES, form_of
+from crankstar.options.gas import degree_of_irregularity, mean_pressures
 from crankstar.options.refusals import refusal
 from crankstar.options.values import RequestError
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from crankstar.dynamics.uneven import Running
     from crankstar.engine.engine import Engine
     from crankstar.mechanics.gas import Cycle
+    from crankstar.mechanics.gas_loads import LoadedTorques
+    from crankstar.tables.table import Document
+    from crankstar.tables.torque import Wheel
 
 
 def torque(
@@ -44,14 +51,18 @@ def torque(
     motored: Annotated[bool, option("--motored")] = False,
     off: Annotated[str | None, option("--off")] = None,
     flywheel: Annotated[str | None, option("--flywheel")] = None,
+    irregularity: Annotated[str | None, option("--irregularity")] = None,
+    tangential: Annotated[str | None, option("--tangential")] = None,
     orders: Annotated[str | None, option("--orders", "Default: those of note.")] = None,
     settings: Settings = None,
+    estimate: Estimating = False,
     json: Json = False,
     csv: Csv = False,
     output: Output = None,
 ) -> None:
     """Compute gas and inertia torque, half orders included, and how evenly the engine runs."""
     from crankstar.mechanics.gas import cycle
+    from crankstar.tables.ranges import ranged
     from crankstar.tables.torque import torque_document
 
     form = form_of(output, TABLES, json=json, csv=csv)
@@ -63,30 +74,39 @@ def torque(
             one=given[0],
             other=given[1],
         )
-    loaded, turning, pressures, silent, inertia = together(
-        partial(loaded_engine, engine, settings),
+    (loaded, spread), turning, pressures, silent, inertia, even, levels = together(
+        partial(loaded_values, engine, settings, estimate=estimate),
         partial(request.speed, speed),
         lambda: {name: _positive(name, loads[name] or "", PRESSURE) for name in given},
         partial(request.cylinders_off, off),
         lambda: None if flywheel is None else _positive("--flywheel", flywheel, INERTIA),
+        partial(degree_of_irregularity, irregularity),
+        partial(mean_pressures, tangential),
     )
     names = {"--imep": "imep", "--bmep": "bmep", "--peak-pressure": "peak_pressure"}
-    with working(_("Computing the cycle ...")), words_for(form):
+    wanted = _orders(orders)
+
+    def sheet(each: Engine) -> Document:
         found = cycle(
-            loaded,
+            each,
             point=point or "",
             speed=turning,
             motored=motored,
             off=silent,
             **{names[name]: value for name, value in pressures.items()},
         )
-        document = torque_document(
-            loaded,
+        return torque_document(
+            each,
             found,
-            running=_running(loaded, found, inertia),
-            orders=_orders(orders),
+            running=_running(each, found, inertia),
+            orders=wanted,
+            wheel=_wheel(each, found, even),
+            loads=_loads(each, found, levels),
             machine=form not in ("txt", "xlsx"),
         )
+
+    with working(_("Computing the cycle ...")), words_for(form):
+        document = ranged(sheet, spread, loaded)
     give(document, output, form=form)
 
 
@@ -107,6 +127,34 @@ def _orders(text: str | None) -> list[float] | None:
     if wanted and max(wanted) > HIGHEST:
         raise refusal("--orders", text or "", "give orders up to {highest}", highest=f"{HIGHEST:g}")
     return wanted
+
+
+def _wheel(engine: Engine, cycle: Cycle, irregularity: float | None) -> Wheel | None:
+    """The flywheel for a degree of irregularity. Raises RequestError."""
+    from crankstar.dynamics.uneven import flywheel_for
+    from crankstar.mechanics.kinetic import mean_inertia, throw_inertia
+    from crankstar.mechanics.mechanism import mechanism
+    from crankstar.tables.torque import Wheel
+
+    if irregularity is None:
+        return None
+    if cycle.speed is None or not {"mass", "radius"}.isdisjoint(engine.relative):
+        raise RequestError(
+            "--irregularity needs the speed and the masses: give speed and "
+            "cylinder.reciprocating_mass"
+        )
+    exponent = engine.drive.load_exponent if engine.drive is not None else 0.0
+    wheel = flywheel_for(engine, cycle, irregularity=irregularity, exponent=exponent)
+    return Wheel(irregularity, wheel, mean_inertia(mechanism(engine)) + throw_inertia(engine))
+
+
+def _loads(engine: Engine, cycle: Cycle, levels: Sequence[float]) -> LoadedTorques | None:
+    """The torque at the loads of --tangential."""
+    from crankstar.mechanics.gas_loads import torques_at_loads
+
+    if not levels:
+        return None
+    return torques_at_loads(engine, imep=levels, point=cycle.name, speed=cycle.speed)
 
 
 def _running(engine: Engine, cycle: Cycle, flywheel: float | None) -> Running | None:

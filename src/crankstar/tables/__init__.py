@@ -38,6 +38,7 @@
 | `certificate` | the best weights and their lower bound |
 | `cures` | what removes the remaining forces and couples |
 | `roll_cures` | the rolling moment that is left, and what would remove it |
+| `torque_parts` | side thrust, uneven forces and handbook harmonics |
 | `torque` | gas torque by order, the cycle and what is assumed, uneven running |
 | `turning` | what turns with the crankshaft: moving parts, weights of the file, new ones |
 | `placings` | the places of balance shafts, and what they leave of the roll |
@@ -48,6 +49,7 @@
 | `verdict_ranges` | the verdict on an estimated engine |
 | `summary` | how an engine shakes, in ten lines |
 | `analysis` | force, couple and moments by order, as `analyze` shows them |
+| `gas_comparison` | the gas torque of several engines |
 | `comparison` | several engines side by side |
 | `errata` | errors in the sources |
 | `notebook` | how a notebook shows an Engine and a Balance |

@@ -112,7 +112,17 @@ def document(
         *remarks(unverified_sentence(shown.engine), missing_parts(shown.engine), kind="doubt"),
     )
     body = tables(shown, angles=angles, by=by, vectors=vectors)
-    return Document(shown.engine.name, (*heads, *body))
+    return Document(shown.engine.name, (*heads, *body, *_with_gas(shown)))
+
+
+def _with_gas(shown: Analysis) -> tuple[Table, ...]:
+    """Torque and roll of gas and inertia, where the file says what the gas does."""
+    if shown.engine.gas is None:
+        return ()
+    from crankstar.tables.torque import gas_tables
+
+    speed = None if shown.real is None else shown.real.speed
+    return gas_tables(shown.engine, speed=speed)
 
 
 def tables(

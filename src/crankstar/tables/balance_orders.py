@@ -38,7 +38,16 @@ def answer(engine: Engine, result: Balance, *, orders: Sequence[float] | None = 
     }
     wanted = tuple(orders) if orders else orders_pushed(result)
     table = Table("", columns(result.units), rows(engine, total(result), wanted), key="orders")
-    return Document(engine.name, (table, _peaks(result)), facts)
+    return Document(engine.name, (table, _peaks(result), *_with_gas(engine, result)), facts)
+
+
+def _with_gas(engine: Engine, result: Balance) -> tuple[Table, ...]:
+    """Torque and roll with gas, where the file says what the gas does: `gas_orders`."""
+    if engine.gas is None:
+        return ()
+    from crankstar.tables.torque import gas_tables
+
+    return gas_tables(engine, speed=result.speed, machine=True)
 
 
 def _peaks(result: Balance) -> Table:

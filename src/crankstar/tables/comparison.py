@@ -84,7 +84,18 @@ def comparison(shown: Sequence[Analysis], names: Sequence[str] | None = None) ->
         if real
         else _("Greatest value of each order, each engine in its own m r ω²")
     )
-    return Document(title, (*parts, _engines(compared)))
+    return Document(title, (*parts, *_with_gas(compared), _engines(compared)))
+
+
+def _with_gas(compared: _Compared) -> tuple[Table, ...]:
+    """Torque of gas and inertia, where the files of all engines say what the gas does."""
+    engines = [shown.engine for shown in compared.shown]
+    if any(engine.gas is None for engine in engines):
+        return ()
+    from crankstar.tables.gas_comparison import gas_comparison
+
+    speeds = [None if shown.real is None else shown.real.speed for shown in compared.shown]
+    return gas_comparison(engines, compared.names, speeds)
 
 
 def compare(

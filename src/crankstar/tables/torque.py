@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from math import degrees, pi
 from typing import NamedTuple
 
@@ -12,17 +13,28 @@ from crankstar import spectra
 from crankstar.dynamics.uneven import Running
 from crankstar.engine.engine import Engine
 from crankstar.engine.valves import timing
+from crankstar.language.kept import of_any
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
 from crankstar.language.quoting import one_line
+from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.balance import balance, total
 from crankstar.mechanics.doubts import point_doubts
-from crankstar.mechanics.gas import Cycle
+from crankstar.mechanics.gas import Cycle, cycle
+from crankstar.mechanics.gas_loads import LoadedTorques
 from crankstar.mechanics.gas_torque import GasTorque, added, gas_torque, roll_with_gas
-from crankstar.spectra import Complex, Spectrum
+from crankstar.mechanics.operating_points import GasError
+from crankstar.mechanics.side_thrust import side_thrust
+from crankstar.spectra import Complex, Real, Spectrum
 from crankstar.tables.conditions import unverified_gas
 from crankstar.tables.headings import heading
 from crankstar.tables.table import ROW_UNIT, Column, Document, Table, Value, remarks
+from crankstar.tables.torque_parts import (
+    changes_table,
+    side_thrust_table,
+    tangential_table,
+    unchanged_sentence,
+)
 
 NOTED = 0.01
 """Share of the greatest amplitude from which an order is shown to readers."""
@@ -61,13 +73,18 @@ PROCESSES = {
 
 
 class Orders(NamedTuple):
-    """Amplitudes by order, N m, `Re(c exp(i k theta))`; inertia is None without known masses."""
+    """Amplitudes by order, N m, `Re(c exp(i k theta))`; inertia is None without known masses.
+
+    `roll` is the rolling moment on the block where the driveline carries the torque away, `mounted`
+    where the load stands on the same mounts.
+    """
 
     orders: list[float]
     gas: Complex
     inertia: Complex | None
     total: Complex
     roll: Complex
+    mounted: Complex
 
 
 def by_order(engine: Engine, cycle: Cycle, found: GasTorque) -> Orders:
@@ -76,7 +93,7 @@ def by_order(engine: Engine, cycle: Cycle, found: GasTorque) -> Orders:
     result = balance(engine, speed=cycle.speed)
     if cycle.speed is None or result.speed is None:
         wave = spectra.amplitude(gas)
-        return Orders(gas.orders.tolist(), wave, None, wave, -engine.sense * wave)
+        return Orders(gas.orders.tolist(), wave, None, wave, -engine.sense * wave, 0 * wave)
     sums = total(result)
     whole = added(sums.torque, gas)
     roll = added(roll_with_gas(sums, gas), spectra.scaled(whole, 0.0))
@@ -84,7 +101,9 @@ def by_order(engine: Engine, cycle: Cycle, found: GasTorque) -> Orders:
     def at(spectrum: Spectrum) -> Complex:
         return spectra.amplitude(spectra.selected(spectrum, roll.orders))
 
-    return Orders(roll.orders.tolist(), at(gas), at(sums.torque), at(whole), at(roll))
+    return Orders(
+        roll.orders.tolist(), at(gas), at(sums.torque), at(whole), at(roll), at(sums.axis_moment)
+    )
 
 
 def torque_document(
@@ -93,9 +112,14 @@ def torque_document(
     *,
     running: Running | None = None,
     orders: Sequence[float] | None = None,
+    wheel: Wheel | None = None,
+    loads: LoadedTorques | None = None,
     machine: bool = False,
 ) -> Document:
-    """Torque by order, what a cycle does, and how evenly the engine runs."""
+    """Torque by order, what a cycle does, and how evenly the engine runs.
+
+    `wheel` is a flywheel that was asked for, `loads` are those of handbook harmonics.
+    """
     found = gas_torque(cycle)
     waves = by_order(engine, cycle, found)
     mean = float(found.mean.sum()) - _friction_torque(cycle)
@@ -113,24 +137,36 @@ def torque_document(
         "bmep": cycle.bmep if turning is not None else None,
         "peak_pressure": cycle.peak,
         "irregularity": None if running is None else running.irregularity,
+        "flywheel": None if wheel is None else {**wheel._asdict(), "unit": "kg*m^2"},
         "off": list(cycle.off),
         "ignition": cycle.values["ignition"],
         "assumed": list(cycle.assumed),
         "doubts": [fault.sentence for fault in point_doubts(engine, cycle)],
         "units": {"torque": "N*m", "power": "W", "pressure": "Pa"},
     }
-    shown = tuple(orders) if orders else _shown(waves, machine=machine)
+    own = of_any(("torque", engine.name), _shown(waves, machine=machine))
+    shown = tuple(orders) if orders else tuple(sorted(own))
     table = order_table(waves, shown, machine=machine)
+    more = [side_thrust_table(side_thrust(engine, cycle))]
+    notes = _notes(engine, cycle, waves)
+    if running is not None:
+        changed = changes_table(engine, running)
+        more += [changed] if changed.rows or machine else []
+        notes += [] if changed.rows else [unchanged_sentence()]
+    more += [] if loads is None else [tangential_table(loads)]
     if machine:
-        return Document(engine.name, (table,), facts)
+        return Document(engine.name, (table, *more), facts)
     return Document(
         engine.name,
         (
             heading(engine),
             work_table(cycle, found),
             table,
+            roll_table(waves, shown),
             *(() if running is None else (running_table(running),)),
-            *remarks(*_notes(engine, cycle, waves), kind="note"),
+            *(() if wheel is None else (wheel_table(wheel),)),
+            *more,
+            *remarks(*notes, kind="note"),
             *remarks(
                 unverified_gas(engine),
                 *(fault.sentence for fault in point_doubts(engine, cycle)),
@@ -139,6 +175,27 @@ def torque_document(
         ),
         facts,
     )
+
+
+def gas_tables(
+    engine: Engine, *, speed: float | None, orders: Sequence[float] = (), machine: bool = False
+) -> tuple[Table, ...]:
+    """Torque and roll with gas of an engine whose file says what the gas does; else none."""
+    if engine.gas is None:
+        return ()
+    try:
+        found = cycle(engine, speed=speed)
+    except GasError:
+        return ()
+    waves = by_order(engine, found, gas_torque(found))
+    own = of_any(("torque", engine.name), _shown(waves, machine=machine))
+    shown = tuple(orders) or tuple(sorted(own))
+    if machine:
+        return (replace(order_table(waves, shown, machine=True), key="gas_orders"),)
+    title = _("Torque by order, gas at {pressure}", pressure=quantity_text(found.imep, "Pa"))
+    table = order_table(waves, shown, machine=False)
+    rolls = replace(roll_table(waves, shown), title=_("Rolling moment on the block, gas included"))
+    return replace(table, title=title), rolls
 
 
 def _friction_torque(cycle: Cycle) -> float:
@@ -159,41 +216,79 @@ def _shown(waves: Orders, *, machine: bool) -> tuple[float, ...]:
 
 
 def order_table(waves: Orders, shown: Sequence[float], *, machine: bool) -> Table:
-    """Gas, inertia, their sum and the roll of the block, order by order."""
+    """Gas, inertia and their sum, order by order; for machines the roll of the block too."""
     kind = "signal" if machine else "wave"
     columns = [Column(_("order"), key="order", label=True)]
     series: list[tuple[str, str, Complex]] = [("gas", _("gas torque"), waves.gas)]
     if waves.inertia is not None:
         series.append(("inertia", _("inertia torque"), waves.inertia))
-    series += [("total", _("together"), waves.total), ("roll", _("rolling moment"), waves.roll)]
+    series.append(("total", _("together"), waves.total))
+    if machine:
+        series += [("roll", "", waves.roll), ("roll_on_same_mounts", "", waves.mounted)]
     columns += [Column(title, "N*m", kind=kind, key=key) for key, title, _wave in series]
+    rows = _rows(waves, shown, [wave for _key, _title, wave in series])
+    return Table(_("Torque by order"), tuple(columns), rows, key="orders")
+
+
+def _rows(
+    waves: Orders, shown: Sequence[float], series: Sequence[Complex]
+) -> tuple[tuple[Value, ...], ...]:
+    """An order and its amplitudes in each row, nought where an order is not there."""
     place = {order: index for index, order in enumerate(waves.orders)}
-    rows = tuple(
-        (
-            float(order),
-            *(
-                complex(wave[place[order]]) if order in place else 0j
-                for _key, _title, wave in series
-            ),
-        )
+    return tuple(
+        (float(order), *(complex(wave[place[order]]) if order in place else 0j for wave in series))
         for order in shown
     )
-    return Table(_("Torque by order"), tuple(columns), rows, key="orders")
+
+
+def roll_table(waves: Orders, shown: Sequence[float]) -> Table:
+    """The rolling moment on the block with a driveline that carries the torque, and without."""
+    columns = (
+        Column(_("order"), label=True),
+        Column(_("driveline takes the torque"), "N*m", kind="wave"),
+        Column(_("load on the same mounts"), "N*m", kind="wave"),
+    )
+    rows = _rows(waves, shown, [waves.roll, waves.mounted])
+    return Table(_("Rolling moment on the block"), columns, rows)
+
+
+class Wheel(NamedTuple):
+    """A wanted degree of irregularity, and the inertia that gives it, kg m^2.
+
+    `inertia` is that of crankshaft, flywheel and what is coupled to them, `moving` the mean one of
+    pistons and rods beside it.
+    """
+
+    irregularity: float
+    inertia: float
+    moving: float
+
+
+def wheel_table(wheel: Wheel) -> Table:
+    """The flywheel for a wanted degree of irregularity."""
+    return _pairs(
+        _("Flywheel for a degree of irregularity"),
+        [
+            (_("degree of irregularity"), wheel.irregularity, ""),
+            (_("inertia of crankshaft, flywheel and coupled parts"), wheel.inertia, "kg*m^2"),
+            (_("mean inertia of pistons and rods beside it"), wheel.moving, "kg*m^2"),
+        ],
+    )
 
 
 def work_table(cycle: Cycle, found: GasTorque) -> Table:
     """Mean effective pressures, torque and power of the operating point."""
     mean, lost = float(found.mean.sum()), _friction_torque(cycle)
     rows: list[tuple[Value, ...]] = [
-        (_("indicated mean effective pressure"), cycle.imep / 1e5, "bar"),
-        (_("peak pressure"), cycle.peak / 1e5, "bar"),
+        (_("indicated mean effective pressure"), cycle.imep, "Pa"),
+        (_("peak pressure"), cycle.peak, "Pa"),
         (_("mean gas torque"), mean, "N*m"),
     ]
     if cycle.speed is not None:
         rows += [
-            (_("friction mean effective pressure"), cycle.friction / 1e5, "bar"),
+            (_("friction mean effective pressure"), cycle.friction, "Pa"),
             (_("brake torque"), mean - lost, "N*m"),
-            (_("brake power"), (mean - lost) * cycle.speed / 1e3, "kW"),
+            (_("brake power"), (mean - lost) * cycle.speed, "W"),
         ]
     title = (
         _("One cycle")
@@ -206,7 +301,7 @@ def work_table(cycle: Cycle, found: GasTorque) -> Table:
 def running_table(running: Running) -> Table:
     """How the speed goes over a cycle."""
     rpm = running.speed * 30 / pi
-    least, greatest = int(np.argmin(rpm)), int(np.argmax(rpm))
+    least, greatest = _first(-rpm), _first(rpm)
     irregular = running.irregularity
     return _pairs(
         _("Uneven running"),
@@ -215,18 +310,17 @@ def running_table(running: Running) -> Table:
             (_("fluctuation of energy"), running.fluctuation, "J"),
             (_("degree of irregularity"), irregular, ""),
             (_("the same, linear estimate"), running.linear, ""),
-            (
-                _("least speed, at {angle} deg", angle=number(degrees(running.theta[least]))),
-                float(rpm[least]),
-                "rpm",
-            ),
-            (
-                _("greatest speed, at {angle} deg", angle=number(degrees(running.theta[greatest]))),
-                float(rpm[greatest]),
-                "rpm",
-            ),
+            (_("least speed"), float(rpm[least]), "rpm"),
+            (_("crank angle of the least speed"), degrees(running.theta[least]), "deg"),
+            (_("greatest speed"), float(rpm[greatest]), "rpm"),
+            (_("crank angle of the greatest speed"), degrees(running.theta[greatest]), "deg"),
         ],
     )
+
+
+def _first(values: Real) -> int:
+    """Where the greatest value is first, cylinders that are alike being alike but for rounding."""
+    return int(np.argmax(values >= values.max() - 1e-9 * np.ptp(values)))
 
 
 def _pairs(title: str, rows: Sequence[tuple[Value, ...]]) -> Table:
@@ -296,8 +390,9 @@ def _notes(engine: Engine, cycle: Cycle, waves: Orders) -> list[str]:
         )
     lines.append(
         _(
-            "The rolling moment is that on the block where the driveline takes the torque; gas "
-            "makes no force and no couple."
+            "A driveline takes the torque where its far end stands on other ground: propeller, "
+            "wheels. A generator on the engine's own frame does not. Gas makes no force and no "
+            "couple."
         )
     )
     return lines

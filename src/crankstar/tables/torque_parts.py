@@ -1,0 +1,101 @@
+"""What gas does beside the torque, as tables: side thrust, uneven forces, handbook harmonics."""
+
+from __future__ import annotations
+
+from math import degrees
+
+import numpy as np
+
+from crankstar.dynamics.uneven import Running
+from crankstar.dynamics.uneven_forces import HIGHEST as HIGHEST_UNEVEN
+from crankstar.dynamics.uneven_forces import changes, worth_telling
+from crankstar.engine.engine import Engine
+from crankstar.language.kept import of_any
+from crankstar.language.messages import N_, _
+from crankstar.language.shown_units import quantity_text
+from crankstar.mechanics.gas_loads import LoadedTorques
+from crankstar.mechanics.side_thrust import SideThrust
+from crankstar.spectra import Real
+from crankstar.tables.table import ROW_UNIT, Column, Table
+
+TANGENTIAL = 12.0
+"""The highest order of tangential pressures that is listed."""
+QUANTITIES = {"force": (N_("force"), "N"), "couple": (N_("couple"), "N*m")}
+
+
+def side_thrust_table(thrust: SideThrust) -> Table:
+    """The greatest side thrust of each piston on both sides, and the crank angles."""
+    columns = (
+        Column(_("cylinder"), key="cylinder", label=True),
+        Column(_("thrust side"), "N", key="thrust_side"),
+        Column(_("at"), "deg", key="thrust_side_deg"),
+        Column(_("other side"), "N", key="other_side"),
+        Column(_("at"), "deg", key="other_side_deg"),
+    )
+    rows = tuple(
+        (number, *_end(thrust.theta, values), *_end(thrust.theta, -values))
+        for number, values in zip(thrust.numbers, thrust.total, strict=True)
+    )
+    return Table(_("Greatest side thrust of the pistons"), columns, rows, key="side_thrust")
+
+
+def _end(theta: Real, values: Real) -> tuple[float, float | None]:
+    """The greatest value and where it is; nought and nowhere if there is none above nought."""
+    at = int(np.argmax(values))
+    if values[at] <= 0:
+        return 0.0, None
+    return float(values[at]), round(degrees(float(theta[at])), 9)
+
+
+def changes_table(engine: Engine, running: Running) -> Table:
+    """Orders of force and couple that uneven running changes by more than 1 %."""
+    every = changes(engine, running)
+    kept = of_any(("uneven", engine.name), worth_telling(every))
+    columns = (
+        Column("", kind="text", label=True, key="quantity"),
+        Column(_("order"), key="order", label=True),
+        Column(_("even speed"), ROW_UNIT, key="even"),
+        Column(_("uneven speed"), ROW_UNIT, key="uneven"),
+        Column(_("unit"), kind="unit", key="unit"),
+    )
+    rows = tuple(
+        (_(QUANTITIES[c.quantity][0]), c.order, c.even, c.uneven, QUANTITIES[c.quantity][1])
+        for c in every
+        if (c.quantity, c.order) in kept
+    )
+    return Table(_("Forces that the uneven speed changes"), columns, rows, key="uneven_forces")
+
+
+def unchanged_sentence() -> str:
+    """That no order of force or couple is changed by the uneven speed."""
+    return _(
+        "Uneven running changes no order of force or couple up to {highest} by more than 1 % of "
+        "the greatest.",
+        highest=f"{HIGHEST_UNEVEN:g}",
+    )
+
+
+def tangential_table(found: LoadedTorques) -> Table:
+    """The harmonics of the tangential pressure of one cylinder at each load, as amplitudes."""
+    waves = np.abs(found.tangential)
+    orders = found.torque.orders
+    columns = [Column(_("order"), key="order", label=True)]
+    columns += [
+        Column(
+            _("imep {pressure}", pressure=quantity_text(float(load), "Pa")),
+            "Pa",
+            key=f"imep {load / 1e5:g} bar",
+        )
+        for load in found.imep
+    ]
+    rows = tuple(
+        (float(order), *map(float, waves[:, place]))
+        for place, order in enumerate(orders)
+        if order <= TANGENTIAL
+    )
+    return Table(
+        _("Harmonics of the tangential pressure of one cylinder"),
+        tuple(columns),
+        rows,
+        key="tangential",
+    )
