@@ -46,7 +46,12 @@ def sweep(
     *,
     over: Annotated[list[str], option("--over")],
     quantity: Annotated[
-        str, option("--quantity", "Also roll, torque, couple.pitch, couple.yaw, force.forward, ...")
+        str,
+        option(
+            "--quantity",
+            "Also roll, torque, couple.pitch, couple.yaw, force.forward, ...; of gas gas_torque, "
+            "gas_roll, mean_torque, peak_pressure, irregularity.",
+        ),
     ] = "force",
     orders: Annotated[str | None, option("--orders", "Default: the sum of all orders.")] = None,
     greatest: Annotated[bool, option("--greatest")] = False,

@@ -9,10 +9,11 @@ from typing import Any, Literal
 
 import numpy as np
 
+from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.engine.quantities import ANGLE, SPEED, Quantity
-from crankstar.files import EngineFileError, keys_of, units
-from crankstar.language.faults import ValueFaultError, sentence
+from crankstar.files import EngineFileError, engine_of, keys_of, units
+from crankstar.language.faults import EngineError, ValueFaultError, sentence
 from crankstar.language.quoting import one_line, seen
 from crankstar.language.units import spelt
 from crankstar.mechanics.balance import Scale, Units, default_reference, scales
@@ -42,6 +43,7 @@ class Study:
     newtons); where the speed is varied, `highest` is its greatest value.
     """
 
+    source: Source
     over: tuple[Varied, ...]
     units_of: tuple[str, ...]
     subject: Subject
@@ -102,6 +104,27 @@ class Study:
             groups = closed(groups, tuple(own.size for own in values), closing)
         return groups
 
+    def cases(self, values: Sequence[Real]) -> list[tuple[Engine, float | None]]:
+        """Every engine as its file would have it, firing order included, and its speed (rad/s).
+
+        Raises SweepError where one cannot fire in the order of the file.
+        """
+        grids = np.meshgrid(*values, indexing="ij")
+        slow = [n for n in range(len(self.over)) if n != self._fast]
+        order = engine_of(self.source.tree, name=self.source.name).firing_order
+        known: dict[tuple[float, ...], Engine] = {}
+        out: list[tuple[Engine, float | None]] = []
+        for cell in zip(*(grid.ravel().tolist() for grid in grids), strict=True):
+            numbers = tuple(cell[n] for n in slow)
+            if numbers not in known:
+                known[numbers] = _firing(self.subject.make(*numbers), order)
+            engine, at = known[numbers], self.speed
+            if self._fast is not None:
+                speed = np.array([cell[self._fast]])
+                at = float(rad_per_s(speed, self.units_of[self._fast])[0])
+            out.append((engine, at))
+        return out
+
     def _batches(self, values: Sequence[Real], tell: Tell | None) -> tuple[Batch, ...]:
         make = self.subject.make
         if not values:
@@ -109,6 +132,20 @@ class Study:
         if len(values) == 1:
             return variants(make, values[0], tell=tell)
         return grid_variants(make, *values, tell=tell)
+
+
+def _firing(engine: Engine, order: tuple[int, ...]) -> Engine:
+    """The engine with a firing order. Raises SweepError where it cannot fire so."""
+    if engine.firing_order or not order:
+        return engine
+    try:
+        return with_values(engine, firing_order=order)
+    except EngineError as error:
+        raise SweepError(
+            "{engine} does not fire in the order of the file: {reason}",
+            engine=engine.name,
+            reason=str(error),
+        ) from None
 
 
 def study(
@@ -142,6 +179,7 @@ def study(
     if highest is not None and counted.force != "N":
         counted = Units(*(unit.replace("w^2", "w_0^2") for unit in counted))
     return Study(
+        source=source,
         over=every,
         units_of=units_of,
         subject=what,

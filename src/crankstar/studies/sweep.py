@@ -32,6 +32,7 @@ from crankstar.mechanics.balance import Units
 from crankstar.mechanics.excitation import Reference, Totals, rolling_moment
 from crankstar.spectra import Real, Spectrum
 from crankstar.studies.fields import Source, ends_of, source_of
+from crankstar.studies.gas_results import GAS_WATCHABLE, Case, gas_values
 from crankstar.studies.ranges import over_requests
 from crankstar.studies.study import Study, check_apart, study
 from crankstar.studies.sums import GREATEST_ORDER, Group, joined
@@ -72,6 +73,7 @@ class Sweep:
     `engine` is that of the first values. Engines of the same orders are a Group; there is more than
     one where gear ratios or rods are swept. `again` sweeps other values; `ends` sweeps the same
     ones for the engine in the middle and at the corners of the ranges of its estimated values.
+    `cases` are the engines themselves with their speeds, which gas needs.
     `speed` is the one of all [rad/s], None where it is swept or where nothing is in newtons. Where
     the speed is swept, `highest_speed` is omega_0. `orders` are those that were asked for, None of
     all. `adds`: a balance factor is varied whose weights are added to others of the crankshaft.
@@ -87,6 +89,7 @@ class Sweep:
     orders: tuple[float, ...] | None
     again: Callable[..., Sweep] = field(repr=False, compare=False)
     ends: Callable[[], tuple[Sweep, ...]] = field(repr=False, compare=False)
+    cases: Callable[[], Sequence[Case]] = field(repr=False, compare=False)
     adds: bool = False
 
     @property
@@ -303,17 +306,18 @@ def _made(plan: Study, values: Sequence[Real], tell: Tell | None, *, close: bool
         orders=None if plan.orders is None else tuple(plan.orders),
         again=again,
         ends=tuple,
+        cases=lambda: plan.cases(values),
     )
 
 
 def check_watchable(*names: str) -> None:
     """Refuse names that are not in WATCHABLE. Raises SweepError."""
     for name in names:
-        if name not in WATCHABLE:
+        if name not in (*WATCHABLE, *GAS_WATCHABLE):
             raise SweepError(
                 "{quantity} cannot be computed in a sweep; choose from {quantities}",
                 quantity=one_line(name, longest=60),
-                quantities=", ".join(WATCHABLE),
+                quantities=", ".join((*WATCHABLE, *GAS_WATCHABLE)),
             )
 
 
@@ -324,6 +328,7 @@ def watched(sweep: Sweep, what: str, *, order: float | None = None) -> Curve:
     axis_moment (of the forces, about the crank axis), torque; .up, .right, the component that way;
     .forward, .backward, the vectors that turn with and against the crankshaft; couple.pitch and
     couple.yaw, the moments about the right and the up axis, as large as couple.up and couple.right.
+    Or one of GAS_WATCHABLE: what gas does at the load of each engine's file.
     All orders together over their period, or one `order`. Raises SweepError.
 
     >>> sweep = swept("single", over="balance_factor", values=[0, 0.5, 1])
@@ -343,6 +348,10 @@ def watched(sweep: Sweep, what: str, *, order: float | None = None) -> Curve:
             order=f"{order:g}",
             orders=", ".join(f"{each:g}" for each in sweep.orders),
         )
+    label = what if order is None else f"{what} of order {order:g}"
+    if what in GAS_WATCHABLE:
+        values, unit = gas_values(sweep.cases, what, order=order, shape=sweep.shape)
+        return Curve(what, order, values, unit, label)
     peaks = np.zeros(int(np.prod(sweep.shape)))
     for group in sweep.groups:
         spectrum = spectrum_of(group.sums, what)
@@ -352,7 +361,6 @@ def watched(sweep: Sweep, what: str, *, order: float | None = None) -> Curve:
         else:
             peaks[group.rows] = spectra.peaks(spectrum)
     unit = getattr(sweep.units, what.partition(".")[0], sweep.units.moment)
-    label = what if order is None else f"{what} of order {order:g}"
     return Curve(what, order, peaks.reshape(sweep.shape), unit, label)
 
 

@@ -1,0 +1,111 @@
+"""What gas does in each engine of a sweep: torque, roll, peak pressure, irregularity.
+
+Each is computed engine by engine, at the load of its file.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from math import prod
+
+import numpy as np
+
+from crankstar import spectra
+from crankstar.dynamics.uneven import UnevenError, driven
+from crankstar.engine.engine import Engine
+from crankstar.mechanics.balance import balance, total
+from crankstar.mechanics.gas import Cycle, cycle
+from crankstar.mechanics.gas_torque import added, gas_torque, roll_with_gas
+from crankstar.mechanics.operating_points import GasError
+from crankstar.spectra import Real, Spectrum
+from crankstar.studies.variants import SweepError
+
+MOST_CASES = 2000
+"""Engines of one sweep: some ten seconds."""
+Case = tuple[Engine, float | None]
+"""An engine and the speed at which it turns, rad/s."""
+
+
+def _mean_torque(engine: Engine, found: Cycle) -> float:  # noqa: ARG001 - all are made alike
+    return float(gas_torque(found).mean.sum())
+
+
+def _peak_pressure(engine: Engine, found: Cycle) -> float:  # noqa: ARG001
+    return found.peak
+
+
+def _irregularity(engine: Engine, found: Cycle) -> float:
+    try:
+        running = driven(engine, found)
+    except UnevenError as error:
+        raise SweepError(str(error)) from None
+    if running is None:
+        raise SweepError(
+            "the degree of irregularity needs speed, masses and flywheel: give speed, "
+            "cylinder.reciprocating_mass and drive.inertia"
+        )
+    return running.irregularity
+
+
+def torque_of(engine: Engine, found: Cycle) -> Spectrum:
+    """The torque of gas, and of inertia where speed and masses are known, N m."""
+    gas = gas_torque(found).total
+    result = balance(engine, speed=found.speed)
+    if found.speed is None or result.speed is None:
+        return gas
+    return added(total(result).torque, gas)
+
+
+def roll_of(engine: Engine, found: Cycle) -> Spectrum:
+    """The rolling moment where the driveline takes the torque, N m."""
+    gas = gas_torque(found).total
+    result = balance(engine, speed=found.speed)
+    if found.speed is None or result.speed is None:
+        return spectra.scaled(gas, -engine.sense)
+    return roll_with_gas(total(result), gas)
+
+
+_NUMBERS: dict[str, tuple[Callable[[Engine, Cycle], float], str]] = {
+    "mean_torque": (_mean_torque, "N*m"),
+    "peak_pressure": (_peak_pressure, "Pa"),
+    "irregularity": (_irregularity, ""),
+}
+_SPECTRA: dict[str, Callable[[Engine, Cycle], Spectrum]] = {
+    "gas_torque": torque_of,
+    "gas_roll": roll_of,
+}
+GAS_WATCHABLE = (*_SPECTRA, *_NUMBERS)
+"""Torque and roll of gas and inertia together, by order or their peak; the rest have no orders."""
+
+
+def gas_values(
+    cases: Callable[[], Sequence[Case]], what: str, *, order: float | None, shape: tuple[int, ...]
+) -> tuple[Real, str]:
+    """One of GAS_WATCHABLE for every case, and its unit. Raises SweepError."""
+    if prod(shape) > MOST_CASES:
+        raise SweepError(
+            "{count} values are too many for {what}, which is computed engine by engine; give at "
+            "most {most}",
+            count=prod(shape),
+            what=what,
+            most=MOST_CASES,
+        )
+    if order is not None and what in _NUMBERS:
+        raise SweepError("{what} has no orders; leave --orders out", what=what)
+    out: list[float] = []
+    for engine, speed in cases():
+        try:
+            found = cycle(engine, speed=speed)
+        except GasError as error:
+            raise SweepError(str(error)) from None
+        if what in _NUMBERS:
+            out.append(_NUMBERS[what][0](engine, found))
+            continue
+        spectrum = _SPECTRA[what](engine, found)
+        if order is None:
+            out.append(spectra.peak(spectrum).value)
+        else:
+            amplitude = spectra.amplitude(spectra.selected(spectrum, [order]))
+            out.append(float(np.abs(amplitude)[0]))
+    unit = _NUMBERS[what][1] if what in _NUMBERS else "N*m"
+    return np.array(out).reshape(shape), unit
