@@ -10,6 +10,7 @@
 | `title` | the data sheet, and what the verdict says besides the front page |
 | `front` | the front page for a reader in a hurry, and the contents |
 | `pages` | crankshaft, strokes, orders, vectors, derivations, comparison |
+| `gas` | the gas cycle, torque over it, how evenly the engine runs |
 | `bearings` | loads on the main bearings, bending of the crankshaft |
 | `whirling` | the paths of the crankshaft's ends in an unmounted engine |
 | `remedies` | counterweights and balance shafts: before and after |

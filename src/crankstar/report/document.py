@@ -12,6 +12,7 @@ from crankstar.language.messages import N_, _, language
 from crankstar.report import (
     bearings,
     front,
+    gas,
     lettering,
     numbering,
     pages,
@@ -31,6 +32,7 @@ PAGES: tuple[tuple[str, pages.Page], ...] = (
     (N_("Writing the orders ..."), pages.orders),
     (N_("Writing the vector stars and polygons ..."), pages.vectors),
     (N_("Writing the forces over the crank angle ..."), pages.over_the_turn),
+    (N_("Writing gas and torque ..."), gas.gas),
     (N_("Writing the loads on bearings ..."), bearings.bearings),
     (N_("Writing the free response ..."), whirling.free_response),
     (N_("Writing the remedies ..."), remedies.remedies),
