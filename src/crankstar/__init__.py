@@ -48,6 +48,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from crankstar.derive import derivation, family, signs
     from crankstar.dynamics.bearings import BearingLoads, Bending, bearing_loads, bending_moment
+    from crankstar.dynamics.uneven import Running, driven, flywheel_for
     from crankstar.dynamics.whirl import whirl
     from crankstar.engine.engine import Engine
     from crankstar.engine.records import Cylinder, Rod, Shaft, Throw, Weight
@@ -56,7 +57,10 @@ if TYPE_CHECKING:
     from crankstar.language.faults import EngineError
     from crankstar.mechanics.balance import Balance, balance, grouped, of_parts, total
     from crankstar.mechanics.excitation import Reference, Totals
+    from crankstar.mechanics.gas import Cycle, cycle
+    from crankstar.mechanics.gas_torque import GasTorque, gas_torque
     from crankstar.mechanics.mechanism import Mechanism
+    from crankstar.mechanics.side_thrust import SideThrust, side_thrust
     from crankstar.page.widget import widget
     from crankstar.remedy.counterweights import with_counterweights
     from crankstar.remedy.shafts import with_balance_shaft
@@ -68,6 +72,7 @@ __version__ = "0.1.0"
 
 _HOMES = {
     "dynamics.whirl": ("whirl",),
+    "dynamics.uneven": ("Running", "driven", "flywheel_for"),
     "dynamics.bearings": ("BearingLoads", "Bending", "bearing_loads", "bending_moment"),
     "derive": ("derivation", "family", "signs"),
     "engine.engine": ("Engine",),
@@ -77,7 +82,10 @@ _HOMES = {
     "language.faults": ("EngineError",),
     "mechanics.balance": ("Balance", "balance", "grouped", "of_parts", "total"),
     "mechanics.excitation": ("Reference", "Totals"),
+    "mechanics.gas": ("Cycle", "cycle"),
+    "mechanics.gas_torque": ("GasTorque", "gas_torque"),
     "mechanics.mechanism": ("Mechanism",),
+    "mechanics.side_thrust": ("SideThrust", "side_thrust"),
     "page.widget": ("widget",),
     "remedy.counterweights": ("with_counterweights",),
     "remedy.shafts": ("with_balance_shaft",),
@@ -92,14 +100,18 @@ __all__ = [
     "Balance",
     "BearingLoads",
     "Bending",
+    "Cycle",
     "Cylinder",
     "Engine",
     "EngineError",
     "EngineFileError",
+    "GasTorque",
     "Mechanism",
     "Reference",
     "Rod",
+    "Running",
     "Shaft",
+    "SideThrust",
     "Throw",
     "Totals",
     "Weight",
@@ -107,12 +119,17 @@ __all__ = [
     "bearing_loads",
     "bending_moment",
     "compare",
+    "cycle",
     "derivation",
+    "driven",
     "family",
+    "flywheel_for",
+    "gas_torque",
     "grouped",
     "load",
     "names",
     "of_parts",
+    "side_thrust",
     "signs",
     "sweep",
     "total",

@@ -20,7 +20,13 @@ from crankstar.engine.copies import with_values
 from crankstar.mechanics.excitation import Reference
 from crankstar.tables.comparison import told_apart
 
+BURNING = "audi-25-tfsi"
+"""An engine with bore and firing order, whose gas can be computed."""
+CYCLE = crankstar.cycle(BURNING, speed=300.0, imep=9e5)
 MORE: dict[str, dict[str, Any]] = {
+    "driven": {"cycle": CYCLE, "flywheel": 0.5},
+    "flywheel_for": {"cycle": CYCLE, "irregularity": 0.05},
+    "side_thrust": {"cycle": CYCLE},
     "derivation": {"order": 2},
     "family": {"order": 1, "quantity": "force", "symbol": "alpha"},
     "sweep": {"over": "balance_factor=0..1/3"},
@@ -28,6 +34,7 @@ MORE: dict[str, dict[str, Any]] = {
     "with_counterweights": {"factor": 0.5},
 }
 """What the functions need besides an engine."""
+GAS = ("cycle", "driven", "flywheel_for", "side_thrust")
 OWN = {"load", "names", "widget"}
 """They load engines themselves."""
 
@@ -67,7 +74,7 @@ def test_a_name_a_path_and_an_engine_give_the_same(name: str, tmp_path: Path) ->
     function, more = getattr(crankstar, name), MORE.get(name, {})
     if name in OWN:
         return
-    own = "single" if name == "with_balance_shaft" else "v2-90"
+    own = {"with_balance_shaft": "single", **dict.fromkeys(GAS, BURNING)}.get(name, "v2-90")
     place = tmp_path / f"{own}.toml"
     engine = crankstar.load(own)
     place.write_text(crankstar.files.toml(engine), encoding="utf-8")

@@ -22,7 +22,15 @@ from crankstar.language.quoting import given as quoted
 from crankstar.language.quoting import seen
 from crankstar.mechanics.balance import Balance
 from crankstar.mechanics.excitation import Reference
-from crankstar.options.numbers import check_number, check_place, is_number, orders, speed
+from crankstar.options.numbers import (
+    check_number,
+    check_place,
+    inertia,
+    is_number,
+    orders,
+    pressure,
+    speed,
+)
 
 Result = TypeVar("Result")
 READ_FILES = {"load", "widget"}
@@ -54,9 +62,12 @@ def read(function: Callable[..., Result]) -> Callable[..., Result]:
         if "result" in given:
             _check_balance(name, given["result"])
         _check_sweep(name, given)
+        _check_cycle(name, given)
         for argument, value in given.items():
             if argument in READERS and value is not None:
                 given[argument] = READERS[argument](value)
+            elif argument in MEASURED and value is not None:
+                given[argument] = MEASURED[argument](argument, value)
             elif argument in CHECKS:
                 CHECKS[argument](argument, value)
         if engine is not None:
@@ -191,6 +202,22 @@ def _check_sweep(function: str, given: Mapping[str, Any]) -> None:
         check_number("order", given["order"])
 
 
+def _check_cycle(function: str, given: Mapping[str, Any]) -> None:
+    """Raises TypeError for a cycle that is none."""
+    if "cycle" not in given:
+        return
+    from crankstar.mechanics.gas import Cycle
+
+    if not isinstance(given["cycle"], Cycle):
+        raise TypeError(
+            _(
+                "{function} takes a Cycle, as crankstar.cycle gives it, not {given}",
+                function=function,
+                given=_named(given["cycle"]),
+            )
+        )
+
+
 def _changes(given: Any) -> Mapping[str, Any]:
     """Values of an engine file by key path. Raises TypeError."""
     if isinstance(given, Mapping) and all(isinstance(key, str) for key in given):
@@ -292,6 +319,11 @@ def _check_flag(argument: str, given: Any) -> None:
         )
 
 
+MEASURED: Mapping[str, Callable[[str, Any], Any]] = {
+    **dict.fromkeys(("imep", "bmep", "peak_pressure"), pressure),
+    "flywheel": inertia,
+}
+"""The arguments that are quantities, by name: their readers."""
 READERS: Mapping[str, Callable[[Any], Any]] = {
     "speed": speed,
     "orders": orders,

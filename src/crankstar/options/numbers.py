@@ -8,7 +8,7 @@ from typing import Any
 
 from crankstar.engine.arguments import check_number as check_number  # with the other numbers
 from crankstar.engine.arguments import is_number as is_number
-from crankstar.engine.quantities import SPEED
+from crankstar.engine.quantities import INERTIA, PRESSURE, SPEED, Quantity
 from crankstar.language.faults import ValueFaultError
 from crankstar.language.messages import _
 from crankstar.language.quoting import given as quoted
@@ -56,6 +56,47 @@ def speed(given: Any) -> float | str:
             _(
                 "speed is {given}; it must be greater than 0 and that of an engine, such as "
                 '"6000 rpm"',
+                given=quoted(given),
+            )
+        )
+    return number
+
+
+def pressure(argument: str, given: Any) -> float:
+    """A pressure above nought, Pa, or text with its unit. Raises ValueError, TypeError."""
+    return _positive(argument, given, PRESSURE, "10 bar")
+
+
+def inertia(argument: str, given: Any) -> float:
+    """A moment of inertia above nought, kg m^2, or text. Raises ValueError, TypeError."""
+    return _positive(argument, given, INERTIA, "0.2 kg*m^2")
+
+
+def _positive(argument: str, given: Any, quantity: Quantity, example: str) -> float:
+    """A value above nought in SI, or text with its unit."""
+    if isinstance(given, str):
+        from crankstar.files import units
+
+        try:
+            number = units.si(given, quantity)
+        except ValueFaultError as error:
+            raise ValueError(error.at(argument)) from None
+    elif is_number(given):
+        number = float(given)
+    else:
+        raise TypeError(
+            _(
+                "{argument} takes a number in SI units or text such as {example}, not {given}",
+                argument=argument,
+                example=quoted(example),
+                given=quoted(given),
+            )
+        )
+    if not 0 < number < inf:
+        raise ValueError(
+            _(
+                "{argument} is {given}; it must be greater than 0",
+                argument=argument,
                 given=quoted(given),
             )
         )
