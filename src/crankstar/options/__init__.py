@@ -9,7 +9,7 @@
 | `names` | the option that an unknown name stands for |
 | `refusals` | requests that cannot be met |
 | `values` | speeds, orders, angles, points of reference, settings |
-| `gas` | cylinders that are off, a degree of irregularity, mean pressures |
+| `gas` | a degree of irregularity, mean effective pressures |
 | `remedies` | weights, what they minimise, balance shafts |
 | `workshop` | a drill, a measured unbalance, a grade, as a balancing shop types them |
 | `numbers` | numbers of the public functions as people give them: speeds, orders, places |

@@ -13,7 +13,6 @@ from crankstar.files import units
 from crankstar.language.messages import N_, _
 from crankstar.options import values as request
 from crankstar.options.forms import PICTURES, form_of, refuse_terminal, require
-from crankstar.options.gas import cylinders_off
 from crankstar.options.values import refusal
 
 GREATEST_ANGLES = 24
@@ -107,7 +106,7 @@ def options(
     if point is not None:
         out["point"] = point
     if off is not None:
-        out["off"] = cylinders_off(off)
+        out["off"] = request.cylinders_off(off)
     return out
 
 

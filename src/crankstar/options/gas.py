@@ -1,4 +1,4 @@
-"""What is asked of the gas: cylinders that are off, a degree of irregularity, mean pressures."""
+"""What is asked of the gas: a degree of irregularity, mean effective pressures."""
 
 from __future__ import annotations
 
@@ -12,14 +12,6 @@ from crankstar.options.values import refusal
 MOST_LOADS = 12
 """Columns of a table of harmonics."""
 LEAST_IRREGULARITY, GREATEST_IRREGULARITY = 1e-4, 1.0
-
-
-def cylinders_off(text: str | None) -> tuple[int, ...]:
-    """The numbers of --off, with commas. Raises RequestError."""
-    parts = request.listed(text)
-    if any(not part.isdecimal() or len(part) > 4 for part in parts) or (text and not parts):
-        raise refusal("--off", text or "", "give numbers of cylinders, as in 2,3")
-    return tuple(dict.fromkeys(int(part) for part in parts))
 
 
 def degree_of_irregularity(text: str | None) -> float | None:
