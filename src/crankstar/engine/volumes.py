@@ -86,3 +86,26 @@ def volumes(engine: Assembly, count: int) -> Volumes:
         whole.max(axis=-1),
         cycle,
     )
+
+
+def piston_rates(engine: Assembly, count: int) -> Real:
+    """The share of each piston in V' [cylinder, sample], m^3/rad; its chamber's are their sum.
+
+    At `count` equal steps of a cycle from the dead centre of its chamber.
+
+    >>> from crankstar.files.catalog import load
+    >>> shares = piston_rates(load("jumo-205"), 720)[[0, 6]]  # both pistons of chamber 1
+    >>> bool(np.allclose(shares.sum(axis=0), volumes(load("jumo-205"), 720).rate[0], atol=1e-9))
+    True
+    """
+    centres = dead_centres(engine)
+    links, place, lag, ratio = pistons(engine)
+    area = np.array([pi / 4 * (c.bore or 0.0) ** 2 for c in engine.cylinders])
+    step = np.arange(count) * (radians(engine.cycle_angle) / count)
+    rates = np.zeros((len(engine.cylinders), count))
+    for number, own in engine.chambers.items():
+        theta = step + radians(centres[number].angle_deg)
+        for cylinder in own:
+            index = place[cylinder.number]
+            rates[index] = -outward(links, [index], theta, lag, ratio, area)[1]
+    return rates

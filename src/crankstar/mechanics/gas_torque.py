@@ -23,6 +23,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from crankstar import spectra
+from crankstar.engine.engine import Engine
+from crankstar.engine.volumes import piston_rates
 from crankstar.mechanics.excitation import Totals, rolling_moment
 from crankstar.mechanics.gas import Cycle
 from crankstar.spectra import Complex, Real, Spectrum
@@ -85,11 +87,41 @@ def over_cycle(cycle: Cycle, count: int = 1440) -> Real:
 
     The samples are moved by the firing angle as sums of harmonics, so that no angle is favoured.
     """
-    samples = chamber_torque(cycle)
+    places = cycle.volumes
+    return _delayed(chamber_torque(cycle), places.fires * (2 * np.pi / places.cycle), count)
+
+
+def crankshaft_torque(engine: Engine, cycle: Cycle, count: int = 1440) -> Real:
+    """The gas torque on each shaft, N m [shaft, angle], at equal steps of the crank from 0.
+
+    A chamber whose pistons work on several crankshafts gives each of them (p - p_0) times the share
+    of its own pistons in V'. Positive in the direction in which the shaft turns.
+
+    >>> from crankstar.files.catalog import load
+    >>> from crankstar.mechanics.gas import cycle
+    >>> upper, lower = crankshaft_torque(load("jumo-205"), cycle(load("jumo-205"))).mean(axis=-1)
+    >>> bool(upper > lower)  # the upper crankshaft leads
+    True
+    """
+    places = cycle.volumes
+    row = {number: index for index, number in enumerate(places.numbers)}
+    chamber = [row[cylinder.chamber or cylinder.number] for cylinder in engine.cylinders]
+    rates = piston_rates(engine, cycle.pressure.shape[-1])
+    samples = (cycle.pressure[chamber] - cycle.crankcase) * rates
+    torque = _delayed(samples, places.fires[chamber] * (2 * np.pi / places.cycle), count)
+    owner = [cylinder.shaft for cylinder in engine.cylinders]
+    return np.array(
+        [torque[[name == shaft.name for name in owner]].sum(axis=0) for shaft in engine.shafts]
+    )
+
+
+def _delayed(samples: Real, phase: Real, count: int) -> Real:
+    """Periodic samples [row, sample] later by a phase, radians of the period, at `count` steps."""
     numbers = np.arange((count + 1) // 2)  # the harmonics that so many angles tell apart
-    turn = np.exp(-1j * numbers * (2 * np.pi / cycle.volumes.cycle) * cycle.volumes.fires[:, None])
-    waves = np.fft.rfft(samples, axis=-1)[:, : numbers.size] * turn
-    return np.fft.irfft(waves, n=count, axis=-1) * (count / samples.shape[-1])
+    waves = np.fft.rfft(samples, axis=-1)[:, : numbers.size]
+    return np.fft.irfft(waves * np.exp(-1j * numbers * phase[:, None]), n=count, axis=-1) * (
+        count / samples.shape[-1]
+    )
 
 
 def with_gas(sums: Totals, gas: Spectrum) -> Totals:

@@ -20,11 +20,13 @@ from crankstar.engine import motion
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.excitation import part_spectra
 from crankstar.mechanics.mechanism import Mechanism, mechanism
-from crankstar.spectra import Real
+from crankstar.spectra import Real, Spectrum
 
 
 def mean_inertia(machine: Mechanism) -> float:
     """The mean of J over a turn of each shaft, kg m^2, without flywheel and bare crankshaft.
+
+    Without what turns with the throws as well (`throw_inertia`).
 
     A light rod: half the reciprocating mass, and a little more, at the crank radius.
 
@@ -34,6 +36,11 @@ def mean_inertia(machine: Mechanism) -> float:
     >>> round(mean_inertia(mechanism(engine)) / whole, 3)
     0.514
     """
+    return float(_mean_inertias(machine).sum())
+
+
+def _mean_inertias(machine: Mechanism) -> Real:
+    """The mean of J of the parts of each cylinder, kg m^2 [cylinder]."""
     moved = motion.resolved(machine.links)
     ratio = np.array([above / below for above, below in machine.ratios])
     squared = ratio[[*machine.cylinder_shaft]] ** 2
@@ -51,27 +58,55 @@ def mean_inertia(machine: Mechanism) -> float:
         + machine.rod_inertia * mean(moved.direction)
         + machine.big_end_mass * mean(moved.big_end)
     )
-    return float((squared * own).sum())
+    return squared * own
 
 
 def throw_inertia(engine: Engine) -> float:
     """M r^2 of what hangs on the pins and is turned with the throws, kg m^2."""
-    return sum(
-        float(shaft.speed_ratio) ** 2 * throw.turning_mass * throw.radius**2
-        for shaft in engine.shafts
-        for throw in shaft.throws
+    return float(_throw_inertias(engine).sum())
+
+
+def _throw_inertias(engine: Engine) -> Real:
+    """The same of each shaft, kg m^2 [shaft]."""
+    return np.array(
+        [
+            float(shaft.speed_ratio) ** 2
+            * sum(throw.turning_mass * throw.radius**2 for throw in shaft.throws)
+            for shaft in engine.shafts
+        ]
     )
 
 
 def inertia(engine: Engine, theta: Real) -> Real:
     """J at crank angles theta (radians), kg m^2 [angle], without flywheel and bare crankshaft."""
+    return inertias(engine, theta).sum(axis=0)
+
+
+def inertias(engine: Engine, theta: Real) -> Real:
+    """The share of each shaft in J, kg m^2 [shaft, angle]: that of the parts it moves.
+
+    >>> from crankstar.files.catalog import load
+    >>> inertias(load("kr250-racer"), np.array([0.0, 1.0])).shape
+    (2, 2)
+    """
     machine = mechanism(engine)
-    torque = spectra.total(part_spectra(machine).torque)
-    amplitude = spectra.amplitude(torque)
+    torque = shaft_torque(machine)
     # J' = -2 torque, term by term
-    wave = -2 * amplitude / (1j * torque.orders)
-    change = np.real(np.exp(1j * np.outer(np.asarray(theta), torque.orders)) @ wave)
-    return mean_inertia(machine) + throw_inertia(engine) + change
+    wave = -2 * spectra.amplitude(torque) / (1j * torque.orders)
+    change = np.real(np.exp(1j * np.outer(np.asarray(theta), torque.orders)) @ wave.T).T
+    mean = _throw_inertias(engine)
+    np.add.at(mean, np.array(machine.cylinder_shaft), _mean_inertias(machine))
+    return mean[:, None] + change
+
+
+def shaft_torque(machine: Mechanism) -> Spectrum:
+    """The inertia torque on each shaft at 1 rad/s, N m [shaft, order]."""
+    parts = part_spectra(machine).torque
+    bodies = (len(parts.forward) - len(machine.rotor_shaft)) // len(machine.cylinder_shaft)
+    owner = np.array([*machine.cylinder_shaft] * bodies + [*machine.rotor_shaft])
+    return spectra.stacked(
+        [spectra.total(parts[owner == index]) for index in range(len(machine.ratios))]
+    )
 
 
 def samples_over(engine: Engine, count: int) -> Real:
