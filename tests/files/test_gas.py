@@ -113,6 +113,11 @@ def test_each_mistake_of_a_cycle_has_its_sentence(gas: dict[str, Any], code: str
         ({"load_angle": ["0 deg"], "load_torque": []}, "drive.lengths"),
         ({"load_angle": ["0 deg", "9 deg"], "load_torque": [1, -1]}, "drive.no-load"),
         ({"load_angle": ["9 deg", "0 deg"], "load_torque": [1, 1]}, "drive.angles"),
+        ({"output": "rear"}, "drive.no-such-crankshaft"),
+        ({"output": "crank", "gearing": "output"}, "drive.output-and-gears"),
+        ({"inertia_shares": [0.5, 0.5]}, "drive.shares"),
+        ({"gearing": "chain"}, "choice"),
+        ({"inertia_shares": [1.1]}, "at-most"),
     ],
 )
 def test_each_mistake_of_a_drive_has_its_sentence(drive: dict[str, Any], code: str) -> None:
@@ -316,6 +321,65 @@ def test_a_spreadsheet_holds_the_cycle_the_orders_and_the_speed(
     assert cells["degree of irregularity"] == pytest.approx(told["irregularity"])
     second = next(row for row in told["orders"] if row["order"] == 2.0)
     assert cells[2] == pytest.approx(float(np.hypot(*second["gas"])))
+
+
+RACER = ("kr250-racer", "--imep", "9 bar")
+
+
+def test_the_gears_of_two_crankshafts_are_told_with_the_flywheel_here_and_there(run: Run) -> None:
+    alike, with_load = torque(run, *RACER)["meshes"]
+    assert (alike["crankshaft"], alike["onto"], alike["idler"]) == ("rear", "front", False)
+    assert (alike["inertia_share"], with_load["inertia_share"]) == (0.5, 0.0)
+    assert alike["force"] == pytest.approx(alike["greatest"] / 0.045)
+    assert alike["reversals"] == len(alike["reversals_deg"]) == 2
+    assert alike["mean"] == pytest.approx(torque(run, *RACER)["mean_torque"] / 2)
+    shown = run("torque", *RACER).out
+    assert "Gears between crankshafts" in shown
+    assert "drive.inertia_shares gives it" in " ".join(shown.split())
+    assert "meshes" not in torque(run, "parallel-twin-180", "--imep", "9 bar")
+
+
+def test_a_drive_says_where_the_load_is_and_how_the_inertia_is_shared(run: Run) -> None:
+    shares = ("--set", "drive.inertia_shares=[0.2, 0.3]")
+    (mesh,) = torque(run, *RACER, *shares)["meshes"]
+    assert mesh["inertia_share"] == 0.3
+    (mesh,) = torque(run, *RACER, *shares, "--set", "drive.output=rear")["meshes"]
+    assert (mesh["crankshaft"], mesh["inertia_share"]) == ("front", 0.2)
+    output = ("--set", "drive.gearing=output", "--set", "drive.pitch_radius=30 mm")
+    front, rear = torque(run, *RACER, *shares, *output)["meshes"]
+    assert (front["onto"], rear["onto"], front["pitch_radius"]) == (None, None, 30.0)
+    shown = " ".join(run("torque", *RACER, *shares, *output).out.split())
+    assert "the output" in shown
+    assert "is assumed" not in shown.split("Gears")[1].split("Pressure")[0]
+    assert "too great" not in run("check", "kr250-racer").err
+    refused = run("torque", *RACER, "--set", "drive.inertia_shares=[0.6, 0.6]").err
+    assert "adds up to 1.2" in " ".join(refused.split())
+
+
+def test_the_gears_follow_the_varying_speed_where_the_flywheel_is_known(run: Run) -> None:
+    words = (*RACER, "--speed", "3000 rpm", "--set", "cylinder.reciprocating_mass=400 g")
+    linear, exact = (
+        torque(run, *words, *flywheel)["meshes"][0]
+        for flywheel in ((), ("--flywheel", "0.03 kg*m^2"))
+    )
+    assert exact["mean"] == pytest.approx(linear["mean"])
+    assert exact["greatest"] == pytest.approx(linear["greatest"], rel=0.05)
+    assert exact["greatest"] != pytest.approx(linear["greatest"], rel=1e-4)
+
+
+def test_the_gears_are_in_the_spreadsheet(run: Run, tmp_path: Path) -> None:
+    assert run("torque", *RACER, "-o", str(tmp_path / "t.xlsx")).code == 0
+    sheets = [*openpyxl.load_workbook(tmp_path / "t.xlsx").worksheets]
+    rows = [row for sheet in sheets for row in sheet.iter_rows(values_only=True)]
+    alike = next(row for row in rows if row[0] == "rear")
+    work = torque(run, *RACER)["meshes"][0]["work"]
+    assert any(isinstance(cell, float) and cell == pytest.approx(work) for cell in alike)
+
+
+def test_a_drive_with_gears_is_the_same_written_and_read_back() -> None:
+    drive = {"output": "crank", "inertia_shares": [0.5], "pitch_radius": "45 mm"}
+    engine = engine_of(spoilt(SHORT, drive=drive))
+    assert engine_of(tree_of(toml(engine))).drive == engine.drive
 
 
 def written(tmp_path: Path, text: str) -> str:

@@ -291,7 +291,8 @@ NO_TERMS = {
     *("number", "place", "share", "speed_rpm", "{engine}, of the first"),
     *("order {order}", "amplitude", "result", "alike", "torque by order"),
     *("each cylinder", "cylinders {numbers}", "moves", "whole", "measured"),
-    *("theta_deg", "mean", "forward", "backward", "{quantity} forward", "{quantity} backward"),
+    *("theta_deg", "mean", "least", "forward", "backward"),
+    *("{quantity} forward", "{quantity} backward"),
 }
 """Headings that are plain words."""
 

@@ -6,6 +6,7 @@
 | `bearings` | loads on main bearings and crank pins, the bending moment along a crankshaft |
 | `uneven` | the speed of the crankshaft over a cycle, and the flywheel that evens it |
 | `uneven_forces` | what the uneven speed changes in force and couple |
+| `meshes` | what the gears between crankshafts pass on over a cycle |
 | `whirl` | shift, tilt and turn of the free rigid engine, order by order |
 | `sound` | the exhaust as a sound: equal pulses through plain pipes |
 """

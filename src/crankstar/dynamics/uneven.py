@@ -56,7 +56,7 @@ class Running:
     """A cycle of steady running [angle]: crank angle (rad), speed (rad/s), torques (N m).
 
     `irregularity` is (max - min)/mean of the speed, `linear` its estimate; `fluctuation` the
-    greatest change of kinetic energy (J); `inertia` the mean J with flywheel, kg m^2.
+    greatest change of kinetic energy (J); `inertia` the mean J with `flywheel`, kg m^2.
 
     >>> from crankstar import cycle, load
     >>> five = load("audi-25-tfsi")
@@ -74,6 +74,7 @@ class Running:
     linear: float
     fluctuation: float
     inertia: float
+    flywheel: float
 
 
 def running(
@@ -130,6 +131,7 @@ def running(
         linear=fluctuation / (mean * speed**2),
         fluctuation=fluctuation,
         inertia=mean,
+        flywheel=flywheel,
     )
 
 
@@ -213,9 +215,16 @@ def driven(engine: Engine, cycle: Cycle, *, flywheel: float | None = None) -> Ru
     own = drive.inertia if flywheel is None else flywheel
     if own is None or cycle.speed is None or not {"mass", "radius"}.isdisjoint(engine.relative):
         return None
-    course = None
-    if drive.load_torque:
-        theta = samples_over(engine, SAMPLES)
-        period = float(SAMPLES * (theta[1] - theta[0]))
-        course = np.interp(theta, drive.load_angle, drive.load_torque, period=period)
-    return running(engine, cycle, flywheel=own, exponent=drive.load_exponent, course=course)
+    return running(
+        engine, cycle, flywheel=own, exponent=drive.load_exponent, course=load_course(engine)
+    )
+
+
+def load_course(engine: Engine) -> Real | None:
+    """How the load of the engine file goes over the cycle [angle], None where it is steady."""
+    drive = engine.drive
+    if drive is None or not drive.load_torque:
+        return None
+    theta = samples_over(engine, SAMPLES)
+    period = float(SAMPLES * (theta[1] - theta[0]))
+    return np.interp(theta, drive.load_angle, drive.load_torque, period=period)

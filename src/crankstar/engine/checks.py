@@ -39,7 +39,11 @@ def faults(engine: Assembly) -> Iterator[Fault]:
     yield from _firing_faults(engine)
     yield from valves.faults(engine.valves, cycle=engine.cycle, chambers=engine.chambers)
     yield from gas_checks.faults(engine.gas, cycle=engine.cycle, chambers=engine.chambers)
-    yield from gas_checks.drive_faults(engine.drive, cycle=engine.cycle)
+    yield from gas_checks.drive_faults(
+        engine.drive,
+        cycle=engine.cycle,
+        crankshafts=[shaft.name for shaft in engine.shafts if shaft.throws],
+    )
     yield from main_bearings.faults(engine)
     yield from _block_faults(engine.block)
     if len(set(engine.relative)) != len(engine.relative):

@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 from pydantic import Field
 
 from crankstar.engine.cylinder_parts import Record
-from crankstar.engine.quantities import Angle, Inertia, Number
+from crankstar.engine.quantities import Angle, Inertia, Line, Number, Size
 
 Exponent = Annotated[Number, Field(ge=-2, le=4)]
+Share = Annotated[Number, Field(ge=0, le=1)]
+Gearing = Literal["crankshafts", "output"]
 GREATEST_LOAD = 20_000
+GREATEST_CRANKSHAFTS = 16
 
 
 class Drive(Record):
-    """Flywheel and load: how evenly an engine runs.
+    """Flywheel and load, how evenly an engine runs; gears between its crankshafts.
 
     >>> Drive(inertia=0.25).load_exponent
     0.0
@@ -46,4 +49,32 @@ class Drive(Record):
         default=(),
         max_length=GREATEST_LOAD,
         description="how the load goes over the cycle, in any unit: a pump, a press",
+    )
+    output: Line | None = Field(
+        default=None,
+        description="name of the crankshaft that drives the load; the first if left out",
+    )
+    gearing: Gearing = Field(
+        default="crankshafts",
+        description=(
+            "how several crankshafts are geared: crankshafts, with each other, by an idler where "
+            "they turn the same way; output, each with gears of the output, which is none of them"
+        ),
+    )
+    inertia_shares: tuple[Share, ...] = Field(
+        default=(),
+        max_length=GREATEST_CRANKSHAFTS,
+        examples=[[0.5, 0.5]],
+        description=(
+            "share of `inertia` that turns on each crankshaft, in their order; the rest is with "
+            "the load; if left out, alike and none with the load"
+        ),
+    )
+    pitch_radius: Size | None = Field(
+        default=None,
+        description=(
+            "of the gear wheels on the crankshafts; half the distance of two that mesh directly "
+            "if left out"
+        ),
+        examples=["45 mm"],
     )

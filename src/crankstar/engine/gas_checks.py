@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from itertools import pairwise
 from math import degrees, pi, radians
 
@@ -86,9 +86,34 @@ def _friction_faults(gas: Gas) -> Iterator[Fault]:
         yield Fault(("gas", "friction"), "gas.friction-twice")
 
 
-def drive_faults(drive: Drive | None, *, cycle: Cycle) -> Iterator[Fault]:
-    """What is wrong with the load of an engine over its cycle."""
-    if drive is None or not (drive.load_angle or drive.load_torque):
+def drive_faults(
+    drive: Drive | None, *, cycle: Cycle, crankshafts: Sequence[str]
+) -> Iterator[Fault]:
+    """What is wrong with load and gears of an engine with crankshafts of these names."""
+    if drive is None:
+        return
+    yield from _gear_faults(drive, crankshafts)
+    yield from _course_faults(drive, cycle)
+
+
+def _gear_faults(drive: Drive, crankshafts: Sequence[str]) -> Iterator[Fault]:
+    """An output that is no crankshaft, or is none and one; shares of more than there is."""
+    if drive.output is not None and drive.gearing == "output":
+        yield Fault(("drive", "output"), "drive.output-and-gears")
+    elif drive.output is not None and drive.output not in crankshafts:
+        values = {"name": drive.output, "names": ", ".join(crankshafts)}
+        yield Fault(("drive", "output"), "drive.no-such-crankshaft", values)
+    shares = drive.inertia_shares
+    if shares and len(shares) != len(crankshafts):
+        values = {"count": len(shares), "crankshafts": len(crankshafts)}
+        yield Fault(("drive", "inertia_shares"), "drive.shares", values)
+    elif sum(shares) > 1 + _SLACK:
+        yield Fault(("drive", "inertia_shares"), "drive.too-great-shares", {"sum": sum(shares)})
+
+
+def _course_faults(drive: Drive, cycle: Cycle) -> Iterator[Fault]:
+    """A load that does not go over the cycle, or takes nothing."""
+    if not (drive.load_angle or drive.load_torque):
         return
     angle, whole = drive.load_angle, 2 * pi if cycle == "two-stroke" else 4 * pi
     if len(angle) != len(drive.load_torque):

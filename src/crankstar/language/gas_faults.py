@@ -85,6 +85,16 @@ SENTENCES: dict[str, str | Plural] = {
     "drive.lengths": N_("{where} has {count} values for {angles} angles; give as many"),
     "drive.no-load": N_("{where} takes no work over the cycle; its mean is above 0"),
     "drive.angles": N_("{where} ascends within one cycle of {cycle} deg"),
+    "drive.output-and-gears": N_(
+        '{where} is given, and with gearing = "output" no crankshaft is the output: leave one out'
+    ),
+    "drive.no-such-crankshaft": N_("{where} is {name}; give one of the crankshafts: {names}"),
+    "drive.shares": N_(
+        "{where} has {count} values; give one for each crankshaft, {crankshafts} in all"
+    ),
+    "drive.too-great-shares": N_(
+        "{where} adds up to {sum}; the shares of all crankshafts add up to 1 at most"
+    ),
     "trace.too-few": N_(
         "{where} has {count} samples; a trace needs at least {least} over its cycle"
     ),

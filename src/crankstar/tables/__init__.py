@@ -39,6 +39,7 @@
 | `cures` | what removes the remaining forces and couples |
 | `roll_cures` | the rolling moment that is left, and what would remove it |
 | `torque_parts` | side thrust, uneven forces and handbook harmonics |
+| `meshes` | gears between crankshafts: what each mesh passes on |
 | `torque` | gas torque by order, the cycle and what is assumed, uneven running |
 | `turning` | what turns with the crankshaft: moving parts, weights of the file, new ones |
 | `placings` | the places of balance shafts, and what they leave of the roll |

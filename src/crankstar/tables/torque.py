@@ -1,4 +1,4 @@
-"""Gas torque as tables: the cycle and what is assumed, torque by order, uneven running."""
+"""Gas torque as tables: the cycle and what is assumed, by order; gears, uneven running."""
 
 from __future__ import annotations
 
@@ -28,6 +28,7 @@ from crankstar.mechanics.side_thrust import side_thrust
 from crankstar.spectra import Complex, Real, Spectrum
 from crankstar.tables.conditions import unverified_gas
 from crankstar.tables.headings import heading
+from crankstar.tables.meshes import mesh_table
 from crankstar.tables.table import ROW_UNIT, Column, Document, Table, Value, remarks
 from crankstar.tables.torque_parts import (
     changes_table,
@@ -147,7 +148,9 @@ def torque_document(
     own = of_any(("torque", engine.name), _shown(waves, machine=machine))
     shown = tuple(orders) if orders else tuple(sorted(own))
     table = order_table(waves, shown, machine=machine)
-    more = [side_thrust_table(side_thrust(engine, cycle))]
+    gears = mesh_table(engine, cycle, running=running)
+    more = [] if gears is None else [gears]
+    more.append(side_thrust_table(side_thrust(engine, cycle)))
     notes = _notes(engine, cycle, waves)
     if running is not None:
         changed = changes_table(engine, running)

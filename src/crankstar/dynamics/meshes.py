@@ -1,0 +1,297 @@
+"""Gears between crankshafts: the torque that each mesh passes on over a cycle, and its reversals.
+
+Each crankshaft i is a body: gas gives it T_g, its own pistons and rods change their energy, and it
+shares the speed w of all. What it does not keep goes through its gears,
+
+    M_i = T_g,i - d/dtheta (J_i w^2/2)                  N m, positive where i drives
+
+with J_i the inertia of all that it turns. A mesh passes on the sum over the crankshafts beyond it,
+seen from the load. Where no inertia is known, the same to first order in the unevenness: with
+T_i = T_g,i + inertia torque at the mean speed, T their sum, T_L the load,
+
+    M_i = T_i - s_i (T - T_L)
+
+s_i being the share of i in the whole inertia: what is missing or in excess at the load is taken
+from, or kept by, all that turns, each body by its share. So the flywheel decides: with all of it at
+the load (s_i = 0), M_i = T_i, whatever the other crankshafts do.
+
+Gears are rigid and without friction, which counts with the load; their backlash is small.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from crankstar import spectra
+from crankstar.dynamics.uneven import SAMPLES, Running, load_course
+from crankstar.engine.drive import Drive
+from crankstar.engine.engine import Engine
+from crankstar.engine.records import Shaft
+from crankstar.mechanics.gas import Cycle
+from crankstar.mechanics.gas_torque import crankshaft_torque
+from crankstar.mechanics.kinetic import inertias, samples_over, shaft_torque
+from crankstar.mechanics.mechanism import mechanism
+from crankstar.spectra import Real
+
+NOTHING = 1e-9
+"""Share of the torque of the crankshafts beyond a mesh below which it passes on nothing."""
+
+
+@dataclass(frozen=True)
+class Wheel:
+    """The wheel of a crankshaft and what it meshes with: a crankshaft, or None for the output's.
+
+    `beyond` are the crankshafts whose torque passes through, itself first; by an `idler` where both
+    turn the same way; `pitch_radius` (m) where it is known.
+    """
+
+    crankshaft: str
+    onto: str | None
+    beyond: tuple[str, ...]
+    idler: bool
+    pitch_radius: float | None
+
+
+@dataclass(frozen=True)
+class Mesh:
+    """A mesh over a cycle: `torque` [angle] in N m on the crankshaft of its wheel.
+
+    Positive where that crankshaft drives; `theta` [angle] from 0, radians; `share` of the inertia
+    beyond it; `work_share`, the share of its torque in that of the engine, mean by mean; `scale`,
+    the greatest torque (N m) of the crankshafts beyond.
+    """
+
+    wheel: Wheel
+    share: float
+    theta: Real
+    torque: Real
+    work_share: float | None
+    scale: float
+
+    @property
+    def mean(self) -> float:
+        """The mean torque, N m."""
+        return float(self.torque.mean())
+
+    @property
+    def least(self) -> tuple[float, float]:
+        """The least torque (N m) and its crank angle (radians)."""
+        place = int(np.argmin(self.torque))
+        return float(self.torque[place]), float(self.theta[place])
+
+    @property
+    def greatest(self) -> tuple[float, float]:
+        """The greatest torque (N m) and its crank angle (radians)."""
+        place = int(np.argmax(self.torque))
+        return float(self.torque[place]), float(self.theta[place])
+
+    @property
+    def force(self) -> float | None:
+        """The greatest tangential force on the teeth, N; None where the pitch radius is unknown."""
+        radius = self.wheel.pitch_radius
+        return None if radius is None else float(np.abs(self.torque).max()) / radius
+
+    @property
+    def work(self) -> float:
+        """What passes through the teeth in both directions, J per cycle: integral of |M|.
+
+        The faces in contact slide alike every turn, so that it is a measure of wear.
+        """
+        step = float(self.theta[1] - self.theta[0])
+        return float(np.abs(self.torque).sum()) * step
+
+    @property
+    def driving(self) -> float:
+        """The share of the cycle in which the crankshaft drives what it is geared to."""
+        return float((self.torque > NOTHING * self.scale).mean())
+
+    @cached_property
+    def reversals(self) -> tuple[float, ...]:
+        """The crank angles (radians) at which contact goes to the other flanks of the teeth."""
+        sign = np.sign(np.where(np.abs(self.torque) > NOTHING * self.scale, self.torque, 0.0))
+        place = np.flatnonzero(sign)
+        if not place.size:
+            return ()
+        after = np.roll(place, -1)
+        changes = sign[place] != sign[after]
+        step = float(self.theta[1] - self.theta[0])
+        period = step * self.theta.size
+        found: list[float] = []
+        for a, b in zip(place[changes], after[changes], strict=True):
+            apart = (b - a) % self.theta.size * step
+            part = self.torque[a] / (self.torque[a] - self.torque[b])
+            found.append(float((self.theta[a] + part * apart) % period))
+        return tuple(sorted(found))
+
+
+def crankshafts(engine: Engine) -> tuple[Shaft, ...]:
+    """The shafts with throws: balance shafts pass on no torque at a steady speed."""
+    return tuple(shaft for shaft in engine.shafts if shaft.throws)
+
+
+def wheels(engine: Engine) -> tuple[Wheel, ...]:
+    """How the crankshafts are geared to the load, by the table `[drive]`; empty for one crankshaft.
+
+    Geared with each other, each meshes with the nearest of those that are nearer to the load, and
+    of equally near ones with one that turns the other way, so that no idler is needed.
+
+    >>> from crankstar.files.catalog import load
+    >>> (wheel,) = wheels(load("kr250-racer"))
+    >>> wheel.crankshaft, wheel.onto, wheel.idler, wheel.pitch_radius
+    ('rear', 'front', False, 0.045)
+    """
+    cranks, drive = crankshafts(engine), engine.drive or Drive()
+    if len(cranks) < 2:
+        return ()
+    if drive.gearing == "output":
+        return tuple(
+            Wheel(shaft.name, None, (shaft.name,), False, drive.pitch_radius) for shaft in cranks
+        )
+    root = next((shaft for shaft in cranks if shaft.name == drive.output), cranks[0])
+    joined, pairs = [root], []
+    waiting = [shaft for shaft in cranks if shaft is not root]
+    while waiting:
+        shaft, onto = min(
+            ((one, other) for one in waiting for other in joined), key=lambda pair: _order(*pair)
+        )
+        pairs.append((shaft, onto))
+        joined.append(shaft)
+        waiting.remove(shaft)
+    known = "radius" not in engine.relative
+    return tuple(
+        Wheel(
+            shaft.name,
+            onto.name,
+            _beyond(shaft.name, [(one.name, other.name) for one, other in pairs]),
+            _alike(shaft, onto),
+            drive.pitch_radius
+            or (_distance(shaft, onto) / 2 or None if known and not _alike(shaft, onto) else None),
+        )
+        for shaft, onto in pairs
+    )
+
+
+def _order(shaft: Shaft, other: Shaft) -> tuple[float, bool]:
+    return round(_distance(shaft, other), 6), _alike(shaft, other)
+
+
+def _alike(shaft: Shaft, other: Shaft) -> bool:
+    """Whether both turn the same way."""
+    return shaft.speed_ratio * other.speed_ratio > 0
+
+
+def _distance(shaft: Shaft, other: Shaft) -> float:
+    return abs(complex(shaft.up - other.up, shaft.right - other.right))
+
+
+def _beyond(name: str, pairs: Sequence[tuple[str, str]]) -> tuple[str, ...]:
+    """A crankshaft and all that are geared to the load through it."""
+    nearer = [one for one, other in pairs if other == name]
+    return (name, *(shaft for one in nearer for shaft in _beyond(one, pairs)))
+
+
+def shares(engine: Engine, *, with_load: bool = False) -> tuple[float, ...]:
+    """The share of each crankshaft in the inertia: as the file says, else alike.
+
+    Or none at all, where it is all `with_load`.
+    """
+    cranks, drive = crankshafts(engine), engine.drive or Drive()
+    if with_load:
+        return (0.0,) * len(cranks)
+    return drive.inertia_shares or (1 / len(cranks),) * len(cranks)
+
+
+def meshes(
+    engine: Engine,
+    cycle: Cycle,
+    *,
+    running: Running | None = None,
+    inertia_shares: Sequence[float] | None = None,
+) -> tuple[Mesh, ...]:
+    """Every mesh over a cycle, N m; exact where the varying speed is given as `running`.
+
+    `inertia_shares` stand before those of the file. Empty for an engine with one crankshaft.
+
+    >>> from crankstar.files.catalog import load
+    >>> from crankstar.mechanics.gas import cycle
+    >>> engine = load("kr250-racer-simultaneous")
+    >>> (mesh,) = meshes(engine, cycle(engine))
+
+    Crankshafts that are alike in all speed up and slow down together: half of the load goes through
+    the gears, all the time.
+
+    >>> bool(np.ptp(mesh.torque) < 1e-9 * mesh.mean), round(mesh.work_share, 9)
+    (True, 0.5)
+    """
+    links = wheels(engine)
+    if not links:
+        return ()
+    cranks = crankshafts(engine)
+    parts = shares(engine) if inertia_shares is None else tuple(inertia_shares)
+    theta = samples_over(engine, SAMPLES)
+    gas = crankshaft_torque(engine, cycle, SAMPLES)[_rows(engine)]
+    own = gas + _inertia_torque(engine, cycle)
+    passed = (
+        _passed_on(own, gas, engine, parts)
+        if running is None
+        else gas - _kept(engine, running, parts)
+    )
+    place = {shaft.name: index for index, shaft in enumerate(cranks)}
+    whole = float(own.mean(axis=-1).sum())
+    found: list[Mesh] = []
+    for wheel in links:
+        rows = [place[name] for name in wheel.beyond]
+        torque = passed[rows].sum(axis=0)
+        found.append(
+            Mesh(
+                wheel=wheel,
+                share=sum(parts[row] for row in rows),
+                theta=theta,
+                torque=torque,
+                work_share=float(torque.mean()) / whole if whole else None,
+                scale=float(np.abs(own[rows]).max()),
+            )
+        )
+    return tuple(found)
+
+
+def _inertia_torque(engine: Engine, cycle: Cycle) -> Real:
+    """Of each crankshaft at the mean speed, N m; 0 where speed or masses are not known."""
+    if cycle.speed is None or not {"mass", "radius"}.isdisjoint(engine.relative):
+        return np.zeros(SAMPLES)
+    own = shaft_torque(mechanism(engine))
+    moving = np.real(spectra.value(own, samples_over(engine, SAMPLES)))
+    return moving[_rows(engine)] * cycle.speed**2
+
+
+def _rows(engine: Engine) -> list[int]:
+    """The places of the crankshafts among the shafts."""
+    return [index for index, shaft in enumerate(engine.shafts) if shaft.throws]
+
+
+def _passed_on(own: Real, gas: Real, engine: Engine, parts: Sequence[float]) -> Real:
+    """T_i - s_i (T - T_L) [crankshaft, angle]."""
+    course = load_course(engine)
+    shape = np.ones(SAMPLES) if course is None else course / course.mean()
+    excess = own.sum(axis=0) - shape * gas.sum(axis=0).mean()
+    return own - np.array(parts)[:, None] * excess
+
+
+def _kept(engine: Engine, running: Running, parts: Sequence[float]) -> Real:
+    """d/dtheta (J_i w^2/2), what each crankshaft keeps of its gas torque [crankshaft, angle]."""
+    whole = inertias(engine, running.theta)[_rows(engine)]
+    whole = whole + np.array(parts)[:, None] * running.flywheel
+    return _slope(whole * running.speed**2 / 2, float(running.theta[1]))
+
+
+def _slope(energy: Real, step: float) -> Real:
+    """The derivative by the angle of periodic samples [row, sample]."""
+    count = energy.shape[-1]
+    numbers = np.fft.rfftfreq(count, 1 / count)
+    wave = np.fft.rfft(energy, axis=-1) * (2j * np.pi / (count * step)) * numbers
+    wave[..., -1] = 0
+    return np.fft.irfft(wave, n=count, axis=-1)
