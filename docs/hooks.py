@@ -84,8 +84,8 @@ SECTIONS: dict[type[Record], str] = {
 """Where the page describes the tables that other tables hold."""
 
 MARK = re.compile(
-    r"^<!-- (keys|options|figure|sources|errata|sinitsyn|kr250|orders|estimate|plot|draw|search|"
-    r"sweep|glossary|commands): ?([^\n]*?) ?-->$(?:(?:(?!^<!-- ).)*?^<!-- end -->$)?",
+    r"^<!-- (keys|options|figure|sources|errata|sinitsyn|kr250|gears|orders|estimate|plot|draw|"
+    r"search|sweep|glossary|commands): ?([^\n]*?) ?-->$(?:(?:(?!^<!-- ).)*?^<!-- end -->$)?",
     re.MULTILINE | re.DOTALL,
 )
 """A marker, with what `docs/tables.py` has put between it and its end for readers of the text."""
@@ -131,6 +131,7 @@ def made(kind: str, argument: str) -> str:
         "errata": errata,
         "sinitsyn": sinitsyn,
         "kr250": kr250,
+        "gears": gears,
         "estimate": estimate,
         "orders": orders,
         "plot": plot,
@@ -295,6 +296,12 @@ def estimate(part: str) -> str:
 def kr250(part: str) -> str:
     """A part of the page on the Kawasaki KR250, made by the script beside this one."""
     return run_path(str(HERE / "kr250_page.py"))["page"](part)
+
+
+@lru_cache
+def gears(part: str) -> str:
+    """Gears between crankshafts and torque at low speed, by the script beside this one."""
+    return run_path(str(HERE / "gears_page.py"))["page"](part)
 
 
 @lru_cache

@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib.util
 import re
 import sys
+from math import pi
 from pathlib import Path
 from types import ModuleType
 
@@ -21,17 +22,17 @@ NAMES = {
 }
 
 
-def script() -> ModuleType:
-    spec = importlib.util.spec_from_file_location("docs_kr250_page", DOCS / "kr250_page.py")
+def script(name: str) -> ModuleType:
+    spec = importlib.util.spec_from_file_location(f"docs_{name}", DOCS / f"{name}.py")
     assert spec is not None
     assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
-    sys.modules["docs_kr250_page"] = module
+    sys.modules[f"docs_{name}"] = module
     spec.loader.exec_module(module)
     return module
 
 
-page = script()
+page = script("kr250_page")
 
 
 @pytest.mark.parametrize(
@@ -84,3 +85,51 @@ def test_the_factors_on_the_page_are_those_of_the_arrangements() -> None:
 def test_words_for_a_force_say_where_it_points() -> None:
     assert page._vector(complex(-0.5, 1.0)) == "0.5 P down and 1 P sideways (1.12 P in total)"
     assert page._vector(0j) == "0"
+
+
+gears = script("gears_page")
+
+
+def test_crankshafts_that_fire_together_pass_on_half_the_mean_torque() -> None:
+    """Of both cylinders, 9 bar times the swept volume of one over 2 pi, at any speed."""
+    half = 9e5 * pi / 4 * 0.054**2 * 0.0544 / (2 * pi)
+    for rpm in (None, 12_000):
+        mesh = gears.mesh("kr250-racer-simultaneous", 0.5, rpm=rpm)
+        assert np.abs(mesh.torque - half).max() < 1e-6 * half
+        assert mesh.force == pytest.approx(half / 0.045)
+    shown = re.search(r"together they carry (\d+) N", gears.page("kr250"))
+    assert shown
+    assert float(shown[1]) == pytest.approx(half / 0.045, rel=2e-3)
+
+
+def test_the_gears_are_worn_by_firing_in_turn_if_the_flywheels_are_on_the_crankshafts() -> None:
+    """The essay is right where they are, and not where all is with the load."""
+    for rpm in (None, 12_000):
+        apart, together = (
+            gears.mesh(name, 0.5, rpm=rpm) for name in ("kr250-racer", "kr250-racer-simultaneous")
+        )
+        assert apart.force > 4 * together.force
+        assert apart.work > 1.5 * together.work
+        assert len(apart.reversals) >= 2
+        assert together.reversals == ()
+        alike = [
+            np.abs(np.fft.rfft(gears.mesh(name, 0.0, rpm=rpm).torque))
+            for name in ("kr250-racer", "kr250-racer-simultaneous")
+        ]
+        assert alike[0] == pytest.approx(alike[1], abs=1e-9 * alike[0].max())
+
+
+@pytest.mark.parametrize(("rpm", "ratio"), [(1500, 3.1), (12_000, 2.0)])
+def test_firing_together_needs_more_flywheel_most_of_all_at_low_speed(
+    rpm: int, ratio: float
+) -> None:
+    """The fluctuation of energy by running sums of torque, as on a turning-moment diagram."""
+    sums: list[float] = []
+    for name in ("kr250-racer", "kr250-racer-simultaneous"):
+        torque = gears.whole_torque(gears.complete(name), 9e5, rpm)
+        areas = np.cumsum(torque - torque.mean()) * 2 * pi / torque.size
+        sums.append(float(areas.max() - areas.min()))
+        assert gears.fluctuation(name, 9e5, rpm).energy == pytest.approx(sums[-1], rel=1e-4)
+    assert sums[1] / sums[0] == pytest.approx(ratio, abs=0.05)
+    assert f"| {rpm} rpm |" in gears.page("low speed")
+    assert f"| {ratio:.1f} |" in gears.page("low speed")
