@@ -18,7 +18,7 @@ from crankstar import spectra
 from crankstar.dynamics.meshes import Mesh, Wheel, crankshafts, meshes, wheels
 from crankstar.dynamics.uneven import SAMPLES, Running, running
 from crankstar.engine.copies import with_values
-from crankstar.engine.drive import Drive
+from crankstar.engine.drive import Drive, Gearing
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.balance import balance, total
 from crankstar.mechanics.gas import cycle
@@ -141,10 +141,12 @@ def test_the_rear_crankshaft_passes_on_what_its_own_slider_crank_gives() -> None
 
 @pytest.mark.parametrize("name", GEARED)
 @pytest.mark.parametrize("share", [0.0, 0.2])
+@pytest.mark.parametrize("gearing", ["crankshafts", "output"])
 def test_the_power_of_the_crankshafts_beyond_goes_through_the_gears(
-    name: str, share: float
+    name: str, share: float, gearing: Gearing
 ) -> None:
-    engine = crankstar.load(name)
+    """Also through a chain of gears, where each mesh carries all that is behind it."""
+    engine = with_values(crankstar.load(name), drive=Drive(gearing=gearing))
     found = cycle(engine)
     own = dict(
         zip(
@@ -198,6 +200,17 @@ def test_what_all_gears_pass_on_to_the_output_is_the_load(shares: list[float]) -
     half = [mesh.torque for mesh in meshes(engine, found, inertia_shares=(parts / 2).tolist())]
     free = sum(own_torque(engine))
     assert np.abs(sum(half) - (free + load) / 2).max() < 1e-9 * np.abs(half).max()
+
+
+def test_a_load_that_goes_over_the_cycle_is_passed_on_as_it_goes() -> None:
+    drive = Drive(gearing="output", load_angle=(0.0, pi), load_torque=(1.0, 3.0))
+    engine = with_values(racer(), drive=drive)
+    found = cycle(engine)
+    passed = [mesh.torque for mesh in meshes(engine, found)]
+    theta = np.arange(SAMPLES) * 2 * pi / SAMPLES
+    load = np.interp(theta, [0, pi, 2 * pi], [1.0, 3.0, 1.0]) / 2
+    load *= over_cycle(found).sum(axis=0).mean()
+    assert np.abs(sum(passed) - load).max() < 1e-9 * np.abs(passed).max()
 
 
 @pytest.mark.parametrize("name", ["racer", "square four"])
@@ -305,3 +318,5 @@ def test_crankshafts_mesh_with_the_nearest_and_by_an_idler_if_they_turn_alike() 
     assert bottom.beyond == ("bottom", "top right")
     assert not bottom.idler
     assert wheels(crankstar.load("v8-flat-plane")) == ()
+    coaxial = crankstar.load("kr250-production", changes={"layout.cranks[2].right": "0 mm"})
+    assert [(wheel.idler, wheel.pitch_radius) for wheel in wheels(coaxial)] == [(False, None)]

@@ -161,18 +161,23 @@ def wheels(engine: Engine) -> tuple[Wheel, ...]:
         pairs.append((shaft, onto))
         joined.append(shaft)
         waiting.remove(shaft)
-    known = "radius" not in engine.relative
     return tuple(
         Wheel(
             shaft.name,
             onto.name,
             _beyond(shaft.name, [(one.name, other.name) for one, other in pairs]),
-            _alike(shaft, onto),
-            drive.pitch_radius
-            or (_distance(shaft, onto) / 2 or None if known and not _alike(shaft, onto) else None),
+            idler=_alike(shaft, onto) and _distance(shaft, onto) > 0,
+            pitch_radius=drive.pitch_radius or _half_distance(engine, shaft, onto),
         )
         for shaft, onto in pairs
     )
+
+
+def _half_distance(engine: Engine, shaft: Shaft, other: Shaft) -> float | None:
+    """The pitch radius of two wheels that are alike and mesh, m; None for others, or if unknown."""
+    if "radius" in engine.relative or _alike(shaft, other):
+        return None
+    return _distance(shaft, other) / 2 or None
 
 
 def _order(shaft: Shaft, other: Shaft) -> tuple[float, bool]:
