@@ -76,6 +76,13 @@ export interface Exhibit {
   verdict: Fact[]
   strokes: Table[]
   stroke_windows: StrokeWindow[]
+  /** null where its gas cannot be computed */
+  torque: Torque | null
+  torque_unit: Unit
+  /** what its gas torque needs, a sentence; else empty */
+  gas_needs: string
+  /** as a sound; null without a firing order */
+  exhaust: Exhaust | null
   charts: ChartKey[]
   derivations: DerivationKey[]
   /** weights, shafts and remaining unbalance of a fitted engine; else empty */
@@ -355,6 +362,72 @@ export interface StrokeWindow {
   stroke: 'power' | 'exhaust' | 'intake' | 'compression'
   from_deg: number
   to_deg: number
+}
+/** Torque on the crankshaft over a working cycle, at the orders of `orders`. */
+export interface Torque {
+  orders: number[]
+  /** length of a working cycle, radians */
+  cycle: number
+  /** of all chambers, m^3 */
+  displacement: number
+  chambers: Chamber[]
+  /** inertia torque at 1 rad/s, it grows with the square; null without masses */
+  moving: [number, number][] | null
+  /** moment of the moving parts about the axis at 1 rad/s */
+  axis: [number, number][]
+  loads: Load[]
+}
+/** A combustion chamber: when it fires, and which of the waves of a load is its own. */
+export interface Chamber {
+  number: number
+  /** the crank angle at which it fires, radians */
+  fires: number
+  wave: number
+}
+/**
+ * The gas torque at an operating point, N m: of each wave its amplitudes and its mean.
+ *
+ * The crank angle of a wave is counted from where its chamber fires.
+ */
+export interface Load {
+  /** of the engine file; empty for the load of its table [gas] */
+  name: string
+  /** whether the load is assumed: the file gives none */
+  assumed: boolean
+  /** rad/s */
+  speed: number | null
+  burning: [number, number][][]
+  burning_mean: number[]
+  /** the same without combustion */
+  still: [number, number][][]
+  still_mean: number[]
+  /** the torque that friction takes */
+  friction: number
+  /** degree of, with every chamber burning */
+  irregularity: number | null
+  /** of all that turns, kg m^2; null if not known */
+  inertia: number | null
+  /** what is assumed, as sentences */
+  notes: string[]
+}
+/**
+ * The exhaust as a sound: equal pulses at the firings through plain pipes.
+ *
+ * `pulse` are the amplitudes of one pulse at the orders 1, 2, ... of a cycle, of that at order 0;
+ * what a pipe sends out comes back after `back` seconds, `reflected` times as large, upside down.
+ */
+export interface Exhaust {
+  /** length of a working cycle, radians */
+  cycle: number
+  pulse: number[]
+  back: number
+  reflected: number
+  pipes: Pipe[]
+}
+/** What shares an exhaust: its name, and the crank angles at which its chambers fire. */
+export interface Pipe {
+  name: string
+  fires: number[]
 }
 /** A figure of an engine: the `key` that it is requested by, and the properties to choose by. */
 export interface ChartKey {

@@ -147,6 +147,15 @@ def _pipe(ride: Ride, number: int) -> float:
     return ride.pipes.get(number, ride.pipe)
 
 
+def echo(length: float) -> int:
+    """Samples after which a wave comes back from the open end of a pipe of that length, m.
+
+    >>> echo(1.0)
+    170
+    """
+    return max(1, round(2 * length / SPEED_OF_SOUND * RATE))
+
+
 def _table(engine: Engine, chambers: Sequence[int]) -> Real:
     """The pulses of chambers, less their mean, at STEPS equal steps of a cycle and its end."""
     fired = firing(engine)
@@ -163,7 +172,7 @@ def _table(engine: Engine, chambers: Sequence[int]) -> Real:
 def _piped(table: Real, engine: Engine, ride: Ride, length: float, count: int) -> Real:
     """What comes out of the pipes of one length, with the echoes of what was before."""
     delay = length / SPEED_OF_SOUND
-    back = max(1, round(2 * delay * RATE))
+    back = echo(length)
     before = back * ceil(log(FAINT) / log(REFLECTED))
     time = np.arange(-before, count) / RATE - delay
     steps = ride.turns(time) * (STEPS * 360 / engine.cycle_angle) % STEPS

@@ -5,6 +5,7 @@
 | `proportions` | bores, lengths and radii that a drawing needs, given or assumed |
 | `unit_records` | the units of numbers, the base of all records |
 | `form_words` | the schema of engine files in the reader's language |
+| `cycle_records` | what happens over a working cycle: strokes, torque, exhaust |
 | `records` | Exhibition, Exhibit and their parts |
 | `crankshafts` | pins, webs, rods side by side, weights on webs |
 | `gears` | gear wheels between shafts |
@@ -12,6 +13,7 @@
 | `orders` | vectors of every order, the table of orders, the free response |
 | `printed` | documents as tables of printed cells |
 | `bearing_loads` | loads on main bearings and crank pins |
+| `torque` | gas and inertia torque over a working cycle, the exhaust as a sound |
 | `keys` | the figures and derivations that an engine has, by key |
 | `figures` | a figure as Vega-Lite, a derivation as HTML, by key |
 | `exhibits` | Engine -> Exhibit, Exhibition; the engine with the recommended remedy |

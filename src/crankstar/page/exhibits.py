@@ -26,19 +26,13 @@ from crankstar.mechanics import remains
 from crankstar.mechanics.balance import Balance, balance, scales
 from crankstar.page import orders as vectors
 from crankstar.page.bearing_loads import bearing_numbers, bearings_shown
+from crankstar.page.cycle_records import StrokeColours, StrokeWindow
 from crankstar.page.keys import chart_keys, derivation_keys
 from crankstar.page.printed import printed
 from crankstar.page.proportions import proportions
-from crankstar.page.records import (
-    Exhibit,
-    Exhibition,
-    Fact,
-    Scale,
-    StrokeColours,
-    StrokeWindow,
-    Table,
-)
+from crankstar.page.records import Exhibit, Exhibition, Fact, Scale, Table
 from crankstar.page.scene import scene
+from crankstar.page.torque import exhaust, gas_needs, torque, torque_unit
 from crankstar.page.unit_records import Unit, Units, UnitsOffered
 from crankstar.remedy import fitting
 from crankstar.remedy.kept import with_source
@@ -156,6 +150,9 @@ def exhibit(
         scene=scene(engine, sizes),
         strokes=printed(strokes.tables(engine, cycle)) if cycle else (),
         stroke_windows=_windows(cycle) if cycle else (),
+        torque=torque(engine),
+        gas_needs=gas_needs(engine),
+        exhaust=exhaust(engine),
         charts=chart_keys(engine, remains.orders_pushed(result)),
         derivations=derivation_keys(remains.orders_pushed(result)),
         remedies=tuple(remedies),
@@ -195,6 +192,7 @@ def in_units(
         "heading": ranged_lines(_heading, over, engine),
         "table": vectors.rows(sums, remains.orders_shown(result, sums), scaling=scaling, ends=ends),
         "bearing_numbers": bearing_numbers(engine, over, loads),
+        "torque_unit": torque_unit(engine),
         "verdict": tuple(
             Fact(subject=fact.about, about=subject_of[fact.about], sentence=fact.sentence)
             for fact in facts

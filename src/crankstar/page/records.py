@@ -15,9 +15,9 @@ from pydantic import Field
 
 from crankstar.engine.quantities import Unknown
 from crankstar.language.glossary import Term
-from crankstar.page.unit_records import Shown, Units, UnitsOffered
+from crankstar.page.cycle_records import Exhaust, StrokeColours, StrokeWindow, Torque
+from crankstar.page.unit_records import Pair, Shown, Unit, Units, UnitsOffered
 
-Pair = tuple[float, float]
 Quantity = Literal["force", "couple", "roll", "torque"]
 Point = tuple[float, float, float]
 
@@ -344,29 +344,15 @@ class Exhibit(Shown):
     verdict: tuple[Fact, ...]
     strokes: tuple[Table, ...]
     stroke_windows: tuple[StrokeWindow, ...]
+    torque: Torque | None = Field(description="null where its gas cannot be computed")
+    torque_unit: Unit
+    gas_needs: str = Field(description="what its gas torque needs, a sentence; else empty")
+    exhaust: Exhaust | None = Field(description="as a sound; null without a firing order")
     charts: tuple[ChartKey, ...]
     derivations: tuple[DerivationKey, ...]
     remedies: tuple[Table, ...] = Field(
         description="weights, shafts and remaining unbalance of a fitted engine; else empty"
     )
-
-
-class StrokeWindow(Shown):
-    """A stroke of a chamber between two crank angles (degrees; it may end in the next cycle)."""
-
-    chamber: int
-    stroke: Literal["power", "exhaust", "intake", "compression"]
-    from_deg: float
-    to_deg: float
-
-
-class StrokeColours(Shown):
-    """The colours of the strokes on the stage and in the stroke chart, `#rrggbb`."""
-
-    intake: str
-    compression: str
-    power: str
-    exhaust: str
 
 
 class Problem(Shown):

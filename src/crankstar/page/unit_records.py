@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pydantic import BaseModel, ConfigDict, Field
 
+Pair = tuple[float, float]
+
 
 class Shown(BaseModel):
     """The base of these records: frozen, without unknown keys."""

@@ -123,7 +123,7 @@ def torque_document(
     """
     found = gas_torque(cycle)
     waves = by_order(engine, cycle, found)
-    mean = float(found.mean.sum()) - _friction_torque(cycle)
+    mean = float(found.mean.sum()) - friction_torque(cycle)
     turning = cycle.speed
     facts = {
         "format": 1,
@@ -151,11 +151,11 @@ def torque_document(
     gears = mesh_table(engine, cycle, running=running)
     more = [] if gears is None else [gears]
     more.append(side_thrust_table(side_thrust(engine, cycle)))
-    notes = _notes(engine, cycle, waves)
+    told = [*notes(engine, cycle), *_provisos(waves)]
     if running is not None:
         changed = changes_table(engine, running)
         more += [changed] if changed.rows or machine else []
-        notes += [] if changed.rows else [unchanged_sentence()]
+        told += [] if changed.rows else [unchanged_sentence()]
     more += [] if loads is None else [tangential_table(loads)]
     if machine:
         return Document(engine.name, (table, *more), facts)
@@ -169,7 +169,7 @@ def torque_document(
             *(() if running is None else (running_table(running),)),
             *(() if wheel is None else (wheel_table(wheel),)),
             *more,
-            *remarks(*notes, kind="note"),
+            *remarks(*told, kind="note"),
             *remarks(
                 unverified_gas(engine),
                 *(fault.sentence for fault in point_doubts(engine, cycle)),
@@ -201,7 +201,8 @@ def gas_tables(
     return replace(table, title=title), rolls
 
 
-def _friction_torque(cycle: Cycle) -> float:
+def friction_torque(cycle: Cycle) -> float:
+    """The mean torque that friction takes, N m."""
     places = cycle.volumes
     return cycle.friction * float(places.swept[[*places.kind]].sum()) / places.cycle
 
@@ -281,7 +282,7 @@ def wheel_table(wheel: Wheel) -> Table:
 
 def work_table(cycle: Cycle, found: GasTorque) -> Table:
     """Mean effective pressures, torque and power of the operating point."""
-    mean, lost = float(found.mean.sum()), _friction_torque(cycle)
+    mean, lost = float(found.mean.sum()), friction_torque(cycle)
     rows: list[tuple[Value, ...]] = [
         (_("indicated mean effective pressure"), cycle.imep, "Pa"),
         (_("peak pressure"), cycle.peak, "Pa"),
@@ -352,8 +353,8 @@ def _known_points(engine: Engine) -> str:
     )
 
 
-def _notes(engine: Engine, cycle: Cycle, waves: Orders) -> list[str]:
-    """What the numbers rest on: the process, what is assumed, what is not known."""
+def notes(engine: Engine, cycle: Cycle) -> list[str]:
+    """What a cycle rests on, as sentences: the process, and what is assumed."""
     lines: list[str] = []
     if engine.gas is not None and engine.gas.trace is not None:
         lines.append(_("Pressure as measured."))
@@ -387,6 +388,12 @@ def _notes(engine: Engine, cycle: Cycle, waves: Orders) -> list[str]:
     correlation = None if known else CORRELATIONS.get(cycle.values["friction"])
     if cycle.speed is not None and correlation is not None:
         lines.append(_(correlation))
+    return lines
+
+
+def _provisos(waves: Orders) -> list[str]:
+    """What is not in the torque, and what the rolling moment is."""
+    lines: list[str] = []
     if waves.inertia is None:
         lines.append(
             _("Without a speed or without masses there is no inertia torque: this is gas alone.")
