@@ -19,6 +19,7 @@ import {
   stateText,
   storeOf,
 } from './state'
+import { settingOf, withGasRoll } from './torque'
 import { InUnits, keepUnits, keptUnits } from './units'
 import { visits } from './visits'
 
@@ -33,6 +34,8 @@ export interface App {
   readonly cured: ReadonlySignal<readonly (Exhibit | null | undefined)[]>
   /** The engines on the stage and in the panels: each as it is or fitted. */
   readonly shown: ReadonlySignal<readonly Exhibit[]>
+  /** The same as the stage and its numbers have them: with gas in the rolling moment, if chosen. */
+  readonly staged: ReadonlySignal<readonly Exhibit[]>
   /** The units of all numbers, as --units takes them. */
   readonly units: ReadonlySignal<string>
   /** Puts the engine with estimated masses in its place. */
@@ -112,6 +115,11 @@ export function createApp(host: Host): App {
       store.fitted.value ? (cured.value[index] ?? exhibit) : exhibit,
     ),
   )
+  const staged = computed(() => {
+    const { choices } = store
+    if (choices.value['forces.gas'] !== 'on') return shown.value
+    return shown.value.map((exhibit) => withGasRoll(exhibit, settingOf(choices.value)))
+  })
   const subjects = computed(() => {
     const places = engines.value.map((_, place) => place)
     const chosen = places[Number(store.panel.value) - 1]
@@ -326,6 +334,7 @@ export function createApp(host: Host): App {
     engines,
     cured,
     shown,
+    staged,
     units,
     estimate,
     subjects,

@@ -20,12 +20,17 @@ import { Term } from './Term'
 
 /** Force, couple and rolling moment at the present crank angle, of the chosen orders. */
 export function Now() {
-  const { shown } = useApp()
-  const [one, other] = shown.value
+  const { shown, staged } = useApp()
+  const [one, other] = staged.value
   return (
     <section class="now" aria-label={t('At this crank angle')}>
-      {shown.value.map((exhibit, index) => (
-        <Numbers key={index} exhibit={exhibit} name={other ? exhibit.name : ''} />
+      {staged.value.map((exhibit, index) => (
+        <Numbers
+          key={index}
+          exhibit={exhibit}
+          name={other ? exhibit.name : ''}
+          gas={exhibit !== shown.value[index]}
+        />
       ))}
       {one && other && alike(one, other) && (
         <Numbers exhibit={other} from={one} name={t('Difference, second − first')} />
@@ -39,9 +44,11 @@ interface Props {
   /** Whose numbers are taken from those of the exhibit. */
   readonly from?: Exhibit
   readonly name: string
+  /** Whether its rolling moment has the gas in it. */
+  readonly gas?: boolean
 }
 
-function Numbers({ exhibit, from, name }: Props) {
+function Numbers({ exhibit, from, name, gas }: Props) {
   const { store } = useApp()
   const cells = useRef<HTMLDListElement>(null)
   const orders = store.orders.value
@@ -78,6 +85,7 @@ function Numbers({ exhibit, from, name }: Props) {
           <div key={quantity}>
             <dt>
               <Term word={TERMS[quantity]}>{quantityName(quantity)}</Term>
+              {gas && quantity === 'roll' && <> {t('(with gas)')}</>}
             </dt>
             <dd>
               {components.map(([sign, title]) => (

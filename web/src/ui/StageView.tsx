@@ -55,7 +55,7 @@ export function StageView({
 
   useEffect(() => {
     const element = place.current
-    const first = app.shown.peek()[index]
+    const first = app.staged.peek()[index]
     if (!element || !first) return undefined
     // before the first frame, so that what is seen first stays
     if (index === 0) set(app.roomy, hasRoom(element, false))
@@ -64,13 +64,15 @@ export function StageView({
     let current = first
     const ends = [
       effect(() => {
-        const exhibit = app.shown.value[index] ?? current
+        const exhibit = app.staged.value[index] ?? current
         const another = exhibit !== current
         if (another) stage.show(exhibit)
         current = exhibit
         // as it is and with weights, this engine and the one beside it: all to one scale
-        const all = [...app.engines.value, ...app.cured.value]
-        stage.beside(all.filter((other): other is Exhibit => other != null && other !== current))
+        const all = new Set([...app.staged.value, ...app.engines.value, ...app.cured.value])
+        stage.beside(
+          [...all].filter((other): other is Exhibit => other != null && other !== current),
+        )
         // at once: where drawing takes long, the wait for the next frame is not to be added to it
         if (another) stage.draw(untracked(() => viewOf(app, (app.clock.degrees() * Math.PI) / 180)))
         app.clock.refresh()

@@ -6,6 +6,7 @@ import panels from './panels.css?inline'
 import present from './present.css?inline'
 import print from './print.css?inline'
 import style from './style.css?inline'
+import torque from './torque.css?inline'
 
 const sheets = new Map<string, CSSStyleSheet>()
 
@@ -24,7 +25,17 @@ const users = new Map<CSSStyleSheet, number>()
 /** Adopts our styles in an element's document or shadow until the returned function is called. */
 export function adopt(
   element: Element,
-  css: readonly string[] = [style, panels, derivation, guide, exporting, narrow, present, print],
+  css: readonly string[] = [
+    style,
+    panels,
+    torque,
+    derivation,
+    guide,
+    exporting,
+    narrow,
+    present,
+    print,
+  ],
 ): () => void {
   const node = element.getRootNode()
   const root = node instanceof ShadowRoot ? node : element.ownerDocument

@@ -8,8 +8,10 @@ import { edit } from './Edit'
 import { forces } from './Forces'
 import { orders } from './Orders'
 import { remedies } from './Remedies'
+import { sound } from './Sound'
 import { stars } from './Stars'
 import { strokes } from './Strokes'
+import { torque } from './Torque'
 import { verdict } from './Verdict'
 import { whirl } from './WhirlPanel'
 
@@ -19,9 +21,11 @@ export const PANELS: readonly Panel[] = [
   orders,
   stars,
   forces,
+  torque,
   cylinders,
   bearings,
   strokes,
+  sound,
   derivation,
   verdict,
   remedies,

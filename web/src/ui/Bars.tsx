@@ -1,0 +1,72 @@
+import { t } from '../language/messages'
+
+/** Bars of one kind: how they are drawn, what they are called, a size for each order. */
+export interface BarSeries {
+  readonly key: string
+  readonly label: string
+  readonly sizes: readonly number[]
+}
+
+interface Props {
+  readonly label: string
+  readonly unit: string
+  readonly orders: readonly number[]
+  readonly series: readonly BarSeries[]
+  /** The size that fills the height; the greatest of the series without. */
+  readonly most?: number
+}
+
+/** A size with four figures; what is nought is 0. */
+export const sizeText = (size: number): string =>
+  size === 0 ? '0' : String(Number(size.toPrecision(4)))
+
+/** Bars over orders to one scale; what is exactly nought is a 0. */
+export function Bars({ label, unit, orders, series, most }: Props) {
+  const greatest = most ?? Math.max(...series.flatMap(({ sizes }) => sizes), 0)
+  return (
+    <figure class="order-bars">
+      <figcaption>
+        {label}{' '}
+        <span class="soft">{t('greatest {size} {unit}', { size: sizeText(greatest), unit })}</span>
+      </figcaption>
+      <div class="bars-over" role="img" aria-label={label}>
+        {orders.map((order, index) => (
+          <div key={order} class="bars-group" data-order={order}>
+            <div class="bars-stack">
+              {series.map(({ key, sizes }, place) => {
+                const size = sizes[index] ?? 0
+                // where all are nought, one ring says so
+                const none = place > 0 && series.every((each) => !each.sizes[index])
+                return none ? null : size === 0 || greatest === 0 ? (
+                  <i key={key} class="nought-bar" data-series={key} />
+                ) : (
+                  <i
+                    key={key}
+                    class={`order-bar of-${key}`}
+                    data-series={key}
+                    style={{ height: `${(100 * size) / greatest}%` }}
+                  />
+                )
+              })}
+            </div>
+            <span class={Number.isInteger(order) ? 'bars-order' : 'bars-order bars-half'}>
+              {order}
+            </span>
+          </div>
+        ))}
+      </div>
+      <ul class="legend">
+        {series.map(({ key, label: name }) => (
+          <li key={key}>
+            <i class={`swatch of-${key}`} aria-hidden="true" /> {name}
+          </li>
+        ))}
+        {series.some(({ sizes }) => sizes.includes(0)) && (
+          <li>
+            <i class="nought-bar" aria-hidden="true" /> {t('exactly 0')}
+          </li>
+        )}
+      </ul>
+    </figure>
+  )
+}
