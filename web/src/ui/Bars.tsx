@@ -3,6 +3,8 @@ import { t } from '../language/messages'
 /** Bars of one kind: how they are drawn, what they are called, a size for each order. */
 export interface BarSeries {
   readonly key: string
+  /** Whose colour it has; its own without. */
+  readonly like?: string
   readonly label: string
   readonly sizes: readonly number[]
 }
@@ -33,7 +35,7 @@ export function Bars({ label, unit, orders, series, most }: Props) {
         {orders.map((order, index) => (
           <div key={order} class="bars-group" data-order={order}>
             <div class="bars-stack">
-              {series.map(({ key, sizes }, place) => {
+              {series.map(({ key, like = key, sizes }, place) => {
                 const size = sizes[index] ?? 0
                 // where all are nought, one ring says so
                 const none = place > 0 && series.every((each) => !each.sizes[index])
@@ -42,7 +44,7 @@ export function Bars({ label, unit, orders, series, most }: Props) {
                 ) : (
                   <i
                     key={key}
-                    class={`order-bar of-${key}`}
+                    class={`order-bar of-${like}`}
                     data-series={key}
                     style={{ height: `${(100 * size) / greatest}%` }}
                   />
@@ -56,9 +58,9 @@ export function Bars({ label, unit, orders, series, most }: Props) {
         ))}
       </div>
       <ul class="legend">
-        {series.map(({ key, label: name }) => (
+        {series.map(({ key, like = key, label: name }) => (
           <li key={key}>
-            <i class={`swatch of-${key}`} aria-hidden="true" /> {name}
+            <i class={`swatch of-${like}`} aria-hidden="true" /> {name}
           </li>
         ))}
         {series.some(({ sizes }) => sizes.includes(0)) && (

@@ -144,7 +144,8 @@ function ordersOf(exhaust: Exhaust) {
   return {
     orders: harmonics.map((each) => each * step),
     series: pipes.map((pipe, index) => ({
-      key: `pipe-${index % 4}`,
+      key: `pipe-${index}`,
+      like: `pipe-${index % 4}`,
       label: pipe.name,
       sizes: harmonics.map((each) => Math.hypot(...pulses(pipe, cycle, each))),
     })),
