@@ -99,7 +99,7 @@ def test_the_guide_points_at_the_parts_of_the_page_one_after_the_other(
     assert len(set(seen)) == 5
     commands = card.locator("code").all_inner_texts()
     assert f"crankstar page {ENGINE} --beside v8-cross-plane -o example.html" in commands
-    assert len(commands) == 4
+    assert len(commands) == 5
     card.get_by_role("button", name="Frame and signs").click()
     drawn = card.get_by_role("img").evaluate("img => [img.complete, img.naturalWidth]")
     assert drawn[1] > 0, drawn

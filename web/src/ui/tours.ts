@@ -30,6 +30,13 @@ export const TOURS: readonly Tour[] = [
     state: 'engine=v8-flat-plane&beside=v8-cross-plane&orders=2&of=force&tab=compare',
   },
   {
+    title: message('Why does a cross-plane V8 burble?'),
+    text: message(
+      'Its banks fire unevenly, which leaves half orders of the exhaust: hear it beside the flat-plane V8.',
+    ),
+    state: 'engine=v8-flat-plane&beside=v8-cross-plane&tab=sound',
+  },
+  {
     title: message('What does a balance shaft do?'),
     text: message(
       'A 360° twin as it is; the switch under Balancing fits the shafts that take its force away.',
