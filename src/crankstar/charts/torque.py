@@ -38,7 +38,7 @@ from crankstar.mechanics.gas_torque import gas_torque, over_cycle
 from crankstar.mechanics.kinetic import samples_over
 from crankstar.mechanics.operating_points import GasError
 from crankstar.spectra import Real
-from crankstar.tables.torque import by_order
+from crankstar.tables.torque_orders import by_order
 
 TorqueView = Literal["together", "cylinders", "loads", "orders"]
 TITLES = {

@@ -119,7 +119,7 @@ def _with_gas(shown: Analysis) -> tuple[Table, ...]:
     """Torque and roll of gas and inertia, where the file says what the gas does."""
     if shown.engine.gas is None:
         return ()
-    from crankstar.tables.torque import gas_tables
+    from crankstar.tables.torque_orders import gas_tables
 
     speed = None if shown.real is None else shown.real.speed
     return gas_tables(shown.engine, speed=speed)

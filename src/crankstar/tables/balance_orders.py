@@ -45,7 +45,7 @@ def _with_gas(engine: Engine, result: Balance) -> tuple[Table, ...]:
     """Torque and roll with gas, where the file says what the gas does: `gas_orders`."""
     if engine.gas is None:
         return ()
-    from crankstar.tables.torque import gas_tables
+    from crankstar.tables.torque_orders import gas_tables
 
     return gas_tables(engine, speed=result.speed, machine=True)
 

@@ -1,0 +1,128 @@
+"""Gas torque by order as tables: gas, inertia, together, and the roll of the block."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from crankstar import spectra
+from crankstar.engine.engine import Engine
+from crankstar.language.kept import of_any
+from crankstar.language.messages import _
+from crankstar.language.shown_units import quantity_text
+from crankstar.mechanics.balance import balance, total
+from crankstar.mechanics.gas import Cycle, cycle
+from crankstar.mechanics.gas_torque import GasTorque, added, gas_torque, roll_with_gas
+from crankstar.mechanics.operating_points import GasError
+from crankstar.spectra import Complex, Spectrum
+from crankstar.tables.table import Column, Table, Value
+
+NOTED = 0.01
+"""Share of the greatest amplitude from which an order is shown to readers."""
+
+
+class Orders(NamedTuple):
+    """Amplitudes by order, N m, `Re(c exp(i k theta))`; inertia is None without known masses.
+
+    `roll` is the rolling moment on the block where the driveline carries the torque away, `mounted`
+    where the load stands on the same mounts.
+    """
+
+    orders: list[float]
+    gas: Complex
+    inertia: Complex | None
+    total: Complex
+    roll: Complex
+    mounted: Complex
+
+
+def by_order(engine: Engine, cycle: Cycle, found: GasTorque) -> Orders:
+    """Gas torque, inertia torque, their sum and the rolling moment on the block, all orders."""
+    gas = found.total
+    result = balance(engine, speed=cycle.speed)
+    if cycle.speed is None or result.speed is None:
+        wave = spectra.amplitude(gas)
+        return Orders(gas.orders.tolist(), wave, None, wave, -engine.sense * wave, 0 * wave)
+    sums = total(result)
+    whole = added(sums.torque, gas)
+    roll = added(roll_with_gas(sums, gas), spectra.scaled(whole, 0.0))
+
+    def at(spectrum: Spectrum) -> Complex:
+        return spectra.amplitude(spectra.selected(spectrum, roll.orders))
+
+    return Orders(
+        roll.orders.tolist(), at(gas), at(sums.torque), at(whole), at(roll), at(sums.axis_moment)
+    )
+
+
+def orders_of_note(waves: Orders, *, machine: bool) -> tuple[float, ...]:
+    """All orders for machines; for readers those of note, and what is nought before the first."""
+    if machine:
+        return tuple(waves.orders)
+    size = np.maximum(np.abs(waves.total), np.abs(waves.gas))
+    noted = size > NOTED * size.max(initial=0.0)
+    first = next((order for order, kept in zip(waves.orders, noted, strict=True) if kept), 0.0)
+    return tuple(
+        order for order, kept in zip(waves.orders, noted, strict=True) if kept or order < first
+    )
+
+
+def order_table(waves: Orders, shown: Sequence[float], *, machine: bool) -> Table:
+    """Gas, inertia and their sum, order by order; for machines the roll of the block too."""
+    kind = "signal" if machine else "wave"
+    columns = [Column(_("order"), key="order", label=True)]
+    series: list[tuple[str, str, Complex]] = [("gas", _("gas torque"), waves.gas)]
+    if waves.inertia is not None:
+        series.append(("inertia", _("inertia torque"), waves.inertia))
+    series.append(("total", _("together"), waves.total))
+    if machine:
+        series += [("roll", "", waves.roll), ("roll_on_same_mounts", "", waves.mounted)]
+    columns += [Column(title, "N*m", kind=kind, key=key) for key, title, _wave in series]
+    rows = _rows(waves, shown, [wave for _key, _title, wave in series])
+    return Table(_("Torque by order"), tuple(columns), rows, key="orders")
+
+
+def _rows(
+    waves: Orders, shown: Sequence[float], series: Sequence[Complex]
+) -> tuple[tuple[Value, ...], ...]:
+    """An order and its amplitudes in each row, nought where an order is not there."""
+    place = {order: index for index, order in enumerate(waves.orders)}
+    return tuple(
+        (float(order), *(complex(wave[place[order]]) if order in place else 0j for wave in series))
+        for order in shown
+    )
+
+
+def roll_table(waves: Orders, shown: Sequence[float]) -> Table:
+    """The rolling moment on the block with a driveline that carries the torque, and without."""
+    columns = (
+        Column(_("order"), label=True),
+        Column(_("driveline takes the torque"), "N*m", kind="wave"),
+        Column(_("load on the same mounts"), "N*m", kind="wave"),
+    )
+    rows = _rows(waves, shown, [waves.roll, waves.mounted])
+    return Table(_("Rolling moment on the block"), columns, rows)
+
+
+def gas_tables(
+    engine: Engine, *, speed: float | None, orders: Sequence[float] = (), machine: bool = False
+) -> tuple[Table, ...]:
+    """Torque and roll with gas of an engine whose file says what the gas does; else none."""
+    if engine.gas is None:
+        return ()
+    try:
+        found = cycle(engine, speed=speed)
+    except GasError:
+        return ()
+    waves = by_order(engine, found, gas_torque(found))
+    own = of_any(("torque", engine.name), orders_of_note(waves, machine=machine))
+    shown = tuple(orders) or tuple(sorted(own))
+    if machine:
+        return (replace(order_table(waves, shown, machine=True), key="gas_orders"),)
+    title = _("Torque by order, gas at {pressure}", pressure=quantity_text(found.imep, "Pa"))
+    table = order_table(waves, shown, machine=False)
+    rolls = replace(roll_table(waves, shown), title=_("Rolling moment on the block, gas included"))
+    return replace(table, title=title), rolls
