@@ -100,6 +100,7 @@ chromium poppler latex:
 bench: $(READY) front-end chromium
 	$(BIN)/python benchmarks/start.py
 	$(BIN)/python benchmarks/run.py
+	$(BIN)/python benchmarks/gas.py
 	$(BIN)/python benchmarks/page.py
 
 clean:

@@ -24,14 +24,14 @@ from tests.methods.test_charts import ENGINES, drawn, kind, lanchester, panels
 
 import crankstar
 from crankstar import charts
-from crankstar.charts.drawing import HALO, numbers_text
+from crankstar.charts.drawing import HALO
 from crankstar.charts.letters import text_width
 from crankstar.charts.saving import saved_print
 from crankstar.charts.themes import THEMES
 from crankstar.engine.basis import Sizes
 from crankstar.engine.engine import Engine
 from crankstar.engine.layouts import Basis, inline
-from crankstar.language.numbers import number
+from crankstar.language.numbers import number, numbers_text
 from crankstar.remedy import with_balance_shaft, with_counterweights
 
 OFTEN = (

@@ -10,13 +10,14 @@ from math import lcm, pi
 import numpy as np
 
 from crankstar.charts.canvas import panel_width
-from crankstar.charts.drawing import BLUE, GREY, Panel, figure, heading, numbers_text
+from crankstar.charts.drawing import BLUE, GREY, Panel, figure, heading
 from crankstar.charts.grammar import Chart
 from crankstar.charts.labels import Label, gathered
 from crankstar.charts.plane import Arrow, Dot, Frame, Plane, Stroke, label_margin, picture
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Shaft
 from crankstar.language.messages import _
+from crankstar.language.numbers import numbers_text
 from crankstar.remedy.loads import loads
 
 WEIGHTS = 0.62

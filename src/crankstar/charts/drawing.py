@@ -201,26 +201,6 @@ def checked_order(order: float) -> float:
     return float(order)
 
 
-def numbers_text(numbers: Sequence[int]) -> str:
-    """Numbers for a label: runs of three and more as a range, long lists by their ends.
-
-    >>> numbers_text([1, 8]), numbers_text([1, 2, 3, 5])
-    ('1, 8', '1–3, 5')
-    """
-    runs: list[list[int]] = []
-    for cylinder in sorted(numbers):
-        if runs and cylinder == runs[-1][-1] + 1:
-            runs[-1].append(cylinder)
-        else:
-            runs.append([cylinder])
-    parts = [
-        text
-        for run in runs
-        for text in ([f"{run[0]}–{run[-1]}"] if len(run) > 2 else map(str, run))
-    ]
-    return ", ".join(parts) if len(parts) <= 6 else f"{', '.join(parts[:3])} … {parts[-1]}"
-
-
 def brief(value: float) -> str:
     """A number for a label, to three figures.
 

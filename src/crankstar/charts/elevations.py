@@ -9,23 +9,14 @@ from typing import Any, NamedTuple
 
 from crankstar.charts.canvas import panel_width
 from crankstar.charts.crank_stars import turns_together
-from crankstar.charts.drawing import (
-    BLUE,
-    GREY,
-    VERMILION,
-    Panel,
-    figure,
-    heading,
-    layered,
-    numbers_text,
-)
+from crankstar.charts.drawing import BLUE, GREY, VERMILION, Panel, figure, heading, layered
 from crankstar.charts.grammar import COLOUR, Chart, field, of_rows, own, span
 from crankstar.charts.letters import SMALL, TEXT, text_width, together
 from crankstar.charts.plane import turning
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Cylinder, Shaft
 from crankstar.language.messages import _
-from crankstar.language.numbers import number, unit_text
+from crankstar.language.numbers import number, numbers_text, unit_text
 from crankstar.language.shown_units import Shown, shown
 from crankstar.mechanics.balance import default_reference
 from crankstar.mechanics.excitation import Reference

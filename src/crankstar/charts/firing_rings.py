@@ -9,7 +9,7 @@ from math import pi, radians
 import numpy as np
 
 from crankstar.charts.canvas import panel_width
-from crankstar.charts.drawing import GREY, PALETTE, VERMILION, figure, heading, numbers_text
+from crankstar.charts.drawing import GREY, PALETTE, VERMILION, figure, heading
 from crankstar.charts.grammar import Chart
 from crankstar.charts.labels import Label
 from crankstar.charts.letters import TEXT, folded, text_width
@@ -25,7 +25,7 @@ from crankstar.firing.strokes import (
 )
 from crankstar.firing.succession import Follower, followers, in_succession, neighbours
 from crankstar.language.messages import _
-from crankstar.language.numbers import number
+from crankstar.language.numbers import number, numbers_text
 
 ASIDE = 0.07
 """How far outside the ring the dots of the first bank are, in radii of the ring."""

@@ -23,16 +23,7 @@ import numpy as np
 from crankstar import spectra
 from crankstar.charts.canvas import BETWEEN, figure_width, half_width
 from crankstar.charts.crank_angle import waves
-from crankstar.charts.drawing import (
-    BLUE,
-    ORANGE,
-    VERMILION,
-    Panel,
-    brief,
-    figure,
-    heading,
-    numbers_text,
-)
+from crankstar.charts.drawing import BLUE, ORANGE, VERMILION, Panel, brief, figure, heading
 from crankstar.charts.estimates import ends_of, estimate_lines, peak_range, range_text
 from crankstar.charts.grammar import DISC, Chart, Layer, field, of_rows
 from crankstar.charts.labels import Label, gathered
@@ -44,7 +35,7 @@ from crankstar.dynamics.bearings import BearingLoads, Model, bearing_loads
 from crankstar.engine.engine import Engine
 from crankstar.engine.records import Shaft
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import unit_text
+from crankstar.language.numbers import numbers_text, unit_text
 from crankstar.language.shown_units import shown
 from crankstar.mechanics.remains import NEGLIGIBLE
 from crankstar.spectra import Complex, Peak, Spectrum

@@ -6,10 +6,9 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
-from crankstar.charts.drawing import numbers_text
 from crankstar.charts.letters import SMALL, text_width, together
 from crankstar.language.messages import _, _n
-from crankstar.language.numbers import unit_text
+from crankstar.language.numbers import numbers_text, unit_text
 from crankstar.language.shown_units import shown
 from crankstar.search.engines import firing_order
 from crankstar.search.stars import Stars

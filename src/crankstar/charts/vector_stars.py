@@ -14,7 +14,7 @@ import numpy as np
 from crankstar.charts.canvas import USUAL_WIDTH, abreast, half_width, panel_width
 from crankstar.charts.choices import order_shown
 from crankstar.charts.comparison import compared
-from crankstar.charts.drawing import ORANGE, Panel, numbers_text
+from crankstar.charts.drawing import ORANGE, Panel
 from crankstar.charts.estimates import range_text, size_range
 from crankstar.charts.grammar import Chart
 from crankstar.charts.labels import Label, beside, gathered
@@ -36,7 +36,7 @@ from crankstar.charts.sums import Engines, Quantity, several
 from crankstar.charts.vectors import COLOURS, Star, Stars, Vector, angle_text, in_one_unit, stars
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import number
+from crankstar.language.numbers import number, numbers_text
 from crankstar.mechanics.excitation import Reference
 from crankstar.mechanics.remains import NEGLIGIBLE
 from crankstar.tables.cells import rough

@@ -188,32 +188,45 @@ def _law(engine: Engine, places: Volumes, row: int, values: Mapping[str, Any]) -
         return lambda heat: ideal_cycles.pressure(
             ideal, heat, above / swept, four_stroke=four_stroke
         )
-    grid = heat_release.Grid(above + swept / (ratio - 1), rate, places.cycle / SAMPLES)
     release = heat_release.Release(
         values["combustion_start"],
         values["combustion_duration"],
         values["wiebe_a"],
         values["wiebe_m"],
     )
-    happens = events(engine, above)
     charge = (values["intake_pressure"], values["exhaust_pressure"])
     if not values.get("variable_gamma") and values.get("wall_temperature") is None:
-        parts = heat_release.curves(grid, happens, release, gamma=values["gamma"])
+        parts = _curves(engine, row, ratio, release, values["gamma"])
         still = charge[0] * parts.intake + charge[1] * parts.exhaust
         return lambda heat: still + heat * swept * parts.heat
     if values.get("wall_temperature") is not None and "speed" not in values:
         raise GasError("heat to the walls needs the speed: give speed")
-    stroke = 2 * engine.throw(engine.first).radius
+    grid = heat_release.Grid(above + swept / (ratio - 1), rate, places.cycle / SAMPLES)
+    happens = events(engine, above)
+    own = engine.chambers[places.numbers[places.kind.index(row)]][0]
+    stroke = 2 * engine.throw(own).radius
     real = real_gas.Charge(
         *charge,
         temperature=values["intake_temperature"],
-        bore=engine.first.bore or 0.0,
+        bore=own.bore or 0.0,
         stroke=stroke,
         piston_speed=values.get("speed", 0.0) * stroke / pi,
         wall=values.get("wall_temperature"),
         gamma=None if values.get("variable_gamma") else values["gamma"],
     )
     return lambda heat: real_gas.real_pressure(grid, happens, release, real, heat=heat * swept)
+
+
+@lru_cache(maxsize=64)
+def _curves(
+    engine: Engine, row: int, ratio: float, release: heat_release.Release, gamma: float
+) -> heat_release.Curves:
+    """The curves of chambers of one kind, kept: loads of an engine differ in factors alone."""
+    places = volumes_of(engine)
+    above = places.above[row]
+    least = float(places.swept[row]) / (ratio - 1)
+    grid = heat_release.Grid(above + least, places.rate[row], places.cycle / SAMPLES)
+    return heat_release.curves(grid, events(engine, above), release, gamma=gamma)
 
 
 def ideal_cycle(values: Mapping[str, Any]) -> ideal_cycles.Ideal:

@@ -12,10 +12,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from crankstar.charts.drawing import numbers_text
 from crankstar.engine import motion
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import _
+from crankstar.language.numbers import numbers_text
 from crankstar.page.records import (
     CylinderShown,
     GearShown,

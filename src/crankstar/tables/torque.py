@@ -19,7 +19,6 @@ from crankstar.mechanics.doubts import point_doubts
 from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.gas_loads import LoadedTorques
 from crankstar.mechanics.gas_torque import GasTorque, gas_torque
-from crankstar.mechanics.side_thrust import side_thrust
 from crankstar.spectra import Real
 from crankstar.tables.conditions import unverified_gas
 from crankstar.tables.headings import heading
@@ -110,7 +109,7 @@ def torque_document(
     table = order_table(waves, shown, machine=machine)
     gears = mesh_table(engine, cycle, running=running)
     more = [] if gears is None else [gears]
-    more.append(side_thrust_table(side_thrust(engine, cycle)))
+    more.append(side_thrust_table(engine, cycle, machine=machine))
     told = [*notes(engine, cycle), *_provisos(waves)]
     if running is not None:
         changed = changes_table(engine, running)

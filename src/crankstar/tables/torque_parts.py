@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from math import degrees
 
 import numpy as np
@@ -10,11 +11,13 @@ from crankstar.dynamics.uneven import Running
 from crankstar.dynamics.uneven_forces import HIGHEST as HIGHEST_UNEVEN
 from crankstar.dynamics.uneven_forces import changes, worth_telling
 from crankstar.engine.engine import Engine
-from crankstar.language.kept import of_any
+from crankstar.language.kept import as_given, of_any
 from crankstar.language.messages import N_, _
+from crankstar.language.numbers import numbers_text
 from crankstar.language.shown_units import quantity_text
+from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.gas_loads import LoadedTorques
-from crankstar.mechanics.side_thrust import SideThrust
+from crankstar.mechanics.side_thrust import side_thrust
 from crankstar.spectra import Real
 from crankstar.tables.table import ROW_UNIT, Column, Table
 
@@ -23,28 +26,62 @@ TANGENTIAL = 12.0
 QUANTITIES = {"force": (N_("force"), "N"), "couple": (N_("couple"), "N*m")}
 
 
-def side_thrust_table(thrust: SideThrust) -> Table:
-    """The greatest side thrust of each piston on both sides, and the crank angles."""
+def side_thrust_table(engine: Engine, cycle: Cycle, *, machine: bool) -> Table:
+    """The greatest side thrust of each piston on both sides, and where it is.
+
+    For readers pistons that press alike are one row, and angles count from the dead centre at which
+    their cylinders fire; for machines each has its own, with crank angles.
+    """
+    thrust = side_thrust(engine, cycle)
+    fires = _fires(engine, cycle) if not machine else dict.fromkeys(thrust.numbers, 0.0)
+    whole = cycle.volumes.cycle
+    cells = {
+        number: (*_end(thrust.theta - fires[number], values, whole),
+                 *_end(thrust.theta - fires[number], -values, whole))
+        for number, values in zip(thrust.numbers, thrust.total, strict=True)
+    }  # fmt: skip
+    own = [(number,) for number in cells] if machine else _alike(cells)
+    groups: list[tuple[int, ...]] = as_given(("side thrust", engine.name), own)
+    head = _("cylinder") if all(len(group) == 1 for group in groups) else _("cylinders")
+    at = _("crank angle") if machine else _("after firing")
     columns = (
-        Column(_("cylinder"), key="cylinder", label=True),
+        Column(head, key="cylinder", label=True, kind="number" if machine else "text"),
         Column(_("thrust side"), "N", key="thrust_side"),
-        Column(_("at"), "deg", key="thrust_side_deg"),
+        Column(at, "deg", key="thrust_side_deg"),
         Column(_("other side"), "N", key="other_side"),
-        Column(_("at"), "deg", key="other_side_deg"),
+        Column(at, "deg", key="other_side_deg"),
     )
     rows = tuple(
-        (number, *_end(thrust.theta, values), *_end(thrust.theta, -values))
-        for number, values in zip(thrust.numbers, thrust.total, strict=True)
+        (group[0] if machine else numbers_text(group), *cells[group[0]]) for group in groups
     )
     return Table(_("Greatest side thrust of the pistons"), columns, rows, key="side_thrust")
 
 
-def _end(theta: Real, values: Real) -> tuple[float, float | None]:
+def _fires(engine: Engine, cycle: Cycle) -> dict[int, float]:
+    """The firing angle of the chamber of each cylinder, radians."""
+    of_chamber = dict(zip(cycle.volumes.numbers, cycle.volumes.fires.tolist(), strict=True))
+    return {
+        cylinder.number: of_chamber[number]
+        for number, members in engine.chambers.items()
+        for cylinder in members
+    }
+
+
+def _alike(cells: Mapping[int, Sequence[float | None]]) -> list[tuple[int, ...]]:
+    """Cylinders with the same cells to three figures."""
+    groups: dict[tuple[str, ...], list[int]] = {}
+    for number, values in cells.items():
+        key = tuple("" if value is None else f"{value:.3g}" for value in values[::2])
+        groups.setdefault(key, []).append(number)
+    return [tuple(group) for group in groups.values()]
+
+
+def _end(theta: Real, values: Real, whole: float) -> tuple[float, float | None]:
     """The greatest value and where it is; nought and nowhere if there is none above nought."""
     at = int(np.argmax(values))
     if values[at] <= 0:
         return 0.0, None
-    return float(values[at]), round(degrees(float(theta[at])), 9)
+    return float(values[at]), round(degrees(float(theta[at] % whole)), 9)
 
 
 def changes_table(engine: Engine, running: Running) -> Table:
