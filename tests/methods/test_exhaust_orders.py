@@ -20,6 +20,7 @@ from crankstar.firing.intervals import firing
 from crankstar.firing.strokes import exhaust_groups
 from crankstar.language.faults import EngineError
 from crankstar.language.messages import MessageError
+from crankstar.mechanics.exhaust_pulses import exhaust_pulses
 
 CROSS, FLAT = "v8-cross-plane", "v8-flat-plane"
 LOW, HIGH = 2 * sqrt(2) * sin(radians(22.5)), 2 * sqrt(2) * cos(radians(22.5))
@@ -155,3 +156,35 @@ def test_the_chart_has_a_bar_for_every_order_that_is_there() -> None:
 def test_an_engine_without_firing_order_has_no_bars() -> None:
     chart = charts.exhaust_order_chart(crankstar.load("napier-lion"))
     assert "The file gives no firing order." in words_of(charts.saved(chart, "svg", title="x"))
+
+
+def test_pulses_of_the_cycle_are_the_unit_pulses_times_that_of_one_cylinder() -> None:
+    """In both banks by the same factor, whose size is that of the pulse itself, integrated."""
+    engine = crankstar.load("gm-l76")
+    found = exhaust_pulses(engine, crankstar.cycle(engine, imep=9e5), highest=6)
+    unit = exhaust_orders(engine, highest=6)
+    there = np.abs(unit.sums) > 0
+    factors = np.where(there, found.sums / np.where(there, unit.sums, 1), np.nan)
+    assert np.all(np.abs(found.sums[~there]) == 0)
+    both = there.all(axis=0)
+    assert np.abs(factors[0, both] - factors[1, both]).max() < 1e-9 * np.abs(found.sums).max()
+
+
+def test_pulses_of_the_cycle_are_those_of_an_integral_over_the_open_exhaust() -> None:
+    """Valves of the file, the trapezium rule over the opening, a spline through the pressure."""
+    valves = {"exhaust_opens": "60 deg", "exhaust_closes": "10 deg"}
+    sizes = {"cylinder.stroke": "90 mm", "cylinder.bore": "86 mm"}
+    changes = {**sizes, **{f"valves.{name}": angle for name, angle in valves.items()}}
+    engine = crankstar.load("single", changes=changes)
+    cycle = crankstar.cycle(engine, imep=8e5)
+    found = exhaust_pulses(engine, cycle, highest=4)
+    angle = np.linspace(np.radians(120.0), np.radians(370.0), 40_001)
+    samples = np.arange(cycle.pressure.shape[-1] + 1) * (4 * np.pi / cycle.pressure.shape[-1])
+    closed = np.append(cycle.pressure[0], cycle.pressure[0, 0])
+    pressure = np.interp(angle, samples, closed) - 1.05e5
+    pulse = pressure * np.sin(np.pi * (angle - angle[0]) / (angle[-1] - angle[0])) ** 2
+    for order, amplitude in zip(found.orders, found.sums[0], strict=True):
+        turned = pulse * np.exp(-1j * order * (angle + cycle.volumes.fires[0]))
+        step = np.diff(angle)
+        wanted = ((turned[1:] + turned[:-1]) / 2 * step).sum() / (2 * np.pi)
+        assert abs(amplitude - wanted) < 2e-3 * np.abs(found.sums).max()

@@ -21,6 +21,7 @@
 | `doubts` | values that hardly any engine has: slips of unit and of thought |
 | `gas_torque` | gas torque of every chamber by order; the roll of the block with it |
 | `gas_loads` | gas torque at many loads, and over the speed |
+| `exhaust_pulses` | pulses of the exhaust with the pressure of the cycle, by order |
 | `side_thrust` | how hard each piston presses on its wall over a cycle |
 | `remains` | what remains of a balance: zero, negligible or worth a cure |
 """

@@ -56,6 +56,7 @@ def tables(engine: Engine, cycle: WorkingCycle) -> Iterator[Table | Remarks]:
     yield _cylinders(cycle, groups)
     yield _exhausts(cycle, groups)
     yield _orders(engine)
+    yield from _pulses(engine)
     yield _disturbances(cycle, groups)
     sides, pins = (in_succession(cycle.firing, of(engine)) for of in (neighbours, partners))
     yield from remarks(
@@ -200,6 +201,41 @@ def _orders(engine: Engine) -> Table:
     note = _("|sum of exp(-i q θ)| over the firing angles θ, in equal pulses of one cylinder.")
     title = _("Exhaust orders")
     return Table(title, columns, tuple(rows or _alone(found)), notes=(note,), key="exhaust_orders")
+
+
+def _pulses(engine: Engine) -> tuple[Table, ...]:
+    """The same pulses with the pressure of the cycle, where the file has one."""
+    if engine.gas is None:
+        return ()
+    from crankstar.mechanics.exhaust_pulses import exhaust_pulses  # with the cycle it needs
+    from crankstar.mechanics.gas import cycle
+    from crankstar.mechanics.operating_points import GasError
+
+    try:
+        found = exhaust_pulses(engine, cycle(engine), highest=HIGHEST)
+    except GasError:
+        return ()
+    columns = (
+        Column(_("exhaust group"), kind="text", key="name", label=True),
+        *(
+            Column(
+                _("order {order}", order=order_text(order)), "Pa", key=f"pulses/{order_text(order)}"
+            )
+            for order in found.orders.tolist()
+        ),
+    )
+    rows = [
+        (group.name, *np.abs(sums).tolist())
+        for group, sums in zip(found.groups, found.sums, strict=True)
+    ]
+    if len(found.groups) > 1:
+        rows.append((_("whole engine"), *np.abs(found.whole).tolist()))
+    note = _(
+        "Pressure above that of the exhaust while it is open, times the lift of the valve, at the "
+        "load of the file: ratios of orders, not a sound pressure."
+    )
+    title = _("Exhaust pulses of the cycle")
+    return (Table(title, columns, tuple(rows), notes=(note,), key="exhaust_pulses"),)
 
 
 def _alone(found: ExhaustOrders) -> list[tuple[Any, ...]]:
