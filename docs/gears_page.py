@@ -8,7 +8,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from crankstar import balance, load, spectra, total
+from crankstar import balance, charts, load, spectra, total
+from crankstar.charts.crank_angle import across
+from crankstar.charts.drawing import BLUE, VERMILION, styled
+from crankstar.charts.grammar import field, of_rows
 from crankstar.dynamics.meshes import Mesh, meshes
 from crankstar.dynamics.uneven import SAMPLES, running
 from crankstar.engine.engine import Engine
@@ -89,13 +92,46 @@ def gears() -> str:
         for name, words in ENGINES.items():
             cells = [cell for rpm in (None, FAST) for cell in _cells(mesh(name, share, rpm=rpm))]
             rows.append(f"| {where} | {words} | {' | '.join(cells)} |")
-    return '<div class="numbers" markdown="1">\n\n' + "\n".join(rows) + "\n\n</div>\n\n" + verdict()
+    table = '<div class="numbers" markdown="1">\n\n' + "\n".join(rows) + "\n\n</div>\n\n"
+    return table + figure() + "\n\n" + verdict()
+
+
+def figure() -> str:
+    """The torque in the gears of the racer over a turn, gas alone."""
+    curves = {
+        f"{ENGINES[APART]}, ½ on each": (mesh(APART, 0.5), VERMILION),
+        f"{ENGINES[TOGETHER]}, ½ on each": (mesh(TOGETHER, 0.5), BLUE),
+        f"{ENGINES[APART]}, all with the load": (mesh(APART, 0.0), charts.GREY),
+    }
+    rows = [
+        {"x": x, "y": y, "what": name}
+        for name, (one, _) in curves.items()
+        for x, y in zip(np.degrees(one.theta[::4]).tolist(), one.torque[::4].tolist(), strict=True)
+    ]
+    legend = {"orient": "top", "title": None, "columns": 1, "labelLimit": 0}
+    colour = field(
+        "what:N",
+        legend=legend,
+        scale={"domain": [*curves], "range": [shade for _, shade in curves.values()]},
+    )
+    line = of_rows(rows).mark("line", strokeWidth=1.6)
+    chart = styled(
+        line.encode(
+            x=across(1, ticks=45, foot=True),
+            y=field("y:Q", title="torque in the gears (N m)"),
+            color=colour,
+        )
+    )
+    title = "Torque in the gears of the racer over a turn, gas alone"
+    drawing = charts.svg(chart, title).replace(charts.GREY, "currentColor")
+    return f'<figure class="chart" markdown="0">{drawing}<figcaption>{title}</figcaption></figure>'
 
 
 def _cells(found: Mesh) -> list[str]:
     low, high = found.least[0], found.greatest[0]
     steady = high - low < 1e-6 * found.scale
-    span = _number(high) if steady else f"{_number(low)} to {_number(high)}"
+    digits = 1 if high < 100 else 0
+    span = _number(high) if steady else f"{_fixed(low, digits)} to {_fixed(high, digits)}"
     return [f"{span} N m", str(len(found.reversals)), f"{_number(found.work)} J"]
 
 
@@ -132,8 +168,12 @@ def low_speed() -> str:
 
 
 def _number(value: float) -> str:
-    """Three significant figures, a minus of its own length."""
+    """Three significant figures."""
     shown = f"{value:.3g}"
-    if "e" in shown:
-        shown = f"{float(shown):.0f}"
+    return f"{float(shown):.0f}" if "e" in shown else shown
+
+
+def _fixed(value: float, digits: int) -> str:
+    """So many decimals, a minus of its own length."""
+    shown = f"{value:.{digits}f}"
     return "−" + shown[1:] if shown.startswith("-") else shown

@@ -298,6 +298,10 @@ def test_contact_is_reversed_where_the_torque_goes_through_nought() -> None:
     assert mesh.driving == pytest.approx(2 / 3, abs=2e-3)
     assert drawn(1.5 + np.cos(theta)).reversals == ()
     assert drawn(np.maximum(np.cos(theta), 0.0) + 1e-14 * np.cos(99 * theta)).reversals == ()
+    light = np.where(np.cos(theta) > 0, np.cos(theta), 0.005 * np.cos(theta))
+    assert drawn(light).reversals == ()
+    late = np.where(theta < 1.0, 1.0, np.where(theta < 2.0, 0.005 * np.cos(20 * theta), -1.0))
+    assert drawn(late).reversals[0] == pytest.approx(2.0, abs=0.1)
     exact = np.cos(theta)
     exact[180] = exact[540] = 0.0
     assert np.degrees(drawn(exact).reversals) == pytest.approx([90.0, 270.0])

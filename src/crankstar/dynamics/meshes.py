@@ -39,6 +39,8 @@ from crankstar.spectra import Real
 
 NOTHING = 1e-9
 """Share of the torque of the crankshafts beyond a mesh below which it passes on nothing."""
+LIGHT = 0.01
+"""The same share, below which the teeth are hardly pressed to either side."""
 
 
 @dataclass(frozen=True)
@@ -111,21 +113,26 @@ class Mesh:
 
     @cached_property
     def reversals(self) -> tuple[float, ...]:
-        """The crank angles (radians) at which contact goes to the other flanks of the teeth."""
-        sign = np.sign(np.where(np.abs(self.torque) > NOTHING * self.scale, self.torque, 0.0))
+        """The crank angles (radians) at which contact goes to the other flanks of the teeth.
+
+        Those after which the torque stays within LIGHT are not counted.
+        """
+        sign = np.sign(np.where(np.abs(self.torque) > LIGHT * self.scale, self.torque, 0.0))
         place = np.flatnonzero(sign)
-        if not place.size:
-            return ()
         after = np.roll(place, -1)
         changes = sign[place] != sign[after]
-        step = float(self.theta[1] - self.theta[0])
-        period = step * self.theta.size
-        found: list[float] = []
-        for a, b in zip(place[changes], after[changes], strict=True):
-            apart = (b - a) % self.theta.size * step
-            part = self.torque[a] / (self.torque[a] - self.torque[b])
-            found.append(float((self.theta[a] + part * apart) % period))
-        return tuple(sorted(found))
+        return tuple(
+            sorted(self._nought(a, b) for a, b in zip(place[changes], after[changes], strict=True))
+        )
+
+    def _nought(self, before: int, after: int) -> float:
+        """The last crank angle (radians) between two samples at which the torque is nought."""
+        count, step = self.theta.size, float(self.theta[1] - self.theta[0])
+        way = np.arange(before, before + (after - before) % count + 1)
+        torque = self.torque[way % count]
+        last = int(np.flatnonzero(torque * torque[-1] <= 0)[-1])
+        part = torque[last] / (torque[last] - torque[last + 1])
+        return float((way[last] + part) % count) * step
 
 
 def crankshafts(engine: Engine) -> tuple[Shaft, ...]:
