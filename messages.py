@@ -97,6 +97,7 @@ MESSAGE_ERRORS = [
     "UnevenError",
     "SweepError",
     "UnitsError",
+    "WeighingError",
 ]
 """Errors that are raised with a sentence and its values."""
 PYTHON = Domain(

@@ -38,6 +38,8 @@ Place = Annotated[
 ]
 
 
+USUAL_HIGHEST = 3.0
+"""Crank orders up to which firing orders are weighed by default."""
 REASONS = 4
 """Dead centres that are named as the reason why nothing fires evenly."""
 
@@ -50,6 +52,14 @@ def orders(
     any_: Annotated[bool, option("--any")] = False,
     together: Annotated[bool, option("--together")] = False,
     tolerance: Annotated[str | None, option("--tolerance")] = None,
+    minimise: Annotated[
+        str | None, option("--minimise", "Torque, roll or twist of the gas; sorts the orders.")
+    ] = None,
+    crank_orders: Annotated[
+        str | None, option("--orders", "For --minimise. Default: 0.5,1,1.5,2,2.5,3.")
+    ] = None,
+    mode_shape: Annotated[str | None, option("--mode-shape")] = None,
+    point: Annotated[str | None, option("--point")] = None,
     top: Top = 20,
     row: Row = None,
     json: Json = False,
@@ -68,6 +78,9 @@ def orders(
         request.refuse_unused({"--intervals": intervals, "--tolerance": tolerance}, beside="--any")
     else:
         request.refuse_unused({"--together": together}, without="--any")
+    given = {"--orders": crank_orders, "--mode-shape": mode_shape, "--point": point}
+    if minimise is None:
+        request.refuse_unused(given, without="--minimise")
     loaded, tree = engine_with_tree(engine, settings)
     try:
         with working(_("Trying firing orders ...")):
@@ -84,6 +97,8 @@ def orders(
                     firing_orders.most_even_orders(loaded),
                     passage(fault.sentence for fault in reasons),
                 )
+            if minimise is not None:
+                listing = _weighed(listing, minimise, crank_orders, mode_shape, point)
     except OrderError as error:
         raise RequestError(f"{loaded.name}: {error}") from None
     if row is None:
@@ -94,6 +109,55 @@ def orders(
         other = numbering.with_order(loaded, fired)
         words = _("fires {order}", order="-".join(map(str, fired.order)))
         write_engine(with_values(other, name=f"{loaded.name}, {words}"), tree, output)
+
+
+def _weighed(
+    listing: Listing, minimise: str, crank_orders: str | None, shape: str | None, point: str | None
+) -> Listing:
+    """The orders sorted by the torque, roll or twist of these crank orders."""
+    from crankstar.firing import weighing
+    from crankstar.mechanics.gas import computable, cycle
+    from crankstar.mechanics.gas_torque import HIGHEST, of_one_cylinder
+    from crankstar.tables.torque import load_sentence
+
+    engine = listing.engine
+    weight = cast("weighing.Weight", request.choice("--minimise", minimise, weighing.WEIGHTS))
+    step = 360 / engine.cycle_angle
+    there = [step * n for n in range(1, int(HIGHEST / step) + 1)]
+    usual = [order for order in there if order <= USUAL_HIGHEST]
+    wanted = usual if crank_orders is None else request.orders(crank_orders, there) or usual
+    if any(order not in there for order in wanted):
+        text = crank_orders or ""
+        raise refusal("--orders", text, "gas torque has multiples of {step}", step=f"{step:g}")
+    if shape is not None and weight != "twist":
+        raise RequestError("--mode-shape is for --minimise twist")
+    if shape is not None:
+        amplitudes = dict(zip(engine.chambers, _amplitudes(shape, engine), strict=True))
+    else:
+        amplitudes = (
+            weighing.twist_shape(engine) if weight == "twist" else weighing.even_shape(engine)
+        )
+    sizes, load = None, ""
+    if computable(engine):
+        found = cycle(engine, point=point or "")
+        sizes, load = of_one_cylinder(found, wanted), load_sentence(found)
+    elif point is not None:
+        raise RequestError("--point needs the bore and the firing order of the engine")
+    sums = weighing.weighed(listing.orders, amplitudes, wanted, sizes)
+    return listing._replace(orders=sums.orders, weighed=sums, weight=weight, load=load)
+
+
+def _amplitudes(text: str, engine: Engine) -> list[float]:
+    """The amplitudes of a mode, one for each cylinder. Raises RequestError."""
+    parts = request.fractions(text, most=200)
+    if len(parts) != len(engine.chambers):
+        raise refusal(
+            "--mode-shape",
+            text,
+            "give {count} numbers with commas, one for each cylinder",
+            count=len(engine.chambers),
+        )
+    return [float(part) for part in parts]
 
 
 def _asked(engine: Engine, intervals: str | None, tolerance: str | None) -> Listing:

@@ -18,6 +18,7 @@ same mounts, it feels none of it.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -74,6 +75,13 @@ def gas_torque(cycle: Cycle) -> GasTorque:
     amplitude = 2 / count * np.fft.rfft(samples, axis=-1)[:, numbers]
     delayed = amplitude * np.exp(-1j * orders * places.fires[:, None])
     return GasTorque(places.numbers, samples.mean(axis=-1), spectra.real_signal(orders, delayed))
+
+
+def of_one_cylinder(cycle: Cycle, orders: Sequence[float]) -> list[float]:
+    """The amplitude of the first chamber's gas torque in these orders, N m."""
+    found = gas_torque(cycle).torque
+    first = spectra.amplitude(spectra.selected(found, orders))[0]
+    return [float(each) for each in np.abs(first)]
 
 
 def chamber_torque(cycle: Cycle) -> Real:

@@ -8,11 +8,27 @@ from typing import NamedTuple
 from crankstar.engine.engine import Engine
 from crankstar.firing.orders import Order, place_of
 from crankstar.firing.succession import Follower
-from crankstar.language.messages import _, _n
+from crankstar.firing.weighing import Weighed, Weight
+from crankstar.language.messages import N_, _, _n
 from crankstar.language.numbers import number
 from crankstar.tables.headings import heading
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
 
+HEADS = {"torque": N_("torque"), "roll": N_("roll"), "twist": N_("twist")}
+MEANINGS = {
+    "torque": N_(
+        "torque k: gas torque of order k. Of whole orders it is the same for all firing orders, "
+        "and where they fire evenly all but multiples of the firing frequency vanish."
+    ),
+    "roll": N_(
+        "roll k: rolling moment of order k that gas gives the block, the reaction of its torque. "
+        "Of whole orders it is the same for all firing orders."
+    ),
+    "twist": N_(
+        "twist k: gas torque of order k, each cylinder times its distance from the middle of the "
+        "crankshaft over that of the farthest, or times the amplitude of --mode-shape."
+    ),
+}
 EQUAL_INTERVALS = 1e-3
 """Degrees by which intervals may differ and are written as one."""
 
@@ -21,7 +37,9 @@ class Listing(NamedTuple):
     """Firing orders of an engine, and what was asked for.
 
     `why_uneven`: why there are no even ones; `asked_deg`: the intervals that were asked for, none
-    where any would do; `tolerance_deg`: how far a firing may be from its place.
+    where any would do; `tolerance_deg`: how far a firing may be from its place; `weighed`: the sums
+    by which they are sorted, those of `weight`, in N m at the `load`, which is a sentence, else
+    counted in one cylinder.
     """
 
     engine: Engine
@@ -29,6 +47,9 @@ class Listing(NamedTuple):
     why_uneven: str = ""
     asked_deg: tuple[float, ...] = ()
     tolerance_deg: float | None = None
+    weighed: Weighed | None = None
+    weight: Weight = "torque"
+    load: str = ""
 
 
 def firing_orders(listing: Listing, *, limit: int | None = None) -> Document:
@@ -77,7 +98,21 @@ def _columns(listing: Listing) -> tuple[Column, ...]:
         out.append(Column("", "deg", kind="list", key=f"exhausts/{bank}", machine=True))
     out.append(Column(_("neighbours in succession"), kind="list", key="neighbours", wraps=True))
     out.append(Column(_("same pin in succession"), kind="list", key="partners", wraps=True))
-    return tuple(out)
+    return (*out, *_sums(listing))
+
+
+def _sums(listing: Listing) -> list[Column]:
+    """The columns of the sums by which the orders are sorted: crank orders, and all together."""
+    if listing.weighed is None:
+        return []
+    unit = "N*m" if listing.load else ""
+    head = _(HEADS[listing.weight])
+    out = [
+        Column(f"{head} {number(order)}", unit, key=f"{listing.weight}/{order:g}")
+        for order in listing.weighed.crank_orders
+    ]
+    together = Column(_("together"), unit, key=f"{listing.weight}/together")
+    return [*out, together] if len(out) > 1 else out
 
 
 def _row(listing: Listing, place: int, own: int | None) -> tuple[Value, ...]:
@@ -87,7 +122,10 @@ def _row(listing: Listing, place: int, own: int | None) -> tuple[Value, ...]:
     for intervals in (order.firing.intervals_deg, *order.banks.values()):
         cells += [_spaced(intervals), tuple(intervals)]
     pairs = (_pairs(steps) for steps in (order.neighbours, order.partners))
-    return (*cells, *pairs)
+    if listing.weighed is None:
+        return (*cells, *pairs)
+    sums, whole = listing.weighed.sums[place], listing.weighed.whole[place]
+    return (*cells, *pairs, *sums, *((whole,) if len(sums) > 1 else ()))
 
 
 def _spaced(intervals: Sequence[float]) -> str:
@@ -125,6 +163,8 @@ def _notes(listing: Listing, shown: int, own: int | None) -> list[str]:
         )
     if own is not None:
         out.append(_("* the order of the file."))
+    if listing.weighed is not None:
+        out += [_(MEANINGS[listing.weight]), listing.load or _("Counted in one cylinder.")]
     out.append(_("--row N -o FILE writes the engine with that order."))
     return out
 

@@ -139,6 +139,14 @@ def torque_document(
     )
 
 
+def load_sentence(cycle: Cycle) -> str:
+    """The load at which a cycle was computed, and whether it is assumed."""
+    imep = number(cycle.imep / 1e5)
+    if "imep" in cycle.assumed:
+        return _("In N m at {imep} bar indicated mean effective pressure, assumed.", imep=imep)
+    return _("In N m at {imep} bar indicated mean effective pressure.", imep=imep)
+
+
 def friction_torque(cycle: Cycle) -> float:
     """The mean torque that friction takes, N m."""
     places = cycle.volumes
