@@ -12,7 +12,9 @@ from typing import Any
 import numpy as np
 import pytest
 from playwright.sync_api import Locator, Page, expect
+from tests.web.browsing import barriers, too_wide
 from tests.web.engine_page import opened, written_of
+from tests.web.overflow import overflows
 
 from crankstar import cli, spectra
 from crankstar.dynamics import sound
@@ -56,8 +58,9 @@ WITHOUT_SOUND = """() => {
   window.contexts = []
   window.AudioContext = class extends OfflineAudioContext {
     constructor() { super(2, 88200, 44100); contexts.push(this); this.begun = null }
-    resume() { setTimeout(() => { this.begun ??= this.startRendering() }) }
-    close() {}
+    async resume() { setTimeout(() => { this.begun ??= this.startRendering() }) }
+    async suspend() {}
+    async close() {}
   }
 }"""
 """In place of the loudspeakers two seconds of samples, as they stand once all has been set up."""
@@ -331,3 +334,31 @@ def test_the_orders_of_the_exhaust_stand_beside_its_sound(built_page: Build, pag
     assert sizes[0.5] == pytest.approx(100 * 1.0824 / 4, abs=0.01)
     assert sizes[1.5] == pytest.approx(100 * 2.6131 / 4, abs=0.01)
     assert [order for order, kind, _size in heights if kind == "nought-bar"] == [1, 2, 3, 5, 6, 7]
+
+
+@pytest.mark.many(first=1)
+@pytest.mark.parametrize("language", ["ru", "ja", "en"])
+def test_torque_and_sound_can_be_read_by_everyone(
+    language: str, built_page: Build, page: Page
+) -> None:
+    state = f"a=0&lang={language}&torque.off=2&forces.gas=on"
+    opened(page, built_page(FIVE, BOXER), state)
+    found = {}
+    for width, colours in ((390, "light"), (320, "dark"), (1024, "light")):
+        page.set_viewport_size({"width": width, "height": 900})
+        page.emulate_media(color_scheme="dark" if colours == "dark" else "light")
+        for tab in ("torque", "sound"):
+            page.locator(f"[data-tab={tab}]").dispatch_event("click")
+            page.evaluate("document.querySelectorAll('details').forEach(one => one.open = true)")
+            found[tab, width] = [*barriers(page), *too_wide(page), *overflows(page)]
+    assert {place: told for place, told in found.items() if told} == {}
+
+
+def test_a_browser_without_sound_says_so(built_page: Build, page: Page) -> None:
+    page.add_init_script(
+        "window.AudioContext = class { constructor() { throw Error('no sound') } }"
+    )
+    opened(page, built_page("v8-cross-plane"), "a=0&tab=sound")
+    page.get_by_role("button", name="Hear").click()
+    expect(page.locator(".trouble")).to_contain_text("no sound")
+    expect(page.get_by_role("button", name="Hear")).to_have_attribute("aria-pressed", "false")

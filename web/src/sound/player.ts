@@ -5,6 +5,8 @@ import { channelsOf, cyclesAt, echoesOf, gainOf, heard } from './exhaust'
 /** Seconds in which a sound comes and goes, and in which it takes on another speed. */
 const FADE = 0.03
 const GLIDE = 0.08
+/** Seconds after which nothing is left of a sound that fades. */
+const LAST = 6 * FADE
 
 /** The exhaust of an engine in an audio context. */
 export interface Source {
@@ -59,7 +61,7 @@ export function sourceIn(context: BaseAudioContext, exhaust: Exhaust, rpm: numbe
         frequency.setTargetAtTime(cyclesAt(next, exhaust), context.currentTime, GLIDE)
     },
     end() {
-      const last = context.currentTime + 5 * FADE
+      const last = context.currentTime + LAST
       out.gain.setTargetAtTime(0, context.currentTime, FADE)
       for (const oscillator of oscillators) oscillator.stop(last)
     },
@@ -70,7 +72,8 @@ export function sourceIn(context: BaseAudioContext, exhaust: Exhaust, rpm: numbe
 export interface Player {
   /** The place of the engine that is heard; null for none. */
   readonly playing: ReadonlySignal<number | null>
-  play(place: number, exhaust: Exhaust, rpm: number): void
+  /** Rejects where the browser has no sound. */
+  play(place: number, exhaust: Exhaust, rpm: number): Promise<void>
   tune(rpm: number): void
   stop(): void
   /** Ends it for good. */
@@ -81,10 +84,14 @@ export function createPlayer(): Player {
   const playing = signal<number | null>(null)
   let context: AudioContext | null = null
   let source: Source | null = null
+  let later = 0
   const stop = (): void => {
-    source?.end()
+    if (!source) return
+    source.end()
     source = null
     playing.value = null
+    // a context without sound would keep the loudspeakers awake
+    later = window.setTimeout(() => void context?.suspend(), 1e3 * LAST)
   }
   const seen = (): void => {
     if (document.visibilityState === 'hidden') stop()
@@ -92,20 +99,24 @@ export function createPlayer(): Player {
   document.addEventListener('visibilitychange', seen)
   return {
     playing,
-    play(place, exhaust, rpm) {
+    async play(place, exhaust, rpm) {
       stop()
+      window.clearTimeout(later)
       context ??= new AudioContext({ latencyHint: 'playback' })
-      void context.resume()
       source = sourceIn(context, exhaust, rpm)
       playing.value = place
+      return context.resume()
     },
     tune: (rpm) => source?.tune(rpm),
     stop,
     dispose() {
       document.removeEventListener('visibilitychange', seen)
       stop()
-      void context?.close()
+      window.clearTimeout(later)
+      const ending = context
       context = null
+      // after it has faded
+      window.setTimeout(() => void ending?.close(), 1e3 * LAST)
     },
   }
 }

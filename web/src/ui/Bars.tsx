@@ -22,8 +22,20 @@ interface Props {
 export const sizeText = (size: number): string =>
   size === 0 ? '0' : String(Number(size.toPrecision(4)))
 
+/** Orders that all have their names below them; of more, or on a phone, only the coarse ones. */
+const MOST_LABELS = 16
+const MOST_COARSE = 12
+
+/** Whole orders at equal steps, few enough for a phone. */
+export function coarseOf(orders: readonly number[]): ReadonlySet<number> {
+  const whole = orders.filter(Number.isInteger)
+  const step = Math.ceil(whole.length / MOST_COARSE)
+  return new Set(whole.filter((_, index) => (index + 1) % step === 0))
+}
+
 /** Bars over orders to one scale; what is exactly nought is a 0. */
 export function Bars({ label, unit, orders, series, most }: Props) {
+  const coarse = coarseOf(orders)
   const greatest = most ?? Math.max(...series.flatMap(({ sizes }) => sizes), 0)
   return (
     <figure class="order-bars">
@@ -31,7 +43,11 @@ export function Bars({ label, unit, orders, series, most }: Props) {
         {label}{' '}
         <span class="soft">{t('greatest {size} {unit}', { size: sizeText(greatest), unit })}</span>
       </figcaption>
-      <div class="bars-over" role="img" aria-label={label}>
+      <div
+        class={orders.length > MOST_LABELS ? 'bars-over bars-many' : 'bars-over'}
+        role="img"
+        aria-label={label}
+      >
         {orders.map((order, index) => (
           <div key={order} class="bars-group" data-order={order}>
             <div class="bars-stack">
@@ -51,9 +67,7 @@ export function Bars({ label, unit, orders, series, most }: Props) {
                 )
               })}
             </div>
-            <span class={Number.isInteger(order) ? 'bars-order' : 'bars-order bars-half'}>
-              {order}
-            </span>
+            <span class={coarse.has(order) ? 'bars-order' : 'bars-order bars-fine'}>{order}</span>
           </div>
         ))}
       </div>

@@ -10,10 +10,12 @@ export function Each({ Part }: { Part: ComponentType }) {
       {subjects.value.map((place) => (
         <Subject.Provider key={place} value={place}>
           {several ? (
-            <section class="of-engine" aria-label={shown.value[place]?.name}>
+            // no landmark: the stage of the engine is one of the same name
+            // biome-ignore lint/a11y/useSemanticElements: a fieldset is for what is filled in
+            <div role="group" class="of-engine" aria-label={shown.value[place]?.name}>
               <h3 class="whose">{shown.value[place]?.name}</h3>
               <Part />
-            </section>
+            </div>
           ) : (
             <Part />
           )}

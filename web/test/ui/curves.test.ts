@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { sizeText } from '../../src/ui/Bars'
+import { coarseOf, sizeText } from '../../src/ui/Bars'
 import { extentOf, HIGH, pathOf, ticksOf, tickText, WIDE } from '../../src/ui/Curves'
 
 test('a curve goes from edge to edge, its greatest value at the top', () => {
@@ -21,4 +21,10 @@ test('ticks are round and within the drawing', () => {
 
 test('what is exactly nought is 0, what is small is not', () => {
   expect([0, 1e-9, 252.84].map(sizeText)).toEqual(['0', '1e-9', '252.8'])
+})
+
+test('of many orders few have a name on a phone', () => {
+  const halves = (most: number) => Array.from({ length: 2 * most }, (_, index) => (index + 1) / 2)
+  expect([...coarseOf(halves(8))]).toEqual([1, 2, 3, 4, 5, 6, 7, 8])
+  expect([...coarseOf(halves(24))]).toEqual([2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24])
 })

@@ -1,6 +1,7 @@
 import { useEffect, useMemo } from 'preact/hooks'
 import type { Exhaust } from '../../exhibit'
 import { message, t } from '../../language/messages'
+import { reasonOf } from '../../reason'
 import { FASTER, heardAt, pulses } from '../../sound/exhaust'
 import { createPlayer } from '../../sound/player'
 import { Bars } from '../Bars'
@@ -23,7 +24,7 @@ const HIGHEST = 8
 
 /** The exhaust of the engines, heard at a click, and its orders. */
 function Sound() {
-  const { shown, subjects, store } = useApp()
+  const { shown, subjects, store, trouble } = useApp()
   const [speed, choose] = useChoice<'page' | 'engine'>('sound.speed', ['page', 'engine'])
   const player = useMemo(createPlayer, [])
   const engines = subjects.value.flatMap((place) => {
@@ -35,6 +36,12 @@ function Sound() {
   const rpmOf = (place: number): number =>
     (speed === 'engine' && shown.value[place]?.speed_rpm) || slow
   const playing = player.playing.value
+  const play = (place: number, exhaust: Exhaust): void => {
+    player.play(place, exhaust, rpmOf(place)).catch((error: unknown) => {
+      player.stop()
+      trouble.value = reasonOf(error)
+    })
+  }
   const rpm = playing === null ? 0 : rpmOf(playing)
   useEffect(() => {
     if (rpm) player.tune(rpm)
@@ -60,7 +67,7 @@ function Sound() {
               type="button"
               class={on ? 'primary' : ''}
               aria-pressed={on}
-              onClick={() => (on ? player.stop() : player.play(place, exhaust, rpmOf(place)))}
+              onClick={() => (on ? player.stop() : play(place, exhaust))}
             >
               <Icon name={on ? 'stop' : 'play'} />
               <span>
