@@ -7,7 +7,7 @@ import math
 import re
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 import pytest
@@ -267,30 +267,27 @@ def played(page: Page, name: str) -> Locator:
     """The button that has just been pressed to hear an engine."""
     page.get_by_role("button", name=f"Hear {name}").click()
     button = page.get_by_role("button", name=f"Stop the sound of {name}")
-    expect(button).to_have_attribute("aria-pressed", "true")
+    expect(button).to_be_visible()
     return button
 
 
+@pytest.mark.many(first=1)
+@pytest.mark.parametrize("name", ["v8-cross-plane", "v8-flat-plane", "napier-deltic"])
 def test_the_sound_has_the_orders_of_the_file_that_the_command_writes(
-    built_page: Build, page: Page
+    name: str, built_page: Build, page: Page
 ) -> None:
     page.add_init_script(f"({WITHOUT_SOUND})()")
-    names = ("v8-flat-plane", "v8-cross-plane")
-    opened(page, built_page(*names), "a=0&tab=sound")
+    opened(page, built_page(name), "a=0&tab=sound")
     assert page.evaluate("contexts.length") == 0
-    for name in names:
-        engine = load(name)
-        # each has a context of its own, as they are rendered only once
-        page.evaluate("document.querySelector('[data-tab=orders]').click()")
-        page.evaluate("document.querySelector('[data-tab=sound]').click()")
-        played(page, engine.name)
-        heard = page.evaluate(HEARD)
-        turning = OFTEN * math.pi / 30
-        ride = sound.Ride(turning, turning, seconds=2.0)
-        written = sound.sound(engine, ride=ride).samples[:, 22050:66150]
-        own, others = lines(heard, engine, OFTEN), lines(written, engine, OFTEN)
-        assert np.allclose(own / own.max(), others / others.max(), atol=4e-3), name
-        assert 0.2 < np.abs(heard).max() <= 0.9
+    engine = load(name)
+    played(page, engine.name)
+    heard = page.evaluate(HEARD)
+    turning = OFTEN * math.pi / 30
+    ride = sound.Ride(turning, turning, seconds=2.0)
+    written = sound.sound(engine, ride=ride).samples[:, 22050:66150]
+    own, others = lines(heard, engine, OFTEN), lines(written, engine, OFTEN)
+    assert np.allclose(own / own.max(), others / others.max(), atol=4e-3)
+    assert 0.2 < np.abs(heard).max() <= 0.9
 
 
 def test_one_click_leads_from_one_sound_to_the_other_and_hiding_ends_it(
@@ -337,21 +334,24 @@ def test_the_orders_of_the_exhaust_stand_beside_its_sound(built_page: Build, pag
 
 
 @pytest.mark.many(first=1)
-@pytest.mark.parametrize("language", ["ru", "ja", "en"])
+@pytest.mark.parametrize(
+    ("language", "width", "colours"),
+    [("ru", 320, "dark"), ("ja", 390, "light"), ("en", 1024, "dark"), ("ru", 1440, "light")],
+)
 def test_torque_and_sound_can_be_read_by_everyone(
-    language: str, built_page: Build, page: Page
+    language: str, width: int, colours: Literal["light", "dark"], built_page: Build, page: Page
 ) -> None:
-    state = f"a=0&lang={language}&torque.off=2&forces.gas=on"
-    opened(page, built_page(FIVE, BOXER), state)
+    page.set_viewport_size({"width": width, "height": 900})
+    page.emulate_media(color_scheme=colours)
+    opened(
+        page, built_page(FIVE, BOXER), f"a=0&lang={language}&torque.off=2&forces.gas=on&tab=torque"
+    )
     found = {}
-    for width, colours in ((390, "light"), (320, "dark"), (1024, "light")):
-        page.set_viewport_size({"width": width, "height": 900})
-        page.emulate_media(color_scheme="dark" if colours == "dark" else "light")
-        for tab in ("torque", "sound"):
-            page.locator(f"[data-tab={tab}]").dispatch_event("click")
-            page.evaluate("document.querySelectorAll('details').forEach(one => one.open = true)")
-            found[tab, width] = [*barriers(page), *too_wide(page), *overflows(page)]
-    assert {place: told for place, told in found.items() if told} == {}
+    for tab in ("torque", "sound"):
+        page.locator(f"[data-tab={tab}]").dispatch_event("click")
+        page.evaluate("document.querySelectorAll('details').forEach(one => one.open = true)")
+        found[tab] = [*barriers(page), *too_wide(page), *overflows(page)]
+    assert found == {"torque": [], "sound": []}
 
 
 def test_a_browser_without_sound_says_so(built_page: Build, page: Page) -> None:
@@ -361,4 +361,4 @@ def test_a_browser_without_sound_says_so(built_page: Build, page: Page) -> None:
     opened(page, built_page("v8-cross-plane"), "a=0&tab=sound")
     page.get_by_role("button", name="Hear").click()
     expect(page.locator(".trouble")).to_contain_text("no sound")
-    expect(page.get_by_role("button", name="Hear")).to_have_attribute("aria-pressed", "false")
+    expect(page.get_by_role("button", name="Stop the sound")).to_have_count(0)

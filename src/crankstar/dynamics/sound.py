@@ -11,8 +11,9 @@ back from its open end, upside down; it returns from the valve at the next 2t:
     y(s) = x(s - t) - r y(s - 2t)
 
 with c = SPEED_OF_SOUND and r = REFLECTED. 2t is rounded to a sample, and t is not. Pipes of a group
-meet in the air; the sound of a group is their sum. With two groups one is left, the other right;
-with more, all are one channel.
+meet in the air; the sound of a group is their sum. One group is one channel; several stand side by
+side, the first at the left, the last at the right, those between heard from both sides. So two are
+a channel each, and groups that would cancel each other in one channel are heard.
 
 At a constant speed the lines of a group with equal pipes stand at the orders of `exhaust_orders`,
 with |S_q| |P_q| |H|: P_q of the pulse (`pulse_order`), H of the pipe, 1/|1 + r exp(-2 i w t)|.
@@ -85,7 +86,10 @@ class Ride:
 
 @dataclass(frozen=True)
 class Sound:
-    """Samples [channel, sample] from -1 to 1, RATE in a second; the names of the channels."""
+    """Samples [channel, sample] from -1 to 1, RATE in a second; the group that each is of.
+
+    Of more than two groups the channels are named after the first and the last.
+    """
 
     channels: tuple[str, ...]
     samples: Real
@@ -129,18 +133,29 @@ def sound(
         for length in sorted({_pipe(ride, number) for number in group.chambers})
     ]
     count = round(ride.seconds * RATE)
-    samples = np.zeros((len(groups), count))
+    heard = np.zeros((len(groups), count))
     for done, (place, length, chambers) in enumerate(parts):
         tell(done, len(parts))
-        samples[place] += _piped(_table(engine, chambers), engine, ride, length, count)
-    names = tuple(group.name for group in groups)
-    if len(groups) > 2:
-        samples, names = samples.sum(axis=0, keepdims=True), (", ".join(names),)
+        heard[place] += _piped(_table(engine, chambers), engine, ride, length, count)
+    samples = channel_shares(len(groups)) @ heard
+    names = tuple(group.name for group in (groups if len(groups) < 3 else (groups[0], groups[-1])))
     edge = max(1, min(round(FADE * RATE), count // 2))
     rise = (1 - np.cos(pi * np.arange(edge) / edge)) / 2
     samples[:, :edge] *= rise
     samples[:, count - edge :] *= rise[::-1]
-    return Sound(names, samples * (LOUDEST / max(float(np.abs(samples).max()), 1e-300)))
+    return Sound(names, samples * (LOUDEST / max(float(np.abs(samples).max()), FAINT)))
+
+
+def channel_shares(groups: int) -> Real:
+    """The share of each group in each channel, [channel, group].
+
+    >>> channel_shares(3).tolist()
+    [[1.0, 0.5, 0.0], [0.0, 0.5, 1.0]]
+    """
+    if groups < 2:
+        return np.ones((1, groups))
+    right = np.arange(groups) / (groups - 1)
+    return np.array([1 - right, right])
 
 
 def _pipe(ride: Ride, number: int) -> float:

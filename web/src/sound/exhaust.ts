@@ -14,6 +14,8 @@ export interface Heard {
 
 /** The loudest sample, of 1. */
 const LOUDEST = 0.9
+/** A wave that is never greater, a pulse being about 10, is rounding. */
+const SILENT = 1e-3
 /** Grid on which the greatest value of a wave is sought. */
 const STEPS = 2048
 
@@ -30,24 +32,27 @@ export function pulses({ fires }: Pipe, cycle: number, harmonic: number): [numbe
   return [Math.abs(real) <= rounding ? 0 : real, Math.abs(imaginary) <= rounding ? 0 : imaginary]
 }
 
-/** What pipes give together. */
-export function heard({ cycle, pulse }: Exhaust, pipes: readonly Pipe[]): Heard {
+/** What pipes give together, each with its share. */
+export function heard({ cycle, pulse, pipes }: Exhaust, shares: readonly number[]): Heard {
   const real = new Float32Array(pulse.length + 1)
   const imag = new Float32Array(pulse.length + 1)
   pulse.forEach((size, index) => {
     const harmonic = index + 1
-    for (const pipe of pipes) {
+    pipes.forEach((pipe, place) => {
       const [one, other] = pulses(pipe, cycle, harmonic)
-      real[harmonic] = (real[harmonic] ?? 0) + size * one
-      imag[harmonic] = (imag[harmonic] ?? 0) - size * other
-    }
+      const share = size * (shares[place] ?? 0)
+      real[harmonic] = (real[harmonic] ?? 0) + share * one
+      imag[harmonic] = (imag[harmonic] ?? 0) - share * other
+    })
   })
   return { real, imag }
 }
 
-/** The channels of an engine: its pipes where they are two, else one. */
-export function channelsOf(exhaust: Exhaust): readonly (readonly Pipe[])[] {
-  return exhaust.pipes.length === 2 ? exhaust.pipes.map((pipe) => [pipe]) : [exhaust.pipes]
+/** The share of each pipe in each channel: they stand from left to right, as in sound.py. */
+export function channelsOf({ pipes }: Exhaust): readonly (readonly number[])[] {
+  if (pipes.length < 2) return [pipes.map(() => 1)]
+  const right = pipes.map((_, place) => place / (pipes.length - 1))
+  return [right.map((share) => 1 - share), right]
 }
 
 /** The greatest absolute value of a wave over the cycle. */
@@ -66,7 +71,7 @@ export function peakOf({ real, imag }: Heard): number {
 
 /** What waves are multiplied with, so that no echo ever makes them louder than a file may be. */
 export function gainOf(waves: readonly Heard[], reflected: number): number {
-  return (LOUDEST * (1 - reflected)) / Math.max(...waves.map(peakOf), 1e-12)
+  return (LOUDEST * (1 - reflected)) / Math.max(...waves.map(peakOf), SILENT)
 }
 
 /** Share of a wave below which its echoes are left out. */

@@ -33,7 +33,7 @@ function echoesIn(context: BaseAudioContext, { back, reflected }: Exhaust): Audi
 
 /** Puts the exhaust of an engine into a context, which a click has begun or which is offline. */
 export function sourceIn(context: BaseAudioContext, exhaust: Exhaust, rpm: number): Source {
-  const waves = channelsOf(exhaust).map((pipes) => heard(exhaust, pipes))
+  const waves = channelsOf(exhaust).map((shares) => heard(exhaust, shares))
   const level = gainOf(waves, exhaust.reflected)
   const out = context.createGain()
   const now = context.currentTime

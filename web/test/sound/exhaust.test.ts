@@ -43,7 +43,7 @@ test('a bank of a cross-plane engine has half orders, one of a flat-plane engine
 })
 
 test('the wave is that of the pulses at their firings, less their mean', () => {
-  const { real, imag } = heard(exhaust(CROSS), [CROSS])
+  const { real, imag } = heard(exhaust(CROSS), [1])
   // one pulse is 2 (WIDTH/2)/720 of its amplitude at order 0
   const share = WIDTH / 720
   for (const angle of [0, 17, 95, 180, 300, 449.5, 640]) {
@@ -62,14 +62,20 @@ test('the wave is that of the pulses at their firings, less their mean', () => {
   }
 })
 
-test('two pipes are left and right, more are one', () => {
-  expect(channelsOf(exhaust(CROSS, FLAT))).toHaveLength(2)
-  expect(channelsOf(exhaust(CROSS, FLAT, CROSS))).toHaveLength(1)
-  expect(channelsOf(exhaust(CROSS))).toEqual([[CROSS]])
+test('pipes stand from left to right', () => {
+  expect(channelsOf(exhaust(CROSS))).toEqual([[1]])
+  expect(channelsOf(exhaust(CROSS, FLAT))).toEqual([
+    [1, 0],
+    [0, 1],
+  ])
+  expect(channelsOf(exhaust(CROSS, FLAT, CROSS))).toEqual([
+    [1, 0.5, 0],
+    [0, 0.5, 1],
+  ])
 })
 
 test('no echo makes it louder than a file may be', () => {
-  const own = heard(exhaust(FLAT), [FLAT])
+  const own = heard(exhaust(FLAT), [1])
   const gain = gainOf([own], 0.5)
   // the echoes of a steady wave at its worst: 1 + r + r^2 + ...
   expect((gain * peakOf(own)) / (1 - 0.5)).toBeCloseTo(0.9, 6)

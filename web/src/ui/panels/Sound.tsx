@@ -66,7 +66,6 @@ function Sound() {
               key={place}
               type="button"
               class={on ? 'primary' : ''}
-              aria-pressed={on}
               onClick={() => (on ? player.stop() : play(place, exhaust))}
             >
               <Icon name={on ? 'stop' : 'play'} />
