@@ -120,11 +120,21 @@ def test_a_sound_is_the_same_every_time_and_never_clipped() -> None:
     assert (first.samples[:, 0] == 0).all()
 
 
-@pytest.mark.parametrize(("name", "channels"), [("i4", 1), (CROSS, 2), ("napier-deltic", 1)])
+@pytest.mark.parametrize(("name", "channels"), [("i4", 1), (CROSS, 2), ("napier-deltic", 2)])
 def test_two_groups_are_left_and_right_in_a_file_of_16_bits(name: str, channels: int) -> None:
     with wave.open(io.BytesIO(wav(steady(name)))) as file:
         assert (file.getnchannels(), file.getsampwidth()) == (channels, 2)
         assert (file.getframerate(), file.getnframes()) == (RATE, RATE)
+
+
+def test_pipes_whose_pulses_cancel_in_one_channel_are_heard_side_by_side() -> None:
+    # three banks fire 20 deg apart, each six times a turn: their sum is steady
+    heard = steady("napier-deltic").samples[:, RATE // 4 : -RATE // 4]
+    assert np.abs(heard.sum(axis=0)).max() < 1e-2 * np.abs(heard[0]).max()
+    turns = SPEED / (2 * pi)
+    line = np.exp(-2j * pi * 6 * turns * np.arange(heard.shape[1]) / RATE)
+    share = 2 * np.abs(heard @ line) / heard.shape[1]
+    assert (share > 0.5).all()
 
 
 def test_a_sound_needs_firings_and_cylinders_that_are_there() -> None:
