@@ -14,6 +14,7 @@ from crankstar.charts.drawing import BLUE, VERMILION, styled
 from crankstar.charts.grammar import field, of_rows
 from crankstar.dynamics.meshes import Mesh, meshes
 from crankstar.dynamics.uneven import SAMPLES, running
+from crankstar.engine.copies import with_values
 from crankstar.engine.engine import Engine
 from crankstar.files import engine_of
 from crankstar.files.catalog import tree_of
@@ -51,17 +52,22 @@ def page(part: str) -> str:
     return {"kr250": gears, "low speed": low_speed}[part]()
 
 
+def burning(engine: Engine) -> Engine:
+    """The engine with the cycle of the production engine, so that the arrangements are compared."""
+    return with_values(engine, gas=load(PRODUCTION).gas)
+
+
 @cache
 def complete(name: str) -> Engine:
     """An engine with masses estimated from its bore."""
     shown, tree = tree_of(name)
-    return engine_of(estimated(tree, name=shown).tree)
+    return burning(engine_of(estimated(tree, name=shown).tree))
 
 
 @cache
 def mesh(name: str, share: float, *, rpm: int | None = None) -> Mesh:
     """The gears at full load: gas alone, or at a speed with estimated masses."""
-    engine = load(name) if rpm is None else complete(name)
+    engine = burning(load(name)) if rpm is None else complete(name)
     found = cycle(engine, imep=LOAD, speed=None if rpm is None else rpm * pi / 30)
     (only,) = meshes(engine, found, inertia_shares=(share, share))
     return only
