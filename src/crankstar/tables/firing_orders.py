@@ -107,12 +107,10 @@ def _sums(listing: Listing) -> list[Column]:
         return []
     unit = "N*m" if listing.load else ""
     head = _(HEADS[listing.weight])
-    out = [
-        Column(f"{head} {number(order)}", unit, key=f"{listing.weight}/{order:g}")
-        for order in listing.weighed.crank_orders
-    ]
-    together = Column(_("together"), unit, key=f"{listing.weight}/together")
-    return [*out, together] if len(out) > 1 else out
+    titles = {f"{order:g}": f"{head} {number(order)}" for order in listing.weighed.crank_orders}
+    if len(titles) > 1:
+        titles["together"] = _("together")
+    return [Column(title, unit, key=f"{listing.weight}/{key}") for key, title in titles.items()]
 
 
 def _row(listing: Listing, place: int, own: int | None) -> tuple[Value, ...]:
