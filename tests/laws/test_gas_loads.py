@@ -187,7 +187,7 @@ def test_between_operating_points_the_gas_is_interpolated_over_the_speed() -> No
 def uneven(theta: Real, speed: Real) -> Running:
     mean = 1 / float(np.mean(1 / speed))
     nothing = np.zeros_like(theta)
-    return Running(theta, speed, nothing, nothing, mean, 0.0, 0.0, 0.0, 0.0)
+    return Running(theta, speed, nothing, nothing, mean, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 def test_forces_at_uneven_speed_are_those_of_a_body_followed_in_time() -> None:
