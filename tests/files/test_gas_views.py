@@ -207,6 +207,10 @@ def test_compare_has_the_torque_of_two_loads_side_by_side(
     table = printed(run, "compare", four, str(other)).partition("Torque of gas and inertia")[2]
     line = next(line for line in table.splitlines() if re.match(r"2(\.0)?\s", line))
     own, less = (abs(amplitudes(answer(run, "torque", place))[2.0]) for place in (four, str(other)))
+    rows = answer(run, "compare", four, str(other))["amplitudes"]
+    second = [r for r in rows if r["quantity"] == "gas_torque" and r["order"] == 2.0]
+    assert [row["greatest"] for row in second] == pytest.approx([own, less], rel=1e-12)
+    assert second[1]["share"] == pytest.approx(less / own)
     numbers = [float(part) for part in line.split()]
     assert numbers[1:3] == pytest.approx([own, less], rel=1e-4)
     assert numbers[3] == pytest.approx(100 * less / own, rel=1e-3)

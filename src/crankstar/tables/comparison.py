@@ -98,6 +98,17 @@ def _with_gas(compared: _Compared) -> tuple[Table, ...]:
     return gas_comparison(engines, compared.names, speeds)
 
 
+def _gas_sizes(compared: _Compared) -> list[tuple[float, list[float]]]:
+    """The same as numbers: order, and the amplitude of each engine."""
+    engines = [shown.engine for shown in compared.shown]
+    if any(engine.gas is None for engine in engines):
+        return []
+    from crankstar.tables.gas_comparison import gas_sizes
+
+    speeds = [None if shown.real is None else shown.real.speed for shown in compared.shown]
+    return gas_sizes(engines, compared.names, speeds)
+
+
 def compare(
     *engines: Engine,
     speed: float | None = None,
@@ -263,6 +274,10 @@ def answer(shown: Sequence[Analysis], names: Sequence[str] | None = None) -> Doc
             for engine, result, cell in zip(compared.names, compared.results, cells, strict=True):
                 share = _share(cell, cells[0], 1)
                 rows.append((name, order, engine, _rpm(result), cell, _unit(result, name), share))
+    for order, cells in _gas_sizes(compared):
+        for engine, result, cell in zip(compared.names, compared.results, cells, strict=True):
+            share = _share(cell, cells[0], 1)
+            rows.append(("gas_torque", order, engine, _rpm(result), cell, "N*m", share))
     title = ", ".join(compared.names)
     return Document(title, (Table("", heads, tuple(rows), key="amplitudes"),))
 
