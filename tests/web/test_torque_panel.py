@@ -21,6 +21,7 @@ from crankstar.dynamics import sound
 from crankstar.engine.engine import Engine
 from crankstar.files import read
 from crankstar.files.catalog import load
+from crankstar.language.shown_units import SYSTEMS, shown_in
 from crankstar.mechanics.balance import balance, total
 from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.gas_torque import gas_torque, over_cycle, roll_with_gas
@@ -85,6 +86,18 @@ def told(capsys: pytest.CaptureFixture[str]) -> Told:
     return run
 
 
+def point_of(name: str) -> str:
+    """The operating point that the panel opens with; empty where the file has none."""
+    gas = load(name).gas
+    return gas.points[0].name if gas is not None and gas.points else ""
+
+
+def opening(name: str) -> list[str]:
+    """The words with which the command line takes the same point."""
+    point = point_of(name)
+    return ["--point", point] if point else []
+
+
 def number(text: str) -> float:
     """The number in a text."""
     found = re.search(r"[+−]?\d+\.?\d*(e[+-]?\d+)?", text)
@@ -132,11 +145,11 @@ def test_torque_by_order_is_that_of_the_command_line(
     built_page: Build, page: Page, told: Told
 ) -> None:
     opened(page, built_page(FIVE), "a=0&tab=torque")
-    compared(page, told(FIVE))
+    compared(page, told(FIVE, *opening(FIVE)))
     page.get_by_role("checkbox", name="2", exact=True).check()
-    compared(page, told(FIVE, "--off", "2"))
+    compared(page, told(FIVE, *opening(FIVE), "--off", "2"))
     page.get_by_role("radio", name="motored: no combustion").check()
-    compared(page, told(FIVE, "--motored"))
+    compared(page, told(FIVE, *opening(FIVE), "--motored"))
 
 
 @pytest.mark.long
@@ -148,9 +161,9 @@ def test_torque_of_every_kind_of_engine_is_that_of_the_command_line(
     name: str, built_page: Build, page: Page, told: Told
 ) -> None:
     opened(page, built_page(name), "a=0&tab=torque")
-    compared(page, told(name))
+    compared(page, told(name, *opening(name)))
     page.get_by_role("checkbox", name="1", exact=True).check()
-    compared(page, told(name, "--off", "1"))
+    compared(page, told(name, *opening(name), "--off", "1"))
 
 
 def test_an_operating_point_and_its_irregularity_are_those_of_python(
@@ -182,7 +195,7 @@ def outputs(page: Page, place: int) -> list[float]:
 def rolled(engine: Engine, degrees: float, off: tuple[int, ...] = ()) -> float:
     """The rolling moment with gas, N m."""
     sums = total(balance(engine, speed=engine.speed))
-    whole = roll_with_gas(sums, gas_torque(cycle(engine, off=off)).total)
+    whole = roll_with_gas(sums, gas_torque(cycle(engine, point=point_of(FIVE), off=off)).total)
     return float(np.real(spectra.value(whole, math.radians(degrees))))
 
 
@@ -192,7 +205,7 @@ def test_the_values_at_the_crank_angle_are_those_of_the_pressure(
     engine = load(FIVE)
     opened(page, built_page(FIVE), "a=130&tab=torque&torque.off=4")
     gas, inertia, both = outputs(page, 0)
-    torque = over_cycle(cycle(engine, off=(4,)), 720).sum(axis=0)[130]
+    torque = over_cycle(cycle(engine, point=point_of(FIVE), off=(4,)), 720).sum(axis=0)[130]
     assert gas == pytest.approx(torque, abs=0.5)  # orders above 24 are not sent
     assert both == pytest.approx(gas + inertia, abs=0.11)
     assert outputs(page, 1)[0] == pytest.approx(rolled(engine, 130, (4,)), abs=0.2)
@@ -362,3 +375,21 @@ def test_a_browser_without_sound_says_so(built_page: Build, page: Page) -> None:
     page.get_by_role("button", name="Hear").click()
     expect(page.locator(".trouble")).to_contain_text("no sound")
     expect(page.get_by_role("button", name="Stop the sound")).to_have_count(0)
+
+
+def test_pressure_and_power_are_in_the_units_that_were_chosen(
+    page: Page, tmp_path: Path, told: Told
+) -> None:
+    with shown_in(SYSTEMS["us"]):
+        path = written_of(tmp_path, load(FIVE))
+    opened(page, path, "a=0&tab=torque")
+    answer = told(FIVE, *opening(FIVE))
+    numbers, words = facts(page), page.locator(".torque-facts").first.inner_text()
+    assert numbers["indicated mean effective pressure"] == pytest.approx(
+        answer["imep"] / 6894.757, rel=6e-4
+    )
+    power = next(value for name, value in numbers.items() if name.startswith("brake power"))
+    assert power == pytest.approx(answer["brake_power"] / 745.7, rel=6e-4)
+    assert "psi" in words
+    assert "hp" in words
+    assert "bar" not in words
