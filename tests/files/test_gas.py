@@ -316,7 +316,7 @@ def test_a_spreadsheet_holds_the_cycle_the_orders_and_the_speed(
     assert run("torque", *arguments, "-o", str(tmp_path / "t.xlsx")).code == 0
     sheets = [*openpyxl.load_workbook(tmp_path / "t.xlsx").worksheets]
     rows = [row for sheet in sheets for row in sheet.iter_rows(values_only=True)]
-    cells = {row[0]: row[1] for row in rows if len(row) > 1}
+    cells = {row[0]: row[1] for row in reversed(rows) if len(row) > 1}
     assert cells["mean gas torque"] == pytest.approx(told["mean_torque"])
     assert cells["degree of irregularity"] == pytest.approx(told["irregularity"])
     second = next(row for row in told["orders"] if row["order"] == 2.0)

@@ -57,6 +57,8 @@ def test_side_thrust_and_head_together_roll_the_block_by_minus_the_torque(engine
     """Of any engine with plain rods: the moment of wall and head about the crank axis."""
     if any(cylinder.articulated for cylinder in engine.cylinders):
         return
+    if any(len(pistons) > 1 for pistons in engine.chambers.values()):  # they have no head
+        return
     found = cycle(engine)
     thrust = side_thrust(engine, found)
     places, axes = piston_places(engine, thrust.theta)
@@ -148,7 +150,13 @@ def test_ideal_cycles_with_a_limit_and_real_gases_are_not_linear_in_the_load() -
 def test_the_tangential_pressure_depends_on_the_cycle_and_not_on_the_size() -> None:
     small = crankstar.load("single", changes=SMALL)
     large = crankstar.load(
-        "single", changes={**SMALL, "cylinder.stroke": "800 mm", "cylinder.bore": "500 mm"}
+        "single",
+        changes={
+            **SMALL,
+            "cylinder.stroke": "800 mm",
+            "cylinder.bore": "500 mm",
+            "gas.ignition": "spark",
+        },
     )
     loads = [4e5, 8e5, 16e5]
     one, other = (torques_at_loads(engine, imep=loads).tangential for engine in (small, large))

@@ -23,7 +23,7 @@ from crankstar.charts.sums import checked_quantity
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
 from crankstar.language.shown_units import shown
-from crankstar.mechanics.gas import SAMPLES, Cycle, cycle
+from crankstar.mechanics.gas import SAMPLES, Cycle, check_gas, cycle
 from crankstar.mechanics.operating_points import GasError
 
 PressureView = Literal["volume", "angle"]
@@ -50,9 +50,10 @@ def pressure_chart(
     )
     title = _(TITLES[wanted])
     try:
-        found = cycle(engine, point=point or "", speed=speed, off=off)
+        check_gas(engine)
     except GasError as error:
         return without(engine, title=title, reason=str(error))
+    found = cycle(engine, point=point or "", speed=speed, off=off)
     panel = _over_volume(found) if wanted == "volume" else _over_angle(found)
     return figure([[panel]], title=title, subtitle=[*about(engine, found), *_words(found, wanted)])
 

@@ -12,7 +12,7 @@ from crankstar.charts.grammar import Chart
 from crankstar.charts.letters import TEXT
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
-from crankstar.mechanics.gas import cycle
+from crankstar.mechanics.gas import check_gas, cycle
 from crankstar.mechanics.operating_points import GasError
 from crankstar.mechanics.side_thrust import side_thrust
 from crankstar.spectra import Real
@@ -32,9 +32,10 @@ def side_thrust_chart(
     load of the file. At `speed` (rad/s), with cylinders that are `off`. Raises ChartError.
     """
     try:
-        found = cycle(engine, point=point or "", speed=speed, off=off)
+        check_gas(engine)
     except GasError as error:
         return without(engine, title=_(TITLE), reason=str(error))
+    found = cycle(engine, point=point or "", speed=speed, off=off)
     thrust = side_thrust(engine, found)
     whole = thrust.total
     greatest = float(np.abs(whole).max())

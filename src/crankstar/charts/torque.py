@@ -33,7 +33,7 @@ from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number, order_text, unit_text
 from crankstar.language.shown_units import shown
 from crankstar.mechanics.balance import balance, total
-from crankstar.mechanics.gas import Cycle, cycle
+from crankstar.mechanics.gas import Cycle, check_gas, cycle
 from crankstar.mechanics.gas_torque import gas_torque, over_cycle
 from crankstar.mechanics.kinetic import samples_over
 from crankstar.mechanics.operating_points import GasError
@@ -71,16 +71,17 @@ def torque_chart(
     `together`: gas, inertia, their sum and the mean. `cylinders`: the gas torque of each below the
     other, on one scale, in firing order, and their sum. `loads`: the sum motored and at each
     operating point. `orders`: bars of gas, inertia and sum. At `speed` (rad/s), with cylinders that
-    are `off`. An engine whose gas cannot be computed has a figure that says what its file needs.
-    Raises ChartError.
+    are `off`. An engine without bores, sizes or firing order has a figure that says so. Raises
+    ChartError, and GasError for a point or a cylinder that is not there.
     """
     wanted: TorqueView = "together" if quantity is None else checked_quantity(quantity, TorqueView)
     title = _(TITLES[wanted])
     try:
-        found = cycle(engine, point=point or "", speed=speed, off=off)
-        panels = _PANELS[wanted](engine, found)
+        check_gas(engine)
     except GasError as error:
         return without(engine, title=title, reason=str(error))
+    found = cycle(engine, point=point or "", speed=speed, off=off)
+    panels = _PANELS[wanted](engine, found)
     subtitle = [*about(engine, found), *_about(wanted)]
     return figure([[panel] for panel in panels], title=title, subtitle=subtitle)
 
@@ -129,7 +130,6 @@ def _cylinders(engine: Engine, found: Cycle) -> list[Panel]:
                 legend=False, ticks=0,
             ),
             _("cylinder {number}", number=line.name),
-            height=height,
         )
         for line in lines
     ]  # fmt: skip
@@ -144,12 +144,12 @@ def _said(ends: tuple[float, float]) -> dict[str, str]:
     return {"low": low, "high": high}
 
 
-def _named(panel: Panel, name: str, *, height: float) -> Panel:
-    """A panel with its name at the left, inside."""
+def _named(panel: Panel, name: str) -> Panel:
+    """A panel with its name at the top right, inside."""
     label = of_rows([{"x": 0}]).mark(
-        "text", fontSize=SMALL, color=GREY, align="right", baseline="middle", dx=-6
+        "text", fontSize=SMALL, color=GREY, align="right", baseline="top", dx=-4
     )
-    words = label.encode(x=constant(0), y=constant(curve_height(height) / 2), text=constant(name))
+    words = label.encode(x=constant(panel_width()), y=constant(0), text=constant(name))
     return {**panel, "layer": [*panel["layer"], words.spec]}
 
 

@@ -106,6 +106,10 @@ def plot(
         off=off,
         alone=not others,
     )
+    if "off" in figure.options:
+        from crankstar.mechanics.gas import check_gas
+
+        check_gas(loaded)
     with working(_("Drawing {chart} ...", chart=chart)):
         draw = (
             partial(drawing.side_by_side, [loaded, *others], chart, **options)

@@ -68,6 +68,8 @@ def torque(
     form = form_of(output, TABLES, json=json, csv=csv)
     loads = {"--imep": imep, "--bmep": bmep, "--peak-pressure": peak_pressure}
     given = [name for name, text in loads.items() if text is not None]
+    if motored:
+        request.refuse_unused(loads, beside="--motored")
     if len(given) > 1:
         raise RequestError(
             "{one} and {other} both say how much a cycle does; give one",
@@ -129,6 +131,19 @@ def _orders(text: str | None) -> list[float] | None:
     return wanted
 
 
+def _needing(option: str, engine: Engine, cycle: Cycle) -> None:
+    """Refuse what needs speed and masses where they are not known. Raises RequestError."""
+    missing = ["speed"] if cycle.speed is None else []
+    if not {"mass", "radius"}.isdisjoint(engine.relative):
+        missing.append("cylinder.reciprocating_mass")
+    if missing:
+        raise RequestError(
+            "{option} needs {keys}: give it in the engine file or with --set",
+            option=option,
+            keys=", ".join(missing),
+        )
+
+
 def _wheel(engine: Engine, cycle: Cycle, irregularity: float | None) -> Wheel | None:
     """The flywheel for a degree of irregularity. Raises RequestError."""
     from crankstar.dynamics.uneven import flywheel_for
@@ -138,11 +153,7 @@ def _wheel(engine: Engine, cycle: Cycle, irregularity: float | None) -> Wheel | 
 
     if irregularity is None:
         return None
-    if cycle.speed is None or not {"mass", "radius"}.isdisjoint(engine.relative):
-        raise RequestError(
-            "--irregularity needs the speed and the masses: give speed and "
-            "cylinder.reciprocating_mass"
-        )
+    _needing("--irregularity", engine, cycle)
     exponent = engine.drive.load_exponent if engine.drive is not None else 0.0
     wheel = flywheel_for(engine, cycle, irregularity=irregularity, exponent=exponent)
     return Wheel(irregularity, wheel, mean_inertia(mechanism(engine)) + throw_inertia(engine))
@@ -163,7 +174,5 @@ def _running(engine: Engine, cycle: Cycle, flywheel: float | None) -> Running | 
 
     found = driven(engine, cycle, flywheel=flywheel)
     if found is None and flywheel is not None:
-        raise RequestError(
-            "--flywheel needs the speed and the masses: give speed and cylinder.reciprocating_mass"
-        )
+        _needing("--flywheel", engine, cycle)
     return found

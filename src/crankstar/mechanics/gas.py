@@ -84,7 +84,7 @@ def cycle(
     >>> round(found.imep / 1e5, 9), len(found.pressure)
     (12.0, 5)
     """
-    _check(engine)
+    check_gas(engine)
     strange = sorted(set(off) - set(engine.chambers))
     if strange:
         raise GasError(
@@ -124,7 +124,7 @@ def cycle(
     )
 
 
-def _check(engine: Engine) -> None:
+def check_gas(engine: Engine) -> None:
     """Raises GasError for an engine whose gas cannot be computed, with what it needs."""
     if any(cylinder.bore is None for cylinder in engine.cylinders):
         raise GasError("gas forces need the bore: give cylinder.bore in the engine file")
@@ -140,7 +140,7 @@ def _check(engine: Engine) -> None:
 def computable(engine: Engine) -> bool:
     """Whether sizes and firing order are known, so that there can be cycles at all."""
     try:
-        _check(engine)
+        check_gas(engine)
     except GasError:
         return False
     return True

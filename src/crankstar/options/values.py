@@ -207,7 +207,9 @@ def quantities(text: str | None) -> list[Derived]:
 def cylinders_off(text: str | None) -> tuple[int, ...]:
     """The numbers of cylinders that do not fire, with commas. Raises RequestError."""
     parts = listed(text)
-    if any(not part.isdecimal() or len(part) > 4 for part in parts) or (text and not parts):
+    if any(not part.isdecimal() or len(part) > 4 for part in parts) or (
+        text is not None and not parts
+    ):
         raise refusal("--off", text or "", "give numbers of cylinders, as in 2,3")
     return tuple(dict.fromkeys(int(part) for part in parts))
 

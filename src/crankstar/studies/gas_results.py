@@ -35,10 +35,7 @@ def _peak_pressure(engine: Engine, found: Cycle) -> float:  # noqa: ARG001
 
 
 def _irregularity(engine: Engine, found: Cycle) -> float:
-    try:
-        running = driven(engine, found)
-    except UnevenError as error:
-        raise SweepError(str(error)) from None
+    running = driven(engine, found)
     if running is None:
         raise SweepError(
             "the degree of irregularity needs speed, masses and flywheel: give speed, "
@@ -78,6 +75,16 @@ GAS_WATCHABLE = (*_SPECTRA, *_NUMBERS)
 """Torque and roll of gas and inertia together, by order or their peak; the rest have no orders."""
 
 
+def _value(engine: Engine, found: Cycle, what: str, order: float | None) -> float:
+    """One of GAS_WATCHABLE for one engine."""
+    if what in _NUMBERS:
+        return _NUMBERS[what][0](engine, found)
+    spectrum = _SPECTRA[what](engine, found)
+    if order is None:
+        return spectra.peak(spectrum).value
+    return float(np.abs(spectra.amplitude(spectra.selected(spectrum, [order])))[0])
+
+
 def gas_values(
     cases: Callable[[], Sequence[Case]], what: str, *, order: float | None, shape: tuple[int, ...]
 ) -> tuple[Real, str]:
@@ -93,19 +100,15 @@ def gas_values(
     if order is not None and what in _NUMBERS:
         raise SweepError("{what} has no orders; leave --orders out", what=what)
     out: list[float] = []
-    for engine, speed in cases():
+    for place, (engine, speed) in enumerate(cases(), 1):
         try:
-            found = cycle(engine, speed=speed)
-        except GasError as error:
-            raise SweepError(str(error)) from None
-        if what in _NUMBERS:
-            out.append(_NUMBERS[what][0](engine, found))
-            continue
-        spectrum = _SPECTRA[what](engine, found)
-        if order is None:
-            out.append(spectra.peak(spectrum).value)
-        else:
-            amplitude = spectra.amplitude(spectra.selected(spectrum, [order]))
-            out.append(float(np.abs(amplitude)[0]))
+            out.append(_value(engine, cycle(engine, speed=speed), what, order))
+        except (GasError, SweepError, UnevenError) as error:
+            raise SweepError(
+                "value {place} of {count}: {reason}",
+                place=place,
+                count=prod(shape),
+                reason=str(error),
+            ) from None
     unit = _NUMBERS[what][1] if what in _NUMBERS else "N*m"
     return np.array(out).reshape(shape), unit

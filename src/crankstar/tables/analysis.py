@@ -56,7 +56,8 @@ AT_ANGLES = {
 class Analysis(NamedTuple):
     """An engine with its Balance, normalised, and in newtons where there is a speed.
 
-    `orders` of force and couple are shown, `turning` of the moments, which have more.
+    `orders` of force and couple are shown, `turning` of the moments, which have more; whether they
+    were `asked` for.
     """
 
     engine: Engine
@@ -64,6 +65,7 @@ class Analysis(NamedTuple):
     real: Balance | None
     orders: tuple[float, ...]
     turning: tuple[float, ...]
+    asked: bool = False
 
     @property
     def best(self) -> Balance:
@@ -72,7 +74,8 @@ class Analysis(NamedTuple):
 
     def of(self, orders: Sequence[float]) -> Analysis:
         """The same of these orders; of the usual ones where none are named."""
-        return self._replace(orders=tuple(orders), turning=tuple(orders)) if orders else self
+        wanted = tuple(orders)
+        return self._replace(orders=wanted, turning=wanted, asked=True) if orders else self
 
 
 def analysis(
@@ -122,7 +125,7 @@ def _with_gas(shown: Analysis) -> tuple[Table, ...]:
     from crankstar.tables.torque_orders import gas_tables
 
     speed = None if shown.real is None else shown.real.speed
-    return gas_tables(shown.engine, speed=speed)
+    return gas_tables(shown.engine, speed=speed, orders=shown.orders if shown.asked else ())
 
 
 def tables(

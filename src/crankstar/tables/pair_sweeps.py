@@ -47,7 +47,7 @@ def pair_document(
     parts = (*estimate_remarks(sweep), *tables, Remarks(tuple(bests), _("Best values")))
     if front:
         parts = (*parts, _front_table(sweep, curves, front, greatest=greatest))
-    return Document(sweep.engine.name, (*parts, *notes(sweep)))
+    return Document(sweep.engine.name, (*parts, *notes(sweep, curves)))
 
 
 def _over_both(sweep: Sweep, curve: Curve) -> Table:

@@ -16,6 +16,7 @@ from crankstar.mechanics.balance import balance
 from crankstar.mechanics.labelled import AXIAL, VECTORS
 from crankstar.spectra import Real
 from crankstar.studies.best_value import Best
+from crankstar.studies.gas_results import GAS_WATCHABLE
 from crankstar.studies.sweep import Curve, Sweep
 from crankstar.tables import ranges
 from crankstar.tables.conditions import missing_sentence, unit_sentence
@@ -63,10 +64,10 @@ def sweep_document(
     bars = [f"{curve.label}: {_bars(curve)}" for curve in curves]
     lines = Remarks((*bars, *bests), _("Curves"))
     head = estimate_remarks(sweep, ranged)
-    return Document(sweep.engine.name, (*head, table, lines, *notes(sweep)))
+    return Document(sweep.engine.name, (*head, table, lines, *notes(sweep, curves)))
 
 
-def notes(sweep: Sweep) -> tuple[Remarks, ...]:
+def notes(sweep: Sweep, curves: Sequence[Curve]) -> tuple[Remarks, ...]:
     """The speed of the forces, or what the file lacks for newtons; what a varied speed does."""
     engine = sweep.engine
     if sweep.highest_speed is None:
@@ -78,7 +79,8 @@ def notes(sweep: Sweep) -> tuple[Remarks, ...]:
         "them."
     )
     more = (_estimates_note(sweep), added if sweep.adds else "")
-    return remarks(counted, speed_note(sweep), *more, kind="note")
+    gas = bool(curves) and all(curve.what in GAS_WATCHABLE for curve in curves)
+    return remarks(counted, "" if gas else speed_note(sweep), *more, kind="note")
 
 
 def _estimates_note(sweep: Sweep) -> str:

@@ -15,6 +15,7 @@ from crankstar.language.kept import of_any
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import number
 from crankstar.language.quoting import one_line
+from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.doubts import point_doubts
 from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.gas_loads import LoadedTorques
@@ -141,10 +142,10 @@ def torque_document(
 
 def load_sentence(cycle: Cycle) -> str:
     """The load at which a cycle was computed, and whether it is assumed."""
-    imep = number(cycle.imep / 1e5)
+    pressure = quantity_text(cycle.imep, "Pa")
     if "imep" in cycle.assumed:
-        return _("In N m at {imep} bar indicated mean effective pressure, assumed.", imep=imep)
-    return _("In N m at {imep} bar indicated mean effective pressure.", imep=imep)
+        return _("At {pressure} indicated mean effective pressure, assumed.", pressure=pressure)
+    return _("At {pressure} indicated mean effective pressure.", pressure=pressure)
 
 
 def friction_torque(cycle: Cycle) -> float:
@@ -180,8 +181,11 @@ def wheel_table(wheel: Wheel) -> Table:
 def work_table(cycle: Cycle, found: GasTorque) -> Table:
     """Mean effective pressures, torque and power of the operating point."""
     mean, lost = float(found.mean.sum()), friction_torque(cycle)
+    name = _("indicated mean effective pressure")
+    if cycle.off:
+        name = _("indicated mean effective pressure, mean of all cylinders")
     rows: list[tuple[Value, ...]] = [
-        (_("indicated mean effective pressure"), cycle.imep, "Pa"),
+        (name, cycle.imep, "Pa"),
         (_("peak pressure"), cycle.peak, "Pa"),
         (_("mean gas torque"), mean, "N*m"),
     ]
@@ -271,8 +275,9 @@ def notes(engine: Engine, cycle: Cycle) -> list[str]:
     if "imep" in cycle.assumed:
         lines.append(
             _(
-                "The load is assumed too: {imep} bar indicated mean effective pressure.",
-                imep=number(cycle.imep / 1e5),
+                "The load is assumed too: {pressure} indicated mean effective pressure in each "
+                "cylinder that fires.",
+                pressure=quantity_text(cycle.values["imep"], "Pa"),
             )
         )
         lines.append(_known_points(engine))
@@ -285,6 +290,10 @@ def notes(engine: Engine, cycle: Cycle) -> list[str]:
     correlation = None if known else CORRELATIONS.get(cycle.values["friction"])
     if cycle.speed is not None and correlation is not None:
         lines.append(_(correlation))
+    if not cycle.motored and cycle.speed is not None and cycle.bmep < 0:
+        lines.append(
+            _("Friction takes more than the gas gives: something else has to turn the engine.")
+        )
     return lines
 
 
