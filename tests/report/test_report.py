@@ -225,7 +225,10 @@ def test_values_that_nobody_vouches_for_are_marked_beside_them() -> None:
         in page
     )
     assert "<dt>Bore</dt><dd>82.5 mm</dd>" in page
-    assert "<dt>Speed for the forces</dt><dd>6500 rpm</dd>" in page
+    assert (
+        '<dt>Speed for the forces</dt><dd>6500 rpm <span class="doubt">placeholder</span></dd>'
+        in page
+    )
     assert "<dt>Swept volume</dt><dd>2480.4 cm³</dd>" in page  # pi/4 * 8.25² * 9.28 * 5
 
 
