@@ -184,8 +184,10 @@ def test_a_sweep_of_the_flywheel_and_of_the_speed(run: Run, four: str) -> None:
     found = answer(run, "sweep", four, "--over", over, "--quantity", "irregularity")
     last = answer(run, "torque", four, "--flywheel", "0.3 kg*m^2")["irregularity"]
     assert found["values"][-1]["irregularity"] == pytest.approx(last, rel=1e-9)
-    words = ("--over", "speed=1000 rpm..5000 rpm/3", "--quantity", "gas_roll", "--orders", "2")
-    rolls = [row["gas_roll of order 2"] for row in answer(run, "sweep", four, *words)["values"]]
+    words = ("--over", "speed=1000 rpm..5000 rpm/3", "--quantity", "roll_with_gas", "--orders", "2")
+    rolls = [
+        row["roll_with_gas of order 2"] for row in answer(run, "sweep", four, *words)["values"]
+    ]
     own = answer(run, "torque", four, "--speed", "3000 rpm")
     assert rolls[1] == pytest.approx(abs(amplitudes(own, what="roll")[2.0]), rel=1e-9)
 
@@ -193,8 +195,8 @@ def test_a_sweep_of_the_flywheel_and_of_the_speed(run: Run, four: str) -> None:
 def test_gas_in_a_sweep_needs_what_it_is_made_of(run: Run, four: str) -> None:
     words = ("sweep", four, "--over", "gas.imep=4 bar..8 bar/3", "--quantity")
     assert "has no orders" in refused(run, *words, "irregularity", "--orders", "2")
-    assert "gas_torque" in refused(run, *words, "nonsense")
-    bare = ("sweep", "i4", "--over", "balance_factor=0..1/3", "--quantity", "gas_torque")
+    assert "torque_with_gas" in refused(run, *words, "nonsense")
+    bare = ("sweep", "i4", "--over", "balance_factor=0..1/3", "--quantity", "torque_with_gas")
     assert "give cylinder.bore" in refused(run, *bare)
 
 
@@ -208,7 +210,7 @@ def test_compare_has_the_torque_of_two_loads_side_by_side(
     line = next(line for line in table.splitlines() if re.match(r"2(\.0)?\s", line))
     own, less = (abs(amplitudes(answer(run, "torque", place))[2.0]) for place in (four, str(other)))
     rows = answer(run, "compare", four, str(other))["amplitudes"]
-    second = [r for r in rows if r["quantity"] == "gas_torque" and r["order"] == 2.0]
+    second = [r for r in rows if r["quantity"] == "torque_with_gas" and r["order"] == 2.0]
     assert [row["greatest"] for row in second] == pytest.approx([own, less], rel=1e-12)
     assert second[1]["share"] == pytest.approx(less / own)
     numbers = [float(part) for part in line.split()]
@@ -294,3 +296,18 @@ def test_the_report_has_a_chapter_of_gas_where_the_file_has_a_cycle(
     assert f"{abs(amplitudes(told, what='gas')[2.0]):.5g}" in page
     run("report", "i4", "-o", str(tmp_path / "bare.html"))
     assert "Gas and torque" not in (tmp_path / "bare.html").read_text(encoding="utf-8")
+
+
+def test_a_cylinder_that_is_off_silences_the_chamber_it_shares(run: Run) -> None:
+    """Cylinders 1 and 7 of a Jumo 205 face each other in one chamber."""
+    chamber = crankstar.load("jumo-205").chambers[1]
+    other = max(cylinder.number for cylinder in chamber)
+    assert other != 1
+    told = [answer(run, "torque", "jumo-205", "--off", str(off)) for off in (1, other)]
+    assert told[0]["orders"] == told[1]["orders"]
+    assert told[0]["off"] == told[1]["off"] == [1]
+    derived = [
+        printed(run, "derive", "jumo-205", "--quantity", "gas", "--off", str(off))
+        for off in (1, other)
+    ]
+    assert derived[0] == derived[1]

@@ -49,8 +49,8 @@ def sweep(
         str,
         option(
             "--quantity",
-            "Also roll, torque, couple.pitch, couple.yaw, force.forward, ...; of gas gas_torque, "
-            "gas_roll, mean_torque, peak_pressure, irregularity.",
+            "Also roll, torque, couple.pitch, couple.yaw, force.forward, ...; of gas "
+            "torque_with_gas, roll_with_gas, mean_torque, peak_pressure, irregularity.",
         ),
     ] = "force",
     orders: Annotated[str | None, option("--orders", "Default: the sum of all orders.")] = None,

@@ -114,13 +114,15 @@ def gas_orders(
             step=step,
             greatest=GREATEST,
         )
-    strange = sorted(set(off) - set(places))
+    of_cylinder = {c.number: key for key, own in engine.chambers.items() for c in own}
+    strange = sorted(set(off) - set(of_cylinder))
     if strange:
         raise DerivationError(
             "no cylinder has the number {number}; the engine has {numbers}",
             number=strange[0],
-            numbers=listed(sorted(places)),
+            numbers=listed(sorted(of_cylinder)),
         )
+    off = {of_cylinder[number] for number in off}
     whole = [_line(places, order) for order in wanted]
     words = (_("The lengths of S, counted in that order of one cylinder; 0 is exact."),)
     steps = [

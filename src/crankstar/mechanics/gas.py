@@ -76,8 +76,8 @@ def cycle(
     """The cycle of an engine at an operating point, by name; without one as the table says.
 
     `speed` (rad/s) and a load (one of imep, bmep, peak_pressure, Pa) stand before what the file
-    gives. A `motored` engine burns nothing, and so do the chambers that are `off`: the others burn
-    what they would. Raises GasError.
+    gives. A `motored` engine burns nothing, and so do the chambers of the cylinders that are `off`:
+    the others burn what they would. Raises GasError.
 
     >>> from crankstar.files.catalog import load
     >>> found = cycle(load("audi-25-tfsi"), imep=12e5)
@@ -85,13 +85,15 @@ def cycle(
     (12.0, 5)
     """
     check_gas(engine)
-    strange = sorted(set(off) - set(engine.chambers))
+    of_cylinder = {c.number: key for key, own in engine.chambers.items() for c in own}
+    strange = sorted(set(off) - set(of_cylinder))
     if strange:
         raise GasError(
             "no cylinder has the number {number}; the engine has {numbers}",
             number=strange[0],
-            numbers=", ".join(map(str, engine.chambers)),
+            numbers=", ".join(map(str, of_cylinder)),
         )
+    off = {of_cylinder[number] for number in off}
     given = {"imep": imep, "bmep": bmep, "peak_pressure": peak_pressure}
     load = {name: value for name, value in given.items() if value is not None}
     values, assumed = resolved(engine, point=point, speed=speed, load=load)

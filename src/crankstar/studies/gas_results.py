@@ -68,8 +68,8 @@ _NUMBERS: dict[str, tuple[Callable[[Engine, Cycle], float], str]] = {
     "irregularity": (_irregularity, ""),
 }
 _SPECTRA: dict[str, Callable[[Engine, Cycle], Spectrum]] = {
-    "gas_torque": torque_of,
-    "gas_roll": roll_of,
+    "torque_with_gas": torque_of,
+    "roll_with_gas": roll_of,
 }
 GAS_WATCHABLE = (*_SPECTRA, *_NUMBERS)
 """Torque and roll of gas and inertia together, by order or their peak; the rest have no orders."""

@@ -277,7 +277,7 @@ def answer(shown: Sequence[Analysis], names: Sequence[str] | None = None) -> Doc
     for order, cells in _gas_sizes(compared):
         for engine, result, cell in zip(compared.names, compared.results, cells, strict=True):
             share = _share(cell, cells[0], 1)
-            rows.append(("gas_torque", order, engine, _rpm(result), cell, "N*m", share))
+            rows.append(("torque_with_gas", order, engine, _rpm(result), cell, "N*m", share))
     title = ", ".join(compared.names)
     return Document(title, (Table("", heads, tuple(rows), key="amplitudes"),))
 

@@ -71,7 +71,7 @@ def gas_comparison(
         (order, *own, *(100 * each / own[0] if own[0] else None for each in own[1:]))
         for order, own in found
     ]
-    return (Table(_("Torque of gas and inertia"), heads, tuple(rows), key="gas_torque"),)
+    return (Table(_("Torque of gas and inertia"), heads, tuple(rows), key="torque_with_gas"),)
 
 
 def _torque(engine: Engine, speed: float | None) -> Spectrum:
