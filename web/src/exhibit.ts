@@ -109,9 +109,21 @@ export interface Units {
   lengths: Unit[]
   mass: Unit
   inertia: Unit
+  pressure: Unit1
+  power: Unit2
 }
 /** A unit as it is printed, and the factor to it from the number that is sent. */
 export interface Unit {
+  label: string
+  factor: number
+}
+/** A unit as it is printed, and the factor to it from the number that is sent. */
+export interface Unit1 {
+  label: string
+  factor: number
+}
+/** A unit as it is printed, and the factor to it from the number that is sent. */
+export interface Unit2 {
   label: string
   factor: number
 }

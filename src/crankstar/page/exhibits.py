@@ -304,6 +304,8 @@ def units_of(engine: Engine, result: Balance, sums: remains.Sums) -> tuple[Units
             lengths=lengths,
             mass=_unit("m" if "mass" in engine.relative else "kg", _heaviest(engine)),
             inertia=_unit("m*r^2" if "mass" in engine.relative else "kg*m^2"),
+            pressure=_told("Pa", 1e6),
+            power=_told("W", 1e5),
         ),
         vectors.Scaling(force.factor, couple.factor, moment.factor),
     )
@@ -312,6 +314,12 @@ def units_of(engine: Engine, result: Balance, sums: remains.Sums) -> tuple[Units
 def _unit(unit: str, largest: float = 1.0) -> Unit:
     """SI, or of the chosen units the one that fits."""
     said = shown(unit, largest, prefixed=dimension(unit)[0] in choice())
+    return Unit(label=unit_text(said.unit), factor=said.factor)
+
+
+def _told(unit: str, usual: float) -> Unit:
+    """The unit for readers of a quantity of about this size."""
+    said = shown(unit, usual)
     return Unit(label=unit_text(said.unit), factor=said.factor)
 
 

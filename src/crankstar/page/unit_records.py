@@ -40,6 +40,8 @@ class Units(Shown):
     )
     mass: Unit
     inertia: Unit
+    pressure: Unit = Field(description="from Pa")
+    power: Unit = Field(description="from W")
 
 
 class UnitsOffered(Shown):

@@ -81,6 +81,8 @@ export function exhibit(changes: Partial<Exhibit> = {}): Exhibit {
       ],
       mass: { label: 'kg', factor: 1 },
       inertia: { label: 'kg m²', factor: 1 },
+      pressure: { label: 'bar', factor: 1e-5 },
+      power: { label: 'kW', factor: 1e-3 },
     },
     estimated: [],
     can_estimate: false,

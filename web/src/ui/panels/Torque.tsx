@@ -228,6 +228,7 @@ function Numbers({ exhibit, torques }: { exhibit: Exhibit; torques: Torques }) {
   const { load, gas, mean, unit, factor, chambers } = torques
   if (!load || !gas || !exhibit.torque) return null
   const { cycle, displacement } = exhibit.torque
+  const { units } = exhibit
   const brake = mean - load.friction
   const whole = chambers.every(({ burns }) => burns)
   const exact = whole && load.irregularity !== null
@@ -241,9 +242,9 @@ function Numbers({ exhibit, torques }: { exhibit: Exhibit; torques: Torques }) {
         <Fact
           term="imep"
           name={t('indicated mean effective pressure')}
-          value={figured((1e-5 * mean * cycle) / displacement)}
+          value={figured((units.pressure.factor * mean * cycle) / displacement)}
         >
-          bar
+          {units.pressure.label}
         </Fact>
         {load.speed !== null && (
           <>
@@ -252,9 +253,9 @@ function Numbers({ exhibit, torques }: { exhibit: Exhibit; torques: Torques }) {
             </Fact>
             <Fact
               name={t('brake power at {rpm} rpm', { rpm: sizeText((load.speed * 30) / Math.PI) })}
-              value={figured(1e-3 * brake * load.speed)}
+              value={figured(units.power.factor * brake * load.speed)}
             >
-              kW
+              {units.power.label}
             </Fact>
           </>
         )}
