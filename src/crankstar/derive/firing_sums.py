@@ -43,6 +43,7 @@ from crankstar.engine.records import Cylinder
 from crankstar.firing.exhaust_orders import checked
 from crankstar.language.faults import listed
 from crankstar.language.messages import _, _n
+from crankstar.mechanics.gas import chambers_of
 
 Places = Mapping[int, Fraction]
 """The firing angle of each cylinder, turns."""
@@ -114,15 +115,7 @@ def gas_orders(
             step=step,
             greatest=GREATEST,
         )
-    of_cylinder = {c.number: key for key, own in engine.chambers.items() for c in own}
-    strange = sorted(set(off) - set(of_cylinder))
-    if strange:
-        raise DerivationError(
-            "no cylinder has the number {number}; the engine has {numbers}",
-            number=strange[0],
-            numbers=listed(sorted(of_cylinder)),
-        )
-    off = {of_cylinder[number] for number in off}
+    off = chambers_of(engine, off)
     whole = [_line(places, order) for order in wanted]
     words = (_("The lengths of S, counted in that order of one cylinder; 0 is exact."),)
     steps = [

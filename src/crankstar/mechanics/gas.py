@@ -85,15 +85,7 @@ def cycle(
     (12.0, 5)
     """
     check_gas(engine)
-    of_cylinder = {c.number: key for key, own in engine.chambers.items() for c in own}
-    strange = sorted(set(off) - set(of_cylinder))
-    if strange:
-        raise GasError(
-            "no cylinder has the number {number}; the engine has {numbers}",
-            number=strange[0],
-            numbers=", ".join(map(str, of_cylinder)),
-        )
-    off = {of_cylinder[number] for number in off}
+    off = chambers_of(engine, off)
     given = {"imep": imep, "bmep": bmep, "peak_pressure": peak_pressure}
     load = {name: value for name, value in given.items() if value is not None}
     values, assumed = resolved(engine, point=point, speed=speed, load=load)
@@ -137,6 +129,19 @@ def check_gas(engine: Engine) -> None:
     slow = {abs(float(engine.shaft(c.shaft).speed_ratio)) for c in engine.cylinders}
     if slow != {1.0}:
         raise GasError("gas torque needs crankshafts that all turn equally fast")
+
+
+def chambers_of(engine: Engine, cylinders: Collection[int]) -> set[int]:
+    """The chambers of these cylinders, by number. Raises GasError for one that is not there."""
+    known = {c.number: key for key, own in engine.chambers.items() for c in own}
+    strange = sorted(set(cylinders) - set(known))
+    if strange:
+        raise GasError(
+            "no cylinder has the number {number}; the engine has {numbers}",
+            number=strange[0],
+            numbers=", ".join(map(str, known)),
+        )
+    return {known[number] for number in cylinders}
 
 
 def computable(engine: Engine) -> bool:
