@@ -421,6 +421,8 @@ export interface Load {
   inertia: number | null
   /** what is assumed, as sentences */
   notes: string[]
+  /** side thrust, and gears between crankshafts, with every chamber burning */
+  tables: Table[]
 }
 /**
  * The exhaust as a sound: equal pulses at the firings through plain pipes.

@@ -39,6 +39,7 @@ const load = (changes: Partial<Load> = {}): Load => ({
   irregularity: null,
   inertia: null,
   notes: [],
+  tables: [],
   ...changes,
 })
 

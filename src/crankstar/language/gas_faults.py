@@ -96,7 +96,7 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} adds up to {sum}; the shares of all crankshafts add up to 1 at most"
     ),
     "trace.too-few": N_(
-        "{where} has {count} samples; a trace needs at least {least} over its cycle"
+        "{where} has too few samples, {count}; a trace needs at least {least} over its cycle"
     ),
     "trace.not-ascending": N_(
         "{where} goes from {before} to {after} deg; the angles of a trace ascend"

@@ -73,7 +73,7 @@ def cycle(
     bmep: float | None = None,
     peak_pressure: float | None = None,
 ) -> Cycle:
-    """The cycle of an engine at an operating point, by name; without one as the table says.
+    """The cycle of an engine at an operating point, by name; without one at `default_point`.
 
     `speed` (rad/s) and a load (one of imep, bmep, peak_pressure, Pa) stand before what the file
     gives. A `motored` engine burns nothing, and so do the chambers of the cylinders that are `off`:
@@ -110,7 +110,7 @@ def cycle(
         friction=friction,
         peak=float(rows.max()),
         speed=turning,
-        name=point,
+        name=values.pop("point"),
         values=values,
         assumed=assumed,
         off=tuple(sorted(off)),
@@ -128,7 +128,10 @@ def check_gas(engine: Engine) -> None:
         raise GasError("gas torque needs a firing order: give firing_order in the engine file")
     slow = {abs(float(engine.shaft(c.shaft).speed_ratio)) for c in engine.cylinders}
     if slow != {1.0}:
-        raise GasError("gas torque needs crankshafts that all turn equally fast")
+        raise GasError(
+            "gas torque needs crankshafts that all turn equally fast: give each the speed_ratio "
+            "1 or -1"
+        )
 
 
 def chambers_of(engine: Engine, cylinders: Collection[int]) -> set[int]:

@@ -69,9 +69,13 @@ def resolved(
     speed: float | None = None,
     load: Mapping[str, float] | None = None,
 ) -> tuple[dict[str, Any], tuple[str, ...]]:
-    """All values of a cycle in SI units, and the names of the assumed ones. Raises GasError."""
+    """All values of a cycle in SI units, and the names of the assumed ones. Raises GasError.
+
+    `values["point"]` is the name of the operating point: `default_point` where none is asked for.
+    """
     gas = engine.gas or Gas()
     layers: list[dict[str, Any]] = [_given(gas)]
+    point = point or default_point(gas)
     if point:
         known = {each.name: each for each in gas.points}
         if point not in known:
@@ -106,7 +110,22 @@ def resolved(
     if not told:
         assumed["ignition"] = fires
     names = tuple(name for name in assumed if name not in given and _used(name, process, given))
-    return {**assumed, **given, "process": process, "ignition": fires}, names
+    chosen = {"process": process, "ignition": fires, "point": point}
+    return {**assumed, **given, **chosen}, names
+
+
+def default_point(gas: Gas) -> str:
+    """The operating point that is meant where none is named: the load of the table [gas], "".
+
+    The first of its points where the table has no load of its own.
+
+    >>> default_point(Gas(points=({"name": "full", "imep": 12e5}, {"name": "idle"})))
+    'full'
+    >>> default_point(Gas(imep=9e5, points=({"name": "idle"},)))
+    ''
+    """
+    own = gas.trace is not None or any(getattr(gas, name) is not None for name in LOADS)
+    return "" if own or not gas.points else gas.points[0].name
 
 
 def ignition(engine: Engine, gas: Gas) -> tuple[Ignition, bool]:

@@ -38,6 +38,8 @@ LOADS = {
         "text", 'Greatest pressure of the cycle, such as "75 bar".', ("--pmax",)
     ),
     "--point": Option(
-        "text", "Operating point of the engine file, by its name, such as idle.", ("--load-point",)
+        "text",
+        "Operating point of the engine file, by its name, such as idle. Default: the first.",
+        ("--load-point",),
     ),
 }

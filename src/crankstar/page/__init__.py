@@ -3,7 +3,7 @@
 | module, bottom to top | one line |
 |---|---|
 | `proportions` | bores, lengths and radii that a drawing needs, given or assumed |
-| `unit_records` | the units of numbers, the base of all records |
+| `unit_records` | units and printed tables, the base of all records |
 | `form_words` | the schema of engine files in the reader's language |
 | `cycle_records` | what happens over a working cycle: strokes, torque, exhaust |
 | `records` | Exhibition, Exhibit and their parts |

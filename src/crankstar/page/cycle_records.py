@@ -9,7 +9,7 @@ from typing import Literal
 
 from pydantic import Field
 
-from crankstar.page.unit_records import Pair, Shown
+from crankstar.page.unit_records import Pair, Shown, Table
 
 Wave = tuple[Pair, ...]
 
@@ -57,6 +57,9 @@ class Load(Shown):
     irregularity: float | None = Field(description="degree of, with every chamber burning")
     inertia: float | None = Field(description="of all that turns, kg m^2; null if not known")
     notes: tuple[str, ...] = Field(description="what is assumed, as sentences")
+    tables: tuple[Table, ...] = Field(
+        description="side thrust, and gears between crankshafts, with every chamber burning"
+    )
 
 
 class Torque(Shown):

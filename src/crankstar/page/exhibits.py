@@ -30,10 +30,10 @@ from crankstar.page.cycle_records import StrokeColours, StrokeWindow
 from crankstar.page.keys import chart_keys, derivation_keys
 from crankstar.page.printed import printed
 from crankstar.page.proportions import proportions
-from crankstar.page.records import Exhibit, Exhibition, Fact, Scale, Table
+from crankstar.page.records import Exhibit, Exhibition, Fact, Scale
 from crankstar.page.scene import scene
 from crankstar.page.torque import exhaust, gas_needs, torque, torque_unit
-from crankstar.page.unit_records import Unit, Units, UnitsOffered
+from crankstar.page.unit_records import Table, Unit, Units, UnitsOffered
 from crankstar.remedy import fitting
 from crankstar.remedy.kept import with_source
 from crankstar.remedy.sizing import Remedied, resized

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from crankstar.page.records import Table
+from crankstar.page.unit_records import Table
 from crankstar.tables.cells import cells, head
 from crankstar.tables.conversion import in_units
 from crankstar.tables.html import MINUS

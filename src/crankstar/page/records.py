@@ -16,7 +16,7 @@ from pydantic import Field
 from crankstar.engine.quantities import Unknown
 from crankstar.language.glossary import Term
 from crankstar.page.cycle_records import Exhaust, StrokeColours, StrokeWindow, Torque
-from crankstar.page.unit_records import Pair, Shown, Unit, Units, UnitsOffered
+from crankstar.page.unit_records import Pair, Shown, Table, Unit, Units, UnitsOffered
 
 Quantity = Literal["force", "couple", "roll", "torque"]
 Point = tuple[float, float, float]
@@ -217,18 +217,6 @@ class Fact(Shown):
     subject: str = Field(description="force, couple, roll, ... whatever the language")
     about: str
     sentence: str
-
-
-class Table(Shown):
-    """A table as it is printed: heads with units, rows, notes under it."""
-
-    title: str
-    heads: tuple[str, ...]
-    rows: tuple[tuple[str, ...], ...]
-    notes: tuple[str, ...] = ()
-    numeric: tuple[bool, ...] = Field(
-        default=(), description="which columns hold numbers, which are aligned to the right"
-    )
 
 
 class LoadShown(Shown):

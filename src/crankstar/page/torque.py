@@ -11,9 +11,9 @@ import numpy as np
 
 from crankstar import spectra
 from crankstar.dynamics import sound
-from crankstar.dynamics.uneven import driven
+from crankstar.dynamics.uneven import Running, driven
 from crankstar.engine.engine import Engine
-from crankstar.engine.gas import LOADS, Gas
+from crankstar.engine.gas import Gas
 from crankstar.firing.intervals import firing
 from crankstar.firing.strokes import exhaust_groups
 from crankstar.language.faults import EngineError
@@ -24,11 +24,15 @@ from crankstar.mechanics.balance import balance, total
 from crankstar.mechanics.excitation import Totals
 from crankstar.mechanics.gas import Cycle, cycle
 from crankstar.mechanics.gas_torque import added, chamber_torque, gas_torque
-from crankstar.mechanics.operating_points import GasError
+from crankstar.mechanics.operating_points import GasError, default_point
 from crankstar.page.cycle_records import Chamber, Exhaust, Load, Pipe, Torque, Wave
+from crankstar.page.printed import printed
 from crankstar.page.unit_records import Unit
 from crankstar.spectra import Complex, Real, Spectrum
+from crankstar.tables.meshes import mesh_table
+from crankstar.tables.table import Table
 from crankstar.tables.torque import friction_torque, notes
+from crankstar.tables.torque_parts import side_thrust_table
 
 MOST_LOADS = 12
 """Operating points that are sent; the command line has all."""
@@ -57,9 +61,8 @@ def cycles(engine: Engine) -> tuple[Cycles, ...]:
     (900000, True)
     """
     gas = engine.gas or Gas()
-    own = gas.trace is not None or any(getattr(gas, name) is not None for name in LOADS)
     named = [point.name for point in gas.points]
-    wanted = (["", *named] if own or not named else named)[:MOST_LOADS]
+    wanted = list(dict.fromkeys([default_point(gas), *named]))[:MOST_LOADS]
     return tuple(
         Cycles(cycle(engine, point=name), cycle(engine, point=name, motored=True))
         for name in wanted
@@ -202,7 +205,16 @@ def _loads(
             irregularity=None if running is None else running.irregularity,
             inertia=None if running is None else running.inertia,
             notes=tuple(lines),
+            tables=printed(_tables(engine, burning, running)),
         )
+
+
+def _tables(engine: Engine, burning: Cycle, running: Running | None) -> Iterator[Table]:
+    """Side thrust, and gears between crankshafts where there are any."""
+    gears = mesh_table(engine, burning, running=running)
+    if gears is not None:
+        yield gears
+    yield side_thrust_table(engine, burning, machine=False)
 
 
 def _waves(found: Cycle, orders: Real, chambers: Sequence[int]) -> Iterator[Wave]:

@@ -1,4 +1,4 @@
-"""The units of the page as records, and the base of all its records."""
+"""The units and printed tables of the page as records, and the base of all its records."""
 
 from __future__ import annotations
 
@@ -49,3 +49,15 @@ class UnitsOffered(Shown):
 
     name: str
     label: str
+
+
+class Table(Shown):
+    """A table as it is printed: heads with units, rows, notes under it."""
+
+    title: str
+    heads: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+    notes: tuple[str, ...] = ()
+    numeric: tuple[bool, ...] = Field(
+        default=(), description="which columns hold numbers, which are aligned to the right"
+    )

@@ -111,7 +111,7 @@ def torque_document(
     gears = mesh_table(engine, cycle, running=running)
     more = [] if gears is None else [gears]
     more.append(side_thrust_table(engine, cycle, machine=machine))
-    told = [*notes(engine, cycle), *_provisos(waves)]
+    told = [*_other_points(engine, cycle), *notes(engine, cycle), *_provisos(waves)]
     if running is not None:
         changed = changes_table(engine, running)
         more += [changed] if changed.rows or machine else []
@@ -195,11 +195,12 @@ def work_table(cycle: Cycle, found: GasTorque) -> Table:
             (_("brake torque"), mean - lost, "N*m"),
             (_("brake power"), (mean - lost) * cycle.speed, "W"),
         ]
-    title = (
-        _("One cycle")
-        if cycle.speed is None
-        else _("One cycle at {rpm} rpm", rpm=number(cycle.speed * 30 / pi))
-    )
+    title = _("One cycle")
+    if cycle.speed is not None:
+        title = _("One cycle at {rpm} rpm", rpm=number(cycle.speed * 30 / pi))
+    if cycle.name:
+        named = one_line(cycle.name, longest=60)
+        title = _("{title}, operating point {point}", title=title, point=named)
     return _pairs(title, rows)
 
 
@@ -243,15 +244,14 @@ def _valued(name: str, value: float) -> str:
     return f"{_(words)} {number(value * factor)} {unit}".strip()
 
 
-def _known_points(engine: Engine) -> str:
-    """The operating points that could have been asked for; empty where the file has none."""
-    names = [] if engine.gas is None else [point.name for point in engine.gas.points]
+def _other_points(engine: Engine, cycle: Cycle) -> list[str]:
+    """The operating points that could have been asked for, as a sentence."""
+    points = () if engine.gas is None else engine.gas.points
+    names = [point.name for point in points if point.name != cycle.name]
     if not names:
-        return ""
-    return _(
-        "The file has operating points, for --point: {points}.",
-        points=one_line(", ".join(names), longest=400),
-    )
+        return []
+    known = one_line(", ".join(names), longest=400)
+    return [_("Other operating points, for --point: {points}.", points=known)]
 
 
 def notes(engine: Engine, cycle: Cycle) -> list[str]:
@@ -280,7 +280,6 @@ def notes(engine: Engine, cycle: Cycle) -> list[str]:
                 pressure=quantity_text(cycle.values["imep"], "Pa"),
             )
         )
-        lines.append(_known_points(engine))
     if (
         cycle.values["process"] == "heat-release"
         and timing(engine.valves, cycle=engine.cycle).assumed

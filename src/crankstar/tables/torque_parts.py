@@ -43,7 +43,7 @@ def side_thrust_table(engine: Engine, cycle: Cycle, *, machine: bool) -> Table:
     own = [(number,) for number in cells] if machine else _alike(cells)
     groups: list[tuple[int, ...]] = as_given(("side thrust", engine.name), own)
     head = _("cylinder") if all(len(group) == 1 for group in groups) else _("cylinders")
-    at = _("crank angle") if machine else _("after firing")
+    at = _("crank angle") if machine else _("after TDC") if cycle.motored else _("after firing")
     columns = (
         Column(head, key="cylinder", label=True, kind="number" if machine else "text"),
         Column(_("thrust side"), "N", key="thrust_side"),

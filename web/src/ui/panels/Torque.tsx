@@ -1,5 +1,5 @@
 import { useMemo } from 'preact/hooks'
-import type { Exhibit } from '../../exhibit'
+import type { Exhibit, Table } from '../../exhibit'
 import { message, t } from '../../language/messages'
 import { curvesOf, noted, sizeAt, type Torques, torquesOf, unevenness } from '../../torque'
 import { Bars, sizeText } from '../Bars'
@@ -160,9 +160,18 @@ function OfEngine() {
         extent={shown.rolled}
         {...common}
       />
+      {setting.gas === 'burning' && torques.load?.tables.map(Beside)}
     </div>
   )
 }
+
+/** A table that goes with an operating point, folded up. */
+const Beside = (table: Table) => (
+  <details key={table.title} class="amplitudes">
+    <summary>{t('{title}, every cylinder burning', { title: table.title })}</summary>
+    <DataTable table={{ ...table, title: '' }} />
+  </details>
+)
 
 const rollOf = ({ roll }: Torques): Series => ({
   key: 'roll',
