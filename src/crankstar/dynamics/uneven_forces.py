@@ -16,7 +16,6 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
-from scipy.interpolate import CubicSpline
 
 from crankstar import spectra
 from crankstar.dynamics.uneven import Running
@@ -54,6 +53,8 @@ def uneven_spectrum(steady: Spectrum, running: Running) -> Spectrum:
     >>> bool(np.allclose(again.forward, couple.forward, atol=1e-4 * abs(couple.forward).max()))
     True
     """
+    from scipy.interpolate import CubicSpline
+
     theta, speed, mean = running.theta, running.speed, running.mean_speed
     step = float(theta[1] - theta[0])
     count = theta.size

@@ -17,7 +17,6 @@ from math import pi
 from typing import NamedTuple
 
 import numpy as np
-from scipy.interpolate import CubicHermiteSpline
 
 from crankstar.mechanics.heat_release import Events, Grid, Parts, Release, placed, volume_at
 from crankstar.spectra import Real
@@ -88,6 +87,8 @@ def _closed(
     grid: Grid, events: Events, release: Release, charge: Charge, heat: float, parts: Parts
 ) -> Real:
     """The pressure of the closed chamber at the angles of its samples, Pa."""
+    from scipy.interpolate import CubicHermiteSpline
+
     start = volume_at(grid, events.closed)
     mass = charge.intake * start / (GAS_CONSTANT * charge.temperature)
     knots = np.append(parts.angle[::COARSE], parts.angle[-1] + grid.step)
