@@ -26,7 +26,9 @@ from crankstar.engine.banks import Bank, Crank
 from crankstar.engine.basis import ASSUMED_ROD_RATIO, Basis, Override, Sizes
 from crankstar.engine.copies import with_values
 from crankstar.engine.dead_centres import dead_centres
+from crankstar.engine.drive import Drive
 from crankstar.engine.engine import Engine
+from crankstar.engine.gas import Gas, OperatingPoint
 from crankstar.engine.layouts import LAYOUTS, Row
 from crankstar.engine.main_bearings import main_bearings, webs
 from crankstar.engine.records import (
@@ -72,6 +74,16 @@ ROTATIONS = st.sampled_from(["clockwise", "counter-clockwise"])
 CYCLES = st.sampled_from(["two-stroke", "four-stroke"])
 CLEARANCES = st.sampled_from([LEAST_CLEARANCE, 1.05, 2.5, 4.0, 50.0]) | number(LEAST_CLEARANCE, 6.0)
 """Rod length over the longest that it could have to span."""
+GASES = st.sampled_from(
+    [
+        Gas(imep=9e5),
+        Gas(process="otto", compression_ratio=8.0, bmep=6e5, friction="none"),
+        Gas(compression_ratio=10.5, points=(OperatingPoint(name="idle", imep=2e5, speed=80.0),)),
+    ]
+)
+DRIVES = st.builds(
+    Drive, inertia=number(0.001, 50.0), load_exponent=st.sampled_from([-1.0, 0.0, 2.0])
+)
 TEXTS = st.sampled_from(["a book", "工場の図面", 'two\nlines, "quoted" \\ and a tab\there'])
 
 
@@ -312,7 +324,8 @@ def engines(draw: Draw, *, known: bool = False, max_shafts: int = 4, tight: bool
     engine = draw(_supported(engine))
     engine = fired(engine, with_angles=draw(st.booleans())) if draw(st.booleans()) else engine
     valves = draw(maybe(timed_valves(engine)))
-    return engine.model_copy(update={"valves": None if valves == Valves() else valves})
+    more = {"gas": draw(maybe(GASES)), "drive": draw(maybe(DRIVES))}
+    return engine.model_copy(update={"valves": None if valves == Valves() else valves, **more})
 
 
 @st.composite

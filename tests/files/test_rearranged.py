@@ -16,6 +16,7 @@ from crankstar.language.faults import EngineError
 UNEVEN = {
     "brough-golden-dream": "two crankshafts that reach their dead centres together",
     "ducati-90": "pins would be split by 90 deg",
+    "ducati-900ss": "pins would be split by 90 deg",
     "kr250-production": "cylinders of both crankshafts fire together",
     "kr250-racer": "cylinders of both crankshafts fire together",
     "kr250-racer-simultaneous": "cylinders of both crankshafts fire together",

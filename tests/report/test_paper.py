@@ -18,7 +18,7 @@ from crankstar.report import printed, report
 
 __all__ = ["chromium"]
 
-MOST_PAGES = 12
+MOST_PAGES = 15
 MARGIN, A4 = 18, 297
 """mm: the margins above and below, and the height of the paper."""
 LEAST_FILLED = 0.55

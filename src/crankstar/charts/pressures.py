@@ -116,6 +116,7 @@ def _over_volume(found: Cycle) -> Panel:
             for index, at in enumerate(curve)
         ]
     colours = {"domain": [c[0] for c in chambers], "range": list(PALETTE[: len(chambers)])}
+    legend = {**LINES, "columns": 2} if len(chambers) > 1 else None
     lines = of_rows(rows).mark("line", strokeJoin="round", strokeWidth=1.8)
     drawn = lines.encode(
         x=field(
@@ -130,7 +131,7 @@ def _over_volume(found: Cycle) -> Panel:
             title=_("pressure ({unit})", unit=said.unit),
             axis={"tickCount": 5},
         ),
-        color=field("what:N", scale=colours, legend=LINES if len(chambers) > 1 else None),
+        color=field("what:N", scale=colours, legend=legend),
         order=field("at:Q"),
     )
     return layered([drawn], width=panel_width(), height=curve_height(220))

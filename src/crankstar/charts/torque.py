@@ -26,7 +26,7 @@ from crankstar.charts.drawing import (
 )
 from crankstar.charts.gas_curves import ROOM, Line, about, over_angle, reach, without
 from crankstar.charts.grammar import Chart, constant, field, of_rows, span
-from crankstar.charts.letters import SMALL, text_width
+from crankstar.charts.letters import SMALL, folded, text_width
 from crankstar.charts.sums import checked_quantity
 from crankstar.engine.engine import Engine
 from crankstar.language.messages import N_, _
@@ -135,13 +135,18 @@ def _cylinders(engine: Engine, found: Cycle) -> list[Panel]:
     ]  # fmt: skip
     whole = Line(_("together"), GREY, 2.6, each.sum(axis=0))
     foot = over_angle(theta, [whole], title=AXIS, unit="N*m", height=120, legend=False)
-    scale = _("One scale for all cylinders, from {low} to {high} N m.", **_said(ends))
-    return [stacked(narrow, title=[scale]), foot]
+    return [stacked(narrow, title=folded(_scale(ends), width=panel_width())), foot]
 
 
-def _said(ends: tuple[float, float]) -> dict[str, str]:
-    low, high = (number(float(f"{end / ROOM:.3g}")) for end in ends)
-    return {"low": low, "high": high}
+def _scale(ends: tuple[float, float]) -> str:
+    said = shown("N*m", max(map(abs, ends)))
+    low, high = (number(float(f"{said.factor * end / ROOM:.3g}")) for end in ends)
+    return _(
+        "One scale for all cylinders, from {low} to {high} {unit}.",
+        low=low,
+        high=high,
+        unit=unit_text(said.unit),
+    )
 
 
 def _named(panel: Panel, name: str) -> Panel:
