@@ -41,7 +41,7 @@ SHOWN = """() => {
 HELD = "() => HANDLE.exhibits.flatMap(({ name, file }) => [name, file.source, file.notes]).flat()"
 TYPED = re.compile(
     r"`[^`]*`|“[^”]*”|--[a-z-]+|\[\[?[a-z.]+\]?\]|\b[a-z]+(?:[._]\w+)+(?:\[\d\])?|\w+\(MIT\)"
-    r"|\.(?:toml|json|xlsx)\b|[A-Z]_?[A-Za-z0-9]*=[\d.]+|\bneighbours=1\b"
+    r"|\.(?:toml|json|xlsx)\b|[A-Z]_?[A-Za-z0-9]*=[\d.]+|\bneighbours=1\b|\bgearing = \"output\""
 )
 """What is typed in any language: commands, options, key paths, limits of a search."""
 WORD = re.compile(r"[A-Za-z]{2,}")
@@ -54,7 +54,7 @@ otto limited pressure heat release spark ignition compression none diesel
 published computed unverified placeholder estimated
 """
 KNOWN = set(AS_THEY_STAND.split())
-"""Units, keys of the keyboard, programs, what is typed; names that files give to parts and points."""
+"""Units, keys of the keyboard, programs, what is typed; names that files give."""
 EXAMPLE = "V8, cross-plane, 90 deg"
 """The name in an empty form."""
 
