@@ -83,6 +83,7 @@ def frame_words() -> list[str]:
 
 
 MESSAGE_ERRORS = [
+    "BearingError",
     "ChartError",
     "DerivationError",
     "ErrataError",

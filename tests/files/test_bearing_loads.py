@@ -5,11 +5,12 @@ from __future__ import annotations
 import csv
 import io
 import json
+from collections.abc import Callable
 
 import pytest
 from tests.commands import Run
 
-from crankstar import bearing_loads, load, spectra
+from crankstar import bearing_loads, cycle, load, spectra
 
 SPEED = 6000 * 3.141592653589793 / 30
 
@@ -25,6 +26,28 @@ def test_the_printed_peaks_are_those_of_the_loads(run: Run, model: str) -> None:
     assert [unit * float(line[4]) for line in lines] == pytest.approx(
         spectra.peaks(loads.load).tolist(), rel=1e-4
     )
+
+
+def test_the_printed_loads_with_gas_are_those_of_the_operating_point(run: Run) -> None:
+    engine = load("audi-25-tfsi")
+    loads = bearing_loads(engine, cycle=cycle(engine, point="idle"))
+    out = run("bearings", "audi-25-tfsi", "--point", "idle").out
+    assert "operating point idle, 750 rpm" in out
+    lines = [line.split() for line in out.splitlines() if "assumed" in line][1:]
+    unit = {"N": 1.0, "kN": 1000.0}[out.split("[mm]", 1)[1].split("[", 1)[1].split("]")[0]]
+    assert [unit * float(line[4]) for line in lines] == pytest.approx(
+        spectra.peaks(loads.load).tolist(), rel=1e-4
+    )
+    tree = json.loads(run("bearings", "audi-25-tfsi", "--gas", "--json").out)
+    assert (tree["point"], len(tree["wear"])) == ("full", 11)
+    peaks = [row["peak"]["value"] for row in tree["bearings"]]
+    expected = spectra.peaks(bearing_loads(engine, cycle=cycle(engine)).load)
+    assert peaks == pytest.approx(expected.tolist())
+
+
+def test_gas_without_masses_is_refused_with_what_it_needs(refused: Callable[..., str]) -> None:
+    told = refused("bearings", "bmw-s65", "--gas")
+    assert "give speed and cylinder.reciprocating_mass" in told
 
 
 def test_json_and_csv_have_every_bearing_and_order(run: Run) -> None:

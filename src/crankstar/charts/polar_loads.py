@@ -25,6 +25,7 @@ from crankstar.charts.canvas import BETWEEN, figure_width, half_width
 from crankstar.charts.crank_angle import waves
 from crankstar.charts.drawing import BLUE, ORANGE, VERMILION, Panel, brief, figure, heading
 from crankstar.charts.estimates import ends_of, estimate_lines, peak_range, range_text
+from crankstar.charts.gas_curves import about as about_gas
 from crankstar.charts.grammar import DISC, Chart, Layer, field, of_rows
 from crankstar.charts.labels import Label, gathered
 from crankstar.charts.letters import SMALL, folded, together
@@ -37,6 +38,7 @@ from crankstar.engine.records import Shaft
 from crankstar.language.messages import N_, _
 from crankstar.language.numbers import numbers_text, unit_text
 from crankstar.language.shown_units import shown
+from crankstar.mechanics.gas import cycle
 from crankstar.mechanics.remains import NEGLIGIBLE
 from crankstar.spectra import Complex, Peak, Spectrum
 
@@ -118,8 +120,13 @@ def polar_loads(
     speed: float | None = None,
     theta: float = 0.0,
     most: int = MOST,
+    gas: bool = False,
+    point: str | None = None,
+    off: Sequence[int] = (),
 ) -> Chart:
     """The load on each main bearing, or of the rods on each crank pin, over a turn of the crank.
+
+    With `gas` over a cycle, at an operating point, with cylinders that are `off`.
 
     `quantity`: in the frame of the block, or turning with the shaft (`main-journal`,
     `crank-pin-journal`). A dot every 90 degrees of the reference crankshaft; a ring at the
@@ -128,8 +135,11 @@ def polar_loads(
     `most` loads the greatest are drawn. Raises ChartError.
     """
     checked_quantity(quantity, Loaded)
-    loads = bearing_loads(engine, speed=speed, model=model)
-    others = [bearing_loads(each, speed=speed, model=model) for each in ends_of(engine)]
+    found = cycle(engine, point=point or "", speed=speed, off=off) if gas else None
+    loads = bearing_loads(engine, speed=speed, model=model, cycle=found)
+    others = [
+        bearing_loads(each, speed=speed, model=model, cycle=found) for each in ends_of(engine)
+    ]
     every = list(_loadings(engine, loads, others, quantity))
     loadings = _greatest(every, most)
     # each shaft begins a row, unless these are the greatest of all shafts
@@ -156,7 +166,10 @@ def polar_loads(
     return figure(
         rows,
         title=_(TITLES[quantity], unit=together(unit_text(said.unit))),
-        subtitle=[*heading(engine, speed=speed), *filter(None, lines)],
+        subtitle=[
+            *(heading(engine, speed=speed) if found is None else about_gas(engine, found)),
+            *filter(None, lines),
+        ],
         theta=theta,
         turns=max(_turns(loading, turning=turning) for loading in loadings),
     )

@@ -164,6 +164,9 @@ def bearings(
     /,
     *,
     speed: Speed = None,
+    gas: Annotated[bool, option("--gas")] = False,
+    point: Annotated[str | None, option("--point", "With --gas.")] = None,
+    off: Annotated[str | None, option("--off")] = None,
     model: Annotated[str, option("--model")] = "determinate",
     orders: Orders = None,
     settings: Settings = None,
@@ -174,22 +177,30 @@ def bearings(
 ) -> None:
     """Compute loads on main bearings and crank pins, guide forces, bending of the crankshaft."""
     from crankstar.dynamics.bearings import Model
+    from crankstar.mechanics.gas import cycle
     from crankstar.tables.bearings import bearing_document
     from crankstar.tables.ranges import ranged
 
     form = form_of(output, TABLES, json=json, csv=csv)
     request.choice("--model", model, get_args(Model))
-    (loaded, spread), turning = together(
-        partial(loaded_values, engine, settings, estimate=estimate), partial(request.speed, speed)
+    (loaded, spread), turning, silent = together(
+        partial(loaded_values, engine, settings, estimate=estimate),
+        partial(request.speed, speed),
+        partial(request.cylinders_off, off),
     )
+    burning = gas or point is not None or bool(silent)
 
     def sheet(each: Engine) -> Document:
+        found = None
+        if burning:
+            found = cycle(each, point=point or "", speed=turning, off=silent)
         return bearing_document(
             each,
             speed=each.speed if turning is None else turning,
             model=cast("Model", model),
             orders=lambda present: request.orders(orders, present),
             machine=form != "txt",
+            cycle=found,
         )
 
     with working(_("Computing the loads ...")), words_for(form):

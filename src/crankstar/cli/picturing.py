@@ -61,6 +61,7 @@ def plot(
     speed: Speed = None,
     speeds: Annotated[str | None, option("--speeds", "For the chart amplitudes.")] = None,
     reference: ReferencePoint = None,
+    gas: Annotated[bool, option("--gas", "For bearing-loads.")] = False,
     point: Annotated[str | None, option("--point", "For charts of gas, and amplitudes.")] = None,
     off: Annotated[str | None, option("--off", "For charts of gas.")] = None,
     settings: Settings = None,
@@ -102,11 +103,12 @@ def plot(
         speed=speed,
         speeds=speeds,
         reference=reference,
+        gas=gas,
         point=point,
         off=off,
         alone=not others,
     )
-    if "off" in figure.options:
+    if "off" in figure.options and ("gas" not in figure.options or "gas" in options):
         from crankstar.mechanics.gas import check_gas
 
         check_gas(loaded)

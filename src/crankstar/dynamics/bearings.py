@@ -1,12 +1,14 @@
 """Loads on main bearings and crank pins, guide forces, and the bending moment along a crankshaft.
 
-On a shaft act, free of gas pressure, the pin loads S of its cylinders (`mechanics.pin_loads`) and
-the centrifugal forces of its throws and weights. The main bearings carry them: with the shares of
+On a shaft act the pin loads S of its cylinders, from inertia (`mechanics.pin_loads`) and where a
+cycle is given from gas (`mechanics.gas_pins`), and the centrifugal forces of its throws and
+weights. The main bearings carry them: with the shares of
 `beams`, force by force,
 
     L_b = sum over forces f of share[b, f] F_f           N, what the journal pushes on its bearing,
 
-so that all bearing loads and guide forces add up to force and couple on the block. Forces at the
+so that all bearing loads and guide forces, with gas also the forces on the heads, add up to force
+and couple on the block. Forces at the
 teeth of gears and the weight of the parts are left out.
 
 The bending moment at z is the moment of all that acts on the shaft in front of it,
@@ -36,10 +38,12 @@ from crankstar.dynamics.beams import continuous_shares, cut_shares
 from crankstar.engine.engine import Engine
 from crankstar.engine.main_bearings import main_bearings
 from crankstar.engine.records import Shaft
-from crankstar.language.messages import _
+from crankstar.language.messages import MessageError, _
 from crankstar.language.quoting import given, seen
 from crankstar.mechanics.balance import scales
 from crankstar.mechanics.excitation import columns_of, rotors
+from crankstar.mechanics.gas import Cycle
+from crankstar.mechanics.gas_pins import gas_pin_loads, with_gas
 from crankstar.mechanics.mechanism import Mechanism, mechanism
 from crankstar.mechanics.pin_loads import PinLoads, pin_loads
 from crankstar.spectra import Complex, Real, Spectrum
@@ -48,6 +52,10 @@ Model = Literal["determinate", "continuous"]
 """The crankshaft hinged at each main bearing, or one uniform beam on all of them."""
 STEPS = 8
 """Places between two forces or bearings at which a bending moment is given."""
+
+
+class BearingError(MessageError):
+    """Loads that cannot be computed, and why."""
 
 
 class Bearing(NamedTuple):
@@ -111,12 +119,18 @@ class Bending:
 
 
 def bearing_loads(
-    engine: Engine, *, speed: float | None = None, model: Model = "determinate"
+    engine: Engine,
+    *,
+    speed: float | None = None,
+    model: Model = "determinate",
+    cycle: Cycle | None = None,
 ) -> BearingLoads:
     """Loads on all main bearings, crank pins and cylinder walls by crank order.
 
     In N at `speed` (rad/s), without one in m r w^2. A `continuous` shaft rests on rigid bearings,
     or on those of the stiffness that the engine file gives with the shaft's bending stiffness.
+    With a `cycle` those of its gas as well, at its speed unless another is given; raises
+    BearingError where speed or masses are not known.
 
     >>> from crankstar.files.catalog import load
     >>> loads = bearing_loads(load("i4"))
@@ -129,7 +143,8 @@ def bearing_loads(
     [0.5, 0.0, 1.0, 0.0, 0.5]
     """
     machine = mechanism(engine)
-    loads = pin_loads(machine)
+    speed = cycle.speed if speed is None and cycle is not None else speed
+    loads = _loads(engine, machine, speed, cycle)
     scale, units = scales(engine, speed)
     bearings: list[Bearing] = []
     pins: list[CrankPin] = []
@@ -171,11 +186,12 @@ def bending_moment(
     shaft: str | None = None,
     speed: float | None = None,
     model: Model | None = None,
+    cycle: Cycle | None = None,
 ) -> Bending:
     """The bending moment along a crankshaft, by default the first.
 
     `model=None`: in its two end bearings alone, so that no inner bearing helps. In N m at `speed`
-    (rad/s), without one in m r w^2 a.
+    (rad/s), without one in m r w^2 a. With the gas of a `cycle` as in `bearing_loads`.
 
     >>> from crankstar.files.catalog import load
     >>> bending = bending_moment(load("i4"))
@@ -196,7 +212,8 @@ def bending_moment(
         )
     index = names.index(name)
     own = engine.shafts[index]
-    places, forces = shaft_forces(machine, pin_loads(machine), index)
+    speed = cycle.speed if speed is None and cycle is not None else speed
+    places, forces = shaft_forces(machine, _loads(engine, machine, speed, cycle), index)
     bearings = main_bearings(engine, own)
     z = _along([*places, *bearings])
     if model is None:
@@ -210,6 +227,21 @@ def bending_moment(
     moment = spectra.scaled(_shared(levers, forces), scale.couple)
     known = speed if units.force == "N" else None
     return Bending(name, tuple(z.tolist()), moment, units.couple, known)
+
+
+def _loads(
+    engine: Engine, machine: Mechanism, speed: float | None, cycle: Cycle | None
+) -> PinLoads:
+    """The pin loads of inertia, and of gas where there is a cycle, at 1 rad/s; right at `speed`."""
+    inertia = pin_loads(machine)
+    if cycle is None:
+        return inertia
+    if speed is None or scales(engine, speed)[1].force != "N":
+        raise BearingError(
+            "bearing loads with gas need speed and masses: give speed and "
+            "cylinder.reciprocating_mass"
+        )
+    return with_gas(inertia, gas_pin_loads(engine, cycle), speed=speed)
 
 
 def bearing_shares(

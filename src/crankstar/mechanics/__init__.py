@@ -23,5 +23,6 @@
 | `gas_loads` | gas torque at many loads, and over the speed |
 | `exhaust_pulses` | pulses of the exhaust with the pressure of the cycle, by order |
 | `side_thrust` | how hard each piston presses on its wall over a cycle |
+| `gas_pins` | what gas puts on crank pins and walls, by order |
 | `remains` | what remains of a balance: zero, negligible or worth a cure |
 """

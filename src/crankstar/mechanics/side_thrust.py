@@ -24,7 +24,7 @@ from crankstar.engine.engine import Engine
 from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.kinetic import samples_over
 from crankstar.mechanics.mechanism import mechanism
-from crankstar.mechanics.pin_loads import Applied, held, pin_loads
+from crankstar.mechanics.pin_loads import Applied, Held, held, pin_loads
 from crankstar.spectra import Complex, Real
 
 SAMPLES = 720
@@ -90,20 +90,30 @@ def pressure_at(cycle: Cycle, theta: Real) -> Real:
 
 
 def _of_gas(engine: Engine, cycle: Cycle, theta: Real) -> Real:
-    machine = mechanism(engine)
-    links, place, _lag, ratio = pistons(engine)
+    links, _place, _lag, ratio = pistons(engine)
+    along = np.exp(1j * np.asarray(links.bearing))[:, None]
+    return _to_thrust_side(gas_held(engine, cycle, theta).guide / along, ratio)
+
+
+def gas_push(engine: Engine, cycle: Cycle, theta: Real) -> Real:
+    """(p - p_0) A of each piston at angles of the reference crankshaft, N [cylinder, angle]."""
+    place = pistons(engine).place
     pressures = dict(zip(cycle.volumes.numbers, pressure_at(cycle, theta), strict=True))
     push = np.zeros((len(place), theta.size))
     for number, members in engine.chambers.items():
         for cylinder in members:
-            row = place[cylinder.number]
             area = pi / 4 * (cylinder.bore or 0.0) ** 2
-            push[row] = (pressures[number] - cycle.crankcase) * area
-    along = np.exp(1j * np.asarray(links.bearing))[:, None]
-    moved = rods_over(engine, theta)
+            push[place[cylinder.number]] = (pressures[number] - cycle.crankcase) * area
+    return push
+
+
+def gas_held(engine: Engine, cycle: Cycle, theta: Real) -> Held:
+    """Guide forces and pin loads of gas alone at crank angles, each in the frame of its group."""
+    push = gas_push(engine, cycle, theta)
+    along = np.exp(1j * np.asarray(pistons(engine).links.bearing))[:, None]
     none = np.zeros_like(push)
-    loads = held(machine, moved, Applied(-push * along, none, none, none))
-    return _to_thrust_side(loads.guide / along, ratio)
+    applied = Applied(-push * along, none, none, none)
+    return held(mechanism(engine), rods_over(engine, theta), applied)
 
 
 def rods_over(engine: Engine, theta: Real) -> motion.Rods:

@@ -44,6 +44,7 @@ def options(
     speed: str | None,
     reference: str | None,
     speeds: str | None = None,
+    gas: bool = False,
     point: str | None = None,
     off: str | None = None,
     alone: bool = True,
@@ -61,6 +62,7 @@ def options(
         "--speed": (speed, {"speed"}),
         "--speeds": (speeds, {"speeds"}),
         "--reference": (reference, {"reference"}),
+        "--gas": ("" if gas else None, {"gas"}),
         "--point": (point, {"point"}),
         "--off": (off, {"off"}),
     }
@@ -97,12 +99,15 @@ def options(
             )
         out |= {"theta": angles[0]} if "theta" in takes else {"angles": angles}
     if "speed" in takes:
-        own = engine.speed if alone and "point" not in takes else None
+        at_point = "point" in takes and ("gas" not in takes or gas or point is not None)
+        own = engine.speed if alone and not at_point else None
         out["speed"] = own if speed is None else request.speed(speed)
     if speeds is not None:
         out["speeds"] = request.speeds(speeds)
     if reference is not None:
         out["reference"] = request.reference(reference, engine)
+    if "gas" in takes and (gas or point is not None or off is not None):
+        out["gas"] = True
     if point is not None:
         out["point"] = point
     if off is not None:

@@ -30,6 +30,7 @@ LOADS = {
         'Indicated mean effective pressure of the whole cycle, such as "10 bar".',
         ("--mean-pressure",),
     ),
+    "--gas": Option("nothing", "With the gas pressure of an operating point.", ("--gas-pressure",)),
     "--motored": Option("nothing", "The engine is turned and burns nothing.", ("--cold",)),
     "--off": Option(
         "text", "Cylinders that do not fire, as in 2,3; the others burn as much.", ("--misfire",)

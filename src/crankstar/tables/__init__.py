@@ -34,6 +34,7 @@
 | `sweeps` | a sweep and its best value |
 | `pair_sweeps` | a sweep of two numbers, its best pairs and its front |
 | `over_speeds` | amplitudes over the speed |
+| `wear` | where journals and pins are pressed most and least |
 | `bearings` | loads on main bearings and crank pins, guide forces |
 | `certificate` | the best weights and their lower bound |
 | `cures` | what removes the remaining forces and couples |

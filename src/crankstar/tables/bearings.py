@@ -12,18 +12,24 @@ from crankstar.dynamics.bearings import BearingLoads, Model, bearing_loads, bend
 from crankstar.engine.engine import Engine
 from crankstar.language.kept import of_any
 from crankstar.language.messages import N_, _
-from crankstar.language.numbers import NEGLIGIBLE
+from crankstar.language.numbers import NEGLIGIBLE, number
+from crankstar.language.quoting import one_line
+from crankstar.language.shown_units import quantity_text
 from crankstar.mechanics.balance import balance
 from crankstar.mechanics.bounds import greatest, highest, length, tops
+from crankstar.mechanics.gas import Cycle
 from crankstar.spectra import Spectrum
 from crankstar.tables.conditions import unit_sentence, unit_sizes
 from crankstar.tables.headings import heading
 from crankstar.tables.paths import shape
 from crankstar.tables.scales import scales
 from crankstar.tables.table import Column, Document, Table, Value, remarks
+from crankstar.tables.wear import wear_table
 
 NOTED = 0.02
 """Share of the greatest load of one order from which an order is printed."""
+NOTED_WITH_GAS = 0.2
+"""The same with gas, which has many orders."""
 MODELS = {
     "determinate": N_(
         "Crankshaft hinged at each main bearing: a force is carried by the two beside it."
@@ -39,26 +45,36 @@ def bearing_document(
     model: Model = "determinate",
     orders: Callable[[list[float]], list[float] | None] = lambda _present: None,
     machine: bool = False,
+    cycle: Cycle | None = None,
 ) -> Document:
     """Peaks of all bearings, pins and walls over a turn, and the bearings by order.
 
     `orders` chooses from those present; by default those of note, and all for a `machine`, whose
-    first table they are.
+    first table they are. With a `cycle` the loads of its gas are in them, at its speed.
     """
     turning = engine.speed if speed is None else speed
-    loads = bearing_loads(engine, speed=turning, model=model)
+    if cycle is not None:
+        turning = cycle.speed
+    loads = bearing_loads(engine, speed=turning, model=model, cycle=cycle)
+    noted = NOTED if cycle is None else NOTED_WITH_GAS
     chosen = orders(main_orders(loads, share=0.0)) or main_orders(
-        loads, share=0.0 if machine else NOTED
+        loads, share=0.0 if machine else noted
     )
     shown = sorted(of_any("orders", chosen))
-    greatest, single = peaks(engine, loads), by_order(loads, shown)
+    greatest, single = peaks(engine, loads, gas=cycle is not None), by_order(loads, shown)
     result = balance(engine, speed=turning)
-    notes = (_(MODELS[model]), unit_sentence(engine, result), unit_sizes(engine, result))
+    notes = (
+        *(() if cycle is None else gas_sentences(cycle)),
+        _(MODELS[model]),
+        unit_sentence(engine, result),
+        unit_sizes(engine, result),
+    )
     facts = {
         "engine": engine.name,
         "model": model,
         "speed_rpm": None if loads.speed is None else float(f"{loads.speed * 30 / pi:.12g}"),
         "unit": loads.unit,
+        **({} if cycle is None else {"point": cycle.name or None, "imep": cycle.imep}),
     }
     return Document(
         engine.name,
@@ -68,7 +84,8 @@ def bearing_document(
             *((single, greatest) if machine else (greatest, single)),
             pins(loads),
             walls(loads),
-            bending(engine, speed=turning, model=model),
+            wear_table(engine, loads),
+            bending(engine, speed=turning, model=model, cycle=cycle),
         ),
         facts,
     )
@@ -113,7 +130,28 @@ def _peak_columns(unit: str) -> tuple[Column, ...]:
     )
 
 
-def peaks(engine: Engine, loads: BearingLoads) -> Table:
+def gas_sentences(cycle: Cycle) -> tuple[str, ...]:
+    """Which gas is in the loads, and how fast the engine turns."""
+    values = {
+        "point": one_line(cycle.name, longest=60),
+        "rpm": number((cycle.speed or 0.0) * 30 / pi),
+        "pressure": quantity_text(cycle.imep, "Pa"),
+    }
+    lines = [_("With gas at {rpm} rpm, {pressure} indicated mean effective pressure.", **values)]
+    if cycle.name:
+        lines = [
+            _(
+                "With gas at the operating point {point}, {rpm} rpm, {pressure} indicated mean "
+                "effective pressure.",
+                **values,
+            )
+        ]
+    if cycle.assumed:
+        lines.append(_("Part of the cycle is assumed: `crankstar torque` names what."))
+    return tuple(lines)
+
+
+def peaks(engine: Engine, loads: BearingLoads, *, gas: bool = False) -> Table:
     """The greatest load of each main bearing over a turn, where it points, and the mean."""
     along = scales(engine).along
     columns = (
@@ -134,6 +172,8 @@ def peaks(engine: Engine, loads: BearingLoads) -> Table:
         rows.append((*cells, *top, length(mean)))
     doubtful = frozenset(i for i, bearing in enumerate(loads.bearings) if bearing.assumed)
     title = _("Loads on main bearings from inertia and weights, over a turn")
+    if gas:
+        title = _("Loads on main bearings from gas, inertia and weights, over a cycle")
     return Table(title, columns, tuple(rows), key="bearings", doubtful=doubtful)
 
 
@@ -200,7 +240,9 @@ def walls(loads: BearingLoads) -> Table:
     return Table(_("Guide forces of the pistons on their cylinders"), columns, rows, key="guides")
 
 
-def bending(engine: Engine, *, speed: float | None, model: Model) -> Table:
+def bending(
+    engine: Engine, *, speed: float | None, model: Model, cycle: Cycle | None = None
+) -> Table:
     """The greatest bending moment of each crankshaft, in its end bearings alone and in all."""
     along = scales(engine).along
     cranks = [shaft.name for shaft in engine.shafts if shaft.throws]
@@ -216,7 +258,7 @@ def bending(engine: Engine, *, speed: float | None, model: Model) -> Table:
         states: tuple[tuple[str, Model | None], ...]
         states = ((_("in its end bearings"), None), (_("in all its bearings"), model))
         for words, held in states:
-            bend = bending_moment(engine, shaft=name, speed=speed, model=held)
+            bend = bending_moment(engine, shaft=name, speed=speed, model=held, cycle=cycle)
             sizes = spectra.peaks(bend.moment)
             worst = int(np.argmax(sizes >= sizes.max() * (1 - 1e-9)))
             rows.append((name, words, highest(bend.moment), along.of(bend.z[worst])))
