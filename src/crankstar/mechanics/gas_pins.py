@@ -21,7 +21,6 @@ from dataclasses import replace
 import numpy as np
 
 from crankstar import spectra
-from crankstar.engine.dead_centres import pistons
 from crankstar.engine.engine import Engine
 from crankstar.mechanics.gas import Cycle
 from crankstar.mechanics.kinetic import samples_over
