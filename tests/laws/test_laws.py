@@ -557,12 +557,16 @@ def test_an_engine_written_to_a_file_and_read_again_shakes_as_before(engine: Eng
         "cylinders",
         "bore_pitch",
         "block",
+        "gas",
+        "drive",
     }:
         assert getattr(again, name) == getattr(engine, name), name
-    blocks = [
-        one.block.model_dump(exclude_none=True) if one.block else {} for one in (again, engine)
-    ]
-    assert blocks[0] == pytest.approx(blocks[1], rel=1e-12)
+    for name in ("block", "gas", "drive"):
+        written, given = (flat(getattr(one, name)) for one in (again, engine))
+        assert written.keys() == given.keys()
+        for key, value in given.items():
+            close = pytest.approx(value, rel=1e-12) if isinstance(value, float) else value
+            assert written[key] == close, (name, key)
     reference = Reference(0.1)
     before, after = (balance(e, speed=100.0, reference=reference) for e in (engine, again))
     assert [part._replace(bank=None) for part in after.parts] == [
@@ -573,6 +577,20 @@ def test_an_engine_written_to_a_file_and_read_again_shakes_as_before(engine: Eng
         size = (np.abs(old.forward) + np.abs(old.backward)).sum(axis=-1).max()
         wrong = np.abs(spectra.value(new, THETA) - spectra.value(old, THETA)).max()
         assert wrong <= 1e-9 * max(size, 1e-12 * np.abs(before.force.forward).max()), name
+
+
+def flat(record: Record | None) -> dict[str, object]:
+    """The values of a record that are given, by path."""
+    out: dict[str, object] = {}
+    for name in type(record).model_fields if record is not None else ():
+        value = getattr(record, name)
+        inner = value if isinstance(value, tuple) else ()
+        if inner and isinstance(inner[0], Record):
+            for place, each in enumerate(inner):
+                out |= {f"{name}[{place}].{key}": own for key, own in flat(each).items()}
+        elif value is not None and value != ():
+            out[name] = value
+    return out
 
 
 @pytest.mark.parametrize("rod_ratio", [1.002, 1.02, 1.2, 2.0, 4.0, 50.0])

@@ -137,7 +137,7 @@ def test_the_server_tells_of_engines_in_the_language_of_the_page(
     page.goto(f"{server.address}#engine=harley-45&a=0&tab=about")
     page.evaluate(READY)
     page.evaluate("window.first = true")
-    page.locator(f"[data-panel=about] input[value={language}]").check()
+    page.locator(f"[data-panel=about] input[value={language}]").click()
     there = "document.querySelector('[data-crankstar]')?.crankstar"
     page.wait_for_function(f"() => !window.first && {there}")  # opened again
     page.evaluate(READY)
