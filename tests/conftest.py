@@ -19,7 +19,7 @@ SLOW = [HealthCheck.too_slow]
 
 settings.register_profile(
     "default",
-    max_examples=12,
+    max_examples=8,
     derandomize=True,
     deadline=None,
     database=None,

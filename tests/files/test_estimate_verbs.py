@@ -47,6 +47,7 @@ def weighted(run: Run, tmp_path: Path) -> str:
     return str(place)
 
 
+@pytest.mark.long
 @pytest.mark.many(first=1)
 @pytest.mark.parametrize("words", VERBS, ids=" ".join)
 def test_what_is_printed_in_newtons_or_grams_is_marked(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from concurrent.futures import ThreadPoolExecutor
 
+import pytest
 from tests.web.serving import Server
 
 from crankstar.files.catalog import tree_of
@@ -11,6 +12,7 @@ from crankstar.files.catalog import tree_of
 PEOPLE, EDITS = 16, 3
 
 
+@pytest.mark.long
 def test_everybody_gets_the_answer_to_the_own_question(server: Server) -> None:
     tree = tree_of("v8-cross-plane")[1]
 

@@ -75,6 +75,7 @@ def test_a_search_finds_what_the_package_finds_and_each_row_makes_its_engine(
         )
 
 
+@pytest.mark.long
 def test_of_many_rows_the_first_are_sent_and_that_is_said(server: Server) -> None:
     search = ended(
         server, begun(server, {"cylinders": 7, "cycle": "two-stroke", "minimise": "M1", "best": 80})
@@ -85,6 +86,7 @@ def test_of_many_rows_the_first_are_sent_and_that_is_said(server: Server) -> Non
     assert "`crankstar search` with -o FILE.csv" in told
 
 
+@pytest.mark.long
 def test_the_cranks_of_an_engine_keep_its_cylinders(server: Server) -> None:
     search = ended(server, begun(server, {"engine": "audi-25-tfsi", "minimise": "M1", "best": 3}))
     assert len(search["rows"]) == 3

@@ -221,6 +221,7 @@ def test_contrast_is_that_of_the_guideline() -> None:
         assert min(contrast(colour, ground) for colour in colours) >= 4.5, name
 
 
+@pytest.mark.long
 def test_a_picture_has_the_size_and_the_dots_that_are_asked_for(run: Run, tmp_path: Path) -> None:
     sized = ("plot", "i4", "hodograph", "--width", "4 in", "--height", "90 mm")
     assert run(*sized, "-o", "x.svg").code == 0

@@ -82,6 +82,7 @@ def dropped(page: Page, text: str, name: str = "engine.toml") -> None:
     )
 
 
+@pytest.mark.long
 def test_a_bank_angle_that_is_typed_moves_the_bank(editing: Page) -> None:
     assert bank_angles(editing) == [45, -45]
     field(editing, BEARING).fill("30 deg")
@@ -378,6 +379,7 @@ def test_a_hostile_name_is_text_everywhere(editing: Page) -> None:
     assert editing.locator("img").count() == 0
 
 
+@pytest.mark.long
 def test_a_row_of_a_search_becomes_the_engine(editing: Page) -> None:
     editing.get_by_role("button", name="Find a better crank").click()
     dialog = editing.get_by_role("dialog", name="Find a better crank")
@@ -448,6 +450,7 @@ def test_a_search_that_cannot_be_is_refused_in_a_sentence(editing: Page) -> None
     expect(dialog.get_by_role("progressbar")).to_have_count(0)
 
 
+@pytest.mark.long
 def test_fitting_puts_weights_on_and_undo_takes_them_off(editing: Page) -> None:
     layout = on_stage(editing)["file"]["layout"]
     editing.get_by_label("Counterweights", exact=True).select_option("at the ends")

@@ -53,6 +53,7 @@ def test_filters_leave_the_engines_that_are_wanted(gallery: Page) -> None:
     expect(gallery.get_by_text("No engine matches.")).to_be_visible()
 
 
+@pytest.mark.long
 def test_one_goes_to_an_engine_by_keyboard_and_back_to_what_was_left(gallery: Page) -> None:
     gallery.get_by_label("Search").fill("boxer six")
     gallery.locator(".cards li:visible a").focus()
@@ -129,6 +130,7 @@ def test_the_gallery_and_the_page_are_in_the_language_that_the_browser_prefers(
         assert page.locator(".languages [aria-current]").inner_text() == "English"
 
 
+@pytest.mark.long
 def test_a_server_that_is_told_its_language_keeps_to_it(browser: Browser) -> None:
     complaints: list[str] = []
     with serving("--language", "ru") as server, watched(browser, complaints) as page:

@@ -182,6 +182,7 @@ def test_the_paths_of_the_whirl_stand_beside_the_engine_and_say_how_much_is_exag
     assert texts[-1] == "exaggerated × 250"
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("language", [pytest.param("en", marks=pytest.mark.long), "ru"])
 def test_a_window_of_any_height_comes_to_rest(language: str, built_page: Build, page: Page) -> None:
     """The switches of the sheet take the height that decides whether there is a sheet."""

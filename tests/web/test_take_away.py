@@ -314,6 +314,7 @@ def test_two_engines_stand_side_by_side_in_a_picture(
     assert sum(label.startswith("piston ") for label in labels) == 9
 
 
+@pytest.mark.long
 def test_the_engine_file_is_saved_and_commands_write_the_rest(
     built_page: Build, page: Page, tmp_path: Path
 ) -> None:
@@ -327,6 +328,7 @@ def test_the_engine_file_is_saved_and_commands_write_the_rest(
     assert f"crankstar report {place.name} -o {place.stem}-report.html" in commands
 
 
+@pytest.mark.long
 def test_a_file_page_works_in_a_frame_at_the_view_of_its_code(
     built_page: Build, page: Page
 ) -> None:

@@ -166,6 +166,7 @@ def test_torque_of_every_kind_of_engine_is_that_of_the_command_line(
     compared(page, told(name, *opening(name), "--off", "1"))
 
 
+@pytest.mark.long
 def test_an_operating_point_and_its_irregularity_are_those_of_python(
     tmp_path: Path, page: Page, told: Told
 ) -> None:
@@ -213,6 +214,7 @@ def test_the_values_at_the_crank_angle_are_those_of_the_pressure(
     assert float(line or "nan") == pytest.approx(1000 * 130 / 720)
 
 
+@pytest.mark.long
 def test_what_is_chosen_of_the_torque_goes_into_the_link(built_page: Build, page: Page) -> None:
     path = built_page(FIVE)
     opened(page, path, "a=0&tab=torque")
@@ -377,6 +379,7 @@ def test_a_browser_without_sound_says_so(built_page: Build, page: Page) -> None:
     expect(page.get_by_role("button", name="Stop the sound")).to_have_count(0)
 
 
+@pytest.mark.long
 def test_pressure_and_power_are_in_the_units_that_were_chosen(
     page: Page, tmp_path: Path, told: Told
 ) -> None:

@@ -104,6 +104,7 @@ def test_it_opens_as_the_traits_say_and_goes_where_python_says(show: Show, page:
     assert cell(page, "page.theta") == 690
 
 
+@pytest.mark.long
 def test_every_piston_is_where_python_says(show: Show, page: Page) -> None:
     show("audi-25-tfsi")
     read = cell(

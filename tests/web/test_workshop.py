@@ -75,6 +75,7 @@ def test_what_a_held_slider_says_covers_no_label(bench: Page, share: float) -> N
     assert told["x"] + told["width"] <= sweep["x"] + sweep["width"] + 1
 
 
+@pytest.mark.long
 @pytest.mark.many(first=1)
 def test_another_number_of_cylinders_is_an_engine_that_fires(bench: Page) -> None:
     bench.get_by_role("button", name="10 cylinders").click()
@@ -94,6 +95,7 @@ def test_another_number_of_cylinders_is_an_engine_that_fires(bench: Page) -> Non
     expect(bench.locator("h1")).to_have_text("V8, cross-plane crank, 90 deg")
 
 
+@pytest.mark.long
 def test_a_usual_layout_is_one_click_away(bench: Page) -> None:
     bench.get_by_text("Usual layouts").click()
     bench.get_by_role("button", name="Twin 270°").click()
@@ -206,6 +208,7 @@ def test_the_heading_is_renamed_with_a_click(bench: Page) -> None:
     eventually(lambda: file_of(bench)["name"], "mine")
 
 
+@pytest.mark.long
 def test_the_history_leads_back_to_any_step(bench: Page) -> None:
     for count in (10, 12):
         bench.get_by_role("button", name=f"{count} cylinders").click()

@@ -49,7 +49,7 @@ def best_pair(sweep: Sweep, curve: Curve, *, greatest: bool = False) -> BestPair
     """The pair at which the result is least (or `greatest`), also between those of the sweep.
 
     >>> from crankstar.studies.sweep import sweep
-    >>> both = sweep("single", ["balance_factor=0..1/8", "cylinder.rod_ratio=3..5/4"])
+    >>> both = sweep("single", ["balance_factor=0..1/4", "cylinder.rod_ratio=3..5/2"])
     >>> pair = best_pair(both, watched(both, "force.forward", order=1))
     >>> round(pair.values[0], 3), pair.result < 1e-4, pair.flat
     (0.5, True, False)
