@@ -8,6 +8,12 @@
 | `uneven` | the speed of the crankshaft over a cycle, and the flywheel that evens it |
 | `uneven_forces` | what the uneven speed changes in force and couple |
 | `meshes` | what the gears between crankshafts pass on over a cycle |
+| `crank_stiffness` | the torsional stiffness of a crank throw by published formulas |
+| `torsion_chain` | a crankshaft, or a drive line, as a chain of inertias and springs |
+| `torsion_modes` | natural frequencies and shapes of a chain, nodes, Holzer's table |
+| `torsion_excitation` | the torque of gas and moving parts on each throw; vector sums |
+| `torsion_response` | forced vibration over speeds and orders, heat of dampers |
+| `torsion_criticals` | critical speeds, equilibrium amplitudes, barred speeds |
 | `whirl` | shift, tilt and turn of the free rigid engine, order by order |
 | `sound` | the exhaust as a sound: equal pulses through plain pipes |
 """

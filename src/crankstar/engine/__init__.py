@@ -7,12 +7,14 @@
 | `provenance` | where a value comes from, and its range if it is estimated |
 | `gas` | the gas in the cylinders: a cycle by few numbers or a measured trace, and loads |
 | `drive` | flywheel and load |
+| `torsion` | the crankshaft as it twists: inertias, stiffnesses, discs, dampers, pendulums |
 | `records` | the frozen records: shafts, throws, weights, cylinders, rods, valves, block |
 | `assembly` | shafts and cylinders put together, and what follows without motion |
 | `basis` | what a layout needs besides angles: name, cycle, firing order, sizes |
 | `main_bearings` | main bearings and webs of a crankshaft, given or assumed |
 | `valves` | valve and port timing, given or assumed |
 | `gas_checks` | loads, traces and drives that can be |
+| `torsion_checks` | chains that can twist |
 | `checks` | sizes, numbers and references that must fit each other |
 | `copies` | changed copies of records, each checked again |
 | `motion` | exact motion of pins, rods and pistons, and its harmonics |

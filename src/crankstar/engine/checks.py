@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping
 from math import lcm
 from typing import Any
 
-from crankstar.engine import gas_checks, main_bearings, valves
+from crankstar.engine import gas_checks, main_bearings, torsion_checks, valves
 from crankstar.engine.assembly import Assembly
 from crankstar.engine.quantities import GREATEST_LENGTH, GREATEST_RELATIVE
 from crankstar.engine.records import Block, Cylinder, Shaft
@@ -44,6 +44,7 @@ def faults(engine: Assembly) -> Iterator[Fault]:
         cycle=engine.cycle,
         crankshafts=[shaft.name for shaft in engine.shafts if shaft.throws],
     )
+    yield from torsion_checks.faults(engine)
     yield from main_bearings.faults(engine)
     yield from _block_faults(engine.block)
     if len(set(engine.relative)) != len(engine.relative):

@@ -102,6 +102,16 @@ Speed = Annotated[Number, Field(gt=0), SPEED]
 PRESSURE = Quantity("pressure", "60 bar", least=LEAST)
 Pressure = Annotated[Number, Field(gt=0), PRESSURE]
 Temperature = Annotated[Number, Field(gt=0), Quantity("temperature", "350 K")]
+TURNING_INERTIA = Quantity("moment of inertia", "0.035 kg*m^2")
+"""Of what twists: known in kg m^2, whatever else of an engine is not."""
+TURNING_STIFFNESS = Quantity("torsional stiffness", "1.2 MN*m/rad")
+TURNING_DAMPING = Quantity("torsional damping", "25 N*m*s/rad")
+TurningInertia = Annotated[Number, Field(gt=0), TURNING_INERTIA]
+TurningStiffness = Annotated[Number, Field(gt=0), TURNING_STIFFNESS]
+TurningDamping = Annotated[Number, Field(ge=0), TURNING_DAMPING]
+ShearModulus = Annotated[Number, Field(gt=0), Quantity("elastic modulus", "80 GPa")]
+Diameter = Annotated[Number, Field(gt=0), Quantity("length", "60 mm", least=LEAST)]
+"""Of a shaft that twists: known in metres."""
 VOLUME = Quantity("volume", "1998 cm^3", least=1e-9)
 ShareOfValue = Annotated[Number, Field(gt=0, le=100)]
 """A multiple of a value."""

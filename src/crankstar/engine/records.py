@@ -39,6 +39,7 @@ from crankstar.engine.quantities import (
     Text,
     Unbalance,
 )
+from crankstar.engine.torsion import Torsion as Torsion
 
 GREATEST_CYLINDERS = 256
 GREATEST_THROWS = 256
@@ -374,6 +375,9 @@ class Identity(Record):
         default=None, description="gas in the cylinders: cycle or measured pressure, and loads"
     )
     drive: Drive | None = Field(default=None, description="flywheel, and what the engine drives")
+    torsion: Torsion | None = Field(
+        default=None, description="the crankshaft as it twists, and what turns with it"
+    )
     source: Text = Field(default="", description="where the numbers come from")
     notes: Text = Field(default="", description="anything a reader should know")
     provenance: dict[Line, Provenance] = Field(

@@ -59,6 +59,9 @@ _KINDS = {
     "stiffness": _Kind("newton/metre", "N/m", 1e13, 1e13),
     "bending stiffness": _Kind("newton*metre^2", "N*m^2", 1e13, 1e13),
     "pressure": _Kind("pascal", "Pa", 0.0, 1e9),
+    "elastic modulus": _Kind("pascal", "Pa", 0.0, 1e13),
+    "torsional stiffness": _Kind("newton*metre/radian", "N*m/rad", 1e13, 1e13),
+    "torsional damping": _Kind("newton*metre*second/radian", "N*m*s/rad", 1e10, 1e10),
     "temperature": _Kind("kelvin", "K", 0.0, 5000.0),
 }
 _OTHERS = {
@@ -83,6 +86,9 @@ _SHOWN = {
     "stiffness": (1.0, "N/m"),
     "bending stiffness": (1.0, "N*m^2"),
     "pressure": (1e-5, "bar"),
+    "elastic modulus": (1e-9, "GPa"),
+    "torsional stiffness": (1.0, "N*m/rad"),
+    "torsional damping": (1.0, "N*m*s/rad"),
     "temperature": (1.0, "K"),
 }
 

@@ -14,7 +14,14 @@ from functools import partial
 from string import Formatter
 from typing import Any, NamedTuple
 
-from crankstar.language import engine_faults, file_faults, gas_faults, search_faults, server_faults
+from crankstar.language import (
+    engine_faults,
+    file_faults,
+    gas_faults,
+    search_faults,
+    server_faults,
+    torsion_faults,
+)
 from crankstar.language.messages import MessageError, Plural, _, _n
 from crankstar.language.quoting import one_line
 
@@ -22,6 +29,7 @@ SENTENCES: dict[str, str | Plural] = {
     **engine_faults.SENTENCES,
     **file_faults.SENTENCES,
     **gas_faults.SENTENCES,
+    **torsion_faults.SENTENCES,
     **search_faults.SENTENCES,
     **server_faults.SENTENCES,
 }

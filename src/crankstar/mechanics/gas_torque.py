@@ -68,13 +68,9 @@ def gas_torque(cycle: Cycle) -> GasTorque:
     [2.0, 4.0, 6.0]
     """
     samples = chamber_torque(cycle)
-    count = samples.shape[-1]
     places = cycle.volumes
-    numbers = np.arange(1, int(HIGHEST * places.cycle / (2 * np.pi)) + 1)
-    orders = numbers * (2 * np.pi / places.cycle)
-    amplitude = 2 / count * np.fft.rfft(samples, axis=-1)[:, numbers]
-    delayed = amplitude * np.exp(-1j * orders * places.fires[:, None])
-    return GasTorque(places.numbers, samples.mean(axis=-1), spectra.real_signal(orders, delayed))
+    torque = _by_order(samples, places.fires, places.cycle)
+    return GasTorque(places.numbers, samples.mean(axis=-1), torque)
 
 
 def of_one_cylinder(cycle: Cycle, orders: Sequence[float]) -> list[float]:
@@ -111,16 +107,44 @@ def crankshaft_torque(engine: Engine, cycle: Cycle, count: int = 1440) -> Real:
     >>> bool(upper > lower)  # the upper crankshaft leads
     True
     """
-    places = cycle.volumes
-    row = {number: index for index, number in enumerate(places.numbers)}
-    chamber = [row[cylinder.chamber or cylinder.number] for cylinder in engine.cylinders]
-    rates = piston_rates(engine, cycle.pressure.shape[-1])
-    samples = (cycle.pressure[chamber] - cycle.crankcase) * rates
-    torque = _delayed(samples, places.fires[chamber] * (2 * np.pi / places.cycle), count)
+    samples, fires = _of_pistons(engine, cycle)
+    torque = _delayed(samples, fires * (2 * np.pi / cycle.volumes.cycle), count)
     owner = [cylinder.shaft for cylinder in engine.cylinders]
     return np.array(
         [torque[[name == shaft.name for name in owner]].sum(axis=0) for shaft in engine.shafts]
     )
+
+
+def _of_pistons(engine: Engine, cycle: Cycle) -> tuple[Real, Real]:
+    """The torque of each piston [cylinder, sample] from where its chamber fires, and that angle."""
+    places = cycle.volumes
+    row = {number: index for index, number in enumerate(places.numbers)}
+    chamber = [row[cylinder.chamber or cylinder.number] for cylinder in engine.cylinders]
+    rates = piston_rates(engine, cycle.pressure.shape[-1])
+    return (cycle.pressure[chamber] - cycle.crankcase) * rates, places.fires[chamber]
+
+
+def piston_torque(engine: Engine, cycle: Cycle) -> Spectrum:
+    """The gas torque of each piston on its crankshaft, N m [cylinder, order]; means apart.
+
+    >>> from crankstar.files.catalog import load
+    >>> from crankstar.mechanics.gas import cycle
+    >>> engine = load("honda-b18c")
+    >>> found = cycle(engine, imep=1e6)
+    >>> one, all_ = gas_torque(found).torque, piston_torque(engine, found)
+    >>> bool(np.allclose(one.forward, all_.forward))
+    True
+    """
+    samples, fires = _of_pistons(engine, cycle)
+    return _by_order(samples, fires, cycle.volumes.cycle)
+
+
+def _by_order(samples: Real, fires: Real, cycle: float) -> Spectrum:
+    """The orders of samples over a cycle [row, sample] that begin at the angles `fires`."""
+    numbers = np.arange(1, int(HIGHEST * cycle / (2 * np.pi)) + 1)
+    orders = numbers * (2 * np.pi / cycle)
+    amplitude = 2 / samples.shape[-1] * np.fft.rfft(samples, axis=-1)[:, numbers]
+    return spectra.real_signal(orders, amplitude * np.exp(-1j * orders * fires[:, None]))
 
 
 def _delayed(samples: Real, phase: Real, count: int) -> Real:

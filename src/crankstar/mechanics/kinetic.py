@@ -39,6 +39,17 @@ def mean_inertia(machine: Mechanism) -> float:
     return float(_mean_inertias(machine).sum())
 
 
+def moving_inertias(engine: Engine) -> Real:
+    """The mean inertia of piston, rod and own big end of each cylinder, kg m^2 [cylinder].
+
+    >>> from crankstar.files.catalog import load
+    >>> engine = load("audi-25-tfsi")
+    >>> bool(np.isclose(moving_inertias(engine).sum(), mean_inertia(mechanism(engine))))
+    True
+    """
+    return _mean_inertias(mechanism(engine))
+
+
 def _mean_inertias(machine: Mechanism) -> Real:
     """The mean of J of the parts of each cylinder, kg m^2 [cylinder]."""
     moved = motion.resolved(machine.links)

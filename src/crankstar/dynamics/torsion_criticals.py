@@ -1,0 +1,137 @@
+"""Critical speeds, equilibrium amplitudes, and the speeds that a limit of stress bars.
+
+An order k meets a mode of w_n at the speed w_n/k of the crankshaft: the crossings of the Campbell
+diagram. How hard it drives the mode is its torque of excitation |sum a_j T_jk|; the equilibrium
+amplitude, of the mass at which the shape a is 1, is what that would turn it by if it were steady,
+
+    theta_e = |sum a_j T_jk| / (w_n^2 sum J_i a_i^2)
+
+and a resonance is as many times that as the dynamic magnifier says.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from crankstar.dynamics.torsion_chain import TorsionChain
+from crankstar.dynamics.torsion_excitation import Excitation, vector_sums
+from crankstar.dynamics.torsion_modes import Mode, torsion_modes
+from crankstar.dynamics.torsion_response import Response
+from crankstar.spectra import Real
+
+
+class Critical(NamedTuple):
+    """An order that meets a mode at a crank speed (rad/s).
+
+    `vector_sum` is None without firing angles; `torque` (N m) and `equilibrium` (rad) without an
+    excitation.
+    """
+
+    mode: int
+    order: float
+    speed: float
+    vector_sum: float | None
+    torque: float | None
+    equilibrium: float | None
+
+
+class Barred(NamedTuple):
+    """Crank speeds (rad/s) between which the stress of a section passes the limit."""
+
+    low: float
+    high: float
+    section: int
+
+
+def criticals(
+    chain: TorsionChain,
+    *,
+    orders: Sequence[float] | Real,
+    low: float,
+    high: float,
+    modes: int | None = None,
+    phases: Real | None = None,
+    excitation: Excitation | None = None,
+) -> tuple[Critical, ...]:
+    """Where orders meet the first `modes` between two crank speeds (rad/s), by mode and order.
+
+    `phases` [cylinder] are the angles at which the cylinders fire.
+
+    >>> from crankstar.dynamics.torsion_chain import torsion_chain
+    >>> from crankstar.engine.torsion import Chain, Disc
+    >>> pair = [Disc(name="motor", inertia=2), Disc(name="fan", inertia=3, to="motor", stiffness=6)]
+    >>> chain = torsion_chain(Chain(name="fan drive", discs=pair))
+    >>> [round(each.speed**2, 3) for each in criticals(chain, orders=[1, 2], low=0, high=3)]
+    [5.0, 1.25]
+    """
+    fixed = torsion_modes(chain)
+    out: list[Critical] = []
+    for order in map(float, orders):
+        own = torsion_modes(chain, order=order) if chain.pendulums else fixed
+        for mode in own[:modes]:
+            speed = mode.speed / order
+            if low * (1 - 1e-12) <= speed <= high * (1 + 1e-12):
+                out.append(_critical(chain, mode, order, speed, phases, excitation))
+    return tuple(sorted(out, key=lambda each: each[:2]))
+
+
+def _critical(
+    chain: TorsionChain,
+    mode: Mode,
+    order: float,
+    speed: float,
+    phases: Real | None,
+    excitation: Excitation | None,
+) -> Critical:
+    summed = torque = equilibrium = None
+    if phases is not None:
+        shape = mode.shape[list(chain.cylinders)]
+        summed = float(vector_sums(shape, phases, [order])[0])
+    place = [] if excitation is None else np.flatnonzero(np.abs(excitation.orders - order) < 1e-9)
+    if excitation is not None and len(place):
+        driven = excitation.torque(speed)[:, place[0]]
+        torque = float(abs(mode.shape @ driven))
+        equilibrium = torque / (mode.speed**2 * abs(modal_inertia(chain, mode, order)))
+    return Critical(mode.number, order, speed, summed, torque, equilibrium)
+
+
+def modal_inertia(chain: TorsionChain, mode: Mode, order: float = 0.0) -> float:
+    """The sum of J a^2 of a mode, pendulums as at an order, kg m^2 at the mass where a is 1."""
+    first = [chain.freedom.index(freedom) for freedom in range(chain.freedoms)]
+    turns = mode.shape[first] / chain.ratio[first]
+    return float(chain.inertias([order])[0] @ turns**2)
+
+
+def stresses(found: Response) -> tuple[Real, Real]:
+    """Greatest shear stress over the cycle and the sum of all orders' amplitudes [speed, section].
+
+    Pa; nan where a section has no diameter.
+    """
+    modulus = np.array([each.modulus or np.nan for each in found.chain.sections])
+    return found.peak() / modulus, found.added / modulus
+
+
+def barred(speeds: Real, stress: Real, *, limit: float) -> tuple[Barred, ...]:
+    """The ranges of speed in which a stress [speed, section] is above the limit, both in Pa.
+
+    Between computed speeds the stress is taken to go straight.
+
+    >>> barred(np.array([1.0, 2.0, 3.0]), np.array([[10.0], [30.0], [10.0]]), limit=20.0)
+    (Barred(low=1.5, high=2.5, section=0),)
+    """
+    out: list[Barred] = []
+    for section in range(stress.shape[1]):
+        over = stress[:, section] - limit
+        inside = over > 0
+        edges = np.flatnonzero(np.diff(inside.astype(int)))
+        ends = [
+            float(speeds[n] - over[n] * (speeds[n + 1] - speeds[n]) / (over[n + 1] - over[n]))
+            for n in edges
+        ]
+        ends = [float(speeds[0])] * bool(inside[:1].any()) + ends
+        ends += [float(speeds[-1])] * bool(inside[-1:].any())
+        out += [Barred(low, high, section) for low, high in zip(ends[::2], ends[1::2], strict=True)]
+    return tuple(sorted(out))

@@ -1,0 +1,140 @@
+"""What twists a crankshaft: the torque of gas and moving parts on each throw, order by order.
+
+    T(theta) = sum Re((gas_k + w^2 inertia_k) exp(i k theta))            N m, each throw
+
+positive in the direction of rotation, theta the angle of the crankshaft that turns evenly at w.
+Slave rods act on the throw of their master. The cycle is that of one operating point and stays so
+over all speeds: what the gas does at another load is another operating point. The mean torque,
+which twists the shaft steadily and does not vibrate, is left out.
+
+The vector sum of an order says how the cylinders join in it, whatever they are:
+
+    S_k = |sum a_j exp(i k phi_j)|
+
+with a_j the shape of a mode at the throw of cylinder j, phi_j the crank angle at which it fires;
+of a straight shape, a_j = 1, that of the engine's torque.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from crankstar import spectra
+from crankstar.dynamics.torsion_chain import TorsionChain
+from crankstar.engine.dead_centres import dead_centres
+from crankstar.engine.engine import Engine
+from crankstar.engine.firing_angles import firing_angles
+from crankstar.mechanics.excitation import part_spectra
+from crankstar.mechanics.gas import Cycle
+from crankstar.mechanics.gas_torque import HIGHEST, piston_torque
+from crankstar.mechanics.mechanism import mechanism
+from crankstar.spectra import Complex, Real, Spectrum
+
+ROUNDING = 1e-12
+"""Share of all its vectors below which their sum is nought."""
+
+
+@dataclass(frozen=True)
+class Excitation:
+    """The torque on the masses [node, order]: of the gas (N m), of moving parts at 1 rad/s.
+
+    `inertia` is None where masses are not known.
+    """
+
+    orders: Real
+    gas: Complex
+    inertia: Complex | None
+
+    def torque(self, speed: float | Real) -> Complex:
+        """The torque at crank speeds (rad/s), N m [speed, node, order]; without that axis of one.
+
+        >>> own = Excitation(np.array([1.0]), np.array([[2.0 + 0j]]), np.array([[-0.5j]]))
+        >>> own.torque(2.0).tolist()
+        [[(2-2j)]]
+        """
+        if self.inertia is None:
+            return np.broadcast_to(self.gas, (*np.shape(speed), *self.gas.shape))
+        return self.gas + np.asarray(speed)[..., None, None] ** 2 * self.inertia
+
+
+def excitation(
+    chain: TorsionChain,
+    engine: Engine,
+    cycle: Cycle | None,
+    *,
+    orders: Sequence[float] | None = None,
+) -> Excitation:
+    """The torque of gas and moving parts on the masses of an engine's chain.
+
+    Without a `cycle` of the moving parts alone; the orders are all up to 24 that a cycle has.
+
+    >>> from crankstar.dynamics.torsion_chain import torsion_chain
+    >>> from crankstar.files.catalog import load
+    >>> torsion = {"torsion": {"inertia": "0.01 kg*m^2", "stiffness": "0.5 MN*m/rad"}}
+    >>> engine = load("audi-25-tfsi", changes=torsion)
+    >>> found = excitation(torsion_chain(engine), engine, None, orders=[2.0])
+    >>> bool(np.allclose(found.inertia, found.inertia[0]))  # a five: not all throws alike
+    False
+    """
+    whole = 1.0 if engine.cycle == "two-stroke" else 0.5
+    own = np.arange(1, round(HIGHEST / whole) + 1) * whole
+    wanted = own if orders is None else np.array(sorted({*map(float, orders)}))
+    gas = np.zeros((len(chain.names), wanted.size), complex)
+    if cycle is not None:
+        found = spectra.selected(piston_torque(engine, cycle), wanted)
+        np.add.at(gas, list(chain.cylinders), spectra.amplitude(found))
+    if not {"mass", "radius"}.isdisjoint(engine.relative):
+        return Excitation(wanted, gas, None)
+    inertia = np.zeros_like(gas)
+    moving = spectra.selected(piston_inertia_torque(engine), wanted)
+    np.add.at(inertia, list(chain.cylinders), spectra.amplitude(moving))
+    return Excitation(wanted, gas, inertia)
+
+
+def piston_inertia_torque(engine: Engine) -> Spectrum:
+    """The torque of piston, rod and big end of each cylinder at 1 rad/s [cylinder, order]."""
+    machine = mechanism(engine)
+    parts = part_spectra(machine).torque
+    count = len(engine.cylinders)
+    bodies = (len(parts.forward) - len(machine.rotor_shaft)) // count
+    rows = spectra.amplitude(parts)[: bodies * count].reshape(bodies, count, -1)
+    return spectra.real_signal(parts.orders, rows.sum(axis=0))
+
+
+def firing_phases(engine: Engine) -> Real | None:
+    """The crank angle (radians) at which each cylinder fires [cylinder]; None without an order.
+
+    >>> from crankstar.files.catalog import load
+    >>> np.degrees(firing_phases(load("i4"))).round(6).tolist()
+    [0.0, 540.0, 180.0, 360.0]
+    """
+    fires = dict(zip(engine.firing_order, firing_angles(engine), strict=True))
+    if len(engine.chambers) == 1 and not fires:
+        fires = {number: centre.angle_deg for number, centre in dead_centres(engine).items()}
+    if not fires:
+        return None
+    return np.radians([fires[each.chamber or each.number] for each in engine.cylinders])
+
+
+def vector_sums(
+    shape: Sequence[float] | Real, phases: Real, orders: Sequence[float] | Real
+) -> Real:
+    """|sum a_j exp(i k phi_j)| [order], `shape` [cylinder] the a_j, `phases` the phi_j.
+
+    A six, straight and in a mode with one node: order 3, in which all cylinders push together,
+    does nothing to a mode whose halves turn against each other, and order 4.5 does.
+
+    >>> fires = np.radians([0, 480, 240, 600, 120, 360])
+    >>> mode = np.cos(np.pi * (np.arange(6) + 0.5) / 6)
+    >>> vector_sums(np.ones(6), fires, [3, 4.5]).round(3).tolist()
+    [6.0, 0.0]
+    >>> vector_sums(mode, fires, [3, 4.5]).round(3).tolist()
+    [0.0, 3.864]
+    """
+    waves = np.exp(1j * np.multiply.outer(np.asarray(orders, float), phases))
+    shares = np.asarray(shape, float)
+    sums = np.abs(waves @ shares)
+    return np.where(sums > ROUNDING * np.abs(shares).sum(), sums, 0.0)

@@ -1,0 +1,280 @@
+"""The crankshaft as a chain that twists: inertias, stiffnesses, discs, dampers and pendulums.
+
+Of an engine (`Torsion`, the table [torsion]) or of a drive line without cylinders (`Chain`, a file
+of its own). Discs hang on an end of the crankshaft, on a throw or on a disc listed before, so that
+everything branches as a tree does.
+"""
+
+from __future__ import annotations
+
+import re
+from fractions import Fraction
+from typing import Annotated, Any, Literal, NamedTuple
+
+from pydantic import BeforeValidator, Field
+
+from crankstar.engine.cylinder_parts import Record
+from crankstar.engine.quantities import (
+    Diameter,
+    Line,
+    MovingMass,
+    Number,
+    Pressure,
+    ShearModulus,
+    Speed,
+    SpeedRatio,
+    Text,
+    TurningDamping,
+    TurningInertia,
+    TurningStiffness,
+)
+
+GREATEST_DISCS = 64
+GREATEST_THROWS = 256
+STEEL = 80e9
+"""Pa: the shear modulus that is assumed of a crankshaft."""
+LOSS_FACTOR = 0.02
+"""Assumed of crank elements and shafts: a dynamic magnifier of 50, for which the tables say so."""
+FRONT, REAR = "front", "rear"
+_THROW = re.compile(r"throw\s*(\d{1,4})", re.IGNORECASE)
+
+Formula = Literal["ker-wilson", "carter", "timoshenko"]
+LossFactor = Annotated[Number, Field(ge=0, le=2)]
+
+
+class _OneOrSeveral:
+    """Marks a list that may also be written as the one value of all."""
+
+    def __get_pydantic_json_schema__(self, schema: Any, handler: Any) -> dict[str, Any]:
+        """In a file one value, or a list of them."""
+        listed = handler(schema)
+        return {"anyOf": [listed["items"], listed]}
+
+
+def _as_list(value: Any) -> Any:
+    """A list of the value, unless it is one."""
+    return value if isinstance(value, list | tuple | dict) or value is None else (value,)
+
+
+Inertias = Annotated[
+    tuple[TurningInertia, ...], BeforeValidator(_as_list), _OneOrSeveral(), Field(max_length=256)
+]
+Stiffnesses = Annotated[
+    tuple[TurningStiffness, ...], BeforeValidator(_as_list), _OneOrSeveral(), Field(max_length=256)
+]
+Dampings = Annotated[
+    tuple[TurningDamping, ...], BeforeValidator(_as_list), _OneOrSeveral(), Field(max_length=256)
+]
+
+
+class Disc(Record):
+    """A flywheel, hub, damper ring, gear, rotor or propeller, and the shaft that it hangs on.
+
+    >>> Disc(name="flywheel", inertia=1.2, to="rear").speed_ratio
+    Fraction(1, 1)
+    """
+
+    name: Line = Field(description="by which results and other discs name it")
+    inertia: TurningInertia = Field(description="about the axis that it turns on")
+    to: Line | None = Field(
+        default=None,
+        description='"front", "rear", "throw 3", or the name of a disc listed before it',
+        examples=["rear"],
+    )
+    stiffness: TurningStiffness | None = Field(
+        default=None,
+        description=(
+            "of the shaft or the rubber between them; rigid if left out, or, with a damping, a "
+            "ring that its fluid alone takes along"
+        ),
+    )
+    damping: TurningDamping = Field(
+        default=0.0, description="between the two, by the speed of the twist"
+    )
+    loss_factor: LossFactor | None = Field(
+        default=None,
+        description=(
+            "of that shaft: damping by the twist itself; if left out that of the crankshaft, or "
+            "none beside a damping"
+        ),
+    )
+    speed_ratio: SpeedRatio = Field(
+        default=Fraction(1),
+        description="of a gear at `to`: turns of this disc and its shaft per turn there",
+    )
+    diameter: Diameter | None = Field(
+        default=None, description="of its shaft where it is thinnest, for the shear stress"
+    )
+    bore: Diameter | None = Field(default=None, description="of a hollow shaft")
+    absolute_damping: TurningDamping = Field(
+        default=0.0, description="against what stands still: a propeller in water"
+    )
+
+    @property
+    def is_ring(self) -> bool:
+        """Whether a fluid alone takes it along."""
+        return self.stiffness is None and self.damping > 0
+
+
+class Pendulum(Record):
+    """Masses that swing on a disc or throw as the crankshaft turns unevenly.
+
+    >>> Pendulum(on="front", mass=0.6, radius=0.08, length=0.02).tuned_order
+    2.0
+    """
+
+    on: Line = Field(description="as `to` of a disc", examples=["throw 1"])
+    mass: MovingMass = Field(description="of one")
+    radius: Diameter = Field(description="from the crank axis to the pivot")
+    length: Diameter = Field(description="from the pivot to its centre of mass")
+    count: Annotated[int, Field(strict=True, ge=1, le=100)] = Field(
+        default=1, description="how many there are alike"
+    )
+
+    @property
+    def tuned_order(self) -> float:
+        """The order that it holds back: sqrt(R/L), at every speed."""
+        return (self.radius / self.length) ** 0.5
+
+
+class CrankDimensions(Record):
+    """A crank throw, by which the stiffness between two throws is estimated."""
+
+    journal_diameter: Diameter = Field(description="of the main journals", examples=["60 mm"])
+    journal_bore: Diameter | None = Field(default=None, description="of hollow journals")
+    journal_length: Diameter = Field(description="between the webs", examples=["28 mm"])
+    pin_diameter: Diameter = Field(description="of the crank pins", examples=["48 mm"])
+    pin_bore: Diameter | None = Field(default=None, description="of hollow pins")
+    pin_length: Diameter = Field(description="between the webs", examples=["26 mm"])
+    web_width: Diameter = Field(description="across the web", examples=["80 mm"])
+    web_thickness: Diameter = Field(description="along the crankshaft", examples=["18 mm"])
+    shear_modulus: ShearModulus | None = Field(
+        default=None, description="of the material; 80 GPa, steel, if left out"
+    )
+    formula: Formula = Field(default="ker-wilson", description="published formula for the estimate")
+
+
+class Torsion(Record):
+    """The crankshaft between front and rear, throw by throw, and all that turns with it.
+
+    >>> Torsion(inertia=0.03, stiffness=1e6, discs=[Disc(name="flywheel", inertia=1, to="rear")])
+    ... # doctest: +ELLIPSIS
+    Torsion(inertia=(0.03,), bare_inertia=(), stiffness=(1000000.0,), ...
+    """
+
+    inertia: Inertias = Field(
+        default=(),
+        examples=["0.035 kg*m^2"],
+        description=(
+            "of each throw, front first, or one for all: webs, pin, big ends and half the "
+            "reciprocating masses, as published"
+        ),
+    )
+    bare_inertia: Inertias = Field(
+        default=(),
+        examples=["0.012 kg*m^2"],
+        description=(
+            "of the crankshaft alone at each throw, instead of `inertia`; rods and pistons are "
+            "added by their exact mean"
+        ),
+    )
+    stiffness: Stiffnesses = Field(
+        default=(),
+        examples=["1.2 MN*m/rad"],
+        description="between neighbouring throws, front first, or one for all",
+    )
+    dimensions: CrankDimensions | None = Field(
+        default=None, description="of a throw, from which the stiffness is estimated instead"
+    )
+    damping: Dampings = Field(
+        default=(),
+        examples=["5 N*m*s/rad"],
+        description="of each throw against the block, by its speed; one for all",
+    )
+    loss_factor: LossFactor | None = Field(
+        default=None,
+        description="of the crank elements: damping by the twist itself; assumed if left out",
+    )
+    diameter: Diameter | None = Field(
+        default=None, description="of the journals, for the shear stress; or as in `dimensions`"
+    )
+    bore: Diameter | None = Field(default=None, description="of hollow journals")
+    shear_limit: Pressure | None = Field(
+        default=None,
+        description="greatest shear stress by vibration; speeds with more of it are barred",
+        examples=["30 MPa"],
+    )
+    discs: tuple[Disc, ...] = Field(
+        default=(),
+        validation_alias="disc",
+        serialization_alias="disc",
+        max_length=GREATEST_DISCS,
+        description="what turns with the crankshaft",
+    )
+    pendulums: tuple[Pendulum, ...] = Field(
+        default=(),
+        validation_alias="pendulum",
+        serialization_alias="pendulum",
+        max_length=GREATEST_DISCS,
+        description="pendulum absorbers",
+    )
+
+
+class Chain(Record):
+    """A drive line without cylinders: discs in a row or with branches, the first one alone.
+
+    >>> pair = [Disc(name="motor", inertia=2), Disc(name="fan", inertia=3, to="motor")]
+    >>> Chain(name="fan drive", discs=pair).speed is None
+    True
+    """
+
+    format: Literal[1] = Field(default=1, description="version of the file format")
+    name: Line = Field(description="of the drive line, on one line")
+    speed: Speed | None = Field(default=None, description="of the first disc")
+    loss_factor: LossFactor | None = Field(
+        default=None, description="of all shafts that do not give their own; assumed if left out"
+    )
+    discs: tuple[Disc, ...] = Field(
+        validation_alias="disc",
+        serialization_alias="disc",
+        min_length=1,
+        max_length=GREATEST_DISCS,
+        description="each hangs on one before it, but for the first",
+    )
+    pendulums: tuple[Pendulum, ...] = Field(
+        default=(),
+        validation_alias="pendulum",
+        serialization_alias="pendulum",
+        max_length=GREATEST_DISCS,
+        description="pendulum absorbers",
+    )
+    source: Text = Field(default="", description="where the numbers come from")
+    notes: Text = Field(default="", description="anything a reader should know")
+
+
+class Home(NamedTuple):
+    """Where a disc or a pendulum hangs: `throw` from 0 at the front, or the index of a `disc`."""
+
+    throw: int | None = None
+    disc: int | None = None
+
+
+def home(text: str, *, throws: int, names: tuple[str, ...]) -> Home | None:
+    """The place that a text names, `names` being those of the discs; None where there is none.
+
+    >>> home("rear", throws=6, names=()), home("ring", throws=6, names=("hub", "ring"))
+    (Home(throw=5, disc=None), Home(throw=None, disc=1))
+    """
+    if text in names:
+        return Home(disc=names.index(text))
+    if throws and text.lower() in (FRONT, REAR):
+        return Home(throw=0 if text.lower() == FRONT else throws - 1)
+    number = _THROW.fullmatch(text.strip())
+    if number and 1 <= int(number[1]) <= throws:
+        return Home(throw=int(number[1]) - 1)
+    return None
+
+
+def is_place(text: str) -> bool:
+    """Whether a text stands for an end or a throw of the crankshaft, and so names no disc."""
+    return text.lower() in (FRONT, REAR) or _THROW.fullmatch(text.strip()) is not None

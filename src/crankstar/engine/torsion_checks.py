@@ -1,0 +1,129 @@
+"""What must hold of a chain that twists: values for every throw, discs that hang on something."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from crankstar.engine.assembly import Assembly
+from crankstar.engine.torsion import Chain, CrankDimensions, Disc, Pendulum, Torsion, home, is_place
+from crankstar.language.faults import Fault
+from crankstar.language.quoting import seen
+
+Path = tuple[str | int, ...]
+
+
+def faults(engine: Assembly) -> Iterator[Fault]:
+    """What is wrong with the table [torsion] of an engine."""
+    own = engine.torsion
+    if own is None:
+        return
+    cranks = [shaft for shaft in engine.shafts if shaft.throws]
+    if len(cranks) > 1:
+        yield Fault(("torsion",), "torsion.crankshafts", {"count": len(cranks)})
+        return
+    if cranks and cranks[0] is not engine.shafts[0]:
+        yield Fault(("torsion",), "torsion.not-first", {"name": seen(cranks[0].name)})
+        return
+    throws = len(cranks[0].throws) if cranks else 0
+    yield from _inertia_faults(own, engine, throws)
+    yield from _stiffness_faults(own, throws)
+    if own.damping and len(own.damping) not in (1, throws):
+        yield _wrong_length(("torsion", "damping"), len(own.damping), throws)
+    yield from _hollow(own, ("torsion",), "diameter", "bore")
+    if own.dimensions is not None:
+        yield from _dimension_faults(own.dimensions)
+    yield from _tree_faults(own.discs, own.pendulums, ("torsion",), throws=throws)
+
+
+def chain_faults(chain: Chain) -> Iterator[Fault]:
+    """What is wrong with a drive line without cylinders."""
+    if chain.discs[0].to is not None:
+        yield Fault(("disc", 0, "to"), "disc.first", {"value": seen(chain.discs[0].to)})
+    yield from _tree_faults(chain.discs, chain.pendulums, (), throws=0)
+
+
+def _wrong_length(path: Path, count: int, wanted: int) -> Fault:
+    return Fault(path, "torsion.length", {"count": count, "wanted": wanted})
+
+
+def _inertia_faults(own: Torsion, engine: Assembly, throws: int) -> Iterator[Fault]:
+    """No inertia, two of them, one for another number of throws, or rods that weigh nothing."""
+    given = [name for name in ("inertia", "bare_inertia") if getattr(own, name)]
+    if not given:
+        yield Fault(("torsion",), "torsion.no-inertia")
+    if len(given) == 2:
+        yield Fault(("torsion", "bare_inertia"), "torsion.two-inertias")
+    for name in given:
+        if len(getattr(own, name)) not in (1, throws):
+            yield _wrong_length(("torsion", name), len(getattr(own, name)), throws)
+    unknown = sorted({"mass", "radius"} & set(engine.relative))
+    if "bare_inertia" in given and unknown:
+        keys = {"mass": "cylinder.reciprocating_mass", "radius": "cylinder.stroke"}
+        values = {"keys": ", ".join(keys[name] for name in unknown)}
+        yield Fault(("torsion", "bare_inertia"), "torsion.relative", values)
+
+
+def _stiffness_faults(own: Torsion, throws: int) -> Iterator[Fault]:
+    """No stiffness, two of them, or one for another number of gaps between throws."""
+    gaps = max(throws - 1, 0)
+    if own.stiffness and own.dimensions is not None:
+        yield Fault(("torsion", "dimensions"), "torsion.two-stiffnesses")
+    elif gaps and not own.stiffness and own.dimensions is None:
+        yield Fault(("torsion",), "torsion.no-stiffness")
+    elif own.stiffness and not gaps:
+        yield Fault(("torsion", "stiffness"), "torsion.one-throw")
+    elif own.stiffness and len(own.stiffness) not in (1, gaps):
+        yield _wrong_length(("torsion", "stiffness"), len(own.stiffness), gaps)
+
+
+def _hollow(
+    record: Torsion | Disc | CrankDimensions, path: Path, outer: str, inner: str
+) -> Iterator[Fault]:
+    """A bore without a diameter, or as wide as it."""
+    bore, diameter = getattr(record, inner), getattr(record, outer)
+    if bore is None:
+        return
+    if diameter is None:
+        yield Fault((*path, inner), "torsion.bore-alone", {"key": outer})
+    elif bore >= diameter:
+        values = {"value": bore * 1e3, "outer": diameter * 1e3}
+        yield Fault((*path, inner), "torsion.bore", values)
+
+
+def _dimension_faults(own: CrankDimensions) -> Iterator[Fault]:
+    here = ("torsion", "dimensions")
+    yield from _hollow(own, here, "journal_diameter", "journal_bore")
+    yield from _hollow(own, here, "pin_diameter", "pin_bore")
+
+
+def _tree_faults(
+    discs: Sequence[Disc], pendulums: Sequence[Pendulum], here: Path, *, throws: int
+) -> Iterator[Fault]:
+    """Discs of one name, on nothing, on themselves or on one that comes later."""
+    names = tuple(disc.name for disc in discs)
+    known = ", ".join([*(["front", "rear"] if throws else []), *names[:8]]) or "-"
+    for index, disc in enumerate(discs):
+        path = (*here, "disc", index)
+        if disc.name in names[:index]:
+            yield Fault((*path, "name"), "disc.same-name", {"value": seen(disc.name)})
+        elif is_place(disc.name):
+            yield Fault((*path, "name"), "disc.place-name", {"value": seen(disc.name)})
+        if disc.stiffness is None and not disc.damping and disc.loss_factor:
+            yield Fault((*path, "loss_factor"), "disc.rigid-loss")
+        yield from _hollow(disc, path, "diameter", "bore")
+        if disc.to is None:
+            if throws or index:
+                yield Fault((*path, "to"), "disc.on-nothing", {"names": known})
+            continue
+        found = home(disc.to, throws=throws, names=names)
+        values = {"value": seen(disc.to), "names": known}
+        if found is None:
+            yield Fault((*path, "to"), "disc.no-such-place", values)
+        elif found.disc == index:
+            yield Fault((*path, "to"), "disc.on-itself", values)
+        elif found.disc is not None and found.disc > index:
+            yield Fault((*path, "to"), "disc.on-a-later", values)
+    for index, pendulum in enumerate(pendulums):
+        if home(pendulum.on, throws=throws, names=names) is None:
+            values = {"value": seen(pendulum.on), "names": known}
+            yield Fault((*here, "pendulum", index, "on"), "disc.no-such-place", values)

@@ -1,0 +1,64 @@
+"""The sentences of mistakes in the table [torsion] of an engine, and in a chain."""
+
+from __future__ import annotations
+
+from crankstar.language.messages import N_, Plural
+
+SENTENCES: dict[str, str | Plural] = {
+    "torsion.crankshafts": N_(
+        "{where} is given for an engine with {count} crankshafts; torsion of several geared "
+        "crankshafts is not computed yet: leave it out"
+    ),
+    "torsion.not-first": N_(
+        "{where} is given for an engine whose crankshaft, {name}, is not the first of its shafts: "
+        "list it first"
+    ),
+    "torsion.no-inertia": N_(
+        "{where} has no inertia of the throws; give inertia (with rods and pistons) or "
+        'bare_inertia (the crankshaft alone), such as "0.035 kg*m^2"'
+    ),
+    "torsion.two-inertias": N_(
+        "{where} is given and so is torsion.inertia, which has rods and pistons in it: leave one "
+        "out"
+    ),
+    "torsion.relative": N_(
+        "{where} needs the masses and sizes of rods and pistons: give {keys}, or torsion.inertia "
+        "instead"
+    ),
+    "torsion.no-stiffness": N_(
+        '{where} has no stiffness between the throws; give stiffness, such as "1.2 MN*m/rad", or '
+        "the table torsion.dimensions"
+    ),
+    "torsion.two-stiffnesses": N_(
+        "{where} is given and so is torsion.stiffness; the stiffness is known or estimated: leave "
+        "one out"
+    ),
+    "torsion.one-throw": N_(
+        "{where} is given, but one throw has no neighbour; the stiffness of what hangs on it is "
+        "that of a disc"
+    ),
+    "torsion.length": N_("{where} has {count} values; give one for all, or {wanted}, front first"),
+    "torsion.bore": N_(
+        "{where} is {value} mm, and the shaft around it has {outer} mm; a bore is less"
+    ),
+    "torsion.bore-alone": N_("{where} is given without {key}: give both, or none"),
+    "disc.same-name": N_("{where} is {value} twice; give each disc its own name"),
+    "disc.place-name": N_(
+        "{where} is {value}, which names a place of the crankshaft; give the disc another name"
+    ),
+    "disc.rigid-loss": N_(
+        "{where} has no effect on a disc that is rigidly coupled; give a stiffness, or leave it out"
+    ),
+    "disc.first": N_(
+        "{where} is {value}; the first disc of a chain hangs on nothing: leave it out"
+    ),
+    "disc.on-nothing": N_(
+        "{where} is missing, and so the disc hangs on nothing; say what it hangs on: {names}"
+    ),
+    "disc.no-such-place": N_("{where} is {value}, which is not there; there are {names}"),
+    "disc.on-itself": N_("{where} is {value}, the disc itself; say what it hangs on: {names}"),
+    "disc.on-a-later": N_(
+        "{where} is {value}, a disc listed later; a disc hangs on one before it, and chains do not "
+        "close to a loop"
+    ),
+}
