@@ -95,6 +95,7 @@ MESSAGE_ERRORS = [
     "RemedyError",
     "RequestError",
     "SiteError",
+    "TorsionError",
     "UnevenError",
     "SweepError",
     "UnitsError",

@@ -11,6 +11,7 @@
 | `speed_ranges` | what `analyze --speeds` prints |
 | `inspect` | list, show, analyze, bearings, compare, verdict, strokes |
 | `torque` | torque |
+| `torsion` | torsion |
 | `estimating` | estimate |
 | `deriving` | derive, errata |
 | `firing` | orders, vees |

@@ -68,6 +68,7 @@ VERBS = {
     "strokes": "inspect:strokes",
     "sweep": "sweeping:sweep",
     "torque": "torque:torque",
+    "torsion": "torsion:torsion",
     "vees": "firing:vees",
     "verdict": "inspect:verdict",
 }

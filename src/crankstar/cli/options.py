@@ -123,7 +123,13 @@ def engine_over_ranges(
     name: str, settings: Sequence[str] | None, *, estimate: bool
 ) -> tuple[Loaded, dict[str, Any]]:
     """The same, and the tree of its file with the values of --set and what was estimated."""
-    shown, tree, turned = estimated_tree(name, settings, estimate=estimate)
+    return over_ranges_of(*estimated_tree(name, settings, estimate=estimate))
+
+
+def over_ranges_of(
+    shown: str, tree: dict[str, Any], turned: dict[str, Any]
+) -> tuple[Loaded, dict[str, Any]]:
+    """The same of a tree, with the angles of throws that are set."""
     ends = spread(tree, name=shown, changes=turned)
     engine = engine_of(tree, name=shown, changes=turned) if ends is None else ends.engine
     return Loaded(engine, ends), changed(tree, turned, name=shown) if turned else tree
@@ -133,9 +139,15 @@ def estimated_tree(
     name: str, settings: Sequence[str] | None, *, estimate: bool
 ) -> tuple[str, dict[str, Any], dict[str, Any]]:
     """Name and tree of a file with the values of --set, but for angles of throws, which follow."""
+    return completed_tree(*tree_of(name), settings, estimate=estimate)
+
+
+def completed_tree(
+    shown: str, tree: dict[str, Any], settings: Sequence[str] | None, *, estimate: bool
+) -> tuple[str, dict[str, Any], dict[str, Any]]:
+    """The same of a tree that has been read."""
     changes = request.settings(settings)
     turned = {path: changes[path] for path in throw_angles(changes)}
-    shown, tree = tree_of(name)
     tree = changed(tree, {k: v for k, v in changes.items() if k not in turned}, name=shown)
     if estimate:
         from crankstar.files.estimate import estimated

@@ -147,8 +147,14 @@ class TorsionChain:
 
     def section_name(self, index: int) -> str:
         """The masses on both sides of a section."""
-        each = self.sections[index]
-        return f"{self.names[each.before]} - {self.names[each.after]}"
+        front, rear = sorted((self.sections[index].before, self.sections[index].after))
+        return f"{self.names[front]} - {self.names[rear]}"
+
+    @property
+    def along(self) -> tuple[int, ...]:
+        """The indices of the sections from front to rear, in which tables list them."""
+        ends = [sorted((each.before, each.after)) for each in self.sections]
+        return tuple(sorted(range(len(ends)), key=ends.__getitem__))
 
 
 def _with_sections(chain: TorsionChain, sections: Sequence[Section]) -> TorsionChain:

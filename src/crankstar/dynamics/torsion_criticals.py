@@ -111,7 +111,7 @@ def stresses(found: Response) -> tuple[Real, Real]:
     Pa; nan where a section has no diameter.
     """
     modulus = np.array([each.modulus or np.nan for each in found.chain.sections])
-    return found.peak() / modulus, found.added / modulus
+    return found.peak / modulus, found.added / modulus
 
 
 def barred(speeds: Real, stress: Real, *, limit: float) -> tuple[Barred, ...]:

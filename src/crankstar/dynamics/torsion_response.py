@@ -19,6 +19,7 @@ c |w theta|^2/2 against what stands still.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -35,7 +36,7 @@ class Response:
 
     `turns` [speed, order, node] of the masses and `twist` [speed, order, section], radians,
     `torque` [speed, order, section] in the sections, N m: amplitudes c of Re(c exp(i k theta));
-    `driving` [speed, order, node] what twists, N m.
+    `driving` [speed, order, node] what twists, N m; `without_inertia`: of gas alone.
     """
 
     chain: TorsionChain
@@ -45,17 +46,19 @@ class Response:
     twist: Complex
     torque: Complex
     driving: Complex
+    without_inertia: bool = False
 
     @property
     def vibration(self) -> Real:
         """The circular frequencies, rad/s [speed, order]."""
         return np.multiply.outer(self.speeds, self.orders)
 
-    @property
+    @cached_property
     def added(self) -> Real:
         """The sum of the amplitudes of the torque of all orders, N m [speed, section]."""
         return np.abs(self.torque).sum(axis=1)
 
+    @cached_property
     def peak(self) -> Real:
         """The greatest torque over the cycle, orders with their phases, N m [speed, section]."""
         return spectra.peaks(_signal(self.orders, self.torque))
@@ -69,7 +72,7 @@ class Response:
         signal = _signal(self.orders, self.torque)[:, section]
         return np.real(spectra.value(signal, theta))
 
-    @property
+    @cached_property
     def heat(self) -> Real:
         """The power that each section turns into heat, W [speed, section]."""
         w = self.vibration[..., None]
@@ -142,7 +145,16 @@ def response(chain: TorsionChain, excitation: Excitation, *, speeds: Real) -> Re
     for index, own in enumerate(stiff):
         squared = chain.ratio[chain.sections[index].after] ** 2
         torque[..., index] = own / squared * between[..., index]
-    return Response(chain, speeds, excitation.orders, whole, between, torque, driving)
+    return Response(
+        chain,
+        speeds,
+        excitation.orders,
+        whole,
+        between,
+        torque,
+        driving,
+        excitation.inertia is None,
+    )
 
 
 def _stiffness(chain: TorsionChain, index: int, w: Real) -> Complex:

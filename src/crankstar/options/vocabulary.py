@@ -165,6 +165,7 @@ _MOST = {
     "--height": Option(
         "text", 'Height of the picture, such as "80 mm" (default: what the chart needs).'
     ),
+    "--holzer": Option("whole number", "Also Holzer's table of this mode.", ("--table",)),
     "--host": Option(
         "text", "Address to listen on; any but 127.0.0.1 admits other machines.", ("--address",)
     ),
@@ -201,6 +202,7 @@ _MOST = {
         "Crankshaft on its main bearings: determinate (hinged at each) or continuous (one beam).",
         ("--beam",),
     ),
+    "--modes": Option("whole number", "How many modes are shown.", ("--number-of-modes",)),
     "--notation": Option(
         "text",
         "Symbols: crankstar (r, l, λ = r/l), stroke (S, L = l/S) or sinitsyn (P_R, C_I, C_II, l0).",

@@ -1,0 +1,117 @@
+"""The verb torsion: how a crankshaft or a drive line twists and vibrates."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING, Annotated, Any
+
+from cyclopts import Parameter
+
+from crankstar.cli.options import (
+    Csv,
+    Estimating,
+    Json,
+    Output,
+    Settings,
+    Speed,
+    completed_tree,
+    option,
+    over_ranges_of,
+    together,
+)
+from crankstar.cli.output import working
+from crankstar.cli.tabulating import give, words_for
+from crankstar.engine.torsion import Chain
+from crankstar.files import changed
+from crankstar.files.catalog import tree_of
+from crankstar.language.messages import _
+from crankstar.options import values as request
+from crankstar.options.forms import TABLES, form_of
+from crankstar.options.refusals import refusal
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from crankstar.cli.options import Loaded
+    from crankstar.engine.engine import Engine
+    from crankstar.tables.table import Document
+
+HELP = (
+    "Name from the catalog, engine file with a table [torsion], or file of a drive line with discs "
+    "alone; - for standard input."
+)
+MOST_MODES = 300
+
+
+def torsion(
+    engine: Annotated[str, Parameter(help=HELP)],
+    /,
+    *,
+    point: Annotated[str | None, option("--point")] = None,
+    speed: Speed = None,
+    speeds: Annotated[str | None, option("--speeds", "Default: those of the file.")] = None,
+    orders: Annotated[str | None, option("--orders", "Default: up to 24.")] = None,
+    modes: Annotated[int | None, option("--modes", "Default: 4.")] = None,
+    holzer: Annotated[int | None, option("--holzer")] = None,
+    settings: Settings = None,
+    estimate: Estimating = False,
+    json: Json = False,
+    csv: Csv = False,
+    output: Output = None,
+) -> None:
+    """Compute torsional vibration: modes, critical speeds, response and stress of a crankshaft."""
+    from crankstar.dynamics.torsion_analysis import torsion as analysis
+    from crankstar.tables.ranges import ranged
+    from crankstar.tables.torsion import torsion_document
+
+    form = form_of(output, TABLES, json=json, csv=csv)
+    if speed is not None and ".." in speed and speeds is None:
+        speed, speeds = None, speed
+    (source, spread), turning, over, wanted, most, table = together(
+        partial(_loaded, engine, settings, estimate=estimate),
+        partial(request.speed, speed),
+        lambda: [] if speeds is None else request.speeds(speeds),
+        partial(_orders, orders),
+        partial(request.within, "--modes", modes, most=MOST_MODES),
+        partial(request.within, "--holzer", holzer, most=MOST_MODES),
+    )
+    if isinstance(source, Chain):
+        request.refuse_unused({"--point": point}, beside=_("a drive line without cylinders"))
+        request.refuse_unused({"--estimate": estimate}, beside=_("a drive line without cylinders"))
+
+    def sheet(each: Engine | Chain) -> Document:
+        found = analysis(
+            each, point=point or "", speed=turning, speeds=over, orders=wanted, modes=most
+        )
+        if table is not None and table > len(found.modes):
+            raise refusal("--holzer", table, "there are {count} modes", count=len(found.modes))
+        return torsion_document(
+            each, found, modes=most, holzer_of=table, machine=form not in ("txt", "xlsx")
+        )
+
+    with working(_("Computing torsional vibration ...")), words_for(form):
+        document = sheet(source) if isinstance(source, Chain) else ranged(sheet, spread, source)
+    give(document, output, form=form)
+
+
+def _loaded(
+    name: str, settings: Sequence[str] | None, *, estimate: bool
+) -> Loaded | tuple[Chain, None]:
+    """The engine of a name or file with its ranges, or the chain of a file."""
+    from crankstar.files.chains import chain_of, is_chain
+
+    shown, tree = tree_of(name)
+    if is_chain(tree):
+        changes: dict[str, Any] = request.settings(settings)
+        return chain_of(changed(tree, changes, name=shown) if changes else tree, name=shown), None
+    return over_ranges_of(*completed_tree(shown, tree, settings, estimate=estimate))[0]
+
+
+def _orders(text: str | None) -> list[float] | None:
+    """The orders of --orders. Raises RequestError."""
+    from crankstar.mechanics.gas_torque import HIGHEST
+
+    wanted = request.orders(text, [n / 2 for n in range(1, int(2 * HIGHEST) + 1)])
+    if wanted and max(wanted) > HIGHEST:
+        raise refusal("--orders", text or "", "give orders up to {highest}", highest=f"{HIGHEST:g}")
+    return wanted

@@ -1,0 +1,162 @@
+"""The torsional vibration of an engine or a drive line: all that is asked of it, in one record.
+
+An engine vibrates over a range of speeds with the cycle of one operating point; where gas cannot be
+computed, with its moving parts alone, or, without speeds, not at all. A drive line without
+cylinders has modes only, and critical speeds of the orders that are asked for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from crankstar.dynamics.torsion_chain import TorsionChain, torsion_chain
+from crankstar.dynamics.torsion_criticals import Barred, Critical, barred, criticals, stresses
+from crankstar.dynamics.torsion_excitation import excitation, firing_phases
+from crankstar.dynamics.torsion_modes import Mode, torsion_modes
+from crankstar.dynamics.torsion_response import Response, response
+from crankstar.engine.engine import Engine
+from crankstar.engine.torsion import Chain
+from crankstar.mechanics.gas import Cycle, cycle
+from crankstar.mechanics.operating_points import GasError
+from crankstar.spectra import Real
+
+STEPS = 151
+"""Speeds of a range that is not asked for."""
+SLOWEST, FASTEST = 0.25, 1.1
+"""Of the one speed that is known: the range that is taken."""
+HIGHEST_CRITICAL = 12.0
+"""The highest order of critical speeds where none is asked for."""
+
+
+@dataclass(frozen=True)
+class TorsionAnalysis:
+    """What twists, how it would vibrate freely, and how it does.
+
+    `speeds` (rad/s, ascending) are those of `response`, empty where none is known; `at` is the same
+    at the one speed that is asked for. `without_gas` says why there is no gas.
+    """
+
+    chain: TorsionChain
+    modes: tuple[Mode, ...]
+    speeds: Real
+    criticals: tuple[Critical, ...]
+    response: Response | None
+    at: Response | None
+    barred: tuple[Barred, ...]
+    cycle: Cycle | None
+    limit: float | None
+    without_gas: str = ""
+    range_assumed: bool = False
+
+    @property
+    def free_end(self) -> int:
+        """The first mass from the front that a shaft holds, of which the amplitude is told."""
+        free = self.chain.rings
+        return next((n for n, own in enumerate(self.chain.freedom) if own not in free), 0)
+
+
+def torsion(
+    source: Engine | Chain,
+    *,
+    point: str = "",
+    speed: float | None = None,
+    speeds: Sequence[float] | Real = (),
+    orders: Sequence[float] | None = None,
+    modes: int | None = None,
+) -> TorsionAnalysis:
+    """The torsional vibration of an engine with a table [torsion], or of a drive line.
+
+    `speed` is one of which more is told, `speeds` are those of the range (rad/s); `modes`: the
+    critical speeds of so many. Raises TorsionError, and GasError for an operating point that the
+    engine has not.
+
+    >>> from crankstar.files.catalog import load
+    >>> disc = {"name": "flywheel", "inertia": "1 kg*m^2", "to": "rear", "stiffness": "1 MN*m/rad"}
+    >>> own = {"inertia": "0.02 kg*m^2", "stiffness": "0.6 MN*m/rad", "disc": [disc]}
+    >>> found = torsion(load("audi-25-tfsi", changes={"torsion": own}), speeds=[100, 700])
+    >>> found.chain.names[-1], found.response.turns.shape, found.without_gas
+    ('flywheel', (2, 48, 6), '')
+    """
+    chain = torsion_chain(source)
+    free = torsion_modes(chain)
+    if isinstance(source, Chain):
+        return _of_chain(source, chain, free, speeds, orders, modes)
+    found, why = _cycle(source, point, speed)
+    wanted, assumed = _range(source, speed, speeds)
+    limit = None if source.torsion is None else source.torsion.shear_limit
+    if not len(wanted):
+        return TorsionAnalysis(chain, free, wanted, (), None, None, (), found, limit, why)
+    push = excitation(chain, source, found, orders=orders)
+    meeting = orders or [float(k) for k in push.orders if k <= HIGHEST_CRITICAL]
+    whole = response(chain, push, speeds=wanted)
+    stress = stresses(whole)[0]
+    return TorsionAnalysis(
+        chain=chain,
+        modes=free,
+        speeds=wanted,
+        criticals=criticals(
+            chain,
+            orders=meeting,
+            low=float(wanted[0]),
+            high=float(wanted[-1]),
+            modes=modes,
+            phases=firing_phases(source),
+            excitation=push,
+        ),
+        response=whole,
+        at=None if speed is None else response(chain, push, speeds=np.array([speed])),
+        barred=() if limit is None else barred(wanted, stress, limit=limit),
+        cycle=found,
+        limit=limit,
+        without_gas=why,
+        range_assumed=assumed,
+    )
+
+
+def _of_chain(
+    source: Chain,
+    chain: TorsionChain,
+    free: tuple[Mode, ...],
+    speeds: Sequence[float] | Real,
+    orders: Sequence[float] | None,
+    modes: int | None,
+) -> TorsionAnalysis:
+    wanted = np.sort(np.asarray(speeds, float))
+    if not wanted.size and source.speed is not None:
+        wanted = np.array([SLOWEST, FASTEST]) * source.speed
+    meeting = (
+        criticals(chain, orders=orders, low=float(wanted[0]), high=float(wanted[-1]), modes=modes)
+        if orders and wanted.size
+        else ()
+    )
+    return TorsionAnalysis(chain, free, wanted, meeting, None, None, (), None, None)
+
+
+def _cycle(engine: Engine, point: str, speed: float | None) -> tuple[Cycle | None, str]:
+    """The cycle of an operating point, or why there is none."""
+    try:
+        return cycle(engine, point=point, speed=speed), ""
+    except GasError as error:
+        if point:
+            raise
+        return None, str(error)
+
+
+def _range(
+    engine: Engine, speed: float | None, speeds: Sequence[float] | Real
+) -> tuple[Real, bool]:
+    """The speeds of the range, and whether they are assumed about a single one."""
+    if len(speeds):
+        return np.sort(np.asarray(speeds, float)), False
+    known = {speed, engine.speed}
+    if engine.gas is not None:
+        known |= {engine.gas.speed, *(point.speed for point in engine.gas.points)}
+    given = sorted(each for each in known if each is not None)
+    if not given:
+        return np.array([]), False
+    if len(given) > 1:
+        return np.linspace(given[0], given[-1], STEPS), False
+    return np.linspace(SLOWEST * given[0], FASTEST * given[0], STEPS), True

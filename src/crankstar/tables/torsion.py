@@ -1,0 +1,354 @@
+"""Torsional vibration as tables: chain, modes, critical speeds, twist, stress, heat of damping."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import degrees, pi
+from typing import Any
+
+import numpy as np
+
+from crankstar.dynamics.torsion_analysis import TorsionAnalysis
+from crankstar.dynamics.torsion_criticals import Critical, stresses
+from crankstar.dynamics.torsion_modes import holzer
+from crankstar.dynamics.torsion_response import Response
+from crankstar.engine.engine import Engine
+from crankstar.engine.torsion import LOSS_FACTOR, STEEL, Chain
+from crankstar.language.messages import _, _n
+from crankstar.language.numbers import number
+from crankstar.spectra import Real
+from crankstar.tables.headings import heading
+from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
+from crankstar.tables.torque import notes as cycle_notes
+from crankstar.tables.torsion_chain import (
+    has_stress,
+    holzer_table,
+    mass_table,
+    mode_table,
+    section_table,
+    shape_table,
+)
+
+MODES = 4
+"""How many are shown to readers, unless they ask."""
+OF_NOTE = 0.05
+"""Share of the greatest equilibrium amplitude, or vector sum, from which readers are told."""
+RPM = 30 / pi
+MPA = 1e-6
+
+
+def torsion_document(
+    source: Engine | Chain,
+    found: TorsionAnalysis,
+    *,
+    modes: int | None = None,
+    holzer_of: int | None = None,
+    machine: bool = False,
+) -> Document:
+    """All of an analysis; `holzer_of` is the mode whose table is wanted. Raises TorsionError."""
+    chain = found.chain
+    shown = found.modes if machine and modes is None else found.modes[: modes or MODES]
+    parts: list[Table | Remarks] = []
+    if isinstance(source, Engine) and not machine:
+        parts.append(heading(source))
+    first = mode_table(chain, shown, machine=machine)
+    if machine:
+        parts.append(first)
+    parts += [mass_table(chain, machine=machine), section_table(chain, machine=machine)]
+    if not machine:
+        parts += [first, *([shape_table(chain, shown)] if shown else [])]
+    if holzer_of is not None:
+        mode = found.modes[holzer_of - 1]
+        parts.append(holzer_table(mode, holzer(chain, speed=mode.speed)))
+    if found.criticals or machine:
+        parts.append(_critical_table(found, machine=machine))
+    if found.response is not None:
+        parts.append(
+            _over_speeds(found, found.response) if machine else _worst_table(found, found.response)
+        )
+    if found.at is not None:
+        parts += [_section_table_at(found.at), _order_table(found, found.at)]
+    heat = found.at or found.response
+    if heat is not None and not machine:
+        parts.append(_heat_table(heat))
+    if found.barred or machine:
+        parts.append(_barred_table(found))
+    if not machine:
+        parts += [*remarks(*_notes(source, found), kind="note"), *_doubts(found)]
+    return Document(source.name, tuple(parts), _facts(source, found))
+
+
+def _facts(source: Engine | Chain, found: TorsionAnalysis) -> dict[str, Any]:
+    cycle = found.cycle
+    return {
+        "format": 1,
+        "chain" if isinstance(source, Chain) else "engine": source.name,
+        "point": None if cycle is None else cycle.name or None,
+        "imep": None if cycle is None else cycle.imep,
+        "without_gas": found.without_gas or None,
+        "free_end": found.chain.names[found.free_end],
+        "assumed": [*found.chain.assumed, *(() if cycle is None else cycle.assumed)],
+        "estimated_stiffness": list(found.chain.estimated),
+        "shear_limit": found.limit,
+        "units": {
+            "inertia": "kg*m^2",
+            "stiffness": "kN*m/rad",
+            "damping": "N*m*s/rad",
+            "torque": "N*m",
+            "stress": "MPa",
+            "heat": "W",
+        },
+    }
+
+
+def _of_note(criticals: Sequence[Critical]) -> list[Critical]:
+    """The critical speeds that readers are told: those that do something, by speed."""
+
+    def strength(each: Critical) -> float:
+        return each.equilibrium if each.equilibrium is not None else each.vector_sum or 1.0
+
+    top = max(map(strength, criticals), default=0.0)
+    kept = [each for each in criticals if strength(each) >= OF_NOTE * top]
+    return sorted(kept, key=lambda each: (each.mode, -each.speed))
+
+
+def _critical_table(found: TorsionAnalysis, *, machine: bool) -> Table:
+    """Where orders meet modes."""
+    columns = (
+        Column(_("mode"), key="mode", label=True),
+        Column(_("order"), key="order", label=True),
+        Column(_("speed"), "rpm", key="speed_rpm"),
+        Column(_("vector sum"), key="vector_sum"),
+        Column(_("torque of excitation"), "N*m", key="torque"),
+        Column(_("equilibrium amplitude"), "deg", key="equilibrium_deg"),
+    )
+    listed = list(found.criticals) if machine else _of_note(found.criticals)
+    rows: list[tuple[Value, ...]] = [
+        (
+            each.mode,
+            each.order,
+            each.speed * RPM,
+            each.vector_sum,
+            each.torque,
+            None if each.equilibrium is None else degrees(each.equilibrium),
+        )
+        for each in listed
+    ]
+    left = len(found.criticals) - len(rows)
+    said = _n(
+        "{count} more is left out, in which the cylinders hardly join; --json has it.",
+        "{count} more are left out, in which the cylinders hardly join; --json has them.",
+        left,
+        count=left,
+    )
+    return Table(
+        _("Critical speeds"), columns, tuple(rows), (said,) if left else (), key="criticals"
+    )
+
+
+def _over_speeds(found: TorsionAnalysis, own: Response) -> Table:
+    """The whole response for machines, speed by speed; lists go over the shafts."""
+    stress, added = stresses(own)
+    columns = (
+        Column(_("speed"), "rpm", key="speed_rpm"),
+        Column(_("free end"), "deg", key="free_end_deg"),
+        Column(_("torque"), "N*m", kind="list", key="torque"),
+        Column(_("sum of amplitudes"), "N*m", kind="list", key="torque_sum"),
+        Column(_("shear stress"), "MPa", kind="list", key="stress", fixed=True),
+        Column(_("sum of amplitudes"), "MPa", kind="list", key="stress_sum", fixed=True),
+        Column(_("heat"), "W", kind="list", key="heat", fixed=True),
+    )
+    turns, peak, sums, heat = own.peak_turn(found.free_end), own.peak, own.added, own.heat
+    rows = [
+        (
+            float(own.speeds[place] * RPM),
+            degrees(turns[place]),
+            _list(peak[place]),
+            _list(sums[place]),
+            _list(stress[place] * MPA),
+            _list(added[place] * MPA),
+            _list(heat[place]),
+        )
+        for place in range(own.speeds.size)
+    ]
+    return Table(_("Response"), columns, tuple(rows), key="response")
+
+
+def _list(values: Real) -> tuple[float | None, ...]:
+    return tuple(None if np.isnan(each) else float(each) for each in values)
+
+
+def _worst_table(found: TorsionAnalysis, own: Response) -> Table:
+    """The greatest torque and stress of each shaft over the speeds."""
+    peak, added = own.peak, own.added
+    worst = np.argmax(peak, axis=0)
+    here = np.arange(peak.shape[1])
+    title = _(
+        "Greatest vibration between {low} and {high} rpm",
+        low=number(float(own.speeds[0] * RPM)),
+        high=number(float(own.speeds[-1] * RPM)),
+    )
+    turns = own.peak_turn(found.free_end)
+    top = int(np.argmax(turns))
+    note = _(
+        "The free end, {mass}, turns by up to {angle} deg to either side, at {rpm} rpm; uneven "
+        "running of the whole is in it.",
+        mass=found.chain.names[found.free_end],
+        angle=number(degrees(turns[top])),
+        rpm=number(float(own.speeds[top] * RPM)),
+    )
+    speeds = [float(own.speeds[place] * RPM) for place in worst]
+    return _sections(title, own, peak[worst, here], added[worst, here], speeds, (note,))
+
+
+def _section_table_at(own: Response) -> Table:
+    """Torque and stress of each shaft at one speed."""
+    title = _("Vibration at {rpm} rpm", rpm=number(float(own.speeds[0] * RPM)))
+    return _sections(title, own, own.peak[0], own.added[0], None, (), key="sections_at_speed")
+
+
+def _sections(
+    title: str,
+    own: Response,
+    peak: Real,
+    added: Real,
+    speeds: Sequence[float] | None,
+    said: tuple[str, ...],
+    *,
+    key: str = "",
+) -> Table:
+    """Shafts with their torque over the cycle and the sum of the amplitudes of all orders."""
+    chain = own.chain
+    with_stress = has_stress(chain.sections)
+    columns = [
+        Column(_("shaft"), kind="text", key="name", label=True),
+        *([] if speeds is None else [Column(_("at speed"), "rpm", key="speed_rpm")]),
+        Column(_("torque"), "N*m", key="torque"),
+        Column(_("sum of amplitudes"), "N*m", key="torque_sum"),
+    ]
+    if with_stress:
+        columns += [
+            Column(_("shear stress"), "MPa", key="stress", fixed=True),
+            Column(_("sum of amplitudes"), "MPa", key="stress_sum", fixed=True),
+        ]
+    rows: list[tuple[Value, ...]] = []
+    for index in chain.along:
+        each = chain.sections[index]
+        row: list[Value] = [chain.section_name(index)]
+        row += [] if speeds is None else [speeds[index]]
+        row += [float(peak[index]), float(added[index])]
+        if with_stress:
+            unit = each.modulus
+            row += [None if unit is None else float(v[index]) / unit * MPA for v in (peak, added)]
+        rows.append(tuple(row))
+    return Table(title, tuple(columns), tuple(rows), said, key=key)
+
+
+def _order_table(found: TorsionAnalysis, own: Response) -> Table:
+    """The free end and the most twisted shaft, order by order, at one speed."""
+    worst = int(np.argmax(own.peak[0])) if own.chain.sections else 0
+    name = own.chain.section_name(worst) if own.chain.sections else ""
+    columns = (
+        Column(_("order"), key="order", label=True),
+        Column(_("free end"), "deg", kind="wave", key="free_end"),
+        Column(_("torque in {shaft}", shaft=name), "N*m", kind="wave", key="torque"),
+    )
+    turns, torque = np.degrees(1) * own.turns[0, :, found.free_end], own.torque[0]
+    least = 1e-3 * float(np.abs(turns).max(initial=0.0))
+    rows = [
+        (
+            float(order),
+            complex(turns[place]),
+            complex(torque[place, worst]) if own.chain.sections else None,
+        )
+        for place, order in enumerate(own.orders)
+        if abs(turns[place]) > least
+    ]
+    return Table(_("By order at this speed"), columns, tuple(rows), key="orders")
+
+
+def _heat_table(own: Response) -> Table:
+    """Where the work of the excitation goes, at the speed at which it is greatest."""
+    whole = own.heat.sum(axis=-1) + own.absolute_heat.sum(axis=-1)
+    top = int(np.argmax(whole))
+    rows: list[tuple[Value, ...]] = [
+        (own.chain.section_name(index), float(value))
+        for index in own.chain.along
+        if (value := own.heat[top, index]) > 0
+    ]
+    rows += [
+        (_("{mass} to ground", mass=own.chain.names[node]), float(value))
+        for node, value in enumerate(own.absolute_heat[top])
+        if value > 0
+    ]
+    title = _("Heat of damping at {rpm} rpm", rpm=number(float(own.speeds[top] * RPM)))
+    columns = (Column(_("where"), kind="text", label=True), Column(_("heat"), "W", fixed=True))
+    return Table(title, columns, tuple(rows))
+
+
+def _barred_table(found: TorsionAnalysis) -> Table:
+    """The speeds at which a shaft has more stress than the limit."""
+    columns = (
+        Column(_("from"), "rpm", key="low_rpm"),
+        Column(_("to"), "rpm", key="high_rpm"),
+        Column(_("shaft"), kind="text", key="name", label=True),
+    )
+    rows = [
+        (each.low * RPM, each.high * RPM, found.chain.section_name(each.section))
+        for each in found.barred
+    ]
+    return Table(_("Barred speeds"), columns, tuple(rows), key="barred")
+
+
+def _notes(source: Engine | Chain, found: TorsionAnalysis) -> list[str]:
+    """What it rests on, and what is left out."""
+    lines = [_("Rigid turns of the whole are left out; a shape is 1 at the first mass.")]
+    if found.chain.rings:
+        lines.append(
+            _("A ring that its fluid alone takes along stands still in the natural frequencies.")
+        )
+    if isinstance(source, Chain):
+        return lines
+    if any(shaft.weights and not shaft.throws for shaft in source.shafts):
+        lines.append(_("Balance shafts are in it where the table [torsion] has them as discs."))
+    if found.response is None:
+        lines.append(_("Without a speed nothing is driven: give --speeds, or speed in the file."))
+        return lines
+    if found.cycle is not None:
+        lines += cycle_notes(source, found.cycle)
+        lines.append(
+            _("The gas does the same at all speeds: it is that of one operating point (--point).")
+        )
+    if found.range_assumed:
+        lines.append(_("The range of speeds is taken about the one that is known; see --speeds."))
+    lines.append(
+        _(
+            "Torque and stress are those of vibration: the greatest over a cycle, orders with "
+            "their phases, beside the sum of all amplitudes; without the mean torque, and without "
+            "the concentration of stress at fillets and oil holes."
+        )
+    )
+    return lines
+
+
+def _doubts(found: TorsionAnalysis) -> tuple[Remarks, ...]:
+    """What is assumed or estimated of the chain, and what is missing of the excitation."""
+    lines: list[str] = []
+    if found.chain.estimated:
+        lines.append(
+            _("The stiffness between the throws is estimated from their dimensions by a formula.")
+        )
+    if "torsion.dimensions.shear_modulus" in found.chain.assumed:
+        lines.append(_("Shear modulus: {value} GPa, assumed.", value=number(STEEL / 1e9)))
+    if any(name.endswith("loss_factor") for name in found.chain.assumed) and found.response:
+        lines.append(
+            _(
+                "Loss factor of the shafts: {value}, assumed; amplitudes at resonance go with it.",
+                value=number(LOSS_FACTOR),
+            )
+        )
+    if found.without_gas:
+        lines.append(_("Without gas: {reason}.", reason=found.without_gas.rstrip(".")))
+    if found.response is not None and found.response.without_inertia:
+        lines.append(_("Without masses there is no inertia torque: this is gas alone."))
+    return remarks(*lines, kind="doubt")
