@@ -158,7 +158,8 @@ class HolzerRow(NamedTuple):
 def holzer(chain: TorsionChain, *, speed: float, order: float = 0.0) -> tuple[HolzerRow, ...]:
     """Holzer's table at a vibration of `speed` (rad/s), referred to the speed of the crankshaft.
 
-    Rigidly coupled masses are one row. Raises TorsionError for a chain with branches.
+    Rigidly coupled masses are one row. The recurrence loses digits where the first mass hardly
+    moves: `torsion_modes` does not. Raises TorsionError for a chain with branches.
 
     >>> from crankstar.dynamics.torsion_chain import torsion_chain
     >>> from crankstar.engine.torsion import Chain, Disc
