@@ -23,9 +23,7 @@ def row(
     """An unbranched chain of these inertias and the stiffnesses between them."""
     discs = [Disc(name="0", inertia=inertias[0])]
     for place, (inertia, stiffness) in enumerate(zip(inertias[1:], stiffnesses, strict=True), 1):
-        discs.append(
-            Disc(name=f"{place}", inertia=inertia, to=f"{place - 1}", stiffness=stiffness)
-        )
+        discs.append(Disc(name=f"{place}", inertia=inertia, to=f"{place - 1}", stiffness=stiffness))
     return torsion_chain(Chain(name=name, discs=tuple(discs), loss_factor=loss_factor))
 
 

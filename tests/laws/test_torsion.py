@@ -75,8 +75,7 @@ def test_rayleighs_quotient_lies_between_least_and_greatest_frequency(
 def test_frequencies_go_with_the_root_of_stiffness_over_inertia(tree: Chain, by: float) -> None:
     chain = torsion_chain(tree)
     stiffer = replace(
-        chain,
-        sections=tuple(s._replace(stiffness=s.stiffness * by) for s in chain.sections),
+        chain, sections=tuple(s._replace(stiffness=s.stiffness * by) for s in chain.sections)
     )
     heavier = replace(chain, inertia=chain.inertia * by)
     assert squared(stiffer) == pytest.approx(by * squared(chain), rel=1e-8)
