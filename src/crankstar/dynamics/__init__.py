@@ -13,6 +13,7 @@
 | `torsion_modes` | natural frequencies and shapes of a chain, nodes, Holzer's table |
 | `torsion_excitation` | the torque of gas and moving parts on each throw; vector sums |
 | `torsion_response` | forced vibration over speeds and orders, heat of dampers |
+| `torsion_variable` | the same at one speed with the inertia of each crank angle |
 | `torsion_criticals` | critical speeds, equilibrium amplitudes, barred speeds |
 | `torsion_analysis` | all that is asked of the torsional vibration of an engine or a drive line |
 | `whirl` | shift, tilt and turn of the free rigid engine, order by order |

@@ -14,9 +14,10 @@ import numpy as np
 
 from crankstar.dynamics.torsion_chain import TorsionChain, torsion_chain
 from crankstar.dynamics.torsion_criticals import Barred, Critical, barred, criticals, stresses
-from crankstar.dynamics.torsion_excitation import excitation, firing_phases
+from crankstar.dynamics.torsion_excitation import Excitation, excitation, firing_phases
 from crankstar.dynamics.torsion_modes import Mode, torsion_modes
 from crankstar.dynamics.torsion_response import Response, response
+from crankstar.dynamics.torsion_variable import variable_response
 from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import Chain
 from crankstar.mechanics.gas import Cycle, cycle
@@ -27,6 +28,7 @@ STEPS = 151
 """Speeds of a range that is not asked for."""
 SLOWEST, FASTEST = 0.25, 1.1
 """Of the one speed that is known: the range that is taken."""
+SAME_ORDER = 1e-9
 HIGHEST_CRITICAL = 12.0
 """The highest order of critical speeds where none is asked for."""
 
@@ -36,7 +38,8 @@ class TorsionAnalysis:
     """What twists, how it would vibrate freely, and how it does.
 
     `speeds` (rad/s, ascending) are those of `response`, empty where none is known; `at` is the same
-    at the one speed that is asked for. `without_gas` says why there is no gas.
+    at the one speed that is asked for, `exact` that with the inertia of each crank angle.
+    `without_gas` says why there is no gas.
     """
 
     chain: TorsionChain
@@ -50,6 +53,7 @@ class TorsionAnalysis:
     limit: float | None
     without_gas: str = ""
     range_assumed: bool = False
+    exact: Response | None = None
 
     @property
     def free_end(self) -> int:
@@ -113,7 +117,17 @@ def torsion(
         limit=limit,
         without_gas=why,
         range_assumed=assumed,
+        exact=None if speed is None else _exact(source, chain, push, speed),
     )
+
+
+def _exact(engine: Engine, chain: TorsionChain, push: Excitation, speed: float) -> Response | None:
+    """The response with the inertia of each angle; None without masses, or for orders between."""
+    lowest = 1.0 if engine.cycle == "two-stroke" else 0.5
+    between = np.abs(push.orders / lowest - np.rint(push.orders / lowest)) > SAME_ORDER
+    if push.inertia is None or between.any():
+        return None
+    return variable_response(chain, push, speed=speed, lowest=lowest)
 
 
 def _of_chain(

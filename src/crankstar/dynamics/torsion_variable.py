@@ -1,6 +1,7 @@
 """The same vibration with the inertia of the moving parts as it is at each crank angle.
 
-A throw turns by theta = W t + delta, and the inertia that it feels is J(theta). Lagrange's equation,
+A throw turns by theta = W t + delta, and the inertia that it feels is J(theta). The equation of
+Lagrange,
 
     J theta.. + J' theta.^2/2 = M
 
@@ -14,8 +15,8 @@ orders by
 
     -b^2 (m^2 + n^2)/2 j_(m-n) D_n
 
-which for a steady J is the -k^2 J of the first model. The steady twist, m = 0, is left out as there;
-so is that gas, too, is a function of the angle that the throw has, not of the even one.
+which for a steady J is the -k^2 J of the first model. The steady twist, m = 0, is left out as
+there; so is that gas, too, is a function of the angle that the throw has, not of the even one.
 """
 
 from __future__ import annotations
@@ -40,8 +41,8 @@ def inertia_waves(chain: TorsionChain, excitation: Excitation) -> Complex:
     >>> chain = torsion_chain(engine)
     >>> wave = inertia_waves(chain, excitation(chain, engine, None, orders=[2.0]))[0, 0]
     >>> light = engine.first.reciprocating_mass * 0.0464**2 / 2
-    >>> round(abs(wave) / light, 2)  # half the reciprocating mass turns to and from it twice a turn
-    0.96
+    >>> round(float(abs(wave) / light), 2)  # half the reciprocating mass comes and goes twice
+    1.0
     """
     if excitation.inertia is None:
         return np.zeros((chain.freedoms, excitation.orders.size), complex)

@@ -110,6 +110,7 @@ TurningInertia = Annotated[Number, Field(gt=0), TURNING_INERTIA]
 TurningStiffness = Annotated[Number, Field(gt=0), TURNING_STIFFNESS]
 TurningDamping = Annotated[Number, Field(ge=0), TURNING_DAMPING]
 ShearModulus = Annotated[Number, Field(gt=0), Quantity("elastic modulus", "80 GPa")]
+TurningMass = Annotated[Number, Field(gt=0), Quantity("mass", "0.4 kg", least=LEAST)]
 Diameter = Annotated[Number, Field(gt=0), Quantity("length", "60 mm", least=LEAST)]
 """Of a shaft that twists: known in metres."""
 VOLUME = Quantity("volume", "1998 cm^3", least=1e-9)

@@ -17,7 +17,6 @@ from crankstar.engine.cylinder_parts import Record
 from crankstar.engine.quantities import (
     Diameter,
     Line,
-    MovingMass,
     Number,
     Pressure,
     ShearModulus,
@@ -26,6 +25,7 @@ from crankstar.engine.quantities import (
     Text,
     TurningDamping,
     TurningInertia,
+    TurningMass,
     TurningStiffness,
 )
 
@@ -124,7 +124,7 @@ class Pendulum(Record):
     """
 
     on: Line = Field(description="as `to` of a disc", examples=["throw 1"])
-    mass: MovingMass = Field(description="of one")
+    mass: TurningMass = Field(description="of one")
     radius: Diameter = Field(description="from the crank axis to the pivot")
     length: Diameter = Field(description="from the pivot to its centre of mass")
     count: Annotated[int, Field(strict=True, ge=1, le=100)] = Field(

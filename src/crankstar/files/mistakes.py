@@ -68,7 +68,7 @@ def faults_of(
         if isinstance(cause, EngineError):
             faults += cause.faults
             continue
-        path = (*under, *_path(mistake))
+        path = _in_file((*under, *_path(mistake)), tree)
         if isinstance(cause, ValueFaultError):
             faults.append(Fault(path, cause.code, cause.values))
         else:
@@ -101,6 +101,12 @@ def _first_of_lists(mistakes: Iterable[Any]) -> Iterator[Any]:
                 continue
             seen_there.add(kind)
         yield mistake
+
+
+def _in_file(path: Path, tree: Tree) -> Path:
+    """The path without the place in a list, where a file has one value instead of a list."""
+    several = not path or not isinstance(path[-1], int) or isinstance(_at(tree, path[:-1]), list)
+    return path if several or _at(tree, path[:-1]) is None else path[:-1]
 
 
 def _path(mistake: Any) -> Path:

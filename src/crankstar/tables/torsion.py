@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from math import degrees, pi
 from typing import Any
 
@@ -67,7 +68,7 @@ def torsion_document(
             _over_speeds(found, found.response) if machine else _worst_table(found, found.response)
         )
     if found.at is not None:
-        parts += [_section_table_at(found.at), _order_table(found, found.at)]
+        parts += [_section_table_at(found.at, found.exact), _order_table(found, found.at)]
     heat = found.at or found.response
     if heat is not None and not machine:
         parts.append(_heat_table(heat))
@@ -201,10 +202,19 @@ def _worst_table(found: TorsionAnalysis, own: Response) -> Table:
     return _sections(title, own, peak[worst, here], added[worst, here], speeds, (note,))
 
 
-def _section_table_at(own: Response) -> Table:
-    """Torque and stress of each shaft at one speed."""
+def _section_table_at(own: Response, exact: Response | None) -> Table:
+    """Torque and stress of each shaft at one speed, and with the inertia of each angle."""
     title = _("Vibration at {rpm} rpm", rpm=number(float(own.speeds[0] * RPM)))
-    return _sections(title, own, own.peak[0], own.added[0], None, (), key="sections_at_speed")
+    table = _sections(title, own, own.peak[0], own.added[0], None, (), key="sections_at_speed")
+    if exact is None:
+        return table
+    heading = _("torque, inertia of each angle")
+    column = Column(heading, "N*m", key="torque_of_each_angle", optional=1)
+    rows = tuple(
+        (*row, float(exact.peak[0, index]))
+        for row, index in zip(table.rows, own.chain.along, strict=True)
+    )
+    return replace(table, columns=(*table.columns, column), rows=rows)
 
 
 def _sections(

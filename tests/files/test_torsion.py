@@ -1,0 +1,398 @@
+"""The table `[torsion]`, files of drive lines, the verb torsion, and every mistake in them."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import openpyxl
+import pytest
+from tests.commands import Run
+from tests.texts import EXPLICIT, SHORT, spoilt
+
+from crankstar.dynamics.torsion_analysis import torsion
+from crankstar.dynamics.torsion_chain import TorsionError, torsion_chain
+from crankstar.files import EngineFileError, engine_of, toml, tree_of
+from crankstar.files.chains import chain_of
+
+FLYWHEEL = {
+    "name": "flywheel",
+    "inertia": "0.3 kg*m^2",
+    "to": "rear",
+    "stiffness": "0.9 MN*m/rad",
+    "diameter": "70 mm",
+}
+TORSION: dict[str, Any] = {
+    "inertia": "0.03 kg*m^2",
+    "stiffness": ["0.6 MN*m/rad", "0.7 MN*m/rad", "0.6 MN*m/rad"],
+    "damping": "2 N*m*s/rad",
+    "loss_factor": 0.03,
+    "diameter": "60 mm",
+    "bore": "20 mm",
+    "shear_limit": "20 MPa",
+    "disc": [
+        {"name": "hub", "inertia": "0.01 kg*m^2", "to": "front", "stiffness": "0.4 MN*m/rad"},
+        {"name": "ring", "inertia": "0.05 kg*m^2", "to": "hub", "damping": "8 N*m*s/rad"},
+        FLYWHEEL,
+        {"name": "gear", "inertia": "0.02 kg*m^2", "to": "flywheel", "speed_ratio": "-29/31"},
+    ],
+    "pendulum": [
+        {"on": "throw 2", "mass": "0.3 kg", "radius": "80 mm", "length": "5 mm", "count": 2}
+    ],
+}
+DIMENSIONS = {
+    "journal_diameter": "60 mm",
+    "journal_length": "28 mm",
+    "pin_diameter": "48 mm",
+    "pin_length": "26 mm",
+    "web_width": "80 mm",
+    "web_thickness": "18 mm",
+}
+GAS = {
+    "imep": "10 bar",
+    "compression_ratio": 10,
+    "point": [
+        {"name": "idle", "speed": "700 rpm", "imep": "2 bar"},
+        {"name": "full", "speed": "6000 rpm"},
+    ],
+}
+CHAIN = """
+name = "motor, gear and fan"
+speed = "1500 rpm"
+[[disc]]
+name = "motor"
+inertia = "2 kg*m^2"
+[[disc]]
+name = "gear"
+inertia = "0.5 kg*m^2"
+to = "motor"
+stiffness = "20 kN*m/rad"
+[[disc]]
+name = "fan"
+inertia = "0.4 kg*m^2"
+to = "gear"
+stiffness = "8 kN*m/rad"
+speed_ratio = "5/2"
+"""
+
+
+def mistakes(text: str = SHORT, **torsion: Any) -> list[tuple[str, str]]:
+    """Where the faults of an engine with such a table are, and which."""
+    with pytest.raises(EngineFileError) as refusal:
+        engine_of(spoilt(text, torsion=torsion))
+    return [(".".join(map(str, fault.path)), fault.code) for fault in refusal.value.faults]
+
+
+def test_a_torsion_table_is_the_same_written_and_read_back() -> None:
+    engine = engine_of(spoilt(SHORT, torsion=TORSION))
+    again = engine_of(tree_of(toml(engine)))
+    assert again.torsion is not None
+    assert again.torsion == engine.torsion
+    assert again.torsion.inertia == (0.03,)
+    assert again.torsion.stiffness[1] == pytest.approx(0.7e6)
+    assert str(again.torsion.discs[3].speed_ratio) == "-29/31"
+
+
+def test_one_value_and_a_list_of_it_are_the_same() -> None:
+    one = engine_of(spoilt(SHORT, torsion=TORSION))
+    many = engine_of(spoilt(SHORT, torsion={**TORSION, "inertia": ["0.03 kg*m^2"] * 4}))
+    assert torsion_chain(one).inertia.tolist() == torsion_chain(many).inertia.tolist()
+
+
+def disc(**values: Any) -> list[dict[str, Any]]:
+    """A flywheel with other values; None leaves one out."""
+    own = {**FLYWHEEL, **values}
+    return [{key: value for key, value in own.items() if value is not None}]
+
+
+@pytest.mark.parametrize(
+    ("torsion", "place", "code"),
+    [
+        ({"inertia": None}, "torsion", "torsion.no-inertia"),
+        ({"bare_inertia": "0.01 kg*m^2"}, "torsion.bare_inertia", "torsion.two-inertias"),
+        ({"inertia": ["1 kg*m^2"] * 3}, "torsion.inertia", "torsion.length"),
+        ({"stiffness": None}, "torsion", "torsion.no-stiffness"),
+        ({"stiffness": ["1 MN*m/rad"] * 4}, "torsion.stiffness", "torsion.length"),
+        ({"dimensions": DIMENSIONS}, "torsion.dimensions", "torsion.two-stiffnesses"),
+        ({"damping": ["1 N*m*s/rad"] * 2}, "torsion.damping", "torsion.length"),
+        ({"bore": "70 mm"}, "torsion.bore", "torsion.bore"),
+        ({"diameter": None}, "torsion.bore", "torsion.bore-alone"),
+        ({"disc": disc(to=None)}, "torsion.disc.0.to", "disc.on-nothing"),
+        ({"disc": disc(to="gearbox")}, "torsion.disc.0.to", "disc.no-such-place"),
+        ({"disc": disc(to="throw 5")}, "torsion.disc.0.to", "disc.no-such-place"),
+        ({"disc": disc(to="flywheel")}, "torsion.disc.0.to", "disc.on-itself"),
+        ({"disc": disc() + disc()}, "torsion.disc.1.name", "disc.same-name"),
+        ({"disc": disc(name="Throw 3")}, "torsion.disc.0.name", "disc.place-name"),
+        (
+            {"disc": [*disc(to="hub"), {"name": "hub", "inertia": 1, "to": "rear"}]},
+            "torsion.disc.0.to",
+            "disc.on-a-later",
+        ),
+        (
+            {"disc": disc(stiffness=None, loss_factor=0.1)},
+            "torsion.disc.0.loss_factor",
+            "disc.rigid-loss",
+        ),
+        ({"disc": disc(stiffness=0)}, "torsion.disc.0.stiffness", "greater-than.example"),
+        (
+            {"disc": disc(stiffness="-1 N*m/rad")},
+            "torsion.disc.0.stiffness",
+            "greater-than.example",
+        ),
+        ({"disc": disc(inertia=0)}, "torsion.disc.0.inertia", "greater-than.example"),
+        ({"disc": disc(damping="-1 N*m*s/rad")}, "torsion.disc.0.damping", "at-least.example"),
+        ({"disc": disc(stiffness="1 MN*m")}, "torsion.disc.0.stiffness", "unit.other-dimension"),
+        ({"disc": disc(inertia="1 kg")}, "torsion.disc.0.inertia", "unit.other-dimension"),
+        ({"disc": disc(speed_ratio=0)}, "torsion.disc.0.speed_ratio", "ratio.zero"),
+        ({"loss_factor": -0.1}, "torsion.loss_factor", "at-least"),
+        ({"inertia": 0}, "torsion.inertia", "greater-than.example"),
+        ({"inertia": "x"}, "torsion.inertia", "unit.not-a-number"),
+        (
+            {"pendulum": [{**TORSION["pendulum"][0], "on": "nowhere"}]},
+            "torsion.pendulum.0.on",
+            "disc.no-such-place",
+        ),
+    ],
+)
+def test_each_mistake_of_torsion_has_its_sentence(
+    torsion: dict[str, Any], place: str, code: str
+) -> None:
+    whole = {**TORSION, **torsion}
+    whole = {key: value for key, value in whole.items() if value is not None}
+    assert mistakes(**whole) == [(place, code)]
+
+
+def test_all_mistakes_are_told_at_once() -> None:
+    codes = [code for _place, code in mistakes(stiffness="1 MN*m/rad", disc=disc(to="x") + disc())]
+    assert codes == ["torsion.no-inertia", "disc.no-such-place", "disc.same-name"]
+    whole = spoilt(SHORT, torsion={**TORSION, "inertia": "1 kg"}, firing_order=[1, 2])
+    with pytest.raises(EngineFileError) as refusal:
+        engine_of(whole)
+    places = {fault.path[0] for fault in refusal.value.faults}
+    assert places == {"torsion", "firing_order"}
+
+
+def test_several_crankshafts_are_refused_and_said_not_to_be_computed_yet(run: Run) -> None:
+    err = run("torsion", "kr250-racer", "--set", 'torsion.inertia="1 kg*m^2"').err
+    assert "not computed yet" in " ".join(err.split())
+
+
+def test_bare_inertias_need_the_masses_of_the_pistons() -> None:
+    bare = {key: value for key, value in TORSION.items() if key != "inertia"}
+    bare |= {"bare_inertia": "0.01 kg*m^2"}
+    tree = spoilt(SHORT, torsion=bare)
+    del tree["cylinder"]["reciprocating_mass"]
+    del tree["cylinder"]["rotating_mass"]
+    with pytest.raises(EngineFileError) as refusal:
+        engine_of(tree)
+    assert [fault.code for fault in refusal.value.faults] == ["torsion.relative"]
+
+
+def test_an_engine_without_masses_twists_by_gas_alone(run: Run, tmp_path: Path) -> None:
+    tree = spoilt(SHORT, torsion=TORSION, gas=GAS)
+    del tree["cylinder"]["reciprocating_mass"]
+    del tree["cylinder"]["rotating_mass"]
+    place = tmp_path / "eight.json"
+    place.write_text(json.dumps(tree), encoding="utf-8")
+    assert "gas alone" in run("torsion", str(place)).out
+
+
+@pytest.fixture
+def eight(tmp_path: Path) -> str:
+    """A V8 with a damper, a flywheel and a gear."""
+    place = tmp_path / "eight.json"
+    place.write_text(json.dumps(spoilt(SHORT, torsion=TORSION, gas=GAS)), encoding="utf-8")
+    return str(place)
+
+
+@pytest.fixture
+def chain(tmp_path: Path) -> str:
+    place = tmp_path / "chain.toml"
+    place.write_text(CHAIN, encoding="utf-8")
+    return str(place)
+
+
+def told(run: Run, *arguments: str) -> dict[str, Any]:
+    return json.loads(run("torsion", *arguments, "--json").out)
+
+
+def test_the_answer_of_torsion_is_the_promised_one(run: Run, eight: str) -> None:
+    answer = told(run, eight, "--speeds", "600..6000 rpm/28")
+    assert answer["format"] == 1
+    found = torsion(engine_of(spoilt(SHORT, torsion=TORSION, gas=GAS)))
+    for row, mode in zip(answer["modes"], found.modes, strict=True):
+        assert row["frequency_hz"] == pytest.approx(mode.frequency)
+        assert row["shape"] == pytest.approx(mode.shape.tolist())
+        assert len(row["nodes"]) == len(mode.nodes)
+    names = [each["name"] for each in answer["masses"]]
+    assert names == [
+        *("ring", "hub", "throw 1", "throw 2", "throw 3", "throw 4", "flywheel", "gear")
+    ]
+    assert {"mode", "order", "speed_rpm", "vector_sum"} <= answer["criticals"][0].keys()
+    for row in answer["criticals"]:
+        assert 600 <= row["speed_rpm"] <= 6000
+    speeds = [row["speed_rpm"] for row in answer["response"]]
+    assert speeds == pytest.approx(np.linspace(600, 6000, 28))
+    sections = len(answer["sections"])
+    for row in answer["response"]:
+        assert {len(row[key]) for key in ("torque", "torque_sum", "stress", "heat")} == {sections}
+        for peak, added in zip(row["torque"], row["torque_sum"], strict=True):
+            assert peak <= added * (1 + 1e-9)
+    assert answer["barred"]
+    assert answer["assumed"][0] == "gamma"
+
+
+def test_speeds_are_those_of_the_operating_points(run: Run, eight: str) -> None:
+    speeds = [row["speed_rpm"] for row in told(run, eight)["response"]]
+    assert (min(speeds), max(speeds)) == pytest.approx((700, 6000))
+
+
+def test_a_range_may_stand_behind_speed_as_well(run: Run, eight: str) -> None:
+    one = told(run, eight, "--speed", "1000..2000 rpm/5")
+    assert one == told(run, eight, "--speeds", "1000..2000 rpm/5")
+
+
+def test_one_speed_is_told_by_order_and_with_the_inertia_of_each_angle(
+    run: Run, eight: str
+) -> None:
+    answer = told(run, eight, "--speed", "5000 rpm", "--point", "full")
+    rows = {row["name"]: row for row in answer["sections_at_speed"]}
+    own = rows["throw 3 - throw 4"]
+    assert own["torque_of_each_angle"] == pytest.approx(own["torque"], rel=0.1)
+    assert own["torque_of_each_angle"] != own["torque"]
+    assert answer["point"] == "full"
+    assert {row["order"] for row in answer["orders"]} >= {0.5, 4.0}
+
+
+def test_another_operating_point_twists_it_otherwise(run: Run, eight: str) -> None:
+    idle, full = (
+        told(run, eight, "--point", point, "--speed", "700 rpm")["sections_at_speed"][3]["torque"]
+        for point in ("idle", "full")
+    )
+    assert full > 2 * idle
+
+
+def test_readers_have_chain_modes_criticals_stress_and_heat(run: Run, eight: str) -> None:
+    text = run("torsion", eight, "--holzer", "1").out
+    for words in (
+        *("Masses", "Shafts between them", "Natural frequencies", "Mode shapes"),
+        *("Holzer's table of mode 1", "Critical speeds", "Greatest vibration between 700"),
+        *("Barred speeds", "Heat of damping", "stands still in the natural frequencies"),
+    ):
+        assert words in text
+
+
+def test_estimated_stiffness_is_said_to_be(run: Run, tmp_path: Path) -> None:
+    own = {key: value for key, value in TORSION.items() if key not in ("stiffness", "loss_factor")}
+    tree = spoilt(SHORT, torsion={**own, "dimensions": DIMENSIONS}, gas=GAS)
+    place = tmp_path / "estimated.json"
+    place.write_text(json.dumps(tree), encoding="utf-8")
+    text = " ".join(run("torsion", str(place)).out.split())
+    assert "estimated from their dimensions" in text
+    assert "Shear modulus: 80 GPa, assumed" in text
+    assert "Loss factor of the shafts: 0.02, assumed" in text
+
+
+def test_a_drive_line_without_cylinders_has_modes_and_criticals(run: Run, chain: str) -> None:
+    answer = told(run, chain, "--orders", "1,2", "--speeds", "100..3000 rpm/3")
+    assert answer["chain"] == "motor, gear and fan"
+    assert [row["shape"][0] for row in answer["modes"]] == [1.0, 1.0]
+    lines = {(row["mode"], row["order"]): row["speed_rpm"] for row in answer["criticals"]}
+    first = answer["modes"][0]["frequency_hz"]
+    assert lines[1, 2.0] == pytest.approx(first * 60 / 2)
+    assert "Holzer's table of mode 2" in run("torsion", chain, "--holzer", "2").out
+    softer = told(run, chain, "--set", 'disc[2].stiffness="1 kN*m/rad"')
+    assert softer["modes"][0]["frequency_hz"] < first
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "code"),
+    [
+        ('name = "motor"', 'name = "motor"\nto = "fan"', "disc.first"),
+        ('to = "motor"', 'to = "fan"', "disc.on-a-later"),
+        ('to = "gear"', 'to = "fan"', "disc.on-itself"),
+        ('to = "gear"', 'to = "rear"', "disc.no-such-place"),
+        ('to = "gear"\n', "", "disc.on-nothing"),
+        ('name = "fan"', 'name = "gear"', "disc.same-name"),
+        ('"8 kN*m/rad"', '"0 kN*m/rad"', "greater-than.example"),
+        ('"0.5 kg*m^2"', '"-1 kg*m^2"', "greater-than.example"),
+        ('speed_ratio = "5/2"', 'ratio = "5/2"', "key.misspelt"),
+        ('speed = "1500 rpm"', "speed = 1500", "unit.missing"),
+    ],
+)
+def test_each_mistake_of_a_drive_line_has_its_sentence(old: str, new: str, code: str) -> None:
+    assert old in CHAIN
+    with pytest.raises(EngineFileError) as refusal:
+        chain_of(tree_of(CHAIN.replace(old, new)))
+    assert code in [fault.code for fault in refusal.value.faults]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("i4",), "give the table [torsion]"),
+        (("EIGHT", "--holzer", "99"), "there are 5 modes"),
+        (("EIGHT", "--holzer", "0"), "--holzer"),
+        (("EIGHT", "--modes", "0"), "--modes"),
+        (("EIGHT", "--point", "none"), "no operating point"),
+        (("EIGHT", "--orders", "25"), "up to 24"),
+        (("EIGHT", "--speed", "0 rpm"), "greater than 0"),
+        (("CHAIN", "--point", "idle"), "--point"),
+        (("CHAIN", "--estimate"), "--estimate"),
+    ],
+)
+def test_what_cannot_be_is_refused_with_what_would_be_right(
+    arguments: Sequence[str], words: str, run: Run, eight: str, chain: str
+) -> None:
+    names = {"EIGHT": eight, "CHAIN": chain}
+    found = run("torsion", *(names.get(word, word) for word in arguments))
+    assert found.code == 2
+    assert words in " ".join(found.err.split())
+
+
+def test_torsion_in_a_spreadsheet_and_as_csv(run: Run, eight: str, tmp_path: Path) -> None:
+    run("torsion", eight, "-o", str(tmp_path / "torsion.xlsx"))
+    assert openpyxl.load_workbook(tmp_path / "torsion.xlsx").sheetnames
+    lines = run("torsion", eight, "--csv").out.splitlines()
+    assert lines[0] == "mode,frequency_hz [Hz],shape,nodes"
+    assert len(lines) == 6
+
+
+def test_an_engine_without_torsion_raises_in_python() -> None:
+    with pytest.raises(TorsionError):
+        torsion(engine_of(spoilt(EXPLICIT)))
+
+
+VALUES = ["", "x", -1, 0, 1e300, "1 MN*m/rad", "-3 kg*m^2", [], {}, True, None, "front", 2.5, "1/2"]
+
+
+@pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.long)])
+def test_any_spoilt_torsion_is_a_response_or_a_sentence(seed: int) -> None:
+    """Tables with wrong values: vibration whose torques are numbers, or a refusal."""
+    chance = np.random.default_rng(seed)
+
+    def pick(options: Sequence[Any]) -> Any:
+        return options[int(chance.integers(len(options)))]
+
+    engines = 0
+    for _ in range(200 if seed == 0 else 5_000):
+        tree: dict[str, Any] = json.loads(json.dumps(TORSION))
+        for _ in range(pick([1, 1, 2, 3])):
+            table = pick([tree, tree, *tree.get("disc", []), *tree.get("pendulum", [])])
+            if isinstance(table, dict):
+                table[pick([*table, "stiffness", "damping", "to"])] = pick(VALUES)
+            if not isinstance(tree["disc"], list) or not isinstance(tree["pendulum"], list):
+                break
+        try:
+            engine = engine_of(spoilt(SHORT, torsion=tree))
+        except EngineFileError:  # whose sentences were written for it
+            continue
+        engines += 1
+        found = torsion(engine, speeds=[100.0, 500.0])
+        assert found.response is not None
+        assert np.isfinite(found.response.turns).all()
+        assert all(np.isfinite(mode.shape).all() for mode in found.modes)
+    assert engines > 5
