@@ -145,6 +145,7 @@ def test_a_gear_is_the_plain_chain_with_inertia_and_stiffness_by_its_square(tree
     )
     assert squared(plain) == pytest.approx(squared(chain), rel=1e-8)
     push = pushes(chain, 1)
+    assert push.inertia is not None
     referred = replace(push, gas=push.gas * total[:, None], inertia=push.inertia * total[:, None])
     one = response(chain, push, speeds=SPEEDS)
     other = response(plain, referred, speeds=SPEEDS)
@@ -198,6 +199,8 @@ def test_the_power_that_goes_in_is_the_heat_that_comes_out(tree: Chain, seed: in
 def test_the_response_is_linear_in_the_torque(tree: Chain, seed: int, by: float) -> None:
     chain = torsion_chain(tree)
     one, other = pushes(chain, seed), pushes(chain, seed + 1)
+    assert one.inertia is not None
+    assert other.inertia is not None
     both = replace(one, gas=one.gas + by * other.gas, inertia=one.inertia + by * other.inertia)
     first, second, sum_ = (response(chain, each, speeds=SPEEDS) for each in (one, other, both))
     wanted = first.torque + by * second.torque

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from fractions import Fraction
 from importlib.util import find_spec
 from math import pi
 from typing import Any
@@ -142,7 +143,8 @@ def test_the_second_model_is_the_first_where_the_inertia_hardly_changes(
 ) -> None:
     chain = row([1.0, 0.4, 2.0], [1e5, 2e5], loss_factor=0.1)
     push = pushes(chain, seed, orders=(1.0, 2.0, 3.0))
-    apart = []
+    assert push.inertia is not None
+    apart: list[float] = []
     for share in (1e-3, 1e-4):
         small = replace(push, inertia=(push.inertia * share))
         one = response(chain, small, speeds=np.array([speed])).turns
@@ -349,7 +351,7 @@ def test_opentorsion_finds_the_same_frequencies_of_geared_shafts() -> None:
     discs = (
         Disc(name="motor", inertia=2.0),
         Disc(name="gear", inertia=0.5, to="motor", stiffness=2e4),
-        Disc(name="pinion", inertia=0.1, to="gear", speed_ratio="-5/2"),
+        Disc(name="pinion", inertia=0.1, to="gear", speed_ratio=Fraction(-5, 2)),
         Disc(name="fan", inertia=0.4, to="pinion", stiffness=8e3),
     )
     gear = opentorsion.Gear(1, 0.5, 5.0)

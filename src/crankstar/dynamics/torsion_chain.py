@@ -183,7 +183,7 @@ def torsion_chain(source: Engine | Chain) -> TorsionChain:
         assumed = ("loss_factor",) if source.loss_factor is None and _lossy(source.discs) else ()
         first, *others = source.discs
         draft = _Draft(loss)
-        draft.mass(first.name, first.inertia, 1.0, first.absolute_damping)
+        draft.mass(first.name, inertia=first.inertia, damping=first.absolute_damping)
         for disc in others:
             draft.hang(disc, draft.home(disc.to or ""))
         return draft.finished(source.name, source.pendulums, range(len(draft.names)), assumed)
@@ -213,7 +213,7 @@ def _of_engine(engine: Engine, own: Torsion) -> TorsionChain:
     draft = _Draft(LOSS_FACTOR if own.loss_factor is None else own.loss_factor, count)
     damping = _each(own.damping or (0.0,), count)
     for place, (value, lost) in enumerate(zip(throw_inertias(engine, own), damping, strict=True)):
-        draft.mass(f"throw {place + 1}", float(value), 1.0, lost)
+        draft.mass(f"throw {place + 1}", inertia=float(value), damping=lost)
     journal = own.diameter or (own.dimensions.journal_diameter if own.dimensions else None)
     bore = own.bore or (own.dimensions.journal_bore if own.dimensions and not own.diameter else 0.0)
     for place, value in enumerate(_stiffnesses(crank, own, order)):
@@ -282,8 +282,15 @@ class _Draft:
         self.sections: list[Section] = []
 
     def mass(
-        self, name: str, inertia: float, ratio: float, damping: float, rigid: int | None = None
+        self,
+        name: str,
+        *,
+        inertia: float,
+        ratio: float = 1.0,
+        damping: float = 0.0,
+        rigid: int | None = None,
     ) -> None:
+        """Add a mass, and whether another is rigid with it."""
         self.joined.append(len(self.names) if rigid is None else self.joined[rigid])
         self.names.append(name)
         self.inertia.append(inertia)
@@ -298,15 +305,16 @@ class _Draft:
         return found.throw if found.throw is not None else self.throws + (found.disc or 0)
 
     def hang(self, disc: Disc, on: int) -> None:
+        """Add a disc and its shaft."""
         ratio = float(disc.speed_ratio)
         rigid = disc.stiffness is None and not disc.damping
         place = len(self.names)
         self.mass(
             disc.name,
-            disc.inertia,
-            ratio * self.ratio[on],
-            disc.absolute_damping,
-            on if rigid else None,
+            inertia=disc.inertia,
+            ratio=ratio * self.ratio[on],
+            damping=disc.absolute_damping,
+            rigid=on if rigid else None,
         )
         if rigid:
             return

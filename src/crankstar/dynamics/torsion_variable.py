@@ -77,7 +77,7 @@ def variable_response(
     one = np.arange(numbers.size)
     w = speed * lowest * numbers
     _inertia, stiffness, damping = chain.matrices()
-    lossy = chain.complex_stiffness().imag
+    lossy = np.imag(chain.complex_stiffness())
     matrix[one, :, one, :] = (
         stiffness + 1j * np.sign(numbers)[:, None, None] * lossy + 1j * w[:, None, None] * damping
     )
