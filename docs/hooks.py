@@ -22,7 +22,7 @@ from typing import Any, Literal, get_args, get_origin
 
 from pydantic.fields import FieldInfo
 
-from crankstar.engine import engine, gas, layouts, records
+from crankstar.engine import engine, gas, layouts, records, torsion
 from crankstar.engine.basis import BalanceShaft, Crankshaft, CrankWeight, Override, Sizes
 from crankstar.engine.records import Record
 from crankstar.files.forms import by_key, quantity_of, record_in, short_form
@@ -53,6 +53,11 @@ TABLES: dict[str, type[Record]] = {
     "operating point": gas.OperatingPoint,
     "trace": gas.Trace,
     "drive": records.Drive,
+    "torsion": records.Torsion,
+    "crank dimensions": torsion.CrankDimensions,
+    "disc": torsion.Disc,
+    "pendulum": torsion.Pendulum,
+    "chain": torsion.Chain,
     "provenance": records.Provenance,
     **{kind: _layout(kind) for kind in layouts.LAYOUTS},
     "bank": layouts.Bank,
@@ -76,6 +81,10 @@ SECTIONS: dict[type[Record], str] = {
     records.Valves: "[valves](#valves)",
     records.Gas: "[gas](#gas)",
     records.Drive: "[drive](#drive)",
+    records.Torsion: "[torsion](#torsion)",
+    torsion.CrankDimensions: "[dimensions](#torsion)",
+    torsion.Disc: "[discs](#torsion)",
+    torsion.Pendulum: "[pendulums](#torsion)",
     records.Shaft: "[a shaft](#a-shaft)",
     records.Throw: "[a throw](#a-throw)",
     records.Weight: "[a weight](#a-weight)",

@@ -297,6 +297,8 @@ NO_TERMS = {
     *("imep {pressure}", "driveline takes the torque", "load on the same mounts"),
     *("forces that the uneven speed changes", "torque of gas and inertia", "exhaust pulses"),
     *("torque by order, gas at {pressure}", "rolling moment on the block"),
+    *("diameter", "inertia", "masses", "response", "at speed", "where", "from", "to", "heat"),
+    *("free end", "torque in {shaft}", "sum of amplitudes", "by order at this speed"),
 }
 """Headings that are plain words."""
 
