@@ -308,6 +308,15 @@ def test_a_drive_line_without_cylinders_has_modes_and_criticals(run: Run, chain:
     assert softer["modes"][0]["frequency_hz"] < first
 
 
+def test_a_drive_line_is_checked_as_engines_are(run: Run, chain: str, tmp_path: Path) -> None:
+    assert "good (motor, gear and fan, 3 discs)" in run("check", chain).out
+    place = tmp_path / "wrong.toml"
+    place.write_text(CHAIN.replace('to = "gear"', 'to = "fan"'), encoding="utf-8")
+    found = run("check", str(place))
+    assert found.code == 2
+    assert "the disc itself" in found.err
+
+
 @pytest.mark.parametrize(
     ("old", "new", "code"),
     [

@@ -35,7 +35,9 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.layouts import LAYOUTS
 from crankstar.engine.quantities import ANGLE, LENGTH, POSITION, SPEED, Quantity
 from crankstar.engine.records import Record
+from crankstar.engine.torsion import Chain
 from crankstar.files import EngineFileError, engine_of, units
+from crankstar.files.chains import chain_of, is_chain
 from crankstar.files.forms import by_key, record_in, short_form
 from crankstar.language import glossary
 from crankstar.language.faults import ValueFaultError
@@ -182,6 +184,9 @@ def test_readme_has_python_and_a_screen() -> None:
 def test_every_engine_file_in_the_documents_loads(page: Path) -> None:
     named = dict(screens.FILE.findall(page.read_text(encoding="utf-8")))
     for name, content in named.items():
+        if is_chain(tomllib.loads(content)):
+            assert chain_of(tomllib.loads(content), name=name).discs
+            continue
         if name not in WRONG_ON_PURPOSE:
             assert isinstance(engine_of(tomllib.loads(content), name=name), Engine)
             continue
@@ -208,7 +213,7 @@ def records(start: type[Record]) -> set[type[Record]]:
 
 
 def every_record() -> set[type[Record]]:
-    kinds = [Engine, *map(short_form, LAYOUTS)]
+    kinds = [Engine, Chain, *map(short_form, LAYOUTS)]
     whole = set().union(*(records(kind) for kind in kinds))
     return {record for record in whole if record not in map(short_form, LAYOUTS)} | {
         short_form(None)

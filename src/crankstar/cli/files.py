@@ -7,10 +7,13 @@ from typing import Annotated, Any
 
 from cyclopts import Parameter
 
-from crankstar.cli.options import Output, engine_over_ranges, option
+from crankstar.cli.options import Output, completed_tree, option, over_ranges_of
 from crankstar.cli.output import complain, display, is_file, write, write_bytes
 from crankstar.engine.engine import Engine
+from crankstar.engine.torsion import Chain
 from crankstar.files import STANDARD_INPUT, EngineFileError, tree_of
+from crankstar.files.catalog import tree_of as tree_named
+from crankstar.files.chains import chain_of, is_chain
 from crankstar.files.changes import stale_sources
 from crankstar.language.messages import _, _n
 from crankstar.language.quoting import one_line
@@ -33,7 +36,11 @@ def check(
     failed = 0
     for name in files:
         try:
-            loaded, tree = engine_over_ranges(name, None, estimate=False)
+            shown, tree = tree_named(name)
+            if is_chain(tree):
+                display(_good_chain(name, chain_of(tree, name=shown)))
+                continue
+            loaded, tree = over_ranges_of(*completed_tree(shown, tree, None, estimate=False))
         except EngineFileError as error:
             failed += 1
             complain(str(error))
@@ -120,6 +127,14 @@ def _good(name: str, engine: Engine) -> str:
         engine_text = _("{engine}; fires {firing}", engine=engine_text, firing=fires)
     file = _("standard input") if name == STANDARD_INPUT else one_line(name)
     return _("{file}: good ({engine})", file=file, engine=engine_text)
+
+
+def _good_chain(name: str, chain: Chain) -> str:
+    """The line on a drive line without a mistake."""
+    count = len(chain.discs)
+    discs = _n("{name}, {count} disc", "{name}, {count} discs", count, name=chain.name, count=count)
+    file = _("standard input") if name == STANDARD_INPUT else one_line(name)
+    return _("{file}: good ({engine})", file=file, engine=discs)
 
 
 def new(

@@ -124,7 +124,7 @@ def holzer_table(mode: Mode, rows: Sequence[HolzerRow]) -> Table:
     columns = (
         Column(_("mass"), kind="text", key="name", label=True),
         Column("J", "kg*m^2", key="inertia"),
-        Column("J ω²", "kN*m/rad", key="inertia_torque", fixed=True),
+        Column("J ω²", "kN*m/rad", key="inertia_torque", fixed=True, optional=1),
         Column("θ", key="amplitude"),
         Column("J ω² θ", "kN*m", key="torque", fixed=True),
         Column("Σ J ω² θ", "kN*m", key="sum", fixed=True),
