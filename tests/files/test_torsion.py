@@ -200,6 +200,20 @@ def test_an_engine_without_masses_twists_by_gas_alone(run: Run, tmp_path: Path) 
     assert "gas alone" in run("torsion", str(place)).out
 
 
+def test_an_engine_without_masses_and_gas_has_vector_sums(run: Run, tmp_path: Path) -> None:
+    tree = spoilt(SHORT, torsion=TORSION, speed="3000 rpm")
+    for key in ("reciprocating_mass", "rotating_mass", "bore"):
+        del tree["cylinder"][key]
+    place = tmp_path / "eight.json"
+    place.write_text(json.dumps(tree), encoding="utf-8")
+    answer = told(run, str(place), "--speed", "3000 rpm")
+    assert answer["without_gas"]
+    assert "response" not in answer
+    assert answer["criticals"][0]["vector_sum"] > 0
+    assert answer["criticals"][0]["equilibrium_deg"] is None
+    assert "nothing is driven" in run("torsion", str(place)).out
+
+
 @pytest.fixture
 def eight(tmp_path: Path) -> str:
     """A V8 with a damper, a flywheel and a gear."""
@@ -349,6 +363,7 @@ def test_each_mistake_of_a_drive_line_has_its_sentence(old: str, new: str, code:
         (("EIGHT", "--point", "none"), "no operating point"),
         (("EIGHT", "--orders", "25"), "up to 24"),
         (("EIGHT", "--speed", "0 rpm"), "greater than 0"),
+        (("EIGHT", "--speeds", "100..6000 rpm by 1"), "up to 2000 speeds"),
         (("CHAIN", "--point", "idle"), "--point"),
         (("CHAIN", "--estimate"), "--estimate"),
     ],

@@ -41,6 +41,7 @@ HELP = (
     "alone; - for standard input."
 )
 MOST_MODES = 300
+MOST_SPEEDS = 2000
 
 
 def torsion(
@@ -70,7 +71,7 @@ def torsion(
     (source, spread), turning, over, wanted, most, table = together(
         partial(_loaded, engine, settings, estimate=estimate),
         partial(request.speed, speed),
-        lambda: [] if speeds is None else request.speeds(speeds),
+        partial(_speeds, speeds),
         partial(_orders, orders),
         partial(request.within, "--modes", modes, most=MOST_MODES),
         partial(request.within, "--holzer", holzer, most=MOST_MODES),
@@ -105,6 +106,14 @@ def _loaded(
         changes: dict[str, Any] = request.settings(settings)
         return chain_of(changed(tree, changes, name=shown) if changes else tree, name=shown), None
     return over_ranges_of(*completed_tree(shown, tree, settings, estimate=estimate))[0]
+
+
+def _speeds(text: str | None) -> list[float]:
+    """The speeds of --speeds, rad/s. Raises RequestError or SweepError."""
+    found = [] if text is None else request.speeds(text)
+    if len(found) > MOST_SPEEDS:
+        raise refusal("--speeds", text or "", "give up to {most} speeds", most=MOST_SPEEDS)
+    return found
 
 
 def _orders(text: str | None) -> list[float] | None:

@@ -29,6 +29,8 @@ STEPS = 151
 SLOWEST, FASTEST = 0.25, 1.1
 """Of the one speed that is known: the range that is taken."""
 SAME_ORDER = 1e-9
+GREATEST_UNKNOWNS = 4000
+"""Of the model with the inertia of each angle: beyond, its matrix is too large."""
 HIGHEST_CRITICAL = 12.0
 """The highest order of critical speeds where none is asked for."""
 
@@ -94,9 +96,12 @@ def torsion(
     if not len(wanted):
         return TorsionAnalysis(chain, free, wanted, (), None, None, (), found, limit, why)
     push = excitation(chain, source, found, orders=orders)
+    driven = found is not None or push.inertia is not None
     meeting = orders or [float(k) for k in push.orders if k <= HIGHEST_CRITICAL]
-    whole = response(chain, push, speeds=wanted)
-    stress = stresses(whole)[0]
+    whole = response(chain, push, speeds=wanted) if driven else None
+    over: tuple[Barred, ...] = ()
+    if limit is not None and whole is not None:
+        over = barred(wanted, stresses(whole)[0], limit=limit)
     return TorsionAnalysis(
         chain=chain,
         modes=free,
@@ -108,16 +113,16 @@ def torsion(
             high=float(wanted[-1]),
             modes=modes,
             phases=firing_phases(source),
-            excitation=push,
+            excitation=push if driven else None,
         ),
         response=whole,
-        at=None if speed is None else response(chain, push, speeds=np.array([speed])),
-        barred=() if limit is None else barred(wanted, stress, limit=limit),
+        at=response(chain, push, speeds=np.array([speed])) if driven and speed else None,
+        barred=over,
         cycle=found,
         limit=limit,
         without_gas=why,
         range_assumed=assumed,
-        exact=None if speed is None else _exact(source, chain, push, speed),
+        exact=_exact(source, chain, push, speed) if driven and speed else None,
     )
 
 
@@ -125,7 +130,8 @@ def _exact(engine: Engine, chain: TorsionChain, push: Excitation, speed: float) 
     """The response with the inertia of each angle; None without masses, or for orders between."""
     lowest = 1.0 if engine.cycle == "two-stroke" else 0.5
     between = np.abs(push.orders / lowest - np.rint(push.orders / lowest)) > SAME_ORDER
-    if push.inertia is None or between.any():
+    unknown = 2 * float(push.orders.max()) / lowest * chain.freedoms
+    if push.inertia is None or between.any() or unknown > GREATEST_UNKNOWNS:
         return None
     return variable_response(chain, push, speed=speed, lowest=lowest)
 

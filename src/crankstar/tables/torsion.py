@@ -321,8 +321,11 @@ def _notes(source: Engine | Chain, found: TorsionAnalysis) -> list[str]:
         return lines
     if any(shaft.weights and not shaft.throws for shaft in source.shafts):
         lines.append(_("Balance shafts are in it where the table [torsion] has them as discs."))
-    if found.response is None:
+    if not found.speeds.size:
         lines.append(_("Without a speed nothing is driven: give --speeds, or speed in the file."))
+        return lines
+    if found.response is None:
+        lines.append(_("Without masses and without gas nothing is driven."))
         return lines
     if found.cycle is not None:
         lines += cycle_notes(source, found.cycle)
