@@ -137,6 +137,36 @@ def test_the_inertia_of_each_angle_integrated_in_time_comes_back_to_the_harmonic
     assert np.abs(off - before).max() > 1e-3 * scale  # the models differ by more than that
 
 
+@given(st.integers(0, 1000), number(50.0, 400.0), number(0.0, 0.5))
+def test_the_second_model_fulfils_its_equation_at_every_angle(
+    seed: int, speed: float, loss: float
+) -> None:
+    """Products over the angle, derivatives by order; structural damping as of each order."""
+    chain = row([1.0, 0.4, 2.0], [1e5, 2e5], loss_factor=loss)
+    push = pushes(chain, seed, orders=(1.0, 2.0, 3.0, 8.0))
+    push = replace(push, inertia=30 * (push.inertia if push.inertia is not None else 0))
+    found = variable_response(chain, push, speed=speed, lowest=1.0)
+    steps = 256
+    theta = np.arange(steps) * (2 * pi / steps)
+
+    def over(orders: Real, waves: Any) -> Real:
+        return np.real(np.exp(1j * np.outer(theta, orders)) @ waves)
+
+    k = found.orders
+    turns, orders = found.turns[0], push.orders
+    change = inertia_waves(chain, push).T
+    whole = np.diag(chain.matrices()[0]) + over(orders, change)
+    bend = over(orders, -(orders[:, None] ** 2) * change)
+    momentum = np.fft.rfft(whole * over(k, 1j * k[:, None] * turns), axis=0)[1:9] * 2 / steps
+    tilt = np.fft.rfft(bend * over(k, turns), axis=0)[1:9] * 2 / steps
+    left = speed**2 * (1j * k[:, None] * momentum + tilt / 2)
+    left = left + turns @ chain.complex_stiffness().T
+    right = np.zeros_like(left)
+    right[orders.astype(int) - 1] = push.torque(speed).T
+    assert np.abs(change).max() > 1e-3
+    assert left == pytest.approx(right, abs=1e-9 * np.abs(left).max() + 1e-9 * np.abs(right).max())
+
+
 @given(st.integers(0, 1000), number(50.0, 400.0))
 def test_the_second_model_is_the_first_where_the_inertia_hardly_changes(
     seed: int, speed: float
@@ -164,6 +194,8 @@ def test_the_torques_of_all_throws_are_that_of_the_engine() -> None:
     assert push.inertia is not None
     own = SPEED**2 * push.inertia
     assert own.sum(axis=0) == pytest.approx(moving, abs=1e-9 * np.abs(own).max())
+    both = push.torque(np.array([SPEED, 3 * SPEED])).sum(axis=1)
+    assert both == pytest.approx(np.array([gas + moving, gas + 9 * moving]), rel=1e-9, abs=1e-6)
 
 
 def test_bare_throws_with_their_pistons_have_the_inertia_of_the_engine() -> None:
@@ -251,6 +283,29 @@ def test_modes_with_pendulums_are_those_of_hub_and_swing_at_the_critical_speed(
         held[count, count] = swung * own.radius * own.length * speed**2
         found = np.sqrt(np.abs(eigh(held, whole, eigvals_only=True)))
         assert np.abs(found / mode.speed - 1).min() < 1e-7
+
+
+@pytest.mark.parametrize("order", [2.0, 2.6, 3.0, 4.0, 6.0])
+def test_a_light_disc_with_a_heavy_pendulum_has_the_modes_of_disc_and_swing(order: float) -> None:
+    """Above its tuning, at order 2.5, the disc with it is less than nothing: M is not positive."""
+    discs = (
+        Disc(name="0", inertia=1.0),
+        Disc(name="1", inertia=1e-3, to="0", stiffness=4e4),
+        Disc(name="2", inertia=2.0, to="1", stiffness=9e4),
+    )
+    own = Pendulum(on="1", mass=5.0, radius=0.1, length=0.1 / 2.5**2)
+    chain = torsion_chain(Chain(name="light", discs=discs, pendulums=(own,)))
+    total = chain.inertias([order])[0]
+    assert (total[1] < 0) == (order > 2.5)
+    w = np.linspace(1.0, 3000.0, 200_001)
+    # the twist that the masses before leave, mass by mass: its sign changes are the frequencies
+    turn, torque = np.ones_like(w), total[0] * w**2
+    for stiffness, own_inertia in ((4e4, total[1]), (9e4, total[2])):
+        turn = turn - torque / stiffness
+        torque = torque + own_inertia * w**2 * turn
+    crossings = w[1:][np.sign(torque[1:]) != np.sign(torque[:-1])]
+    found = [mode.speed for mode in torsion_modes(chain, order=order) if mode.speed < 3000]
+    assert found == pytest.approx(crossings.tolist(), abs=0.02)
 
 
 def test_a_pendulum_holds_its_disc_still_at_its_order_and_at_every_speed() -> None:
