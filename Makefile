@@ -101,6 +101,7 @@ bench: $(READY) front-end chromium
 	$(BIN)/python benchmarks/start.py
 	$(BIN)/python benchmarks/run.py
 	$(BIN)/python benchmarks/gas.py
+	$(BIN)/python benchmarks/torsion.py
 	$(BIN)/python benchmarks/page.py
 
 clean:
