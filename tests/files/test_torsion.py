@@ -385,6 +385,13 @@ def test_torsion_in_a_spreadsheet_and_as_csv(run: Run, eight: str, tmp_path: Pat
     assert len(lines) == 6
 
 
+def test_a_throw_lighter_than_its_pistons_is_doubted(run: Run, eight: str) -> None:
+    light = ("--set", 'torsion.inertia="0.001 kg*m^2"')
+    assert "bare_inertia of the crankshaft?" in " ".join(run("torsion", eight, *light).out.split())
+    assert "bare_inertia of the" not in run("torsion", eight).out
+    assert "bare_inertia of the" not in run("check", eight).out
+
+
 def test_an_engine_without_torsion_raises_in_python() -> None:
     with pytest.raises(TorsionError):
         torsion(engine_of(spoilt(EXPLICIT)))

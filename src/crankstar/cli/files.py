@@ -79,7 +79,7 @@ def _far(engine: Engine) -> list[str]:
 def _hardly(engine: Engine, tree: Mapping[str, Any]) -> list[str]:
     """Lines on values that hardly any engine has, and on cycles that cannot be."""
     rods = any(cylinder.rod is not None for cylinder in engine.cylinders)
-    if engine.gas is None and engine.drive is None and not rods:
+    if engine.gas is engine.drive is engine.torsion is None and not rods:
         return []  # and the libraries of cycles stay unread
     from crankstar.files.forms import is_explicit
     from crankstar.files.read import in_file

@@ -30,7 +30,7 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.records import Shaft
 from crankstar.engine.torsion import FRONT, LOSS_FACTOR, Chain, Disc, Pendulum, Torsion, home
 from crankstar.language.messages import MessageError
-from crankstar.mechanics.kinetic import moving_inertias
+from crankstar.mechanics.kinetic import carried_inertias, throws_from_front
 from crankstar.spectra import Complex, Real
 
 SHARP = 1e-12
@@ -203,7 +203,7 @@ def _lossy(discs: Sequence[Disc]) -> bool:
 
 def _of_engine(engine: Engine, own: Torsion) -> TorsionChain:
     """The chain of an engine: throws, what is ahead of them, what is behind."""
-    crank = next(shaft for shaft in engine.shafts if shaft.throws)
+    crank = engine.shafts[0]
     order = throws_from_front(crank)
     count = len(order)
     assumed = ["torsion.loss_factor"] if own.loss_factor is None else []
@@ -234,31 +234,16 @@ def _of_engine(engine: Engine, own: Torsion) -> TorsionChain:
     return replace(chain, throws=throws, cylinders=cylinders, estimated=tuple(estimated))
 
 
-def throws_from_front(crank: Shaft) -> list[int]:
-    """The numbers of the throws of a crankshaft, front first."""
-    numbers = range(1, len(crank.throws) + 1)
-    return sorted(numbers, key=lambda number: -crank.throws[number - 1].z)
-
-
 def _each(values: Sequence[float], count: int) -> Sequence[float]:
     return tuple(values) * count if len(values) == 1 else tuple(values)
 
 
 def throw_inertias(engine: Engine, own: Torsion) -> Real:
     """The mean inertia of each throw with its rods and pistons, kg m^2, front first."""
-    crank = next(shaft for shaft in engine.shafts if shaft.throws)
-    order = throws_from_front(crank)
+    count = len(engine.shafts[0].throws)
     if own.inertia:
-        return np.array(_each(own.inertia, len(order)))
-    out = np.array(_each(own.bare_inertia, len(order)))
-    moving = moving_inertias(engine)
-    for place, number in enumerate(order):
-        throw = crank.throws[number - 1]
-        out[place] += throw.rotating_mass * throw.radius**2
-        for cylinder, value in zip(engine.cylinders, moving, strict=True):
-            if cylinder.throw == number:
-                out[place] += value
-    return out
+        return np.array(_each(own.inertia, count))
+    return np.array(_each(own.bare_inertia, count)) + carried_inertias(engine)
 
 
 def _stiffnesses(crank: Shaft, own: Torsion, order: Sequence[int]) -> Sequence[float]:

@@ -42,6 +42,10 @@ SENTENCES: dict[str, str | Plural] = {
         "{where} is {value} mm, and the shaft around it has {outer} mm; a bore is less"
     ),
     "torsion.bore-alone": N_("{where} is given without {key}: give both, or none"),
+    "doubt.throw-inertia": N_(
+        "{where} is {value} kg m², less than rods and pistons alone have there, {moving} kg m²: is "
+        "it the bare_inertia of the crankshaft?"
+    ),
     "disc.same-name": N_("{where} is {value} twice; give each disc its own name"),
     "disc.place-name": N_(
         "{where} is {value}, which names a place of the crankshaft; give the disc another name"

@@ -2,7 +2,7 @@
 
 They do not hinder a computation. Each is a `Fault`, a place with a sentence: of what a cycle is
 computed from (`value_doubts`), of the cycle itself (`cycle_doubts`), of the moments of inertia
-(`inertia_doubts`); of a whole engine `doubts` has them all.
+(`inertia_doubts`, `torsion_doubts`); of a whole engine `doubts` has them all.
 
 >>> from crankstar.files.catalog import load
 >>> [fault.code for fault in doubts(load("honda-b18c", changes={"gas.compression_ratio": 19,
@@ -22,7 +22,7 @@ from crankstar.engine.proportions import TWO_MASSES
 from crankstar.engine.valves import timing
 from crankstar.language.faults import Fault
 from crankstar.mechanics.gas import Cycle, computable, cycle
-from crankstar.mechanics.kinetic import mean_inertia, throw_inertia
+from crankstar.mechanics.kinetic import carried_inertias, mean_inertia, throw_inertia
 from crankstar.mechanics.mechanism import mechanism
 from crankstar.mechanics.operating_points import GasError
 
@@ -48,7 +48,7 @@ INERTIA_SPREAD = 2.5
 
 def doubts(engine: Engine) -> tuple[Fault, ...]:
     """All that is hardly right in an engine, each once; its cycles are computed, if it has gas."""
-    found = [*inertia_doubts(engine)]
+    found = [*inertia_doubts(engine), *torsion_doubts(engine)]
     gas = engine.gas
     if gas is not None:
         loaded = any(getattr(gas, name) is not None for name in LOADS) or not gas.points
@@ -146,6 +146,27 @@ def cycle_doubts(engine: Engine, cycle: Cycle, *, path: Path = ("gas",)) -> Iter
     if rpm is not None and limit is not None and not known and rpm > limit:
         bound = {"rpm": rpm, "bound": limit, "value": cycle.friction / 1e5}
         yield Fault((*path, "friction_pressure"), "doubt.friction", bound)
+
+
+def torsion_doubts(engine: Engine) -> Iterator[Fault]:
+    """Throws that are lighter than the rods and pistons on them, of which `inertia` is the whole.
+
+    >>> from crankstar.files.catalog import load
+    >>> own = {"torsion": {"inertia": "0.0001 kg*m^2", "stiffness": "0.5 MN*m/rad"}}
+    >>> [fault.code for fault in torsion_doubts(load("audi-25-tfsi", changes=own))]
+    ['doubt.throw-inertia']
+    """
+    own = engine.torsion
+    if own is None or not own.inertia or {"mass", "radius"} & set(engine.relative):
+        return
+    carried = carried_inertias(engine).tolist()
+    whole = own.inertia * len(carried) if len(own.inertia) == 1 else own.inertia
+    for index, (value, moving) in enumerate(zip(whole, carried, strict=True)):
+        if value < moving:
+            path = ("torsion", "inertia", *((index,) if len(own.inertia) > 1 else ()))
+            values = {"value": value, "moving": float(f"{moving:.3g}")}
+            yield Fault(path, "doubt.throw-inertia", values)
+            return  # one slip for all
 
 
 def inertia_doubts(engine: Engine) -> Iterator[Fault]:

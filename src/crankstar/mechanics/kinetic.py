@@ -18,6 +18,7 @@ import numpy as np
 from crankstar import spectra
 from crankstar.engine import motion
 from crankstar.engine.engine import Engine
+from crankstar.engine.records import Shaft
 from crankstar.mechanics.excitation import part_spectra
 from crankstar.mechanics.mechanism import Mechanism, mechanism
 from crankstar.spectra import Real, Spectrum
@@ -48,6 +49,35 @@ def moving_inertias(engine: Engine) -> Real:
     True
     """
     return _mean_inertias(mechanism(engine))
+
+
+def throws_from_front(crank: Shaft) -> list[int]:
+    """The numbers of the throws of a crankshaft, front first."""
+    numbers = range(1, len(crank.throws) + 1)
+    return sorted(numbers, key=lambda number: -crank.throws[number - 1].z)
+
+
+def carried_inertias(engine: Engine) -> Real:
+    """What rods and pistons add to the throws of the first crankshaft, kg m^2, front first.
+
+    The mean over a turn, and what hangs on the pins; the crankshaft's own unbalance is its own.
+
+    >>> from crankstar.files.catalog import load
+    >>> len(carried_inertias(load("audi-25-tfsi")))
+    5
+    """
+    crank = engine.shafts[0]
+    moving = moving_inertias(engine)
+    out: list[float] = []
+    for number in throws_from_front(crank):
+        throw = crank.throws[number - 1]
+        own = [
+            float(value)
+            for cylinder, value in zip(engine.cylinders, moving, strict=True)
+            if (cylinder.shaft, cylinder.throw) == (crank.name, number)
+        ]
+        out.append(throw.rotating_mass * throw.radius**2 + sum(own))
+    return np.array(out)
 
 
 def _mean_inertias(machine: Mechanism) -> Real:

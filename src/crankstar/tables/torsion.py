@@ -17,6 +17,7 @@ from crankstar.engine.engine import Engine
 from crankstar.engine.torsion import LOSS_FACTOR, STEEL, Chain
 from crankstar.language.messages import _, _n
 from crankstar.language.numbers import number
+from crankstar.mechanics.doubts import torsion_doubts
 from crankstar.spectra import Real
 from crankstar.tables.headings import heading
 from crankstar.tables.table import Column, Document, Remarks, Table, Value, remarks
@@ -75,7 +76,7 @@ def torsion_document(
     if found.barred or machine:
         parts.append(_barred_table(found))
     if not machine:
-        parts += [*remarks(*_notes(source, found), kind="note"), *_doubts(found)]
+        parts += [*remarks(*_notes(source, found), kind="note"), *_doubts(source, found)]
     return Document(source.name, tuple(parts), _facts(source, found))
 
 
@@ -344,9 +345,11 @@ def _notes(source: Engine | Chain, found: TorsionAnalysis) -> list[str]:
     return lines
 
 
-def _doubts(found: TorsionAnalysis) -> tuple[Remarks, ...]:
+def _doubts(source: Engine | Chain, found: TorsionAnalysis) -> tuple[Remarks, ...]:
     """What is assumed or estimated of the chain, and what is missing of the excitation."""
     lines: list[str] = []
+    if isinstance(source, Engine):
+        lines += [fault.sentence for fault in torsion_doubts(source)]
     if found.chain.estimated:
         lines.append(
             _("The stiffness between the throws is estimated from their dimensions by a formula.")
