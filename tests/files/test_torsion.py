@@ -385,6 +385,19 @@ def test_torsion_in_a_spreadsheet_and_as_csv(run: Run, eight: str, tmp_path: Pat
     assert len(lines) == 6
 
 
+def test_masses_that_are_all_rigid_do_not_twist(run: Run) -> None:
+    text = run("torsion", "audi-25-tfsi", "--set", 'torsion.inertia="1 kg*m^2"').err
+    assert "has no stiffness between the throws" in " ".join(text.split())
+    sizes = ('cylinder.bore="90 mm"', 'cylinder.stroke="90 mm"', 'torsion.inertia="0.02 kg*m^2"')
+    single = ("single", *(word for size in sizes for word in ("--set", size)))
+    text = run("torsion", *single, "--speed", "3000 rpm").out
+    assert "Nothing twists" in text
+    assert "By order at this speed" in text
+    for heading in ("Natural frequencies", "Shafts between", "Heat of damping", "Vibration at"):
+        assert heading not in text
+    assert told(run, *single, "--speed", "3000 rpm")["modes"] == []
+
+
 def test_a_throw_lighter_than_its_pistons_is_doubted(run: Run, eight: str) -> None:
     light = ("--set", 'torsion.inertia="0.001 kg*m^2"')
     assert "bare_inertia of the crankshaft?" in " ".join(run("torsion", eight, *light).out.split())

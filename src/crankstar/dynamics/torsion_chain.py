@@ -206,7 +206,8 @@ def _of_engine(engine: Engine, own: Torsion) -> TorsionChain:
     crank = engine.shafts[0]
     order = throws_from_front(crank)
     count = len(order)
-    assumed = ["torsion.loss_factor"] if own.loss_factor is None else []
+    lossy = own.loss_factor is None and (count > 1 or _lossy(own.discs))
+    assumed = ["torsion.loss_factor"] if lossy else []
     estimated = [] if own.dimensions is None or count < 2 else ["torsion.stiffness"]
     if estimated and own.dimensions is not None and own.dimensions.shear_modulus is None:
         assumed.append("torsion.dimensions.shear_modulus")

@@ -56,7 +56,8 @@ def torsion_document(
     first = mode_table(chain, shown, machine=machine)
     if machine:
         parts.append(first)
-    parts += [mass_table(chain, machine=machine), section_table(chain, machine=machine)]
+    parts.append(mass_table(chain, machine=machine))
+    parts.append(section_table(chain, machine=machine))
     if not machine:
         parts += [first, *([shape_table(chain, shown)] if shown else [])]
     if holzer_of is not None:
@@ -64,7 +65,7 @@ def torsion_document(
         parts.append(holzer_table(mode, holzer(chain, speed=mode.speed)))
     if found.criticals or machine:
         parts.append(_critical_table(found, machine=machine))
-    if found.response is not None:
+    if found.response is not None and (machine or chain.sections):
         parts.append(
             _over_speeds(found, found.response) if machine else _worst_table(found, found.response)
         )
@@ -77,6 +78,7 @@ def torsion_document(
         parts.append(_barred_table(found))
     if not machine:
         parts += [*remarks(*_notes(source, found), kind="note"), *_doubts(source, found)]
+        parts = [each for each in parts if isinstance(each, Remarks) or each.rows]
     return Document(source.name, tuple(parts), _facts(source, found))
 
 
@@ -259,23 +261,21 @@ def _order_table(found: TorsionAnalysis, own: Response) -> Table:
     """The free end and the most twisted shaft, order by order, at one speed."""
     worst = int(np.argmax(own.peak[0])) if own.chain.sections else 0
     name = own.chain.section_name(worst) if own.chain.sections else ""
-    columns = (
+    columns = [
         Column(_("order"), key="order", label=True),
         Column(_("free end"), "deg", kind="wave", key="free_end"),
-        Column(_("torque in {shaft}", shaft=name), "N*m", kind="wave", key="torque"),
-    )
+    ]
+    if name:
+        heading = _("torque in {shaft}", shaft=name)
+        columns.append(Column(heading, "N*m", kind="wave", key="torque"))
     turns, torque = np.degrees(1) * own.turns[0, :, found.free_end], own.torque[0]
     least = 1e-3 * float(np.abs(turns).max(initial=0.0))
     rows = [
-        (
-            float(order),
-            complex(turns[place]),
-            complex(torque[place, worst]) if own.chain.sections else None,
-        )
+        (float(order), complex(turns[place]), *((complex(torque[place, worst]),) if name else ()))
         for place, order in enumerate(own.orders)
         if abs(turns[place]) > least
     ]
-    return Table(_("By order at this speed"), columns, tuple(rows), key="orders")
+    return Table(_("By order at this speed"), tuple(columns), tuple(rows), key="orders")
 
 
 def _heat_table(own: Response) -> Table:
@@ -314,6 +314,8 @@ def _barred_table(found: TorsionAnalysis) -> Table:
 def _notes(source: Engine | Chain, found: TorsionAnalysis) -> list[str]:
     """What it rests on, and what is left out."""
     lines = [_("Rigid turns of the whole are left out; a shape is 1 at the first mass.")]
+    if not found.modes:
+        lines = [_("Nothing twists: all masses are rigidly coupled, or by a fluid alone.")]
     if found.chain.rings:
         lines.append(
             _("A ring that its fluid alone takes along stands still in the natural frequencies.")
