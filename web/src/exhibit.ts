@@ -71,6 +71,9 @@ export interface Exhibit {
   whirl_ends: Whirl[]
   bearings: Bearings
   bearing_numbers: BearingNumbers
+  /** the loads with the gas of its first operating point; null where it has none */
+  gas_bearings: Bearings | null
+  gas_bearing_numbers: BearingNumbers | null
   scene: Scene
   table: Row[]
   verdict: Fact[]
@@ -191,7 +194,7 @@ export interface Whirl {
   assumed: string[]
 }
 /**
- * What journals push on their bearings, and rods on their pins, from inertia and weights.
+ * What journals push on their bearings and rods on their pins, without gas or with it.
  *
  * Drawn to one scale, so that their unit says nothing.
  */
@@ -222,6 +225,8 @@ export interface BearingNumbers {
   /** whether the numbers rest on estimates and have ranges */
   estimated: boolean
   tables: Table[]
+  /** which gas is in them, as sentences; empty without */
+  about: string[]
 }
 /** A table as it is printed: heads with units, rows, notes under it. */
 export interface Table {

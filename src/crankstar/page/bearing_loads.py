@@ -3,32 +3,75 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 from typing import Literal
 
 import numpy as np
 
 from crankstar import spectra
-from crankstar.dynamics.bearings import BearingLoads, bearing_loads
+from crankstar.dynamics.bearings import BearingError, BearingLoads, bearing_loads
 from crankstar.engine.engine import Engine
 from crankstar.files.box import Spread
 from crankstar.language.kept import alike
 from crankstar.language.messages import _
 from crankstar.language.numbers import number, unit_text
+from crankstar.mechanics.gas import Cycle, cycle
+from crankstar.mechanics.operating_points import GasError
 from crankstar.page.orders import vectors
 from crankstar.page.printed import printed
 from crankstar.page.records import BearingNumbers, Bearings, LoadShown
 from crankstar.spectra import Spectrum
-from crankstar.tables.bearings import MODELS, peaks, pins
+from crankstar.tables.bearings import MODELS, gas_sentences, peaks, pins
 from crankstar.tables.cells import ranged_text
 from crankstar.tables.conversion import in_units
 from crankstar.tables.ranges import merged
 from crankstar.tables.table import Document, Ranged, Table, Value
+from crankstar.tables.wear import wear_table
 
 SMALL = 1e-4
 """Share of the greatest order below which an order is not sent."""
+SMALL_WITH_GAS = 1e-3
+"""The same with gas, whose orders are many."""
 
 
-def bearings_shown(engine: Engine, known: BearingLoads | None = None) -> Bearings:
+@lru_cache(maxsize=16)
+def loads_with_gas(engine: Engine) -> tuple[Cycle, BearingLoads] | None:
+    """The cycle of an engine at its first operating point, and its loads with it.
+
+    None where the file does not say what the gas does, or speed or masses are not known.
+
+    >>> from crankstar.files.catalog import load
+    >>> loads_with_gas(load("i4")) is None, loads_with_gas(load("audi-25-tfsi"))[0].name
+    (True, 'full')
+    """
+    if engine.gas is None:
+        return None
+    try:
+        found = cycle(engine)
+        return found, bearing_loads(engine, cycle=found)
+    except (GasError, BearingError):
+        return None
+
+
+def gas_bearings_shown(engine: Engine) -> Bearings | None:
+    """The loads of an engine with the gas of its first operating point, order by order."""
+    known = loads_with_gas(engine)
+    return None if known is None else bearings_shown(engine, known[1], small=SMALL_WITH_GAS)
+
+
+def gas_bearing_numbers(engine: Engine) -> BearingNumbers | None:
+    """Their greatest values and tables, wear with them, in the units of the context."""
+    known = loads_with_gas(engine)
+    if known is None:
+        return None
+    found, loads = known
+    tables = (peaks(engine, loads, gas=True), pins(loads), wear_table(engine, loads))
+    return _numbers(Document("", tables), about=gas_sentences(found))
+
+
+def bearings_shown(
+    engine: Engine, known: BearingLoads | None = None, *, small: float = SMALL
+) -> Bearings:
     """The loads of an engine at the speed of its file, order by order; `known` if they are there.
 
     >>> from crankstar.files.catalog import load
@@ -37,7 +80,7 @@ def bearings_shown(engine: Engine, known: BearingLoads | None = None) -> Bearing
     """
     loads = known or bearing_loads(engine, speed=engine.speed)
     return Bearings(
-        orders=(orders := _orders(loads)),
+        orders=(orders := _orders(loads, small)),
         model=_(MODELS[loads.model]),
         loads=tuple(_loads(engine, loads, orders)),
     )
@@ -57,8 +100,12 @@ def bearing_numbers(
         loads = known if known and each is engine else bearing_loads(each, speed=each.speed)
         return Document("", (peaks(each, loads), pins(loads)))
 
-    document = sheet(engine) if over is None else merged(alike(sheet, over.engines))
-    on_bearings, on_pins = (in_units(table.readable) for table in document.tables)
+    return _numbers(sheet(engine) if over is None else merged(alike(sheet, over.engines)))
+
+
+def _numbers(document: Document, *, about: tuple[str, ...] = ()) -> BearingNumbers:
+    """The numbers of a document whose first tables are those of bearings and pins."""
+    on_bearings, on_pins = (in_units(table.readable) for table in document.tables[:2])
     cells = [cell for table in (on_bearings, on_pins) for cell in _greatest(table)]
     return BearingNumbers(
         bearing_unit=_unit(on_bearings),
@@ -66,6 +113,7 @@ def bearing_numbers(
         greatest=tuple(_phrase(size, angle) for size, angle in cells),
         estimated=any(isinstance(size, Ranged) for size, _angle in cells),
         tables=printed(document.tables),
+        about=about,
     )
 
 
@@ -96,12 +144,12 @@ def _figure(value: Value) -> str:
     return number(value, digits=4) if isinstance(value, float | int) else ""
 
 
-def _orders(loads: BearingLoads) -> tuple[float, ...]:
+def _orders(loads: BearingLoads, small: float) -> tuple[float, ...]:
     """The orders that move a drawn vector."""
     size = np.zeros(loads.load.orders.size)
     for spectrum in (loads.load, loads.pin):
         size = np.maximum(size, (np.abs(spectrum.forward) + np.abs(spectrum.backward)).max(axis=0))
-    kept: list[float] = loads.load.orders[size > SMALL * size.max(initial=0.0)].tolist()
+    kept: list[float] = loads.load.orders[size > small * size.max(initial=0.0)].tolist()
     return tuple(kept)
 
 

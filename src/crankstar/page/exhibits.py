@@ -25,7 +25,12 @@ from crankstar.language.shown_units import SYSTEMS, choice, choice_text, dimensi
 from crankstar.mechanics import remains
 from crankstar.mechanics.balance import Balance, balance, scales
 from crankstar.page import orders as vectors
-from crankstar.page.bearing_loads import bearing_numbers, bearings_shown
+from crankstar.page.bearing_loads import (
+    bearing_numbers,
+    bearings_shown,
+    gas_bearing_numbers,
+    gas_bearings_shown,
+)
 from crankstar.page.cycle_records import StrokeColours, StrokeWindow
 from crankstar.page.keys import chart_keys, derivation_keys
 from crankstar.page.printed import printed
@@ -147,6 +152,7 @@ def exhibit(
             vectors.free_response(each, orders, along=along) for each in (over.ends if over else ())
         ),
         bearings=bearings_shown(engine, loads),
+        gas_bearings=gas_bearings_shown(engine),
         scene=scene(engine, sizes),
         strokes=printed(strokes.tables(engine, cycle)) if cycle else (),
         stroke_windows=_windows(cycle) if cycle else (),
@@ -192,6 +198,7 @@ def in_units(
         "heading": ranged_lines(_heading, over, engine),
         "table": vectors.rows(sums, remains.orders_shown(result, sums), scaling=scaling, ends=ends),
         "bearing_numbers": bearing_numbers(engine, over, loads),
+        "gas_bearing_numbers": gas_bearing_numbers(engine),
         "torque_unit": torque_unit(engine),
         "verdict": tuple(
             Fact(subject=fact.about, about=subject_of[fact.about], sentence=fact.sentence)

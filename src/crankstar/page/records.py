@@ -231,7 +231,7 @@ class LoadShown(Shown):
 
 
 class Bearings(Shown):
-    """What journals push on their bearings, and rods on their pins, from inertia and weights.
+    """What journals push on their bearings and rods on their pins, without gas or with it.
 
     Drawn to one scale, so that their unit says nothing.
     """
@@ -251,6 +251,7 @@ class BearingNumbers(Shown):
     )
     estimated: bool = Field(description="whether the numbers rest on estimates and have ranges")
     tables: tuple[Table, ...]
+    about: tuple[str, ...] = Field(description="which gas is in them, as sentences; empty without")
 
 
 class ChartKey(Shown):
@@ -327,6 +328,10 @@ class Exhibit(Shown):
     )
     bearings: Bearings
     bearing_numbers: BearingNumbers
+    gas_bearings: Bearings | None = Field(
+        description="the loads with the gas of its first operating point; null where it has none"
+    )
+    gas_bearing_numbers: BearingNumbers | None
     scene: Scene
     table: tuple[Row, ...]
     verdict: tuple[Fact, ...]

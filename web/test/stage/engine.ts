@@ -102,7 +102,10 @@ export function exhibit(changes: Partial<Exhibit> = {}): Exhibit {
       greatest: [],
       estimated: false,
       tables: [],
+      about: [],
     },
+    gas_bearings: null,
+    gas_bearing_numbers: null,
     whirl: {
       centre: [0.3, 0.1, 0.5],
       mass: 1,

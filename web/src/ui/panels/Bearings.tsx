@@ -1,5 +1,5 @@
 import { useMemo, useRef } from 'preact/hooks'
-import type { Exhibit, LoadShown, Bearings as Loads } from '../../exhibit'
+import type { BearingNumbers, Exhibit, LoadShown, Bearings as Loads } from '../../exhibit'
 import { message, t } from '../../language/messages'
 import { Choice } from '../Choice'
 import { useChoice, useExhibit, useExhibits, useFollower } from '../context'
@@ -17,15 +17,29 @@ export const bearings: Panel = {
 }
 
 const useOn = () => useChoice<On>('bearings.on', ['bearing', 'pin'])
+const useGas = () => useChoice<'without' | 'with'>('bearings.gas', ['without', 'with'])
 const useFrame = () => useChoice<Frame>('bearings.frame', ['block', 'shaft'])
 
 /** Loads on main bearings and crank pins: polar diagrams that follow the angle, and their tables. */
 function Bearings() {
   const [on, setOn] = useOn()
   const [frame, setFrame] = useFrame()
+  const [gas, setGas] = useGas()
+  const isGas = useExhibits().some((exhibit) => exhibit.gas_bearings)
   return (
     <>
       <div class="controls">
+        {isGas && (
+          <Choice
+            label={t('Gas')}
+            value={gas}
+            choices={[
+              { value: 'without', label: t('without gas') },
+              { value: 'with', label: t('with gas') },
+            ]}
+            chosen={setGas}
+          />
+        )}
         <Choice
           label={t('Load on')}
           value={on}
@@ -50,17 +64,25 @@ function Bearings() {
   )
 }
 
+/** The loads of an engine and their numbers: with gas where it is chosen and there is some. */
+function loadsOf(exhibit: Exhibit, gas: 'without' | 'with') {
+  const { gas_bearings, gas_bearing_numbers } = exhibit
+  return gas === 'with' && gas_bearings && gas_bearing_numbers
+    ? { bearings: gas_bearings, numbers: gas_bearing_numbers }
+    : { bearings: exhibit.bearings, numbers: exhibit.bearing_numbers }
+}
+
 /** The greatest load of that kind on any of the engines that are counted in this unit. */
-function largestOf(exhibits: readonly Exhibit[], on: On, unit: string): number {
-  const peaks = exhibits.flatMap((exhibit) =>
-    unitOf(exhibit, on) === unit
-      ? exhibit.bearings.loads.flatMap((load) => (load.on === on ? [load.peak] : []))
+function largestOf(all: readonly ReturnType<typeof loadsOf>[], on: On, unit: string): number {
+  const peaks = all.flatMap(({ bearings, numbers }) =>
+    unitOf(numbers, on) === unit
+      ? bearings.loads.flatMap((load) => (load.on === on ? [load.peak] : []))
       : [],
   )
   return Math.max(...peaks, 0)
 }
 
-const unitOf = ({ bearing_numbers: numbers }: Exhibit, on: On): string =>
+const unitOf = (numbers: BearingNumbers, on: On): string =>
   on === 'bearing' ? numbers.bearing_unit : numbers.pin_unit
 
 /** Those of one engine, to one scale with those of the other. */
@@ -69,18 +91,29 @@ function Diagrams() {
   const exhibits = useExhibits()
   const [on] = useOn()
   const [frame] = useFrame()
-  const { bearings, bearing_numbers: numbers, sense, turns } = exhibit
+  const [gas] = useGas()
+  const { sense, turns } = exhibit
+  const { bearings, numbers } = loadsOf(exhibit, gas)
+  const isGas = numbers.about.length > 0
   const shown = bearings.loads.flatMap((load, index) =>
     load.on === on ? [{ load, greatest: numbers.greatest[index] ?? '' }] : [],
   )
-  const largest = largestOf(exhibits, on, unitOf(exhibit, on))
+  const all = exhibits.map((each) => loadsOf(each, gas))
+  const largest = largestOf(all, on, unitOf(numbers, on))
   return (
     <>
       <p>
-        {t('From inertia and weights, in {unit}; greatest load and its crank angle above each.', {
-          unit: unitOf(exhibit, on),
-        })}{' '}
-        {on === 'bearing' && bearings.model}{' '}
+        {isGas
+          ? t('In {unit}; greatest load and its crank angle above each.', {
+              unit: unitOf(numbers, on),
+            })
+          : t(
+              'From inertia and weights, in {unit}; greatest load and its crank angle above each.',
+              {
+                unit: unitOf(numbers, on),
+              },
+            )}{' '}
+        {numbers.about.join(' ')} {on === 'bearing' && bearings.model}{' '}
         {numbers.estimated && <span class="badge">{t('estimated, with ranges')}</span>}
       </p>
       <div class="polar-loads" data-on={on} data-frame={frame}>
