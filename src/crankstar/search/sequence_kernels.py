@@ -1,0 +1,389 @@
+"""Compiled loops over all stars of a shaft, and over the firing sequences of each by halves.
+
+Stars are visited depth first, their sums carried along. A star whose values can be bettered
+whatever its sequence is left at once. For the others the half orders of torsion are sums over the
+classes c of +-v_c: the classes are divided into two halves, all signs of one meet all of the other,
+and only pairs whose sum is short enough not to be dominated are looked at. With one goal that
+depends on the sequence that length is known before: the least value of that goal in the points of
+the front that are as good in all others. With several goals their least values over all signs, each
+by itself, are a bound: no sequence of the star is better than that in any of them.
+
+Source: E. Horowitz and S. Sahni, Computing partitions with applications to the knapsack problem,
+Journal of the ACM 21 (1974) 277 (sums of signs by halves).
+
+Letters of the shapes: n throws; K classes; w sums of the star and m of the sequence, each two
+numbers; q goals; f rows found.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from crankstar.search.compiling import compiled
+from crankstar.search.kernels import dominated, entered
+from crankstar.search.sums import SAME
+
+DEPTH, FOUND, KNOWN, STARS, OPENED, FORMED = range(6)
+"""Places in the state: throw to go on with, rows in the output, points of the front, stars visited,
+stars whose sequences were searched, sequences that were looked at (all by what they stand for)."""
+
+
+class ShaftTables(NamedTuple):
+    """A question as arrays."""
+
+    star: np.ndarray
+    """What each throw adds to each sum of the star in each class [n, K, 2 w]."""
+    amplitudes: np.ndarray
+    """Amplitude of each rod [n, rods]."""
+    turns: np.ndarray
+    """What an amplitude of one adds to each sum of the sequence, by class [K, 2 m]."""
+    star_weights: np.ndarray
+    """Scale of each sum of the star in each goal, 0 where it is not in it [q, w]."""
+    sequence_weights: np.ndarray
+    """The same of the sums of the sequence [q, m]."""
+    caps: np.ndarray
+    """Greatest length of each sum of the star [w]."""
+    shift: int
+    room: int
+    mirrored: bool
+    """Whether of two stars that are mirror images one stands for both."""
+
+
+class Walk(NamedTuple):
+    """Where the loops are: choices by throw, sums and fillings so far; buffers for one star."""
+
+    choice: np.ndarray
+    sums: np.ndarray
+    hits: np.ndarray
+    values: np.ndarray
+    """Those of the goals, star sums only [q]."""
+    bounds: np.ndarray
+    """The same with the least that the sequence can add [q]."""
+    whole: np.ndarray
+    """The same with a sequence [q]."""
+    delta: np.ndarray
+    """Difference of the two amplitudes of each class [K]."""
+    front_half: np.ndarray
+    """Sums over the first classes with all signs [2 m, rows]."""
+    rear_half: np.ndarray
+
+
+class SequenceOutput(NamedTuple):
+    """Rows found: values [f, q], classes and signs [f, n + K], how many each stands for [f]."""
+
+    values: np.ndarray
+    rows: np.ndarray
+    times: np.ndarray
+
+
+@compiled
+def twin(choice: Any, classes: int) -> int:
+    """1 if a star is the first of it and its mirror image, 0 if it is both, -1 if the second."""
+    for throw in range(choice.shape[0]):
+        other = (classes - choice[throw]) % classes
+        if choice[throw] != other:
+            return 1 if choice[throw] < other else -1
+    return 0
+
+
+@compiled
+def signed(delta: Any, turns: Any, first: int, last: int, fixed: bool, out: Any) -> int:
+    """Number of sums over the classes from first to last with all signs; writes them [2 m, rows].
+
+    fixed: the sign of the first class is +. Bit b of a row is set where class first + b (after the
+    fixed one) has the sign -.
+    """
+    width = out.shape[0]
+    for c in range(width):
+        total = 0.0
+        for own in range(first, last):
+            total += delta[own] * turns[own, c]
+        out[c, 0] = total
+    rows = 1
+    for own in range(first + (1 if fixed else 0), last):
+        for c in range(width):
+            twice = 2.0 * delta[own] * turns[own, c]
+            for row in range(rows):
+                out[c, rows + row] = out[c, row] - twice
+        rows *= 2
+    return rows
+
+
+@compiled
+def short(x: float, y: float, rear: Any, c: int, rows: int, square: float) -> int:
+    """How many of the rear half make a sum with x + iy whose square is at most so great."""
+    count = 0
+    for row in range(rows):
+        dx = x + rear[c, row]
+        dy = y + rear[c + 1, row]
+        count += dx * dx + dy * dy <= square
+    return count
+
+
+@compiled
+def largest(front: Any, i: int, rear: Any, j: int, weights: Any) -> float:
+    """The largest of the weighted lengths of the sums of two rows."""
+    most = 0.0
+    for o in range(weights.shape[0]):
+        if weights[o] > 0.0:
+            x = front[2 * o, i] + rear[2 * o, j]
+            y = front[2 * o + 1, i] + rear[2 * o + 1, j]
+            most = max(most, weights[o] * weights[o] * (x * x + y * y))
+    return np.sqrt(most)
+
+
+@compiled
+def driver(weights: Any) -> int:
+    """The sum with the greatest weight."""
+    best = 0
+    for o in range(weights.shape[0]):
+        if weights[o] > weights[best]:
+            best = o
+    return best
+
+
+@compiled
+def least(front: Any, fronts: int, rear: Any, rears: int, weights: Any) -> float:
+    """The least value of a goal over all signs."""
+    drive = driver(weights)
+    best = np.inf
+    for i in range(fronts):
+        square = (best / weights[drive]) ** 2
+        if short(front[2 * drive, i], front[2 * drive + 1, i], rear, 2 * drive, rears, square):
+            for j in range(rears):
+                best = min(best, largest(front, i, rear, j, weights))
+    return best
+
+
+@compiled
+def cut(values: Any, goal: int, front: Any, known: int) -> float:
+    """The greatest value of a goal at which a star with these others is not surely dominated."""
+    out = np.inf
+    for f in range(known):
+        if front[f, goal] - SAME >= out:
+            continue
+        better, worse = False, False
+        for q in range(values.shape[0]):
+            if q == goal:
+                continue
+            if front[f, q] > values[q] + SAME:
+                worse = True
+                break
+            if front[f, q] < values[q] - SAME:
+                better = True
+        if not worse:
+            out = min(out, front[f, goal] + (-SAME if better else SAME))
+    return out
+
+
+@compiled
+def written(
+    tables: Any, walk: Any, code: int, times: int, output: Any, front: Any, state: Any
+) -> None:
+    """Write a star with a sequence that no point of the front dominates."""
+    if dominated(walk.whole, front, state[KNOWN], 0.0):
+        return
+    state[KNOWN] = entered(walk.whole, front, state[KNOWN])
+    row = state[FOUND]
+    throws = walk.choice.shape[0]
+    output.values[row] = walk.whole
+    for throw in range(throws):
+        output.rows[row, throw] = walk.choice[throw]
+    if tables.room == 2:
+        for own in range(tables.turns.shape[0]):
+            output.rows[row, throws + own] = 1 if own == 0 else 1 - ((code >> (own - 1)) & 1)
+    output.times[row] = times
+    state[FOUND] += 1
+
+
+@compiled
+def goals_of(walk: Any, i: int, j: int, tables: Any) -> None:
+    """Write the values of the goals with the signs of two rows."""
+    for q in range(walk.values.shape[0]):
+        own = largest(walk.front_half, i, walk.rear_half, j, tables.sequence_weights[q])
+        walk.whole[q] = max(walk.values[q], own)
+
+
+@compiled
+def differences(tables: Any, walk: Any) -> None:
+    """Write the difference of the amplitudes of each class, in the order of throws and banks."""
+    classes = tables.turns.shape[0]
+    walk.delta[:] = 0.0
+    walk.hits[-1, :] = 0
+    for throw in range(tables.amplitudes.shape[0]):
+        for bank in range(tables.amplitudes.shape[1]):
+            own = (walk.choice[throw] + bank * tables.shift) % classes
+            sign = 1.0 if walk.hits[-1, own] == 0 else -1.0
+            walk.hits[-1, own] += 1
+            walk.delta[own] += sign * tables.amplitudes[throw, bank]
+
+
+@compiled
+def sequences(tables: Any, walk: Any, times: int, output: Any, front: Any, state: Any) -> None:
+    """Look for sequences of a star that no point of the front dominates."""
+    goals, goal, many = walk.values.shape[0], 0, 0
+    for q in range(goals):
+        if tables.sequence_weights[q].max() > 0.0:
+            goal = q
+            many += 1
+    most = np.inf
+    if many == 1:
+        most = cut(walk.values, goal, front, state[KNOWN])
+        if most < walk.values[goal] or most < 0.0:
+            return
+    state[OPENED] += times
+    differences(tables, walk)
+    classes = tables.turns.shape[0]
+    middle = (classes + 1) // 2
+    ahead, rear = walk.front_half, walk.rear_half
+    aheads = signed(walk.delta, tables.turns, 0, middle, True, ahead)
+    rears = signed(walk.delta, tables.turns, middle, classes, False, rear)
+    if many > 1:
+        for q in range(goals):
+            walk.bounds[q] = walk.values[q]
+            if tables.sequence_weights[q].max() > 0.0:
+                own = least(ahead, aheads, rear, rears, tables.sequence_weights[q])
+                walk.bounds[q] = max(walk.bounds[q], own)
+        if dominated(walk.bounds, front, state[KNOWN], 1e-11):
+            return
+    weights = tables.sequence_weights[goal]
+    drive = driver(weights)
+    square = (most / weights[drive]) ** 2 * (1 + 1e-11) + 1e-20
+    for i in range(aheads):
+        x, y = ahead[2 * drive, i], ahead[2 * drive + 1, i]
+        if short(x, y, rear, 2 * drive, rears, square) == 0:
+            continue
+        for j in range(rears):
+            dx, dy = x + rear[2 * drive, j], y + rear[2 * drive + 1, j]
+            if dx * dx + dy * dy <= square:
+                state[FORMED] += times
+                if many == 1 and largest(ahead, i, rear, j, weights) > most + SAME:
+                    continue
+                goals_of(walk, i, j, tables)
+                code = i + (j << (middle - 1))
+                written(tables, walk, code, times, output, front, state)
+
+
+@compiled
+def met(tables: Any, walk: Any, output: Any, front: Any, state: Any) -> None:
+    """Weigh the star that the walk has come to."""
+    throws, classes = walk.choice.shape[0], tables.turns.shape[0]
+    times = 1
+    if tables.mirrored:
+        side = twin(walk.choice, classes)
+        if side < 0:
+            return
+        times = 1 + side
+    state[STARS] += times
+    sums = walk.sums[throws]
+    walk.values[:] = 0.0
+    for o in range(tables.caps.shape[0]):
+        length = np.sqrt(sums[2 * o] * sums[2 * o] + sums[2 * o + 1] * sums[2 * o + 1])
+        if length > tables.caps[o] + SAME:
+            return
+        for q in range(walk.values.shape[0]):
+            walk.values[q] = max(walk.values[q], tables.star_weights[q, o] * length)
+    if tables.turns.shape[1] > 0:
+        sequences(tables, walk, times, output, front, state)
+    else:
+        walk.whole[:] = walk.values
+        written(tables, walk, 0, times, output, front, state)
+
+
+@compiled
+def placed(tables: Any, walk: Any, throw: int, own: int) -> bool:
+    """Put a throw into a class: writes sums and fillings; False where the class has no room."""
+    classes, width = tables.star.shape[1], tables.star.shape[2]
+    filled = walk.hits[throw + 1]
+    filled[:] = walk.hits[throw]
+    for bank in range(tables.amplitudes.shape[1]):
+        at = (own + bank * tables.shift) % classes
+        filled[at] += 1
+        if filled[at] > tables.room:
+            return False
+    for c in range(width):
+        walk.sums[throw + 1, c] = walk.sums[throw, c] + tables.star[throw, own, c]
+    walk.choice[throw] = own
+    return True
+
+
+@compiled
+def visited(
+    tables: Any, prefix: Any, walk: Any, output: Any, front: Any, most: int, state: Any
+) -> bool:
+    """Whether all stars that begin with a prefix were visited.
+
+    Else `output` is full: empty it and call again, as it was. most: rows that one star can bring.
+    state: see DEPTH; DEPTH is 0 at the first call.
+    """
+    throws, classes = walk.choice.shape[0], tables.star.shape[1]
+    free = prefix.shape[0]
+    if state[DEPTH] == 0:
+        walk.hits[:] = 0
+        for throw in range(free):
+            if not placed(tables, walk, throw, prefix[throw]):
+                return True
+        if free == throws:
+            met(tables, walk, output, front, state)
+            return True
+        walk.choice[free:] = -1
+        state[DEPTH] = free
+    depth = state[DEPTH]
+    while depth >= free:
+        own = walk.choice[depth] + 1
+        while own < classes and not placed(tables, walk, depth, own):
+            own += 1
+        if own == classes:
+            walk.choice[depth] = -1
+            depth -= 1
+            continue
+        if depth < throws - 1:
+            depth += 1
+            walk.choice[depth] = -1
+            continue
+        met(tables, walk, output, front, state)
+        if state[FOUND] + most > output.times.shape[0]:
+            state[DEPTH] = depth
+            return False
+    return True
+
+
+@compiled
+def sifted(values: Any, times: Any, points: Any, size: int, home: Any) -> None:
+    """Find the point of each row, and keep so many rows of each: home is -1 for the others.
+
+    times: how many orders a row stands for; the first row of a point gets them all. A row whose
+    values are no point's is dominated.
+    """
+    seen = np.zeros(points.shape[0], np.int64)
+    first = np.zeros(points.shape[0], np.int64)
+    for row in range(values.shape[0]):
+        home[row] = -1
+        for f in range(points.shape[0]):
+            same = True
+            for q in range(values.shape[1]):
+                if abs(values[row, q] - points[f, q]) > 2 * SAME:
+                    same = False
+                    break
+            if same:
+                if seen[f] == 0:
+                    first[f] = row
+                else:
+                    times[first[f]] += times[row]
+                    times[row] = 0
+                if seen[f] < size:
+                    home[row] = f
+                seen[f] += 1
+                break
+
+
+@compiled
+def nondominated(values: Any, points: Any) -> int:
+    """Number of points of the front of some rows; writes them."""
+    known = 0
+    for row in range(values.shape[0]):
+        if not dominated(values[row], points, known, 0.0):
+            known = entered(values[row], points, known)
+    return known

@@ -1,0 +1,245 @@
+"""Sums of vectors over a shaft with its firing sequence: forces, couples and torsion.
+
+Alike cylinders at dead centre t_p (first rods) give, in order k,
+
+    F_k = s_k |sum over throws of exp(-i k t_p)|
+    M_k = s_k |sum over throws of z_p exp(-i k t_p)|
+
+with s_k = 1 in line. With two rods on each pin and a bank angle V the pin pushes with
+cos((k - 1) V/2) of two cylinders along with the crankshaft and cos((k + 1) V/2) against it, so that
+s_k = |cos((k - 1) V/2)| + |cos((k + 1) V/2)|. Of order 1 counterweights can take all that turns
+with the crankshaft; |cos V| of the sum (in line half of it) they leave: the same for every star but
+for the sum itself, so that to minimise M_1 is also to minimise M_1 after counterweights.
+
+Torsion weighs the firing angles theta_j of the cylinders with the amplitude a_j of a mode:
+
+    T_k = |sum over cylinders of a_j exp(-i k theta_j)|
+
+Of two cylinders of a class (dead centres that coincide) one fires a turn later, so that for a half
+order their vectors are opposed, and for a whole one parallel: whole orders belong to the star, half
+orders are sum over classes c of +-(a_u - a_v) exp(-i k c step), the signs being the sequence.
+
+Source: C. F. Taylor, The Internal Combustion Engine in Theory and Practice, vol. 2, chapter 8, for
+F_k and M_k; J. P. Den Hartog, Mechanical Vibrations, section 5.4 (star diagrams of torsion).
+"""
+
+from __future__ import annotations
+
+from cmath import rect
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from math import cos, inf, radians
+from typing import Literal
+
+from crankstar.derive.algebra import cyclotomic
+from crankstar.search.faults import SearchError, error, fault
+from crankstar.search.shafts import Fired, Shaft
+
+MOST_GOALS = 4
+"""Goals of one front."""
+SMALL = 1e-9
+"""Share of the sum of all weights below which a sum is looked at exactly."""
+NOTHING = 1e-12
+"""A scale below which an order is balanced between the two banks of each pin."""
+
+
+@dataclass(frozen=True)
+class OrderSum:
+    """F_k, M_k or T_k; weights: of each throw (F, M), or of each rod by throw and bank (T)."""
+
+    kind: Literal["F", "M", "T"]
+    order: Fraction
+    weights: tuple[Fraction, ...]
+    scale: float = 1.0
+
+    @property
+    def name(self) -> str:
+        """As it is written: M1, T2.5."""
+        return f"{self.kind}{float(self.order):g}"
+
+    @property
+    def unit(self) -> str:
+        """The unit; a torsion counts in the gas torque of one cylinder."""
+        if self.kind == "T":
+            return ""
+        force = "m*r*w^2" if self.order == 1 else f"m*r*w^2*A_{self.order}"
+        return force if self.kind == "F" else f"{force}*a"
+
+    @property
+    def half(self) -> bool:
+        """Whether it is a torsion of a half order."""
+        return self.order.denominator == 2
+
+    def exact(self, shaft: Shaft, fired: Fired) -> cyclotomic.Number:
+        """The sum without its scale, exactly."""
+        angles = shaft.angles_deg(fired)
+        total = cyclotomic.rational(0)
+        for weight, number in zip(self.weights, self._numbers(shaft), strict=True):
+            turn = -self.order * angles[number] / 360
+            total = total + cyclotomic.root(turn).times(weight)
+        return total
+
+    def _numbers(self, shaft: Shaft) -> list[int]:
+        """The cylinder of each weight: of a force or couple the first of each throw."""
+        rods = shaft.rods if self.kind == "T" else 1
+        return [number for pin in shaft.numbers for number in pin[:rods]]
+
+    def length(self, shaft: Shaft, fired: Fired) -> float:
+        """How long it is, exact zeros as zero.
+
+        >>> from crankstar.search.shafts import shaft_of
+        >>> vee = shaft_of(8, bank_angle_deg=90)
+        >>> cross = vee.fired_in((1, 8, 4, 3, 6, 5, 7, 2))
+        >>> round(couple(vee, 1).length(vee, cross) ** 2, 9), force(vee, 2).length(vee, cross)
+        (10.0, 0.0)
+        """
+        steps = shaft.steps(fired)
+        step = radians(float(self.order * shaft.step_deg))
+        near = sum(
+            float(weight) * rect(1.0, -step * steps[number])
+            for weight, number in zip(self.weights, self._numbers(shaft), strict=True)
+        )
+        if self.scale < NOTHING:
+            return 0.0
+        small = abs(near) < SMALL * sum(map(abs, self.weights))
+        return 0.0 if small and self.exact(shaft, fired).zero else self.scale * abs(near)
+
+
+def shares(shaft: Shaft, order: int) -> tuple[float, float]:
+    """The parts of s_k that turn with and against the crankshaft.
+
+    >>> from crankstar.search.shafts import shaft_of
+    >>> [round(share, 6) for share in shares(shaft_of(12, bank_angle_deg=60), 1)]
+    [1.0, 0.5]
+    """
+    if shaft.rods == 1:
+        return 0.5, 0.5
+    half = radians(float(shaft.bank_angle_deg)) / 2
+    parts = [abs(cos((order + way) * half)) for way in (-1, 1)]
+    along, against = (part if part > NOTHING else 0.0 for part in parts)
+    return along, against
+
+
+def force(shaft: Shaft, order: int) -> OrderSum:
+    """F_k of a shaft."""
+    return OrderSum("F", Fraction(order), (Fraction(1),) * shaft.throws, sum(shares(shaft, order)))
+
+
+def couple(shaft: Shaft, order: int) -> OrderSum:
+    """M_k of a shaft about its middle."""
+    return OrderSum("M", Fraction(order), shaft.places, sum(shares(shaft, order)))
+
+
+def straight(shaft: Shaft) -> tuple[Fraction, ...]:
+    """The shape that goes evenly from 1 at the farther end of the shaft, by throw and rod.
+
+    >>> from crankstar.search.shafts import shaft_of
+    >>> [str(each) for each in straight(shaft_of(4))]
+    ['1', '1/3', '-1/3', '-1']
+    """
+    middle = sum(shaft.places) / shaft.throws
+    farthest = max(abs(place - middle) for place in shaft.places)
+    return tuple((place - middle) / farthest for place in shaft.places for _ in range(shaft.rods))
+
+
+def torsion(shaft: Shaft, order: Fraction, shape: Sequence[Fraction]) -> OrderSum:
+    """T_k of a shaft in a shape: an amplitude for each throw, or for each cylinder by its number.
+
+    Raises SearchError where the shape is of another length or the order does not exist.
+    """
+    name = f"T{float(order):g}"
+    if order.denominator > 2:
+        raise error("orders", "torsion-order", name=name)
+    if shaft.cycle == "two-stroke" and order.denominator != 1:
+        raise error("", "two-stroke-torsion", name=name)
+    if len(shape) == shaft.throws:
+        weights = tuple(each for each in shape for _ in range(shaft.rods))
+    elif len(shape) == shaft.cylinders:
+        numbers = sorted(number for pin in shaft.numbers for number in pin)
+        own = dict(zip(numbers, shape, strict=True))
+        weights = tuple(own[number] for pin in shaft.numbers for number in pin)
+    else:
+        counts = {"given": len(shape), "throws": shaft.throws, "cylinders": shaft.cylinders}
+        raise error("mode_shape", "shape-throws", **counts)
+    return OrderSum("T", order, weights)
+
+
+@dataclass(frozen=True)
+class Goal:
+    """The largest of some sums, to be minimised."""
+
+    name: str
+    sums: tuple[OrderSum, ...]
+
+    @property
+    def unit(self) -> str:
+        """The unit of its sums."""
+        return self.sums[0].unit
+
+    def value(self, shaft: Shaft, fired: Fired) -> float:
+        """The largest of its sums for a star with its sequence."""
+        return max(each.length(shaft, fired) for each in self.sums)
+
+
+@dataclass(frozen=True)
+class Cap:
+    """A sum that belongs to the star and may be at most so long; 0: it vanishes, exactly."""
+
+    sum: OrderSum
+    greatest: float = 0.0
+
+
+@dataclass(frozen=True)
+class SequenceQuestion:
+    """Which stars with which sequences are on the front of some goals, within some caps.
+
+    size: how many orders of each point of the front are kept.
+    """
+
+    shaft: Shaft
+    goals: tuple[Goal, ...]
+    caps: tuple[Cap, ...] = ()
+    size: int = 16
+
+    def __post_init__(self) -> None:
+        faults = [
+            fault("limit", "cap-sequence", name=cap.sum.name)
+            for cap in self.caps
+            if self.of_sequence(cap.sum)
+        ]
+        if not 1 <= len(self.goals) <= MOST_GOALS:
+            wrong = {"count": len(self.goals), "most": MOST_GOALS}
+            faults.append(fault("minimise", "too-many-objectives", **wrong))
+        if any(not 0 <= cap.greatest < inf for cap in self.caps):
+            faults.append(fault("limit", "cap-value"))
+        if faults:
+            raise SearchError(faults)
+
+    def of_sequence(self, one: OrderSum) -> bool:
+        """Whether a sum differs between the firing sequences of a star."""
+        return one.half and self.shaft.room == 2
+
+    @cached_property
+    def star_sums(self) -> tuple[OrderSum, ...]:
+        """The sums in goals and caps that the star decides, each once."""
+        named = [one for goal in self.goals for one in goal.sums]
+        every = dict.fromkeys([*named, *(cap.sum for cap in self.caps)])
+        return tuple(one for one in every if not self.of_sequence(one))
+
+    @cached_property
+    def sequence_sums(self) -> tuple[OrderSum, ...]:
+        """The sums in goals that the sequence decides, each once."""
+        every = dict.fromkeys(one for goal in self.goals for one in goal.sums)
+        return tuple(one for one in every if self.of_sequence(one))
+
+    def values(self, fired: Fired) -> tuple[float, ...]:
+        """The values of the goals, exact zeros as zero."""
+        return tuple(goal.value(self.shaft, fired) for goal in self.goals)
+
+    def within(self, fired: Fired) -> bool:
+        """Whether a star keeps the caps."""
+        return all(
+            cap.sum.length(self.shaft, fired) <= cap.greatest * (1 + 1e-9) for cap in self.caps
+        )
