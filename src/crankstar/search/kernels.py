@@ -195,7 +195,8 @@ def entered(values: Any, front: Any, known: int) -> int:
             if front[f, q] < values[q] - SAME:
                 worse = False
         if not worse:
-            front[kept] = front[f]
+            if kept < f:
+                front[kept] = front[f]
             kept += 1
     if kept < front.shape[0]:
         front[kept] = values

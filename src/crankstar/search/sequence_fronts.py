@@ -244,9 +244,10 @@ class Rows(NamedTuple):
 
     def merged(self, other: Rows, size: int) -> Rows:
         """The rows of both that are on the front of both; of each point the first ones."""
-        values, lines, times, every = map(np.concatenate, zip(self, other, strict=True))
+        values, lines, times = map(np.concatenate, zip(self[:3], other[:3], strict=True))
         points = np.empty((GREATEST_FRONT, values.shape[1]))
-        known = sequence_kernels.nondominated(every, points)
+        points[: len(self.points)] = self.points
+        known = sequence_kernels.joined(points, len(self.points), other.points)
         if known >= GREATEST_FRONT:
             raise error("minimise", "front-too-large", most=f"{GREATEST_FRONT:,}")
         points = points[:known][np.argsort(points[:known].sum(axis=1), kind="stable")]
@@ -294,10 +295,11 @@ def _walk(shaft: Shaft, tables: ShaftTables) -> Walk:
     return Walk(
         choice=np.zeros(throws, np.int64),
         sums=np.zeros((throws + 1, tables.star.shape[2])),
-        hits=np.zeros((throws + 2, classes), np.int64),
+        hits=np.zeros(classes, np.int64),
         values=np.zeros(goals),
         bounds=np.zeros(goals),
         whole=np.zeros(goals),
+        seen=np.zeros(classes, np.int64),
         delta=np.zeros(classes),
         front_half=np.zeros((width, 2 ** (middle - 1) if few else 1)),
         rear_half=np.zeros((width, 2 ** (classes - middle) if few else 1)),

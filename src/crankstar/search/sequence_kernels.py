@@ -63,6 +63,8 @@ class Walk(NamedTuple):
     """The same with the least that the sequence can add [q]."""
     whole: np.ndarray
     """The same with a sequence [q]."""
+    seen: np.ndarray
+    """How many cylinders of each class were met [K]."""
     delta: np.ndarray
     """Difference of the two amplitudes of each class [K]."""
     front_half: np.ndarray
@@ -211,12 +213,12 @@ def differences(tables: Any, walk: Any) -> None:
     """Write the difference of the amplitudes of each class, in the order of throws and banks."""
     classes = tables.turns.shape[0]
     walk.delta[:] = 0.0
-    walk.hits[-1, :] = 0
+    walk.seen[:] = 0
     for throw in range(tables.amplitudes.shape[0]):
         for bank in range(tables.amplitudes.shape[1]):
             own = (walk.choice[throw] + bank * tables.shift) % classes
-            sign = 1.0 if walk.hits[-1, own] == 0 else -1.0
-            walk.hits[-1, own] += 1
+            sign = 1.0 if walk.seen[own] == 0 else -1.0
+            walk.seen[own] += 1
             walk.delta[own] += sign * tables.amplitudes[throw, bank]
 
 
@@ -293,20 +295,32 @@ def met(tables: Any, walk: Any, output: Any, front: Any, state: Any) -> None:
 
 
 @compiled
-def placed(tables: Any, walk: Any, throw: int, own: int) -> bool:
-    """Put a throw into a class: writes sums and fillings; False where the class has no room."""
-    classes, width = tables.star.shape[1], tables.star.shape[2]
-    filled = walk.hits[throw + 1]
-    filled[:] = walk.hits[throw]
+def room_for(tables: Any, hits: Any, own: int) -> bool:
+    """Whether the cylinders of a throw in a class have room."""
+    classes = hits.shape[0]
     for bank in range(tables.amplitudes.shape[1]):
-        at = (own + bank * tables.shift) % classes
-        filled[at] += 1
-        if filled[at] > tables.room:
+        at = own + bank * tables.shift
+        if hits[at if at < classes else at - classes] >= tables.room:
             return False
-    for c in range(width):
+    return True
+
+
+@compiled
+def filled(tables: Any, hits: Any, own: int, by: int) -> None:
+    """Put the cylinders of a throw into their classes, or take them out."""
+    classes = hits.shape[0]
+    for bank in range(tables.amplitudes.shape[1]):
+        at = own + bank * tables.shift
+        hits[at if at < classes else at - classes] += by
+
+
+@compiled
+def placed(tables: Any, walk: Any, throw: int, own: int) -> None:
+    """Put a throw into a class: writes fillings and sums."""
+    filled(tables, walk.hits, own, 1)
+    for c in range(tables.star.shape[2]):
         walk.sums[throw + 1, c] = walk.sums[throw, c] + tables.star[throw, own, c]
     walk.choice[throw] = own
-    return True
 
 
 @compiled
@@ -320,28 +334,36 @@ def visited(
     """
     throws, classes = walk.choice.shape[0], tables.star.shape[1]
     free = prefix.shape[0]
+    choice, hits, sums, star = walk.choice, walk.hits, walk.sums, tables.star
     if state[DEPTH] == 0:
-        walk.hits[:] = 0
+        hits[:] = 0
         for throw in range(free):
-            if not placed(tables, walk, throw, prefix[throw]):
+            if not room_for(tables, hits, prefix[throw]):
                 return True
+            placed(tables, walk, throw, prefix[throw])
         if free == throws:
             met(tables, walk, output, front, state)
             return True
-        walk.choice[free:] = -1
+        choice[free:] = -1
         state[DEPTH] = free
     depth = state[DEPTH]
     while depth >= free:
-        own = walk.choice[depth] + 1
-        while own < classes and not placed(tables, walk, depth, own):
+        own = choice[depth]
+        if own >= 0:
+            filled(tables, hits, own, -1)
+        own += 1
+        while own < classes and not room_for(tables, hits, own):
             own += 1
         if own == classes:
-            walk.choice[depth] = -1
+            choice[depth] = -1
             depth -= 1
             continue
+        filled(tables, hits, own, 1)
+        for c in range(star.shape[2]):
+            sums[depth + 1, c] = sums[depth, c] + star[depth, own, c]
+        choice[depth] = own
         if depth < throws - 1:
             depth += 1
-            walk.choice[depth] = -1
             continue
         met(tables, walk, output, front, state)
         if state[FOUND] + most > output.times.shape[0]:
@@ -380,10 +402,19 @@ def sifted(values: Any, times: Any, points: Any, size: int, home: Any) -> None:
 
 
 @compiled
-def nondominated(values: Any, points: Any) -> int:
-    """Number of points of the front of some rows; writes them."""
-    known = 0
-    for row in range(values.shape[0]):
-        if not dominated(values[row], points, known, 0.0):
-            known = entered(values[row], points, known)
+def joined(points: Any, known: int, others: Any) -> int:
+    """Number of points of a front that others have joined, where no known one is as good."""
+    for row in range(others.shape[0]):
+        needed = True
+        for f in range(known):
+            worse = False
+            for q in range(others.shape[1]):
+                if points[f, q] > others[row, q] + SAME:
+                    worse = True
+                    break
+            if not worse:
+                needed = False
+                break
+        if needed:
+            known = entered(others[row], points, known)
     return known
